@@ -5,9 +5,8 @@
 
 use pellicle_contact::{
     ContactError, Domain, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning,
-    default_side, domain_much_larger, loads_at_once, model_warnings, solve_path,
+    default_side, domain_much_larger, loads_at_once, model_warnings, solve_path, solved_grid,
 };
-use pellicle_influence::Sector;
 use pellicle_texture::Grid;
 
 use crate::case::Case;
@@ -87,16 +86,12 @@ impl Need {
     )]
     fn of(case: &Case, model: &Model, writers: usize, share: f64) -> Self {
         let (elements, steps) = (case.grid.elements, case.load.loads().len());
-        let is_gradient = case.solver.options().method == Method::Gradient;
-        let sector = if elements.is_multiple_of(2) && is_gradient {
-            model.sector()
-        } else {
-            Sector::Whole
-        };
-        let of_sector = |[quadrant, half, whole]: [[f64; 2]; 3]| match sector {
-            Sector::Quadrant => quadrant,
-            Sector::Half => half,
-            Sector::Whole => whole,
+        let (options, boundary) = (case.solver_options(), case.grid.boundary.into());
+        let images = solved_grid(model, elements, boundary, &options).images();
+        let of_sector = |[quadrant, half, whole]: [[f64; 2]; 3]| match images {
+            4 => quadrant,
+            2 => half,
+            _ => whole,
         };
         let [any, in_contact] = of_sector(BYTES_PER_ELEMENT_SOLVED);
         let solved = (any + in_contact * share) * loads_at_once(elements, steps) as f64;
@@ -117,10 +112,9 @@ impl Need {
             .flatten();
         let samples: usize = maps.map(|map| map.samples().len()).sum();
         // The dense matrix and its factors.
-        let dense = if is_gradient {
-            0.0
-        } else {
-            16.0 * area.powi(2)
+        let dense = match options.method {
+            Method::Gradient => 0.0,
+            Method::ActiveSet => 16.0 * area.powi(2),
         };
         Self {
             bytes: (BYTES
@@ -323,6 +317,7 @@ mod tests {
     use pellicle_influence::Cache;
 
     use super::*;
+    use crate::case::grid::BoundaryCase;
     use crate::input::span::Source;
 
     /// Hertz' contact of `cases/hertz.toml`.
@@ -362,6 +357,16 @@ mod tests {
                 case.grid.elements
             );
         }
+    }
+
+    #[test]
+    fn a_periodic_cell_is_forecast_on_the_whole_grid_though_all_is_mirrored() {
+        let mut case = hertz(LEAST_TRIED);
+        let model = case.model(&Cache::in_memory()).unwrap().value;
+        let bytes = |case: &Case| Need::new(case, &model, Domain::Side(1e-3), 0).bytes;
+        let of_quadrant = bytes(&case);
+        case.grid.boundary = BoundaryCase::Periodic;
+        assert!(bytes(&case) > of_quadrant);
     }
 
     #[test]

@@ -33,6 +33,7 @@ pub use path::{
         choice::{choose_side, choose_side_at},
         default_side, estimated_force, estimated_force_at_radius,
     },
+    levels::solved_grid,
     loads_at_once, solve_path,
     warnings::{
         FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger, edge_slope,

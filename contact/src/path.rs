@@ -11,7 +11,7 @@ pub mod domain;
 mod effort;
 mod hierarchy;
 mod level;
-mod levels;
+pub mod levels;
 mod start;
 pub mod warnings;
 
@@ -20,7 +20,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
 use pellicle_influence::{
-    CoefficientTable, ElasticOperator as _, Origin, RadialTables, Sector, SurfaceElasticity, love,
+    CoefficientTable, ElasticOperator as _, Origin, RadialTables, SurfaceElasticity, love,
 };
 use pellicle_texture::{Grid, Relief};
 use rayon::prelude::*;
@@ -137,8 +137,8 @@ fn displacement(
         Boundary::Free => {
             let whole = Window::whole(size);
             let window = whole.around_pressing(pressure).unwrap_or(whole);
-            let shown = (Sector::Whole, size);
-            let mut operator = elasticity.under_window(shown, window.origin(), window.size());
+            let (shown, origin) = (whole.grid(), window.origin());
+            let mut operator = elasticity.under_window(shown, origin, window.size());
             operator.apply_into(&window.cut(pressure), &mut displacement);
         }
         Boundary::Periodic => {

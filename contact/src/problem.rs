@@ -1,6 +1,6 @@
 //! The problem: an indenter pressed into a body by a load, and its form on one grid.
 
-mod body;
+pub mod body;
 pub mod boundary;
 pub mod discrete_problem;
 pub mod held_pressure;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use pellicle_influence::{
-    CoefficientTable, ConvolutionOperator, ElasticOperator, QuadrantOperator, love,
+    CoefficientTable, ConvolutionOperator, ElasticOperator, Sector, SectorGrid, love,
 };
 use pellicle_kernel::Material;
 use rayon::ThreadPoolBuilder;
@@ -29,7 +29,10 @@ fn product(criterion: &mut Criterion) {
 
 /// Products on the quadrant that stands for a grid as large.
 fn product_on_a_quadrant(criterion: &mut Criterion) {
-    let operator = |size| QuadrantOperator::new(&table(size), size / 2);
+    let operator = |size| {
+        let quadrant = SectorGrid::of_square(Sector::Quadrant, size);
+        ConvolutionOperator::on(&table(size), quadrant)
+    };
     products(criterion, "product on a quadrant", operator);
 }
 

@@ -94,11 +94,11 @@ pub use element::{direct, love};
 pub use error::InfluenceError;
 pub use filter::{PeriodicFilter, PeriodicSymbol};
 pub use operator::{
-    ConvolutionOperator, DenseOperator, ElasticOperator, HalfOperator, PeriodicOperator,
-    QuadrantOperator, ScatteredOperator, WindowOperator, scattered_work,
+    ConvolutionOperator, DenseOperator, ElasticOperator, PeriodicOperator, ScatteredOperator,
+    WindowOperator, scattered_work,
 };
 pub use radial::{CoefficientDerivative, RadialTables};
-pub use sector::Sector;
+pub use sector::{Sector, SectorGrid};
 pub use subsurface::{
     CentreStresses, Depth, ElementDepths, ElementFields, ElementLoads, PlaneFields, Squares,
     SubsurfaceState, SurfaceLoad,

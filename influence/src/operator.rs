@@ -8,7 +8,7 @@ mod periodic;
 mod scattered;
 mod spectrum;
 
-pub use convolution::{ConvolutionOperator, HalfOperator, QuadrantOperator, WindowOperator};
+pub use convolution::{ConvolutionOperator, WindowOperator};
 pub use dense::DenseOperator;
 pub use elastic::ElasticOperator;
 pub use periodic::PeriodicOperator;

@@ -2,9 +2,7 @@
 
 use rayon::prelude::*;
 
-/// The part of a grid whose elements a problem is solved on.
-///
-/// Its size is the number of elements of a row; a half of a grid has twice as many rows.
+/// Which part of a square grid stands for all of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sector {
     /// The whole grid.
@@ -17,18 +15,94 @@ pub enum Sector {
     Quadrant,
 }
 
-impl Sector {
+/// The elements of a square grid that a problem is solved on: all, or a sector that stands for them.
+///
+/// Its size is the number of elements of a row; a half of a grid has twice as many rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SectorGrid {
+    sector: Sector,
+    size: usize,
+}
+
+impl SectorGrid {
+    /// A whole grid of `size` elements per side.
+    #[must_use]
+    pub fn whole(size: usize) -> Self {
+        Self::new(Sector::Whole, size)
+    }
+
+    /// A sector of `size` elements a row.
+    #[must_use]
+    pub fn new(sector: Sector, size: usize) -> Self {
+        Self { sector, size }
+    }
+
+    /// The smallest grid of this sector that holds its part of a square of `side` elements per side.
+    #[must_use]
+    pub fn of_square(sector: Sector, side: usize) -> Self {
+        let one = Self::new(sector, 1);
+        one.with_size(side.div_ceil(one.whole_size()))
+    }
+
+    /// The same sector with `size` elements a row.
+    #[must_use]
+    pub fn with_size(self, size: usize) -> Self {
+        Self { size, ..self }
+    }
+
+    /// The same sector of another square, as [`Self::of_square`].
+    #[must_use]
+    pub fn for_square(self, side: usize) -> Self {
+        Self::of_square(self.sector, side)
+    }
+
+    /// The part of the whole grid.
+    pub(crate) fn sector(self) -> Sector {
+        self.sector
+    }
+
+    /// Elements of a row.
+    #[must_use]
+    pub fn size(self) -> usize {
+        self.size
+    }
+
+    /// Elements per side of the whole grid.
+    #[must_use]
+    pub fn whole_size(self) -> usize {
+        let [_, parts] = self.parts();
+        parts * self.size
+    }
+
+    /// Rows, and elements of each.
+    #[must_use]
+    pub fn lengths(self) -> [usize; 2] {
+        self.parts().map(|parts| self.whole_size() / parts)
+    }
+
+    /// Number of elements.
+    #[must_use]
+    pub fn elements(self) -> usize {
+        self.lengths().iter().product()
+    }
+
     /// Whether elements have mirror images along x, and along y.
     #[must_use]
     pub fn mirrored(self) -> [bool; 2] {
-        match self {
-            Self::Whole => [false, false],
-            Self::Half => [false, true],
-            Self::Quadrant => [true, true],
+        match self.sector {
+            Sector::Whole => [false, false],
+            Sector::Half => [false, true],
+            Sector::Quadrant => [true, true],
         }
     }
 
-    /// Number of such parts along each axis of the grid.
+    /// Whether elements have mirror images at all.
+    #[must_use]
+    pub fn has_images(self) -> bool {
+        self.sector != Sector::Whole
+    }
+
+    /// Number of such parts along each axis of the whole grid.
     #[must_use]
     pub fn parts(self) -> [usize; 2] {
         self.mirrored().map(|mirrored| 1 + usize::from(mirrored))
@@ -40,30 +114,23 @@ impl Sector {
         self.parts().iter().product()
     }
 
-    /// Elements per side of a square of the whole grid, of which `size` elements of each row are the sector's.
+    /// How many elements of the whole grid so many stand for.
     #[must_use]
-    pub fn whole(self, size: usize) -> usize {
-        let [_, parts] = self.parts();
-        parts * size
+    pub fn with_images(self, elements: usize) -> usize {
+        self.images() * elements
     }
 
-    /// The size that holds its part of a square of so many elements per side.
+    /// The area (m²) on which one value of a pressure acts: an element of this area and its mirror images.
     #[must_use]
-    pub fn size_for(self, side: usize) -> usize {
-        let [_, parts] = self.parts();
-        side.div_ceil(parts)
+    pub fn loaded_area(self, element_area: f64) -> f64 {
+        self.images() as f64 * element_area
     }
 
-    /// Rows of the sector, and elements of each, the `size`.
+    /// Index along each axis of the whole grid of the first element.
     #[must_use]
-    pub fn lengths(self, size: usize) -> [usize; 2] {
-        self.parts().map(|parts| self.whole(size) / parts)
-    }
-
-    /// Index along each axis, on a grid of `size` elements per side, of the first element.
-    #[must_use]
-    pub fn first_index(self, size: usize) -> [usize; 2] {
-        self.parts().map(|parts| size - size / parts)
+    pub fn first_index(self) -> [usize; 2] {
+        let whole = self.whole_size();
+        self.parts().map(|parts| whole - whole / parts)
     }
 
     /// Lines of elements before the first along each axis, of `reach` looked at, that are mirror images of those on
@@ -74,12 +141,22 @@ impl Sector {
             .map(|mirrored| if mirrored { reach } else { 0 })
     }
 
-    /// The first, by index, of the elements that an element stands for on a grid of `size` elements per side.
+    /// The index along an axis of an element, or of the one that an element across the axis is the mirror image of.
     #[must_use]
-    pub fn first_image(self, element: [usize; 2], size: usize) -> [usize; 2] {
+    pub fn on_this_side(self, axis: usize, index: isize) -> isize {
+        if index < 0 && self.mirrored()[axis] {
+            -1 - index
+        } else {
+            index
+        }
+    }
+
+    /// The first, by index on the whole grid, of the elements that an element stands for.
+    #[must_use]
+    pub fn first_image(self, element: [usize; 2]) -> [usize; 2] {
         let image = |axis: usize| {
             if self.mirrored()[axis] {
-                size / 2 - 1 - element[axis]
+                self.whole_size() / 2 - 1 - element[axis]
             } else {
                 element[axis]
             }
@@ -100,14 +177,26 @@ impl Sector {
         [image(0), image(1)]
     }
 
-    /// The sector's part of a field on a grid of `size` elements per side.
+    /// Offsets from one element to another and to its mirror images.
+    pub(crate) fn offsets(
+        self,
+        from: [usize; 2],
+        to: [usize; 2],
+    ) -> impl Iterator<Item = [usize; 2]> {
+        let along = move |axis: usize| {
+            let mirrored = self.mirrored()[axis].then_some(from[axis] + to[axis] + 1);
+            std::iter::once(from[axis].abs_diff(to[axis])).chain(mirrored)
+        };
+        along(0).flat_map(move |x| along(1).map(move |y| [x, y]))
+    }
+
+    /// These elements' part of a field on the whole grid.
     #[must_use]
-    pub fn cut<T: Copy + Default + Send + Sync>(self, field: &[T], size: usize) -> Vec<T> {
-        let [above, left] = self.first_index(size);
-        let [rows, part] = [size - above, size - left];
-        let mut values = vec![T::default(); rows * part];
-        let rows = field.par_chunks_exact(size).skip(above);
-        let rows = values.par_chunks_exact_mut(part).zip(rows);
+    pub fn cut<T: Copy + Default + Send + Sync>(self, field: &[T]) -> Vec<T> {
+        let [above, left] = self.first_index();
+        let mut values = vec![T::default(); self.elements()];
+        let rows = field.par_chunks_exact(self.whole_size()).skip(above);
+        let rows = values.par_chunks_exact_mut(self.size).zip(rows);
         rows.for_each(|(values, row)| values.copy_from_slice(&row[left..]));
         values
     }
@@ -115,28 +204,31 @@ impl Sector {
 
 #[cfg(test)]
 mod tests {
-    use super::Sector;
+    use super::{Sector, SectorGrid};
 
     #[test]
     fn a_quadrant_is_cut_from_its_four_images() {
         let rows = [[4.0, 3.0, 3.0, 4.0], [2.0, 1.0, 1.0, 2.0]];
         let whole = [rows[0], rows[1], rows[1], rows[0]].concat();
-        assert_eq!(Sector::Quadrant.cut(&whole, 4), [1.0, 2.0, 3.0, 4.0]);
-        let images = [[0, 0], [0, 1], [1, 0], [1, 1]].map(|at| Sector::Quadrant.first_image(at, 4));
+        let quadrant = SectorGrid::new(Sector::Quadrant, 2);
+        assert_eq!(quadrant.cut(&whole), [1.0, 2.0, 3.0, 4.0]);
+        let images = [[0, 0], [0, 1], [1, 0], [1, 1]].map(|at| quadrant.first_image(at));
         assert_eq!(images, [[1, 1], [1, 0], [0, 1], [0, 0]]);
+        assert_eq!(
+            (quadrant.with_images(3), quadrant.loaded_area(0.5)),
+            (12, 2.0)
+        );
     }
 
     #[test]
     fn a_half_is_cut_from_its_two_images() {
         let whole = [[2.0, 1.0, 1.0, 2.0], [4.0, 3.0, 3.0, 4.0]].concat();
         let whole = [whole.clone(), whole].concat();
-        let half = Sector::Half;
-        assert_eq!(
-            half.cut(&whole, 4),
-            [1.0, 2.0, 3.0, 4.0, 1.0, 2.0, 3.0, 4.0]
-        );
-        assert_eq!((half.lengths(2), half.images()), ([4, 2], 2));
-        let images = [[0, 0], [3, 1]].map(|at| half.first_image(at, 4));
+        let half = SectorGrid::of_square(Sector::Half, 4);
+        assert_eq!(half.cut(&whole), [1.0, 2.0, 3.0, 4.0, 1.0, 2.0, 3.0, 4.0]);
+        assert_eq!((half.lengths(), half.images()), ([4, 2], 2));
+        assert_eq!(half.for_square(3), half);
+        let images = [[0, 0], [3, 1]].map(|at| half.first_image(at));
         assert_eq!(images, [[0, 1], [3, 0]]);
         let mirrored = half.first_image_of_point([1.0, 2.0]);
         assert_eq!(mirrored.map(f64::to_bits), [1.0, -2.0].map(f64::to_bits));
@@ -145,7 +237,21 @@ mod tests {
     #[test]
     fn the_whole_stays_as_it_is() {
         let field: Vec<f64> = (0..9).map(f64::from).collect();
-        assert_eq!(Sector::Whole.cut(&field, 3), field);
-        assert_eq!(Sector::Whole.first_image([2, 1], 3), [2, 1]);
+        let whole = SectorGrid::whole(3);
+        assert_eq!(whole.cut(&field), field);
+        assert_eq!(whole.first_image([2, 1]), [2, 1]);
+        assert_eq!(whole.on_this_side(0, -2), -2);
+        assert!(whole.offsets([2, 1], [0, 2]).eq([[2, 1]]));
+    }
+
+    #[test]
+    fn offsets_reach_to_an_element_and_its_images() {
+        let quadrant = SectorGrid::new(Sector::Quadrant, 3);
+        assert_eq!([-1, -3, 2].map(|i| quadrant.on_this_side(0, i)), [0, 2, 2]);
+        let offsets = quadrant.offsets([2, 1], [0, 2]);
+        assert!(offsets.eq([[2, 1], [2, 4], [3, 1], [3, 4]]));
+        let half = SectorGrid::new(Sector::Half, 3);
+        assert_eq!([0, 1].map(|axis| half.on_this_side(axis, -1)), [-1, 0]);
+        assert!(half.offsets([5, 0], [1, 0]).eq([[4, 0], [4, 1]]));
     }
 }

@@ -5,11 +5,8 @@ use std::sync::Arc;
 use crate::bodies::ElasticBodies;
 use crate::coefficient_table::CoefficientTable;
 use crate::filter::PeriodicSymbol;
-use crate::operator::{
-    ConvolutionOperator, ElasticOperator, HalfOperator, PeriodicOperator, QuadrantOperator,
-    ScatteredOperator, WindowOperator,
-};
-use crate::sector::Sector;
+use crate::operator::{ConvolutionOperator, PeriodicOperator, ScatteredOperator, WindowOperator};
+use crate::sector::SectorGrid;
 use crate::transform::half_length;
 
 /// The influence coefficients of elements of one size, and the operators of square windows of a grid.
@@ -74,6 +71,16 @@ impl SurfaceElasticity {
         self.table.coefficient(offset)
     }
 
+    /// The sum (m/Pa) of the coefficients of one element and of another with its mirror images: `K` of a sector.
+    ///
+    /// # Panics
+    /// As [`Self::coefficient`].
+    #[must_use]
+    pub fn coefficient_on(&self, grid: SectorGrid, from: [usize; 2], to: [usize; 2]) -> f64 {
+        let offsets = grid.offsets(from, to);
+        offsets.map(|offset| self.coefficient(offset)).sum()
+    }
+
     /// The smallest size ≥ `size` whose products are fast: it is padded to twice its length and no further.
     #[must_use]
     pub fn fast_size(size: usize) -> usize {
@@ -86,20 +93,16 @@ impl SurfaceElasticity {
     /// If `size` is above [`Self::size`].
     #[must_use]
     pub fn operator(&self, size: usize) -> ConvolutionOperator {
-        ConvolutionOperator::windowed(&self.table, size)
+        self.operator_on(SectorGrid::whole(size))
     }
 
-    /// `K p` on a sector of `size` elements a row.
+    /// `K p` on a window of the grid or a sector of one.
     ///
     /// # Panics
-    /// As [`Self::operator`], or [`QuadrantOperator::new`].
+    /// As [`ConvolutionOperator::on`].
     #[must_use]
-    pub fn operator_on(&self, sector: Sector, size: usize) -> Box<dyn ElasticOperator> {
-        match sector {
-            Sector::Whole => Box::new(self.operator(size)),
-            Sector::Half => Box::new(HalfOperator::new(&self.table, size)),
-            Sector::Quadrant => Box::new(QuadrantOperator::new(&self.table, size)),
-        }
+    pub fn operator_on(&self, grid: SectorGrid) -> ConvolutionOperator {
+        ConvolutionOperator::on(&self.table, grid)
     }
 
     /// `C(k)` of the longest wave in a periodic cell of `size` × `size` elements, m/Pa: how far a pressure on the cell
@@ -116,19 +119,19 @@ impl SurfaceElasticity {
         PeriodicOperator::new(&self.bodies, self.table.element_side(), size)
     }
 
-    /// `K p` on a sector of `shown` elements a row for pressures on a window of `size`, the first of which is the
-    /// element `origin`.
+    /// `K p` on the `shown` elements for pressures on a window of `size` a row, the first of which is the element
+    /// `origin`.
     ///
     /// # Panics
     /// As [`WindowOperator::new`].
     #[must_use]
     pub fn under_window(
         &self,
-        (sector, shown): (Sector, usize),
+        shown: SectorGrid,
         origin: [usize; 2],
         size: usize,
     ) -> WindowOperator {
-        WindowOperator::new(&self.table, (sector, shown), origin, size)
+        WindowOperator::new(&self.table, shown, origin, size)
     }
 
     /// `K p` among some elements, by their ascending indices, of a window of `size` × `size`; none where the window is

@@ -3,8 +3,8 @@
 use std::iter::successors;
 
 use pellicle_influence::{
-    CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, HalfOperator,
-    QuadrantOperator, Sector, WindowOperator, love,
+    CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator, Sector, SectorGrid,
+    WindowOperator, love,
 };
 use pellicle_kernel::Material;
 
@@ -80,9 +80,9 @@ fn a_quadrant_moves_as_the_whole_surface_does() {
                 &unfolded(&pressure, size),
             );
             let mut found = vec![f64::NAN; size * size];
-            let mut under_window =
-                WindowOperator::new(&table, (Sector::Quadrant, size), [0; 2], loaded);
-            let mut operator = QuadrantOperator::new(&table, size);
+            let quadrant = SectorGrid::new(Sector::Quadrant, size);
+            let mut under_window = WindowOperator::new(&table, quadrant, [0; 2], loaded);
+            let mut operator = ConvolutionOperator::on(&table, quadrant);
             for is_whole in [false, false, true, true] {
                 if is_whole {
                     operator.apply_into(&pressure, &mut found);
@@ -111,7 +111,8 @@ fn a_half_moves_as_the_whole_surface_does() {
     };
     for size in [1, 2, 3, 5, 8, 9, 31, 64] {
         let table = steel_table(2 * size);
-        let mut operator = HalfOperator::new(&table, size);
+        let half = SectorGrid::new(Sector::Half, size);
+        let mut operator = ConvolutionOperator::on(&table, half);
         for loaded in [1, size.div_ceil(3), size.div_ceil(2), size] {
             let loads = scattered(2 * loaded * loaded);
             for above in [0, (size - loaded).div_ceil(2), 2 * (size - loaded)] {
@@ -124,8 +125,7 @@ fn a_half_moves_as_the_whole_surface_does() {
                     &mut ConvolutionOperator::new(&table),
                     &unfolded(&pressure, size),
                 );
-                let mut under_window =
-                    WindowOperator::new(&table, (Sector::Half, size), [above, 0], loaded);
+                let mut under_window = WindowOperator::new(&table, half, [above, 0], loaded);
                 let mut found = [vec![f64::NAN; 2 * size * size], pressure.clone()];
                 for _ in 0..2 {
                     under_window.apply_into(&loads, &mut found[0]);
@@ -164,7 +164,7 @@ fn under_a_window_the_grid_moves_as_under_the_whole_pressure() {
         }
         let expected = apply(&mut ConvolutionOperator::new(&table), &pressure);
         let mut found = vec![f64::NAN; size * size];
-        let mut under_window = WindowOperator::new(&table, (Sector::Whole, size), origin, part);
+        let mut under_window = WindowOperator::new(&table, SectorGrid::whole(size), origin, part);
         for _ in 0..2 {
             under_window.apply_into(&loads, &mut found);
             for (u, wanted) in found.iter().zip(&expected) {
@@ -188,7 +188,7 @@ fn a_window_beyond_the_grid_is_no_window() {
         (9, [2, 2], 3),
     ] {
         let attempt = std::panic::catch_unwind(|| {
-            WindowOperator::new(&steel_table(8), (Sector::Whole, grid), origin, size)
+            WindowOperator::new(&steel_table(8), SectorGrid::whole(grid), origin, size)
         });
         assert!(attempt.is_err(), "{origin:?}, {size} of {grid}");
     }

@@ -1,5 +1,6 @@
 //! `[grid]`: the square domain and its elements.
 
+use pellicle_contact::Boundary;
 use serde::{Deserialize, Serialize};
 
 use crate::input::diagnosis::Diagnosis;
@@ -42,6 +43,15 @@ impl BoundaryCase {
     #[must_use]
     pub fn is_free(&self) -> bool {
         *self == Self::Free
+    }
+}
+
+impl From<BoundaryCase> for Boundary {
+    fn from(boundary: BoundaryCase) -> Self {
+        match boundary {
+            BoundaryCase::Free => Self::Free,
+            BoundaryCase::Periodic => Self::Periodic,
+        }
     }
 }
 

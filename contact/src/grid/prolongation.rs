@@ -27,7 +27,7 @@ impl Prolongation {
             lines: [0, 1].map(|axis: usize| {
                 let first = onto.origin()[axis];
                 let fine = first..first + onto.lengths()[axis];
-                fine.map(|i| FineLine::of(i, onto.grid(), from, axis))
+                fine.map(|i| FineLine::of(i, onto.grid().size(), from, axis))
                     .collect()
             }),
         }
@@ -49,22 +49,17 @@ impl Prolongation {
 impl FineLine {
     /// The `i`-th of `fine` lines of a grid.
     fn of(i: usize, fine: usize, from: &Window, axis: usize) -> Self {
-        let (first, coarse) = (from.origin()[axis].cast_signed(), from.grid());
+        let (first, coarse) = (from.origin()[axis].cast_signed(), from.grid().size());
         let last = from.lengths()[axis].cast_signed() - 1;
-        let lines = from.everywhere().lengths()[axis].cast_signed();
+        let lines = from.grid().lengths()[axis].cast_signed();
         let within = ((2 * i + 1) * coarse / (2 * fine)).cast_signed() - first;
         // Centres lie at half-integers.
         let position = (i as f64 + 0.5) * coarse as f64 / fine as f64 - 0.5;
         #[expect(clippy::cast_possible_truncation, reason = "an index of a grid, or −1")]
         let low = position.floor() as isize;
         let t = position - position.floor();
-        let is_mirrored = from.sector().mirrored()[axis];
         let line = |index: isize| {
-            let image = if index < 0 && is_mirrored {
-                -1 - index
-            } else {
-                index
-            };
+            let image = from.grid().on_this_side(axis, index);
             image.clamp(0, lines - 1) - first
         };
         let inside = |line: isize| usize::try_from(line).ok().filter(|_| line <= last);
@@ -84,7 +79,7 @@ impl FineLine {
 
 #[cfg(test)]
 mod tests {
-    use pellicle_influence::Sector;
+    use pellicle_influence::{Sector, SectorGrid};
 
     use super::*;
 
@@ -168,7 +163,7 @@ mod tests {
     fn across_an_axis_of_a_sector_lies_the_mirror_image() {
         let even = |x: f64| (x + 0.5).powi(2);
         for sector in [Sector::Half, Sector::Quadrant] {
-            let [from, to] = [8, 16].map(|size| Window::all_of(sector, size));
+            let [from, to] = [8, 16].map(|size| Window::all_of(SectorGrid::new(sector, size)));
             let prolongation = Prolongation::new(&from, &to);
             let [rows, _] = to.lengths();
             assert_eq!(
@@ -176,8 +171,8 @@ mod tests {
                 (rows, 16)
             );
             let lines = [prolongation.rows()[0], prolongation.columns()[0]];
-            for (line, _) in (lines.iter().zip(sector.mirrored())).filter(|(_, mirrored)| *mirrored)
-            {
+            let mirrored = lines.iter().zip(to.grid().mirrored());
+            for (line, _) in mirrored.filter(|(_, mirrored)| *mirrored) {
                 // The parabola about the axis at −½.
                 approx::assert_relative_eq!(cubic(line, even), even(-0.25), epsilon = 1e-13);
             }

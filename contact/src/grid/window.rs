@@ -6,7 +6,7 @@
 mod extent;
 mod fields;
 
-use pellicle_influence::{Sector, SurfaceElasticity};
+use pellicle_influence::{SectorGrid, SurfaceElasticity};
 use rayon::prelude::*;
 
 use self::extent::IndexRange;
@@ -32,43 +32,39 @@ pub struct Window {
     origin: [usize; 2],
     /// Elements of a row.
     size: usize,
-    /// Those of the sector.
-    grid: usize,
-    sector: Sector,
+    grid: SectorGrid,
 }
 
 impl Window {
     /// The window that is all of the grid.
     pub fn whole(grid: usize) -> Self {
-        Self::all_of(Sector::Whole, grid)
+        Self::all_of(SectorGrid::whole(grid))
     }
 
-    /// The window that is all of a sector of `grid` elements a row.
-    pub fn all_of(sector: Sector, grid: usize) -> Self {
+    /// The window that is all of a grid or a sector of one.
+    pub fn all_of(grid: SectorGrid) -> Self {
         Self {
             origin: [0, 0],
-            size: grid,
+            size: grid.size(),
             grid,
-            sector,
         }
     }
 
     /// The window that is all of this one's grid.
     pub fn everywhere(&self) -> Self {
-        Self::all_of(self.sector, self.grid)
+        Self::all_of(self.grid)
     }
 
     /// The smallest window of a fast size around those of this window's elements that belong; the whole grid where none
     /// belongs.
     pub fn around(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Self {
-        let grid = self.grid;
         let Some(extent) = self.extent(belongs) else {
             return self.everywhere();
         };
-        let side = extent.side_of_square(self.sector);
+        let side = extent.side_of_square(self.grid);
         let margin = MARGIN.max(side / MARGIN_PART);
-        let size = SurfaceElasticity::fast_size(self.sector.size_for(side + 2 * margin));
-        if size as f64 > LARGEST_PART * grid as f64 {
+        let size = SurfaceElasticity::fast_size(self.grid.for_square(side + 2 * margin).size());
+        if size as f64 > LARGEST_PART * self.grid.size() as f64 {
             return self.everywhere();
         }
         self.everywhere().centred(&extent, size)
@@ -93,19 +89,19 @@ impl Window {
         finer: usize,
     ) -> Option<Self> {
         let IndexRange { first, last } = self.extent(belongs)?;
-        let everywhere = Self::all_of(self.sector, finer);
-        let lines = everywhere.lengths();
-        let low = |i: usize| i.saturating_sub(1) * finer / self.grid;
+        let everywhere = Self::all_of(self.grid.with_size(finer));
+        let (lines, coarse) = (everywhere.lengths(), self.grid.size());
+        let low = |i: usize| i.saturating_sub(1) * finer / coarse;
         let high = |axis: usize| {
-            let end = ((last[axis] + 2) * finer).div_ceil(self.grid);
+            let end = ((last[axis] + 2) * finer).div_ceil(coarse);
             end.min(lines[axis]) - 1
         };
         let extent = IndexRange {
             first: first.map(low),
             last: [0, 1].map(high),
         };
-        let size = self.sector.size_for(extent.side_of_square(self.sector));
-        Some(everywhere.centred(&extent, size))
+        let square = self.grid.for_square(extent.side_of_square(self.grid));
+        Some(everywhere.centred(&extent, square.size()))
     }
 
     /// First and last of this window's elements that belong, or lie between those and an axis of the sector.
@@ -127,7 +123,7 @@ impl Window {
         let extents: Vec<IndexRange> = rows.filter_map(of_row).collect();
         let extent = extents.into_iter().reduce(IndexRange::and)?;
         let first = |axis: usize| {
-            if self.sector.mirrored()[axis] {
+            if self.grid.mirrored()[axis] {
                 0
             } else {
                 extent.first[axis]
@@ -142,7 +138,7 @@ impl Window {
     /// The window of `size` elements a row around the centre of an extent, moved into the grid; from the axis on where
     /// the extent reaches from there.
     fn centred(&self, extent: &IndexRange, size: usize) -> Self {
-        let (lengths, all) = (self.sector.lengths(size), self.lengths());
+        let (lengths, all) = (self.grid.with_size(size).lengths(), self.lengths());
         let origin = [0, 1].map(|axis: usize| {
             let twice_centre = extent.first[axis] + extent.last[axis] + 1;
             (twice_centre.saturating_sub(lengths[axis]) / 2).min(all[axis] - lengths[axis])
@@ -157,7 +153,7 @@ impl Window {
     /// The window of twice the side around the same centre.
     pub fn grown(&self) -> Self {
         let size = SurfaceElasticity::fast_size(2 * self.size);
-        if size as f64 > LARGEST_PART * self.grid as f64 {
+        if size as f64 > LARGEST_PART * self.grid.size() as f64 {
             return self.everywhere();
         }
         self.resized(size)
@@ -165,13 +161,13 @@ impl Window {
 
     /// The window with so many more elements on every side, as far as the grid goes.
     pub fn with_rim(&self, rim: usize) -> Self {
-        self.resized((self.size + 2 * rim).min(self.grid))
+        self.resized((self.size + 2 * rim).min(self.grid.size()))
     }
 
     /// The window of another, larger size around the same centre, moved into the grid.
     fn resized(&self, size: usize) -> Self {
-        let (before, after) = (self.lengths(), self.sector.lengths(size));
-        let all = self.sector.lengths(self.grid);
+        let (before, after) = (self.lengths(), self.grid.with_size(size).lengths());
+        let all = self.grid.lengths();
         let first = |axis: usize| {
             let more = (after[axis] - before[axis]) / 2;
             let last = all[axis] - after[axis];
@@ -197,13 +193,13 @@ impl Window {
     pub fn within(&self, other: &Self) -> Self {
         Self {
             origin: [0, 1].map(|axis: usize| self.origin[axis] - other.origin[axis]),
-            grid: other.size,
+            grid: other.shape(),
             ..*self
         }
     }
 
     pub fn is_whole(&self) -> bool {
-        self.size == self.grid
+        self.size == self.grid.size()
     }
 
     /// Elements of a row.
@@ -211,9 +207,14 @@ impl Window {
         self.size
     }
 
+    /// Its elements as a grid of their own.
+    pub fn shape(&self) -> SectorGrid {
+        self.grid.with_size(self.size)
+    }
+
     /// Rows, and elements of each.
     pub fn lengths(&self) -> [usize; 2] {
-        self.sector.lengths(self.size)
+        self.shape().lengths()
     }
 
     /// As few rows as are worth a thread of their own.
@@ -223,17 +224,12 @@ impl Window {
 
     /// Number of elements.
     pub fn elements(&self) -> usize {
-        self.lengths().iter().product()
+        self.shape().elements()
     }
 
-    /// Elements of a row of the sector.
-    pub fn grid(&self) -> usize {
+    /// The grid, or sector of one, that this is a window of.
+    pub fn grid(&self) -> SectorGrid {
         self.grid
-    }
-
-    /// The sector that this is a window of.
-    pub fn sector(&self) -> Sector {
-        self.sector
     }
 
     /// The first element along both axes.
@@ -241,14 +237,9 @@ impl Window {
         self.origin
     }
 
-    /// Elements per side of the whole grid, of which the window's grid is a sector.
-    pub fn whole_grid(&self) -> usize {
-        self.sector.whole(self.grid)
-    }
-
     /// Indices on the whole grid of the element at a place in the window.
     pub fn index_on_whole(&self, [i, j]: Place) -> [isize; 2] {
-        let [above, left] = self.sector.first_index(self.whole_grid());
+        let [above, left] = self.grid.first_index();
         let [row, column] = self.origin;
         [
             (above + row).cast_signed() + i,
@@ -259,12 +250,7 @@ impl Window {
     /// The element of the window at a place, itself or as the mirror image; none outside the window.
     pub fn element(&self, place: Place) -> Option<usize> {
         let along = |axis: usize| {
-            let i = place[axis];
-            let image = if i < 0 && self.sector.mirrored()[axis] {
-                -1 - i
-            } else {
-                i
-            };
+            let image = self.grid.on_this_side(axis, place[axis]);
             let lines = self.lengths()[axis];
             usize::try_from(image).ok().filter(|image| *image < lines)
         };
@@ -274,21 +260,20 @@ impl Window {
     /// The first, by index, of the elements of the whole grid that the element in a row and column stands for.
     pub fn first_image(&self, [row, column]: [usize; 2]) -> [usize; 2] {
         let [above, left] = self.origin;
-        let element = [above + row, left + column];
-        self.sector.first_image(element, self.whole_grid())
+        self.grid.first_image([above + row, left + column])
     }
 
     /// The place of the element whose first image is this element of the whole grid.
     pub fn place_of_image(&self, image: [usize; 2]) -> Place {
         // An element is the first image of its own first image.
-        let element = self.sector.first_image(image, self.whole_grid());
+        let element = self.grid.first_image(image);
         [0, 1].map(|axis: usize| element[axis].cast_signed() - self.origin[axis].cast_signed())
     }
 
     /// The part of the cell between four places from this one on that belongs to the sector: one across an axis of
     /// symmetry belongs to several quadrants.
     pub fn share_of_cell(&self, place: Place) -> f64 {
-        let parts = self.sector.parts().into_iter().zip(place);
+        let parts = self.grid.parts().into_iter().zip(place);
         let across = parts.filter(|(_, i)| *i < 0).map(|(parts, _)| parts);
         1.0 / across.product::<usize>() as f64
     }
@@ -297,7 +282,7 @@ impl Window {
     pub fn border(&self) -> impl Iterator<Item = usize> + use<> {
         let [rows, size] = self.lengths();
         let ends = |axis: usize, last: usize| {
-            let first = (!self.sector.mirrored()[axis]).then_some(0);
+            let first = (!self.grid.mirrored()[axis]).then_some(0);
             first.into_iter().chain([last])
         };
         let of_rows = ends(0, rows - 1).flat_map(move |i| (0..size).map(move |j| i * size + j));

@@ -21,7 +21,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{Sector, scattered_work};
+use pellicle_influence::scattered_work;
 
 use crate::{
     Boundary, ContactError, DiscreteProblem, GradientSolver, Iterate, Load, Method, Solution,
@@ -68,7 +68,7 @@ impl Dilute {
         // Elements at a hardness would make an operator of their own.
         let is_for_candidates = !whole.has_hardness()
             && options.method == Method::Gradient
-            && window.sector() == Sector::Whole
+            && !window.grid().has_images()
             && whole.boundary() == Boundary::Free
             && window.size() >= SMALLEST
             && whole.stiffness_contrast() <= LARGEST_CONTRAST;

@@ -4,16 +4,16 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use pellicle_influence::{Origin, Sector, SurfaceElasticity};
+use pellicle_influence::{Origin, SectorGrid, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 use crate::{
-    Boundary, CoarsePressure, ContactError, Load, Method, Model, SolverOptions, Step,
+    Boundary, CoarsePressure, ContactError, Load, Model, SolverOptions, Step,
     path::ascent::Ascent,
     path::capacity,
     path::domain::Guess,
     path::level::{Level, LevelResult, LevelStart},
-    path::levels::{COARSE_TOLERANCE, coarser_sizes},
+    path::levels::{COARSE_TOLERANCE, coarser_sizes, solved_grid},
     path::start::CoarserSolution,
     result::cut_off,
     solver::Watch,
@@ -29,12 +29,11 @@ const COARSE_PRESSURES: usize = 3;
 pub struct Hierarchy<'a> {
     model: &'a Model,
     side: f64,
-    sector: Sector,
     boundary: Boundary,
     /// In Pa.
     hardness: f64,
-    /// Elements per side, coarsest first.
-    sizes: Vec<usize>,
+    /// The elements that are solved of each grid, coarsest first.
+    grids: Vec<SectorGrid>,
     /// The grids at hand; where only one load is to come, none but the one in use and the finest, whose memory is most
     /// of all.
     levels: Vec<Option<Level>>,
@@ -60,21 +59,15 @@ impl<'a> Hierarchy<'a> {
                     && capacity::check(model, &grid, loads, options.hardness).is_ok()
             })
         });
-        sizes.push(elements);
-        let has_sectors = sizes.iter().all(|size| size.is_multiple_of(2));
-        let is_for_sectors = options.method == Method::Gradient && options.mirror_symmetry;
-        let sector = if boundary == Boundary::Free && has_sectors && is_for_sectors {
-            model.sector()
-        } else {
-            Sector::Whole
-        };
+        let finest = solved_grid(model, elements, boundary, options);
+        let coarser = sizes.into_iter().map(|size| finest.for_square(size));
+        let grids: Vec<_> = coarser.chain([finest]).collect();
         Self {
             model,
             side,
-            sector,
             boundary,
-            levels: sizes.iter().map(|_| None).collect(),
-            sizes,
+            levels: grids.iter().map(|_| None).collect(),
+            grids,
             hardness: options.hardness,
             keep: loads.len() > 1,
             coefficients_seconds: 0.0,
@@ -85,7 +78,7 @@ impl<'a> Hierarchy<'a> {
     /// As many hierarchies of the same grids as are asked for, this one first, each to be used by one thread at a time.
     pub fn lanes(mut self, lanes: usize) -> Result<Vec<Self>, ContactError> {
         let twins = if lanes > 1 {
-            for index in 0..self.sizes.len() {
+            for index in 0..self.grids.len() {
                 if self.levels[index].is_none() {
                     self.levels[index] = Some(self.make(index)?);
                 }
@@ -104,10 +97,9 @@ impl<'a> Hierarchy<'a> {
         Some(Self {
             model: self.model,
             side: self.side,
-            sector: self.sector,
             boundary: self.boundary,
             hardness: self.hardness,
-            sizes: self.sizes.clone(),
+            grids: self.grids.clone(),
             levels: twins?.into_iter().map(Some).collect(),
             keep: self.keep,
             coefficients_seconds: 0.0,
@@ -127,7 +119,7 @@ impl<'a> Hierarchy<'a> {
 
     /// The finest grid, and the elasticity of its elements where a load has come so far.
     pub fn into_finest(mut self) -> Result<(Grid, Option<Arc<SurfaceElasticity>>), ContactError> {
-        let grid = Grid::new(self.side, self.sizes[self.sizes.len() - 1])?;
+        let grid = Grid::new(self.side, self.grids[self.grids.len() - 1].whole_size())?;
         let level = self.levels.pop().flatten();
         Ok((grid, level.map(Level::into_elasticity)))
     }
@@ -141,7 +133,7 @@ impl<'a> Hierarchy<'a> {
     ) -> Result<Step, ContactError> {
         let (clock, spent_before) = (Instant::now(), self.coefficients_seconds);
         let mut ascent = Ascent::of(load, options);
-        let finest = self.sizes.len() - 1;
+        let finest = self.grids.len() - 1;
         if self.is_worth_making_ahead() {
             self.ascend_beside_making(&mut ascent, watch)?;
         } else {
@@ -181,10 +173,10 @@ impl<'a> Hierarchy<'a> {
         };
         let index = ascent.levels.len();
         let (result, coarser) = self.solve_level(index, load, start, options, watch)?;
-        let finest = self.sizes.len() - 1;
+        let finest = self.grids.len() - 1;
         if options.coarse_pressures && index < finest && index + COARSE_PRESSURES >= finest {
             ascent.coarser.push(CoarsePressure {
-                grid: Grid::new(self.side, self.sizes[index])?,
+                grid: Grid::new(self.side, self.grids[index].whole_size())?,
                 pressure: result.window.scatter(result.solution.pressure.clone()),
             });
         }
@@ -196,10 +188,10 @@ impl<'a> Hierarchy<'a> {
 
     /// Whether the finest grid is still to make, and that keeps threads busy that the coarser grids do not.
     fn is_worth_making_ahead(&self) -> bool {
-        let finest = self.sizes.len() - 1;
+        let finest = self.grids.len() - 1;
         rayon::current_num_threads() > 1
             && self.levels[finest].is_none()
-            && self.sizes[finest] >= MADE_AHEAD
+            && self.grids[finest].whole_size() >= MADE_AHEAD
     }
 
     /// Solves on all grids but the finest, which is made at the same time.
@@ -208,14 +200,13 @@ impl<'a> Hierarchy<'a> {
         ascent: &mut Ascent,
         watch: &mut Watch<'_>,
     ) -> Result<(), ContactError> {
-        let finest = self.sizes.len() - 1;
-        let (model, side, size) = (self.model, self.side, self.sizes[finest]);
-        let (around, hardness) = ((self.sector, self.boundary), self.hardness);
-        let keeps = self.keep;
+        let finest = self.grids.len() - 1;
+        let (model, square) = (self.model, (self.side, self.grids[finest]));
+        let (boundary, hardness, keeps) = (self.boundary, self.hardness, self.keep);
         let clock = Instant::now();
         let ((coarser, ascended), level) = rayon::join(
             || (self.ascend(ascent, finest, watch), clock.elapsed()),
-            || Level::new(model, (side, size), around, hardness, keeps),
+            || Level::new(model, square, boundary, hardness, keeps),
         );
         // Time spent while the solution ran does not count.
         let waited = clock.elapsed().saturating_sub(ascended);
@@ -236,7 +227,7 @@ impl<'a> Hierarchy<'a> {
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<(LevelResult, Option<CoarserSolution>), ContactError> {
-        let is_finest = index + 1 == self.sizes.len();
+        let is_finest = index + 1 == self.grids.len();
         let options = if is_finest {
             options
         } else {
@@ -266,9 +257,8 @@ impl<'a> Hierarchy<'a> {
 
     fn make(&mut self, index: usize) -> Result<Level, ContactError> {
         let clock = Instant::now();
-        let (size, around) = (self.sizes[index], (self.sector, self.boundary));
-        let square = (self.side, size);
-        let level = Level::new(self.model, square, around, self.hardness, self.keep)?;
+        let square = (self.side, self.grids[index]);
+        let level = Level::new(self.model, square, self.boundary, self.hardness, self.keep)?;
         self.coefficients_seconds += clock.elapsed().as_secs_f64();
         self.note_origin(&level);
         Ok(level)
@@ -296,11 +286,11 @@ fn coarse_options(options: SolverOptions) -> SolverOptions {
 mod tests {
     use std::sync::Arc;
 
-    use pellicle_influence::{Cache, RadialTables, Sector};
+    use pellicle_influence::{Cache, RadialTables, Sector, SectorGrid};
     use pellicle_kernel::{Foundation, Material};
     use pellicle_texture::Relief;
 
-    use super::Hierarchy;
+    use super::{Hierarchy, coarser_sizes};
     use crate::{Boundary, Indenter, Load, Method, Model, Paraboloid, Pyramid, SolverOptions};
 
     fn model(indenter: Indenter) -> Model {
@@ -338,7 +328,10 @@ mod tests {
         ] {
             let (square, load) = ((1.0, Boundary::Free), [Load::Force(1.0)]);
             let hierarchy = Hierarchy::new(model, square, elements, &load, &options);
-            assert_eq!(hierarchy.sector, sector, "{elements} {options:?}");
+            let grids = hierarchy.grids.iter();
+            let sizes = coarser_sizes(elements).into_iter().chain([elements]);
+            let expected = sizes.map(|size| SectorGrid::of_square(sector, size));
+            assert!(grids.copied().eq(expected), "{elements} {options:?}");
         }
     }
 

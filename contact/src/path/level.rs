@@ -11,12 +11,12 @@ use crate::{
     path::domain::Guess,
     path::effort::Effort,
     path::start::{CoarserSolution, FineGrid},
-    problem::model::SampledSector,
+    problem::{body::Body, model::SampledSector},
     result::certificate::{JudgedFields, Trial},
     result::contact_field::ContactField,
     solver::Watch,
 };
-use pellicle_influence::{Origin, Sector, SurfaceElasticity};
+use pellicle_influence::{Origin, SectorGrid, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 /// A grid of a path.
@@ -93,20 +93,21 @@ pub struct LevelResult {
 impl Level {
     pub fn new(
         model: &Model,
-        (side, size): (f64, usize),
-        around: (Sector, Boundary),
+        (side, sector): (f64, SectorGrid),
+        boundary: Boundary,
         hardness: f64,
         keeps: bool,
     ) -> Result<Self, ContactError> {
-        let grid = Grid::new(side, size)?;
+        let grid = Grid::new(side, sector.whole_size())?;
         let SampledSector {
             mask,
             compliance,
             initial_gap,
-        } = model.sample_sector(grid, around.0);
+        } = model.sample_sector(grid, sector);
         let elasticity = model.elasticity(&grid)?;
-        let (known, area) = (elasticity.value.clone(), grid.element_area());
-        let problem = DiscreteProblem::of_sector(known, around, compliance, initial_gap, area)?
+        let body = Body::of(elasticity.value.clone(), boundary);
+        let area = grid.element_area();
+        let problem = DiscreteProblem::on(sector, body, compliance, initial_gap, area)?
             .with_spring_law(model.relief.spring_law());
         let problem = if hardness.is_finite() {
             problem.with_hardness(hardness)?
@@ -222,7 +223,7 @@ impl Level {
     fn guessed(&self, guess: Guess) -> Option<(Window, Vec<f64>)> {
         let (grid, everywhere) = (&self.grid, self.whole.problem.everywhere());
         let pressure: Vec<f64> = grid.centres().map(|place| guess.pressure(place)).collect();
-        let pressure = everywhere.sector().cut(&pressure, self.size());
+        let pressure = everywhere.grid().cut(&pressure);
         let window = everywhere.around_pressing(&pressure)?;
         Some((window, window.cut(&pressure)))
     }

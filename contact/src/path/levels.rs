@@ -1,7 +1,11 @@
-//! The sizes of a path's grids, and how far the coarser ones are solved.
+//! The grids that a path is solved on, and how far the coarser ones are solved.
 //!
 //! The coarser grids give the finest one its start, and their solutions, which cost little, show how every number
 //! changes with the grid.
+
+use pellicle_influence::SectorGrid;
+
+use crate::{Boundary, Method, Model, SolverOptions};
 
 /// The coarsest grid worth a level: a contact of some four elements across the radius. A grid of 48 elements then has
 /// three levels, from which an error can be estimated.
@@ -21,6 +25,23 @@ pub fn coarser_sizes(finest: usize) -> Vec<usize> {
         .collect();
     sizes.reverse();
     sizes
+}
+
+/// The elements that a path solves on a grid of `elements` elements per side: a quadrant or a half of an even one where
+/// the [model's symmetry](Model::sector) and the options allow it, else all.
+#[must_use]
+pub fn solved_grid(
+    model: &Model,
+    elements: usize,
+    boundary: Boundary,
+    options: &SolverOptions,
+) -> SectorGrid {
+    let is_for_sectors = options.method == Method::Gradient && options.mirror_symmetry;
+    if boundary == Boundary::Free && elements.is_multiple_of(2) && is_for_sectors {
+        SectorGrid::of_square(model.sector(), elements)
+    } else {
+        SectorGrid::whole(elements)
+    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{ElasticOperator, ScatteredOperator, SurfaceElasticity, WindowOperator};
+use pellicle_influence::{
+    ElasticOperator, ScatteredOperator, SectorGrid, SurfaceElasticity, WindowOperator,
+};
 
 use crate::{Boundary, grid::window::Window};
 
@@ -94,22 +96,20 @@ impl Body {
     }
 
     /// The operator on a whole grid or sector.
-    pub fn operator_on(&mut self, everywhere: &Window) -> &mut dyn ElasticOperator {
+    pub fn operator_on(&mut self, grid: SectorGrid) -> &mut dyn ElasticOperator {
         match self {
             Self::Operator(operator) => operator.as_mut(),
-            Self::Known(surface) => surface.operator_on(everywhere),
+            Self::Known(surface) => surface.operator_on(grid),
         }
     }
 
     /// Writes the displacement by a pressure on all elements, or on the scattered ones.
-    pub fn displace(&mut self, everywhere: &Window, pressure: &[f64], displacement: &mut [f64]) {
+    pub fn displace(&mut self, grid: SectorGrid, pressure: &[f64], displacement: &mut [f64]) {
         match self {
             Self::Known(KnownBody {
                 among: Some(among), ..
             }) => among.apply_into(pressure, displacement),
-            _ => self
-                .operator_on(everywhere)
-                .apply_into(pressure, displacement),
+            _ => self.operator_on(grid).apply_into(pressure, displacement),
         }
     }
 
@@ -126,7 +126,7 @@ impl Body {
                 spread.apply_into(pressure, displacement);
             }
             _ => self
-                .operator_on(&window.everywhere())
+                .operator_on(window.grid())
                 .apply_into(pressure, displacement),
         }
     }
@@ -140,11 +140,13 @@ impl Body {
 }
 
 impl KnownBody {
-    fn operator_on(&mut self, everywhere: &Window) -> &mut dyn ElasticOperator {
+    fn operator_on(&mut self, grid: SectorGrid) -> &mut dyn ElasticOperator {
         let elasticity = &self.elasticity;
-        let made = || match self.boundary {
-            Boundary::Free => elasticity.operator_on(everywhere.sector(), everywhere.size()),
-            Boundary::Periodic => Box::new(elasticity.periodic_operator(everywhere.size())),
+        let made = || -> Box<dyn ElasticOperator> {
+            match self.boundary {
+                Boundary::Free => Box::new(elasticity.operator_on(grid)),
+                Boundary::Periodic => Box::new(elasticity.periodic_operator(grid.size())),
+            }
         };
         self.operator.get_or_insert_with(made).as_mut()
     }
@@ -153,11 +155,8 @@ impl KnownBody {
         let known = self.spread.take_if(|(of, _)| *of == windows);
         let made = || {
             let [window, reach] = windows;
-            let (shown, origin) = (
-                (reach.sector(), reach.size()),
-                window.within(&reach).origin(),
-            );
-            let operator = (self.elasticity).under_window(shown, origin, window.size());
+            let origin = window.within(&reach).origin();
+            let operator = (self.elasticity).under_window(reach.shape(), origin, window.size());
             (windows, Box::new(operator))
         };
         let (_, operator) = self.spread.insert(known.unwrap_or_else(made));

@@ -12,7 +12,7 @@ mod part;
 
 use std::sync::Arc;
 
-use pellicle_influence::{ElasticOperator, Sector, SurfaceElasticity};
+use pellicle_influence::{ElasticOperator, SectorGrid, SurfaceElasticity};
 use pellicle_texture::SpringLaw;
 
 use self::fields::{check_length, check_values, is_rough};
@@ -36,8 +36,7 @@ impl PartialEq for Identity {
 /// One grid's problem. Fields hold N² values, index `i N + j`, first index along x.
 pub struct DiscreteProblem {
     body: Body,
-    sector: Sector,
-    size: usize,
+    grid: SectorGrid,
     relief_compliance: Vec<f64>,
     spring_law: SpringLaw,
     /// The springs straightened, where they are not linear and have been so far.
@@ -49,7 +48,7 @@ pub struct DiscreteProblem {
     /// The elements at the limit, while they are a part of the load.
     held: Option<HeldPressure>,
     scale: Scale,
-    /// Elements of a row of the sector of the grid that this one is a window of, or its own.
+    /// Elements per side of the whole grid that this one is a part of.
     grid_size: usize,
     /// The elements that the fields are of, if not of all.
     candidates: Option<Arc<Candidates>>,
@@ -69,10 +68,9 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let size = operator.size();
+        let grid = SectorGrid::whole(operator.size());
         let body = Body::Operator(operator);
-        let whole = (body, Sector::Whole, size);
-        Self::checked(whole, relief_compliance, initial_gap, element_area)
+        Self::on(grid, body, relief_compliance, initial_gap, element_area)
     }
 
     /// The problem of a grid of `size` elements per side whose elasticity is known, so that solvers may take windows of
@@ -91,8 +89,9 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         assert!(size <= elasticity.size(), "a grid within the coefficients");
-        let whole = (Body::of(elasticity, Boundary::Free), Sector::Whole, size);
-        Self::checked(whole, relief_compliance, initial_gap, element_area)
+        let grid = SectorGrid::whole(size);
+        let body = Body::of(elasticity, Boundary::Free);
+        Self::on(grid, body, relief_compliance, initial_gap, element_area)
     }
 
     /// The problem of a periodic cell, which is the largest grid that the elasticity allows; the other fields as for
@@ -109,36 +108,21 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let size = elasticity.size();
-        let whole = (
-            Body::of(elasticity, Boundary::Periodic),
-            Sector::Whole,
-            size,
-        );
-        Self::checked(whole, relief_compliance, initial_gap, element_area)
+        let grid = SectorGrid::whole(elasticity.size());
+        let body = Body::of(elasticity, Boundary::Periodic);
+        Self::on(grid, body, relief_compliance, initial_gap, element_area)
     }
 
-    /// The problem of a sector of the largest grid that the elasticity allows, or of a periodic cell; the fields are
-    /// the sector's, the area that of one element.
-    pub(crate) fn of_sector(
-        elasticity: Arc<SurfaceElasticity>,
-        (sector, boundary): (Sector, Boundary),
+    /// The problem of a body under a grid or a sector of one; the fields are those of its elements, the area that of
+    /// one of them.
+    pub(crate) fn on(
+        grid: SectorGrid,
+        mut body: Body,
         relief_compliance: Vec<f64>,
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let size = sector.size_for(elasticity.size());
-        let part = (Body::of(elasticity, boundary), sector, size);
-        Self::checked(part, relief_compliance, initial_gap, element_area)
-    }
-
-    fn checked(
-        (mut body, sector, size): (Body, Sector, usize),
-        relief_compliance: Vec<f64>,
-        initial_gap: Vec<f64>,
-        element_area: f64,
-    ) -> Result<Self, ContactError> {
-        let elements = sector.lengths(size).iter().product();
+        let elements = grid.elements();
         check_length("relief compliance", relief_compliance.len(), elements)?;
         check_length("initial gap", initial_gap.len(), elements)?;
         check_values(
@@ -158,12 +142,11 @@ impl DiscreteProblem {
         }
         Ok(Self {
             scale: Scale::new(
-                (element_area * sector.images() as f64).sqrt(),
-                body.own_coefficient(size),
+                grid.loaded_area(element_area).sqrt(),
+                body.own_coefficient(grid.size()),
             ),
             body,
-            sector,
-            size,
+            grid,
             relief_compliance,
             spring_law: SpringLaw::LINEAR,
             tangents: None,
@@ -171,7 +154,7 @@ impl DiscreteProblem {
             element_area,
             hardness: f64::INFINITY,
             held: None,
-            grid_size: size,
+            grid_size: grid.whole_size(),
             candidates: None,
             identity: Identity::default(),
         })
@@ -230,7 +213,7 @@ impl DiscreteProblem {
     /// `C(k)` of a periodic cell's longest wave, in m/Pa; 0 of a free surface.
     pub(crate) fn cell_response(&self) -> f64 {
         match (self.boundary(), self.elasticity()) {
-            (Boundary::Periodic, Some(elasticity)) => elasticity.cell_response(self.size),
+            (Boundary::Periodic, Some(elasticity)) => elasticity.cell_response(self.size()),
             _ => 0.0,
         }
     }
@@ -245,7 +228,7 @@ impl DiscreteProblem {
     /// Elements of a row, N.
     #[must_use]
     pub fn size(&self) -> usize {
-        self.size
+        self.grid.size()
     }
 
     /// Number of elements, N² of a square.
@@ -274,7 +257,7 @@ impl DiscreteProblem {
 
     /// Whether the surface is [rough](is_rough).
     pub(crate) fn is_rough(&self) -> bool {
-        is_rough(self.size, &self.initial_gap)
+        is_rough(self.size(), &self.initial_gap)
     }
 
     /// The area `4a²` of an element, in m².
@@ -286,13 +269,12 @@ impl DiscreteProblem {
     /// The area on which one value of the pressure acts, in m²: an element and its mirror images. `Q = area Σ p`.
     #[must_use]
     pub fn loaded_area(&self) -> f64 {
-        self.sector.images() as f64 * self.element_area
+        self.grid.loaded_area(self.element_area)
     }
 
     /// The operator `K`; exclusive, because a product uses the operator's own buffers.
     pub fn operator_mut(&mut self) -> &mut dyn ElasticOperator {
-        let everywhere = self.everywhere();
-        self.body.operator_on(&everywhere)
+        self.body.operator_on(self.grid)
     }
 
     /// Gives back the memory of operators that can be made again.
@@ -302,8 +284,7 @@ impl DiscreteProblem {
 
     /// Writes `K p` (m) of a pressure (Pa) on the problem's elements.
     pub(crate) fn displace(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        let everywhere = self.everywhere();
-        self.body.displace(&everywhere, pressure, displacement);
+        self.body.displace(self.grid, pressure, displacement);
     }
 
     /// Writes `K p` (m) of a pressure on a window, nought outside, on a `reach` around it.
@@ -319,7 +300,7 @@ impl DiscreteProblem {
     /// Lower bound (m) of the displacement at this distance in elements or farther from pressures ≥ 0 of this sum:
     /// `min(0, min k) Σ p` over all images; −∞ where nothing is known of the operator.
     pub(crate) fn least_displacement(&self, total: f64, distance: usize) -> f64 {
-        let images = self.sector.images() as f64;
+        let images = self.grid.images() as f64;
         self.elasticity().map_or(f64::NEG_INFINITY, |elasticity| {
             images * total * elasticity.least_coefficient_from(distance).min(0.0)
         })

@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{Cache, Cached, RadialTables, Sector, SurfaceElasticity};
+use pellicle_influence::{Cache, Cached, RadialTables, Sector, SectorGrid, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief, SampledRelief};
 use rayon::prelude::*;
 
-use crate::{Boundary, ContactError, DiscreteProblem, Indenter, Profile, vector::update};
+use crate::{
+    Boundary, ContactError, DiscreteProblem, Indenter, Profile, problem::body::Body, vector::update,
+};
 
 /// An indenter above a relief on an elastic foundation, with no grid and no load yet.
 #[derive(Debug, Clone)]
@@ -54,48 +56,38 @@ impl Model {
         Ok(SampledModel::on(grid, &self.relief, &self.indenter))
     }
 
-    /// The geometry on a sector of a grid, of the whole of any, of another of an even one.
-    pub(crate) fn sample_sector(&self, grid: Grid, sector: Sector) -> SampledSector {
-        let relief = match sector {
-            Sector::Whole => self.relief.sample(&grid),
-            Sector::Half | Sector::Quadrant => {
-                let first = sector.first_index(grid.size());
-                self.relief.sample_from(&grid, first)
-            }
+    /// The geometry at the elements of a grid that are a sector's.
+    pub(crate) fn sample_sector(&self, grid: Grid, sector: SectorGrid) -> SampledSector {
+        let relief = if sector.has_images() {
+            self.relief.sample_from(&grid, sector.first_index())
+        } else {
+            self.relief.sample(&grid)
         };
         let (mask, mut gap, compliance) = relief.into_parts();
         // g0 = f − f*, in the profile's own memory
         let rule = |gap: &mut f64, f: &f64| *gap = f - *gap;
-        match sector {
-            Sector::Whole if self.indenter.is_mirrored() => {
-                let first = grid.size() / 2;
-                let quadrant = grid.sample_from([first; 2], |[x, y]| self.indenter.height(x, y));
-                let image = |i: usize| (2 * i).abs_diff(grid.size() - 1) / 2;
-                let rows = gap.par_chunks_exact_mut(grid.size()).enumerate();
-                rows.for_each(|(i, row)| {
-                    let width = grid.size() - first;
-                    let heights = &quadrant[image(i) * width..][..width];
-                    let (left, right) = row.split_at_mut(first);
-                    let mirrored = heights.iter().skip(grid.size() % 2);
-                    left.iter_mut()
-                        .rev()
-                        .zip(mirrored)
-                        .for_each(|(gap, f)| rule(gap, f));
-                    right
-                        .iter_mut()
-                        .zip(heights)
-                        .for_each(|(gap, f)| rule(gap, f));
-                });
-            }
-            Sector::Whole => {
-                let points = grid.sample(false, |point| point);
-                update(&mut gap, &self.indenter.heights(&points), rule);
-            }
-            Sector::Half | Sector::Quadrant => {
-                let first = sector.first_index(grid.size());
-                let points = grid.sample_from(first, |point| point);
-                update(&mut gap, &self.indenter.heights(&points), rule);
-            }
+        if self.indenter.is_mirrored() && !sector.has_images() {
+            let first = grid.size() / 2;
+            let quadrant = grid.sample_from([first; 2], |[x, y]| self.indenter.height(x, y));
+            let image = |i: usize| (2 * i).abs_diff(grid.size() - 1) / 2;
+            let rows = gap.par_chunks_exact_mut(grid.size()).enumerate();
+            rows.for_each(|(i, row)| {
+                let width = grid.size() - first;
+                let heights = &quadrant[image(i) * width..][..width];
+                let (left, right) = row.split_at_mut(first);
+                let mirrored = heights.iter().skip(grid.size() % 2);
+                left.iter_mut()
+                    .rev()
+                    .zip(mirrored)
+                    .for_each(|(gap, f)| rule(gap, f));
+                right
+                    .iter_mut()
+                    .zip(heights)
+                    .for_each(|(gap, f)| rule(gap, f));
+            });
+        } else {
+            let points = grid.sample_from(sector.first_index(), |point| point);
+            update(&mut gap, &self.indenter.heights(&points), rule);
         }
         SampledSector {
             mask,
@@ -135,9 +127,8 @@ impl Model {
         let Cached { value, origin } = self.elasticity(&sampled.grid)?;
         let initial_gap = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
         let (compliance, area) = (sampled.relief.compliance(), sampled.grid.element_area());
-        let around = (Sector::Whole, boundary);
-        let value =
-            DiscreteProblem::of_sector(value, around, compliance.to_vec(), initial_gap, area)?;
+        let (whole, body) = (SectorGrid::whole(value.size()), Body::of(value, boundary));
+        let value = DiscreteProblem::on(whole, body, compliance.to_vec(), initial_gap, area)?;
         let value = value.with_spring_law(sampled.relief.spring_law());
         Ok(Cached { value, origin })
     }
@@ -210,7 +201,7 @@ mod tests {
             let grid = Grid::new(1.2, size).unwrap();
             let sampled = SampledModel::on(grid, &model.relief, &model.indenter);
             let expected = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
-            let found = model.sample_sector(grid, Sector::Whole);
+            let found = model.sample_sector(grid, SectorGrid::whole(size));
             assert_eq!(found.initial_gap, expected);
             assert_eq!(found.compliance, sampled.relief.compliance());
         }

@@ -73,13 +73,13 @@ impl ContactField<'_> {
     /// Whether an element of the window lies on the relief.
     pub fn is_on_relief(&self, element: usize) -> bool {
         let [i, j] = self.on_sector(element);
-        self.mask[i * self.window.grid() + j]
+        self.mask[i * self.window.grid().size() + j]
     }
 
     /// `w*/p` of an element of the window, in m/Pa: `η` of linear springs.
     pub fn secant_of(&self, element: usize) -> f64 {
         let [i, j] = self.on_sector(element);
-        let compliance = self.compliance[i * self.window.grid() + j];
+        let compliance = self.compliance[i * self.window.grid().size() + j];
         let law = self.model.relief.spring_law();
         law.secant(compliance, self.pressure[element])
     }
@@ -87,7 +87,7 @@ impl ContactField<'_> {
     /// The gap of an element of the window, in m; infinite where the indenter has no surface.
     pub fn gap_of(&self, element: usize) -> f64 {
         let [i, j] = self.on_sector(element);
-        let initial_gap = self.initial_gap[i * self.window.grid() + j];
+        let initial_gap = self.initial_gap[i * self.window.grid().size() + j];
         let shortening = self.secant_of(element) * self.pressure[element];
         self.judged.gap_of([i, j], initial_gap) + shortening
     }

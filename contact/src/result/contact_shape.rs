@@ -89,7 +89,7 @@ impl ContactShape {
         let before = field.first_line()..0;
         let before = before.map(|line| CellSum::of_line(field, line, size));
         let all = before.chain(lines).fold(CellSum::default(), CellSum::and);
-        let whole = window.sector().images() as f64 * grid.element_area();
+        let whole = window.grid().loaded_area(grid.element_area());
         let without = |area: f64, cut: f64| whole * (area - cut.min(LARGEST_CUT * area));
         Self {
             area: without(all.area, all.cut),

@@ -8,7 +8,7 @@
 
 use std::{cell::OnceCell, sync::Arc};
 
-use pellicle_influence::{Sector, SurfaceElasticity};
+use pellicle_influence::{SectorGrid, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief};
 
 use crate::problem::model::initial_gap;
@@ -265,8 +265,8 @@ impl Blocks {
         let pressure = around.summed(grid, &solution.pressure);
         let count = around.count();
         let mut displacement = vec![0.0; count * count];
-        let mut operator =
-            elasticity.under_window((Sector::Whole, count), [around.first(); 2], around.within);
+        let (shown, first) = (SectorGrid::whole(count), [around.first(); 2]);
+        let mut operator = elasticity.under_window(shown, first, around.within);
         operator.apply_into(&pressure, &mut displacement);
         let mut places = displacement.iter().zip(&self.gaps);
         places.any(|(u, g0)| u + g0 < limit)

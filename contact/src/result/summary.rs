@@ -105,7 +105,7 @@ impl Summary {
         }
         let shape = ContactShape::of(field);
         let largest = window.place_of_image([largest / size, largest % size]);
-        let (peak, sector) = (Peak::of(field, largest), window.sector());
+        let (peak, sector) = (Peak::of(field, largest), window.grid());
         Self {
             max_pressure: peak.pressure,
             max_pressure_at: sector.first_image_of_point(peak.at),
@@ -114,10 +114,10 @@ impl Summary {
             contact_area: shape.area,
             edge_uncertainty: shape.uncertainty,
             meets_outline: shape.meets_outline,
-            contact_elements: elements * sector.images(),
+            contact_elements: sector.with_images(elements),
             contact_area_on_relief: shape.area_on_relief,
             contact_area_between: (shape.area - shape.area_on_relief).max(0.0),
-            area_at_limit: (at_limit * sector.images()) as f64 * grid.element_area(),
+            area_at_limit: at_limit as f64 * sector.loaded_area(grid.element_area()),
             contact_radius: shape.radius,
             ..nothing
         }

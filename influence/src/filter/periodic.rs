@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 
 use super::symbol::PeriodicSymbol;
-use crate::sector::Sector;
+use crate::sector::{Sector, SectorGrid};
 use crate::transform::{Columns, EvenLines, FourierLines, HalfLines, Lines, PlaneTransform};
 
 /// Numbers of a field looked through at once.
@@ -31,12 +31,15 @@ enum SectorTransform {
 }
 
 impl PeriodicFilter {
-    /// For fields on a sector of the symbol's grid; multiplies by 0 until [`Self::multiply_by`] is called.
+    /// For fields on the symbol's grid or a sector of it; multiplies by 0 until [`Self::multiply_by`] is called.
+    ///
+    /// # Panics
+    /// If the symbol is that of another grid.
     #[must_use]
-    pub fn new(symbol: PeriodicSymbol, sector: Sector) -> Self {
-        let [_, parts] = sector.parts();
-        let size = symbol.size() / parts;
-        let transform = match sector {
+    pub fn new(symbol: PeriodicSymbol, grid: SectorGrid) -> Self {
+        assert_eq!(grid.whole_size(), symbol.size(), "the symbol of the grid");
+        let size = grid.size();
+        let transform = match grid.sector() {
             Sector::Whole => {
                 SectorTransform::Whole(PlaneTransform::new(FourierLines::periodic(size)))
             }
@@ -179,7 +182,7 @@ impl std::fmt::Debug for PeriodicFilter {
 mod tests {
     use pellicle_kernel::{Foundation, Material};
 
-    use super::{PeriodicFilter, PeriodicSymbol, Sector};
+    use super::{PeriodicFilter, PeriodicSymbol, Sector, SectorGrid};
 
     fn symbol(size: usize) -> PeriodicSymbol {
         let foundation = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
@@ -193,7 +196,7 @@ mod tests {
     #[test]
     fn the_answers_are_those_to_a_unit() {
         for size in [8, 15, 64] {
-            let mut filter = PeriodicFilter::new(symbol(size), Sector::Whole);
+            let mut filter = PeriodicFilter::new(symbol(size), SectorGrid::whole(size));
             filter.multiply_by(reciprocal);
             let mut unit = vec![0.0; size * size];
             unit[0] = 1.0;
@@ -214,11 +217,10 @@ mod tests {
             .into_iter()
             .flat_map(|sector| [4, 9, 32].map(|half| (sector, half)))
         {
-            let [rows, columns] = sector.lengths(half);
-            let part: Vec<f64> = (0..rows * columns)
-                .map(|e| (0.7 * e as f64).sin())
-                .collect();
-            let [first, _] = sector.first_index(2 * half);
+            let grid = SectorGrid::new(sector, half);
+            let elements = 0..grid.elements();
+            let part: Vec<f64> = elements.map(|e| (0.7 * e as f64).sin()).collect();
+            let [first, _] = grid.first_index();
             let along = |i: usize, first: usize| if i < first { first - 1 - i } else { i - first };
             let unfolded = |part: &[f64]| -> Vec<f64> {
                 let elements = 0..4 * half * half;
@@ -227,10 +229,10 @@ mod tests {
                 elements.map(|e| part[image(e)]).collect()
             };
             let (mut whole, mut solved) = (unfolded(&part), part);
-            let mut filter = PeriodicFilter::new(symbol(2 * half), Sector::Whole);
+            let mut filter = PeriodicFilter::new(symbol(2 * half), SectorGrid::whole(2 * half));
             filter.multiply_by(reciprocal);
             filter.apply(&mut whole);
-            let mut filter = PeriodicFilter::new(symbol(2 * half), sector);
+            let mut filter = PeriodicFilter::new(symbol(2 * half), grid);
             filter.multiply_by(reciprocal);
             filter.apply(&mut solved);
             for (one, other) in whole.iter().zip(&unfolded(&solved)) {

@@ -3,7 +3,7 @@
 use super::elastic::ElasticOperator;
 use super::spectrum::Spectrum;
 use crate::coefficient_table::CoefficientTable;
-use crate::sector::Sector;
+use crate::sector::{Sector, SectorGrid};
 use crate::transform::{EvenLines, FourierLines, HalfLines, Lines, PlaneTransform, half_length};
 
 /// From a square of pressures to the square of displacements around it.
@@ -29,11 +29,6 @@ impl Convolution<FourierLines<f64>> {
 impl Convolution<EvenLines<f64>> {
     /// For `loaded` pressures from the axis on and `shown` displacements of a quadrant.
     fn on_quadrant(table: &CoefficientTable, [loaded, shown]: [usize; 2]) -> Self {
-        assert!(
-            (1..=shown).contains(&loaded) && 2 * shown <= table.size(),
-            "pressures on {loaded} elements of {shown}, these on a quadrant of {}",
-            table.size()
-        );
         let length = half_length((loaded + shown).div_ceil(2));
         Self {
             transform: PlaneTransform::new(EvenLines::padded(loaded, shown, length)),
@@ -45,38 +40,23 @@ impl Convolution<EvenLines<f64>> {
 }
 
 impl Convolution<HalfLines<f64>> {
-    /// For pressures on a window of `loaded` elements a row and displacements on one of `shown`, both halves of
-    /// squares; the first pressure lies `above` rows below the first displacement.
-    fn on_half(table: &CoefficientTable, [loaded, shown]: [usize; 2], above: usize) -> Self {
-        assert!(
-            (1..=shown).contains(&loaded) && 2 * shown <= table.size(),
-            "pressures on {loaded} elements of {shown}, these on a half of {}",
-            table.size()
-        );
-        let [pressures, displacements] = [loaded, shown].map(|of| Sector::Half.lengths(of));
+    /// For pressures on a `loaded` half of a square and displacements on a `shown` one; the first pressure lies `above`
+    /// rows below the first displacement.
+    fn on_half(table: &CoefficientTable, [loaded, shown]: [SectorGrid; 2], above: usize) -> Self {
+        let [pressures, displacements] = [loaded, shown].map(SectorGrid::lengths);
         // No offset along x is larger than this, and along y than loaded + shown.
         let reach = (above + pressures[0]).max(displacements[0] - above);
-        let length = half_length(reach.max(loaded + shown).div_ceil(2));
+        let length = half_length(reach.max(loaded.size() + shown.size()).div_ceil(2));
         let half = 2 * length;
+        let lines = HalfLines::padded(pressures, displacements, above, length);
         Self {
-            transform: PlaneTransform::new(HalfLines::padded(
-                pressures,
-                displacements,
-                above,
-                length,
-            )),
-            spectrum: Spectrum::new(table, (2 * shown).min(half + 1), half),
+            transform: PlaneTransform::new(lines),
+            spectrum: Spectrum::new(table, shown.whole_size().min(half + 1), half),
         }
     }
 }
 
 impl<L: Lines<Real = f64>> Convolution<L> {
-    /// Displacements of a row.
-    fn shown(&self) -> usize {
-        let [_, of_row] = self.transform.lines().shown();
-        of_row
-    }
-
     fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
         self.transform.load(pressure, 1.0);
         self.transform
@@ -85,101 +65,98 @@ impl<L: Lines<Real = f64>> Convolution<L> {
     }
 }
 
-/// `u = K p` in O(N² log N), by a zero-padded real FFT, never a periodic one.
+/// Without the plans and buffers, which nobody wants to read.
+impl<L: Lines<Real = f64>> std::fmt::Debug for Convolution<L> {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut shown = formatter.debug_struct("Convolution");
+        shown
+            .field("shown", &self.transform.lines().shown())
+            .finish_non_exhaustive()
+    }
+}
+
+/// The convolution on a whole grid or on a sector of it.
+#[derive(Debug)]
+enum SectorConvolution {
+    Whole(Convolution<FourierLines<f64>>),
+    Half(Convolution<HalfLines<f64>>),
+    Quadrant(Convolution<EvenLines<f64>>),
+}
+
+impl SectorConvolution {
+    /// For pressures on a window of `size` elements a row, the first of which is the element `origin`, and displacements
+    /// on the `shown` elements.
+    fn new(table: &CoefficientTable, shown: SectorGrid, origin: [usize; 2], size: usize) -> Self {
+        let loaded = shown.with_size(size);
+        let (window, all, mirrored) = (loaded.lengths(), shown.lengths(), shown.mirrored());
+        let lies_within = (0..2).all(|axis| {
+            let begins_at_axis = !mirrored[axis] || origin[axis] == 0;
+            begins_at_axis && origin[axis] + window[axis] <= all[axis]
+        });
+        assert!(
+            size > 0 && lies_within && shown.whole_size() <= table.size(),
+            "a window of {size} elements from {origin:?} within {shown:?}, these within {}",
+            table.size()
+        );
+        let lengths = [size, shown.size()];
+        match shown.sector() {
+            Sector::Whole => Self::Whole(Convolution::on_grid(table, lengths, origin)),
+            Sector::Half => Self::Half(Convolution::on_half(table, [loaded, shown], origin[0])),
+            Sector::Quadrant => Self::Quadrant(Convolution::on_quadrant(table, lengths)),
+        }
+    }
+
+    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
+        match self {
+            Self::Whole(convolution) => convolution.apply_into(pressure, displacement),
+            Self::Half(convolution) => convolution.apply_into(pressure, displacement),
+            Self::Quadrant(convolution) => convolution.apply_into(pressure, displacement),
+        }
+    }
+}
+
+/// `u = K p` on a grid in O(N² log N), by a zero-padded real FFT, never a periodic one.
 ///
-/// Memory: 8 bytes an element of the grid for the spectrum, 16 for the half-transformed field, and for each thread
-/// 600 N bytes of scratch. Accuracy: rounding, some 1e-15 of the largest displacement; within 1e-13 of
-/// [`crate::DenseOperator`] (test `both_operators_agree_to_rounding`). Uses the current rayon pool; the result does
-/// not depend on it, bit for bit.
-pub struct ConvolutionOperator(Convolution<FourierLines<f64>>);
+/// On a [sector](SectorGrid) of a grid each element presses together with its mirror images, and its displacement is
+/// that of all. Transforms are half as long along an axis that mirrors, and real where they were complex: a product
+/// takes half the time on a half, a quarter to a third of it on a quadrant. Both agree with the whole grid to rounding
+/// (tests `a_half_moves_as_the_whole_surface_does`, `a_quadrant_moves_as_the_whole_surface_does`).
+///
+/// Memory: 8 bytes an element of the whole grid for the spectrum, 16 one of the sector for the half-transformed field,
+/// and for each thread 600 N bytes of scratch, 900 on a quadrant. Accuracy: rounding, some 1e-15 of the largest
+/// displacement; within 1e-13 of [`crate::DenseOperator`] (test `both_operators_agree_to_rounding`). Uses the current
+/// rayon pool; the result does not depend on it, bit for bit.
+#[derive(Debug)]
+pub struct ConvolutionOperator {
+    grid: SectorGrid,
+    convolution: SectorConvolution,
+}
 
 impl ConvolutionOperator {
     /// The operator of the grid the table was made for.
     #[must_use]
     pub fn new(table: &CoefficientTable) -> Self {
-        Self::windowed(table, table.size())
+        Self::on(table, SectorGrid::whole(table.size()))
     }
 
-    /// The operator of a window of `size` × `size` elements of that grid; the coefficients depend on the offset alone.
+    /// The operator of a window of that grid, or of a sector of one; the coefficients depend on the offset alone.
     ///
     /// # Panics
-    /// If `size` is above the table's.
+    /// If there are no elements, or the table does not reach across the whole grid.
     #[must_use]
-    pub fn windowed(table: &CoefficientTable, size: usize) -> Self {
-        Self(Convolution::on_grid(table, [size; 2], [0; 2]))
+    pub fn on(table: &CoefficientTable, grid: SectorGrid) -> Self {
+        let convolution = SectorConvolution::new(table, grid, [0; 2], grid.size());
+        Self { grid, convolution }
     }
 }
 
 impl ElasticOperator for ConvolutionOperator {
     fn size(&self) -> usize {
-        self.0.shown()
+        self.grid.size()
     }
 
     fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        self.0.apply_into(pressure, displacement);
-    }
-}
-
-/// `u = K p` for a pressure that is symmetric in x and y: on the quadrant x, y > 0, element (0, 0) of which lies at
-/// the axis.
-///
-/// Each element (i, j) presses together with its three mirror images, and its displacement is that of all four: M ×
-/// M elements stand for 2M × 2M. Every transform is half as long along each axis, and real where it was complex, so
-/// a product takes a quarter to a third of the time.
-///
-/// Memory: 32 bytes an element for the spectrum, 16 for the half-transformed field, and for each thread 900 M bytes
-/// of scratch. Accuracy: rounding, as [`ConvolutionOperator`], with which it agrees on the whole grid (test
-/// `a_quadrant_moves_as_the_whole_surface_does`). Uses the current rayon pool; the result does not depend on it,
-/// bit for bit.
-pub struct QuadrantOperator(Convolution<EvenLines<f64>>);
-
-impl QuadrantOperator {
-    /// For `size` × `size` elements of a quadrant.
-    ///
-    /// # Panics
-    /// If `size` is 0, or the table does not reach across twice as many elements.
-    #[must_use]
-    pub fn new(table: &CoefficientTable, size: usize) -> Self {
-        Self(Convolution::on_quadrant(table, [size; 2]))
-    }
-}
-
-impl ElasticOperator for QuadrantOperator {
-    fn size(&self) -> usize {
-        self.0.shown()
-    }
-
-    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        self.0.apply_into(pressure, displacement);
-    }
-}
-
-/// `u = K p` for a pressure that is symmetric in y: on the half y > 0, the first element of each row of which lies at
-/// the axis.
-///
-/// Each element presses together with its mirror image: 2M rows of M elements stand for 2M × 2M, and a product takes
-/// half the time. Memory and accuracy as [`QuadrantOperator`], with twice the elements (test
-/// `a_half_moves_as_the_whole_surface_does`).
-pub struct HalfOperator(Convolution<HalfLines<f64>>);
-
-impl HalfOperator {
-    /// For 2 · `size` rows of `size` elements.
-    ///
-    /// # Panics
-    /// As [`QuadrantOperator::new`].
-    #[must_use]
-    pub fn new(table: &CoefficientTable, size: usize) -> Self {
-        Self(Convolution::on_half(table, [size; 2], 0))
-    }
-}
-
-impl ElasticOperator for HalfOperator {
-    fn size(&self) -> usize {
-        self.0.shown()
-    }
-
-    fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        self.0.apply_into(pressure, displacement);
+        self.convolution.apply_into(pressure, displacement);
     }
 }
 
@@ -189,48 +166,24 @@ impl ElasticOperator for HalfOperator {
 /// side a product takes half the time of [`ConvolutionOperator`]'s, and agrees with it to rounding (test
 /// `under_a_window_the_grid_moves_as_under_the_whole_pressure`). Uses the current rayon pool; the result does not
 /// depend on it, bit for bit.
-pub struct WindowOperator(ShownSurface);
-
-/// The surface that moves.
-enum ShownSurface {
-    Grid(Convolution<FourierLines<f64>>),
-    Half(Convolution<HalfLines<f64>>),
-    Quadrant(Convolution<EvenLines<f64>>),
-}
+#[derive(Debug)]
+pub struct WindowOperator(SectorConvolution);
 
 impl WindowOperator {
-    /// For a window of `size` elements a row, the first of which is the element `origin`, of a sector of `shown`; a
-    /// sector's windows begin at its axes, in which their pressures are mirrored, and are such parts of squares as it
-    /// is.
+    /// For a window of `size` elements a row, the first of which is the element `origin` of the `shown` ones; a sector's
+    /// windows begin at its axes, in which their pressures are mirrored, and are such parts of squares as it is.
     ///
     /// # Panics
-    /// If the window is empty or does not lie within the sector, or the table does not reach across the whole grid.
+    /// If the window is empty or does not lie within the `shown` elements, or the table does not reach across the whole
+    /// grid.
     #[must_use]
     pub fn new(
         table: &CoefficientTable,
-        (sector, shown): (Sector, usize),
+        shown: SectorGrid,
         origin: [usize; 2],
         size: usize,
     ) -> Self {
-        let [window, all] = [size, shown].map(|of| sector.lengths(of));
-        let lies_within = (0..2).all(|axis| origin[axis] + window[axis] <= all[axis]);
-        assert!(
-            size > 0 && lies_within && sector.whole(shown) <= table.size(),
-            "a window of {size} elements from {origin:?} within {shown}, these within {}",
-            table.size()
-        );
-        Self(match sector {
-            Sector::Whole => ShownSurface::Grid(Convolution::on_grid(table, [size, shown], origin)),
-            Sector::Half => {
-                let [above, before] = origin;
-                assert_eq!(before, 0, "a half's window begins at the axis");
-                ShownSurface::Half(Convolution::on_half(table, [size, shown], above))
-            }
-            Sector::Quadrant => {
-                assert_eq!(origin, [0; 2], "a quadrant's window begins at the axis");
-                ShownSurface::Quadrant(Convolution::on_quadrant(table, [size, shown]))
-            }
-        })
+        Self(SectorConvolution::new(table, shown, origin, size))
     }
 
     /// Writes the displacements (m, positive into the body; those of the grid) of the pressures (Pa, compressive
@@ -239,37 +192,6 @@ impl WindowOperator {
     /// # Panics
     /// If a field has not one value per element.
     pub fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        match &mut self.0 {
-            ShownSurface::Grid(convolution) => convolution.apply_into(pressure, displacement),
-            ShownSurface::Half(convolution) => convolution.apply_into(pressure, displacement),
-            ShownSurface::Quadrant(convolution) => convolution.apply_into(pressure, displacement),
-        }
-    }
-
-    fn size(&self) -> usize {
-        match &self.0 {
-            ShownSurface::Grid(convolution) => convolution.shown(),
-            ShownSurface::Half(convolution) => convolution.shown(),
-            ShownSurface::Quadrant(convolution) => convolution.shown(),
-        }
+        self.0.apply_into(pressure, displacement);
     }
 }
-
-/// Tells the size alone of operators whose plans and buffers nobody wants to read.
-macro_rules! debug_of_size {
-    ($($name:ident),*) => {$(
-        impl std::fmt::Debug for $name {
-            fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                let mut shown = formatter.debug_struct(stringify!($name));
-                shown.field("size", &self.size()).finish_non_exhaustive()
-            }
-        }
-    )*};
-}
-
-debug_of_size!(
-    ConvolutionOperator,
-    HalfOperator,
-    QuadrantOperator,
-    WindowOperator
-);

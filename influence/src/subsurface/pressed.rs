@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 
 use super::parity::{ParityPart, write_products};
-use crate::sector::Sector;
+use crate::sector::{Sector, SectorGrid};
 use crate::transform::{
     EvenLines, FourierLines, Lines, Parity, PlaneSpectrum, PlaneTransform, half_length,
 };
@@ -84,7 +84,7 @@ impl Pressed {
             let (loaded, shown) = (loaded / 2, shown / 2);
             let length = half_length((loaded + shown).div_ceil(2));
             let lines = EvenLines::padded(loaded, shown, length);
-            let quadrant = Sector::Quadrant.cut(pressure, 2 * loaded);
+            let quadrant = SectorGrid::new(Sector::Quadrant, loaded).cut(pressure);
             let transformed = Transformed::new(lines, &quadrant);
             return (
                 Self::Quadrant(transformed, vec![0.0; shown * shown]),

@@ -1,6 +1,6 @@
 //! The rows and columns that some elements of a window take.
 
-use pellicle_influence::Sector;
+use pellicle_influence::SectorGrid;
 
 /// First and last index of some elements along both axes.
 #[derive(Debug, Clone, Copy)]
@@ -11,8 +11,8 @@ pub(super) struct IndexRange {
 
 impl IndexRange {
     /// Elements along the side of the smallest square that holds them and their mirror images.
-    pub fn side_of_square(&self, sector: Sector) -> usize {
-        let parts = sector.parts();
+    pub fn side_of_square(&self, grid: SectorGrid) -> usize {
+        let parts = grid.parts();
         let lengths =
             [0, 1].map(|axis: usize| parts[axis] * (self.last[axis] + 1 - self.first[axis]));
         lengths[0].max(lengths[1])

@@ -1,6 +1,5 @@
 //! Fields on a window and on its grid: one taken from the other.
 
-use pellicle_influence::Sector;
 use rayon::prelude::*;
 
 use super::Window;
@@ -9,7 +8,7 @@ impl Window {
     /// The part of a field of the grid that lies in the window's `line`-th row.
     pub fn line<'a, T>(&self, field: &'a [T], line: usize) -> &'a [T] {
         let [above, left] = self.origin;
-        let first = (above + line) * self.grid + left;
+        let first = (above + line) * self.grid.size() + left;
         &field[first..first + self.size]
     }
 
@@ -32,28 +31,30 @@ impl Window {
     /// The field of the whole grid that is `part` in the window and its mirror images, and 0 outside, where no memory
     /// is touched.
     pub fn scatter(&self, part: Vec<f64>) -> Vec<f64> {
-        match self.sector {
-            Sector::Whole if self.is_whole() => part,
-            Sector::Whole => self.everywhere().take_over(self, &part),
-            Sector::Half | Sector::Quadrant => self.unfold(&part),
+        if self.grid.has_images() {
+            self.unfold(&part)
+        } else if self.is_whole() {
+            part
+        } else {
+            self.everywhere().take_over(self, &part)
         }
     }
 
     /// The same of a window whose rows begin at an axis.
     fn unfold(&self, part: &[f64]) -> Vec<f64> {
-        let (axis, width) = (self.grid, 2 * self.grid);
+        let (axis, width) = (self.grid.size(), self.grid.whole_size());
         let [lines, _] = self.lengths();
         let [above, _] = self.origin;
         let mut field = vec![0.0; width * width];
         let rows = field.par_chunks_exact_mut(width).enumerate();
-        let [first, count] = match self.sector.mirrored() {
+        let [first, count] = match self.grid.mirrored() {
             [true, _] => [axis - lines, 2 * lines],
             [false, _] => [above, lines],
         };
         let rows = rows.skip(first).take(count);
         let rows = rows.with_min_len(self.rows_per_thread());
         rows.for_each(|(i, row)| {
-            let line = match self.sector.mirrored() {
+            let line = match self.grid.mirrored() {
                 [true, _] if i < axis => axis - 1 - i,
                 [true, _] => i - axis,
                 [false, _] => i - above,

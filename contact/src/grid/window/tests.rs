@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{ELEMENTS_PER_THREAD, Window};
-use pellicle_influence::Sector;
+use pellicle_influence::{Sector, SectorGrid};
 
 /// A window of a grid of 20 × 20 elements.
 fn window(origin: [usize; 2], size: usize) -> Window {
@@ -33,7 +33,8 @@ fn a_window_holds_what_belongs_with_a_margin() {
 
 #[test]
 fn a_quadrants_window_begins_at_the_axis_and_spreads_to_four_images() {
-    let everywhere = Window::all_of(Sector::Quadrant, 100);
+    let quadrant = SectorGrid::new(Sector::Quadrant, 100);
+    let everywhere = Window::all_of(quadrant);
     let window = everywhere.around(|[i, j]| i == 20 && j == 7);
     assert!(window.origin() == [0, 0] && (24..=27).contains(&window.size()));
     assert_eq!(window.grown().origin(), [0, 0]);
@@ -52,12 +53,13 @@ fn a_quadrants_window_begins_at_the_axis_and_spreads_to_four_images() {
         let expected = window.place([i, j]).map_or(0.0, |place| part[place]);
         assert_eq!(*found, expected);
     }
-    assert_eq!(window.cut(&Sector::Quadrant.cut(&whole, 200)), part);
+    assert_eq!(window.cut(&quadrant.cut(&whole)), part);
 }
 
 #[test]
 fn a_halfs_window_begins_at_its_axis_and_spreads_to_two_images() {
-    let everywhere = Window::all_of(Sector::Half, 100);
+    let half = SectorGrid::new(Sector::Half, 100);
+    let everywhere = Window::all_of(half);
     let window = everywhere.around(|[i, j]| (150..161).contains(&i) && j == 7);
     let [above, left] = window.origin();
     let [rows, columns] = window.lengths();
@@ -73,7 +75,7 @@ fn a_halfs_window_begins_at_its_axis_and_spreads_to_two_images() {
         let expected = window.place([i, j]).map_or(0.0, |place| part[place]);
         assert_eq!(*found, expected);
     }
-    assert_eq!(window.cut(&Sector::Half.cut(&whole, 200)), part);
+    assert_eq!(window.cut(&half.cut(&whole)), part);
     let last = columns - 1;
     let is_border = |e: &usize| [0, rows - 1].contains(&(e / columns)) || e % columns == last;
     let border: BTreeSet<usize> = window.border().collect();
@@ -202,7 +204,7 @@ fn an_index_on_the_whole_grid_counts_from_the_axes_of_a_sector() {
         let window = Window {
             origin: [2, 3],
             size: 5,
-            ..Window::all_of(sector, grid)
+            ..Window::all_of(SectorGrid::new(sector, grid))
         };
         for place in [[0, 0], [4, 1], [-1, 2], [1, -6]] {
             let wanted = [axes[0] + 2 + place[0], axes[1] + 3 + place[1]];
@@ -214,8 +216,9 @@ fn an_index_on_the_whole_grid_counts_from_the_axes_of_a_sector() {
 #[test]
 fn a_cell_across_an_axis_belongs_to_as_many_quadrants_as_it_has_images_of_one_element() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
-        let window = Window::all_of(sector, 10);
-        let [x, y] = sector.mirrored();
+        let grid = SectorGrid::new(sector, 10);
+        let window = Window::all_of(grid);
+        let [x, y] = grid.mirrored();
         let half = |is_mirrored: bool| if is_mirrored { 0.5 } else { 1.0 };
         let shares =
             [[3, 4], [-1, 4], [3, -1], [-1, -1], [0, 0]].map(|at| window.share_of_cell(at));
@@ -227,17 +230,18 @@ fn a_cell_across_an_axis_belongs_to_as_many_quadrants_as_it_has_images_of_one_el
         let places =
             (first(x)..rows - 1).flat_map(|i| (first(y)..columns - 1).map(move |j| [i, j]));
         let cells: f64 = places.map(|place| window.share_of_cell(place)).sum();
-        let lines = (window.whole_grid() - 1) as f64;
-        assert_eq!(cells * sector.images() as f64, lines * lines, "{sector:?}");
+        let lines = (grid.whole_size() - 1) as f64;
+        assert_eq!(cells * grid.images() as f64, lines * lines, "{sector:?}");
     }
 }
 
 #[test]
 fn before_an_axis_lies_the_mirror_image_and_before_the_grid_nothing() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
-        let window = Window::all_of(sector, 10);
+        let grid = SectorGrid::new(sector, 10);
+        let window = Window::all_of(grid);
         let size = window.size();
-        let [x, y] = sector.mirrored();
+        let [x, y] = grid.mirrored();
         assert_eq!(window.element([-3, 4]), x.then_some(2 * size + 4));
         assert_eq!(window.element([4, -1]), y.then_some(4 * size));
         let last = window.lengths()[0] - 1;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{ScatteredOperator, Sector};
+use pellicle_influence::{ScatteredOperator, SectorGrid};
 
 use super::{DiscreteProblem, Identity};
 use crate::{
@@ -21,22 +21,8 @@ impl DiscreteProblem {
         if boundary == Boundary::Periodic && !window.is_whole() {
             return None;
         }
-        Some(Self {
-            body: Body::of(self.elasticity()?.clone(), boundary),
-            sector: self.sector,
-            size: window.size(),
-            relief_compliance: window.cut(&self.relief_compliance),
-            spring_law: self.spring_law,
-            tangents: None,
-            initial_gap: window.cut(&self.initial_gap),
-            element_area: self.element_area,
-            hardness: self.hardness,
-            held: None,
-            scale: self.scale,
-            grid_size: self.grid_size,
-            candidates: None,
-            identity: Identity::default(),
-        })
+        let body = Body::of(self.elasticity()?.clone(), boundary);
+        Some(self.part(window, body, None, |field| window.cut(field)))
     }
 
     /// The same problem on the candidates of a window alone, whose products are right to some 1e-9; all fields are
@@ -58,25 +44,36 @@ impl DiscreteProblem {
         let [above, left] = window.origin();
         let on_grid = |candidate: usize| {
             let [row, column] = candidates.place(candidate);
-            (above + row) * self.size + left + column
+            (above + row) * self.size() + left + column
         };
         let gather = |field: &[f64]| (0..candidates.len()).map(|c| field[on_grid(c)]).collect();
-        Some(Self {
-            body: Body::among(elasticity.clone(), operator),
-            sector: self.sector,
-            size: window.size(),
-            relief_compliance: gather(&self.relief_compliance),
+        let body = Body::among(elasticity.clone(), operator);
+        Some(self.part(window, body, Some(candidates.clone()), gather))
+    }
+
+    /// The same problem on a window or the candidates in it, with their body and their values of a field.
+    fn part(
+        &self,
+        window: &Window,
+        body: Body,
+        candidates: Option<Arc<Candidates>>,
+        values: impl Fn(&[f64]) -> Vec<f64>,
+    ) -> Self {
+        Self {
+            body,
+            grid: window.shape(),
+            relief_compliance: values(&self.relief_compliance),
             spring_law: self.spring_law,
             tangents: None,
-            initial_gap: gather(&self.initial_gap),
+            initial_gap: values(&self.initial_gap),
             element_area: self.element_area,
-            scale: self.scale,
-            grid_size: self.grid_size,
             hardness: self.hardness,
             held: None,
-            candidates: Some(candidates.clone()),
+            scale: self.scale,
+            grid_size: self.grid_size,
+            candidates,
             identity: Identity::default(),
-        })
+        }
     }
 
     /// The operator among candidates, where there is one; then the problem has none.
@@ -94,23 +91,23 @@ impl DiscreteProblem {
         self.candidates.as_ref()
     }
 
-    /// The part of the surface that the elements cover.
-    pub(crate) fn sector(&self) -> Sector {
-        self.sector
+    /// The problem's elements as a grid, of which candidates are some.
+    pub(crate) fn grid(&self) -> SectorGrid {
+        self.grid
     }
 
     /// All of the problem's elements.
     pub(crate) fn everywhere(&self) -> Window {
-        Window::all_of(self.sector, self.size)
+        Window::all_of(self.grid)
     }
 
     /// Elements per side of the whole grid that this one is a part of, or its own.
     pub(crate) fn grid_size(&self) -> usize {
-        self.sector.whole(self.grid_size)
+        self.grid_size
     }
 
     /// Whether the grid is a window of a larger one, so that contact on its border means that the window is too small.
     pub(crate) fn is_window(&self) -> bool {
-        self.size < self.grid_size && self.candidates.is_none()
+        self.grid.whole_size() < self.grid_size && self.candidates.is_none()
     }
 }

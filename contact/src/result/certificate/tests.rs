@@ -3,13 +3,15 @@
 use std::sync::Arc;
 
 use pellicle_influence::{
-    CoefficientTable, ElasticOperator, RadialTables, Sector, SurfaceElasticity,
+    CoefficientTable, ElasticOperator, RadialTables, Sector, SectorGrid, SurfaceElasticity,
 };
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::SpringLaw;
 
 use super::{Certificate, JudgedFields, Solution, Surface, Trial};
-use crate::{DeformedSurface, DiscreteProblem, Load, grid::window::Window};
+use crate::{
+    Boundary, DeformedSurface, DiscreteProblem, Load, grid::window::Window, problem::body::Body,
+};
 
 /// Independent springs of 0.5 m/Pa.
 struct Springs(usize);
@@ -195,29 +197,24 @@ const SIZE: usize = 48;
 
 /// A paraboloid above a sector of `SIZE` elements a row on a layer of this Poisson's ratio, ten times softer than its
 /// base.
-fn pressed_layer(sector: Sector, poisson_ratio: f64) -> DiscreteProblem {
+fn pressed_layer(grid: SectorGrid, poisson_ratio: f64) -> DiscreteProblem {
     let layer = Material::new(0.1, poisson_ratio).unwrap();
     let foundation = Foundation::coated(0.05, layer, Material::new(1.0, 0.3).unwrap()).unwrap();
-    let (whole, side) = (sector.whole(SIZE), 1.0 / SIZE as f64);
+    let (whole, side) = (grid.whole_size(), 1.0 / SIZE as f64);
     let tables = RadialTables::build(&foundation).unwrap();
     let table = CoefficientTable::assemble(&tables, side, whole).unwrap();
     let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), foundation));
-    let first = sector.first_index(whole);
+    let first = grid.first_index();
     let along = |i: usize| (i as f64 + 0.5 - 0.5 * whole as f64) * side;
-    let elements = sector.lengths(SIZE).iter().product();
-    let gap = (0..elements).map(|e| {
+    let gap = (0..grid.elements()).map(|e| {
         let [x, y] = [along(first[0] + e / SIZE), along(first[1] + e % SIZE)];
         f64::midpoint(x * x, y * y)
     });
-    let eta = vec![0.0; elements];
-    DiscreteProblem::of_sector(
-        elasticity,
-        (sector, crate::Boundary::Free),
-        eta,
-        gap.collect(),
-        side * side,
-    )
-    .unwrap()
+    let (eta, body) = (
+        vec![0.0; grid.elements()],
+        Body::of(elasticity, Boundary::Free),
+    );
+    DiscreteProblem::on(grid, body, eta, gap.collect(), side * side).unwrap()
 }
 
 /// The contact's part of a grid is judged as the whole is, and the rest does not overlap.
@@ -225,7 +222,7 @@ fn pressed_layer(sector: Sector, poisson_ratio: f64) -> DiscreteProblem {
 fn where_nothing_can_overlap_nothing_is_missed() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
         for poisson_ratio in [0.3, 0.5] {
-            let mut problem = pressed_layer(sector, poisson_ratio);
+            let mut problem = pressed_layer(SectorGrid::new(sector, SIZE), poisson_ratio);
             let everywhere = problem.everywhere();
             let depth = 0.01;
             let overlapping: Vec<f64> = (problem.initial_gap().iter())

@@ -209,8 +209,8 @@ impl<'a> OngoingSolution<'a> {
         residual: f64,
     ) -> Result<(), ContactError> {
         let set = &mut self.workspace.set;
-        let images = self.problem.sector().images();
-        let working_set = [set.len(), set.take_moves()].map(|elements| elements * images);
+        let grid = self.problem.grid();
+        let working_set = [set.len(), set.take_moves()].map(|elements| grid.with_images(elements));
         watch.tell(self.problem.grid_size(), iteration, residual, working_set)
     }
 

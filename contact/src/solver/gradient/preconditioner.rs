@@ -113,8 +113,7 @@ impl Preconditioner {
         let of_all = problem
             .elasticity()
             .filter(|_| problem.candidates().is_none());
-        let symbol =
-            of_all.map(|elasticity| elasticity.symbol(problem.sector().whole(problem.size())));
+        let symbol = of_all.map(|elasticity| elasticity.symbol(problem.grid().whole_size()));
         let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
         let is_stiff = contrast > stiff(problem);
         let has_springs = problem.tangent_compliance().iter().any(|c| *c > 0.0);
@@ -128,7 +127,7 @@ impl Preconditioner {
                 factor(problem, neighbours).unwrap_or(Inverse::Identity)
             }
             Some(symbol) => {
-                Inverse::Filter(Box::new(RestrictedFilter::new(symbol, problem.sector())))
+                Inverse::Filter(Box::new(RestrictedFilter::new(symbol, problem.grid())))
             }
         };
         let unit = match inverse {
@@ -351,12 +350,12 @@ fn is_springy(problem: &DiscreteProblem) -> bool {
 
 fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     let elasticity = problem.elasticity()?.clone();
-    let (grid, compliance) = (problem.everywhere(), problem.tangent_compliance());
+    let (grid, compliance) = (problem.grid(), problem.tangent_compliance());
     if let Some(candidates) = problem.candidates() {
         let factor = ScatteredFactor::new(elasticity, candidates.clone(), compliance, neighbours);
         return Some(Inverse::Scattered(Box::new(factor)));
     }
-    let factor = SparseFactor::new(elasticity, &grid, compliance, neighbours);
+    let factor = SparseFactor::new(elasticity, grid, compliance, neighbours);
     Some(Inverse::Factor(Box::new(factor)))
 }
 

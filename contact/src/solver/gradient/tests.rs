@@ -1,6 +1,6 @@
 //! The parts of the iteration one by one: what each claims of itself, on a grid of 32 by 32 elements.
 
-use pellicle_influence::Sector;
+use pellicle_influence::{Sector, SectorGrid};
 
 use crate::solver::gradient::best::Best;
 use crate::solver::gradient::context::Context;
@@ -258,7 +258,7 @@ fn a_set_touches_the_border_with_any_element_of_it() {
         let (_, set) = begun(&mut problem, control, &pressure);
         assert_eq!(set.len(), 1);
         let found = [Sector::Whole, Sector::Quadrant]
-            .map(|sector| set.touches_border(&Window::all_of(sector, SIZE)));
+            .map(|sector| set.touches_border(&Window::all_of(SectorGrid::new(sector, SIZE))));
         assert_eq!(found, touches, "{i} {j}");
     }
 }

@@ -5,7 +5,7 @@ use rayon::ThreadPoolBuilder;
 use super::smooth::{ORDER, RADIUS};
 use super::{ScatteredOperator, scattered_work};
 use crate::operator::{ConvolutionOperator, ElasticOperator};
-use crate::{CoefficientTable, RadialTables};
+use crate::{CoefficientTable, RadialTables, SectorGrid};
 use pellicle_kernel::{Foundation, Material};
 
 const SIZE: usize = 300;
@@ -58,7 +58,7 @@ fn both(table: &CoefficientTable, size: usize) -> [Vec<f64>; 2] {
         field[*element as usize] = *p;
     }
     let mut whole = vec![0.0; size * size];
-    ConvolutionOperator::windowed(table, size).apply_into(&field, &mut whole);
+    ConvolutionOperator::on(table, SectorGrid::whole(size)).apply_into(&field, &mut whole);
     [
         found,
         elements

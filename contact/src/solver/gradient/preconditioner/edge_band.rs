@@ -12,7 +12,7 @@
 //! `F` falls off so quickly that a band a few elements wide stands for all of `E`, and a few of its coefficients for
 //! all of them. Without the band the filter is wrong at the contact's edge, and that alone takes twice the iterations.
 
-use pellicle_influence::Sector;
+use pellicle_influence::SectorGrid;
 use rayon::prelude::*;
 
 use crate::{
@@ -55,11 +55,11 @@ pub struct EdgeBand {
 }
 
 impl EdgeBand {
-    /// An empty band on a sector of so many rows and columns.
-    pub fn new(lengths: [usize; 2], sector: Sector) -> Self {
+    /// An empty band on a grid or a sector of one.
+    pub fn new(grid: SectorGrid) -> Self {
         let layout = Layout {
-            lengths,
-            beyond: sector.mirrored_lines(REACH),
+            lengths: grid.lengths(),
+            beyond: grid.mirrored_lines(REACH),
         };
         Self {
             layout,
@@ -262,11 +262,12 @@ impl Layout {
 
 #[cfg(test)]
 mod tests {
-    use pellicle_influence::{ElasticOperator, Sector};
+    use pellicle_influence::{ElasticOperator, Sector, SectorGrid};
 
     use super::{ACCURACY, Answers, EdgeBand};
     use crate::{
         DiscreteProblem,
+        problem::body::Body,
         solver::gradient::{control::Control, tests::begun, working_set::WorkingSet},
     };
 
@@ -292,23 +293,25 @@ mod tests {
     }
 
     /// The set of the inner elements, moved by some columns.
-    fn set(moved: usize) -> WorkingSet {
+    fn set(grid: SectorGrid, moved: usize) -> WorkingSet {
         let presses = |e: usize| f64::from(u8::from(inside([e / SIZE, e % SIZE + moved])));
-        let pressure: Vec<f64> = (0..SIZE * SIZE).map(presses).collect();
-        let field = |value: f64| vec![value; SIZE * SIZE];
-        let problem = DiscreteProblem::new(Box::new(Rigid), field(0.0), field(1.0), 1.0);
+        let pressure: Vec<f64> = (0..grid.elements()).map(presses).collect();
+        let field = |value: f64| vec![value; grid.elements()];
+        let body = Body::Operator(Box::new(Rigid));
+        let problem = DiscreteProblem::on(grid, body, field(0.0), field(1.0), 1.0);
         begun(&mut problem.unwrap(), Control::Penetration(0.0), &pressure).1
     }
 
     /// Whether an element lies beside the set, three elements away at most, and three from the border at least, which
     /// the axes of a sector are not.
-    fn is_of_band([i, j]: [usize; 2], sector: Sector) -> bool {
+    fn is_of_band([i, j]: [usize; 2], grid: SectorGrid) -> bool {
         let around = |k: usize| k.saturating_sub(3)..=k + 3;
         let near = around(i).any(|i| around(j).any(|j| inside([i, j])));
-        let lines = sector
-            .mirrored()
-            .map(|is| if is { 0..SIZE - 3 } else { 3..SIZE - 3 });
-        near && !inside([i, j]) && lines[0].contains(&i) && lines[1].contains(&j)
+        let lies_within = |axis: usize, k: usize| {
+            let first = if grid.mirrored()[axis] { 0 } else { 3 };
+            (first..grid.lengths()[axis] - 3).contains(&k)
+        };
+        near && !inside([i, j]) && lies_within(0, i) && lies_within(1, j)
     }
 
     #[test]
@@ -321,26 +324,28 @@ mod tests {
         });
         let waves =
             |e: usize| 1.0 + 0.5 * (0.2 * (e / SIZE) as f64 + 0.3 * (e % SIZE) as f64).sin();
-        let answer: Vec<f64> = (0..SIZE * SIZE).map(waves).collect();
         for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
-            let mut band = EdgeBand::new([SIZE; 2], sector);
+            let grid = SectorGrid::new(sector, SIZE);
+            let elements = grid.elements();
+            let answer: Vec<f64> = (0..elements).map(waves).collect();
+            let mut band = EdgeBand::new(grid);
             band.take_coefficients(&answers);
-            band.surround(&set(0));
-            let mut written = vec![0.0; SIZE * SIZE];
+            band.surround(&set(grid, 0));
+            let mut written = vec![0.0; elements];
             band.balance(&answer, &mut written);
             // Of another set nothing stays.
-            let mut again = vec![0.0; SIZE * SIZE];
-            band.surround(&set(4));
-            band.balance(&answer, &mut vec![0.0; SIZE * SIZE]);
-            band.surround(&set(0));
+            let mut again = vec![0.0; elements];
+            band.surround(&set(grid, 4));
+            band.balance(&answer, &mut vec![0.0; elements]);
+            band.surround(&set(grid, 0));
             band.balance(&answer, &mut again);
             assert!(written == again, "{sector:?}");
             let mirrored = |k: i64| usize::try_from(if k < 0 { -1 - k } else { k }).unwrap();
             // All of the band, and the elements next to an axis.
             let (mut missed, mut whole) = ([0.0; 2], [0.0; 2]);
-            for e in 0..SIZE * SIZE {
+            for e in 0..elements {
                 let place = [e / SIZE, e % SIZE];
-                if !is_of_band(place, sector) {
+                if !is_of_band(place, grid) {
                     assert!(written[e] == 0.0, "{place:?}");
                     continue;
                 }

@@ -26,7 +26,7 @@
 //! The power that would set the short waves right, ½, spoils the long ones; half of it takes a fifth fewer products
 //! than none.
 
-use pellicle_influence::{PeriodicFilter, PeriodicSymbol, Sector};
+use pellicle_influence::{PeriodicFilter, PeriodicSymbol, SectorGrid};
 
 use crate::solver::gradient::preconditioner::edge_band::{Answers, EdgeBand};
 use crate::solver::gradient::working_set::WorkingSet;
@@ -55,16 +55,15 @@ pub struct RestrictedFilter {
 }
 
 impl RestrictedFilter {
-    /// For a sector of the symbol's grid.
-    pub fn new(symbol: PeriodicSymbol, sector: Sector) -> Self {
-        let lengths = sector.lengths(sector.size_for(symbol.size()));
-        let elements = lengths.iter().product();
+    /// For the symbol's grid or a sector of it.
+    pub fn new(symbol: PeriodicSymbol, grid: SectorGrid) -> Self {
+        let elements = grid.elements();
         Self {
             shortest: symbol.value([symbol.size() / 2; 2]),
-            filter: PeriodicFilter::new(symbol, sector),
+            filter: PeriodicFilter::new(symbol, grid),
             mean_compliance: f64::NAN,
             flank: vec![0.0; elements],
-            band: EdgeBand::new(lengths, sector),
+            band: EdgeBand::new(grid),
             is_plate: false,
             answer: vec![0.0; elements],
         }
@@ -152,14 +151,16 @@ mod tests {
     use std::sync::Arc;
 
     use pellicle_influence::{
-        CoefficientTable, ElasticOperator, RadialTables, Sector, SurfaceElasticity, love,
+        CoefficientTable, ElasticOperator, RadialTables, Sector, SectorGrid, SurfaceElasticity,
+        love,
     };
     use pellicle_kernel::{Foundation, Material};
 
     use super::{EdgeBand, RestrictedFilter};
     use crate::solver::gradient::control::Control;
     use crate::{
-        DiscreteProblem,
+        Boundary, DiscreteProblem,
+        problem::body::Body,
         solver::gradient::{tests::begun, working_set::WorkingSet},
         vector::{add_scaled, dot},
     };
@@ -193,7 +194,7 @@ mod tests {
 
     /// The filter on the whole grid without springs, adapted to a set.
     fn filter_on(surface: &SurfaceElasticity, set: &WorkingSet) -> RestrictedFilter {
-        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), Sector::Whole);
+        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), SectorGrid::whole(SIZE));
         filter.update(set, &vec![0.0; SIZE * SIZE]);
         filter
     }
@@ -211,8 +212,8 @@ mod tests {
     }
 
     /// The filter's answer to a mirrored field on pillars that stand on both axes, on a sector.
-    fn answer(surface: &Arc<SurfaceElasticity>, sector: Sector) -> Vec<f64> {
-        let cut = |field: Vec<f64>| sector.cut(&field, SIZE);
+    fn answer(surface: &Arc<SurfaceElasticity>, sector: SectorGrid) -> Vec<f64> {
+        let cut = |field: Vec<f64>| sector.cut(&field);
         let along = |i: usize| (i as f64 - 23.5).abs();
         let mirrored = |of: &dyn Fn(f64, f64) -> f64| {
             let places = (0..SIZE * SIZE).map(|e| [along(e / SIZE), along(e % SIZE)]);
@@ -225,13 +226,8 @@ mod tests {
         let mut field = mirrored(&|x, y| (0.3 * x).cos() + (0.9 * y).sin());
         let zeros = vec![0.0; pillars.len()];
         let gap = vec![1.0; pillars.len()];
-        let problem = DiscreteProblem::of_sector(
-            surface.clone(),
-            (sector, crate::Boundary::Free),
-            zeros.clone(),
-            gap,
-            1e-12,
-        );
+        let body = Body::of(surface.clone(), Boundary::Free);
+        let problem = DiscreteProblem::on(sector, body, zeros.clone(), gap, 1e-12);
         let set = begun(&mut problem.unwrap(), Control::Penetration(0.0), &pillars).1;
         let mut filter = RestrictedFilter::new(surface.symbol(SIZE), sector);
         filter.update(&set, &zeros);
@@ -244,8 +240,9 @@ mod tests {
     #[test]
     fn on_a_quadrant_filter_and_band_see_the_images_beyond_the_axes() {
         let surface = surface();
-        let whole = Sector::Quadrant.cut(&answer(&surface, Sector::Whole), SIZE);
-        let quadrant = answer(&surface, Sector::Quadrant);
+        let sector = SectorGrid::of_square(Sector::Quadrant, SIZE);
+        let whole = sector.cut(&answer(&surface, SectorGrid::whole(SIZE)));
+        let quadrant = answer(&surface, sector);
         let largest = whole.iter().fold(0.0, |most: f64, z| most.max(z.abs()));
         for (one, other) in quadrant.iter().zip(&whole) {
             // Single precision, and some sums of it.
@@ -291,7 +288,7 @@ mod tests {
         let set = set_of_pillars(&surface, 9.0, 3.5);
         let mut filter = filter_on(&surface, &set);
         let with_band = miss(&mut filter, &surface, &set);
-        filter.band = EdgeBand::new([SIZE; 2], Sector::Whole);
+        filter.band = EdgeBand::new(SectorGrid::whole(SIZE));
         let without = miss(&mut filter, &surface, &set);
         assert!(
             with_band < 0.03 && without > 0.08,

@@ -29,7 +29,7 @@ use std::{
     sync::{Arc, LazyLock},
 };
 
-use pellicle_influence::{Sector, SurfaceElasticity};
+use pellicle_influence::{SectorGrid, SurfaceElasticity};
 use rayon::prelude::*;
 
 use self::{
@@ -38,7 +38,6 @@ use self::{
     local_system::{LocalSystem, NearCoefficients, class},
     order::{COLOURS, TILE, colour, earlier_offsets, own_offsets},
 };
-use crate::grid::window::Window;
 use crate::solver::gradient::working_set::WorkingSet;
 
 /// Elements of a set that is solved directly, at most: with 140 elements on 65,536 it takes 11 products instead of 40,
@@ -62,7 +61,7 @@ const PART: usize = 1 << 9;
 pub struct SparseFactor {
     /// Rows, and elements of each.
     lengths: [usize; 2],
-    sector: Sector,
+    grid: SectorGrid,
     /// The coarsest level, whose spacing leaves one element.
     top: u32,
     neighbours: usize,
@@ -108,7 +107,7 @@ impl SparseFactor {
     /// A factor with `neighbours` entries a block beside the tile's own elements, for a grid.
     pub fn new(
         elasticity: Arc<SurfaceElasticity>,
-        grid: &Window,
+        grid: SectorGrid,
         relief_compliance: &[f64],
         neighbours: usize,
     ) -> Self {
@@ -117,7 +116,7 @@ impl SparseFactor {
         let top = side.next_power_of_two().trailing_zeros();
         Self {
             lengths,
-            sector: grid.sector(),
+            grid,
             top,
             neighbours,
             classes: classes(&elasticity, relief_compliance),
@@ -145,7 +144,7 @@ impl SparseFactor {
     pub fn update(&mut self, set: &WorkingSet) {
         self.direct = None;
         if set.len() <= MOST_DIRECT {
-            let (grid, eta) = ((self.row(), self.sector), &self.compliance);
+            let (grid, eta) = (self.grid, &self.compliance);
             self.direct = DirectFactor::new(&self.elasticity, grid, eta, set.mask());
             if self.direct.is_some() {
                 return;
@@ -256,7 +255,7 @@ impl SparseFactor {
     /// Elements from each axis within which mirror images count in a block of this level; none but at those of a
     /// sector.
     fn near_axis(&self, level: u32) -> [u32; 2] {
-        let lines = self.sector.mirrored_lines((NEAR_AXIS << level) as usize);
+        let lines = self.grid.mirrored_lines((NEAR_AXIS << level) as usize);
         lines.map(|lines| index(lines).unsigned_abs())
     }
 

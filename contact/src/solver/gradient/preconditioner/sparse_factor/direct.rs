@@ -4,7 +4,7 @@ use faer::{
     Mat, Side,
     linalg::solvers::{Llt, Solve as _},
 };
-use pellicle_influence::{Sector, SurfaceElasticity};
+use pellicle_influence::{SectorGrid, SurfaceElasticity};
 
 /// The Cholesky factor of `(K + η)_II`.
 pub struct DirectFactor {
@@ -14,27 +14,22 @@ pub struct DirectFactor {
 }
 
 impl DirectFactor {
-    /// Of the elements of `mask` on a sector of `size` elements a row; none if rounding leaves the system indefinite.
+    /// Of the elements of `mask` on a grid; none if rounding leaves the system indefinite.
     pub fn new(
         elasticity: &SurfaceElasticity,
-        (size, sector): (usize, Sector),
+        grid: SectorGrid,
         relief_compliance: &[f64],
         mask: &[bool],
     ) -> Option<Self> {
         let members: Vec<usize> = (0..mask.len()).filter(|element| mask[*element]).collect();
+        let size = grid.size();
         let place = |member: usize| [members[member] / size, members[member] % size];
         let matrix = Mat::from_fn(members.len(), members.len(), |a, b| {
             if a < b {
                 // The factor takes the lower triangle alone.
                 return 0.0;
             }
-            let (p, q) = (place(a), place(b));
-            let along = |axis: usize| {
-                let mirrored = sector.mirrored()[axis].then_some(p[axis] + q[axis] + 1);
-                std::iter::once(p[axis].abs_diff(q[axis])).chain(mirrored)
-            };
-            let offsets = along(0).flat_map(|x| along(1).map(move |y| [x, y]));
-            let elastic: f64 = offsets.map(|offset| elasticity.coefficient(offset)).sum();
+            let elastic = elasticity.coefficient_on(grid, place(a), place(b));
             let spring = if a == b {
                 relief_compliance[members[a]]
             } else {
