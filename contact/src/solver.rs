@@ -17,6 +17,21 @@ pub enum Method {
     ActiveSet,
 }
 
+/// Most elements per side of the active set: the matrix of all 80⁴ pairs takes 0.33 GB.
+const LARGEST_ACTIVE_SET_GRID: usize = 80;
+
+impl Method {
+    /// Refuses a grid of `elements` per side whose dense matrix would not fit.
+    fn check_size(self, elements: usize) -> Result<(), ContactError> {
+        let largest = LARGEST_ACTIVE_SET_GRID;
+        if self == Self::Gradient || elements <= largest {
+            Ok(())
+        } else {
+            Err(ContactError::TooLargeForActiveSet { elements, largest })
+        }
+    }
+}
+
 /// How to solve. The defaults certify to 1e-8.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SolverOptions {
@@ -71,9 +86,7 @@ impl SolverOptions {
         if !is_positive {
             return Err(ContactError::Hardness { hardness });
         }
-        if self.method == Method::ActiveSet {
-            active_set::check_size(elements)?;
-        }
+        self.method.check_size(elements)?;
         Ok(self)
     }
 }

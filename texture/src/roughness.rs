@@ -13,22 +13,12 @@
 
 mod spectrum;
 
-pub use spectrum::{Band, PowerSpectrum};
+pub use spectrum::{Band, MapRim, PowerSpectrum};
 
 use rayon::prelude::*;
 
 use crate::HeightMap;
 use spectrum::Moments;
-
-/// How a map continues beyond its rim.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MapRim {
-    /// Nothing that is known: the mean plane is taken off the heights, and the spectrum is that of the heights under
-    /// Hann's window.
-    Ends,
-    /// The map again: the mean is taken off.
-    Repeats,
-}
 
 /// The roughness of a map.
 #[derive(Clone, Debug, PartialEq)]

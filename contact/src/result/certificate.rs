@@ -26,7 +26,7 @@ mod judged_fields;
 mod surface;
 
 pub use judged_fields::JudgedFields;
-use surface::Surface;
+use surface::{Residuals, Surface, largest};
 
 use crate::{
     DeformedSurface, DiscreteProblem, Load,
@@ -180,19 +180,30 @@ impl Solution {
         let length = problem.reference_length(penetration, total);
         // 4a² Σ p
         let carried = total * problem.loaded_area();
-        let (force, residual) = match load {
+        let (force, load) = match load {
             Load::Force(wanted) => (wanted, (carried - wanted).abs() / wanted),
             Load::Penetration(_) => (carried, 0.0),
         };
+        let Residuals {
+            complementarity,
+            gap_in_contact,
+            gap_at_limit,
+            over_limit,
+            overlap,
+        } = surface.residuals(penetration, length, total);
         let certificate = Certificate {
-            load: residual,
+            complementarity,
+            gap_in_contact,
+            overlap,
+            load,
+            gap_at_limit,
             min_pressure: if window.is_whole() {
                 smallest(&pressure)
             } else {
                 smallest(&[smallest(&pressure), 0.0])
             },
+            over_limit,
             tolerance,
-            ..surface.residuals(penetration, length, total)
         };
         Self {
             penetration,
@@ -212,15 +223,6 @@ pub struct Trial<'a> {
     /// The penetration by the solver's own account, in m; infinite where it gives none.
     pub expected: f64,
     pub tolerance: f64,
-}
-
-/// The larger of two, NaN if either is: `f64::max` drops NaN, which must not pass for a small number here.
-fn largest(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() {
-        f64::NAN
-    } else {
-        a.max(b)
-    }
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ pub use islands::Islands;
 use islands::ContactPattern;
 use nominal::Nominal;
 
-use crate::{Boundary, Indenter, Model, result::contact_field::ContactField};
+use crate::{Indenter, Model, result::contact_field::ContactField};
 use pellicle_texture::Relief;
 
 /// `(π − 1 + ln 2)/24`.
@@ -83,11 +83,6 @@ impl RoughContact {
 /// Whether a measured map takes part in the contact.
 fn is_rough(model: &Model) -> bool {
     matches!(model.relief, Relief::Map(_)) || matches!(model.indenter, Indenter::Map(_))
-}
-
-/// Whether the grid is one cell of many.
-fn repeats(field: &ContactField<'_>) -> bool {
-    field.boundary == Boundary::Periodic
 }
 
 #[cfg(test)]

@@ -22,23 +22,10 @@ use self::{
     springs::DenseSprings,
 };
 use super::{
-    Iterate, Solver, SolverOptions, Watch,
+    Iterate, Method, Solver, SolverOptions, Watch,
     hardness::{self, ElasticSolver},
 };
 use crate::{ContactError, DiscreteProblem, Load};
-
-/// Most elements per side: the matrix of all 80⁴ pairs takes 0.33 GB.
-pub const LARGEST_ACTIVE_SET_GRID: usize = 80;
-
-/// Refuses a grid whose dense matrix would not fit.
-pub(crate) fn check_size(elements: usize) -> Result<(), ContactError> {
-    let largest = LARGEST_ACTIVE_SET_GRID;
-    if elements <= largest {
-        Ok(())
-    } else {
-        Err(ContactError::TooLargeForActiveSet { elements, largest })
-    }
-}
 
 /// The active-set method; see the module's page.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -71,7 +58,7 @@ impl ElasticSolver for ActiveSetSolver {
         start: &[f64],
         watch: &mut Watch<'_>,
     ) -> Result<(Iterate, Option<Vec<f64>>), ContactError> {
-        check_size(problem.size())?;
+        Method::ActiveSet.check_size(problem.size())?;
         let mut system = DenseSystem::new(problem, load);
         let mut residuals = Vec::new();
         let mut solution = self.solve_linear(&system, start, &mut residuals, watch)?;

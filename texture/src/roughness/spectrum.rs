@@ -9,7 +9,6 @@ use rayon::prelude::*;
 use realfft::RealFftPlanner;
 use rustfft::{FftPlanner, num_complex::Complex};
 
-use super::MapRim;
 use crate::HeightMap;
 
 /// Bands to a doubling of the wavenumber.
@@ -18,6 +17,16 @@ const BANDS_PER_OCTAVE: f64 = 8.0;
 const BLOCK: usize = 16;
 /// Fewest samples along an axis that Hann's window is laid on: of fewer its square has another mean.
 const FEWEST_UNDER_WINDOW: usize = 3;
+
+/// How a map continues beyond its rim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapRim {
+    /// Nothing that is known: the mean plane is taken off the heights, and the spectrum is that of the heights under
+    /// Hann's window.
+    Ends,
+    /// The map again: the mean is taken off.
+    Repeats,
+}
 
 /// The power spectral density in bands of the wavenumber.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,6 +1,5 @@
 //! The surface under a pressure, row by row: gaps are computed where they are asked for and never kept.
 
-use super::{Certificate, largest};
 use crate::{grid::window::Window, vector::smallest};
 use pellicle_texture::SpringLaw;
 
@@ -65,8 +64,8 @@ impl Surface<'_> {
         if free > 0.0 { sum / free } else { highest }
     }
 
-    /// The lines that need no load, and none of the pressures alone; gaps are relative to the length `reference` (m).
-    pub fn residuals(&self, penetration: f64, reference: f64, total: f64) -> Certificate {
+    /// The lines of the certificate that need the gaps, which are relative to the length `reference` (m).
+    pub fn residuals(&self, penetration: f64, reference: f64, total: f64) -> Residuals {
         let parts = self
             .reach
             .by_lines(self.displacement, |line, displacement| {
@@ -81,19 +80,16 @@ impl Surface<'_> {
                 length / reference
             }
         };
-        Certificate {
+        Residuals {
             complementarity: if total == 0.0 {
                 0.0
             } else {
-                relative(found.weighted_gap / total)
+                relative(found.complementarity / total)
             },
-            gap_in_contact: relative(found.largest_gap),
+            gap_in_contact: relative(found.gap_in_contact),
             overlap: relative(found.overlap),
-            load: 0.0,
             gap_at_limit: relative(found.gap_at_limit),
-            min_pressure: 0.0,
             over_limit: found.over_limit,
-            tolerance: 0.0,
         }
     }
 
@@ -149,25 +145,26 @@ struct Pressed {
     shortening: f64,
 }
 
-/// Sums and maxima of the gaps and pressures that break a condition; NaN if one gap is.
+/// Sums and maxima of the gaps and pressures that break a condition, by the line of the certificate that tells them; NaN
+/// if one gap is.
 #[derive(Clone, Copy, Default)]
-struct Residuals {
-    weighted_gap: f64,
-    largest_gap: f64,
-    gap_at_limit: f64,
-    over_limit: f64,
+pub struct Residuals {
+    pub complementarity: f64,
+    pub gap_in_contact: f64,
+    pub gap_at_limit: f64,
+    pub over_limit: f64,
     /// Of elements below the limit.
-    overlap: f64,
+    pub overlap: f64,
 }
 
 impl Residuals {
     /// Counts an element with pressure in.
     fn add(&mut self, p: f64, limit: f64, gap: f64) {
         if p < limit {
-            self.weighted_gap += p * gap.abs();
-            self.largest_gap = largest(self.largest_gap, gap.abs());
+            self.complementarity += p * gap.abs();
+            self.gap_in_contact = largest(self.gap_in_contact, gap.abs());
         } else {
-            self.weighted_gap += p * largest(0.0, gap);
+            self.complementarity += p * largest(0.0, gap);
             self.gap_at_limit = largest(self.gap_at_limit, gap);
             self.over_limit = largest(self.over_limit, p - limit);
         }
@@ -175,11 +172,20 @@ impl Residuals {
 
     fn and(self, other: Self) -> Self {
         Self {
-            weighted_gap: self.weighted_gap + other.weighted_gap,
-            largest_gap: largest(self.largest_gap, other.largest_gap),
+            complementarity: self.complementarity + other.complementarity,
+            gap_in_contact: largest(self.gap_in_contact, other.gap_in_contact),
             gap_at_limit: largest(self.gap_at_limit, other.gap_at_limit),
             over_limit: largest(self.over_limit, other.over_limit),
             overlap: largest(self.overlap, other.overlap),
         }
+    }
+}
+
+/// The larger of two, NaN if either is: `f64::max` drops NaN, which must not pass for a small number here.
+pub fn largest(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::NAN
+    } else {
+        a.max(b)
     }
 }

@@ -6,8 +6,7 @@
 
 use std::ops::Range;
 
-use super::repeats;
-use crate::result::contact_field::ContactField;
+use crate::{Boundary, result::contact_field::ContactField};
 
 /// Elements in contact as runs along the rows.
 pub(super) struct ContactPattern {
@@ -59,7 +58,7 @@ impl ContactPattern {
         Self {
             rows: field.window.by_lines(field.pressure, |_, row| runs(row)),
             size: field.window.size(),
-            repeats: repeats(field),
+            repeats: field.boundary == Boundary::Periodic,
         }
     }
 

@@ -4,8 +4,7 @@ use std::ops::Range;
 
 use super::histogram::Histogram;
 use super::islands::ContactPattern;
-use super::repeats;
-use crate::result::contact_field::ContactField;
+use crate::{Boundary, result::contact_field::ContactField};
 
 /// The elements in nominal contact.
 pub(super) struct Nominal {
@@ -28,7 +27,7 @@ impl Nominal {
     pub fn of(field: &ContactField<'_>, pattern: &ContactPattern) -> Option<Self> {
         let size = field.window.size();
         let (first, _) = pattern.extents().next()?;
-        if repeats(field) {
+        if field.boundary == Boundary::Periodic {
             return Some(Self {
                 spans: vec![0..size; size],
                 elements: (size * size) as f64,
