@@ -5,9 +5,10 @@
 //! `D = dE/dQ`, `dD/dQ` and `∂D/∂θ` at every point. As the parameters change, each load's domain follows its contact,
 //! so that the same elements press and no step comes from one that enters.
 
+mod curve;
 mod fixed_number;
 mod force_scale;
-mod observable;
+mod reading;
 mod solved_curve;
 mod validity;
 
@@ -17,29 +18,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
 
+pub use curve::{ContactCurve, CurveOptions, Observable};
 pub use fixed_number::FixedNumber;
 pub use force_scale::ForceScale;
-pub use observable::Observable;
 use solved_curve::{Nodes, SolvedCurve};
 pub use validity::Invalidity;
 
-use crate::{ForwardError, ForwardModel, Prediction, StopFlag};
+use crate::{ForwardError, ForwardModel, Prediction};
 
 /// Relative step of a parameter by which a stiffness is differentiated: 1e-3 by its square, and as much by the grid.
 const STIFFNESS_STEP: f64 = 0.03;
-
-/// Measured curves of one model: all that were taken under the same conditions.
-#[derive(Debug, Clone)]
-pub struct ContactCurve {
-    /// The model, with the values that are not sought and with those of these curves alone.
-    pub model: Model,
-    /// The measured quantity and its abscissa.
-    pub observable: Observable,
-    /// Abscissae of all points (N or m), in the order of the measurement.
-    pub abscissae: Vec<f64>,
-    /// Numbers that these curves have a value of their own of, and that are not sought here.
-    pub own: Vec<ModelParameter>,
-}
 
 /// The curves of some models that share the parameters to be found: a [`ForwardModel`].
 #[derive(Debug)]
@@ -52,29 +40,6 @@ pub struct ContactCurves {
     options: CurveOptions,
     loads_solved: AtomicUsize,
     operator_applications: AtomicUsize,
-}
-
-/// How the curves are computed.
-#[derive(Debug, Clone)]
-pub struct CurveOptions {
-    /// Elements per side of the finer of the two grids; even.
-    pub elements: usize,
-    /// Loads to a decade at which the contact is solved.
-    pub loads_per_decade: f64,
-    /// Looked at before each load of a prediction, which ends with [`ForwardError::Stopped`] once it is raised.
-    pub stop: StopFlag,
-}
-
-impl Default for CurveOptions {
-    /// 64 elements and six loads a decade: 1e-5 of D for paraboloids, 5e-4 for rounded pyramids
-    /// (`tests/contact_curves.rs`).
-    fn default() -> Self {
-        Self {
-            elements: 64,
-            loads_per_decade: 6.0,
-            stop: StopFlag::default(),
-        }
-    }
 }
 
 impl ContactCurves {
@@ -107,6 +72,15 @@ impl ContactCurves {
             loads_solved: AtomicUsize::new(0),
             operator_applications: AtomicUsize::new(0),
         })
+    }
+
+    /// The same curves with scales of their forces, of each curve its own or none. Their constants are parameters after
+    /// those of the model, in the order of their places.
+    #[must_use]
+    pub fn with_force_scales(mut self, mut scales: Vec<Option<ForceScale>>) -> Self {
+        scales.resize(self.curves.len(), None);
+        self.scales = scales;
+        self
     }
 
     /// Loads at which all curves together are solved for one prediction.
@@ -158,6 +132,40 @@ impl ContactCurves {
             own.contains(parameter) || model.parameter(**parameter).is_none()
         };
         parameters.filter(is_own).map(|(index, _)| index)
+    }
+
+    /// The constants of scales among the parameters.
+    pub(super) fn constants<'p>(&self, parameters: &'p [f64]) -> &'p [f64] {
+        parameters.get(self.parameters.len()..).unwrap_or_default()
+    }
+
+    /// One curve at these parameters: its points as they are read, their slopes, and their derivatives, by the
+    /// parameters of the model, the constants of scales, and the numbers `fixed` of its model.
+    pub(super) fn predicted(
+        &self,
+        curve: usize,
+        parameters: &[f64],
+        fixed: &[ModelParameter],
+    ) -> Result<Prediction, ContactError> {
+        let constants = self.constants(parameters);
+        let scale = self.scales[curve];
+        let factor = scale.map_or(1.0, |scale| scale.factor(constants));
+        let mut prediction = self.true_curve(curve, parameters, factor, fixed)?;
+        let ContactCurve {
+            observable,
+            abscissae,
+            ..
+        } = &self.curves[curve];
+        let change = scale.map(|of| of.apply(*observable, factor, abscissae, &mut prediction));
+        let by_fixed = prediction.derivatives.split_off(self.parameters.len());
+        prediction.extend_by_constants(constants.len());
+        if let (Some(scale), Some(change)) = (scale, change)
+            && scale.constant < constants.len()
+        {
+            prediction.derivatives[self.parameters.len() + scale.constant] = change;
+        }
+        prediction.derivatives.extend(by_fixed);
+        Ok(prediction)
     }
 
     /// One curve at these parameters, at its abscissae or, where they are forces, at so many times them: its points,

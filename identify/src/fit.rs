@@ -19,10 +19,11 @@ mod covariance;
 mod estimates;
 mod exponents;
 mod intervals;
+mod scans;
 mod stopped;
 
 pub use exponents::exponents;
-use intervals::{Interval, Scanned, Sought};
+use intervals::{Interval, Scanned, Sought, missing_profiles};
 
 /// Finds the unknowns of a problem, their intervals, and what the data cannot tell.
 ///
@@ -43,7 +44,7 @@ pub fn identify(
     let mut predictor = Predictor::new(model, problem);
     match searched(&mut predictor, problem, options) {
         Err(stopped @ IdentifyError::Stopped { .. }) => {
-            let Some(best) = stopped::best(&predictor, problem) else {
+            let Some(best) = global_search::best_so_far(&predictor, problem) else {
                 return Err(stopped);
             };
             Fitting::new(problem, options, Vec::new())?.unfinished(&predictor, best)
@@ -197,7 +198,7 @@ impl<'p> Fitting<'p> {
         let covariance = self.covariance(refined);
         Fit {
             verdict,
-            stopped: stopped::profiles(&intervals),
+            stopped: missing_profiles(&intervals),
             estimates: self.estimates(refined, sought, intervals),
             coefficients: self.coefficients(refined, sought),
             correlation: correlation(&covariance),

@@ -92,8 +92,18 @@ pub(crate) fn no_start(predictor: &mut Predictor, starts: usize) -> IdentifyErro
     IdentifyError::NoStart { starts, source }
 }
 
+/// The prediction nearest to the data, all weighed alike; none where there is none.
+pub(crate) fn best_so_far(predictor: &Predictor, problem: &Problem) -> Option<Rc<Evaluation>> {
+    let metric = provisional_metric(problem, predictor.evaluations().next()?);
+    let misfits = predictor
+        .evaluations()
+        .map(|at| (metric.system(at).chi_squared, at));
+    let best = misfits.min_by(|(one, _), (other, _)| one.total_cmp(other));
+    best.map(|(_, at)| Rc::clone(at))
+}
+
 /// White noise of guessed or given size, at the observed values, so that all searches are measured alike.
-pub(crate) fn provisional_metric<'p>(problem: &'p Problem, first: &Evaluation) -> Metric<'p> {
+fn provisional_metric<'p>(problem: &'p Problem, first: &Evaluation) -> Metric<'p> {
     let levels = first_levels(problem);
     Metric::new(problem, &levels, problem.observed(), &first.slope)
 }

@@ -9,13 +9,13 @@
 //! (`bend.rs`).
 
 mod bend;
-mod cubic;
+mod point;
 mod valley;
 
 use std::rc::Rc;
 
 use bend::Bend;
-use cubic::{bracketed, hermite};
+use point::{Point, bracketed, hermite};
 
 use crate::{
     IdentifyError, Problem,
@@ -95,20 +95,6 @@ pub(crate) struct Profile<'s, 'p> {
     pub standard_error: f64,
     /// `z` at the end of the interval.
     pub target: f64,
-}
-
-/// A constrained fit of the scan.
-pub(crate) struct Point {
-    pub at: Rc<Evaluation>,
-    pub x: f64,
-    /// `√Δ`.
-    pub z: f64,
-    /// `dz/d|x|`.
-    pub slope: f64,
-    /// The others where a linear problem has its least, over all unknowns.
-    pub least: Vec<f64>,
-    /// How the others follow, `dx_k/dx_j`, over all unknowns.
-    pub tangent: Vec<f64>,
 }
 
 impl Profile<'_, '_> {

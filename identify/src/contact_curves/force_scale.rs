@@ -9,9 +9,7 @@
 //! force at depth:    y = Q(D)/κ        ∂y/∂D  = Q′(D)/κ          ∂y/∂k = −y/k
 //! ```
 
-use pellicle_contact::{ContactError, ModelParameter};
-
-use super::{ContactCurve, ContactCurves, Observable};
+use super::curve::Observable;
 use crate::Prediction;
 
 /// A constant in proportion to which the forces of a curve are, and that is one more parameter to be found.
@@ -67,54 +65,9 @@ impl Observable {
     }
 }
 
-impl ContactCurves {
-    /// The same curves with scales of their forces, of each curve its own or none. Their constants are parameters after
-    /// those of the model, in the order of their places.
-    #[must_use]
-    pub fn with_force_scales(mut self, mut scales: Vec<Option<ForceScale>>) -> Self {
-        scales.resize(self.curves.len(), None);
-        self.scales = scales;
-        self
-    }
-
-    /// The constants of scales among the parameters.
-    pub(super) fn constants<'p>(&self, parameters: &'p [f64]) -> &'p [f64] {
-        parameters.get(self.parameters.len()..).unwrap_or_default()
-    }
-
-    /// One curve at these parameters: its points as they are read, their slopes, and their derivatives, by the
-    /// parameters of the model, the constants of scales, and the numbers `fixed` of its model.
-    pub(super) fn predicted(
-        &self,
-        curve: usize,
-        parameters: &[f64],
-        fixed: &[ModelParameter],
-    ) -> Result<Prediction, ContactError> {
-        let constants = self.constants(parameters);
-        let scale = self.scales[curve];
-        let factor = scale.map_or(1.0, |scale| scale.factor(constants));
-        let mut prediction = self.true_curve(curve, parameters, factor, fixed)?;
-        let ContactCurve {
-            observable,
-            abscissae,
-            ..
-        } = &self.curves[curve];
-        let change = scale.map(|of| of.apply(*observable, factor, abscissae, &mut prediction));
-        let by_fixed = prediction.derivatives.split_off(self.parameters.len());
-        prediction.extend_by_constants(constants.len());
-        if let (Some(scale), Some(change)) = (scale, change)
-            && scale.constant < constants.len()
-        {
-            prediction.derivatives[self.parameters.len() + scale.constant] = change;
-        }
-        prediction.derivatives.extend(by_fixed);
-        Ok(prediction)
-    }
-}
-
 impl Prediction {
     /// Adds derivatives by so many constants on which the points do not depend.
-    fn extend_by_constants(&mut self, count: usize) {
+    pub(super) fn extend_by_constants(&mut self, count: usize) {
         let none = vec![0.0; self.value.len()];
         let derivatives = &mut self.derivatives;
         derivatives.resize(derivatives.len() + count, none);

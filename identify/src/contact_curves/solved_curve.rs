@@ -8,7 +8,7 @@ use pellicle_contact::{
 };
 use rayon::prelude::*;
 
-use super::{ContactCurve, CurveOptions, Observable};
+use super::curve::{ContactCurve, CurveOptions, Observable};
 
 /// Forces below this part of the largest are met by the power law of the smallest load solved.
 const SMALLEST_PART: f64 = 1e-3;

@@ -4,30 +4,12 @@ use std::rc::Rc;
 
 use super::{
     Fitting,
-    intervals::{Interval, Reach, Sought},
+    intervals::{Reach, Sought},
 };
 use crate::{
-    Estimate, Fit, FitVerdict, IdentifyError, Problem, Stopped, Verdict, global_search,
+    Estimate, Fit, FitVerdict, IdentifyError, Stopped, Verdict, global_search,
     predictor::{Evaluation, Predictor},
 };
-
-/// The prediction nearest to the data, all weighed alike; none where there is none.
-pub(super) fn best(predictor: &Predictor, problem: &Problem) -> Option<Rc<Evaluation>> {
-    let metric = global_search::provisional_metric(problem, predictor.evaluations().next()?);
-    let misfits = predictor
-        .evaluations()
-        .map(|at| (metric.system(at).chi_squared, at));
-    let best = misfits.min_by(|(one, _), (other, _)| one.total_cmp(other));
-    best.map(|(_, at)| Rc::clone(at))
-}
-
-/// The unknowns whose profile is missing, if there are any.
-pub(super) fn profiles(intervals: &[Interval]) -> Option<Stopped> {
-    let missing = intervals.iter().enumerate();
-    let missing = missing.filter(|(_, interval)| interval.reach == Reach::BestFit);
-    let missing: Vec<usize> = missing.map(|(unknown, _)| unknown).collect();
-    (!missing.is_empty()).then_some(Stopped::Profiles(missing))
-}
 
 impl Fitting<'_> {
     /// The fit as far as it came: the best prediction, under the noise that its residuals show.

@@ -7,7 +7,7 @@
 //! x − x₀ = σ z + c z² + d z³          x_k − x_k0 = τ_k s + q_k s² + r_k s³
 //! ```
 
-use super::Point;
+use super::point::Point;
 
 /// Square and cube of the profile's cubics.
 #[derive(Debug, Clone)]

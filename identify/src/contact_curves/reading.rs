@@ -1,8 +1,8 @@
-//! The quantities an instrument reads, and how they follow from the penetration under a force.
+//! How the quantities that an instrument reads follow from the penetration under a force.
 
 use pellicle_contact::ContactError;
-use serde::{Deserialize, Serialize};
 
+use super::curve::Observable;
 use super::solved_curve::{CurvePoint, SolvedCurve};
 use crate::Prediction;
 
@@ -12,22 +12,6 @@ const MOST_STEPS: usize = 60;
 const STEP: f64 = 1e-3;
 /// Relative accuracy of that force.
 const ACCURACY: f64 = 1e-13;
-
-/// The measured quantity and its abscissa.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Observable {
-    /// The penetration (m) at forces (N).
-    #[serde(rename = "depth at force")]
-    DepthAtForce,
-    /// The force (N) at penetrations (m).
-    #[serde(rename = "force at depth")]
-    ForceAtDepth,
-    /// The contact stiffness `dQ/dD` (N/m) at contact radii (m), `√(A/π)` of the contact area A. Under indenters of
-    /// revolution it does not depend on their shape: each is the stiffness of a flat punch of that radius. Under a
-    /// Berkovich pyramid it is larger, by 9 % where the tip is round and by 18 % beyond.
-    #[serde(rename = "stiffness at contact radius")]
-    StiffnessAtContactRadius,
-}
 
 impl Observable {
     /// The observable at some abscissae of a solved curve.

@@ -1,6 +1,22 @@
-//! Cubics through two points of a profile with their slopes.
+//! Points of a profile with their slopes, and cubics through two of them.
 
-use super::Point;
+use std::rc::Rc;
+
+use crate::predictor::Evaluation;
+
+/// A constrained fit of the scan.
+pub(crate) struct Point {
+    pub at: Rc<Evaluation>,
+    pub x: f64,
+    /// `√Δ`.
+    pub z: f64,
+    /// `dz/d|x|`.
+    pub slope: f64,
+    /// The others where a linear problem has its least, over all unknowns.
+    pub least: Vec<f64>,
+    /// How the others follow, `dx_k/dx_j`, over all unknowns.
+    pub tangent: Vec<f64>,
+}
 
 /// Where between two points, as a part of their distance, the cubic through both with their slopes reaches the target.
 pub(super) fn bracketed(inner: &Point, outer: &Point, width: f64, target: f64) -> f64 {
