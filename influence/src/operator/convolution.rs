@@ -84,8 +84,8 @@ enum SectorConvolution {
 }
 
 impl SectorConvolution {
-    /// For pressures on a window of `size` elements a row, the first of which is the element `origin`, and displacements
-    /// on the `shown` elements.
+    /// For pressures on a window of `size` elements a row, the first of which is the element `origin`, and
+    /// displacements on the `shown` elements.
     fn new(table: &CoefficientTable, shown: SectorGrid, origin: [usize; 2], size: usize) -> Self {
         let loaded = shown.with_size(size);
         let (window, all, mirrored) = (loaded.lengths(), shown.lengths(), shown.mirrored());
@@ -170,8 +170,9 @@ impl ElasticOperator for ConvolutionOperator {
 pub struct WindowOperator(SectorConvolution);
 
 impl WindowOperator {
-    /// For a window of `size` elements a row, the first of which is the element `origin` of the `shown` ones; a sector's
-    /// windows begin at its axes, in which their pressures are mirrored, and are such parts of squares as it is.
+    /// For a window of `size` elements a row, the first of which is the element `origin` of the `shown` ones; a
+    /// sector's windows begin at its axes, in which their pressures are mirrored, and are such parts of squares as it
+    /// is.
     ///
     /// # Panics
     /// If the window is empty or does not lie within the `shown` elements, or the table does not reach across the whole

@@ -145,8 +145,8 @@ struct Pressed {
     shortening: f64,
 }
 
-/// Sums and maxima of the gaps and pressures that break a condition, by the line of the certificate that tells them; NaN
-/// if one gap is.
+/// Sums and maxima of the gaps and pressures that break a condition, by the line of the certificate that tells them;
+/// NaN if one gap is.
 #[derive(Clone, Copy, Default)]
 pub struct Residuals {
     pub complementarity: f64,
