@@ -96,6 +96,29 @@ impl DiscreteProblem {
         self.grid
     }
 
+    /// `K` (m/Pa) between any two elements, mirror images included; 0 where the elasticity is not known. In a periodic
+    /// cell that of their nearest images alone.
+    pub(crate) fn coefficients(&self) -> impl Fn([usize; 2]) -> f64 + Sync + use<'_> {
+        let (elasticity, grid, boundary) = (self.elasticity(), self.grid, self.boundary());
+        let candidates = self.candidates();
+        let size = grid.size();
+        let place = move |element: usize| match candidates {
+            Some(candidates) => candidates.place(element),
+            None => [element / size, element % size],
+        };
+        move |elements| {
+            let [from, to] = elements.map(place);
+            match (elasticity, boundary) {
+                (None, _) => 0.0,
+                (Some(elasticity), Boundary::Free) => elasticity.coefficient_on(grid, from, to),
+                (Some(elasticity), Boundary::Periodic) => {
+                    let apart = [0, 1].map(|axis: usize| from[axis].abs_diff(to[axis]));
+                    elasticity.coefficient(apart.map(|along| along.min(size - along)))
+                }
+            }
+        }
+    }
+
     /// All of the problem's elements.
     pub(crate) fn everywhere(&self) -> Window {
         Window::all_of(self.grid)

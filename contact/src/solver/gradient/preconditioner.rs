@@ -245,7 +245,8 @@ impl Preconditioner {
             Inverse::Factor(factor) => factor.update(set),
             Inverse::Scattered(factor) => factor.update(set),
         }
-        self.secants.follow(set);
+        let (coefficient, unit) = (problem.coefficients(), self.unit);
+        (self.secants).follow(set, |elements| coefficient(elements) / unit);
         self.adapted_to = Some(set.revision());
         set.clear_outside(&mut self.uniform.values);
         self.uniform.total = sum(&self.uniform.values);
