@@ -102,8 +102,9 @@ pub mod fitted {
 /// The files of a run, and the way they are written: whole or not at all.
 pub mod results {
     pub use crate::output::fields::Fields;
-    pub use crate::output::file::{write_bytes, write_whole};
+    pub use crate::output::file::write_whole;
     pub use crate::output::npz::{StoredFields, file as fields_file};
+    pub use crate::output::results::read_summary;
     pub use crate::output::stress::npz::{file as stresses_file, read as read_stresses};
     pub use crate::output::stress::view::{StressSection, StressView, SurfaceLine};
     pub use crate::output::summary::{FILE as SUMMARY_FILE, StepSummary, Summary};
