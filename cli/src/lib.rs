@@ -132,7 +132,7 @@ pub mod drawing {
 pub mod measurements {
     pub use crate::measured::channel::Channel;
     pub use crate::measured::columns::{ColumnName, ColumnUnit, Columns};
-    pub use crate::measured::curve::MeasuredCurve;
+    pub use crate::measured::curve::{CurveWarning, MeasuredCurve};
     pub use crate::measured::data_table::{DataTable, Observe};
     pub use crate::measured::decode::TextEncoding;
     pub use crate::measured::depth_step::DepthStep;
@@ -146,7 +146,6 @@ pub mod measurements {
     pub use crate::measured::spring::{HeightDirection, SpringConstant, penetration};
     pub use crate::measured::text_options::TextOptions;
     pub use crate::measured::text_table::TextTable;
-    pub use crate::measured::warning::CurveWarning;
 }
 
 /// Rough surfaces made of waves.

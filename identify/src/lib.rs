@@ -15,9 +15,7 @@ mod correlation;
 mod curve;
 mod distribution;
 mod error;
-mod exclusion;
 mod fit;
-mod forward_error;
 mod forward_model;
 mod global_search;
 mod goodness;
@@ -50,10 +48,8 @@ pub use contact_curves::{
 };
 pub use curve::Curve;
 pub use error::IdentifyError;
-pub use exclusion::Exclusion;
 pub use fit::{exponents, identify};
-pub use forward_error::ForwardError;
-pub use forward_model::{ForwardModel, Prediction};
+pub use forward_model::{ForwardError, ForwardModel, Prediction};
 pub use goodness::{Goodness, REFUSAL};
 pub use known_combination::KnownCombination;
 pub use noise::{Amount, Correlation, Noise, NoiseLevels};
@@ -66,7 +62,8 @@ pub use prior::Prior;
 pub use problem::{Problem, Scatter};
 pub use profile::ProfilePoint;
 pub use result::{
-    BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Stopped, Warning, Work,
+    BetweenCurves, Coefficient, Estimate, Exclusion, Fit, FitVerdict, FittedPoints, Stopped,
+    Warning, Work,
 };
 pub use stop_flag::StopFlag;
 pub use surrogate::{Surrogate, SurrogateOptions};

@@ -1,7 +1,6 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
 pub mod roughness;
-pub mod sensitivity;
 mod step;
 mod warning;
 
@@ -13,8 +12,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use self::roughness::RoughnessSummary;
-use self::sensitivity::SensitivitySummary;
-pub use self::step::{CertificateSummary, StepSummary, StressSummary};
+pub use self::step::{CertificateSummary, SensitivitySummary, StepSummary, StressSummary};
 pub use self::warning::WarningSummary;
 use crate::case::Case;
 use crate::case::grid::BoundaryCase;

@@ -1,12 +1,10 @@
 //! The premises of a plan: the values of the model or of a fit, the noise, and the indenters.
 
-pub mod indenter;
 mod radius;
 
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{Amount, Fit, NoiseLevels, Plan, Prediction, Unknown};
 
-use self::indenter::IndenterRadius;
 use super::candidate::Candidate;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
@@ -44,6 +42,28 @@ pub enum NoiseSource {
     Known,
     /// Nowhere: it is assumed.
     Assumed,
+}
+
+/// The knowledge that a plan has of an indenter's radius.
+#[derive(Debug, Clone, PartialEq)]
+pub enum IndenterRadius {
+    /// It is that of the model.
+    OfModel,
+    /// It is another one, and known exactly.
+    Known(String),
+    /// It is another one, and sought as that of the model is: its place among the unknowns, and its name.
+    Sought(usize, String),
+}
+
+impl IndenterRadius {
+    /// The name of its radius, if that is not the key of the model's.
+    #[must_use]
+    pub fn name(&self) -> Option<String> {
+        match self {
+            Self::OfModel => None,
+            Self::Known(name) | Self::Sought(_, name) => Some(name.clone()),
+        }
+    }
 }
 
 impl<'a> Premises<'a> {

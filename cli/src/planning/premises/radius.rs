@@ -3,8 +3,7 @@
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, Prior, Unknown};
 
-use super::Premises;
-use super::indenter::IndenterRadius;
+use super::{IndenterRadius, Premises};
 use crate::failure::Failure;
 use crate::fit_file::model::ModelParameters;
 use crate::fit_file::unknown::UnknownCase;
