@@ -45,7 +45,7 @@ mod unfinished;
 mod validation;
 
 pub use case::Case;
-pub use display::{Scale, Unit, quantity};
+pub use display::{DisplayUnit, Unit, quantity};
 pub use failure::Failure;
 pub use input::{
     diagnosis::{Diagnosis, Fault},
@@ -107,7 +107,7 @@ pub mod results {
     pub use crate::output::results::read_summary;
     pub use crate::output::stress::npz::{file as stresses_file, read as read_stresses};
     pub use crate::output::stress::view::{StressSection, StressView, SurfaceLine};
-    pub use crate::output::summary::{FILE as SUMMARY_FILE, StepSummary, Summary};
+    pub use crate::output::summary::{FILE as SUMMARY_FILE, RunSummary, StepSummary};
 }
 
 /// The pictures of a solution, and their parts.

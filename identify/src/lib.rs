@@ -27,13 +27,13 @@ mod normal_equations;
 mod nuisance;
 mod null_direction;
 mod options;
+mod orthonormal_basis;
 mod plan;
 mod posterior;
 mod predictor;
 mod prior;
 mod problem;
 mod profile;
-mod projection;
 mod refinement;
 mod repeats;
 mod result;
@@ -53,7 +53,7 @@ pub use forward_model::{ForwardError, ForwardModel, Prediction};
 pub use goodness::{Goodness, REFUSAL};
 pub use known_combination::KnownCombination;
 pub use noise::{Amount, Correlation, Noise, NoiseLevels};
-pub use nuisance::{LinearNuisance, Scope, Shape};
+pub use nuisance::{LinearNuisance, NuisanceShape, Scope};
 pub use null_direction::NullDirections;
 pub use options::{FitOptions, Intervals};
 pub use plan::{Expected, Information, Plan};
@@ -62,8 +62,8 @@ pub use prior::Prior;
 pub use problem::{Problem, Scatter};
 pub use profile::ProfilePoint;
 pub use result::{
-    BetweenCurves, Coefficient, Estimate, Exclusion, Fit, FitVerdict, FittedPoints, Stopped,
-    Warning, Work,
+    BetweenCurves, Coefficient, Estimate, Exclusion, Fit, FitVerdict, FitWarning, FitWork,
+    FittedPoints, Stopped,
 };
 pub use stop_flag::StopFlag;
 pub use surrogate::{Surrogate, SurrogateOptions};

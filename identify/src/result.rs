@@ -97,7 +97,7 @@ pub struct FittedPoints {
 
 /// The cost of a fit, in predictions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Work {
+pub struct FitWork {
     /// Predictions of all curves, all in all.
     pub curves_solved: usize,
     /// Of these, those to the best fit.
@@ -106,7 +106,7 @@ pub struct Work {
 
 /// A warning about a fit that its verdict does not carry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Warning {
+pub enum FitWarning {
     /// Another start led to another minimum, which is worse.
     SeveralMinima,
     /// The predictions jump about what their derivatives promise near the best fit, which is known to no better than a
@@ -172,7 +172,7 @@ pub struct Fit {
     /// The points.
     pub points: FittedPoints,
     /// Its cost.
-    pub work: Work,
+    pub work: FitWork,
     /// Warnings to its reader.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<FitWarning>,
 }

@@ -12,12 +12,12 @@ use crate::FiguresArguments;
 pub struct Arguments {
     /// The chore to do.
     #[command(subcommand)]
-    pub command: Command,
+    pub chore: Chore,
 }
 
 /// The chores.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub enum Chore {
     /// Check the house rules of the workspace.
     Tidy,
     /// Draw the figures of the paper from its cases: SVG, PNG and CSV.
@@ -41,7 +41,7 @@ mod tests {
     fn figures(line: &str) -> Result<FiguresArguments, clap::Error> {
         let words = format!("xtask figures {line}");
         let parsed = Arguments::try_parse_from(words.split_whitespace())?;
-        let Command::Figures(arguments) = parsed.command else {
+        let Chore::Figures(arguments) = parsed.chore else {
             panic!("{line}: not read as figures");
         };
         Ok(arguments)

@@ -32,7 +32,7 @@ pub const PROGRAM: &str = "pellicle";
 
 /// The numbers of a run, in SI units or the case's own: as solved, or as read back to draw its pictures again.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Summary {
+pub struct RunSummary {
     /// Name and version of this layout.
     pub schema: String,
     /// The program that wrote it.
@@ -111,7 +111,7 @@ pub struct Clock {
     pub tables_origin: Origin,
 }
 
-impl Summary {
+impl RunSummary {
     /// The summary of a solved case; the side of the domain is filled in where the case left it open.
     ///
     /// # Errors

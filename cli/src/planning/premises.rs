@@ -5,7 +5,7 @@ mod radius;
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{Amount, Fit, NoiseLevels, Plan, Prediction, Unknown};
 
-use super::candidate::Candidate;
+use super::candidate::CandidateCurve;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;
@@ -72,7 +72,7 @@ impl<'a> Premises<'a> {
     /// # Errors
     ///
     /// [`Failure`] if the tables of the fit file disagree, or do not observe what can be planned.
-    pub fn of_file(file: &'a FitFile, candidates: &[Candidate]) -> Result<Self, Failure> {
+    pub fn of_file(file: &'a FitFile, candidates: &[CandidateCurve]) -> Result<Self, Failure> {
         let cases = file.all_unknowns();
         let truth = cases.iter().map(|case| case.start).collect();
         let (noise, source) = noise(file)?;
@@ -90,7 +90,7 @@ impl<'a> Premises<'a> {
     pub fn of_fit(
         of: &'a Identification,
         fit: &Fit,
-        candidates: &[Candidate],
+        candidates: &[CandidateCurve],
     ) -> Result<Self, Failure> {
         let estimates = || fit.estimates.iter();
         let truth = estimates().map(|estimate| estimate.value).collect();

@@ -7,9 +7,9 @@ use crate::{
     IdentifyError, Intervals, Problem,
     distribution::student_quantile,
     null_direction::Hold,
+    orthonormal_basis::OrthonormalBasis,
     predictor::{Evaluation, Predictor},
-    profile::{Open, Profile, Scan, Side},
-    projection::Projection,
+    profile::{LikelihoodProfile, Open, ProfileSide, Scan},
     refinement::Refined,
     verdict::{Ends, wald_ends},
 };
@@ -68,7 +68,7 @@ impl Interval {
         }
     }
 
-    fn take(&mut self, end: usize, side: Side) {
+    fn take(&mut self, end: usize, side: ProfileSide) {
         self.ends[end] = side.end;
         self.points.extend(side.points);
     }
@@ -129,7 +129,7 @@ impl Fitting<'_> {
             .iter()
             .chain([&unknown])
             .map(|&j| jacobian[j].clone());
-        let variance = Projection::of(columns).inverse_gram()[others.len()][others.len()];
+        let variance = OrthonormalBasis::of(columns).inverse_gram()[others.len()][others.len()];
         Ok(Sought {
             unknown,
             position: refined.minimum.at.position[unknown],
@@ -213,8 +213,8 @@ impl Fitting<'_> {
         Ok(Scanned::All(intervals))
     }
 
-    fn profile<'s>(&'s self, refined: &'s Refined, one: &'s Sought) -> Profile<'s, 's> {
-        Profile {
+    fn profile<'s>(&'s self, refined: &'s Refined, one: &'s Sought) -> LikelihoodProfile<'s, 's> {
+        LikelihoodProfile {
             problem: self.problem,
             metric: &refined.metric,
             best: &refined.minimum,

@@ -1,6 +1,6 @@
 //! Fig. 2: pressure under the paraboloid on the compliant (a, c) and the stiff (b, d) coating, small and large load.
 
-use pellicle_cli::Scale;
+use pellicle_cli::DisplayUnit;
 use pellicle_cli::drawing::accuracy::BRACKETS;
 use pellicle_cli::drawing::labels::power;
 use pellicle_cli::drawing::{Dash, colours, pressure_map, section};
@@ -76,7 +76,7 @@ fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
             brightest: rounded_up(steps.iter().skip(i % 2).step_by(2).map(common_peak)),
         });
     }
-    let in_units_of = |label: &str| Scale {
+    let in_units_of = |label: &str| DisplayUnit {
         divisor: 1.0,
         label: label.into(),
     };

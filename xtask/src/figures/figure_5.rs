@@ -2,7 +2,7 @@
 
 use pellicle_cli::drawing::accuracy::BRACKETS;
 use pellicle_cli::drawing::{Axis, Dash, colours};
-use pellicle_cli::{Scale, Unit, Units, quantity};
+use pellicle_cli::{DisplayUnit, Unit, Units, quantity};
 
 use super::chart::{Chart, CurvePanel, Pen};
 use super::pressures::{PressurePanel, Pressures, reach, rounded_up};
@@ -44,7 +44,7 @@ fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
         "The film that stiffens has logarithmic springs of the same thickness and modulus, and is never squeezed beyond its thickness.".into(),
     ];
     let peaks = || steps.iter().map(|step| step.numbers().max_pressure);
-    let pascals = Scale::of(peaks().fold(0.0, f64::max), Unit::Pascal, Units::Si);
+    let pascals = DisplayUnit::of(peaks().fold(0.0, f64::max), Unit::Pascal, Units::Si);
     let top = rounded_up(peaks().map(|peak| peak / pascals.divisor));
     let mut panels = Vec::new();
     for (step, (name, _)) in steps.iter().zip(FILMS) {
@@ -58,7 +58,7 @@ fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
         });
     }
     let reach = reach(steps);
-    let metres = Scale::of(reach, Unit::Metre, Units::Si);
+    let metres = DisplayUnit::of(reach, Unit::Metre, Units::Si);
     Pressures {
         caption: runner.caption(
             "Fig. 5: pressure under a Berkovich pyramid with a rounded tip",

@@ -4,7 +4,7 @@ use pellicle_cli::drawing::accuracy::{last_change, percent};
 use pellicle_cli::drawing::colours::{GREEN, PURPLE};
 use pellicle_cli::drawing::labels::power;
 use pellicle_cli::drawing::{Axis, Dash};
-use pellicle_cli::results::{StepSummary, Summary};
+use pellicle_cli::results::{RunSummary, StepSummary};
 
 use super::chart::{Chart, ChartLine, CurvePanel, Pen};
 use super::figure_2::MATERIALS;
@@ -122,7 +122,7 @@ impl Loading {
         Ok(chart.draw())
     }
 
-    fn panel(&self, view: &View, runs: &[Summary]) -> CurvePanel {
+    fn panel(&self, view: &View, runs: &[RunSummary]) -> CurvePanel {
         let point = |step: &StepSummary| (step.force / self.load.1, (view.value)(step));
         let curves = self.curves.iter().zip(runs);
         let lines = curves.map(|((name, pen), run)| {
@@ -147,7 +147,7 @@ impl Loading {
     }
 
     /// The note on the data of a curve: its grid, and the largest of its certificates and of the changes between grids.
-    fn note(&self, run: &Summary) -> String {
+    fn note(&self, run: &RunSummary) -> String {
         let largest = |of: fn(&StepSummary) -> f64| run.steps.iter().map(of).fold(0.0, f64::max);
         let certificate = largest(|step| step.certificate.worst);
         let penetration = largest(|step| last_change(step, |level| level.penetration).abs());

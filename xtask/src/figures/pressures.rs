@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use pellicle_cli::Scale;
+use pellicle_cli::DisplayUnit;
 use pellicle_cli::drawing::{
     Anchor, Axis, CoarseField, ColourScale, Crop, Panel, Panel3d, Projection, Rect, Svg,
     colour_bar, labels, pressure_map,
@@ -51,9 +51,9 @@ pub(super) struct PressurePanel<'a> {
 pub(super) struct Pressures<'a> {
     pub caption: Caption,
     /// The unit of x and y.
-    pub metres: Scale,
+    pub metres: DisplayUnit,
     /// The unit of the pressures.
-    pub pascals: Scale,
+    pub pascals: DisplayUnit,
     /// Half the side of what is shown, in the unit of x.
     pub reach: f64,
     pub panels: Vec<PressurePanel<'a>>,

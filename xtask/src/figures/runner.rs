@@ -6,7 +6,7 @@ use std::process::Command;
 
 use pellicle_cli::drawing::{Style, Subject, accuracy};
 use pellicle_cli::results::{
-    Fields, StepSummary, StoredFields, Summary, fields_file, read_summary,
+    Fields, RunSummary, StepSummary, StoredFields, fields_file, read_summary,
 };
 
 use super::sheet::Caption;
@@ -44,7 +44,7 @@ pub(super) struct SolvedStep {
     pub case: &'static str,
     /// Folder of the results.
     pub folder: PathBuf,
-    pub summary: Summary,
+    pub summary: RunSummary,
     index: usize,
     stored: StoredFields,
 }
@@ -67,7 +67,7 @@ impl Runner {
     /// # Errors
     /// [`XtaskError::NotCertified`] if a step is not, [`XtaskError::Refused`] if the program refuses the case, or
     /// whatever prevents running it or reading its results.
-    pub fn run(&self, case: &str, sets: &[&str]) -> Result<Summary, XtaskError> {
+    pub fn run(&self, case: &str, sets: &[&str]) -> Result<RunSummary, XtaskError> {
         self.solve(case, sets, "none")?;
         Ok(read_summary(&self.folder(case))?)
     }

@@ -1,7 +1,7 @@
 //! Formulas for a paraboloid on a thin layer over the exact force: the picture of docs/thin-film-formulas.md.
 
 use pellicle_cli::drawing::{Axis, Dash, colours};
-use pellicle_cli::evidence::film_formulas::{Film, polynomial};
+use pellicle_cli::evidence::film_formulas::{ThinLayer, polynomial};
 use pellicle_cli::evidence::run::{ContactSetup, paraboloid};
 use pellicle_cli::evidence::{ValidationError, ValidationRun};
 use pellicle_contact::Load;
@@ -56,7 +56,7 @@ pub(super) fn draw() -> Result<Picture, XtaskError> {
 }
 
 fn panel((name, interface): (&'static str, Interface)) -> Result<CurvePanel, ValidationError> {
-    let film = Film {
+    let film = ThinLayer {
         interface,
         poisson_ratio: 0.5,
     };
@@ -71,7 +71,7 @@ fn panel((name, interface): (&'static str, Interface)) -> Result<CurvePanel, Val
     })
 }
 
-fn lines(film: &Film) -> Result<Vec<ChartLine>, ValidationError> {
+fn lines(film: &ThinLayer) -> Result<Vec<ChartLine>, ValidationError> {
     let [first, last] = CHI;
     let place = |i| first * (last / first).powf(f64::from(i) / f64::from(POINTS - 1));
     let exact = (0..POINTS).into_par_iter();
@@ -108,7 +108,7 @@ fn lines(film: &Film) -> Result<Vec<ChartLine>, ValidationError> {
 }
 
 /// The program's forces over the exact ones, a part of its own each.
-fn contacts(film: &Film) -> Result<Vec<Vec<(f64, f64)>>, ValidationError> {
+fn contacts(film: &ThinLayer) -> Result<Vec<Vec<(f64, f64)>>, ValidationError> {
     let contact = |radius: f64| {
         let [chi, exact] = film.at_contact_radius(radius)?;
         let path = ValidationRun::default().solve(&ContactSetup {
