@@ -39,14 +39,14 @@ impl Unit {
 
 /// A scale on which numbers of a given magnitude are easy to read.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Scale {
+pub struct DisplayUnit {
     /// The divisor of a value.
     pub divisor: f64,
     /// The unit of the quotient: `µm`, `10⁻³ case units`; empty for bare case units.
     pub label: String,
 }
 
-impl Scale {
+impl DisplayUnit {
     /// The scale for values up to `largest`.
     #[must_use]
     pub fn of(largest: f64, unit: Unit, units: Units) -> Self {
@@ -105,7 +105,7 @@ impl Scale {
 /// An error with two digits on the scale of its value: `± 0.29 µm²`.
 #[must_use]
 pub fn error_of(value: f64, error: f64, unit: Unit, units: Units) -> String {
-    let error_on = |scale: Scale| {
+    let error_on = |scale: DisplayUnit| {
         format!(
             "± {} {}",
             significant(error / scale.divisor, 2),
@@ -113,7 +113,7 @@ pub fn error_of(value: f64, error: f64, unit: Unit, units: Units) -> String {
         )
     };
     match units {
-        Units::Si => error_on(Scale::of(value, unit, units)),
+        Units::Si => error_on(DisplayUnit::of(value, unit, units)),
         Units::Consistent => format!("± {}", significant(error, 2)),
     }
 }
@@ -122,7 +122,7 @@ pub fn error_of(value: f64, error: f64, unit: Unit, units: Units) -> String {
 #[must_use]
 pub fn quantity(value: f64, unit: Unit, units: Units) -> String {
     match units {
-        Units::Si => Scale::of(value, unit, units).with_unit(value),
+        Units::Si => DisplayUnit::of(value, unit, units).with_unit(value),
         Units::Consistent => significant(value, 5),
     }
 }
@@ -205,8 +205,11 @@ mod tests {
             quantity(6.38e-4, Unit::Metre, Units::Consistent),
             "6.3800e-4"
         );
-        assert_eq!(Scale::of(0.05, Unit::Metre, Units::Consistent).label, "");
-        let small = Scale::of(2e-5, Unit::Pascal, Units::Consistent);
+        assert_eq!(
+            DisplayUnit::of(0.05, Unit::Metre, Units::Consistent).label,
+            ""
+        );
+        let small = DisplayUnit::of(2e-5, Unit::Pascal, Units::Consistent);
         assert_eq!(
             (small.divisor, small.label.as_str()),
             (1e-6, "10⁻⁶ case units")

@@ -28,13 +28,13 @@ pub enum Failure {
         cause: io::Error,
     },
     /// The kernel refuses the foundation.
-    #[error("the foundation is refused: {0}")]
+    #[error("foundation: {0}")]
     Kernel(#[from] KernelError),
     /// The influence coefficients cannot be computed.
-    #[error("the influence coefficients cannot be computed: {0}")]
+    #[error("influence coefficients: {0}")]
     Influence(#[from] InfluenceError),
     /// The fields inside the body cannot be computed, or not at that depth.
-    #[error("the fields inside the body: {0}")]
+    #[error("fields inside the body: {0}")]
     Inside(InfluenceError),
     /// A point inside the rigid base.
     #[error("found a depth of {found:e}, wanted 0 to {bottom:e}, the depth of the rigid base")]
@@ -53,45 +53,45 @@ pub enum Failure {
         last: usize,
     },
     /// The relief is refused.
-    #[error("the surface is refused: {0}")]
+    #[error("surface: {0}")]
     Texture(#[from] TextureError),
     /// The indenter is refused.
-    #[error("the indenter is refused: {0}")]
+    #[error("indenter: {0}")]
     Indenter(#[from] IndenterError),
     /// The contact problem cannot be posed or was cancelled.
     #[error(transparent)]
     Contact(#[from] ContactError),
     /// A file or folder of that name exists.
-    #[error("{} exists: give --force to replace it, or another --out", path.display())]
+    #[error("{}: found a file or folder of that name, wanted --force to replace it, or another --out", path.display())]
     Exists {
         /// The existing file or folder.
         path: PathBuf,
     },
     /// Something other than a results folder exists there; it is not touched.
-    #[error("{} exists and is not a results folder: give another --out", path.display())]
+    #[error("{}: found something other than a results folder, wanted another --out", path.display())]
     NoResults {
         /// The existing file or folder.
         path: PathBuf,
     },
     /// Beside a run's summary is a file that bears one of its names but was not written by it.
-    #[error("{} was not written by the run whose summary is beside it: move it away, or give another --out", path.display())]
+    #[error("{}: found a file that the run of the summary beside it did not write, wanted it moved away, or another --out", path.display())]
     NotWritten {
         /// The file.
         path: PathBuf,
     },
     /// An option of `plot` that applies to a single results folder was given with several.
     #[error(
-        "several results are drawn as curves in one picture: --step, --section, --range and --colour-map are for a single one"
+        "found several results, drawn as curves in one picture, wanted a single one for --step, --section, --range and --colour-map"
     )]
     OneResult,
     /// The folder holds no parts of a study.
-    #[error("{} holds no parts of a study", path.display())]
+    #[error("{}: found no parts of a study, wanted at least one", path.display())]
     NoParts {
         /// The folder.
         path: PathBuf,
     },
     /// The fields of a loading step were not written.
-    #[error("{} holds no fields of step {step} to draw: run the case with --fields all", path.display())]
+    #[error("{}: found no fields of step {step} to draw, wanted those of a run with --fields all", path.display())]
     NoFields {
         /// The results folder.
         path: PathBuf,
@@ -123,28 +123,28 @@ pub enum Failure {
         found: Option<String>,
     },
     /// A study has no cases.
-    #[error("the study has no cases")]
+    #[error("found no cases in the study, wanted at least one")]
     NoCases,
     /// The table is that of a study with other values or of another version of the program.
-    #[error("{} holds results of another study or of another version: give --fresh to begin again, or another --out", path.display())]
+    #[error("{}: found results of another study or of another version, wanted --fresh to begin again, or another --out", path.display())]
     OtherStudy {
         /// The table.
         path: PathBuf,
     },
     /// The table of another study stands in the place of the merged one.
-    #[error("{} is the table of another study: give --force to replace it", path.display())]
+    #[error("{}: found the table of another study, wanted --force to replace it", path.display())]
     OtherTable {
         /// The table.
         path: PathBuf,
     },
     /// The results of another case stand in the place of those of a study's case.
-    #[error("{} holds results of another case: give --fresh to begin again, or another --out", path.display())]
+    #[error("{}: found results of another case, wanted --fresh to begin again, or another --out", path.display())]
     OtherCase {
         /// The folder.
         path: PathBuf,
     },
     /// Something else stands in the place of the kept fields of a study.
-    #[error("{} does not hold the fields that this study keeps: give --fresh to begin again, or move it away", path.display())]
+    #[error("{}: found other fields than this study keeps, wanted --fresh to begin again, or the file moved away", path.display())]
     NotKept {
         /// The file.
         path: PathBuf,
@@ -160,7 +160,7 @@ pub enum Failure {
         steps: usize,
     },
     /// Another process is writing to a table or folder.
-    #[error("{}: another process is writing to it", path.display())]
+    #[error("{}: found another process writing to it, wanted none", path.display())]
     Busy {
         /// The table or folder.
         path: PathBuf,
@@ -193,7 +193,7 @@ pub enum Failure {
         cause: io::Error,
     },
     /// The cache's folder cannot be listed, or a file in it cannot be removed.
-    #[error("{}: the cache cannot be listed or cleared: {cause}", path.display())]
+    #[error("{}: cannot be listed or cleared: {cause}", path.display())]
     Cache {
         /// The folder.
         path: PathBuf,
@@ -201,7 +201,7 @@ pub enum Failure {
         cause: io::Error,
     },
     /// A file of a results folder is missing or was not written by a run.
-    #[error("{}: not a file of a results folder: {reason}", path.display())]
+    #[error("{}: cannot be read as results: {reason}", path.display())]
     Damaged {
         /// The file.
         path: PathBuf,

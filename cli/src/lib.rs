@@ -45,7 +45,7 @@ mod unfinished;
 mod validation;
 
 pub use case::Case;
-pub use display::{Scale, Unit, quantity};
+pub use display::{DisplayUnit, Unit, quantity};
 pub use failure::Failure;
 pub use input::{
     diagnosis::{Diagnosis, Fault},
@@ -102,11 +102,12 @@ pub mod fitted {
 /// The files of a run, and the way they are written: whole or not at all.
 pub mod results {
     pub use crate::output::fields::Fields;
-    pub use crate::output::file::{write_bytes, write_whole};
+    pub use crate::output::file::write_whole;
     pub use crate::output::npz::{StoredFields, file as fields_file};
+    pub use crate::output::results::read_summary;
     pub use crate::output::stress::npz::{file as stresses_file, read as read_stresses};
     pub use crate::output::stress::view::{StressSection, StressView, SurfaceLine};
-    pub use crate::output::summary::{FILE as SUMMARY_FILE, StepSummary, Summary};
+    pub use crate::output::summary::{FILE as SUMMARY_FILE, RunSummary, StepSummary};
 }
 
 /// The pictures of a solution, and their parts.
@@ -131,7 +132,7 @@ pub mod drawing {
 pub mod measurements {
     pub use crate::measured::channel::Channel;
     pub use crate::measured::columns::{ColumnName, ColumnUnit, Columns};
-    pub use crate::measured::curve::MeasuredCurve;
+    pub use crate::measured::curve::{CurveWarning, MeasuredCurve};
     pub use crate::measured::data_table::{DataTable, Observe};
     pub use crate::measured::decode::TextEncoding;
     pub use crate::measured::depth_step::DepthStep;
@@ -145,7 +146,6 @@ pub mod measurements {
     pub use crate::measured::spring::{HeightDirection, SpringConstant, penetration};
     pub use crate::measured::text_options::TextOptions;
     pub use crate::measured::text_table::TextTable;
-    pub use crate::measured::warning::CurveWarning;
 }
 
 /// Rough surfaces made of waves.

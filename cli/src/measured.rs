@@ -27,4 +27,3 @@ pub mod sources;
 pub mod spring;
 pub mod text_options;
 pub mod text_table;
-pub mod warning;

@@ -21,7 +21,7 @@ use pellicle_identify::{
     Information, NullDirections, Observable, Prediction, StopFlag,
 };
 
-use self::candidate::Candidate;
+use self::candidate::CandidateCurve;
 use self::premises::Premises;
 use crate::failure::Failure;
 use crate::identification::findings::WarningResult;
@@ -35,7 +35,7 @@ const INTERVAL: f64 = 0.1;
 #[derive(Debug)]
 pub struct Judged {
     /// The curve; none for the data that there are.
-    pub candidate: Option<Candidate>,
+    pub candidate: Option<CandidateCurve>,
     /// Places of the radii that it depends on among the unknowns of the plan.
     pub radii: Vec<usize>,
     /// Its information about the unknowns.
@@ -67,7 +67,7 @@ impl<'a> Planning<'a> {
     /// [`Failure`] if no candidate can be solved, or the user stops.
     pub fn new(
         premises: Premises<'a>,
-        candidates: &[Candidate],
+        candidates: &[CandidateCurve],
         stop: &StopFlag,
         tell: &dyn Fn(usize),
     ) -> Result<Self, Failure> {
@@ -95,7 +95,7 @@ impl<'a> Planning<'a> {
         }
     }
 
-    fn warn(&mut self, code: &str, candidate: &Candidate, what: &dyn std::fmt::Display) {
+    fn warn(&mut self, code: &str, candidate: &CandidateCurve, what: &dyn std::fmt::Display) {
         self.warnings.push(WarningResult {
             code: code.into(),
             message: format!("{}: {what}", candidate.words()),
@@ -103,7 +103,7 @@ impl<'a> Planning<'a> {
     }
 
     /// Solves a candidate and keeps what it tells.
-    fn judge(&mut self, candidate: &Candidate) -> Result<(), Failure> {
+    fn judge(&mut self, candidate: &CandidateCurve) -> Result<(), Failure> {
         let premises = &self.premises;
         let indenter = premises.indenter(candidate.radius);
         let parameters = premises.with_radius(candidate.radius)?;

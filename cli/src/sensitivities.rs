@@ -5,7 +5,7 @@ use pellicle_contact::{ForceCurve, Load, LoadingPath, Model};
 use crate::case::Case;
 use crate::case::parameter::CaseParameter;
 use crate::failure::Failure;
-use crate::output::summary::sensitivity::SensitivitySummary;
+use crate::output::summary::SensitivitySummary;
 
 /// The derivatives of every step; none if the case does not ask for them.
 ///

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::forecast::Need;
 use crate::memory::MemoryBudget;
 use crate::output::folder::Completeness;
-use crate::output::summary::{Clock, Summary, WarningSummary};
+use crate::output::summary::{Clock, RunSummary, WarningSummary};
 use crate::sensitivities;
 use crate::stresses::{self, StressSearch, Stresses};
 
@@ -31,7 +31,7 @@ pub struct SolvedCase {
     /// The path of its loads.
     pub path: LoadingPath,
     /// Its numbers, without the case itself and the warnings of the cache.
-    pub summary: Summary,
+    pub summary: RunSummary,
     /// Whether all that the case asks for is there: otherwise the observer has stopped it, and a warning says so.
     pub completeness: Completeness,
 }
@@ -73,7 +73,7 @@ pub fn solve(
         ))?
     };
     // Warnings of the cache concern all cases.
-    let mut summary = Summary::of_results(case, &path, clock, &[]);
+    let mut summary = RunSummary::of_results(case, &path, clock, &[]);
     let completeness = complete(case, &model, &path, stresses, &mut summary)?;
     Ok(Some(SolvedCase {
         path,
@@ -123,7 +123,7 @@ pub fn complete(
     model: &Model,
     path: &LoadingPath,
     stresses: Option<Stresses>,
-    summary: &mut Summary,
+    summary: &mut RunSummary,
 ) -> Result<Completeness, Failure> {
     let mut completeness = Completeness::Whole;
     if path.interrupted {

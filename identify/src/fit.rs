@@ -3,8 +3,8 @@
 use std::rc::Rc;
 
 use crate::{
-    Fit, FitOptions, FitVerdict, FittedPoints, ForwardModel, Goodness, IdentifyError, Problem,
-    REFUSAL, Scatter, Warning, Work,
+    Fit, FitOptions, FitVerdict, FitWarning, FitWork, FittedPoints, ForwardModel, Goodness,
+    IdentifyError, Problem, REFUSAL, Scatter,
     correlation::correlation,
     global_search,
     goodness::{NoiseScale, Residuals, lower_half_score, smooth_score},
@@ -64,7 +64,7 @@ fn searched(
     };
     let mut warnings = Vec::new();
     if found.several_minima {
-        warnings.push(Warning::SeveralMinima);
+        warnings.push(FitWarning::SeveralMinima);
     }
     match problem.scatter() {
         Scatter::BetweenCurves if problem.curves().len() > 1 => {
@@ -90,14 +90,14 @@ struct Fitting<'p> {
     null_space: NullSpace,
     /// Unknowns that the data determine together.
     told: Vec<usize>,
-    warnings: Vec<Warning>,
+    warnings: Vec<FitWarning>,
 }
 
 impl<'p> Fitting<'p> {
     fn new(
         problem: &'p Problem,
         options: &'p FitOptions,
-        warnings: Vec<Warning>,
+        warnings: Vec<FitWarning>,
     ) -> Result<Self, IdentifyError> {
         let null_space = problem.null_directions().among(problem.unknowns())?;
         let held = null_space.hold()?;
@@ -127,7 +127,7 @@ impl<'p> Fitting<'p> {
             let intervals = match self.scan(predictor, &refined, &sought)? {
                 Scanned::All(intervals) => intervals,
                 Scanned::Better(unknown, at) => {
-                    self.warnings.push(Warning::BetterFitFound(unknown));
+                    self.warnings.push(FitWarning::BetterFitFound(unknown));
                     refined = self.refinement().run(predictor, at, refined.levels)?;
                     search = predictor.predictions();
                     continue;
@@ -207,7 +207,7 @@ impl<'p> Fitting<'p> {
             goodness,
             points: self.points(refined),
             excluded: Vec::new(),
-            work: Work {
+            work: FitWork {
                 curves_solved: predictor.predictions(),
                 search,
             },
@@ -217,11 +217,11 @@ impl<'p> Fitting<'p> {
 
     fn warn(&mut self, refined: &Refined) {
         if refined.minimum.within_jitter && refined.minimum.remaining > TOLD_JITTER {
-            self.warnings.push(Warning::Jitter);
+            self.warnings.push(FitWarning::Jitter);
         }
         for (j, unknown) in self.problem.unknowns().iter().enumerate() {
             if unknown.bounds().contains(&refined.minimum.at.position[j]) {
-                self.warnings.push(Warning::AtBound(j));
+                self.warnings.push(FitWarning::AtBound(j));
             }
         }
     }

@@ -6,8 +6,8 @@ use crate::{
     FitOptions, ForwardError, IdentifyError, Problem,
     least_squares::{Minimum, Search, Stopping, difference},
     metric::Metric,
+    orthonormal_basis::dot,
     predictor::{Evaluation, Predictor},
-    projection::dot,
     start::start,
 };
 

@@ -10,8 +10,8 @@ use crate::{
     Correlation, Problem,
     distribution::{chi_squared_above, fisher_above, normal_below},
     metric::Metric,
+    orthonormal_basis::{OrthonormalBasis, dot},
     predictor::Evaluation,
-    projection::{Projection, dot},
 };
 
 /// A fit is refused below this probability.
@@ -207,7 +207,7 @@ fn score(
     columns: impl Iterator<Item = Vec<f64>>,
 ) -> [f64; 2] {
     let system = metric.system(at);
-    let fitted = Projection::of(told.iter().map(|&j| system.jacobian[j].clone()));
+    let fitted = OrthonormalBasis::of(told.iter().map(|&j| system.jacobian[j].clone()));
     let mut residual = system.residual;
     fitted.remove_from(&mut residual);
     let mut added = fitted.clone();

@@ -20,8 +20,8 @@ use crate::{
     IdentifyError, Problem,
     metric::{Metric, System},
     normal_equations::NormalEquations,
+    orthonormal_basis::dot,
     predictor::{Evaluation, Predictor},
-    projection::dot,
 };
 
 /// Least damping, above the rounding of a matrix of unit diagonal, so that it stays regular where the data see

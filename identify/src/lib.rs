@@ -15,9 +15,7 @@ mod correlation;
 mod curve;
 mod distribution;
 mod error;
-mod exclusion;
 mod fit;
-mod forward_error;
 mod forward_model;
 mod global_search;
 mod goodness;
@@ -29,13 +27,13 @@ mod normal_equations;
 mod nuisance;
 mod null_direction;
 mod options;
+mod orthonormal_basis;
 mod plan;
 mod posterior;
 mod predictor;
 mod prior;
 mod problem;
 mod profile;
-mod projection;
 mod refinement;
 mod repeats;
 mod result;
@@ -50,14 +48,12 @@ pub use contact_curves::{
 };
 pub use curve::Curve;
 pub use error::IdentifyError;
-pub use exclusion::Exclusion;
 pub use fit::{exponents, identify};
-pub use forward_error::ForwardError;
-pub use forward_model::{ForwardModel, Prediction};
+pub use forward_model::{ForwardError, ForwardModel, Prediction};
 pub use goodness::{Goodness, REFUSAL};
 pub use known_combination::KnownCombination;
 pub use noise::{Amount, Correlation, Noise, NoiseLevels};
-pub use nuisance::{LinearNuisance, Scope, Shape};
+pub use nuisance::{LinearNuisance, NuisanceShape, Scope};
 pub use null_direction::NullDirections;
 pub use options::{FitOptions, Intervals};
 pub use plan::{Expected, Information, Plan};
@@ -66,7 +62,8 @@ pub use prior::Prior;
 pub use problem::{Problem, Scatter};
 pub use profile::ProfilePoint;
 pub use result::{
-    BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Stopped, Warning, Work,
+    BetweenCurves, Coefficient, Estimate, Exclusion, Fit, FitVerdict, FitWarning, FitWork,
+    FittedPoints, Stopped,
 };
 pub use stop_flag::StopFlag;
 pub use surrogate::{Surrogate, SurrogateOptions};

@@ -6,8 +6,8 @@
 //! which makes the simplification of L. Kaufman, BIT 15, 49 (1975), exact. A prior is one more row.
 
 use crate::{
-    NoiseLevels, Problem, noise::whitener::Whitener, predictor::Evaluation, projection::Projection,
-    projection::dot,
+    NoiseLevels, Problem, noise::whitener::Whitener, orthonormal_basis::OrthonormalBasis,
+    orthonormal_basis::dot, predictor::Evaluation,
 };
 
 /// A covariance of the noise and the nuisances under it.
@@ -15,7 +15,7 @@ use crate::{
 pub(crate) struct Metric<'a> {
     problem: &'a Problem,
     whitener: Whitener,
-    nuisances: Projection,
+    nuisances: OrthonormalBasis,
 }
 
 /// The linearised problem at one point: `χ²(x + δ) ≈ ‖residual − jacobian δ‖²`.
@@ -35,7 +35,7 @@ impl<'a> Metric<'a> {
     /// The covariance at the model's values and slopes.
     pub fn new(problem: &'a Problem, levels: &NoiseLevels, value: &[f64], slope: &[f64]) -> Self {
         let whitener = Whitener::new(levels, value, slope, problem.spans());
-        let nuisances = Projection::of(nuisance_columns(problem, &whitener));
+        let nuisances = OrthonormalBasis::of(nuisance_columns(problem, &whitener));
         Self {
             problem,
             whitener,

@@ -5,7 +5,7 @@ use faer::{Mat, Side, linalg::solvers::Solve as _};
 use crate::{
     IdentifyError,
     metric::System,
-    projection::{dot, norm},
+    orthonormal_basis::{dot, norm},
 };
 
 /// A direction whose eigenvalue is below this part of one, with columns of unit length, is beyond the rounding of the

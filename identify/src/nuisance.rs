@@ -6,7 +6,7 @@ use crate::{Curve, IdentifyError, Prior, curve::check_length};
 
 /// How a linear nuisance enters the observable, for one unit of its coefficient.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Shape {
+pub enum NuisanceShape {
     /// A constant: the shift of a zero, or a baseline.
     Constant,
     /// The abscissa: the compliance of a machine's frame adds `C_f Q` to a penetration.
@@ -31,7 +31,7 @@ pub enum Scope {
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinearNuisance {
     name: String,
-    shape: Shape,
+    shape: NuisanceShape,
     scope: Scope,
     prior: Option<[f64; 2]>,
 }
@@ -39,7 +39,7 @@ pub struct LinearNuisance {
 impl LinearNuisance {
     /// A nuisance of any shape, of which nothing is known.
     #[must_use]
-    pub fn new(name: impl Into<String>, shape: Shape, scope: Scope) -> Self {
+    pub fn new(name: impl Into<String>, shape: NuisanceShape, scope: Scope) -> Self {
         Self {
             name: name.into(),
             shape,
@@ -51,25 +51,25 @@ impl LinearNuisance {
     /// A shift of each curve, such as an unknown zero of the penetration.
     #[must_use]
     pub fn shift() -> Self {
-        Self::new("shift", Shape::Constant, Scope::PerCurve)
+        Self::new("shift", NuisanceShape::Constant, Scope::PerCurve)
     }
 
     /// The compliance of the frame, common to all curves.
     #[must_use]
     pub fn frame_compliance() -> Self {
-        Self::new("frame_compliance", Shape::Abscissa, Scope::Common)
+        Self::new("frame_compliance", NuisanceShape::Abscissa, Scope::Common)
     }
 
     /// A drift of each curve in proportion to time.
     #[must_use]
     pub fn drift() -> Self {
-        Self::new("drift", Shape::Time, Scope::PerCurve)
+        Self::new("drift", NuisanceShape::Time, Scope::PerCurve)
     }
 
     /// A constant common to all curves.
     #[must_use]
     pub fn baseline() -> Self {
-        Self::new("baseline", Shape::Constant, Scope::Common)
+        Self::new("baseline", NuisanceShape::Constant, Scope::Common)
     }
 
     /// The same nuisance with coefficients that are known to be normal.
@@ -100,7 +100,7 @@ impl LinearNuisance {
             name,
             curve,
             values,
-            is_zero: self.shape == Shape::Constant,
+            is_zero: self.shape == NuisanceShape::Constant,
             prior: self.prior,
         };
         if self.scope == Scope::Common {
@@ -122,13 +122,15 @@ impl LinearNuisance {
     fn whole(&self, curves: &[Curve]) -> Result<Vec<f64>, IdentifyError> {
         let points = curves.iter().map(Curve::points).sum();
         match &self.shape {
-            Shape::Constant => Ok(vec![1.0; points]),
-            Shape::Abscissa => Ok(curves.iter().flat_map(Curve::abscissa).copied().collect()),
-            Shape::Given(values) => {
+            NuisanceShape::Constant => Ok(vec![1.0; points]),
+            NuisanceShape::Abscissa => {
+                Ok(curves.iter().flat_map(Curve::abscissa).copied().collect())
+            }
+            NuisanceShape::Given(values) => {
                 check_length("nuisance's shape", values, points)?;
                 Ok(values.clone())
             }
-            Shape::Time => {
+            NuisanceShape::Time => {
                 let mut times = Vec::with_capacity(points);
                 for (index, curve) in curves.iter().enumerate() {
                     let time = curve.time().ok_or(IdentifyError::NoTime { curve: index })?;

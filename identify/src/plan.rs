@@ -15,7 +15,7 @@ use crate::{
     distribution::student_quantile,
     known_combination::expression,
     null_direction::{Hold, NullSpace},
-    projection::Projection,
+    orthonormal_basis::OrthonormalBasis,
     verdict,
 };
 
@@ -161,5 +161,5 @@ fn standard_error(jacobian: &[Vec<f64>], unknown: usize, held: &[usize]) -> f64 
         .map(|j| jacobian[j].clone())
         .collect();
     let last = columns.len() - 1;
-    Projection::of(columns).inverse_gram()[last][last].sqrt()
+    OrthonormalBasis::of(columns).inverse_gram()[last][last].sqrt()
 }

@@ -22,8 +22,8 @@ use crate::{
     least_squares::{Minimum, Search, Stopping, farthest},
     metric::Metric,
     normal_equations::NormalEquations,
+    orthonormal_basis::dot,
     predictor::{Evaluation, Predictor},
-    projection::dot,
 };
 
 /// A scan may end where `z` is this near its target, as a part of it; a cubic leads the rest of the way, …
@@ -67,7 +67,7 @@ pub(crate) enum Open {
 
 /// One side of a profile.
 #[derive(Debug, Clone)]
-pub(crate) struct Side {
+pub(crate) struct ProfileSide {
     /// Where `Δ` reaches the target, in the coordinate of the unknown, or why nowhere.
     pub end: Result<f64, Open>,
     /// Points in the coordinate, outward from the best fit, which is not among them: `x` and `Δ`.
@@ -78,13 +78,13 @@ pub(crate) struct Side {
 
 /// The result of a scan.
 pub(crate) enum Scan {
-    Side(Side),
+    Side(ProfileSide),
     /// A better fit than the best.
     Better(Rc<Evaluation>),
 }
 
 /// The profile of one unknown under one covariance of the noise.
-pub(crate) struct Profile<'s, 'p> {
+pub(crate) struct LikelihoodProfile<'s, 'p> {
     pub problem: &'p Problem,
     pub metric: &'s Metric<'p>,
     pub best: &'s Minimum,
@@ -97,7 +97,7 @@ pub(crate) struct Profile<'s, 'p> {
     pub target: f64,
 }
 
-impl Profile<'_, '_> {
+impl LikelihoodProfile<'_, '_> {
     /// Scans outward from the best fit, up for `sign` 1 and down for −1, first to where the bend of the other side
     /// leads, if it is known.
     pub fn side(
@@ -135,7 +135,7 @@ impl Profile<'_, '_> {
         let mut points = Vec::new();
         let done = |end, points| {
             let bend = None;
-            Ok(Scan::Side(Side { end, points, bend }))
+            Ok(Scan::Side(ProfileSide { end, points, bend }))
         };
         for _ in 0..MOST_POINTS {
             if sign * (bound - inner.x) <= 0.0 {
@@ -155,7 +155,7 @@ impl Profile<'_, '_> {
             points.push((point.x, point.z * point.z));
             if let Some(end) = self.end(&inner, &point, sign) {
                 let outside = sign * (end - bound) > 0.0;
-                return Ok(Scan::Side(Side {
+                return Ok(Scan::Side(ProfileSide {
                     end: if outside { Err(Open::Bound) } else { Ok(end) },
                     points,
                     bend: Bend::between(&self.first()?, &point, sign),

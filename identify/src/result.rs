@@ -1,7 +1,7 @@
 //! The result of a fit.
 
 use crate::{
-    Exclusion, Goodness, KnownCombination, NoiseLevels, ProfilePoint, Role, Verdict,
+    Goodness, KnownCombination, NoiseLevels, ProfilePoint, Role, Verdict,
     distribution::student_quantile,
 };
 
@@ -97,7 +97,7 @@ pub struct FittedPoints {
 
 /// The cost of a fit, in predictions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Work {
+pub struct FitWork {
     /// Predictions of all curves, all in all.
     pub curves_solved: usize,
     /// Of these, those to the best fit.
@@ -106,7 +106,7 @@ pub struct Work {
 
 /// A warning about a fit that its verdict does not carry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Warning {
+pub enum FitWarning {
     /// Another start led to another minimum, which is worse.
     SeveralMinima,
     /// The predictions jump about what their derivatives promise near the best fit, which is known to no better than a
@@ -116,6 +116,35 @@ pub enum Warning {
     AtBound(usize),
     /// A profile of this unknown, by its index, found a better fit than the search, and the fit went on from there.
     BetterFitFound(usize),
+}
+
+/// A curve that was left out, and why.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Exclusion {
+    /// Its parameters are not those of the others.
+    Discordant {
+        /// Index of the curve, from 0.
+        curve: usize,
+        /// How far they are from the median, in units of the standard deviation of the others or of its own.
+        deviation: f64,
+    },
+    /// Its residuals are larger than those of the others.
+    Rough {
+        /// Index of the curve, from 0.
+        curve: usize,
+        /// How many times as large as those of the median curve.
+        factor: f64,
+    },
+}
+
+impl Exclusion {
+    /// Index of the curve.
+    #[must_use]
+    pub fn curve(&self) -> usize {
+        match *self {
+            Self::Discordant { curve, .. } | Self::Rough { curve, .. } => curve,
+        }
+    }
 }
 
 /// The best fit and what the data tell.
@@ -143,7 +172,7 @@ pub struct Fit {
     /// The points.
     pub points: FittedPoints,
     /// Its cost.
-    pub work: Work,
+    pub work: FitWork,
     /// Warnings to its reader.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<FitWarning>,
 }

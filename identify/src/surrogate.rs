@@ -20,7 +20,7 @@ use sample_points::SamplePoints;
 
 use crate::{
     Fit, ForwardError, ForwardModel, IdentifyError, Prediction, Problem, Unknown,
-    projection::{Projection, dot},
+    orthonormal_basis::{OrthonormalBasis, dot},
 };
 
 /// Total degrees, in turn.
@@ -311,7 +311,7 @@ impl Building<'_> {
             .map(|one| products.values(&one.0))
             .collect();
         let column = |k: usize| rows.iter().map(|row| row[k]).collect::<Vec<f64>>();
-        let matrix = Projection::of((0..products.count()).map(column));
+        let matrix = OrthonormalBasis::of((0..products.count()).map(column));
         let solve = |mut amplitude: Vec<f64>| {
             let components = matrix.remove_from(&mut amplitude);
             matrix.coefficients(&components)

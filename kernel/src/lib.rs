@@ -65,8 +65,6 @@ mod layer;
 mod material;
 mod paper;
 mod parameter;
-#[cfg(doctest)]
-mod readme;
 mod response;
 mod system;
 mod wave;
@@ -85,3 +83,8 @@ pub use material::Material;
 pub use paper::{TwoLayer, load_transform};
 pub use parameter::FoundationParameter;
 pub use system::TransformedSystem;
+
+/// The README, whose examples are documentation tests of this crate.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

@@ -12,12 +12,12 @@ use crate::FiguresArguments;
 pub struct Arguments {
     /// The chore to do.
     #[command(subcommand)]
-    pub command: Command,
+    pub chore: Chore,
 }
 
 /// The chores.
 #[derive(Debug, Subcommand)]
-pub enum Command {
+pub enum Chore {
     /// Check the house rules of the workspace.
     Tidy,
     /// Draw the figures of the paper from its cases: SVG, PNG and CSV.
@@ -33,12 +33,42 @@ pub enum Command {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory;
+    use clap::{CommandFactory, ValueEnum};
 
     use super::*;
+    use crate::Figure;
+
+    fn figures(line: &str) -> Result<FiguresArguments, clap::Error> {
+        let words = format!("xtask figures {line}");
+        let parsed = Arguments::try_parse_from(words.split_whitespace())?;
+        let Chore::Figures(arguments) = parsed.chore else {
+            panic!("{line}: not read as figures");
+        };
+        Ok(arguments)
+    }
 
     #[test]
     fn the_command_line_is_consistent() {
         Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn without_options_all_figures_are_drawn_at_full_resolution() {
+        let arguments = figures("").unwrap();
+        assert_eq!(arguments.figures(), Figure::value_variants());
+        assert_eq!(arguments.elements(), 1024);
+    }
+
+    #[test]
+    fn figures_can_be_chosen_and_come_in_order() {
+        let arguments = figures("--only 6,4 --only 4 --quick").unwrap();
+        assert_eq!(arguments.figures(), [Figure::Four, Figure::Six]);
+        assert_eq!(arguments.elements(), 256);
+        assert_ne!(arguments.folder(), figures("").unwrap().folder());
+    }
+
+    #[test]
+    fn coarse_pictures_never_become_those_of_the_documents() {
+        assert!(figures("--quick --docs").is_err());
     }
 }

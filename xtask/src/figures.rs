@@ -3,7 +3,6 @@
 //! A figure asks the [`Runner`] for solutions and returns [`Picture`]s: a drawing and the numbers in it. Captions are
 //! literal: the cases are the paper's, whose parameters do not change.
 
-mod arguments;
 mod chart;
 mod figure_2;
 mod figure_3;
@@ -15,13 +14,81 @@ mod sheet;
 mod stresses;
 mod thin_film;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-pub use arguments::{Figure, FiguresArguments};
-pub use runner::Runner;
+use clap::{Args, ValueEnum};
 
+use self::runner::{FULL, QUICK};
+use self::sheet::Picture;
 use crate::XtaskError;
-use sheet::Picture;
+
+pub use self::runner::Runner;
+
+/// A figure of the paper that shows results, or of a page of the documentation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Figure {
+    /// Pressure under a paraboloid on textured coatings.
+    #[value(name = "2")]
+    Two,
+    /// Deformed layer and tops of the elements.
+    #[value(name = "3")]
+    Three,
+    /// Penetration against load.
+    #[value(name = "4")]
+    Four,
+    /// Pressure under a pyramid, with and without film.
+    #[value(name = "5")]
+    Five,
+    /// Largest pressure and penetration against load, with and without film.
+    #[value(name = "6")]
+    Six,
+    /// Formulas for thin films over the exact force; not in the paper.
+    ThinFilm,
+    /// Stresses under figure 2, which the paper does not show.
+    Stresses,
+}
+
+/// Draws the paper's figures from its cases.
+#[derive(Debug, Clone, Args)]
+pub struct FiguresArguments {
+    /// Only these figures: of the paper, 2 to 6, or thin-film, or stresses, those under figure 2.
+    #[arg(long, value_name = "FIGURE,…", value_delimiter = ',')]
+    pub only: Vec<Figure>,
+    /// Coarse grids, for a look only; the pictures say so.
+    #[arg(long)]
+    pub quick: bool,
+    /// Write small versions into docs/figures too.
+    #[arg(long, conflicts_with = "quick")]
+    pub docs: bool,
+    /// Folder of the pictures, relative to the workspace [default: target/paper/figures, with --quick
+    /// target/paper/quick].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+}
+
+impl FiguresArguments {
+    /// The figures asked for, each once, in the paper's order.
+    #[must_use]
+    pub fn figures(&self) -> Vec<Figure> {
+        let is_wanted = |figure: &Figure| self.only.is_empty() || self.only.contains(figure);
+        let all = Figure::value_variants().iter().copied();
+        all.filter(is_wanted).collect()
+    }
+
+    /// Elements along a side of every grid.
+    #[must_use]
+    pub fn elements(&self) -> usize {
+        if self.quick { QUICK } else { FULL }
+    }
+
+    /// Folder of the pictures.
+    #[must_use]
+    pub fn folder(&self) -> PathBuf {
+        let default = if self.quick { "quick" } else { "figures" };
+        let default = || Path::new("target/paper").join(default);
+        self.out.clone().unwrap_or_else(default)
+    }
+}
 
 /// Draws figures and writes their pictures into the folder `out`, and small versions into `small` if there is one;
 /// returns how many pictures there are.
@@ -52,9 +119,9 @@ fn draw(figure: Figure, runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
     match figure {
         Figure::Two => figure_2::draw(runner),
         Figure::Three => Ok(vec![figure_3::draw(runner)?]),
-        Figure::Four => Ok(vec![loading::figure_4(runner)?]),
+        Figure::Four => Ok(vec![loading::FIGURE_4.draw(runner)?]),
         Figure::Five => figure_5::draw(runner),
-        Figure::Six => Ok(vec![loading::figure_6(runner)?]),
+        Figure::Six => Ok(vec![loading::FIGURE_6.draw(runner)?]),
         Figure::ThinFilm => Ok(vec![thin_film::draw()?]),
         Figure::Stresses => stresses::draw(runner),
     }

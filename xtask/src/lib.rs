@@ -10,7 +10,7 @@ mod figures;
 mod tidy;
 mod tree;
 
-pub use arguments::{Arguments, Command};
+pub use arguments::{Arguments, Chore};
 pub use error::XtaskError;
 pub use figures::{Figure, FiguresArguments, Runner, figures};
 pub use tidy::{Violation, tidy};

@@ -10,13 +10,13 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{Arguments, Command, FiguresArguments, Runner, Tree, XtaskError};
+use xtask::{Arguments, Chore, FiguresArguments, Runner, Tree, XtaskError};
 
 fn main() -> ExitCode {
-    let done = match Arguments::parse().command {
-        Command::Tidy => tidy(),
-        Command::Figures(arguments) => figures(&arguments),
-        Command::Program { arguments } => {
+    let done = match Arguments::parse().chore {
+        Chore::Tidy => tidy(),
+        Chore::Figures(arguments) => figures(&arguments),
+        Chore::Program { arguments } => {
             let line = std::iter::once("pellicle".into()).chain(arguments);
             Ok(pellicle_cli::main(line))
         }

@@ -118,10 +118,10 @@ fn is_skipped(name: &str) -> bool {
     OUTPUT.contains(&name) || belongs_to_tools
 }
 
-fn unreadable(path: &Path, source: std::io::Error) -> XtaskError {
+fn unreadable(path: &Path, cause: std::io::Error) -> XtaskError {
     XtaskError::Read {
         path: path.into(),
-        source,
+        cause,
     }
 }
 

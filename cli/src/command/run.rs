@@ -17,7 +17,7 @@ use crate::forecast::Need;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
 use crate::output::folder::{self, Completeness, ResultsFolder};
-use crate::output::summary::{Clock, Summary};
+use crate::output::summary::{Clock, RunSummary};
 use crate::output::{json, report, results, summary_text};
 use crate::progress::{ProgressLine, SearchLine};
 use crate::stresses::{self, Stresses};
@@ -59,7 +59,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         tables_seconds,
         tables_origin: model.origin,
     };
-    let mut summary = Summary::new(&case, &path, clock, &cache.take_warnings())?;
+    let mut summary = RunSummary::new(&case, &path, clock, &cache.take_warnings())?;
     solving::complete(&case, &model.value, &path, stresses, &mut summary)?;
     let write = |folder: ResultsFolder| {
         let tell = line.writing();
@@ -166,7 +166,7 @@ fn is_watched(arguments: &RunArguments) -> bool {
 }
 
 /// Tells the user the summary in words, the warnings, and the path of the results.
-fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
+fn tell(arguments: &RunArguments, summary: &RunSummary, folder: Option<&Path>) {
     if is_watched(arguments) {
         terminal::tell(summary_text::text(summary).trim_end());
     }
@@ -190,7 +190,7 @@ fn tell(arguments: &RunArguments, summary: &Summary, folder: Option<&Path>) {
 }
 
 /// The outcome: also stopped if the user asked to stop when only the writing was left.
-fn outcome(summary: &Summary) -> Outcome {
+fn outcome(summary: &RunSummary) -> Outcome {
     if interrupt::is_requested() {
         Outcome::Stopped
     } else if summary.is_certified() {

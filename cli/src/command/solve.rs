@@ -20,7 +20,7 @@ use crate::input::span::{STREAM, Source, Span};
 use crate::input::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 use crate::memory::MemoryBudget;
 use crate::output::folder::Completeness;
-use crate::output::summary::Summary;
+use crate::output::summary::RunSummary;
 use crate::progress::ProgressLine;
 use crate::solving::{self, Resources, SolvedCase};
 use crate::{cache, interrupt, terminal, threads};
@@ -69,7 +69,7 @@ struct Stream {
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
 enum Answer {
-    Solved(Box<Summary>),
+    Solved(Box<RunSummary>),
     Failed {
         /// Line of the input, from 1.
         line: usize,
@@ -100,7 +100,7 @@ impl Stream {
         }
     }
 
-    fn summary(&self, line: usize, text: &str) -> Result<Option<Summary>, Failure> {
+    fn summary(&self, line: usize, text: &str) -> Result<Option<RunSummary>, Failure> {
         let start = Instant::now();
         let mut root = self.base.root.clone();
         for (key, value, span) in values(line, text)? {

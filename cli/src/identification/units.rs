@@ -2,14 +2,14 @@
 
 use std::f64::consts::PI;
 
-use crate::display::{Scale, Unit};
+use crate::display::{DisplayUnit, Unit};
 use crate::input::units::Units;
 
 /// The scale for values up to `largest`, in SI units, of the unit that `fit.json` names.
 #[must_use]
-pub fn scale(largest: f64, unit: &str) -> Scale {
-    let prefixed = |value, unit| Scale::of(value, unit, Units::Si);
-    let own = |divisor, label: &str| Scale {
+pub fn scale(largest: f64, unit: &str) -> DisplayUnit {
+    let prefixed = |value, unit| DisplayUnit::of(value, unit, Units::Si);
+    let own = |divisor, label: &str| DisplayUnit {
         divisor,
         label: label.into(),
     };
@@ -21,7 +21,7 @@ pub fn scale(largest: f64, unit: &str) -> Scale {
         "rad" => own(PI / 180.0, "°"),
         // A length over a gigapascal.
         "m/Pa" => {
-            let Scale { divisor, label } = prefixed(1e9 * largest, Unit::Metre);
+            let DisplayUnit { divisor, label } = prefixed(1e9 * largest, Unit::Metre);
             own(1e-9 * divisor, &format!("{label}/GPa"))
         }
         "m/N" => own(1e-6, "nm/mN"),

@@ -3,10 +3,9 @@
 use super::channel::Channel;
 use super::columns::{ColumnUnit, Columns};
 use super::contact_slope::contact_slope;
-use super::curve::MeasuredCurve;
+use super::curve::{CurveWarning, MeasuredCurve};
 use super::error::CurveError;
 use super::exclusion::ExclusionReason;
-use super::warning::CurveWarning;
 
 /// Fewer points are not a curve.
 const LEAST_POINTS: usize = 3;

@@ -6,7 +6,6 @@ use super::channel::Channel;
 use super::error::CurveError;
 use super::exclusion::ExcludedRows;
 use super::spring::penetration;
-use super::warning::CurveWarning;
 
 /// A measured curve: the points of one file that are used, in SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -116,5 +115,23 @@ impl MeasuredCurve {
             });
         }
         Ok(())
+    }
+}
+
+/// A warning about a measured curve.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CurveWarning {
+    /// A short name, for programs.
+    pub code: &'static str,
+    /// A sentence, for people.
+    pub message: String,
+}
+
+impl CurveWarning {
+    /// A warning with this code and sentence.
+    #[must_use]
+    pub fn new(code: &'static str, message: impl Into<String>) -> Self {
+        let message = message.into();
+        Self { code, message }
     }
 }

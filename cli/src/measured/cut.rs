@@ -1,6 +1,7 @@
 //! The rows of a measurement that lie in a segment.
 
 use super::channel::Channel;
+use super::curve::CurveWarning;
 use super::depth_step::DepthStep;
 use super::error::CurveError;
 use super::exclusion::ExclusionReason::{
@@ -10,7 +11,6 @@ use super::exclusion::ExclusionReason::{
 use super::exclusion::KeptRows;
 use super::raw_curve::RawCurve;
 use super::segment::{Branch, Segment, SegmentEnd, Until};
-use super::warning::CurveWarning;
 
 /// An unloading given as a loading has its largest force within this fraction of its rows from its first.
 const FRACTION_OF_UNLOADING: usize = 10;

@@ -5,14 +5,13 @@ use std::path::{Path, PathBuf};
 use super::binary::refuse_binary;
 use super::channel::Channel;
 use super::checks;
-use super::curve::MeasuredCurve;
+use super::curve::{CurveWarning, MeasuredCurve};
 use super::cut::cut;
 use super::data_table::DataTable;
 use super::error::CurveError;
 use super::raw_curve::RawCurve;
 use super::spring;
 use super::text_table::TextTable;
-use super::warning::CurveWarning;
 use crate::input::diagnosis::Diagnosis;
 
 impl MeasuredCurve {

@@ -11,7 +11,7 @@ use self::hardness::HardnessColumns;
 use self::rough::RoughColumns;
 use self::sensitivity::SensitivityColumns;
 use self::stress::StressColumns;
-use super::summary::{StepSummary, Summary};
+use super::summary::{RunSummary, StepSummary};
 use crate::input::units::Units;
 
 /// Name of the file in a results folder.
@@ -55,7 +55,7 @@ const COLUMNS: [CurveColumn<StepSummary>; 13] = [
 
 /// The curve as comma-separated values.
 #[must_use]
-pub fn csv(summary: &Summary) -> String {
+pub fn csv(summary: &RunSummary) -> String {
     let hardness = HardnessColumns::of_steps(summary);
     let stress = StressColumns::of_steps(summary);
     let sensitivities = SensitivityColumns::of_steps(summary);

@@ -6,7 +6,7 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use super::fields::Fields;
-use super::summary::Summary;
+use super::summary::RunSummary;
 use super::write_progress::WriteProgress;
 use super::{gsf, netcdf, npz, vti};
 use crate::case::output::Format;
@@ -19,7 +19,7 @@ use crate::failure::Failure;
 /// [`Failure::Write`] if a file cannot be written.
 pub fn write(
     folder: &Path,
-    summary: &Summary,
+    summary: &RunSummary,
     step: usize,
     fields: &Fields<'_>,
     formats: &[Format],

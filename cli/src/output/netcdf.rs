@@ -15,7 +15,7 @@ use std::path::Path;
 use self::header::{Attribute, Header, Kind, Variable};
 use super::fields::{Fields, TruthField};
 use super::file::write_stoppable;
-use super::summary::Summary;
+use super::summary::RunSummary;
 use crate::failure::Failure;
 
 /// Name of the file of a step in a results folder.
@@ -50,7 +50,7 @@ struct FilledVariable<'a> {
 pub fn write(
     path: &Path,
     fields: &Fields<'_>,
-    summary: &Summary,
+    summary: &RunSummary,
     step: usize,
 ) -> Result<(), Failure> {
     let variables = variables(fields, summary);
@@ -64,7 +64,7 @@ pub fn write(
     })
 }
 
-fn variables<'a>(fields: &Fields<'a>, summary: &Summary) -> Vec<FilledVariable<'a>> {
+fn variables<'a>(fields: &Fields<'a>, summary: &RunSummary) -> Vec<FilledVariable<'a>> {
     let described = |unit, meaning: &str| {
         let unit = Attribute::Text("units", summary.units.name(unit).to_owned());
         vec![unit, Attribute::Text("long_name", meaning.to_owned())]
@@ -99,7 +99,7 @@ fn variables<'a>(fields: &Fields<'a>, summary: &Summary) -> Vec<FilledVariable<'
     variables
 }
 
-fn global_attributes(fields: &Fields<'_>, summary: &Summary, step: usize) -> Vec<Attribute> {
+fn global_attributes(fields: &Fields<'_>, summary: &RunSummary, step: usize) -> Vec<Attribute> {
     let area = fields.side.powi(2);
     let (length, force) = (summary.units.name("m"), summary.units.name("N"));
     let of_step = &summary.steps[step];

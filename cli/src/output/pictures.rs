@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::fields::Fields;
 use super::report::surface::SurfaceFigure;
 use super::stress::view::StressView;
-use super::summary::Summary;
+use super::summary::RunSummary;
 use super::write_progress::WriteProgress;
 use crate::case::output::Steps;
 use crate::failure::Failure;
@@ -36,7 +36,7 @@ pub enum StepPicture {
 
 /// The pictures of a loading step; a measured surface or indenter has more than others.
 #[must_use]
-pub fn of_a_step(summary: &Summary) -> Vec<StepPicture> {
+pub fn of_a_step(summary: &RunSummary) -> Vec<StepPicture> {
     let mut pictures = vec![
         StepPicture::PressureMap,
         StepPicture::Section,
@@ -120,7 +120,7 @@ pub struct RunDrawings {
 
 /// The pictures of the stresses of a step.
 #[must_use]
-pub fn of_stresses(summary: &Summary) -> &'static [StressPicture] {
+pub fn of_stresses(summary: &RunSummary) -> &'static [StressPicture] {
     if summary.layers() > 0 {
         &[StressPicture::Section, StressPicture::Interfaces]
     } else {
@@ -146,7 +146,7 @@ impl StressPicture {
 
 /// Names of the pictures of the stresses of a step, without endings.
 #[must_use]
-pub fn names_of_stresses(summary: &Summary, step: usize) -> Vec<String> {
+pub fn names_of_stresses(summary: &RunSummary, step: usize) -> Vec<String> {
     let pictures = of_stresses(summary).iter();
     pictures.map(|picture| picture.name(step)).collect()
 }
@@ -158,7 +158,7 @@ pub fn names_of_stresses(summary: &Summary, step: usize) -> Vec<String> {
 /// [`Failure::Write`] if a picture cannot be written.
 pub fn stresses(
     folder: &Path,
-    summary: &Summary,
+    summary: &RunSummary,
     step: usize,
     fields: Fields<'_>,
     view: &StressView,
@@ -180,7 +180,7 @@ pub fn stresses(
 }
 
 fn subject<'a>(
-    summary: &'a Summary,
+    summary: &'a RunSummary,
     step: usize,
     fields: Fields<'a>,
     style: &Style,
@@ -202,7 +202,7 @@ fn subject<'a>(
 /// [`Failure::Write`] if a picture cannot be written.
 pub fn step(
     folder: &Path,
-    summary: &Summary,
+    summary: &RunSummary,
     step: usize,
     fields: Fields<'_>,
     style: &Style,
@@ -233,7 +233,7 @@ pub fn step(
 /// [`Failure::Write`] if a picture cannot be written.
 pub fn run(
     folder: &Path,
-    summary: &Summary,
+    summary: &RunSummary,
     pictures: Steps,
     style: &Style,
     writer: &WriteProgress<'_>,
@@ -255,7 +255,7 @@ pub fn run(
 }
 
 /// The pictures of a run as a whole, and whether there is something to draw.
-fn of_a_run(summary: &Summary) -> [(&'static str, bool); 3] {
+fn of_a_run(summary: &RunSummary) -> [(&'static str, bool); 3] {
     [
         (curve::NAME, curve::is_drawn(summary)),
         (convergence::NAME, convergence::is_drawn(summary)),
@@ -265,7 +265,7 @@ fn of_a_run(summary: &Summary) -> [(&'static str, bool); 3] {
 
 /// Names of the pictures of some steps, and of the run unless none of it are wanted, without endings.
 #[must_use]
-pub fn names(summary: &Summary, steps: &[usize], of_run: Steps) -> Vec<String> {
+pub fn names(summary: &RunSummary, steps: &[usize], of_run: Steps) -> Vec<String> {
     let pictures = of_a_step(summary);
     let name =
         |step: &usize| -> Vec<_> { pictures.iter().map(|picture| picture.name(*step)).collect() };
@@ -278,7 +278,7 @@ pub fn names(summary: &Summary, steps: &[usize], of_run: Steps) -> Vec<String> {
 
 /// The number of pictures of the run as a whole.
 #[must_use]
-pub fn count_of_run(summary: &Summary, pictures: Steps) -> usize {
+pub fn count_of_run(summary: &RunSummary, pictures: Steps) -> usize {
     let count = of_a_run(summary).into_iter().filter(|(_, is)| *is).count();
     if pictures == Steps::None { 0 } else { count }
 }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::npz::{self, StoredFields};
 use super::pictures::{self, StepDrawings};
 use super::report;
-use super::summary::{Summary, WarningSummary};
+use super::summary::{RunSummary, WarningSummary};
 use super::write_progress::{OnProgress, WriteProgress};
 use super::{results, stress};
 use crate::case::output::Steps;
@@ -171,7 +171,7 @@ fn keep(folder: &Path, name: &str) -> Result<(), Failure> {
 }
 
 /// The names of results: their titles, with their folders where two titles are equal.
-fn names(folders: &[PathBuf], summaries: &[Summary]) -> Vec<String> {
+fn names(folders: &[PathBuf], summaries: &[RunSummary]) -> Vec<String> {
     let is_twice = |title: &str| {
         summaries
             .iter()
@@ -179,7 +179,7 @@ fn names(folders: &[PathBuf], summaries: &[Summary]) -> Vec<String> {
             .count()
             > 1
     };
-    let name = |(folder, summary): (&PathBuf, &Summary)| {
+    let name = |(folder, summary): (&PathBuf, &RunSummary)| {
         if is_twice(&summary.title) {
             format!("{} ({})", folder.display(), summary.title)
         } else {

@@ -13,7 +13,7 @@ use pellicle_contact::Status;
 use self::grid_error::GridErrorNote;
 use self::step::StepSection;
 use super::pictures::{RunDrawings, StepDrawings, StepPicture, StressPicture};
-use super::summary::{StepSummary, Summary};
+use super::summary::{RunSummary, StepSummary};
 use super::summary_text;
 use crate::display::{Unit, quantity, significant};
 
@@ -24,7 +24,7 @@ pub const FILE: &str = "report.html";
 #[derive(Template)]
 #[template(path = "report.html")]
 struct RunPage<'a> {
-    summary: &'a Summary,
+    summary: &'a RunSummary,
     run: &'a RunDrawings,
     side: String,
     element_side: String,
@@ -48,7 +48,7 @@ struct CurveRow {
 
 /// The page as HTML.
 #[must_use]
-pub fn html(summary: &Summary, steps: &[StepDrawings], run: &RunDrawings) -> String {
+pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> String {
     let last = summary.steps.len().checked_sub(1);
     let section = |drawings| StepSection::new(summary, drawings);
     // The numbers of the last step are there, drawn or not.
@@ -91,7 +91,7 @@ fn verdict(step: &StepSummary) -> Status {
     }
 }
 
-fn row(summary: &Summary, step: &StepSummary) -> CurveRow {
+fn row(summary: &RunSummary, step: &StepSummary) -> CurveRow {
     let quantity = |value, unit| quantity(value, unit, summary.units);
     CurveRow {
         cells: [

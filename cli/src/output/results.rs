@@ -12,7 +12,7 @@ use super::fields::Fields;
 use super::folder::Completeness;
 use super::pictures::{self, StepDrawings};
 use super::report;
-use super::summary::Summary;
+use super::summary::RunSummary;
 use super::write_progress::{OnProgress, WriteProgress};
 use super::{curve, file, formats, json, stress, summary};
 use crate::case::Case;
@@ -36,7 +36,7 @@ pub(super) const STEPS_IN_REPORT: usize = 24;
 pub fn write(
     folder: &Path,
     path: &LoadingPath,
-    summary: &mut Summary,
+    summary: &mut RunSummary,
     case: &Case,
     start: Instant,
     on_progress: OnProgress<'_>,
@@ -68,11 +68,11 @@ pub fn write(
 /// # Errors
 ///
 /// [`Failure::Damaged`] if its files are missing or not what a run writes.
-pub fn read_summary(folder: &Path) -> Result<Summary, Failure> {
+pub fn read_summary(folder: &Path) -> Result<RunSummary, Failure> {
     let path = folder.join(summary::FILE);
     let text = read_text(&path)?;
     let units = curve::units(&read_text(&folder.join(curve::FILE))?);
-    Summary::parse(&text, units).map_err(|cause| Failure::damaged(&path, &cause))
+    RunSummary::parse(&text, units).map_err(|cause| Failure::damaged(&path, &cause))
 }
 
 fn read_text(path: &Path) -> Result<String, Failure> {
@@ -80,7 +80,7 @@ fn read_text(path: &Path) -> Result<String, Failure> {
 }
 
 /// The number of files of fields and of pictures.
-fn files(summary: &Summary, output: &OutputCase) -> usize {
+fn files(summary: &RunSummary, output: &OutputCase) -> usize {
     let steps = summary.steps.len();
     let fields = output.fields.count(steps) * output.formats.len();
     let pictures = output.pictures.count(steps) * pictures::of_a_step(summary).len();
@@ -91,7 +91,7 @@ fn files(summary: &Summary, output: &OutputCase) -> usize {
 fn write_steps(
     folder: &Path,
     path: &LoadingPath,
-    summary: &Summary,
+    summary: &RunSummary,
     output: &OutputCase,
     writer: &WriteProgress<'_>,
 ) -> Result<Vec<StepDrawings>, Failure> {

@@ -22,7 +22,7 @@ use self::planes::{Wishes, block_radius};
 use self::view::{SectionDepths, StressView, SurfaceLine, ViewCollector};
 use super::fields::Fields;
 use super::pictures::{self, StressDrawings};
-use super::summary::{StepSummary, Summary};
+use super::summary::{RunSummary, StepSummary};
 use super::write_progress::WriteProgress;
 use crate::case::Case;
 use crate::case::output::Format;
@@ -67,7 +67,7 @@ fn wanted(case: &Case, steps: usize) -> Vec<WantedStresses> {
 
 /// The number of files and pictures that the stresses take.
 #[must_use]
-pub fn count(case: &Case, summary: &Summary) -> usize {
+pub fn count(case: &Case, summary: &RunSummary) -> usize {
     let pictures = pictures::of_stresses(summary).len();
     let count =
         |wanted: &WantedStresses| wanted.formats.len() + usize::from(wanted.is_pictured) * pictures;
@@ -83,7 +83,7 @@ pub fn count(case: &Case, summary: &Summary) -> usize {
 pub fn write(
     folder: &Path,
     path: &LoadingPath,
-    summary: &Summary,
+    summary: &RunSummary,
     case: &Case,
     writer: &WriteProgress<'_>,
 ) -> Result<Vec<StressDrawings>, Failure> {
@@ -118,7 +118,7 @@ pub fn write(
 fn write_step(
     folder: &Path,
     path: &LoadingPath,
-    summary: &Summary,
+    summary: &RunSummary,
     case: &Case,
     wanted: &WantedStresses,
 ) -> Result<Option<StressView>, Failure> {

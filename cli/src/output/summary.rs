@@ -1,7 +1,6 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
 pub mod roughness;
-pub mod sensitivity;
 mod step;
 mod warning;
 
@@ -13,8 +12,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use self::roughness::RoughnessSummary;
-use self::sensitivity::SensitivitySummary;
-pub use self::step::{CertificateSummary, StepSummary, StressSummary};
+pub use self::step::{CertificateSummary, SensitivitySummary, StepSummary, StressSummary};
 pub use self::warning::WarningSummary;
 use crate::case::Case;
 use crate::case::grid::BoundaryCase;
@@ -34,7 +32,7 @@ pub const PROGRAM: &str = "pellicle";
 
 /// The numbers of a run, in SI units or the case's own: as solved, or as read back to draw its pictures again.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct Summary {
+pub struct RunSummary {
     /// Name and version of this layout.
     pub schema: String,
     /// The program that wrote it.
@@ -113,7 +111,7 @@ pub struct Clock {
     pub tables_origin: Origin,
 }
 
-impl Summary {
+impl RunSummary {
     /// The summary of a solved case; the side of the domain is filled in where the case left it open.
     ///
     /// # Errors

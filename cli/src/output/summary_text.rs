@@ -7,14 +7,14 @@ use pellicle_contact::Status;
 
 use self::columns::TextColumns;
 use super::summary::roughness::RoughContactSummary;
-use super::summary::{StepSummary, Summary};
+use super::summary::{RunSummary, StepSummary};
 use crate::case::grid::BoundaryCase;
 use crate::display::{Unit, quantity, significant};
 use crate::input::units::Units;
 
 /// The summary of a run in a few lines; a curve as a table with one line per step.
 #[must_use]
-pub fn text(summary: &Summary) -> String {
+pub fn text(summary: &RunSummary) -> String {
     let mut text = format!("{}\n{}", summary.title, grid(summary));
     match &summary.steps[..] {
         [step] => text.push_str(&single(step, summary.has_relief(), summary.units)),
@@ -25,13 +25,13 @@ pub fn text(summary: &Summary) -> String {
 
 /// The warnings, one per line.
 #[must_use]
-pub fn warnings(summary: &Summary) -> String {
+pub fn warnings(summary: &RunSummary) -> String {
     let line = |warning: &super::summary::WarningSummary| format!("warning: {}", warning.message);
     let lines: Vec<_> = summary.warnings.iter().map(line).collect();
     lines.join("\n")
 }
 
-fn grid(summary: &Summary) -> String {
+fn grid(summary: &RunSummary) -> String {
     let grid = &summary.grid;
     let metres = |value| quantity(value, Unit::Metre, summary.units);
     let (side, element_side) = (metres(grid.side), metres(grid.element_side));

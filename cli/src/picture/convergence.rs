@@ -10,7 +10,7 @@ use super::style::{Heading, Style};
 use super::svg::{Anchor, Rect, Stroke, Svg};
 use crate::display::{Unit, error_of, quantity};
 use crate::input::units::Units;
-use crate::output::summary::{StepSummary, Summary};
+use crate::output::summary::{RunSummary, StepSummary};
 
 /// Name of the picture, without ending.
 pub const NAME: &str = "convergence";
@@ -65,14 +65,14 @@ const NUMBERS: [Number; 3] = [
 
 /// Whether the run has more than one grid, so that there is a picture.
 #[must_use]
-pub fn is_drawn(summary: &Summary) -> bool {
+pub fn is_drawn(summary: &RunSummary) -> bool {
     let mut steps = summary.steps.iter();
     steps.any(|step| step.grid_error.levels.len() > 1)
 }
 
 /// The picture as SVG; none for a run on one grid.
 #[must_use]
-pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
+pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
     if !is_drawn(summary) {
         return None;
     }
@@ -93,7 +93,7 @@ pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
     Some(svg.finish())
 }
 
-fn draw_panel(svg: &mut Svg, summary: &Summary, left: f64, number: Number) {
+fn draw_panel(svg: &mut Svg, summary: &RunSummary, left: f64, number: Number) {
     let changes: Vec<_> = summary
         .steps
         .iter()
@@ -155,7 +155,7 @@ fn note(step: &StepSummary, number: Number, units: Units) -> String {
 }
 
 /// The axis of the grids, logarithmic in the elements per side.
-fn grids(summary: &Summary) -> Axis {
+fn grids(summary: &RunSummary) -> Axis {
     let levels = summary
         .steps
         .iter()

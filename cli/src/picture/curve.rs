@@ -5,9 +5,9 @@ use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
 use super::svg::{Anchor, Dash, Rect, Stroke, Svg};
 use super::{heading, labels};
-use crate::display::{Scale, Unit};
+use crate::display::{DisplayUnit, Unit};
 use crate::input::units::Units;
-use crate::output::summary::{StepSummary, Summary};
+use crate::output::summary::{RunSummary, StepSummary};
 
 /// Name of the picture, without ending.
 pub const NAME: &str = "curve";
@@ -78,13 +78,13 @@ pub struct NamedCurve<'a> {
 
 /// Whether the run has more than one step, so that there is a picture.
 #[must_use]
-pub fn is_drawn(summary: &Summary) -> bool {
+pub fn is_drawn(summary: &RunSummary) -> bool {
     summary.steps.len() > 1
 }
 
 /// The picture as SVG; none for a single step.
 #[must_use]
-pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
+pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
     let curve = NamedCurve {
         name: summary.title.clone(),
         steps: &summary.steps,
@@ -226,9 +226,9 @@ impl<'a> Sheet<'a> {
         })
     }
 
-    fn axis_of(&self, coordinate: StepQuantity) -> (Axis, Scale) {
+    fn axis_of(&self, coordinate: StepQuantity) -> (Axis, DisplayUnit) {
         let (smallest, largest) = self.ends(coordinate);
-        let scale = Scale::of(largest.max(-smallest), coordinate.unit, self.units);
+        let scale = DisplayUnit::of(largest.max(-smallest), coordinate.unit, self.units);
         let title = labels::axis_title(coordinate.symbol, &scale.label);
         let (low, high) = (smallest / scale.divisor, largest / scale.divisor);
         if self.is_logarithmic {

@@ -1,12 +1,13 @@
 //! Histograms of the pressures in contact and of the gaps beside it, each over its mean.
 
+use pellicle_contact::Histogram;
+
 use super::colours::{self, Colour};
 use super::heading;
 use super::panel::{Axis, Panel};
 use super::subject::Subject;
 use super::svg::{Anchor, Rect, Stroke, Svg};
 use crate::display::{Unit, quantity};
-use crate::output::summary::roughness::HistogramSummary;
 
 const LEFT: f64 = 100.0;
 const TOP: f64 = heading::HEIGHT + 36.0;
@@ -33,7 +34,7 @@ pub fn draw(subject: &Subject<'_>) -> String {
         svg.text((LEFT, TOP), 18.0, Anchor::Start, "no contact");
         return svg.finish();
     };
-    let mean = |histogram: &HistogramSummary, unit| quantity(histogram.mean, unit, subject.units);
+    let mean = |histogram: &Histogram, unit| quantity(histogram.mean, unit, subject.units);
     let pressures = format!("mean pressure {}", mean(&rough.pressures, Unit::Pascal));
     let gaps = format!("mean gap out of contact {}", mean(&rough.gaps, Unit::Metre));
     let right = LEFT + SIDE + BETWEEN;
@@ -59,7 +60,7 @@ pub fn draw(subject: &Subject<'_>) -> String {
 fn draw_panel(
     svg: &mut Svg,
     left: f64,
-    histogram: &HistogramSummary,
+    histogram: &Histogram,
     title: &str,
     note: &str,
     colour: Colour,
@@ -105,7 +106,7 @@ fn draw_panel(
 }
 
 /// The density of each class of a number over its mean; the area below them is 1. None of no numbers.
-fn densities(histogram: &HistogramSummary) -> Vec<f64> {
+fn densities(histogram: &Histogram) -> Vec<f64> {
     let total: usize = histogram.counts.iter().sum();
     let width = histogram.largest / histogram.mean / histogram.counts.len() as f64;
     if total == 0 || !width.is_finite() {
@@ -127,7 +128,7 @@ mod tests {
 
     #[test]
     fn the_area_below_a_density_is_one() {
-        let histogram = HistogramSummary {
+        let histogram = Histogram {
             largest: 6.0,
             mean: 2.0,
             counts: vec![5, 3, 2, 0, 0, 1],
@@ -136,7 +137,7 @@ mod tests {
         // Classes are 1 wide, half a mean.
         let area: f64 = densities.iter().map(|density| 0.5 * density).sum();
         assert!((area - 1.0).abs() < 1e-15 && densities.len() == 6);
-        let nothing = HistogramSummary {
+        let nothing = Histogram {
             largest: 0.0,
             mean: 0.0,
             counts: Vec::new(),

@@ -11,7 +11,7 @@ use super::style::Cut;
 use super::subject::Subject;
 use super::svg::{Anchor, Rect, Stroke, Svg};
 use super::{heading, labels};
-use crate::display::{Scale, Unit, quantity};
+use crate::display::{DisplayUnit, Unit, quantity};
 
 const LEFT: f64 = 112.0;
 const PANEL_WIDTH: f64 = 940.0;
@@ -186,7 +186,7 @@ impl Depths<'_> {
         })
     }
 
-    fn x_axis(&self) -> (Axis, Scale) {
+    fn x_axis(&self) -> (Axis, DisplayUnit) {
         let [from, to] = self.ends();
         let scale = self.subject.metres(from.abs().max(to.abs()));
         let title = labels::axis_title(self.line.names().0, &scale.label);

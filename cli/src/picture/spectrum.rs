@@ -7,7 +7,7 @@ use super::style::{Heading, Style};
 use super::svg::{Anchor, Rect, Stroke};
 use crate::display::{Unit, quantity, significant};
 use crate::input::units::Units;
-use crate::output::summary::Summary;
+use crate::output::summary::RunSummary;
 use crate::output::summary::roughness::{MapRoughness, RoughnessSummary};
 
 /// Name of the picture, without ending.
@@ -30,7 +30,7 @@ const ROUNDING: f64 = 1e-16;
 
 /// Whether the case has a map that is rough at all.
 #[must_use]
-pub fn is_drawn(summary: &Summary) -> bool {
+pub fn is_drawn(summary: &RunSummary) -> bool {
     (summary.roughness.iter())
         .flat_map(RoughnessSummary::maps)
         .any(|(_, map)| !points(map).is_empty())
@@ -38,7 +38,7 @@ pub fn is_drawn(summary: &Summary) -> bool {
 
 /// The picture as SVG; none of a case without a rough map.
 #[must_use]
-pub fn draw(summary: &Summary, style: &Style) -> Option<String> {
+pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
     if !is_drawn(summary) {
         return None;
     }

@@ -11,7 +11,7 @@ use super::stress_section::mark_text;
 use super::subject::Subject;
 use super::svg::{Anchor, Rect, Stroke, Svg};
 use super::{colour_bar, heading, labels, pressure_map};
-use crate::display::{Scale, Unit, quantity};
+use crate::display::{DisplayUnit, Unit, quantity};
 use crate::output::stress::view::{InterfaceTractions, StressView};
 
 const LEFT: f64 = 112.0;
@@ -90,7 +90,7 @@ impl InterfaceMap<'_> {
         };
         let [least, largest] = extent(values);
         let units = self.subject.units;
-        let pascals = Scale::of(largest.max(-least), Unit::Pascal, units);
+        let pascals = DisplayUnit::of(largest.max(-least), Unit::Pascal, units);
         let [least, largest] = [least, largest].map(|value| value / pascals.divisor);
         let bands = match traction {
             InterfaceTraction::Shear => ContourBands::up_to(largest, self.subject.style.colours),
@@ -233,7 +233,7 @@ fn draw_mark(
     panel: &Panel,
     metres: f64,
     marked: Option<&(&'static str, Extreme<2>)>,
-    pascals: &Scale,
+    pascals: &DisplayUnit,
 ) {
     let Some((_, extreme)) = marked else {
         return;

@@ -13,7 +13,7 @@ use super::section_field::SectionField;
 use super::subject::Subject;
 use super::surface_strip::{CONTACT, ON_SURFACE, SurfaceStrip};
 use super::svg::{Anchor, Rect, Stroke, Svg};
-use crate::display::{Scale, Unit, quantity, significant};
+use crate::display::{DisplayUnit, Unit, quantity, significant};
 use crate::output::stress::view::{StressSection, StressView};
 
 const LEFT: f64 = 112.0;
@@ -105,8 +105,8 @@ struct SectionDrawing<'a> {
     subject: &'a Subject<'a>,
     section: &'a StressSection,
     depths: DepthScale,
-    metres: Scale,
-    depth_metres: Scale,
+    metres: DisplayUnit,
+    depth_metres: DisplayUnit,
 }
 
 impl<'a> SectionDrawing<'a> {
@@ -148,7 +148,7 @@ impl<'a> SectionDrawing<'a> {
         };
         let field = SectionField::new(self.section, values, &self.depths);
         let [least, largest] = field.extent();
-        let pascals = Scale::of(
+        let pascals = DisplayUnit::of(
             largest.abs().max(least.abs()),
             Unit::Pascal,
             self.subject.units,
@@ -350,7 +350,7 @@ impl<'a> SectionDrawing<'a> {
 
 /// A value beside its mark, in the unit of the bar.
 #[must_use]
-pub fn mark_text(value: f64, pascals: &Scale) -> String {
+pub fn mark_text(value: f64, pascals: &DisplayUnit) -> String {
     let number = significant(value / pascals.divisor, 4);
     if pascals.label.ends_with("Pa") {
         format!("{number} {}", pascals.label)

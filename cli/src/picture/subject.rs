@@ -5,7 +5,7 @@ use super::colour_map::ColourScale;
 use super::heading;
 use super::style::{Heading, Style};
 use super::svg::Svg;
-use crate::display::{self, Scale, Unit};
+use crate::display::{self, DisplayUnit, Unit};
 use crate::input::units::Units;
 use crate::output::fields::Fields;
 use crate::output::summary::StepSummary;
@@ -68,16 +68,16 @@ impl Subject<'_> {
 
     /// The scale of lengths up to this one.
     #[must_use]
-    pub fn metres(&self, largest: f64) -> Scale {
-        Scale::of(largest, Unit::Metre, self.units)
+    pub fn metres(&self, largest: f64) -> DisplayUnit {
+        DisplayUnit::of(largest, Unit::Metre, self.units)
     }
 
     /// The scale of the pressures, and their colours in its unit: as ordered, or from 0 to the largest pressure, or to
     /// 1 without contact.
     #[must_use]
-    pub fn pressures(&self) -> (Scale, ColourScale) {
+    pub fn pressures(&self) -> (DisplayUnit, ColourScale) {
         let [from, to] = (self.style.pressures).unwrap_or([0.0, self.largest_pressure()]);
-        let scale = Scale::of(to, Unit::Pascal, self.units);
+        let scale = DisplayUnit::of(to, Unit::Pascal, self.units);
         let [from, to] = [from, to].map(|end| end / scale.divisor);
         let (from, to) = if from < to && to.is_finite() {
             (from, to)

@@ -2,7 +2,7 @@
 
 use pellicle_identify::IDENTIFIED_WITHIN;
 
-use super::candidate::Candidate;
+use super::candidate::CandidateCurve;
 use super::design::{DesignResult, ExpectedResult, better};
 use crate::identification::names;
 
@@ -88,7 +88,7 @@ pub fn chosen(designs: &[DesignResult]) -> Option<&DesignResult> {
 /// The curves of a design in words.
 #[must_use]
 pub fn curves(design: &DesignResult) -> String {
-    let all: Vec<_> = design.curves.iter().map(Candidate::words).collect();
+    let all: Vec<_> = design.curves.iter().map(CandidateCurve::words).collect();
     match all.len() {
         0 => "nothing more".into(),
         1 | 2 => all.join(" and "),
@@ -120,7 +120,7 @@ mod tests {
 
     /// A design of so many curves that tells one unknown to this standard error.
     fn design(curves: usize, error: Option<f64>, verdict: Verdict) -> DesignResult {
-        let curve = Candidate {
+        let curve = CandidateCurve {
             radius: None,
             forces: [1e-5, 1e-3],
             points: 24,

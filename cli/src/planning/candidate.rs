@@ -18,7 +18,7 @@ const SPAN: f64 = 100.0;
 
 /// A curve that may be measured: points evenly spread in the logarithm of the force.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Candidate {
+pub struct CandidateCurve {
     /// Radius of the indenter, m; null if it has none.
     pub radius: Option<f64>,
     /// Least and largest force, N.
@@ -27,7 +27,7 @@ pub struct Candidate {
     pub points: usize,
 }
 
-impl Candidate {
+impl CandidateCurve {
     /// The forces of the points, N.
     #[must_use]
     pub fn loads(&self) -> Vec<f64> {
@@ -68,7 +68,7 @@ pub fn candidates(
     file: &FitFile,
     points: usize,
     largest: Option<f64>,
-) -> Result<Vec<Candidate>, Failure> {
+) -> Result<Vec<CandidateCurve>, Failure> {
     let design = &file.report.design;
     let radii: Vec<Option<f64>> = if design.radii.is_empty() {
         radii_of_tables(file)?
@@ -81,7 +81,7 @@ pub fn candidates(
         design.forces.clone()
     };
     let points = design.points.unwrap_or(points);
-    let one = |radius: Option<f64>, most: f64| Candidate {
+    let one = |radius: Option<f64>, most: f64| CandidateCurve {
         radius,
         forces: [least(file, most), most],
         points,
@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn loads_are_evenly_spread_in_the_logarithm_and_named() {
-        let curve = Candidate {
+        let curve = CandidateCurve {
             radius: Some(1e-5),
             forces: [1e-4, 1e-2],
             points: 3,

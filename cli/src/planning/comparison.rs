@@ -2,7 +2,7 @@
 
 use pellicle_identify::{Expected, NullDirections, Role};
 
-use super::candidate::Candidate;
+use super::candidate::CandidateCurve;
 use super::design::{DesignResult, ExpectedResult, better};
 use super::{Judged, Planning};
 use crate::failure::Failure;
@@ -66,7 +66,7 @@ impl Planning<'_> {
         };
         let curves = chosen.iter().filter_map(|of| of.candidate.clone());
         Ok(DesignResult {
-            curves: curves.collect::<Vec<Candidate>>(),
+            curves: curves.collect::<Vec<CandidateCurve>>(),
             unknowns: without_role(sought),
             nuisances: without_role(nuisances),
         })

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use pellicle_identify::{IDENTIFIED_WITHIN, Verdict};
 use serde::Serialize;
 
-use super::candidate::Candidate;
+use super::candidate::CandidateCurve;
 use crate::display::significant;
 use crate::identification::findings::CombinationResult;
 use crate::identification::names;
@@ -17,7 +17,7 @@ const MANY: f64 = 1000.0;
 #[derive(Debug, Clone, Serialize)]
 pub struct DesignResult {
     /// The curves to measure; none for what has been measured alone.
-    pub curves: Vec<Candidate>,
+    pub curves: Vec<CandidateCurve>,
     /// The unknowns.
     pub unknowns: Vec<ExpectedResult>,
     /// The nuisances: numbers that are not known exactly.

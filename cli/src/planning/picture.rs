@@ -1,6 +1,6 @@
 //! The picture of a plan: the expected interval of each unknown against the largest force.
 
-use super::candidate::{Candidate, radius_words};
+use super::candidate::{CandidateCurve, radius_words};
 use super::design::{DesignResult, ExpectedResult};
 use super::text::percent;
 use crate::identification::{names, units};
@@ -10,7 +10,7 @@ use crate::picture::fit::designs::{DesignedUnknown, Designs};
 /// The content of the picture of designs; `conditions` are the noise and the number of points.
 #[must_use]
 pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) -> Designs {
-    let mut singles: Vec<(&Candidate, &DesignResult)> = all
+    let mut singles: Vec<(&CandidateCurve, &DesignResult)> = all
         .iter()
         .filter_map(|design| match &design.curves[..] {
             [one] => Some((one, design)),

@@ -1,13 +1,11 @@
 //! The premises of a plan: the values of the model or of a fit, the noise, and the indenters.
 
-pub mod indenter;
 mod radius;
 
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{Amount, Fit, NoiseLevels, Plan, Prediction, Unknown};
 
-use self::indenter::IndenterRadius;
-use super::candidate::Candidate;
+use super::candidate::CandidateCurve;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;
@@ -46,13 +44,35 @@ pub enum NoiseSource {
     Assumed,
 }
 
+/// The knowledge that a plan has of an indenter's radius.
+#[derive(Debug, Clone, PartialEq)]
+pub enum IndenterRadius {
+    /// It is that of the model.
+    OfModel,
+    /// It is another one, and known exactly.
+    Known(String),
+    /// It is another one, and sought as that of the model is: its place among the unknowns, and its name.
+    Sought(usize, String),
+}
+
+impl IndenterRadius {
+    /// The name of its radius, if that is not the key of the model's.
+    #[must_use]
+    pub fn name(&self) -> Option<String> {
+        match self {
+            Self::OfModel => None,
+            Self::Known(name) | Self::Sought(_, name) => Some(name.clone()),
+        }
+    }
+}
+
 impl<'a> Premises<'a> {
     /// The premises before any measurement: the values of the model, the noise of the fit file.
     ///
     /// # Errors
     ///
     /// [`Failure`] if the tables of the fit file disagree, or do not observe what can be planned.
-    pub fn of_file(file: &'a FitFile, candidates: &[Candidate]) -> Result<Self, Failure> {
+    pub fn of_file(file: &'a FitFile, candidates: &[CandidateCurve]) -> Result<Self, Failure> {
         let cases = file.all_unknowns();
         let truth = cases.iter().map(|case| case.start).collect();
         let (noise, source) = noise(file)?;
@@ -70,7 +90,7 @@ impl<'a> Premises<'a> {
     pub fn of_fit(
         of: &'a Identification,
         fit: &Fit,
-        candidates: &[Candidate],
+        candidates: &[CandidateCurve],
     ) -> Result<Self, Failure> {
         let estimates = || fit.estimates.iter();
         let truth = estimates().map(|estimate| estimate.value).collect();

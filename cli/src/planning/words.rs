@@ -1,6 +1,6 @@
 //! Short numbers, spans of forces and counts in words.
 
-use crate::display::{Scale, significant};
+use crate::display::{DisplayUnit, significant};
 
 /// The number with at most three digits, without zeros at the end.
 #[must_use]
@@ -13,7 +13,7 @@ pub fn short(value: f64) -> String {
 
 /// `0.1 to 10 mN`.
 #[must_use]
-pub fn span([least, most]: [f64; 2], scale: &Scale) -> String {
+pub fn span([least, most]: [f64; 2], scale: &DisplayUnit) -> String {
     let number = |value: f64| short(value / scale.divisor);
     format!("{} to {} {}", number(least), number(most), scale.label)
 }

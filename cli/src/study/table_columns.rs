@@ -13,7 +13,7 @@ use crate::output::curve;
 use crate::output::curve::hardness::HardnessColumns;
 use crate::output::curve::rough::RoughColumns;
 use crate::output::curve::stress::StressColumns;
-use crate::output::summary::{StepSummary, Summary};
+use crate::output::summary::{RunSummary, StepSummary};
 
 /// The columns, with units.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,7 +83,7 @@ impl TableColumns {
 
     /// The rows of a case that has a result, one per loading step.
     #[must_use]
-    pub fn solved(&self, study: &Study, case: usize, summary: &Summary) -> String {
+    pub fn solved(&self, study: &Study, case: usize, summary: &RunSummary) -> String {
         let status = status(summary);
         let side = format!("{:e}", summary.grid.side);
         let codes = summary.warnings.iter().map(|warning| &warning.code[..]);
@@ -114,7 +114,7 @@ impl TableColumns {
 
 /// The status of a case that has a result.
 #[must_use]
-pub fn status(summary: &Summary) -> CaseStatus {
+pub fn status(summary: &RunSummary) -> CaseStatus {
     match summary.status {
         pellicle_contact::Status::Certified => CaseStatus::Certified,
         pellicle_contact::Status::CutOff => CaseStatus::CutOff,

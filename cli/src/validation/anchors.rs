@@ -51,7 +51,7 @@ fn layer_on_rigid_base(
     let body = layer(nu)?;
     // Q = 2 E* a D on a half-space
     let unit = 2.0 * body.surface_material().plane_strain_modulus() * radius;
-    let profile = fredholm::Profile::FlatPunch(1.0);
+    let profile = fredholm::AxisymmetricProfile::FlatPunch(1.0);
     let wanted = AxisymmetricSolution::new(&body, profile, radius)?.force / unit;
     let disc = radius / effective_radius(run, PUNCH)?;
     let found = punch_force(run, &body, disc, PUNCH)? / unit;
@@ -124,7 +124,7 @@ fn film_of_almost_equal_modulus(run: ValidationRun) -> Result<Vec<Comparison>, V
     for thickness in FILMS {
         let wanted = weight_of_film(thickness, nu);
         let by_equation = derivative(&|change| {
-            let profile = fredholm::Profile::FlatPunch(1.0);
+            let profile = fredholm::AxisymmetricProfile::FlatPunch(1.0);
             Ok(AxisymmetricSolution::new(&film(thickness, change)?, profile, 1.0)?.force)
         })?;
         let by_grid =

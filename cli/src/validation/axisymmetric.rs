@@ -8,7 +8,7 @@ use pellicle_texture::Relief;
 use rayon::prelude::*;
 
 use super::comparison::Comparison;
-use super::data::contact::{AxisymmetricContact, Shape, axisymmetric};
+use super::data::contact::{AxisymmetricContact, AxisymmetricIndenter, axisymmetric};
 use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
 use super::section::ValidationSection;
 
@@ -34,8 +34,8 @@ fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
 
 fn row(run: ValidationRun, case: &AxisymmetricContact) -> Comparison {
     let shape = match case.shape {
-        Shape::Paraboloid => "paraboloid",
-        Shape::Cone => "cone",
+        AxisymmetricIndenter::Paraboloid => "paraboloid",
+        AxisymmetricIndenter::Cone => "cone",
     };
     let check = format!(
         "{shape}, χ = {}, H/a = {}: penetration",
@@ -56,9 +56,9 @@ fn contact(case: &AxisymmetricContact) -> Result<ContactSetup, ValidationError> 
         foundation: Foundation::coated(case.thickness, coating, substrate)?,
         relief: Relief::Bare,
         indenter: match case.shape {
-            Shape::Paraboloid => paraboloid(1.0)?,
+            AxisymmetricIndenter::Paraboloid => paraboloid(1.0)?,
             // z = r: 45 degrees between axis and side.
-            Shape::Cone => Indenter::Cone(Cone::new(FRAC_PI_4, 0.0)?),
+            AxisymmetricIndenter::Cone => Indenter::Cone(Cone::new(FRAC_PI_4, 0.0)?),
         },
         side: SIDE,
         elements: ELEMENTS,

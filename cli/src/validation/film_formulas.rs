@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_2_PI, PI};
 
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
-use super::independent::fredholm::{AxisymmetricSolution, Profile};
+use super::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
 use super::independent::{composite, graded};
 use super::run::ValidationError;
 
@@ -15,14 +15,14 @@ const SECANTS: usize = 8;
 
 /// A layer of thickness 1 on a rigid base.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Film {
+pub struct ThinLayer {
     /// With the base.
     pub interface: Interface,
     /// Poisson's ratio.
     pub poisson_ratio: f64,
 }
 
-impl Film {
+impl ThinLayer {
     /// A body with the plane-strain modulus 1.
     ///
     /// # Errors
@@ -39,7 +39,7 @@ impl Film {
     /// # Errors
     /// As [`AxisymmetricSolution::new`].
     pub fn at_contact_radius(&self, radius: f64) -> Result<[f64; 2], ValidationError> {
-        let profile = Profile::Paraboloid(1.0);
+        let profile = AxisymmetricProfile::Paraboloid(1.0);
         let exact = AxisymmetricSolution::new(&self.foundation()?, profile, radius)?;
         let chi = exact.penetration.sqrt();
         Ok([chi, 0.75 * exact.force / chi.powi(3)])

@@ -50,9 +50,9 @@ pub enum ValidationError {
     ContactSetup(#[from] ContactError),
     #[error("reference data: {0}")]
     Data(#[from] serde_json::Error),
-    #[error("not certified: {worst:.1e}")]
+    #[error("found a certificate of {worst:.1e}, wanted a certified solution")]
     NotCertified { worst: f64 },
-    #[error("no solution")]
+    #[error("found no solution, wanted one")]
     NoSolution,
 }
 

@@ -249,7 +249,7 @@ fn fields_of_something_else_are_not_touched_and_lost_ones_are_told() {
     let other = study(&folder, &[]);
     assert_eq!(other.code, Some(2));
     assert!(
-        other.stderr.contains("does not hold the fields"),
+        other.stderr.contains("other fields than this study keeps"),
         "{}",
         other.stderr
     );

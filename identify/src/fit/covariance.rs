@@ -4,8 +4,8 @@
 
 use super::Fitting;
 use crate::{
-    Coefficient, distribution::student_quantile, fit::intervals::Sought, projection::Projection,
-    refinement::Refined,
+    Coefficient, distribution::student_quantile, fit::intervals::Sought,
+    orthonormal_basis::OrthonormalBasis, refinement::Refined,
 };
 
 impl Fitting<'_> {
@@ -13,7 +13,7 @@ impl Fitting<'_> {
     pub(super) fn covariance(&self, refined: &Refined) -> Vec<Vec<f64>> {
         let unknowns = self.problem.unknowns().len();
         let system = &refined.minimum.system;
-        let told = Projection::of(self.told.iter().map(|&j| system.jacobian[j].clone()));
+        let told = OrthonormalBasis::of(self.told.iter().map(|&j| system.jacobian[j].clone()));
         let inverse = told.inverse_gram();
         let mut covariance = vec![vec![0.0; unknowns]; unknowns];
         for (a, &i) in self.told.iter().enumerate() {
@@ -36,7 +36,7 @@ impl Fitting<'_> {
         let (_, jacobian) = refined.metric.rows(&refined.minimum.at);
         let mut columns: Vec<Vec<f64>> = self.told.iter().map(|&j| jacobian[j].clone()).collect();
         columns.extend(refined.metric.nuisance_columns());
-        let inverse = Projection::of(columns).inverse_gram();
+        let inverse = OrthonormalBasis::of(columns).inverse_gram();
         let degrees = sought
             .iter()
             .map(|one| one.degrees)

@@ -12,8 +12,8 @@
 
 use super::Fitting;
 use crate::{
-    Fit, FitOptions, IdentifyError, Prediction, Problem, Warning, curve::check_length,
-    metric::Metric, predictor::Evaluation, projection::Projection,
+    Fit, FitOptions, FitWarning, IdentifyError, Prediction, Problem, curve::check_length,
+    metric::Metric, orthonormal_basis::OrthonormalBasis, predictor::Evaluation,
 };
 
 /// The exponents `a_j = d ln θ_j/d ln f` of each unknown of a fit, for each of some numbers `f` that its model takes as
@@ -47,14 +47,14 @@ pub fn exponents(
         null_space,
         ..
     } = Fitting::new(problem, &options, Vec::new())?;
-    told.retain(|&j| !fit.warnings.contains(&Warning::AtBound(j)));
+    told.retain(|&j| !fit.warnings.contains(&FitWarning::AtBound(j)));
     let jacobian = metric.system(&at).jacobian;
-    let projection = Projection::of(told.iter().map(|&j| jacobian[j].clone()));
+    let basis = OrthonormalBasis::of(told.iter().map(|&j| jacobian[j].clone()));
     let of_change = |change: &Vec<f64>| {
         let mut rows = metric.reduce(change.clone());
-        let components = projection.remove_from(&mut rows);
+        let components = basis.remove_from(&mut rows);
         let mut exponents = vec![None; unknowns.len()];
-        for (&j, moved) in told.iter().zip(projection.coefficients(&components)) {
+        for (&j, moved) in told.iter().zip(basis.coefficients(&components)) {
             // d ln θ = (dθ/dx) dx/θ
             let exponent = -moved * unknowns[j].value_slope(parameters[j]) / parameters[j];
             let is_told = exponent.is_finite() && !null_space.moves(j);

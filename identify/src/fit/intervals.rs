@@ -6,7 +6,7 @@ use crate::{
     Problem, Stopped,
     null_direction::Hold,
     predictor::Evaluation,
-    profile::{Open, Side},
+    profile::{Open, ProfileSide},
     verdict::{Ends, wald_ends},
 };
 
@@ -61,7 +61,7 @@ impl Interval {
         }
     }
 
-    pub fn take(&mut self, end: usize, side: Side) {
+    pub fn take(&mut self, end: usize, side: ProfileSide) {
         self.ends[end] = side.end;
         self.points.extend(side.points);
     }

@@ -7,9 +7,9 @@ use super::{
 use crate::{
     IdentifyError, Intervals,
     distribution::student_quantile,
+    orthonormal_basis::OrthonormalBasis,
     predictor::Predictor,
-    profile::{Profile, Scan},
-    projection::Projection,
+    profile::{LikelihoodProfile, Scan},
     refinement::Refined,
 };
 
@@ -42,7 +42,7 @@ impl Fitting<'_> {
             .iter()
             .chain([&unknown])
             .map(|&j| jacobian[j].clone());
-        let variance = Projection::of(columns).inverse_gram()[others.len()][others.len()];
+        let variance = OrthonormalBasis::of(columns).inverse_gram()[others.len()][others.len()];
         Ok(Sought {
             unknown,
             position: refined.minimum.at.position[unknown],
@@ -126,8 +126,8 @@ impl Fitting<'_> {
         Ok(Scanned::All(intervals))
     }
 
-    fn profile<'s>(&'s self, refined: &'s Refined, one: &'s Sought) -> Profile<'s, 's> {
-        Profile {
+    fn profile<'s>(&'s self, refined: &'s Refined, one: &'s Sought) -> LikelihoodProfile<'s, 's> {
+        LikelihoodProfile {
             problem: self.problem,
             metric: &refined.metric,
             best: &refined.minimum,

@@ -14,8 +14,8 @@ use crate::{
     IdentifyError, Problem,
     distribution::{chi_squared_above, lognormal_degrees},
     metric::Metric,
+    orthonormal_basis::{OrthonormalBasis, dot},
     predictor::Evaluation,
-    projection::{Projection, dot},
 };
 
 /// Logits of the correlation stay between these, so that the persistence stays between 0.0009 and 0.9991.
@@ -235,15 +235,15 @@ impl<'a> Part<'a> {
         let (mut residual, jacobian) = metric.rows(self.at);
         let mut columns = metric.nuisance_columns();
         columns.extend(self.free.iter().map(|&j| jacobian[j].clone()));
-        let absorbed = Projection::of(columns);
+        let absorbed = OrthonormalBasis::of(columns);
         absorbed.remove_from(&mut residual);
         metric.log_determinant() + absorbed.log_determinant() + dot(&residual, &residual)
     }
 
     fn variances(&self, levels: &NoiseLevels) -> Vec<f64> {
         let system = self.metric(levels).system(self.at);
-        let inverse =
-            Projection::of(self.free.iter().map(|&j| system.jacobian[j].clone())).inverse_gram();
+        let inverse = OrthonormalBasis::of(self.free.iter().map(|&j| system.jacobian[j].clone()))
+            .inverse_gram();
         (0..self.free.len()).map(|j| inverse[j][j]).collect()
     }
 

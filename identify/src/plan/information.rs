@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::Plan;
 use crate::{
     Curve, IdentifyError, Prediction, noise::whitener::Whitener, nuisance::NuisanceColumn,
-    predictor::Evaluation, projection::Projection,
+    orthonormal_basis::OrthonormalBasis, predictor::Evaluation,
 };
 
 /// The information of curves on the unknowns and on the nuisances that all measurements share.
@@ -92,7 +92,7 @@ impl Information {
             }
         }
         let mut unknowns = columns.split_off(priors.len() - plan.unknowns.len());
-        let shared = Projection::of(columns);
+        let shared = OrthonormalBasis::of(columns);
         for column in &mut unknowns {
             shared.remove_from(column);
         }
@@ -143,7 +143,7 @@ impl<'a> OwnColumns<'a> {
             }
             column
         });
-        let own = Projection::of(own);
+        let own = OrthonormalBasis::of(own);
         let left = others.iter().map(|column| {
             let mut column = column[self.span.clone()].to_vec();
             column.resize(rows, 0.0);
@@ -156,7 +156,7 @@ impl<'a> OwnColumns<'a> {
 
 /// The columns in the orthonormal basis of all of them.
 fn compressed(mut columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-    let basis = Projection::of(columns.iter().cloned());
+    let basis = OrthonormalBasis::of(columns.iter().cloned());
     let all = columns.iter_mut().map(|column| basis.remove_from(column));
     all.collect()
 }

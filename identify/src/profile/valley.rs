@@ -1,6 +1,6 @@
 //! A second valley of a profile: where the others may lie lower than where a scan has followed them.
 
-use super::{Profile, Scan, TRUSTED};
+use super::{LikelihoodProfile, Scan, TRUSTED};
 use crate::{
     IdentifyError,
     least_squares::farthest,
@@ -15,7 +15,7 @@ const PROMISE: f64 = 0.75;
 /// Such a fit is no worse than the end by this factor of `Δ`.
 const NEARLY_AS_GOOD: f64 = 2.0;
 
-impl Profile<'_, '_> {
+impl LikelihoodProfile<'_, '_> {
     /// Scans on from the end of a side, where an evaluation from elsewhere promises that the profile is lower there:
     /// the others may have two valleys, and a scan follows one. Nothing where none does.
     pub fn beyond(

@@ -7,8 +7,8 @@ use crate::{
     NoiseLevels, Problem,
     goodness::lower_half_score,
     metric::Metric,
+    orthonormal_basis::{OrthonormalBasis, dot},
     predictor::Evaluation,
-    projection::{Projection, dot},
 };
 
 /// One curve's share of a problem: its points, its own nuisances, and the columns it has in common with the others.
@@ -71,7 +71,7 @@ impl Share {
         let mut own_columns = metric.nuisance_columns();
         let first = own_columns.len();
         own_columns.extend(told.iter().map(|&j| jacobian[j].clone()));
-        let whole = Projection::of(own_columns);
+        let whole = OrthonormalBasis::of(own_columns);
         let components = whole.remove_from(&mut whitened);
         let values = whole.coefficients(&components);
         let covariance = whole.inverse_gram();

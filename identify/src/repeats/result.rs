@@ -4,15 +4,15 @@ use faer::Mat;
 
 use super::{Common, CurveFit, MixedModel, Repeats, State};
 use crate::{
-    BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FittedPoints, Goodness, IdentifyError,
-    KnownCombination, REFUSAL, Verdict, Warning, Work,
+    BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FitWarning, FitWork, FittedPoints,
+    Goodness, IdentifyError, KnownCombination, REFUSAL, Verdict,
     correlation::correlation,
     distribution::student_quantile,
     goodness::{NoiseScale, Residuals},
     known_combination::{expression, not_identifiable},
+    orthonormal_basis::dot,
     predictor::Predictor,
     profile::Open,
-    projection::dot,
     verdict::{self, Ends},
 };
 
@@ -49,7 +49,7 @@ impl Repeats<'_> {
             goodness,
             points: self.points(state, curves),
             excluded: state.exclusions.clone(),
-            work: Work {
+            work: FitWork {
                 curves_solved: predictor.predictions(),
                 search: predictor.predictions(),
             },
@@ -267,11 +267,11 @@ impl Repeats<'_> {
         coefficients
     }
 
-    fn warnings(&self, state: &State) -> Vec<Warning> {
+    fn warnings(&self, state: &State) -> Vec<FitWarning> {
         let unknowns = self.problem.unknowns();
         (0..unknowns.len())
             .filter(|&j| unknowns[j].bounds().contains(&state.at.position[j]))
-            .map(Warning::AtBound)
+            .map(FitWarning::AtBound)
             .collect()
     }
 

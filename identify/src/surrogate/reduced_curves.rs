@@ -5,7 +5,7 @@
 
 use crate::{
     Prediction,
-    projection::{Projection, norm},
+    orthonormal_basis::{OrthonormalBasis, norm},
 };
 
 /// The function of a number that is interpolated.
@@ -136,7 +136,7 @@ fn pivoted(mut rows: Vec<Vec<f64>>, tolerance: f64) -> (Vec<Vec<f64>>, Vec<Vec<f
             break;
         }
         let vector: Vec<f64> = rows[pivot].iter().map(|v| v / length).collect();
-        let direction = Projection::of([vector.clone()]);
+        let direction = OrthonormalBasis::of([vector.clone()]);
         let parts = rows.iter_mut().map(|row| direction.remove_from(row)[0]);
         amplitudes.push(parts.collect());
         basis.push(vector);

@@ -2,7 +2,8 @@
 
 use approx::assert_relative_eq;
 use pellicle_identify::{
-    FitOptions, LinearNuisance, Noise, NoiseLevels, Prior, Problem, Scope, Shape, Unknown, identify,
+    FitOptions, LinearNuisance, Noise, NoiseLevels, NuisanceShape, Prior, Problem, Scope, Unknown,
+    identify,
 };
 
 use crate::toys::{Normals, Toy, line, noisy};
@@ -116,7 +117,7 @@ fn a_prior_counts_as_one_more_observation() {
 
     // The same as a nuisance beside an unknown that does nothing for it.
     let toy = Toy::new(x, |_, p| (p[0], 0.0, vec![1.0]));
-    let constant = LinearNuisance::new("c", Shape::Constant, Scope::Common)
+    let constant = LinearNuisance::new("c", NuisanceShape::Constant, Scope::Common)
         .with_normal_prior(mean, sd)
         .unwrap();
     let zero = signed("zero", [-1.0, 1.5]).with_prior(Prior::Normal {

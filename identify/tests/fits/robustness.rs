@@ -1,8 +1,8 @@
 //! Models that are not smooth, not everywhere defined, or have more than one minimum.
 
 use pellicle_identify::{
-    Fit, FitOptions, FitVerdict, ForwardError, ForwardModel, IdentifyError, LinearNuisance, Noise,
-    Prediction, Problem, Scatter, Warning, identify,
+    Fit, FitOptions, FitVerdict, FitWarning, ForwardError, ForwardModel, IdentifyError,
+    LinearNuisance, Noise, Prediction, Problem, Scatter, identify,
 };
 
 use crate::toys::{Normals, Point, Toy, coat_moduli, logarithmic, noisy, unknown};
@@ -115,7 +115,7 @@ fn the_best_of_several_minima_is_found_and_the_others_are_told_of() {
         "{:?}",
         fit.estimates[0]
     );
-    assert!(fit.warnings.contains(&Warning::SeveralMinima));
+    assert!(fit.warnings.contains(&FitWarning::SeveralMinima));
 }
 
 /// A model that never has a prediction, or that ends the fit.
@@ -193,7 +193,7 @@ fn a_value_beyond_its_range_ends_at_the_bound_and_says_so() {
         let fit = identify(&model, &problem, &FitOptions::default()).unwrap();
         assert_eq!(fit.estimates[1].value, 2.0, "{scatter:?}: {fit:?}");
         assert!(
-            fit.warnings.contains(&Warning::AtBound(1)),
+            fit.warnings.contains(&FitWarning::AtBound(1)),
             "{scatter:?}: {fit:?}"
         );
         assert_eq!(fit.estimates[1].interval[0], None);

@@ -7,7 +7,9 @@ use std::sync::Arc;
 use pellicle_cli::Case;
 use pellicle_cli::Source;
 use pellicle_cli::Template;
-use pellicle_cli::evidence::data::contact::{AxisymmetricContact, Shape, axisymmetric};
+use pellicle_cli::evidence::data::contact::{
+    AxisymmetricContact, AxisymmetricIndenter, axisymmetric,
+};
 use pellicle_contact::{Cone, FlatPunch, Indenter, Load, Pyramid, Sphere, default_side, reference};
 use pellicle_influence::Cache;
 use pellicle_kernel::Foundation;
@@ -144,8 +146,8 @@ fn layered() -> Vec<Benchmark> {
             material(1.0, case.nu2),
         );
         let (shape, indenter) = match case.shape {
-            Shape::Paraboloid => ("paraboloid", paraboloid(1.0)),
-            Shape::Cone => (
+            AxisymmetricIndenter::Paraboloid => ("paraboloid", paraboloid(1.0)),
+            AxisymmetricIndenter::Cone => (
                 "cone",
                 Indenter::Cone(Cone::new(FRAC_PI_4, 0.0).expect("a cone")),
             ),

@@ -2,7 +2,9 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use pellicle_cli::evidence::data::contact::{AxisymmetricContact, Shape, axisymmetric};
+use pellicle_cli::evidence::data::contact::{
+    AxisymmetricContact, AxisymmetricIndenter, axisymmetric,
+};
 use pellicle_contact::{Cone, Indenter, Load};
 use pellicle_tests::convergence::{GRIDS, demand};
 use pellicle_tests::scene::{coated, material, model, paraboloid, penetration, relative};
@@ -23,9 +25,9 @@ fn errors(case: &AxisymmetricContact, perturbation: f64) -> Vec<(usize, f64)> {
         material(1.0, case.nu2),
     );
     let indenter = match case.shape {
-        Shape::Paraboloid => paraboloid(1.0),
+        AxisymmetricIndenter::Paraboloid => paraboloid(1.0),
         // z = r: 45 degrees between axis and side.
-        Shape::Cone => Indenter::Cone(Cone::new(FRAC_PI_4, 0.0).expect("a cone")),
+        AxisymmetricIndenter::Cone => Indenter::Cone(Cone::new(FRAC_PI_4, 0.0).expect("a cone")),
     };
     let mut model = model(&foundation, Relief::Bare, indenter);
     model.tables = model.tables.perturbed(perturbation).into();
@@ -39,14 +41,14 @@ fn errors(case: &AxisymmetricContact, perturbation: f64) -> Vec<(usize, f64)> {
     grids.take(GRIDS.len()).map(error).collect()
 }
 
-fn cases(shape: Shape) -> impl Iterator<Item = AxisymmetricContact> {
+fn cases(shape: AxisymmetricIndenter) -> impl Iterator<Item = AxisymmetricContact> {
     let cases = axisymmetric().expect("the data");
     cases.into_iter().filter(move |case| case.shape == shape)
 }
 
 #[test]
 fn paraboloids_on_coatings_approach_the_continuum_with_order_two() {
-    for case in cases(Shape::Paraboloid) {
+    for case in cases(AxisymmetricIndenter::Paraboloid) {
         let found = demand(&errors(&case, 0.0), 1.8, 3e-6);
         assert!(found.is_ok(), "{case:?}: {found:?}");
     }
@@ -54,7 +56,7 @@ fn paraboloids_on_coatings_approach_the_continuum_with_order_two() {
 
 #[test]
 fn cones_on_coatings_approach_the_continuum_with_order_two() {
-    for case in cases(Shape::Cone) {
+    for case in cases(AxisymmetricIndenter::Cone) {
         let found = demand(&errors(&case, 0.0), 1.8, 3e-6);
         assert!(found.is_ok(), "{case:?}: {found:?}");
     }
@@ -62,7 +64,9 @@ fn cones_on_coatings_approach_the_continuum_with_order_two() {
 
 #[test]
 fn coefficients_wrong_by_a_thousandth_converge_to_something_else_and_are_refused() {
-    let case = cases(Shape::Paraboloid).next().expect("a case");
+    let case = cases(AxisymmetricIndenter::Paraboloid)
+        .next()
+        .expect("a case");
     let found = demand(&errors(&case, 1e-3), 1.8, 1.0);
     assert!(found.is_err(), "{found:?}");
 }

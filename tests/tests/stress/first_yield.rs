@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
-use pellicle_cli::evidence::data::contact::{AxisymmetricContact, Shape, axisymmetric};
-use pellicle_cli::evidence::independent::fredholm::{AxisymmetricSolution, Profile};
+use pellicle_cli::evidence::data::contact::{
+    AxisymmetricContact, AxisymmetricIndenter, axisymmetric,
+};
+use pellicle_cli::evidence::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
 use pellicle_cli::evidence::independent::hankel::fields;
 use pellicle_contact::{
     BodyPart, BodyStrengths, CriticalLoad, Domain, Load, LoadingPath, Model, Paraboloid, Sliding,
@@ -71,12 +73,13 @@ const FLAT: f64 = 0.02;
 fn a_coated_body_yields_first_at_the_force_and_place_of_the_independent_integral() {
     let cases = axisymmetric().unwrap();
     let is_wanted = |case: &&AxisymmetricContact| {
-        case.shape == Shape::Paraboloid && (0.1..2.0).contains(&case.thickness)
+        case.shape == AxisymmetricIndenter::Paraboloid && (0.1..2.0).contains(&case.thickness)
     };
     let mut compared = 0;
     for case in cases.iter().filter(is_wanted) {
         let body = body(case);
-        let solution = AxisymmetricSolution::new(&body, Profile::Paraboloid(1.0), 1.0).unwrap();
+        let solution =
+            AxisymmetricSolution::new(&body, AxisymmetricProfile::Paraboloid(1.0), 1.0).unwrap();
         assert!((solution.force / case.force - 1.0).abs() < 1e-11);
         let height = case.thickness;
         // Hankel's integrals end above the surface.

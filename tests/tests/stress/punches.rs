@@ -1,13 +1,14 @@
 //! Flat punches on layers that are bonded to a rigid base, by the integral equation.
 
-use pellicle_cli::evidence::independent::fredholm::{AxisymmetricSolution, Profile};
+use pellicle_cli::evidence::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
 /// Force over that on a half-space, of a layer of thickness 1.
 fn kappa(radius: f64, nu: f64) -> f64 {
     let layer = Layer::new(1.0, Material::new(1.0, nu).unwrap(), Interface::Bonded).unwrap();
     let body = Foundation::new(vec![layer], Base::Rigid).unwrap();
-    let found = AxisymmetricSolution::new(&body, Profile::FlatPunch(1.0), radius).unwrap();
+    let found =
+        AxisymmetricSolution::new(&body, AxisymmetricProfile::FlatPunch(1.0), radius).unwrap();
     found.force * (1.0 - nu * nu) / (2.0 * radius)
 }
 

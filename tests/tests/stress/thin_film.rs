@@ -1,15 +1,15 @@
 //! Formulas for paraboloids on thin layers, against the integral equation: the numbers of docs/thin-film-formulas.md.
 
 use pellicle_cli::evidence::ValidationRun;
-use pellicle_cli::evidence::film_formulas::{Film, polynomial};
-use pellicle_cli::evidence::independent::fredholm::{AxisymmetricSolution, Profile};
+use pellicle_cli::evidence::film_formulas::{ThinLayer, polynomial};
+use pellicle_cli::evidence::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
 use pellicle_cli::evidence::run::{ContactSetup, paraboloid};
 use pellicle_contact::Load;
 use pellicle_kernel::Interface::{Bonded, Frictionless};
 use pellicle_texture::Relief;
 
-fn film(interface: pellicle_kernel::Interface, poisson_ratio: f64) -> Film {
-    Film {
+fn film(interface: pellicle_kernel::Interface, poisson_ratio: f64) -> ThinLayer {
+    ThinLayer {
         interface,
         poisson_ratio,
     }
@@ -121,7 +121,7 @@ fn the_program_solves_thin_layers_as_the_integral_equation_does() {
     ] {
         for radius in [0.3, 1.0, 3.0] {
             let body = film.foundation().unwrap();
-            let profile = Profile::Paraboloid(1.0);
+            let profile = AxisymmetricProfile::Paraboloid(1.0);
             let wanted = AxisymmetricSolution::new(&body, profile, radius).unwrap();
             let path = ValidationRun::default().solve(&ContactSetup {
                 foundation: body,

@@ -1,34 +1,59 @@
-//! Panels of curves, their legend, and the table of their points.
+//! A sheet of panels of curves with one legend, and the table of their points.
 
 use std::fmt::Write as _;
 
 use pellicle_cli::drawing::colours::Colour;
-use pellicle_cli::drawing::{Anchor, Dash, Rect, Stroke, Svg};
-use pellicle_cli::drawing::{Axis, Panel};
+use pellicle_cli::drawing::{Anchor, Axis, Dash, Panel, Rect, Stroke, Svg};
 
-use super::sheet::Sheet;
+use super::sheet::{Caption, Picture, TOP};
 
-/// From the sheet's left side to the first panel, in pixels.
-pub(super) const LEFT: f64 = 112.0;
-/// Room below a panel for its axis, in pixels.
-pub(super) const AXIS: f64 = 76.0;
+/// From the left side of a column to its panel, in pixels.
+const LEFT: f64 = 112.0;
 
 /// Sizes of letters and marks, in pixels.
 const TITLE: f64 = 17.0;
 const LEGEND: f64 = 17.0;
 const MARK: f64 = 3.2;
 
-/// Length of a line in the legend, from there to its words, and from row to row.
+/// Room above the legend, from row to row of it, the length of a line in it, and from there to its words.
+const ABOVE: f64 = 14.0;
+const ROW: f64 = 26.0;
 const SAMPLE: f64 = 44.0;
 const GAP: f64 = 8.0;
-const ROW: f64 = 26.0;
+
+/// Panels of curves, two beside each other, below the legend of the first. Lengths are in pixels.
+pub(super) struct Chart {
+    pub name: &'static str,
+    pub caption: Caption,
+    /// Width and height of a panel.
+    pub panel: (f64, f64),
+    /// Above a panel, to its right and below.
+    pub margins: [f64; 3],
+    /// Columns of the legend, and their width.
+    pub legend: (usize, f64),
+    /// The curve with which the legend begins; those before it come last.
+    pub legend_from: usize,
+    pub panels: Vec<CurvePanel>,
+}
+
+/// A panel of curves.
+pub(super) struct CurvePanel {
+    /// Its name in the table.
+    pub name: &'static str,
+    /// The words above it.
+    pub title: String,
+    pub axes: [Axis; 2],
+    pub lines: Vec<ChartLine>,
+}
+
+/// Colour and dash of a curve.
+pub(super) type Pen = (Colour, Dash);
 
 /// A curve in one or more parts, each a list of points.
 pub(super) struct ChartLine {
     /// Its name in the legend and in the table.
     pub name: String,
-    pub colour: Colour,
-    pub dash: Dash,
+    pub pen: Pen,
     /// In pixels.
     pub width: f64,
     /// Whether its points are marked.
@@ -36,13 +61,70 @@ pub(super) struct ChartLine {
     pub parts: Vec<Vec<(f64, f64)>>,
 }
 
+impl Chart {
+    /// The chart as a picture; what leaves a panel is cut off at its frame.
+    pub(super) fn draw(&self) -> Picture {
+        let (panel, [above, right, below]) = (self.panel, self.margins);
+        let columns = self.panels.len().min(2);
+        let (width, height) = (LEFT + panel.0 + right, above + panel.1 + below);
+        let entries = self.panels[0].lines.len();
+        let legend = ABOVE + ROW * entries.div_ceil(self.legend.0) as f64;
+        let rows = self.panels.len().div_ceil(columns);
+        let size = (width * columns as f64, legend + height * rows as f64);
+        let mut svg = self.caption.sheet(size);
+        for (i, curves) in self.panels.iter().enumerate() {
+            let place = Rect {
+                left: width * (i % columns) as f64 + LEFT,
+                top: TOP + legend + height * (i / columns) as f64 + above,
+                width: panel.0,
+                height: panel.1,
+            };
+            curves.draw(&mut svg, place);
+        }
+        self.draw_legend(&mut svg);
+        let tables = self.panels.iter();
+        Picture {
+            name: self.name,
+            svg: svg.finish(),
+            width: size.0,
+            csv: csv(tables.map(|panel| (panel.name, panel.lines.as_slice()))),
+        }
+    }
+
+    fn draw_legend(&self, svg: &mut Svg) {
+        let (columns, column) = self.legend;
+        let (last, first) = self.panels[0].lines.split_at(self.legend_from);
+        for (i, line) in first.iter().chain(last).enumerate() {
+            let x = LEFT + column * (i % columns) as f64;
+            let y = TOP + 12.0 + ROW * (i / columns) as f64;
+            let (colour, dash) = line.pen;
+            let sample = [(x, y), (x + SAMPLE, y)];
+            svg.broken_lines(&[sample], Stroke::new(colour, 3.0), dash);
+            svg.text((x + SAMPLE + GAP, y), LEGEND, Anchor::Start, &line.name);
+        }
+    }
+}
+
+impl CurvePanel {
+    fn draw(&self, svg: &mut Svg, place: Rect) {
+        let [x, y] = self.axes.clone();
+        let panel = Panel { place, x, y };
+        let above = (place.left, place.top - 20.0);
+        svg.text(above, TITLE, Anchor::Start, &self.title);
+        panel.draw_mesh(svg);
+        svg.within(place, |svg| {
+            self.lines.iter().for_each(|line| line.draw(svg, &panel));
+        });
+        panel.draw_axes(svg);
+    }
+}
+
 impl ChartLine {
-    /// A solid line of usual width.
-    pub(super) fn new(name: String, colour: Colour, parts: Vec<Vec<(f64, f64)>>) -> Self {
+    /// A line of usual width.
+    pub(super) fn new(name: impl Into<String>, pen: Pen, parts: Vec<Vec<(f64, f64)>>) -> Self {
         Self {
-            name,
-            colour,
-            dash: Dash::Solid,
+            name: name.into(),
+            pen,
             width: 2.2,
             is_marked: false,
             parts,
@@ -55,51 +137,15 @@ impl ChartLine {
     }
 
     fn draw(&self, svg: &mut Svg, panel: &Panel) {
-        let Self { colour, width, .. } = *self;
+        let (colour, dash) = self.pen;
         let place = |part: &Vec<(f64, f64)>| panel.all_at(part.iter().copied());
         let parts: Vec<_> = self.parts.iter().map(place).collect();
-        svg.broken_lines(&parts, Stroke { colour, width }, self.dash);
+        svg.broken_lines(&parts, Stroke::new(colour, self.width), dash);
         if self.is_marked {
             for point in parts.into_iter().flatten() {
                 svg.circle(point, MARK, colour, colour);
             }
         }
-    }
-}
-
-/// Draws curves on a panel, with a title above it; what leaves the panel is cut off at its frame.
-pub(super) fn draw(
-    svg: &mut Svg,
-    title: &str,
-    place: Rect,
-    [x, y]: [Axis; 2],
-    lines: &[ChartLine],
-) {
-    let panel = Panel { place, x, y };
-    svg.text((place.left, place.top - 20.0), TITLE, Anchor::Start, title);
-    panel.draw_mesh(svg);
-    svg.within(place, |svg| {
-        lines.iter().for_each(|line| line.draw(svg, &panel));
-    });
-    panel.draw_axes(svg);
-}
-
-/// Draws the legend of curves above the panels, row by row in so many columns of this width.
-pub(super) fn legend<'a>(
-    svg: &mut Svg,
-    (columns, width): (usize, f64),
-    lines: impl IntoIterator<Item = &'a ChartLine>,
-) {
-    for (i, line) in lines.into_iter().enumerate() {
-        let x = LEFT + width * (i % columns) as f64;
-        let y = Sheet::TOP + 12.0 + ROW * (i / columns) as f64;
-        let (colour, width) = (line.colour, 3.0);
-        svg.broken_lines(
-            &[[(x, y), (x + SAMPLE, y)]],
-            Stroke { colour, width },
-            line.dash,
-        );
-        svg.text((x + SAMPLE + GAP, y), LEGEND, Anchor::Start, &line.name);
     }
 }
 
@@ -131,7 +177,7 @@ mod tests {
     fn a_table_holds_every_bit_of_every_point() {
         let third = 1.0 / 3.0;
         let parts = vec![vec![(1.0, third)], vec![(2.0, -third)]];
-        let line = ChartLine::new("a, b".into(), Colour(0, 0, 0), parts);
+        let line = ChartLine::new("a, b", (Colour(0, 0, 0), Dash::Solid), parts);
         let table = csv([("p", [line].as_slice())]);
         let rows: Vec<_> = table.lines().collect();
         assert_eq!(rows.len(), 3);

@@ -1,17 +1,22 @@
 //! Fig. 2: pressure under the paraboloid on the compliant (a, c) and the stiff (b, d) coating, small and large load.
 
-use pellicle_cli::Scale;
-use pellicle_cli::drawing::Style;
-use pellicle_cli::drawing::Subject;
+use pellicle_cli::DisplayUnit;
 use pellicle_cli::drawing::accuracy::BRACKETS;
 use pellicle_cli::drawing::labels::power;
-use pellicle_cli::drawing::{colours, pressure_map, section};
+use pellicle_cli::drawing::{Dash, colours, pressure_map, section};
 
 use super::chart;
-use super::pressures::{Pressures, Shown, reach, rounded_up};
+use super::pressures::{PressurePanel, Pressures, reach, rounded_up};
 use super::runner::{Runner, SolvedStep};
-use super::sheet::{Caption, MATERIALS, Picture, TEXTURED};
+use super::sheet::Picture;
 use crate::XtaskError;
+
+/// The two coatings of figures 2 to 4.
+pub(super) const MATERIALS: &str = "compliant coating: E₁/E₂ = 0.1, ν₁ = 0.4, ν₂ = 0.3; stiff coating: E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4";
+
+/// Body and indenter of figures 2 and 3.
+pub(super) const TEXTURED: &str =
+    "paraboloid of radius R; coating H = 10⁻⁴ R; cylinders r = 5·10⁻³ R, h = 10⁻⁴ R, T = R/80";
 
 /// The panels and their cases.
 const PANELS: [(&str, &str); 4] = [
@@ -21,9 +26,9 @@ const PANELS: [(&str, &str); 4] = [
     ("(d)", "cases/fig2d"),
 ];
 
-/// E₁ of a panel's coating over E₁ of the stiff one: the paper's two materials change places, so the compliant
-/// coating's modulus is a tenth. Axes whose ends are ten to one in units of E₁ are the same axis.
-const MODULI: [f64; 4] = [0.1, 1.0, 0.1, 1.0];
+/// The coating of every other panel, and its E₁ over that of the stiff one: the paper's two materials change places, so
+/// the compliant coating's modulus is a tenth. Axes whose ends are ten to one in units of E₁ are the same axis.
+const COATINGS: [(&str, f64); 2] = [("compliant", 0.1), ("stiff", 1.0)];
 
 /// The part of the elements in contact whose pressures the colours of a map tell apart: an edge peak would leave the
 /// same dark colour to all the rest.
@@ -31,35 +36,64 @@ const TOLD_APART: f64 = 0.95;
 
 /// The pressure as maps, and as columns over the surface; and panel (c) as the program draws it, for the README.
 pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
-    let steps = PANELS.iter().map(|(_, case)| runner.step(case, 0));
-    let steps = steps.collect::<Result<Vec<_>, _>>()?;
-    let pressures = Pressures {
-        caption: Caption {
-            title: "Fig. 2: pressure on a textured coating",
-            subtitle: format!("{}{TEXTURED}", runner.mark()),
-            notes: notes(&steps),
-        },
-        metres: in_units_of("R"),
-        reach: reach(&steps),
-        panels: panels(&steps),
-    };
+    let steps = PANELS.map(|(_, case)| runner.step(case, sets(case), 0));
+    let steps = steps.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let pressures = pressures(runner, &steps);
     let mut pictures = Vec::from(pressures.draw("fig2-map", "fig2-surface"));
-    pictures.extend(of_the_readme(&pressures, &steps[2]));
+    pictures.extend(of_the_readme(&steps[2], &pressures));
     Ok(pictures)
 }
 
-/// The map and the section of Fig. 2(c) as the program draws them.
-fn of_the_readme(pressures: &Pressures<'_>, step: &SolvedStep) -> [Picture; 2] {
-    let subject = Subject {
-        title: &step.summary.title,
-        units: step.summary.units,
-        relief_height: step.summary.relief_height(),
-        step: step.numbers(),
-        fields: step.fields(),
-        style: Style::default(),
+/// The values replaced in a case: the axes of all panels have one length, so the small domains are widened to that of
+/// (c).
+pub(super) fn sets(case: &str) -> &'static [&'static str] {
+    match case {
+        "cases/fig2a" | "cases/fig2b" => &["grid.side=0.12"],
+        _ => &[],
+    }
+}
+
+/// Heights are the same pressure in all panels, colours of the maps in those of one coating.
+fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
+    let mut notes = vec![
+        format!("{MATERIALS}. Grey: relief that carries nothing."),
+        "E₁ of (a), (c) is a tenth of E₁ of (b), (d): equal heights are equal pressures in all panels. A cell has the largest of its elements."
+            .into(),
+        format!("Colours of the maps end where {} % of the contact lies below. {BRACKETS}.", power(100.0 * TOLD_APART, 2)),
+    ];
+    let peaks = steps.iter().zip(COATINGS.iter().cycle());
+    let top = rounded_up(peaks.map(|(step, (_, modulus))| step.numbers().max_pressure * modulus));
+    let mut panels = Vec::new();
+    for (i, (step, (name, _))) in steps.iter().zip(PANELS).enumerate() {
+        notes.push(step.note(name));
+        let (coating, modulus) = COATINGS[i % 2];
+        let force = power(step.numbers().force, 5);
+        let depth = power(step.numbers().penetration, 4);
+        panels.push(PressurePanel {
+            title: format!("{name} {coating} coating, Q = {force} E₁R², D = {depth} R"),
+            step,
+            top: top / modulus,
+            brightest: rounded_up(steps.iter().skip(i % 2).step_by(2).map(common_peak)),
+        });
+    }
+    let in_units_of = |label: &str| DisplayUnit {
+        divisor: 1.0,
+        label: label.into(),
     };
-    let profile = [pressures.profile(2, colours::BLUE)];
+    Pressures {
+        caption: runner.caption("Fig. 2: pressure on a textured coating", TEXTURED, notes),
+        metres: in_units_of("R"),
+        pascals: in_units_of("E₁"),
+        reach: reach(steps),
+        panels,
+    }
+}
+
+/// The map and the section of Fig. 2(c) as the program draws them.
+fn of_the_readme(step: &SolvedStep, pressures: &Pressures<'_>) -> [Picture; 2] {
+    let profile = [pressures.profile(2, (colours::BLUE, Dash::Solid))];
     let csv = chart::csv([("pressure along x", profile.as_slice())]);
+    let subject = step.subject(&step.summary.title);
     let picture = |name, svg, width| Picture {
         name,
         svg,
@@ -70,42 +104,6 @@ fn of_the_readme(pressures: &Pressures<'_>, step: &SolvedStep) -> [Picture; 2] {
         picture("fig2c", pressure_map::draw(&subject), pressure_map::WIDTH),
         picture("fig2c-section", section::draw(&subject), section::WIDTH),
     ]
-}
-
-/// Heights are the same pressure in all panels, colours of the maps in those of one coating.
-fn panels<'a>(steps: &'a [SolvedStep]) -> Vec<Shown<'a>> {
-    let peaks = steps.iter().zip(MODULI);
-    let top = rounded_up(peaks.map(|(step, modulus)| step.numbers().max_pressure * modulus));
-    let brightest = [0, 1].map(|coating| {
-        let panels = [&steps[coating], &steps[coating + 2]];
-        rounded_up(panels.into_iter().map(common_peak))
-    });
-    let panel = |(i, step): (usize, &'a SolvedStep)| Shown {
-        title: title(i, step),
-        step,
-        pascals: in_units_of("E₁"),
-        top: top / MODULI[i],
-        brightest: brightest[i % 2],
-    };
-    steps.iter().enumerate().map(panel).collect()
-}
-
-fn title(i: usize, step: &SolvedStep) -> String {
-    let (name, coating, step) = (PANELS[i].0, ["compliant", "stiff"][i % 2], step.numbers());
-    let (force, depth) = (power(step.force, 5), power(step.penetration, 4));
-    format!("{name} {coating} coating, Q = {force} E₁R², D = {depth} R")
-}
-
-fn notes(steps: &[SolvedStep]) -> Vec<String> {
-    let mut notes = vec![
-        format!("{MATERIALS}. Grey: relief that carries nothing."),
-        "E₁ of (a), (c) is a tenth of E₁ of (b), (d): equal heights are equal pressures in all panels. A cell has the largest of its elements."
-            .into(),
-        format!("Colours of the maps end where {} % of the contact lies below. {BRACKETS}.", power(100.0 * TOLD_APART, 2)),
-    ];
-    let data = steps.iter().zip(PANELS);
-    notes.extend(data.map(|(step, (name, _))| step.note(name)));
-    notes
 }
 
 /// The pressure that all but a few of the elements in contact stay below.
@@ -121,12 +119,4 @@ fn common_peak(step: &SolvedStep) -> f64 {
     )]
     let at = (TOLD_APART * pressures.len() as f64) as usize;
     pressures.get(at).copied().unwrap_or(0.0)
-}
-
-/// A unit of the paper's system.
-fn in_units_of(label: &str) -> Scale {
-    Scale {
-        divisor: 1.0,
-        label: label.to_owned(),
-    }
 }

@@ -2,27 +2,15 @@
 
 use std::fmt::Write as _;
 
-use pellicle_cli::Scale;
-use pellicle_cli::drawing::CoarseField;
-use pellicle_cli::drawing::ColourScale;
-use pellicle_cli::drawing::Crop;
-use pellicle_cli::drawing::Panel3d;
-use pellicle_cli::drawing::Projection;
-use pellicle_cli::drawing::colours::{self, Colour};
-use pellicle_cli::drawing::{Anchor, Dash, Rect, Svg};
-use pellicle_cli::drawing::{Axis, Panel};
-use pellicle_cli::drawing::{colour_bar, labels, pressure_map};
+use pellicle_cli::DisplayUnit;
+use pellicle_cli::drawing::{
+    Anchor, Axis, CoarseField, ColourScale, Crop, Panel, Panel3d, Projection, Rect, Svg,
+    colour_bar, labels, pressure_map,
+};
 
-use super::chart::{ChartLine, quoted};
+use super::chart::{ChartLine, Pen, quoted};
 use super::runner::SolvedStep;
-use super::sheet::{Caption, Picture, Sheet};
-
-/// Lines of the coating with film, with a film that stiffens, and without, which is drawn over the one before.
-pub(super) const FILMS_AND_BARE: [(Colour, Dash); 3] = [
-    (colours::SKY, Dash::Solid),
-    (colours::PURPLE, Dash::Solid),
-    (colours::AMBER, Dash::Dashed),
-];
+use super::sheet::{Caption, Picture, TOP};
 
 /// Of a map and its colour bar, in pixels.
 const MAP: f64 = 480.0;
@@ -49,15 +37,13 @@ const SCENE_CELLS: usize = 200;
 /// Half the side of the part shown, in radii of the contact.
 const MARGIN: f64 = 1.06;
 
-/// One panel.
-pub(super) struct Shown<'a> {
+/// One panel, its pressures in the unit of all.
+pub(super) struct PressurePanel<'a> {
     pub title: String,
     pub step: &'a SolvedStep,
-    /// The unit of its pressures.
-    pub pascals: Scale,
-    /// The end of its pressures' axis, in that unit.
+    /// The end of its pressures' axis.
     pub top: f64,
-    /// The end of the colours of its map, in that unit; what is above has the last colour.
+    /// The end of the colours of its map; what is above has the last colour.
     pub brightest: f64,
 }
 
@@ -65,128 +51,129 @@ pub(super) struct Shown<'a> {
 pub(super) struct Pressures<'a> {
     pub caption: Caption,
     /// The unit of x and y.
-    pub metres: Scale,
-    /// Half the side of what is shown, in that unit.
+    pub metres: DisplayUnit,
+    /// The unit of the pressures.
+    pub pascals: DisplayUnit,
+    /// Half the side of what is shown, in the unit of x.
     pub reach: f64,
-    pub panels: Vec<Shown<'a>>,
+    pub panels: Vec<PressurePanel<'a>>,
 }
 
 impl Pressures<'_> {
     /// The pressures as maps and as columns over the surface, under these names.
     pub(super) fn draw(&self, maps: &'static str, surfaces: &'static str) -> [Picture; 2] {
-        let csv = self.csv();
         [
-            self.sheet(MAP_CELL, Self::draw_map)
-                .finish(maps, csv.clone()),
-            self.sheet(SCENE_CELL, Self::draw_scene)
-                .finish(surfaces, csv),
+            self.picture(maps, MAP_CELL, Self::draw_map),
+            self.picture(surfaces, SCENE_CELL, Self::draw_scene),
         ]
     }
 
     /// The pressure of a panel along x beside the axis, constant over an element, in the units of axes.
-    pub(super) fn profile(&self, panel: usize, colour: Colour) -> ChartLine {
-        let shown = &self.panels[panel];
-        let fields = shown.step.fields();
+    pub(super) fn profile(&self, panel: usize, pen: Pen) -> ChartLine {
+        let panel = &self.panels[panel];
+        let fields = panel.step.fields();
         let along = |i: usize| {
             let pressure = fields.pressure[i * fields.size + fields.size / 2];
-            let pressure = pressure / shown.pascals.divisor;
+            let pressure = pressure / self.pascals.divisor;
             [i, i + 1].map(|i| (fields.edge(i) / self.metres.divisor, pressure))
         };
         let points = (0..fields.size).flat_map(along).collect();
-        ChartLine::new(shown.title.clone(), colour, vec![points])
+        ChartLine::new(&panel.title, pen, vec![points])
     }
 
-    /// A sheet of the panels, each drawn from the left and upper corner of its cell.
-    fn sheet(
+    /// The panels, each drawn from the left and upper corner of its cell.
+    fn picture(
         &self,
-        (width, height): (f64, f64),
-        draw: fn(&Self, &mut Svg, (f64, f64), &Shown<'_>),
-    ) -> Sheet {
+        name: &'static str,
+        cell: (f64, f64),
+        draw: fn(&Self, &mut Svg, (f64, f64), &PressurePanel<'_>),
+    ) -> Picture {
         let columns = if self.panels.len() == 3 { 3 } else { 2 };
-        let rows = self.panels.len().div_ceil(columns) as f64;
-        let mut sheet = Sheet::new((columns as f64 * width, rows * height), &self.caption);
-        for (i, shown) in self.panels.iter().enumerate() {
-            let left = width * (i % columns) as f64;
-            let top = Sheet::TOP + height * (i / columns) as f64;
-            draw(self, &mut sheet.svg, (left, top), shown);
+        let rows = self.panels.len().div_ceil(columns);
+        let size = (cell.0 * columns as f64, cell.1 * rows as f64);
+        let mut svg = self.caption.sheet(size);
+        for (i, panel) in self.panels.iter().enumerate() {
+            let left = cell.0 * (i % columns) as f64;
+            let top = TOP + cell.1 * (i / columns) as f64;
+            draw(self, &mut svg, (left, top), panel);
         }
-        sheet
+        Picture {
+            name,
+            svg: svg.finish(),
+            width: size.0,
+            csv: self.csv(),
+        }
     }
 
-    fn draw_map(&self, svg: &mut Svg, (left, top): (f64, f64), shown: &Shown<'_>) {
+    fn draw_map(&self, svg: &mut Svg, (left, top): (f64, f64), panel: &PressurePanel<'_>) {
         let place = Rect {
             left: left + MAP_LEFT,
             top: top + TITLE_ROOM,
             width: MAP,
             height: MAP,
         };
-        svg.text((place.left, top + 14.0), TITLE, Anchor::Start, &shown.title);
-        let panel = Panel {
+        let title = (place.left, top + 14.0);
+        svg.text(title, TITLE, Anchor::Start, &panel.title);
+        let axes = Panel {
             place,
             x: self.axis("x", 6),
             y: self.axis("y", 6),
         };
-        let coarse = self.coarse(shown, MAP_CELLS);
-        let shades = ColourScale::up_to(shown.brightest * shown.pascals.divisor);
+        let coarse = self.coarse(panel, MAP_CELLS);
+        let in_pascals = ColourScale::up_to(panel.brightest * self.pascals.divisor);
         svg.within(place, |svg| {
-            pressure_map::draw_field(svg, &panel, &coarse, self.metres.divisor, &shades);
+            pressure_map::draw_field(svg, &axes, &coarse, self.metres.divisor, &in_pascals);
         });
-        panel.draw_axes(svg);
+        axes.draw_axes(svg);
         let bar = Rect {
             left: place.right() + MAP_GAP,
             width: BAR,
             ..place
         };
-        let title = labels::axis_title("pressure p", &shown.pascals.label);
-        colour_bar::draw(svg, bar, &ColourScale::up_to(shown.brightest), &title);
+        let title = labels::axis_title("pressure p", &self.pascals.label);
+        colour_bar::draw(svg, bar, &ColourScale::up_to(panel.brightest), &title);
     }
 
-    fn draw_scene(&self, svg: &mut Svg, (left, top): (f64, f64), shown: &Shown<'_>) {
-        svg.text(
-            (left + 40.0, top + 14.0),
-            TITLE,
-            Anchor::Start,
-            &shown.title,
-        );
-        let place = Rect {
-            left,
-            top: top + TITLE_ROOM,
-            width: SCENE.0,
-            height: SCENE.1,
-        };
-        let view = Projection {
-            unit: 215.0,
-            height: 225.0,
-            centre: (left + 380.0, place.top + 372.0),
-        };
-        let pressure = labels::axis_title("p", &shown.pascals.label);
+    fn draw_scene(&self, svg: &mut Svg, (left, top): (f64, f64), panel: &PressurePanel<'_>) {
+        let title = (left + 40.0, top + 14.0);
+        svg.text(title, TITLE, Anchor::Start, &panel.title);
+        let top = top + TITLE_ROOM;
+        let pressure = labels::axis_title("p", &self.pascals.label);
         let scene = Panel3d {
-            place,
-            view,
+            place: Rect {
+                left,
+                top,
+                width: SCENE.0,
+                height: SCENE.1,
+            },
+            view: Projection {
+                unit: 215.0,
+                height: 225.0,
+                centre: (left + 380.0, top + 372.0),
+            },
             x: self.axis("x", 5),
             y: self.axis("y", 5),
-            z: Axis::new(0.0, shown.top, pressure, 5),
+            z: Axis::new(0.0, panel.top, pressure, 5),
         };
-        let divisors = (self.metres.divisor, shown.pascals.divisor);
-        let coarse = self.coarse(shown, SCENE_CELLS);
-        scene.draw(svg, &coarse, divisors, &ColourScale::up_to(shown.top));
+        let divisors = (self.metres.divisor, self.pascals.divisor);
+        let coarse = self.coarse(panel, SCENE_CELLS);
+        scene.draw(svg, &coarse, divisors, &ColourScale::up_to(panel.top));
     }
 
     /// One row a cell of every panel; a cell has the largest pressure of its elements.
     fn csv(&self) -> String {
         let mut csv = String::from("panel,x,y,pressure\n");
-        for shown in &self.panels {
-            let (panel, coarse) = (quoted(&shown.title), self.coarse(shown, SCENE_CELLS));
+        for panel in &self.panels {
+            let (title, coarse) = (quoted(&panel.title), self.coarse(panel, SCENE_CELLS));
             let centre = |[from, to]: [f64; 2], i: usize| {
                 from + (to - from) * (i as f64 + 0.5) / coarse.cells as f64
             };
-            for i in 0..coarse.cells {
-                for j in 0..coarse.cells {
-                    let (x, y) = (centre(coarse.x, i), centre(coarse.y, j));
-                    let p = coarse.pressure(i, j);
-                    // Writing to a string does not fail.
-                    let _ = writeln!(csv, "{panel},{x:e},{y:e},{p:e}");
-                }
+            for e in 0..coarse.cells * coarse.cells {
+                let (i, j) = (e / coarse.cells, e % coarse.cells);
+                let (x, y) = (centre(coarse.x, i), centre(coarse.y, j));
+                let p = coarse.pressure(i, j);
+                // Writing to a string does not fail.
+                let _ = writeln!(csv, "{title},{x:e},{y:e},{p:e}");
             }
         }
         csv
@@ -197,8 +184,8 @@ impl Pressures<'_> {
         Axis::new(-self.reach, self.reach, title, ticks)
     }
 
-    fn coarse(&self, shown: &Shown<'_>, cells: usize) -> CoarseField {
-        let fields = shown.step.fields();
+    fn coarse(&self, panel: &PressurePanel<'_>, cells: usize) -> CoarseField {
+        let fields = panel.step.fields();
         let part = 2.0 * self.reach * self.metres.divisor / fields.side;
         let crop = Crop::around_axis(fields.size, part);
         CoarseField::new(&fields, &crop, cells)
@@ -213,8 +200,8 @@ pub(super) fn reach(steps: &[SolvedStep]) -> f64 {
 
 /// The largest value, rounded up to two digits of which the second is even, so that the end of an axis is a round
 /// number.
-pub(super) fn rounded_up(values: impl Iterator<Item = f64>) -> f64 {
-    let largest = values.fold(0.0, f64::max);
+pub(super) fn rounded_up(values: impl IntoIterator<Item = f64>) -> f64 {
+    let largest = values.into_iter().fold(0.0, f64::max);
     let unit = 2.0 * 10_f64.powf(largest.log10().floor() - 1.0);
     // A value that is round already stays, whatever its last bits are.
     unit * (largest / unit - 1e-9).ceil()
@@ -230,7 +217,7 @@ mod tests {
     fn the_end_of_an_axis_is_round_and_no_smaller_than_the_data() {
         for (value, end) in [(0.499, 0.50), (0.0434, 0.044), (4.19, 4.2), (0.5, 0.5)] {
             // A few roundings of products.
-            assert_relative_eq!(rounded_up([value].into_iter()), end, max_relative = 1e-14);
+            assert_relative_eq!(rounded_up([value]), end, max_relative = 1e-14);
         }
     }
 }

@@ -1,17 +1,15 @@
 //! Runs cases of the paper by the program that users have. A solution that is not certified is an error.
 
 use std::ffi::OsString;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pellicle_cli::Case;
-use pellicle_cli::drawing::accuracy;
+use pellicle_cli::drawing::{Style, Subject, accuracy};
 use pellicle_cli::results::{
-    Fields, SUMMARY_FILE, StepSummary, StoredFields, StressView, Summary, fields_file,
-    read_stresses, stresses_file,
+    Fields, RunSummary, StepSummary, StoredFields, fields_file, read_summary,
 };
 
+use super::sheet::Caption;
 use crate::XtaskError;
 
 /// Elements along a side for print.
@@ -20,19 +18,10 @@ pub(super) const FULL: usize = 1024;
 pub(super) const QUICK: usize = 256;
 
 /// `pellicle` in release, which cargo builds first.
-const RELEASE: [&str; 7] = [
-    "cargo",
-    "run",
-    "--release",
-    "--quiet",
-    "--bin",
-    "pellicle",
-    "--",
-];
+const RELEASE: &str = "cargo run --release --quiet --bin pellicle --";
 
-/// The domain of Fig. 2(c): the axes of all panels of Fig. 2 have one length, so smaller domains are widened to it.
-const WIDER: &str = "grid.side=0.12";
-const WIDENED: [&str; 2] = ["cases/fig2a", "cases/fig2b"];
+/// Options of every run, up to the steps whose fields are written.
+const OPTIONS: &str = "--force --pictures none --formats npz --fields";
 
 /// The program, the cases it runs, and their grid.
 #[derive(Debug, Clone)]
@@ -53,7 +42,9 @@ pub struct Runner {
 pub(super) struct SolvedStep {
     /// Name of its case, `fig2a`.
     pub case: &'static str,
-    pub summary: Summary,
+    /// Folder of the results.
+    pub folder: PathBuf,
+    pub summary: RunSummary,
     index: usize,
     stored: StoredFields,
 }
@@ -65,7 +56,7 @@ impl Runner {
         Self {
             root: root.into(),
             results: root.join("target/paper/runs"),
-            program: RELEASE.map(OsString::from).to_vec(),
+            program: RELEASE.split(' ').map(OsString::from).collect(),
             elements,
             tell,
         }
@@ -76,46 +67,45 @@ impl Runner {
     /// # Errors
     /// [`XtaskError::NotCertified`] if a step is not, [`XtaskError::Refused`] if the program refuses the case, or
     /// whatever prevents running it or reading its results.
-    pub fn run(&self, case: &'static str, sets: &[&str]) -> Result<Summary, XtaskError> {
-        self.solve(case, sets, "none")
+    pub fn run(&self, case: &str, sets: &[&str]) -> Result<RunSummary, XtaskError> {
+        self.solve(case, sets, "none")?;
+        Ok(read_summary(&self.folder(case))?)
     }
 
-    /// The step of this number of a case of figures 2, 3 and 5, with its fields.
-    pub(super) fn step(&self, case: &'static str, index: usize) -> Result<SolvedStep, XtaskError> {
-        let sets: &[&str] = if WIDENED.contains(&case) {
-            &[WIDER]
-        } else {
-            &[]
-        };
-        let summary = self.solve(case, sets, "all")?;
-        let stored = StoredFields::read(&self.folder(case).join(fields_file(index)))?;
+    /// The step of this number of a case, with its fields.
+    pub(super) fn step(
+        &self,
+        case: &'static str,
+        sets: &[&str],
+        index: usize,
+    ) -> Result<SolvedStep, XtaskError> {
+        self.solve(case, sets, "all")?;
+        let folder = self.folder(case);
         Ok(SolvedStep {
             case: name(case),
-            summary,
+            summary: read_summary(&folder)?,
             index,
-            stored,
+            stored: StoredFields::read(&folder.join(fields_file(index)))?,
+            folder,
         })
     }
 
-    /// The only step of a case of figure 2 with its stresses; `stress` asks for them as `--set` takes it.
-    pub(super) fn stressed_step(
+    /// A caption; a coarse picture is marked in its subtitle.
+    pub(super) fn caption(
         &self,
-        case: &'static str,
-        stress: &str,
-    ) -> Result<(SolvedStep, StressView), XtaskError> {
-        let summary = self.solve(case, &[stress], "all")?;
-        let stored = StoredFields::read(&self.folder(case).join(fields_file(0)))?;
-        let view = read_stresses(&self.folder(case).join(stresses_file(0)))?;
-        let step = SolvedStep {
-            case: name(case),
-            summary,
-            index: 0,
-            stored,
-        };
-        Ok((step, view))
+        title: &'static str,
+        subtitle: &str,
+        notes: Vec<String>,
+    ) -> Caption {
+        let subtitle = format!("{}{subtitle}", self.mark());
+        Caption {
+            title,
+            subtitle,
+            notes,
+        }
     }
 
-    /// The mark of a coarse picture, for its subtitle.
+    /// The mark of a coarse picture.
     pub(super) fn mark(&self) -> &'static str {
         if self.elements < FULL {
             "QUICK, COARSE GRIDS.  "
@@ -128,49 +118,30 @@ impl Runner {
         self.results.join(name(case))
     }
 
-    fn solve(&self, case: &str, sets: &[&str], fields: &str) -> Result<Summary, XtaskError> {
+    /// Solves a case and writes the fields of these steps, `all` or `none`.
+    fn solve(&self, case: &str, sets: &[&str], fields: &str) -> Result<(), XtaskError> {
         let elements = format!("grid.elements={}", self.elements);
-        let sets: Vec<_> = [elements.as_str()]
-            .iter()
-            .chain(sets)
-            .map(|set| (*set).to_owned())
-            .collect();
+        let sets = [&[elements.as_str()], sets].concat();
         let run = format!("{}, {}", name(case), sets.join(", "));
         (self.tell)(&format!("solve:  {run}"));
-        let (file, folder) = (self.root.join(format!("{case}.toml")), self.folder(case));
         let mut command = Command::new(&self.program[0]);
         command.current_dir(&self.root).args(&self.program[1..]);
-        command.arg("run").arg(&file).arg("--out").arg(&folder);
-        command.args([
-            "--force",
-            "--pictures",
-            "none",
-            "--formats",
-            "npz",
-            "--fields",
-            fields,
-        ]);
+        command.arg("run").arg(format!("{case}.toml"));
+        command.arg("--out").arg(self.folder(case));
+        command.args(OPTIONS.split(' ')).arg(fields);
         command.args(sets.iter().flat_map(|set| ["--set", set]));
-        let ran = command.output().map_err(|source| XtaskError::Start {
+        let ran = command.output().map_err(|cause| XtaskError::Start {
             program: self.program[0].clone().into(),
-            source,
+            cause,
         })?;
         match ran.status.code() {
-            Some(0) => {}
-            Some(1) => return Err(XtaskError::NotCertified { run }),
+            Some(0) => Ok(()),
+            Some(1) => Err(XtaskError::NotCertified { run }),
             _ => {
                 let message = String::from_utf8_lossy(&ran.stderr).trim().to_owned();
-                return Err(XtaskError::Refused { run, message });
+                Err(XtaskError::Refused { run, message })
             }
         }
-        let path = folder.join(SUMMARY_FILE);
-        let text = fs::read_to_string(&path).map_err(|source| XtaskError::Read { path, source })?;
-        // The summary does not name its units; the case does.
-        let summary = Summary::parse(&text, Case::read(&file, &sets)?.units)?;
-        if summary.steps.is_empty() || summary.steps.iter().any(|s| !s.certificate.satisfied) {
-            return Err(XtaskError::NotCertified { run });
-        }
-        Ok(summary)
     }
 }
 
@@ -194,5 +165,17 @@ impl SolvedStep {
     pub(super) fn note(&self, name: &str) -> String {
         let elements = self.summary.grid.elements;
         format!("{name}: {}", accuracy::of_step(elements, self.numbers()))
+    }
+
+    /// The subject of a picture as the program draws it.
+    pub(super) fn subject<'a>(&'a self, title: &'a str) -> Subject<'a> {
+        Subject {
+            title,
+            units: self.summary.units,
+            relief_height: self.summary.relief_height(),
+            step: self.numbers(),
+            fields: self.fields(),
+            style: Style::default(),
+        }
     }
 }

@@ -4,18 +4,12 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
 
-use pellicle_cli::drawing::{Anchor, Svg};
-use pellicle_cli::drawing::{heading, render};
-use pellicle_cli::results::{write_bytes, write_whole};
+use pellicle_cli::Failure;
+use pellicle_cli::drawing::{Anchor, Svg, heading, render};
+use pellicle_cli::results::write_whole;
 
-use crate::XtaskError;
-
-/// The two coatings of figures 2 to 4.
-pub(super) const MATERIALS: &str = "compliant coating: E₁/E₂ = 0.1, ν₁ = 0.4, ν₂ = 0.3; stiff coating: E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4";
-
-/// Body and indenter of figures 2 and 3.
-pub(super) const TEXTURED: &str =
-    "paraboloid of radius R; coating H = 10⁻⁴ R; cylinders r = 5·10⁻³ R, h = 10⁻⁴ R, T = R/80";
+/// Where panels begin, from the top: the notes are below, not in the heading.
+pub(super) const TOP: f64 = heading::HEIGHT - 22.0;
 
 /// Left side of heading and notes, in pixels.
 const LEFT: f64 = 40.0;
@@ -38,12 +32,6 @@ pub(super) struct Caption {
     pub notes: Vec<String>,
 }
 
-/// A sheet on which panels are drawn.
-pub(super) struct Sheet {
-    pub svg: Svg,
-    width: f64,
-}
-
 /// A drawing and the numbers in it.
 pub(super) struct Picture {
     /// Name of its files, without ending.
@@ -56,58 +44,42 @@ pub(super) struct Picture {
     pub csv: String,
 }
 
-impl Sheet {
-    /// Where panels begin, from the top: the notes are below, not in the heading.
-    pub(super) const TOP: f64 = heading::HEIGHT - 22.0;
-
-    /// A sheet of this width whose panels need this height.
-    pub(super) fn new((width, height): (f64, f64), caption: &Caption) -> Self {
-        let bottom = Self::TOP + height;
-        let mut svg = Svg::new(width, bottom + LINE * caption.notes.len() as f64 + BELOW);
-        heading::draw(
-            &mut svg,
-            LEFT,
-            width - LEFT,
-            caption.title,
-            &caption.subtitle,
-        );
-        for (i, note) in caption.notes.iter().enumerate() {
+impl Caption {
+    /// A sheet with this caption, and room of this width and height for panels between heading and notes.
+    pub(super) fn sheet(&self, (width, height): (f64, f64)) -> Svg {
+        let bottom = TOP + height;
+        let mut svg = Svg::new(width, bottom + LINE * self.notes.len() as f64 + BELOW);
+        heading::draw(&mut svg, LEFT, width - LEFT, self.title, &self.subtitle);
+        for (i, note) in self.notes.iter().enumerate() {
             let y = bottom + LINE * (i as f64 + 0.5);
             svg.text((LEFT, y), NOTE, Anchor::Start, note);
         }
-        Self { svg, width }
-    }
-
-    /// The sheet as a picture.
-    pub(super) fn finish(self, name: &'static str, csv: String) -> Picture {
-        Picture {
-            name,
-            svg: self.svg.finish(),
-            width: self.width,
-            csv,
-        }
+        svg
     }
 }
 
 impl Picture {
     /// Writes SVG, PNG and CSV.
-    pub(super) fn write(&self, folder: &Path) -> Result<(), XtaskError> {
-        create_folder(folder)?;
-        let file = |ending| folder.join(format!("{}.{ending}", self.name));
-        write_bytes(&file("svg"), self.svg.as_bytes())?;
-        write_bytes(&file("csv"), self.csv.as_bytes())?;
-        write_whole(&file("png"), |file| {
-            file.write_all(&render::png(&self.svg)?)
-        })?;
-        Ok(())
+    pub(super) fn write(&self, folder: &Path) -> Result<(), Failure> {
+        self.write_file(folder, "svg", Ok(&self.svg))?;
+        self.write_file(folder, "csv", Ok(&self.csv))?;
+        self.write_file(folder, "png", render::png(&self.svg))
     }
 
     /// Writes a PNG no wider than a page of documentation and no larger than [`SMALL_BYTES`].
-    pub(super) fn write_small(&self, folder: &Path) -> Result<(), XtaskError> {
-        create_folder(folder)?;
-        let path = folder.join(format!("{}.png", self.name));
-        write_whole(&path, |file| file.write_all(&self.small()?))?;
-        Ok(())
+    pub(super) fn write_small(&self, folder: &Path) -> Result<(), Failure> {
+        self.write_file(folder, "png", self.small())
+    }
+
+    fn write_file(
+        &self,
+        folder: &Path,
+        ending: &str,
+        bytes: io::Result<impl AsRef<[u8]>>,
+    ) -> Result<(), Failure> {
+        fs::create_dir_all(folder).map_err(|cause| Failure::write(folder, cause))?;
+        let path = folder.join(format!("{}.{ending}", self.name));
+        write_whole(&path, |file| file.write_all(bytes?.as_ref()))
     }
 
     /// The widest small version that is not too large.
@@ -123,11 +95,4 @@ impl Picture {
             width *= 0.93;
         }
     }
-}
-
-fn create_folder(folder: &Path) -> Result<(), XtaskError> {
-    fs::create_dir_all(folder).map_err(|source| XtaskError::Write {
-        path: folder.into(),
-        source,
-    })
 }

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use pellicle_cli::drawing::{Style, Subject, stress_section};
-use pellicle_cli::results::{StressSection, StressView};
+use pellicle_cli::drawing::stress_section;
+use pellicle_cli::results::{StressView, read_stresses, stresses_file};
 
 use super::runner::Runner;
 use super::sheet::Picture;
@@ -20,46 +20,30 @@ const CASES: [(&str, &str, f64, f64); 4] = [
 
 /// One picture a case, as the program draws it.
 pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
-    CASES
-        .iter()
-        .map(|(case, name, deepest, extent)| {
-            let stress = format!(
-                "stress={{ depths = {{ from = 0, to = {deepest}, count = 2 }}, extent = {extent} }}"
-            );
-            let (step, view) = runner.stressed_step(case, &stress)?;
-            let title = format!("{}{}", runner.mark(), step.summary.title);
-            let subject = Subject {
-                title: &title,
-                units: step.summary.units,
-                relief_height: step.summary.relief_height(),
-                step: step.numbers(),
-                fields: step.fields(),
-                style: Style::default(),
-            };
-            Ok(Picture {
-                name,
-                svg: stress_section::draw(&subject, &view),
-                width: stress_section::WIDTH,
-                csv: csv(&view),
-            })
+    let picture = |(case, name, deepest, extent)| {
+        let stress = format!(
+            "stress={{ depths = {{ from = 0, to = {deepest}, count = 2 }}, extent = {extent} }}"
+        );
+        let step = runner.step(case, &[&stress], 0)?;
+        let view = read_stresses(&step.folder.join(stresses_file(0)))?;
+        let title = format!("{}{}", runner.mark(), step.summary.title);
+        Ok(Picture {
+            name,
+            svg: stress_section::draw(&step.subject(&title), &view),
+            width: stress_section::WIDTH,
+            csv: csv(&view),
         })
-        .collect()
+    };
+    CASES.into_iter().map(picture).collect()
 }
 
 /// One row a point of the section.
 fn csv(view: &StressView) -> String {
-    let StressSection {
-        along,
-        depths,
-        bodies,
-        von_mises,
-        max_principal,
-        ..
-    } = &view.section;
+    let section = &view.section;
+    let planes = section.depths.iter().zip(&section.bodies);
+    let points = planes.flat_map(|plane| section.along.iter().map(move |x| (x, plane)));
+    let values = section.von_mises.iter().zip(&section.max_principal);
     let mut csv = String::from("x,z,body,von Mises,largest principal\n");
-    let planes = depths.iter().zip(bodies);
-    let points = planes.flat_map(|plane| along.iter().map(move |x| (x, plane)));
-    let values = von_mises.iter().zip(max_principal);
     for ((x, (z, body)), (von_mises, principal)) in points.zip(values) {
         // Writing to a string does not fail.
         let _ = writeln!(csv, "{x:e},{z:e},{body},{von_mises:e},{principal:e}");

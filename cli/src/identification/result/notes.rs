@@ -1,6 +1,6 @@
 //! Notes on a fit for its reader: points left out, and warnings.
 
-use pellicle_identify::{Exclusion, Fit, Stopped, Warning};
+use pellicle_identify::{Exclusion, Fit, FitWarning, Stopped};
 
 use crate::identification::Identification;
 use crate::identification::findings::{ExcludedResult, WarningResult};
@@ -61,24 +61,24 @@ impl Identification {
         });
         let name = |index: &usize| fit.estimates[*index].name.clone();
         let of_fit = fit.warnings.iter().map(|found| match found {
-            Warning::SeveralMinima => warning(
+            FitWarning::SeveralMinima => warning(
                 "several-minima",
                 "another start led to another minimum, which is worse".into(),
             ),
-            Warning::Jitter => warning(
+            FitWarning::Jitter => warning(
                 "jitter",
                 "predictions jump about what their derivatives promise: the best fit is known to no better than a \
                  part of a standard error"
                     .into(),
             ),
-            Warning::AtBound(index) => warning(
+            FitWarning::AtBound(index) => warning(
                 "at-bound",
                 format!(
                     "the best fit lies at a bound of {}: the data may be in another unit, or the bound too narrow",
                     name(index)
                 ),
             ),
-            Warning::BetterFitFound(index) => warning(
+            FitWarning::BetterFitFound(index) => warning(
                 "better-fit",
                 format!("the profile of {} found a better fit than the search", name(index)),
             ),

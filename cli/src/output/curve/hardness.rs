@@ -3,7 +3,7 @@
 use super::column::{CurveColumn, name, number};
 use crate::case::Case;
 use crate::input::units::Units;
-use crate::output::summary::{StepSummary, Summary};
+use crate::output::summary::{RunSummary, StepSummary};
 
 const COLUMNS: [CurveColumn<StepSummary>; 3] = [
     ("area at hardness", Some("m^2"), |step| {
@@ -26,7 +26,7 @@ pub struct HardnessColumns {
 impl HardnessColumns {
     /// The columns of the steps of a summary.
     #[must_use]
-    pub fn of_steps(summary: &Summary) -> Self {
+    pub fn of_steps(summary: &RunSummary) -> Self {
         let are_there = summary
             .steps
             .iter()

@@ -4,7 +4,7 @@ use super::column::{CurveColumn, name, number};
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::summary::roughness::RoughContactSummary;
-use crate::output::summary::{StepSummary, Summary};
+use crate::output::summary::{RunSummary, StepSummary};
 
 const COLUMNS: [CurveColumn<RoughContactSummary>; 4] = [
     ("contact fraction", None, |rough| {
@@ -26,7 +26,7 @@ pub struct RoughColumns {
 impl RoughColumns {
     /// The columns of the steps of a summary.
     #[must_use]
-    pub fn of_steps(summary: &Summary) -> Self {
+    pub fn of_steps(summary: &RunSummary) -> Self {
         let are_there = summary.has_rough_contact();
         Self { are_there }
     }

@@ -2,7 +2,7 @@
 
 use super::column::number;
 use crate::input::units::Units;
-use crate::output::summary::{StepSummary, Summary};
+use crate::output::summary::{RunSummary, StepSummary};
 
 /// The numbers of the case whose derivatives are columns.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -13,7 +13,7 @@ pub struct SensitivityColumns {
 impl SensitivityColumns {
     /// The columns of the steps of a summary.
     #[must_use]
-    pub fn of_steps(summary: &Summary) -> Self {
+    pub fn of_steps(summary: &RunSummary) -> Self {
         let mut steps = summary.steps.iter();
         let first = steps.find_map(|step| step.sensitivities.as_ref());
         let keys = first.into_iter().flatten().map(|of| of.parameter.clone());

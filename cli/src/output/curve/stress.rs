@@ -5,7 +5,7 @@ use pellicle_contact::{BodyStress, Criterion, CriticalLoad, InterfaceStress};
 use super::column::number;
 use crate::case::Case;
 use crate::input::units::Units;
-use crate::output::summary::{StepSummary, Summary};
+use crate::output::summary::{RunSummary, StepSummary};
 
 /// The stresses in the columns of a table.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -44,7 +44,7 @@ const OF_INTERFACES: [InterfaceColumn; 3] = [
 impl StressColumns {
     /// The columns of the steps of a summary, without critical loads.
     #[must_use]
-    pub fn of_steps(summary: &Summary) -> Self {
+    pub fn of_steps(summary: &RunSummary) -> Self {
         let stress = summary.steps.iter().find_map(|step| step.stress.as_ref());
         let Some(stress) = stress else {
             return Self::default();

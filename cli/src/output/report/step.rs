@@ -5,7 +5,7 @@ use super::stress::StressTable;
 use super::surface::SurfaceFigure;
 use crate::display::{Unit, quantity, significant};
 use crate::output::pictures::{StepDrawings, StepPicture, StressPicture};
-use crate::output::summary::{CertificateSummary, StepSummary, Summary};
+use crate::output::summary::{CertificateSummary, RunSummary, StepSummary};
 
 /// The section of a step.
 pub struct StepSection<'a> {
@@ -42,7 +42,7 @@ pub struct CertificateText {
 }
 
 impl<'a> StepSection<'a> {
-    pub fn new(summary: &Summary, drawings: &'a StepDrawings) -> Self {
+    pub fn new(summary: &RunSummary, drawings: &'a StepDrawings) -> Self {
         let step = &summary.steps[drawings.step];
         let tolerance = summary.case["solver"]["tolerance"].as_f64();
         Self {
@@ -58,7 +58,7 @@ impl<'a> StepSection<'a> {
     }
 }
 
-fn rows(summary: &Summary, step: &StepSummary) -> Vec<NumberRow> {
+fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
     let units = summary.units;
     let errors = &step.grid_error;
     let plain = |name, value| NumberRow {

@@ -4,12 +4,12 @@ use super::plane_values::PlaneValues;
 use crate::case::foundation::depths::BodyPlane;
 use crate::case::stress::StressCase;
 use crate::failure::Failure;
-use crate::output::summary::Summary;
+use crate::output::summary::RunSummary;
 
 /// The header of the files of a step: all but the values.
 #[derive(Debug)]
 pub struct StressHead<'a> {
-    pub summary: &'a Summary,
+    pub summary: &'a RunSummary,
     pub step: usize,
     pub stress: &'a StressCase,
     /// Names of the bodies, from the surface down.

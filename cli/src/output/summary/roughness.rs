@@ -82,9 +82,11 @@ pub struct RoughContactSummary {
     /// The islands of contact.
     pub islands: IslandsSummary,
     /// Pressures in contact, Pa.
-    pub pressures: HistogramSummary,
+    #[serde(with = "HistogramFields")]
+    pub pressures: Histogram,
     /// Gaps out of contact on the nominal area, m.
-    pub gaps: HistogramSummary,
+    #[serde(with = "HistogramFields")]
+    pub gaps: Histogram,
 }
 
 /// The islands of a contact.
@@ -102,17 +104,15 @@ pub struct IslandsSummary {
     pub counts_by_octave: Vec<usize>,
 }
 
-/// Numbers counted in equal classes from 0 to the largest.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct HistogramSummary {
-    /// The largest.
+/// The fields of a [`Histogram`] in a file.
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Histogram")]
+struct HistogramFields {
     #[serde(deserialize_with = "nan_from_null")]
-    pub largest: f64,
-    /// Their mean.
+    largest: f64,
     #[serde(deserialize_with = "nan_from_null")]
-    pub mean: f64,
-    /// Elements in each class.
-    pub counts: Vec<usize>,
+    mean: f64,
+    counts: Vec<usize>,
 }
 
 impl RoughnessSummary {
@@ -169,8 +169,8 @@ impl RoughContactSummary {
             perimeter: rough.perimeter,
             mean_gap: rough.mean_gap,
             islands: IslandsSummary::of(&rough.islands, element_area),
-            pressures: (&rough.pressures).into(),
-            gaps: (&rough.gaps).into(),
+            pressures: rough.pressures.clone(),
+            gaps: rough.gaps.clone(),
         })
     }
 }
@@ -183,16 +183,6 @@ impl IslandsSummary {
             largest_area: islands.largest() as f64 * element_area,
             mean_area: mean * element_area,
             counts_by_octave: islands.counts_by_octave(),
-        }
-    }
-}
-
-impl From<&Histogram> for HistogramSummary {
-    fn from(histogram: &Histogram) -> Self {
-        Self {
-            largest: histogram.largest,
-            mean: histogram.mean,
-            counts: histogram.counts.clone(),
         }
     }
 }

@@ -5,8 +5,8 @@ use pellicle_contact::{Criterion, CriticalLoad, Extreme};
 use super::columns::TextColumns;
 use crate::display::{Unit, error_of, quantity, significant};
 use crate::input::units::Units;
+use crate::output::summary::RunSummary;
 use crate::output::summary::StressSummary;
-use crate::output::summary::Summary;
 
 impl TextColumns {
     /// The largest stresses in each body and on each interface.
@@ -58,7 +58,7 @@ impl TextColumns {
 
 /// The critical loads, one sentence each, the smallest first; nothing where none are asked for.
 #[must_use]
-pub fn critical(summary: &Summary) -> String {
+pub fn critical(summary: &RunSummary) -> String {
     let Some(critical) = &summary.critical else {
         return String::new();
     };

@@ -1,6 +1,6 @@
 //! The axis that suits measured numbers, on a scale with an SI prefix.
 
-use crate::display::Scale;
+use crate::display::DisplayUnit;
 use crate::picture::labels;
 use crate::picture::panel::Axis;
 
@@ -31,7 +31,7 @@ pub fn suits_logarithms([low, high]: [f64; 2]) -> bool {
 
 /// An axis of values between these, in the unit of the scale, with a margin.
 #[must_use]
-pub fn linear([low, high]: [f64; 2], scale: &Scale, quantity: &str, count: usize) -> Axis {
+pub fn linear([low, high]: [f64; 2], scale: &DisplayUnit, quantity: &str, count: usize) -> Axis {
     let [low, high] = [low, high].map(|value| value / scale.divisor);
     let length = if high > low {
         high - low
@@ -44,14 +44,19 @@ pub fn linear([low, high]: [f64; 2], scale: &Scale, quantity: &str, count: usize
 
 /// A logarithmic axis of values between these, in the unit of the scale.
 #[must_use]
-pub fn logarithmic([low, high]: [f64; 2], scale: &Scale, quantity: &str) -> Axis {
+pub fn logarithmic([low, high]: [f64; 2], scale: &DisplayUnit, quantity: &str) -> Axis {
     let [low, high] = [low, high].map(|value| value / scale.divisor);
     Axis::logarithmic(low, high, title(quantity, scale))
 }
 
 /// An axis of what is sought by its logarithm: a logarithmic one as soon as values differ by a factor.
 #[must_use]
-pub fn of_unknown([low, high]: [f64; 2], scale: &Scale, quantity: &str, count: usize) -> Axis {
+pub fn of_unknown(
+    [low, high]: [f64; 2],
+    scale: &DisplayUnit,
+    quantity: &str,
+    count: usize,
+) -> Axis {
     if low > 0.0 && high >= FACTOR * low {
         logarithmic([low, high], scale, quantity)
     } else {
@@ -61,7 +66,7 @@ pub fn of_unknown([low, high]: [f64; 2], scale: &Scale, quantity: &str, count: u
 
 /// The quantity with its unit, if it has one.
 #[must_use]
-pub fn title(quantity: &str, scale: &Scale) -> String {
+pub fn title(quantity: &str, scale: &DisplayUnit) -> String {
     match scale.label.as_str() {
         "" => quantity.to_owned(),
         unit => labels::axis_title(quantity, unit),
@@ -83,14 +88,14 @@ mod tests {
 
     #[test]
     fn an_axis_holds_its_values_and_names_a_unit_that_there_is() {
-        let scale = Scale {
+        let scale = DisplayUnit {
             divisor: 1e-9,
             label: "nm".into(),
         };
         let axis = linear([1e-9, 5e-9], &scale, "depth", 5);
         assert!(axis.from < 1.0 && axis.to > 5.0, "{axis:?}");
         assert_eq!(axis.title, "depth, nm");
-        let none = Scale {
+        let none = DisplayUnit {
             divisor: 1.0,
             label: String::new(),
         };

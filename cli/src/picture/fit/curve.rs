@@ -1,7 +1,7 @@
 //! Measured points with the curves of the model, and the whitened residuals below.
 
 use super::{FitHeading, axes, colour};
-use crate::display::Scale;
+use crate::display::DisplayUnit;
 use crate::picture::colours::{self, Colour};
 use crate::picture::heading;
 use crate::picture::panel::{Axis, Panel};
@@ -78,7 +78,7 @@ pub struct AxisQuantity {
     /// Its name and symbol.
     pub name: &'static str,
     /// Its unit.
-    pub scale: Scale,
+    pub scale: DisplayUnit,
 }
 
 /// The picture of the curves.
@@ -292,7 +292,7 @@ mod tests {
     use super::*;
 
     fn curves(points: usize, shift: f64) -> Curves {
-        let scale = |divisor, label: &str| Scale {
+        let scale = |divisor, label: &str| DisplayUnit {
             divisor,
             label: label.into(),
         };

@@ -1,7 +1,7 @@
 //! One panel for each unknown: how wide its interval will be, against the largest force of a curve.
 
 use super::{FitHeading, axes, colour};
-use crate::display::Scale;
+use crate::display::DisplayUnit;
 use crate::picture::colours;
 use crate::picture::heading;
 use crate::picture::panel::{Axis, Panel};
@@ -36,7 +36,7 @@ pub struct Designs {
     /// The note under the picture: noise and number of points.
     pub note: String,
     /// The unit of the forces.
-    pub forces: Scale,
+    pub forces: DisplayUnit,
     /// The indenters, a line each.
     pub indenters: Vec<String>,
     /// The unknowns, a panel each.
@@ -237,7 +237,7 @@ mod tests {
                 numbers: "95 % intervals".into(),
             },
             note: String::new(),
-            forces: Scale {
+            forces: DisplayUnit {
                 divisor: 1e-3,
                 label: "mN".into(),
             },

@@ -2,7 +2,7 @@
 
 use super::unknown::FittedUnknown;
 use super::{FitHeading, axes};
-use crate::display::Scale;
+use crate::display::DisplayUnit;
 use crate::picture::colours;
 use crate::picture::heading;
 use crate::picture::panel::{Axis, Panel};
@@ -144,9 +144,9 @@ fn percent(level: f64) -> String {
 }
 
 /// The unit of the panel; a combination is shown over its best value.
-fn scale(unknown: &FittedUnknown) -> Scale {
+fn scale(unknown: &FittedUnknown) -> DisplayUnit {
     match &unknown.combination {
-        Some(_) => Scale {
+        Some(_) => DisplayUnit {
             divisor: unknown.value,
             label: String::new(),
         },

@@ -6,12 +6,12 @@ use super::curve::{AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
 use super::profiles::Profiles;
 use super::repeats::{Repeated, RepeatsPlot};
 use super::unknown::FittedUnknown;
-use crate::display::Scale;
+use crate::display::DisplayUnit;
 use crate::picture::render;
 use crate::picture::style::Style;
 
-fn scale(divisor: f64) -> Scale {
-    Scale {
+fn scale(divisor: f64) -> DisplayUnit {
+    DisplayUnit {
         divisor,
         label: "m".into(),
     }

@@ -1,6 +1,6 @@
 //! An unknown in the pictures of a fit.
 
-use crate::display::{Scale, significant};
+use crate::display::{DisplayUnit, significant};
 
 /// An unknown as found.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,7 +10,7 @@ pub struct FittedUnknown {
     /// Its symbol and place.
     pub symbol: String,
     /// The unit in which it is shown.
-    pub scale: Scale,
+    pub scale: DisplayUnit,
     /// Its value in the best fit.
     pub value: f64,
     /// Its interval; nothing on a side that is open.
@@ -142,7 +142,7 @@ pub(super) mod tests {
         FittedUnknown {
             name: name.into(),
             symbol: "E".into(),
-            scale: Scale {
+            scale: DisplayUnit {
                 divisor: 1e9,
                 label: "GPa".into(),
             },

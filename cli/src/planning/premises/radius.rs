@@ -3,19 +3,18 @@
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, Prior, Unknown};
 
-use super::Premises;
-use super::indenter::IndenterRadius;
+use super::{IndenterRadius, Premises};
 use crate::failure::Failure;
 use crate::fit_file::model::ModelParameters;
 use crate::fit_file::unknown::UnknownCase;
-use crate::planning::candidate::{Candidate, radius_words};
+use crate::planning::candidate::{CandidateCurve, radius_words};
 
 /// Radii that differ by less are one.
 const SAME: f64 = 1e-9;
 
 impl Premises<'_> {
     /// The radius of each other indenter becomes an unknown, if that of the model is one.
-    pub(super) fn seek_radii(&mut self, candidates: &[Candidate]) -> Result<(), Failure> {
+    pub(super) fn seek_radii(&mut self, candidates: &[CandidateCurve]) -> Result<(), Failure> {
         let Some(place) = self.place_of_radius() else {
             return Ok(());
         };

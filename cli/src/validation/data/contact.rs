@@ -21,7 +21,7 @@ pub struct AxisymmetricContact {
     #[serde(rename = "H_over_a", deserialize_with = "decimal")]
     pub thickness: f64,
     /// The indenter.
-    pub shape: Shape,
+    pub shape: AxisymmetricIndenter,
     /// Approach.
     #[serde(rename = "delta", deserialize_with = "decimal")]
     pub penetration: f64,
@@ -32,7 +32,7 @@ pub struct AxisymmetricContact {
 
 /// The indenters of the axisymmetric contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-pub enum Shape {
+pub enum AxisymmetricIndenter {
     /// `z = r²/2`.
     #[serde(rename = "paraboloid z=r^2/2 (R=1)")]
     Paraboloid,

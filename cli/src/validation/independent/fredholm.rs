@@ -32,7 +32,7 @@ const PIECE: f64 = 2.0;
 
 /// A rigid indenter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Profile {
+pub enum AxisymmetricProfile {
     /// The flat end of a cylinder, which sinks by this (m).
     FlatPunch(f64),
     /// `r²/2R`, of this R (m).
@@ -62,7 +62,7 @@ impl AxisymmetricSolution {
     /// A system without solution.
     pub fn new(
         foundation: &Foundation,
-        profile: Profile,
+        profile: AxisymmetricProfile,
         radius: f64,
     ) -> Result<Self, ValidationError> {
         let rule = composite(&pieces(foundation, radius));
@@ -87,9 +87,9 @@ impl AxisymmetricSolution {
                 .sum()
         };
         let penetration = match profile {
-            Profile::FlatPunch(depth) => depth,
+            AxisymmetricProfile::FlatPunch(depth) => depth,
             // g(a) = 0: the pressure is finite at the edge.
-            Profile::Paraboloid(_) | Profile::Cone => {
+            AxisymmetricProfile::Paraboloid(_) | AxisymmetricProfile::Cone => {
                 let edge = |right: f64, g| right - integral(g, &|j| layers[(size, j)]);
                 -edge(profile.right_side(radius), &shape) / edge(FRAC_2_PI, &unit)
             }
@@ -123,7 +123,7 @@ impl AxisymmetricSolution {
     }
 }
 
-impl Profile {
+impl AxisymmetricProfile {
     /// `2/π d/dx ∫ r u/√(x² − r²) dr` for `u = −f`.
     fn right_side(self, x: f64) -> f64 {
         match self {
@@ -165,7 +165,7 @@ fn kernel(foundation: &Foundation, radius: f64, places: &[f64]) -> DMatrix<f64> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::data::contact::{Shape, axisymmetric};
+    use super::super::super::data::contact::{AxisymmetricIndenter, axisymmetric};
     use super::*;
     use pellicle_kernel::Material;
 
@@ -176,8 +176,8 @@ mod tests {
             let substrate = Material::new(1.0, case.nu2).unwrap();
             let body = Foundation::coated(case.thickness, coating, substrate).unwrap();
             let profile = match case.shape {
-                Shape::Paraboloid => Profile::Paraboloid(1.0),
-                Shape::Cone => Profile::Cone,
+                AxisymmetricIndenter::Paraboloid => AxisymmetricProfile::Paraboloid(1.0),
+                AxisymmetricIndenter::Cone => AxisymmetricProfile::Cone,
             };
             let found = AxisymmetricSolution::new(&body, profile, 1.0).unwrap();
             let errors = [
@@ -194,10 +194,12 @@ mod tests {
     #[test]
     fn without_layers_it_is_hertz_and_the_flat_punch() {
         let body = Foundation::half_space(Material::new(0.91, 0.3).unwrap());
-        let hertz = AxisymmetricSolution::new(&body, Profile::Paraboloid(2.0), 0.5).unwrap();
+        let hertz =
+            AxisymmetricSolution::new(&body, AxisymmetricProfile::Paraboloid(2.0), 0.5).unwrap();
         assert!((hertz.penetration / 0.125 - 1.0).abs() < 1e-14);
         assert!((hertz.force / (4.0 * 0.125 / 6.0) - 1.0).abs() < 1e-14);
-        let punch = AxisymmetricSolution::new(&body, Profile::FlatPunch(0.1), 0.5).unwrap();
+        let punch =
+            AxisymmetricSolution::new(&body, AxisymmetricProfile::FlatPunch(0.1), 0.5).unwrap();
         assert!((punch.force / 0.1 - 1.0).abs() < 1e-14);
     }
 }

@@ -8,7 +8,7 @@ const DEPENDENT: f64 = 1e-10;
 
 /// `A = Q R` of the independent ones of some columns.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Projection {
+pub(crate) struct OrthonormalBasis {
     basis: Vec<Vec<f64>>,
     /// Column `k` of `R`: `k + 1` numbers.
     triangle: Vec<Vec<f64>>,
@@ -17,14 +17,14 @@ pub(crate) struct Projection {
     columns: usize,
 }
 
-impl Projection {
+impl OrthonormalBasis {
     /// The basis of the columns, in their order.
     pub fn of(columns: impl IntoIterator<Item = Vec<f64>>) -> Self {
-        let mut projection = Self::default();
+        let mut basis = Self::default();
         for column in columns {
-            projection.push(column);
+            basis.push(column);
         }
-        projection
+        basis
     }
 
     /// Adds a column where it does not depend on the earlier ones.
@@ -125,7 +125,7 @@ mod tests {
     #[test]
     fn a_straight_line_is_fitted_and_a_third_column_that_adds_nothing_is_dropped() {
         let x = [0.0, 1.0, 2.0, 3.0];
-        let line = Projection::of([
+        let line = OrthonormalBasis::of([
             vec![1.0; 4],
             x.to_vec(),
             x.iter().map(|x| 2.0 - 3.0 * x).collect(),
