@@ -127,9 +127,12 @@ fn a_summary_of_something_else_is_not_replaced_by_a_run_or_by_a_study() {
     }
     refused(
         &folder.run(&["run", "case.toml", "--out", "a", "--force"]),
-        "is not a results folder",
+        "other than a results folder",
     );
-    refused(&study(&folder, &["--folders"]), "is not a results folder");
+    refused(
+        &study(&folder, &["--folders"]),
+        "other than a results folder",
+    );
     for place in foreign {
         assert_eq!(
             names(&folder.path(place)),
