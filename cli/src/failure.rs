@@ -62,26 +62,26 @@ pub enum Failure {
     #[error(transparent)]
     Contact(#[from] ContactError),
     /// A file or folder of that name exists.
-    #[error("{}: found a file or folder of that name, wanted --force to replace it, or another --out", path.display())]
+    #[error("{}: found a file or folder of that name: give --force to replace it, or another --out", path.display())]
     Exists {
         /// The existing file or folder.
         path: PathBuf,
     },
     /// Something other than a results folder exists there; it is not touched.
-    #[error("{}: found something other than a results folder, wanted another --out", path.display())]
+    #[error("{}: found something other than a results folder: give another --out", path.display())]
     NoResults {
         /// The existing file or folder.
         path: PathBuf,
     },
     /// Beside a run's summary is a file that bears one of its names but was not written by it.
-    #[error("{}: found a file that the run of the summary beside it did not write, wanted it moved away, or another --out", path.display())]
+    #[error("{}: found a file that the run of the summary beside it did not write: move it away, or give another --out", path.display())]
     NotWritten {
         /// The file.
         path: PathBuf,
     },
     /// An option of `plot` that applies to a single results folder was given with several.
     #[error(
-        "found several results, drawn as curves in one picture, wanted a single one for --step, --section, --range and --colour-map"
+        "found several results, which are drawn as curves in one picture: --step, --section, --range and --colour-map are for a single one"
     )]
     OneResult,
     /// The folder holds no parts of a study.
@@ -91,7 +91,7 @@ pub enum Failure {
         path: PathBuf,
     },
     /// The fields of a loading step were not written.
-    #[error("{}: found no fields of step {step} to draw, wanted those of a run with --fields all", path.display())]
+    #[error("{}: found no fields of step {step} to draw: run the case with --fields all", path.display())]
     NoFields {
         /// The results folder.
         path: PathBuf,
@@ -126,25 +126,25 @@ pub enum Failure {
     #[error("found no cases in the study, wanted at least one")]
     NoCases,
     /// The table is that of a study with other values or of another version of the program.
-    #[error("{}: found results of another study or of another version, wanted --fresh to begin again, or another --out", path.display())]
+    #[error("{}: found results of another study or of another version: give --fresh to begin again, or another --out", path.display())]
     OtherStudy {
         /// The table.
         path: PathBuf,
     },
     /// The table of another study stands in the place of the merged one.
-    #[error("{}: found the table of another study, wanted --force to replace it", path.display())]
+    #[error("{}: found the table of another study: give --force to replace it", path.display())]
     OtherTable {
         /// The table.
         path: PathBuf,
     },
     /// The results of another case stand in the place of those of a study's case.
-    #[error("{}: found results of another case, wanted --fresh to begin again, or another --out", path.display())]
+    #[error("{}: found results of another case: give --fresh to begin again, or another --out", path.display())]
     OtherCase {
         /// The folder.
         path: PathBuf,
     },
     /// Something else stands in the place of the kept fields of a study.
-    #[error("{}: found other fields than this study keeps, wanted --fresh to begin again, or the file moved away", path.display())]
+    #[error("{}: found other fields than this study keeps: give --fresh to begin again, or move the file away", path.display())]
     NotKept {
         /// The file.
         path: PathBuf,
@@ -160,7 +160,7 @@ pub enum Failure {
         steps: usize,
     },
     /// Another process is writing to a table or folder.
-    #[error("{}: found another process writing to it, wanted none", path.display())]
+    #[error("{}: found another process writing to it: wait until it has ended", path.display())]
     Busy {
         /// The table or folder.
         path: PathBuf,

@@ -155,7 +155,7 @@ fn of_a_part_started_many_times_at_once_one_works_and_the_others_say_so() {
             assert_eq!(ran.stderr, "");
         } else {
             assert_eq!(ran.code, Some(2), "{}", ran.stderr);
-            let told = "results-1-of-2.csv: found another process writing to it, wanted none\n";
+            let told = "results-1-of-2.csv: found another process writing to it: wait until it has ended\n";
             assert!(
                 ran.stderr.ends_with(told) && ran.stderr.lines().count() == 1,
                 "{}",
