@@ -96,27 +96,37 @@ impl DiscreteProblem {
         self.grid
     }
 
-    /// `K` (m/Pa) between any two elements, mirror images included; 0 where the elasticity is not known. In a periodic
-    /// cell that of their nearest images alone.
-    pub(crate) fn coefficients(&self) -> impl Fn([usize; 2]) -> f64 + Sync + use<'_> {
-        let (elasticity, grid, boundary) = (self.elasticity(), self.grid, self.boundary());
-        let candidates = self.candidates();
-        let size = grid.size();
-        let place = move |element: usize| match candidates {
+    /// The elements no further than `reach` rows and columns from one, and `K` (m/Pa) between them and it, mirror
+    /// images included; none where the elasticity is not known. In a periodic cell `K` is that of their nearest images
+    /// alone.
+    pub(crate) fn coefficients_near(&self, element: usize, reach: usize) -> Vec<(usize, f64)> {
+        let Some(elasticity) = self.elasticity() else {
+            return Vec::new();
+        };
+        let size = self.size();
+        let coefficient = |from: [usize; 2], to| match self.boundary() {
+            Boundary::Free => elasticity.coefficient_on(self.grid, from, to),
+            Boundary::Periodic => {
+                let apart = [0, 1].map(|axis: usize| from[axis].abs_diff(to[axis]));
+                elasticity.coefficient(apart.map(|along| along.min(size - along)))
+            }
+        };
+        let at = |[row, column]: [usize; 2]| match self.candidates() {
+            Some(candidates) => candidates.at([row, column]),
+            None => Some(row * size + column),
+        };
+        let from = match self.candidates() {
             Some(candidates) => candidates.place(element),
             None => [element / size, element % size],
         };
-        move |elements| {
-            let [from, to] = elements.map(place);
-            match (elasticity, boundary) {
-                (None, _) => 0.0,
-                (Some(elasticity), Boundary::Free) => elasticity.coefficient_on(grid, from, to),
-                (Some(elasticity), Boundary::Periodic) => {
-                    let apart = [0, 1].map(|axis: usize| from[axis].abs_diff(to[axis]));
-                    elasticity.coefficient(apart.map(|along| along.min(size - along)))
-                }
-            }
-        }
+        let [rows, columns] = [0, 1].map(|axis: usize| {
+            let end = (from[axis] + reach + 1).min(self.grid.lengths()[axis]);
+            from[axis].saturating_sub(reach)..end
+        });
+        let places = rows.flat_map(|row| columns.clone().map(move |column| [row, column]));
+        places
+            .filter_map(|to| Some((at(to)?, coefficient(from, to))))
+            .collect()
     }
 
     /// All of the problem's elements.

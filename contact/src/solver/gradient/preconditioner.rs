@@ -245,8 +245,11 @@ impl Preconditioner {
             Inverse::Factor(factor) => factor.update(set),
             Inverse::Scattered(factor) => factor.update(set),
         }
-        let (coefficient, unit) = (problem.coefficients(), self.unit);
-        (self.secants).follow(set, |elements| coefficient(elements) / unit);
+        let unit = self.unit;
+        self.secants.follow(set, |element, reach| {
+            let near = problem.coefficients_near(element, reach).into_iter();
+            near.map(|(other, k)| (other, k / unit)).collect()
+        });
         self.adapted_to = Some(set.revision());
         set.clear_outside(&mut self.uniform.values);
         self.uniform.total = sum(&self.uniform.values);

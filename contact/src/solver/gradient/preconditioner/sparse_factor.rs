@@ -33,9 +33,9 @@ use pellicle_influence::{SectorGrid, SurfaceElasticity};
 use rayon::prelude::*;
 
 use self::{
-    blocks::{FactorBlocks, Product},
+    blocks::{FactorBlocks, Product, Room},
     direct::DirectFactor,
-    local_system::{LocalSystem, NearCoefficients, class},
+    local_system::{LocalSystem, NearCoefficients, Workspace, class},
     order::{COLOURS, TILE, colour, earlier_offsets, own_offsets},
 };
 use crate::solver::gradient::working_set::WorkingSet;
@@ -169,14 +169,13 @@ impl SparseFactor {
             }
             self.tiles.push(tile);
         }
-        let fresh = fresh.par_iter().with_min_len(8);
-        let blocks: Vec<FactorBlocks> = fresh
-            .fold(FactorBlocks::default, |mut blocks, pattern| {
-                self.compute(pattern, &mut blocks);
-                blocks
-            })
-            .collect();
-        (blocks.into_iter()).for_each(|blocks| self.blocks.append(blocks));
+        let mut blocks = std::mem::take(&mut self.blocks);
+        let rooms = blocks.make_room(fresh.iter().map(size_of));
+        let rooms = rooms.into_par_iter().zip(&fresh).with_min_len(8);
+        rooms.for_each_init(Workspace::new, |workspace, (room, pattern)| {
+            self.compute(pattern, workspace, room);
+        });
+        self.blocks = blocks;
     }
 
     /// The tiles of a level that hold elements, with their blocks or the patterns of unknown ones.
@@ -272,9 +271,9 @@ impl SparseFactor {
     }
 
     /// Computes the block of a pattern.
-    fn compute(&self, pattern: &Pattern, blocks: &mut FactorBlocks) {
+    fn compute(&self, pattern: &Pattern, workspace: &mut Workspace, room: Room<'_>) {
         let (level, colour) = (pattern[0] / COLOURS, pattern[0] % COLOURS);
-        let (own, neighbours) = pattern[HEAD..].split_at(pattern[HEAD - 1] as usize);
+        let (own, neighbours) = pattern[HEAD..].split_at(own_of(pattern));
         let place = |offsets: &[[i32; 2]], entry: &u32| offsets[(entry >> 16) as usize];
         let earlier = neighbours
             .iter()
@@ -302,7 +301,7 @@ impl SparseFactor {
         };
         let row = index(self.row());
         let distances = places.iter().map(|[x, y]| (x * row + y) << level);
-        blocks.push(distances, &system.columns());
+        room.fill(distances, system.columns(workspace));
     }
 
     /// `r ← Gᵀ G r`; values outside the set become 0.
@@ -323,6 +322,15 @@ impl SparseFactor {
             block.add_transposed(tile.first, y, field);
         }
     }
+}
+
+/// The number of a pattern's unknowns and of the tile's own elements among them.
+fn size_of(pattern: &Pattern) -> [usize; 2] {
+    [pattern.len() - HEAD, own_of(pattern)]
+}
+
+fn own_of(pattern: &Pattern) -> usize {
+    pattern[HEAD - 1] as usize
 }
 
 /// The class of every element's compliance (m/Pa).

@@ -1,13 +1,11 @@
 //! The blocks of the factor as they are kept and multiplied.
 
-use faer::Mat;
-
 /// Numbers of a block side by side, so that their arithmetic fills the registers.
 const LANES: usize = 4;
 /// The most lanes that a tile's own elements fill.
 const MOST_LANES: usize = 3;
 
-/// Numbers of a block in lanes.
+/// Numbers of a block in lanes. Single precision is enough for a preconditioner.
 type Lane = [f32; LANES];
 
 /// `G r` of a tile.
@@ -19,8 +17,7 @@ pub struct FactorBlocks {
     heads: Vec<BlockHead>,
     /// Of each unknown of each block: its distance in the field's index from the tile's first place.
     distances: Vec<i32>,
-    /// Of each unknown: its entries in the rows of the tile's own elements, the last lane filled up with zeros. Single
-    /// precision is enough for a preconditioner.
+    /// Of each unknown: its entries in the rows of the tile's own elements, the last lane filled up with zeros.
     entries: Vec<Lane>,
 }
 
@@ -41,6 +38,28 @@ pub struct Block<'a> {
     entries: &'a [Lane],
 }
 
+/// Where a block's numbers go.
+pub struct Room<'a> {
+    lanes: usize,
+    distances: &'a mut [i32],
+    entries: &'a mut [Lane],
+}
+
+impl Room<'_> {
+    /// Takes a block of these columns one after the other, one for each of the tile's own elements.
+    pub fn fill(self, distances: impl Iterator<Item = i32>, columns: &[f64]) {
+        let unknowns = self.distances.len();
+        (self.distances.iter_mut().zip(distances)).for_each(|(room, distance)| *room = distance);
+        let entries = self.entries.as_flattened_mut();
+        for (own, column) in columns.chunks_exact(unknowns).enumerate() {
+            let row = entries[own..].iter_mut().step_by(self.lanes * LANES);
+            for (entry, g) in row.zip(column) {
+                *entry = single(*g);
+            }
+        }
+    }
+}
+
 impl FactorBlocks {
     /// Number of blocks.
     pub fn len(&self) -> usize {
@@ -52,44 +71,36 @@ impl FactorBlocks {
         self.entries.len() * LANES
     }
 
-    /// Adds a block of these columns, one for each of the tile's own elements.
-    pub fn push(&mut self, distances: impl Iterator<Item = i32>, columns: &Mat<f64>) {
-        self.distances.extend(distances);
-        let lanes = columns.ncols().div_ceil(LANES);
-        for unknown in 0..columns.nrows() {
-            for lane in 0..lanes {
-                #[expect(
-                    clippy::cast_possible_truncation,
-                    reason = "a preconditioner needs no more"
-                )]
-                self.entries.push(std::array::from_fn(|within| {
-                    let column = lane * LANES + within;
-                    if column < columns.ncols() {
-                        columns[(unknown, column)] as f32
-                    } else {
-                        0.0
-                    }
-                }));
+    /// Makes room after these for blocks of so many unknowns and own elements each, and returns it.
+    pub fn make_room(&mut self, sizes: impl Iterator<Item = [usize; 2]>) -> Vec<Room<'_>> {
+        let first = self.heads.len();
+        let (from, lanes_from) = (self.distances.len(), self.entries.len());
+        let (mut distances_end, mut entries_end) = (from, lanes_from);
+        self.heads.extend(sizes.map(|[unknowns, own]| {
+            let lanes = own.div_ceil(LANES);
+            distances_end += unknowns;
+            entries_end += unknowns * lanes;
+            BlockHead {
+                lanes,
+                distances_end,
+                entries_end,
             }
-        }
-        self.heads.push(BlockHead {
-            lanes,
-            distances_end: self.distances.len(),
-            entries_end: self.entries.len(),
-        });
-    }
-
-    /// Adds the blocks of another after these.
-    pub fn append(&mut self, others: Self) {
-        let (distances, entries) = (self.distances.len(), self.entries.len());
-        self.distances.extend(others.distances);
-        self.entries.extend(others.entries);
-        let heads = others.heads.into_iter();
-        self.heads.extend(heads.map(|head| BlockHead {
-            distances_end: distances + head.distances_end,
-            entries_end: entries + head.entries_end,
-            ..head
         }));
+        self.distances.resize(distances_end, 0);
+        self.entries.resize(entries_end, [0.0; LANES]);
+        let mut distances = &mut self.distances[from..];
+        let mut entries = &mut self.entries[lanes_from..];
+        let mut before = [from, lanes_from];
+        let rooms = self.heads[first..].iter().map(|head| {
+            let [unknowns, lanes] = [head.distances_end - before[0], head.entries_end - before[1]];
+            before = [head.distances_end, head.entries_end];
+            Room {
+                lanes: head.lanes,
+                distances: (distances.split_off_mut(..unknowns)).expect("made room"),
+                entries: entries.split_off_mut(..lanes).expect("made room"),
+            }
+        });
+        rooms.collect()
     }
 
     /// The block of this number.
@@ -162,6 +173,14 @@ fn at(first: i32, distance: i32) -> usize {
     (first + distance) as usize
 }
 
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a preconditioner needs no more"
+)]
+fn single(value: f64) -> f32 {
+    value as f32
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -171,7 +190,7 @@ mod tests {
         let mut blocks = FactorBlocks::default();
         for (own, entries) in [(1, 5 * 4), (4, 5 * 4), (5, 5 * 8), (9, 5 * 12)] {
             let before = (blocks.len(), blocks.entries());
-            blocks.push(0..5, &Mat::zeros(5, own));
+            blocks.make_room(std::iter::once([5, own]));
             assert_eq!(
                 (blocks.len(), blocks.entries()),
                 (before.0 + 1, before.1 + entries)
@@ -184,27 +203,24 @@ mod tests {
         let distances = [-3, 0, 2, 7, 8, 11, 12, 15, 16, 20, 21, 25, 30, 31];
         let field: Vec<f64> = (0..64).map(|i| f64::from(i * i % 17) - 8.0).collect();
         let mut blocks = FactorBlocks::default();
-        let columns = [1, 4, 5, 8, 9, 12].map(|own| {
-            // Quarters, which single precision has exactly.
-            Mat::from_fn(distances.len(), own, |a, b| {
-                ((a * 5 + b * 3) % 11) as f64 / 4.0 - 1.0
-            })
-        });
-        for (number, columns) in columns.iter().enumerate() {
-            // Every other one comes from another part of the work.
-            let mut others = FactorBlocks::default();
-            let part = if number % 2 == 0 {
-                &mut blocks
-            } else {
-                &mut others
-            };
-            part.push(distances.into_iter(), columns);
-            blocks.append(others);
+        // Quarters, which single precision has exactly.
+        let g = |a: usize, own: usize| ((a * 5 + own * 3) % 11) as f64 / 4.0 - 1.0;
+        let columns = |of: usize| -> Vec<f64> {
+            let columns = (0..of).flat_map(|own| (0..distances.len()).map(move |a| g(a, own)));
+            columns.collect()
+        };
+        let own = [1, 4, 5, 8, 9, 12];
+        // In two parts, one after the other.
+        for own in own.chunks(4) {
+            let sizes = own.iter().map(|own| [distances.len(), *own]);
+            for (room, own) in blocks.make_room(sizes).into_iter().zip(own) {
+                room.fill(distances.into_iter(), &columns(*own));
+            }
         }
-        assert_eq!(blocks.len(), columns.len());
+        assert_eq!(blocks.len(), own.len());
         let first = 5_i32;
         let value = |distance: i32| field[at(first, distance)];
-        for (number, columns) in (0..).zip(&columns) {
+        for (number, width) in (0..).zip(own) {
             let block = blocks.block(number);
             let product = block.multiply(first, &field);
             let found: Vec<f64> = product.into_iter().flatten().collect();
@@ -212,12 +228,12 @@ mod tests {
             block.add_transposed(first, &product, &mut transposed);
             for (own, found) in found.iter().enumerate() {
                 let terms = distances.iter().enumerate();
-                let wanted = terms.filter(|_| own < columns.ncols());
-                let wanted: f64 = wanted.map(|(a, d)| columns[(a, own)] * value(*d)).sum();
+                let wanted = terms.filter(|_| own < width);
+                let wanted: f64 = wanted.map(|(a, d)| g(a, own) * value(*d)).sum();
                 assert_eq!(*found, wanted, "{number} {own}");
             }
             for (a, distance) in distances.iter().enumerate() {
-                let terms = (0..columns.ncols()).map(|own| columns[(a, own)] * found[own]);
+                let terms = (0..width).map(|own| g(a, own) * found[own]);
                 assert_eq!(
                     transposed[at(first, *distance)],
                     terms.sum::<f64>(),

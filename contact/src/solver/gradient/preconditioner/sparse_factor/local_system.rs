@@ -1,8 +1,14 @@
 //! The blocks of the factor: the small dense systems of a tile's elements and their earlier neighbours.
 
 use faer::{
-    Mat, Par, Side,
-    linalg::{solvers::Llt, triangular_solve::solve_upper_triangular_in_place},
+    Auto, MatMut, Par, Spec,
+    dyn_stack::{MemBuffer, MemStack, StackReq},
+    linalg::{
+        cholesky::llt::factor::{
+            LltParams, LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
+        },
+        triangular_solve::solve_upper_triangular_in_place,
+    },
 };
 use pellicle_influence::SurfaceElasticity;
 
@@ -34,34 +40,71 @@ pub fn compliance_of(class: u16) -> f64 {
 }
 
 /// Distance, in the spacing of a level, below which coefficients are looked up in a table of their own.
-const NEAR: usize = 32;
+const NEAR: i32 = 32;
+/// Entries of a row of that table, for distances of either sign.
+const WIDTH: i32 = 2 * NEAR;
+/// Unknowns up to which a factor is computed column by column, and by blocks beyond: at the library's own 64, a system
+/// of 93 takes a third more time.
+const COLUMN_BY_COLUMN: usize = 16;
 
 /// The coefficients of elements few places apart, in the spacing of one level.
 pub struct NearCoefficients(Vec<f64>);
 
 impl NearCoefficients {
-    /// Those at distances of whole multiples of 2^`level` elements; none where the grid has no two such elements.
+    /// Those at distances of whole multiples of 2^`level` elements; 0 where the grid has no two such elements.
     pub fn of(elasticity: &SurfaceElasticity, level: u32) -> Self {
         let size = elasticity.size();
-        if 1 << level >= size {
-            return Self(Vec::new());
-        }
-        let offsets = (0..NEAR).flat_map(|x| (0..NEAR).map(move |y| [x << level, y << level]));
-        let value = |offset: [usize; 2]| {
-            let is_there = offset.iter().all(|along| *along < size);
-            if is_there {
-                elasticity.coefficient(offset)
-            } else {
-                0.0
-            }
+        let along = |distance: i32| {
+            let elements = u64::from(distance.unsigned_abs()) << level;
+            usize::try_from(elements)
+                .ok()
+                .filter(|offset| *offset < size)
         };
+        let value = |(x, y): (i32, i32)| match (along(x), along(y)) {
+            (Some(x), Some(y)) => elasticity.coefficient([x, y]),
+            _ => 0.0,
+        };
+        let offsets = (-NEAR..NEAR).flat_map(|x| (-NEAR..NEAR).map(move |y| (x, y)));
         Self(offsets.map(value).collect())
     }
 
-    /// The coefficient at so many places, if it is near enough to be kept.
-    pub fn coefficient(&self, [x, y]: [usize; 2]) -> Option<f64> {
-        let is_near = x < NEAR && y < NEAR;
-        is_near.then(|| self.0.get(x * NEAR + y).copied()).flatten()
+    /// Replaces `keys` by those of places, of which any two differ by that of their distance; false if some places are
+    /// too far apart.
+    fn keys(places: &[[i32; 2]], keys: &mut Vec<i32>) -> bool {
+        let are_near = [0, 1].into_iter().all(|axis: usize| {
+            let along = || places.iter().map(|place| place[axis]);
+            let ends = along().min().zip(along().max());
+            ends.is_none_or(|(least, most)| most - least < NEAR)
+        });
+        keys.clear();
+        keys.extend(places.iter().map(|[x, y]| x * WIDTH + y));
+        are_near
+    }
+
+    /// The coefficient between places whose keys differ by so much.
+    #[inline]
+    fn at(&self, apart: i32) -> f64 {
+        let zero = NEAR * WIDTH + NEAR;
+        self.0[(zero + apart).unsigned_abs() as usize]
+    }
+}
+
+/// The memory of one thread that solves local systems one after the other.
+pub struct Workspace {
+    matrix: Vec<f64>,
+    columns: Vec<f64>,
+    keys: Vec<i32>,
+    stack: MemBuffer,
+}
+
+impl Workspace {
+    pub fn new() -> Self {
+        Self {
+            matrix: Vec::new(),
+            columns: Vec::new(),
+            keys: Vec::new(),
+            stack: MemBuffer::new(StackReq::EMPTY),
+        }
     }
 }
 
@@ -82,67 +125,105 @@ pub struct LocalSystem<'a> {
 }
 
 impl LocalSystem<'_> {
-    /// The columns `G` of the tile's own elements, `Lᵀ G = (0, 1)ᵀ`: the last rows of the inverse of `L`, transposed.
+    /// The columns `G` of the tile's own elements, one after the other, `Lᵀ G = (0, 1)ᵀ`: the last rows of the inverse
+    /// of `L`, transposed.
     ///
     /// A system that is not positive definite up to rounding gives each element's own `1/√(K₀₀ + η)` and nothing else.
-    pub fn columns(&self) -> Mat<f64> {
+    pub fn columns<'w>(&self, workspace: &'w mut Workspace) -> &'w [f64] {
         let order = self.places.len();
         let first = order - self.own;
-        let matrix = self.lower_triangle();
-        let mut columns = Mat::zeros(order, self.own);
+        self.fill_lower_triangle(workspace);
+        let Workspace {
+            matrix,
+            columns,
+            stack,
+            ..
+        } = workspace;
+        let mut matrix = MatMut::from_column_major_slice_mut(matrix, order, order);
+        columns.clear();
+        columns.resize(order * self.own, 0.0);
+        let mut solution = MatMut::from_column_major_slice_mut(columns, order, self.own);
         for own in 0..self.own {
-            columns[(first + own, own)] = 1.0;
+            solution[(first + own, own)] = 1.0;
         }
-        if let Ok(factor) = Llt::new(matrix.as_ref(), Side::Lower) {
-            let upper = factor.L().transpose();
-            solve_upper_triangular_in_place(upper, columns.as_mut(), Par::Seq);
+        if factor_in_place(matrix.as_mut(), stack) {
+            let upper = matrix.as_ref().transpose();
+            solve_upper_triangular_in_place(upper, solution, Par::Seq);
         } else {
             for own in 0..self.own {
                 let a = first + own;
-                columns[(a, own)] = 1.0 / matrix[(a, a)].sqrt();
+                let place = self.places[a];
+                let diagonal = self.elastic(place, place) + self.compliance(a);
+                solution[(a, own)] = 1.0 / diagonal.sqrt();
             }
         }
         columns
     }
 
     /// The lower triangle of `K + η`, which is all that its factor takes.
-    fn lower_triangle(&self) -> Mat<f64> {
+    fn fill_lower_triangle(&self, workspace: &mut Workspace) {
         let order = self.places.len();
-        let own = self.elasticity.coefficient([0, 0]);
-        let mut matrix = Mat::zeros(order, order);
-        for (a, place) in self.places.iter().enumerate() {
-            let below = &mut matrix.col_as_slice_mut(a)[a..];
-            for (value, other) in below.iter_mut().zip(&self.places[a..]) {
-                *value = self.elastic(*place, *other);
+        let Workspace { matrix, keys, .. } = workspace;
+        matrix.resize(order * order, 0.0);
+        let are_near = NearCoefficients::keys(self.places, keys) && self.to_axis == [None, None];
+        for (a, column) in matrix.chunks_exact_mut(order).enumerate() {
+            let below = &mut column[a..];
+            if are_near {
+                for (value, key) in below.iter_mut().zip(&keys[a..]) {
+                    *value = self.near.at(key - keys[a]);
+                }
+            } else {
+                for (value, other) in below.iter_mut().zip(&self.places[a..]) {
+                    *value = self.elastic(self.places[a], *other);
+                }
             }
-            below[0] += own * compliance_of(self.classes[a]);
+            below[0] += self.compliance(a);
         }
-        matrix
     }
 
-    /// `K` between two places.
-    #[inline]
+    /// `η` of an unknown.
+    fn compliance(&self, a: usize) -> f64 {
+        self.elasticity.coefficient([0, 0]) * compliance_of(self.classes[a])
+    }
+
+    /// `K` between two places, with the images beyond the axes.
     fn elastic(&self, p: [i32; 2], q: [i32; 2]) -> f64 {
-        let apart = [0, 1].map(|axis: usize| p[axis].abs_diff(q[axis]) as usize);
-        match self.near.coefficient(apart) {
-            Some(coefficient) if self.to_axis == [None, None] => coefficient,
-            _ => self.with_images(apart, [p[0] + q[0], p[1] + q[1]]),
-        }
-    }
-
-    /// `K` between places so far apart with the images beyond the axes, by the sum of their indices.
-    fn with_images(&self, apart: [usize; 2], both: [i32; 2]) -> f64 {
         // The image of index j lies at −1 − j: i + j + 1 from the index i.
-        let mirrored = [0, 1].map(|axis: usize| {
-            let twice = 2 * i64::from(self.to_axis[axis]?) + 1;
-            usize::try_from(twice + (i64::from(both[axis]) << self.level)).ok()
-        });
-        let along = |axis: usize| std::iter::once(apart[axis] << self.level).chain(mirrored[axis]);
+        let along = |axis: usize| {
+            let apart = (p[axis].abs_diff(q[axis]) as usize) << self.level;
+            let mirrored = self.to_axis[axis].and_then(|along| {
+                let both = i64::from(p[axis] + q[axis]) << self.level;
+                usize::try_from(2 * i64::from(along) + 1 + both).ok()
+            });
+            std::iter::once(apart).chain(mirrored)
+        };
         let offsets = along(0).flat_map(|x| along(1).map(move |y| [x, y]));
         offsets
             .map(|offset| self.elasticity.coefficient(offset))
             .sum()
     }
+}
+
+/// Replaces the lower triangle of `A` by its Cholesky factor; false if it is not positive definite up to rounding.
+fn factor_in_place(matrix: MatMut<'_, f64>, stack: &mut MemBuffer) -> bool {
+    let params: Spec<LltParams, f64> = LltParams {
+        recursion_threshold: COLUMN_BY_COLUMN,
+        ..Auto::<f64>::auto()
+    }
+    .into();
+    let needed = cholesky_in_place_scratch::<f64>(matrix.nrows(), Par::Seq, params);
+    if !MemStack::new(stack).can_hold(needed) {
+        *stack = MemBuffer::new(needed);
+    }
+    let stack = MemStack::new(stack);
+    cholesky_in_place(
+        matrix,
+        LltRegularization::default(),
+        Par::Seq,
+        stack,
+        params,
+    )
+    .is_ok()
 }
 
 #[cfg(test)]
@@ -212,11 +293,13 @@ mod tests {
                 }
                 sum
             };
-            let g = system.columns();
+            let mut workspace = Workspace::new();
+            let g = system.columns(&mut workspace);
+            let g = |a: usize, column: usize| g[column * places.len() + a];
             // A G = (0, L_own)ᵀ of a lower triangle: A = L Lᵀ, Lᵀ G = (0, 1)ᵀ. And Gᵀ A G = 1.
             let order = places.len();
             for column in 0..own {
-                let image = |a: usize| (0..order).map(|b| matrix(a, b) * g[(b, column)]).sum();
+                let image = |a: usize| (0..order).map(|b| matrix(a, b) * g(b, column)).sum();
                 let image: Vec<f64> = (0..order).map(image).collect();
                 assert!(
                     image[..order - own + column]
@@ -225,7 +308,7 @@ mod tests {
                     "{to_axis:?} {column}"
                 );
                 for other in 0..own {
-                    let energy: f64 = (0..order).map(|a| g[(a, other)] * image[a]).sum();
+                    let energy: f64 = (0..order).map(|a| g(a, other) * image[a]).sum();
                     let wanted = f64::from(u8::from(other == column));
                     assert!((energy - wanted).abs() < 1e-13, "{to_axis:?} {column}");
                 }
@@ -245,24 +328,32 @@ mod tests {
         let elasticity = of_half_space(64);
         for level in [0, 1, 5] {
             let near = NearCoefficients::of(&elasticity, level);
-            for apart in [[0, 0], [1, 0], [0, 1], [3, 7], [31, 31], [31, 2]] {
-                let offset = apart.map(|along: usize| along << level);
+            let mut keys = Vec::new();
+            for (p, q) in [
+                ([0, 0], [0, 0]),
+                ([-1, 4], [0, 4]),
+                ([5, -2], [2, 5]),
+                ([-20, 3], [11, -28]),
+                ([7, 31], [7, 0]),
+            ] {
+                let offset = [0, 1].map(|axis: usize| {
+                    let apart: i32 = p[axis] - q[axis];
+                    (apart.unsigned_abs() as usize) << level
+                });
                 let is_there = offset.iter().all(|along| *along < 64);
                 let wanted = if is_there {
                     elasticity.coefficient(offset)
                 } else {
                     0.0
                 };
-                assert_eq!(near.coefficient(apart), Some(wanted), "{level} {apart:?}");
+                assert!(NearCoefficients::keys(&[p, q], &mut keys));
+                let found = [near.at(keys[0] - keys[1]), near.at(keys[1] - keys[0])];
+                assert_eq!(found, [wanted; 2], "{level} {p:?} {q:?}");
             }
-            let far = [[32, 0], [0, 32], [2, 40], [40, 2], [40, 40]];
-            assert!(far.iter().all(|apart| near.coefficient(*apart).is_none()));
+            for far in [[32, 0], [0, -32], [-40, 40]] {
+                assert!(!NearCoefficients::keys(&[[0, 0], far, [1, 1]], &mut keys));
+            }
         }
-        // No two elements of a grid are so far apart as the spacing of its highest levels.
-        assert_eq!(
-            NearCoefficients::of(&elasticity, 6).coefficient([0, 0]),
-            None
-        );
     }
 
     #[test]
@@ -278,7 +369,11 @@ mod tests {
             own: 2,
             to_axis: [None, None],
         };
-        let (found, own) = (system.columns(), elasticity.coefficient([0, 0]));
+        let mut workspace = Workspace::new();
+        let (found, own) = (
+            system.columns(&mut workspace),
+            elasticity.coefficient([0, 0]),
+        );
         for column in 0..2 {
             for row in 0..3 {
                 let wanted = if row == 1 + column {
@@ -286,7 +381,7 @@ mod tests {
                 } else {
                     0.0
                 };
-                assert!((found[(row, column)] - wanted).abs() < 1e-14 * wanted.max(1.0));
+                assert!((found[3 * column + row] - wanted).abs() < 1e-14 * wanted.max(1.0));
             }
         }
     }

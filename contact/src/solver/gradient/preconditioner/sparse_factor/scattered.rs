@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use self::order::{Rank, TOP, earlier_offsets};
 use super::{
     classes, index,
-    local_system::{LocalSystem, NearCoefficients},
+    local_system::{LocalSystem, NearCoefficients, Workspace},
 };
 use crate::grid::candidates::Candidates;
 use crate::solver::gradient::working_set::WorkingSet;
@@ -80,15 +80,21 @@ impl ScatteredFactor {
     pub fn update(&mut self, set: &WorkingSet) {
         let mut rows = std::mem::take(&mut self.rows);
         let parts = rows.par_chunks_mut(PART).enumerate();
-        parts.for_each(|(part, rows)| {
+        parts.for_each_init(Workspace::new, |workspace, (part, rows)| {
             for (place, row) in rows.iter_mut().enumerate() {
-                self.update_row(part * PART + place, row, set.mask());
+                self.update_row(part * PART + place, row, set.mask(), workspace);
             }
         });
         self.rows = rows;
     }
 
-    fn update_row(&self, candidate: usize, row: &mut Row, mask: &[bool]) {
+    fn update_row(
+        &self,
+        candidate: usize,
+        row: &mut Row,
+        mask: &[bool],
+        workspace: &mut Workspace,
+    ) {
         if !mask[candidate] {
             *row = Row::default();
             return;
@@ -110,8 +116,8 @@ impl ScatteredFactor {
             own: 1,
             to_axis: [None, None],
         }
-        .columns();
-        let (diagonal, values) = (column.col_as_slice(0).split_last()).expect("the element itself");
+        .columns(workspace);
+        let (diagonal, values) = column.split_last().expect("the element itself");
         row.diagonal = *diagonal;
         #[expect(
             clippy::cast_possible_truncation,
