@@ -9,7 +9,7 @@ use pellicle_contact::{
 };
 use pellicle_texture::Grid;
 
-use crate::case::Case;
+use crate::case::{Case, grid::BoundaryCase};
 use crate::display::significant;
 
 /// Elements per side of the trial.
@@ -161,7 +161,13 @@ impl Forecast {
         let trial = case.grid.elements.min(TRIAL);
         let loads = case.load.loads();
         let (side, path) = match case.side(model) {
-            Ok(side) => (side, solve(case, model, Domain::Side(side), trial)),
+            Ok(side) => {
+                let domain = match case.grid.boundary {
+                    BoundaryCase::Free => Domain::Side(side),
+                    BoundaryCase::Periodic => Domain::Periodic(side),
+                };
+                (side, solve(case, model, domain, trial))
+            }
             Err(error) => (default_side(model, &loads), Err(error)),
         };
         let of_case = case.warnings(side).into_iter();
@@ -317,7 +323,6 @@ mod tests {
     use pellicle_influence::Cache;
 
     use super::*;
-    use crate::case::grid::BoundaryCase;
     use crate::input::span::Source;
 
     /// Hertz' contact of `cases/hertz.toml`.
@@ -367,6 +372,26 @@ mod tests {
         let of_quadrant = bytes(&case);
         case.grid.boundary = BoundaryCase::Periodic;
         assert!(bytes(&case) > of_quadrant);
+    }
+
+    #[test]
+    fn the_trial_of_a_periodic_cell_is_one() {
+        let mut case = hertz(TRIAL);
+        let model = case.model(&Cache::in_memory()).unwrap().value;
+        let side = 3e-4;
+        case.grid.side = Some(side);
+        case.grid.boundary = BoundaryCase::Periodic;
+        let step = Forecast::new(&case, &model).step.unwrap();
+        let penetration = |domain| {
+            let path = solve(&case, &model, domain, TRIAL).unwrap();
+            path.steps[0].solution.penetration
+        };
+        assert_eq!(
+            step.solution.penetration,
+            penetration(Domain::Periodic(side))
+        );
+        // Measured from the mean plane, it is less.
+        assert!(step.solution.penetration < 0.9 * penetration(Domain::Side(side)));
     }
 
     #[test]

@@ -171,7 +171,7 @@ fn tell(arguments: &RunArguments, summary: &RunSummary, folder: Option<&Path>) {
         terminal::tell(summary_text::text(summary).trim_end());
     }
     if !arguments.quiet && !summary.warnings.is_empty() {
-        terminal::tell(&summary_text::warnings(summary));
+        terminal::tell(&summary_text::warning_lines(&summary.warnings));
     }
     match summary.status {
         Status::Certified => {}

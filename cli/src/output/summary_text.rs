@@ -7,10 +7,13 @@ use pellicle_contact::Status;
 
 use self::columns::TextColumns;
 use super::summary::roughness::RoughContactSummary;
-use super::summary::{RunSummary, StepSummary};
+use super::summary::{RunSummary, StepSummary, WarningSummary};
 use crate::case::grid::BoundaryCase;
 use crate::display::{Unit, quantity, significant};
 use crate::input::units::Units;
+
+/// Warnings with the same code that are all told.
+const MOST_ALIKE: usize = 3;
 
 /// The summary of a run in a few lines; a curve as a table with one line per step.
 #[must_use]
@@ -23,11 +26,25 @@ pub fn text(summary: &RunSummary) -> String {
     text + &stress::critical(summary)
 }
 
-/// The warnings, one per line.
+/// The warnings, one per line; of more than [`MOST_ALIKE`] with one code the first, and how many more there are.
 #[must_use]
-pub fn warnings(summary: &RunSummary) -> String {
-    let line = |warning: &super::summary::WarningSummary| format!("warning: {}", warning.message);
-    let lines: Vec<_> = summary.warnings.iter().map(line).collect();
+pub fn warning_lines(warnings: &[WarningSummary]) -> String {
+    let mut told: Vec<&str> = Vec::new();
+    let mut lines = Vec::new();
+    for WarningSummary { code, message } in warnings {
+        let alike = warnings.iter().filter(|other| other.code == *code);
+        let count = alike.count();
+        if count <= MOST_ALIKE {
+            lines.push(format!("warning: {message}"));
+        } else if !told.contains(&code.as_str()) {
+            told.push(code);
+            lines.push(format!("warning: {message}"));
+            let more = count - 1;
+            lines.push(format!(
+                "warning: {more} more of this kind ({code}), each in the summary's JSON"
+            ));
+        }
+    }
     lines.join("\n")
 }
 
@@ -160,4 +177,26 @@ fn table(steps: &[StepSummary], units: Units) -> String {
 fn row([step, rest @ ..]: [String; 6]) -> String {
     let rest = rest.map(|cell| format!("{cell:>16}")).concat();
     format!("{step:>6}{rest}\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{WarningSummary, warning_lines};
+
+    #[test]
+    fn many_warnings_of_one_kind_are_told_by_the_first_and_their_number() {
+        let warning = |code: &str, message: String| WarningSummary {
+            code: code.into(),
+            message,
+        };
+        let of_steps = |count: usize| (0..count).map(|i| warning("steep", format!("step {i}")));
+        let mut warnings: Vec<WarningSummary> = of_steps(3).collect();
+        let all = "warning: step 0\nwarning: step 1\nwarning: step 2";
+        assert_eq!(warning_lines(&warnings), all);
+        warnings = of_steps(5).collect();
+        warnings.insert(2, warning("other", "one more".into()));
+        let first = "warning: step 0\nwarning: 4 more of this kind (steep), each in the summary's JSON\nwarning: one more";
+        assert_eq!(warning_lines(&warnings), first);
+        assert_eq!(warning_lines(&[]), "");
+    }
 }
