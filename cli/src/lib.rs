@@ -18,10 +18,10 @@ mod case;
 mod command;
 mod display;
 mod failure;
+mod fit_and_plan;
 mod fit_file;
 mod forecast;
 mod identification;
-mod identifying;
 mod input;
 mod interrupt;
 mod map;
@@ -36,7 +36,7 @@ mod self_affine;
 mod sensitivities;
 mod solving;
 mod source_file;
-mod stresses;
+mod stress_search;
 mod study;
 mod templates;
 mod terminal;
@@ -70,7 +70,7 @@ pub mod solved {
     pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
     pub use crate::solving::{Resources, SolvedCase, solve};
     pub use crate::source_file::read as read_source;
-    pub use crate::stresses::StressSearch;
+    pub use crate::stress_search::StressSearch;
 }
 
 /// Studies planned, solved case by case, and kept in a table, as the program does.
@@ -92,9 +92,9 @@ pub mod studied {
 
 /// Fits made as the program makes them.
 pub mod fitted {
+    pub use crate::fit_and_plan::{Stage, fit, plan, plan_table};
     pub use crate::fit_file::{FitFile, FitSources, Measurements};
     pub use crate::identification::fitted_file::FittedFile;
-    pub use crate::identifying::{Stage, fit, plan, plan_table};
     pub use crate::measured::sources::MeasurementSources;
     pub use crate::planning::result::PlanResult;
 }

@@ -6,7 +6,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use pellicle_contact::{Observer, Progress, Signal};
 
 use crate::interrupt;
-use crate::stresses::StressSearch;
+use crate::stress_search::StressSearch;
 
 /// Shows the progress of a solution on standard error if it is a terminal, and passes Ctrl-C on.
 #[derive(Debug)]

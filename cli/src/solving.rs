@@ -12,7 +12,7 @@ use crate::memory::MemoryBudget;
 use crate::output::folder::Completeness;
 use crate::output::summary::{Clock, RunSummary, WarningSummary};
 use crate::sensitivities;
-use crate::stresses::{self, StressSearch, Stresses};
+use crate::stress_search::{self, StressSearch, Stresses};
 
 /// The resources that the cases of a process share.
 #[derive(Debug, Clone, Copy)]
@@ -68,7 +68,7 @@ pub fn solve(
     let stresses = if path.interrupted {
         None
     } else {
-        unless_stopped(stresses::find(
+        unless_stopped(stress_search::find(
             case, &model, domain, &path, search, observer,
         ))?
     };

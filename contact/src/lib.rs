@@ -52,7 +52,7 @@ pub use result::{
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
     grid_error::{Estimate, GridError, LevelValues},
-    null::nan_from_null,
+    nan_from_null::nan_from_null,
     peak::PeakPlace,
     rough_contact::{Histogram, Islands, RoughContact},
     step::{CoarsePressure, Status, Step},
@@ -68,12 +68,12 @@ pub use solver::{
     observer::{Observer, Progress, Signal},
 };
 pub use stress::{
-    critical::{CriticalLoad, critical_loads},
-    extreme::Extreme,
-    extremes::{
+    body_extremes::{
         BodyStress, BodyUtilisation, InterfaceStress, InterfaceUtilisation, StressExtremes,
         stress_extremes,
     },
+    critical_load::{CriticalLoad, critical_loads},
+    extreme::Extreme,
     field::{StressField, StressPlanes},
     model::{
         BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,

@@ -6,7 +6,7 @@ mod contact_shape;
 pub mod cut_off;
 pub mod deformed_surface;
 pub mod grid_error;
-pub mod null;
+pub mod nan_from_null;
 pub mod peak;
 pub mod rough_contact;
 pub mod step;

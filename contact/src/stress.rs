@@ -1,11 +1,11 @@
 //! Stress inside the body under a solved pressure: at points, on planes, its extremes, and the loads at which a body
 //! yields or cracks or an interface comes off.
 
-pub mod critical;
+pub mod body_extremes;
+pub mod critical_load;
 pub mod extreme;
-pub mod extremes;
+mod extreme_finder;
 pub mod field;
-mod finder;
 mod load_search;
 pub mod model;
 mod neighbourhood;

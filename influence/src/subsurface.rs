@@ -14,10 +14,10 @@ mod log_lattice;
 mod parity;
 mod plane_fields;
 mod point_kernels;
-mod pressed;
 mod principal;
 mod radial_panels;
 mod state;
+mod transformed_pressure;
 mod under_load;
 mod waves;
 
@@ -25,5 +25,5 @@ pub use centre_stresses::CentreStresses;
 pub use depth::Depth;
 pub use element::{ElementDepths, ElementFields, ElementLoads};
 pub use plane_fields::PlaneFields;
-pub use pressed::Squares;
 pub use state::{SubsurfaceState, SurfaceLoad};
+pub use transformed_pressure::Squares;

@@ -63,10 +63,10 @@ mod interface;
 mod interior;
 mod layer;
 mod material;
-mod paper;
+mod paper_notation;
 mod parameter;
 mod response;
-mod system;
+mod transformed_system;
 mod wave;
 
 pub use asymptotics::{LongWaves, ShortWaves};
@@ -80,9 +80,9 @@ pub use interface::{Interface, Spring};
 pub use interior::{Amplitudes, Antiplane, InPlane, Interior, Side};
 pub use layer::Layer;
 pub use material::Material;
-pub use paper::{TwoLayer, load_transform};
+pub use paper_notation::{TwoLayer, load_transform};
 pub use parameter::FoundationParameter;
-pub use system::TransformedSystem;
+pub use transformed_system::TransformedSystem;
 
 /// The README, whose examples are documentation tests of this crate.
 #[cfg(doctest)]

@@ -11,10 +11,10 @@ use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 use crate::arguments::IdentifyArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
+use crate::fit_and_plan::{self, Stage};
 use crate::fit_file::{FitFile, Measurements};
 use crate::identification::fitted_file::FittedFile;
 use crate::identification::{files, simulation, text};
-use crate::identifying::{self, Stage};
 use crate::output::file::{self, Existing};
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
@@ -43,7 +43,7 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
         });
         line.tick();
     };
-    let mut fitted = match identifying::fit(file, start, &interrupt::flag(), &tell) {
+    let mut fitted = match fit_and_plan::fit(file, start, &interrupt::flag(), &tell) {
         Err(Failure::Identify(IdentifyError::Stopped { .. })) => {
             line.finish_and_clear();
             terminal::tell("stopped before the first curve was solved; nothing is written");

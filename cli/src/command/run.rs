@@ -20,7 +20,7 @@ use crate::output::folder::{self, Completeness, ResultsFolder};
 use crate::output::summary::{Clock, RunSummary};
 use crate::output::{json, report, results, summary_text};
 use crate::progress::{ProgressLine, SearchLine};
-use crate::stresses::{self, Stresses};
+use crate::stress_search::{self, Stresses};
 use crate::{cache, interrupt, solving, terminal, threads};
 
 /// Time between two looks at the user while stresses are looked for.
@@ -120,7 +120,7 @@ fn find_beside(
             line.tell(search);
             interrupt::signal()
         };
-        pool.install(|| stresses::find(&case, &model, domain, &path, &tell, &mut observer))
+        pool.install(|| stress_search::find(&case, &model, domain, &path, &tell, &mut observer))
     });
     while watched.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
         if interrupt::is_requested() {

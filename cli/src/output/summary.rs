@@ -19,7 +19,7 @@ use crate::case::grid::BoundaryCase;
 use crate::case::stress::StressCase;
 use crate::failure::Failure;
 use crate::input::units::Units;
-use crate::stresses::Stresses;
+use crate::stress_search::Stresses;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "summary.json";

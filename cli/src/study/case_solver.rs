@@ -20,7 +20,7 @@ use crate::output::file::Existing;
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::{own_files, results};
 use crate::solving::{self, Resources, SolvedCase};
-use crate::stresses::StressSearch;
+use crate::stress_search::StressSearch;
 
 /// Solves the cases of a study.
 #[derive(Debug)]

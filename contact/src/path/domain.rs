@@ -13,7 +13,7 @@
 //! is large enough.
 
 pub mod choice;
-mod root;
+mod root_finding;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::LazyLock;
@@ -21,7 +21,7 @@ use std::sync::LazyLock;
 use pellicle_texture::Relief;
 
 use crate::{Boundary, Load, Model, Profile as _};
-use root::where_zero;
+use root_finding::where_zero;
 
 /// The square on which the problem is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -53,9 +53,9 @@
 //! **Units.** Everything is computed in the powers of two that the problem's scale sets, so no threshold knows the
 //! user's units. Elements beyond the indenter's end are none of the problem: no set takes them in, and no sum.
 
-mod best;
+mod best_pressure;
 mod context;
-mod control;
+mod load_control;
 mod ongoing_solution;
 mod preconditioner;
 mod springs;

@@ -4,7 +4,7 @@
 //! strength in a few steps; each is a contact solved on its own grids, and its stresses searched.
 
 use super::extreme::Extreme;
-use super::finder::Finder;
+use super::extreme_finder::ExtremeFinder;
 use super::model::Sliding;
 use super::scan::Target;
 use crate::{ContactError, Domain, Load, Model, Observer, SolverOptions, choose_side, solve_path};
@@ -225,7 +225,7 @@ impl LoadSearch<'_> {
             return Err(ContactError::Cancelled { step: 0 });
         };
         let targets = std::slice::from_ref(self.target);
-        let found = Finder::new(&path, step, self.sliding).find(targets)?;
+        let found = ExtremeFinder::new(&path, step, self.sliding).find(targets)?;
         let solved = Solved {
             force,
             penetration: step.solution.penetration,

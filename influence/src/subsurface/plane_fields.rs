@@ -12,8 +12,8 @@ use super::depth::Depth;
 use super::element_table::{ElementTable, TRANSPOSED};
 use super::parity::{ParityPart, UNDER_PRESSURE, under_traction};
 use super::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
-use super::pressed::{Pressed, Squares};
 use super::state::SurfaceLoad;
+use super::transformed_pressure::{Squares, TransformedPressure};
 use super::under_load::{DepthWaves, UnderLoad};
 use super::waves::Waves;
 use crate::element::check_element_side;
@@ -25,7 +25,7 @@ pub struct PlaneFields {
     waves: Waves,
     /// Factors of a traction along x and y per pressure.
     friction: [f64; 2],
-    pressed: Pressed,
+    pressed: TransformedPressure,
     /// Of the tables of an element, of as many offsets as there are.
     quarter: QuarterTransform,
     /// The fields of one element under a pressure and, where there is friction, under a traction.
@@ -77,7 +77,7 @@ impl PlaneFields {
             "a pressure of every loaded element"
         );
         let offsets = squares.offsets();
-        let (pressed, half) = Pressed::new(squares, pressure);
+        let (pressed, half) = TransformedPressure::new(squares, pressure);
         let room = || Spectrum::zeros(half);
         let along = |is_wanted: bool| {
             if is_wanted {

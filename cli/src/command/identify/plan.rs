@@ -8,8 +8,8 @@ use super::{claim, progress};
 use crate::arguments::IdentifyArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
+use crate::fit_and_plan::{self, Stage};
 use crate::fit_file::{FitFile, Measurements};
-use crate::identifying::{self, Stage};
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
 use crate::planning::{files, text};
@@ -30,7 +30,7 @@ pub fn plan(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     threads::set(arguments.threads)?;
     threads::begin();
     let line = progress(arguments);
-    let planned = identifying::plan(&file, start, &interrupt::flag(), &|stage| {
+    let planned = fit_and_plan::plan(&file, start, &interrupt::flag(), &|stage| {
         if let Stage::Planned(done) = stage {
             line.set_message(format!("{done} curves planned"));
             line.tick();

@@ -5,9 +5,9 @@ use crate::{
     solver::{
         Watch,
         gradient::{
-            best::Best,
+            best_pressure::BestPressure,
             context::Context,
-            control::Control,
+            load_control::LoadControl,
             preconditioner::Preconditioner,
             springs::Springs,
             state::State,
@@ -30,7 +30,7 @@ use crate::{
 pub struct Workspace {
     state: State,
     set: WorkingSet,
-    best: Best,
+    best: BestPressure,
     preconditioner: Preconditioner,
     segment: Segment,
     methods: Methods,
@@ -51,7 +51,7 @@ impl Workspace {
         Self {
             state: State::new(problem),
             set: WorkingSet::new(problem.elements()),
-            best: Best::new(),
+            best: BestPressure::new(),
             preconditioner: Preconditioner::new(problem),
             segment: Segment::new(problem.elements()),
             methods: Methods {
@@ -116,7 +116,7 @@ impl<'a> OngoingSolution<'a> {
         load: Load,
         start: &[f64],
     ) -> Self {
-        let control = Control::of(problem, load);
+        let control = LoadControl::of(problem, load);
         workspace.preconditioner.begin();
         workspace.restart();
         workspace.best.restart();

@@ -104,7 +104,7 @@ mod tests {
     use crate::{
         Load,
         solver::{
-            gradient::control::Control,
+            gradient::load_control::LoadControl,
             tests::{SIZE, problem},
         },
     };
@@ -169,7 +169,7 @@ mod tests {
         let (before, v_before) = energy(&mut problem, depth, &from);
         let mut springs = Springs::of(&problem).unwrap();
         let mut state = State::new(&problem);
-        state.control = Control::of(&problem, Load::Penetration(depth));
+        state.control = LoadControl::of(&problem, Load::Penetration(depth));
         problem.straighten_springs(&from);
         springs.v_before.copy_from_slice(&v_before);
         // By the tangents v is linear on the way.
@@ -216,7 +216,7 @@ mod tests {
             .with_spring_law(SpringLaw::logarithmic(1.0).unwrap());
         let pressure = 1.7_f64;
         let depth = -height * (-pressure).exp_m1();
-        let control = Control::of(&problem, Load::Penetration(depth));
+        let control = LoadControl::of(&problem, Load::Penetration(depth));
         let mut state = State::new(&problem);
         state.start(&mut problem, control, &vec![pressure; ELEMENTS]);
         let mut springs = Springs::of(&problem).unwrap();

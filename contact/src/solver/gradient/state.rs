@@ -11,7 +11,7 @@
 //! So both kinds of load take the same steps. A residual uniform over the contact, which preconditioners answer
 //! worst, never comes up.
 
-use crate::solver::gradient::control::Control;
+use crate::solver::gradient::load_control::LoadControl;
 use crate::{
     DiscreteProblem,
     vector::{add_scaled, by_parts, dot, each, sum, update, update_with},
@@ -27,7 +27,7 @@ const LARGEST_GROWTH: f64 = 10.0;
 /// The pressure is ≥ 0, but for the inner steps of Newton's method. Elements beyond the indenter's end have none and
 /// never will: their `v` is without a gap and means nothing.
 pub struct State {
-    pub control: Control,
+    pub control: LoadControl,
     pub pressure: Vec<f64>,
     pub v: Vec<f64>,
     /// `D`.
@@ -59,7 +59,7 @@ impl State {
     pub fn new(problem: &DiscreteProblem) -> Self {
         let elements = problem.elements();
         let mut state = Self {
-            control: Control::Penetration(0.0),
+            control: LoadControl::Penetration(0.0),
             pressure: vec![0.0; elements],
             v: vec![0.0; elements],
             penetration: 0.0,
@@ -91,7 +91,7 @@ impl State {
     }
 
     /// Starts from a pressure (Pa), or evenly over all that can touch where that is zero: one product.
-    pub fn start(&mut self, problem: &mut DiscreteProblem, control: Control, start: &[f64]) {
+    pub fn start(&mut self, problem: &mut DiscreteProblem, control: LoadControl, start: &[f64]) {
         (self.control, self.applications) = (control, 0);
         if problem.has_hardness() {
             // Elements held at it come and go.
@@ -106,7 +106,7 @@ impl State {
                 0.0
             };
         });
-        if matches!(control, Control::Total(_)) && sum(pressure) == 0.0 {
+        if matches!(control, LoadControl::Total(_)) && sum(pressure) == 0.0 {
             update(pressure, can_touch, |p, can_touch| {
                 *p = f64::from(u8::from(*can_touch));
             });
@@ -180,7 +180,7 @@ impl State {
     /// be no contact.
     fn growth(&mut self, work: f64) -> f64 {
         self.keeps_total = true;
-        let Control::Penetration(penetration) = self.control else {
+        let LoadControl::Penetration(penetration) = self.control else {
             return 0.0;
         };
         // c = p·(D − g0) / p·(K + η) p
@@ -222,7 +222,7 @@ impl State {
     /// Makes a direction conjugate to the pressure where that is scaled, so that a step along it leaves the scale
     /// right: `d ← d − (d·(v − g0) / p·(v − g0)) p`.
     pub fn deflate(&self, direction: &mut [f64]) {
-        if self.keeps_total && matches!(self.control, Control::Penetration(_)) {
+        if self.keeps_total && matches!(self.control, LoadControl::Penetration(_)) {
             let along = |x: &[f64]| dot(x, &self.v) - dot(x, &self.initial_gap);
             let part = along(direction) / along(&self.pressure);
             add_scaled(direction, -part, &self.pressure);
@@ -237,8 +237,8 @@ impl State {
     /// Brings a pressure ≥ 0 to the total that steps are to keep.
     pub fn rescale(&self, pressure: &mut [f64]) {
         match self.control {
-            Control::Penetration(_) if self.keeps_total => {
-                Control::Total(sum(&self.pressure)).rescale(pressure);
+            LoadControl::Penetration(_) if self.keeps_total => {
+                LoadControl::Total(sum(&self.pressure)).rescale(pressure);
             }
             control => control.rescale(pressure),
         }
@@ -309,8 +309,8 @@ impl State {
     /// The length that gaps are small beside.
     pub fn reference_length(&self, penetration: f64) -> f64 {
         let mean = match self.control {
-            Control::Total(total) => (total + self.held_total) / self.elements() as f64,
-            Control::Penetration(_) => 0.0,
+            LoadControl::Total(total) => (total + self.held_total) / self.elements() as f64,
+            LoadControl::Penetration(_) => 0.0,
         };
         penetration.abs().max(self.cell_response * mean)
     }

@@ -2,9 +2,9 @@
 
 use pellicle_influence::{Sector, SectorGrid};
 
-use crate::solver::gradient::best::Best;
+use crate::solver::gradient::best_pressure::BestPressure;
 use crate::solver::gradient::context::Context;
-use crate::solver::gradient::control::Control;
+use crate::solver::gradient::load_control::LoadControl;
 use crate::solver::gradient::preconditioner::Preconditioner;
 use crate::solver::gradient::state::State;
 use crate::solver::gradient::steps::face::FaceDescent;
@@ -30,7 +30,7 @@ fn plate() -> DiscreteProblem {
 /// The state that begins from a pressure, and its working set.
 pub fn begun(
     problem: &mut DiscreteProblem,
-    control: Control,
+    control: LoadControl,
     pressure: &[f64],
 ) -> (State, WorkingSet) {
     let mut state = State::new(problem);
@@ -41,7 +41,7 @@ pub fn begun(
 }
 
 fn start(problem: &mut DiscreteProblem, load: Load) -> (State, WorkingSet) {
-    let control = Control::of(problem, load);
+    let control = LoadControl::of(problem, load);
     begun(problem, control, &[0.0; ELEMENTS])
 }
 
@@ -105,10 +105,10 @@ fn descent_from_face_to_face_alone_solves_a_plate_on_pillars() {
 #[test]
 fn a_solver_that_gives_up_returns_the_best_admissible_pressure() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-    let control = Control::of(&problem, Load::Penetration(0.01));
+    let control = LoadControl::of(&problem, Load::Penetration(0.01));
     let mut state = |pressure: f64| begun(&mut problem, control, &[pressure; ELEMENTS]).0;
     let mut offered = |residuals: &[f64], last: State, residual: f64| {
-        let mut best = Best::new();
+        let mut best = BestPressure::new();
         for (i, offer) in residuals.iter().enumerate() {
             best.offer(&state(1.0 + i as f64), *offer);
         }
@@ -182,7 +182,7 @@ fn a_step_that_would_climb_is_cut_at_the_lowest_point_on_the_way() {
 fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
     let depth = 0.02;
     let mut problem = plate();
-    let control = Control::of(&problem, Load::Penetration(depth));
+    let control = LoadControl::of(&problem, Load::Penetration(depth));
     let gaps = problem.initial_gap().iter().enumerate();
     let within = |g0: f64| if g0 < depth / 2.0 { 1e-4 } else { 0.0 };
     let one: Vec<f64> = gaps
@@ -224,7 +224,7 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
         }
     }
     // Above the surface no scale will do.
-    let control = Control::of(&problem, Load::Penetration(-depth));
+    let control = LoadControl::of(&problem, Load::Penetration(-depth));
     let (state, _) = begun(&mut problem, control, &one);
     let unit = problem.scale().pressure();
     let as_given = state
@@ -238,7 +238,7 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
 #[test]
 fn a_set_touches_the_border_with_any_element_of_it() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-    let control = Control::of(&problem, Load::Penetration(-1.0));
+    let control = LoadControl::of(&problem, Load::Penetration(-1.0));
     let last = SIZE - 1;
     // Of the whole grid, and of a quadrant.
     for (i, j, touches) in [
@@ -277,7 +277,7 @@ fn a_window_is_one_and_the_whole_grid_is_none() {
 fn a_pressure_far_too_small_is_scaled_up_by_what_its_balance_returns() {
     let depth = 0.02;
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-    let control = Control::of(&problem, Load::Penetration(depth));
+    let control = LoadControl::of(&problem, Load::Penetration(depth));
     let touches = |g0: &f64| f64::from(u8::from(*g0 < depth / 2.0));
     let one: Vec<f64> = problem.initial_gap().iter().map(touches).collect();
     let (mut state, _) = begun(&mut problem, control, &one);

@@ -202,7 +202,7 @@ mod tests {
     use crate::{
         Load,
         solver::{
-            gradient::{control::Control, tests::begun},
+            gradient::{load_control::LoadControl, tests::begun},
             tests::{RIGID, SIZE, paraboloid, problem},
         },
     };
@@ -210,7 +210,7 @@ mod tests {
     #[test]
     fn every_move_into_and_out_of_the_set_is_counted_once() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-        let control = Control::of(&problem, Load::Penetration(0.0));
+        let control = LoadControl::of(&problem, Load::Penetration(0.0));
         let pressure: Vec<f64> = (0..SIZE * SIZE)
             .map(|e| f64::from(u8::from(e < 7)))
             .collect();
@@ -238,7 +238,7 @@ mod tests {
     #[test]
     fn what_is_kept_of_a_set_are_members_and_what_is_looked_at_is_forgotten() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-        let control = Control::of(&problem, Load::Penetration(0.0));
+        let control = LoadControl::of(&problem, Load::Penetration(0.0));
         let pressure: Vec<f64> = (0..SIZE * SIZE)
             .map(|e| f64::from(u8::from(e < 9)))
             .collect();

@@ -268,7 +268,7 @@ mod tests {
     use crate::{
         DiscreteProblem,
         problem::body::Body,
-        solver::gradient::{control::Control, tests::begun, working_set::WorkingSet},
+        solver::gradient::{load_control::LoadControl, tests::begun, working_set::WorkingSet},
     };
 
     const SIZE: usize = 41;
@@ -299,7 +299,12 @@ mod tests {
         let field = |value: f64| vec![value; grid.elements()];
         let body = Body::Operator(Box::new(Rigid));
         let problem = DiscreteProblem::on(grid, body, field(0.0), field(1.0), 1.0);
-        begun(&mut problem.unwrap(), Control::Penetration(0.0), &pressure).1
+        begun(
+            &mut problem.unwrap(),
+            LoadControl::Penetration(0.0),
+            &pressure,
+        )
+        .1
     }
 
     /// Whether an element lies beside the set, three elements away at most, and three from the border at least, which

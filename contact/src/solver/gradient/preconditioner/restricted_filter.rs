@@ -157,7 +157,7 @@ mod tests {
     use pellicle_kernel::{Foundation, Material};
 
     use super::{EdgeBand, RestrictedFilter};
-    use crate::solver::gradient::control::Control;
+    use crate::solver::gradient::load_control::LoadControl;
     use crate::{
         Boundary, DiscreteProblem,
         problem::body::Body,
@@ -188,7 +188,7 @@ mod tests {
         let gap = vec![1.0; SIZE * SIZE];
         let eta = vec![0.0; SIZE * SIZE];
         let problem = DiscreteProblem::elastic(surface.clone(), SIZE, eta, gap, 1e-12);
-        let control = Control::Penetration(0.0);
+        let control = LoadControl::Penetration(0.0);
         begun(&mut problem.unwrap(), control, &pressure).1
     }
 
@@ -228,7 +228,12 @@ mod tests {
         let gap = vec![1.0; pillars.len()];
         let body = Body::of(surface.clone(), Boundary::Free);
         let problem = DiscreteProblem::on(sector, body, zeros.clone(), gap, 1e-12);
-        let set = begun(&mut problem.unwrap(), Control::Penetration(0.0), &pillars).1;
+        let set = begun(
+            &mut problem.unwrap(),
+            LoadControl::Penetration(0.0),
+            &pillars,
+        )
+        .1;
         let mut filter = RestrictedFilter::new(surface.symbol(SIZE), sector);
         filter.update(&set, &zeros);
         assert!(!filter.band.is_empty());

@@ -249,7 +249,7 @@ mod tests {
     use crate::{
         Load,
         solver::{
-            gradient::{control::Control, tests::begun},
+            gradient::{load_control::LoadControl, tests::begun},
             tests::{RIGID, SIZE, paraboloid, problem},
         },
         vector,
@@ -272,7 +272,7 @@ mod tests {
     /// The pairs of three steps on all elements, then cut to a set without the first few, and this set.
     fn cut_to_all_but(left: usize) -> (Secants, WorkingSet) {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-        let control = Control::of(&problem, Load::Penetration(0.02));
+        let control = LoadControl::of(&problem, Load::Penetration(0.02));
         let (mut state, mut set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
         set.keep_pressing(&state);
         let mut secants = Secants::default();
@@ -314,7 +314,7 @@ mod tests {
             own.map(|(e, own)| own + coupled(e)).collect::<Vec<f64>>()
         };
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-        let control = Control::of(&problem, Load::Penetration(0.02));
+        let control = LoadControl::of(&problem, Load::Penetration(0.02));
         let (mut state, mut set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
         state.pressure[0] = 0.0;
         set.keep_pressing(&state);

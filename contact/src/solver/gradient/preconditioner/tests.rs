@@ -9,7 +9,7 @@ use super::*;
 use crate::{
     Load,
     solver::{
-        gradient::{control::Control, tests::begun},
+        gradient::{load_control::LoadControl, tests::begun},
         tests::{RIGID, SIZE, paraboloid, problem as of_coat},
     },
 };
@@ -66,7 +66,7 @@ fn newton_comes_first_with_the_filter_where_springs_lie_on_a_stiff_coat() {
 #[test]
 fn what_is_missing_of_the_penetration_is_counted_on_the_set_alone() {
     let mut problem = of_coat([1.0, 0.1], paraboloid, RIGID);
-    let control = Control::of(&problem, Load::Penetration(0.02));
+    let control = LoadControl::of(&problem, Load::Penetration(0.02));
     let pressure: Vec<f64> = (0..ELEMENTS).map(|e| (e as f64).sin().max(0.0)).collect();
     let (state, mut set) = begun(&mut problem, control, &pressure);
     set.keep_pressing(&state);
@@ -84,7 +84,7 @@ fn what_is_missing_of_the_penetration_is_counted_on_the_set_alone() {
 
 /// A set of six hundred elements in islands, more than are solved directly.
 fn islands(problem: &mut DiscreteProblem) -> (State, WorkingSet) {
-    let control = Control::of(problem, Load::Penetration(0.0));
+    let control = LoadControl::of(problem, Load::Penetration(0.0));
     let in_set = |e: usize| {
         let (i, j) = (e / SIZE, e % SIZE);
         (i / 5 + j / 7) % 5 < 3
@@ -151,7 +151,7 @@ fn the_sparse_factor_tends_to_the_inverse_with_springs_of_many_kinds_too() {
 fn a_small_set_with_springs_is_solved_exactly() {
     let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
     let mut problem = of_coat([10.0, 0.05], paraboloid, springs);
-    let control = Control::of(&problem, Load::Penetration(0.0));
+    let control = LoadControl::of(&problem, Load::Penetration(0.0));
     let pressure: Vec<f64> = (0..ELEMENTS)
         .map(|e| f64::from(u8::from(e % 7 == 0)) * (1.0 + (e as f64).sin() / 2.0))
         .collect();
@@ -175,7 +175,7 @@ fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
     // One that the filter does not round.
     let compliance = 1.1_f64.powi(-3) * symbol.value([SIZE / 2; 2]);
     let problem = of_coat([0.5, 0.1], paraboloid, |_, _| compliance);
-    let control = Control::of(&problem, Load::Penetration(1.0));
+    let control = LoadControl::of(&problem, Load::Penetration(1.0));
     let mut problem = problem;
     let (state, set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
     assert_eq!(set.len(), ELEMENTS);

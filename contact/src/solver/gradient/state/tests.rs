@@ -28,7 +28,7 @@ fn disc() -> Vec<f64> {
 #[test]
 fn a_scale_that_is_far_off_is_found_with_a_product_and_one_that_is_near_without() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-    let control = Control::of(&problem, Load::Penetration(0.05));
+    let control = LoadControl::of(&problem, Load::Penetration(0.05));
     let (mut state, _) = begun(&mut problem, control, &disc());
     let (balanced, v) = (state.pressure.clone(), state.v.clone());
     for (factor, products) in [(0.01, 1), (0.5, 0), (1.0, 0), (3.0, 0)] {
@@ -60,7 +60,7 @@ fn a_scale_that_is_far_off_is_found_with_a_product_and_one_that_is_near_without(
 fn steps_keep_the_total_of_a_pressure_that_has_one_and_go_back_to_where_they_were() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
     for load in [Load::Penetration(0.05), Load::Force(1e-3)] {
-        let control = Control::of(&problem, load);
+        let control = LoadControl::of(&problem, load);
         let (mut state, _) = begun(&mut problem, control, &disc());
         assert!(state.keeps_total());
         let mut other = vec![2.0; ELEMENTS];
@@ -97,7 +97,7 @@ fn where_nothing_presses_all_of_the_set_is_pressed_and_else_nothing_changes() {
 fn the_residual_is_the_largest_gap_under_pressure_or_overlap_in_parts_of_the_penetration() {
     let problem = problem([1.0, 0.1], paraboloid, RIGID);
     let mut state = State::new(&problem);
-    state.control = Control::Penetration(2.0);
+    state.control = LoadControl::Penetration(2.0);
     state.pressure[3] = 1.0;
     let of = |state: &State, changes: &[(usize, f64)]| {
         let mut v = vec![2.5; ELEMENTS];

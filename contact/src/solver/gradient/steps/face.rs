@@ -171,7 +171,7 @@ mod tests {
     use crate::{
         Load,
         solver::{
-            gradient::{control::Control, tests::begun},
+            gradient::{load_control::LoadControl, tests::begun},
             tests::{RIGID, SIZE, paraboloid, problem},
         },
     };
@@ -188,7 +188,7 @@ mod tests {
     #[test]
     fn a_face_is_entered_where_the_state_is_and_left_by_going_back_there() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
-        let control = Control::of(&problem, Load::Penetration(0.02));
+        let control = LoadControl::of(&problem, Load::Penetration(0.02));
         let start: Vec<f64> = (0..SIZE * SIZE).map(|e| 1.0 + (e as f64).sin()).collect();
         let (mut state, _) = begun(&mut problem, control, &start);
         let mut faces = FaceDescent::new(SIZE * SIZE);

@@ -1,6 +1,6 @@
 //! The Euclidean projection onto the admissible pressures of some elements.
 
-use crate::solver::gradient::control::Control;
+use crate::solver::gradient::load_control::LoadControl;
 use crate::vector::{by_parts, each, sum};
 
 /// Replaces `x`, a value of each element that may press, by the nearest pressure `p ≥ 0` that keeps to the control:
@@ -8,10 +8,10 @@ use crate::vector::{by_parts, each, sum};
 ///
 /// `θ` is the root of a convex, piecewise linear, falling function; Newton's method from below reaches it in
 /// finitely many steps (Michelot 1986).
-pub fn project(control: Control, x: &mut [f64]) {
+pub fn project(control: LoadControl, x: &mut [f64]) {
     let theta = match control {
-        Control::Total(total) => shift_to_total(x, total),
-        Control::Penetration(_) => 0.0,
+        LoadControl::Total(total) => shift_to_total(x, total),
+        LoadControl::Penetration(_) => 0.0,
     };
     each(x, |value| *value = (*value - theta).max(0.0));
     control.rescale(x);
@@ -47,7 +47,7 @@ mod tests {
     fn a_point_projects_onto_the_simplex_where_its_optimality_conditions_hold() {
         let x = [0.9, -0.4, 0.25, 0.7, 0.05];
         let mut p = x;
-        project(Control::Total(1.0), &mut p);
+        project(LoadControl::Total(1.0), &mut p);
         assert_relative_eq!(p.iter().sum::<f64>(), 1.0, max_relative = 1e-15);
         // x − p is the same θ wherever p > 0, and x ≤ θ elsewhere.
         let theta = x[0] - p[0];
@@ -63,7 +63,7 @@ mod tests {
     #[test]
     fn what_is_short_of_the_total_is_raised_everywhere() {
         let mut x = [0.1, 0.2, -0.3];
-        project(Control::Total(9.0), &mut x);
+        project(LoadControl::Total(9.0), &mut x);
         // θ = (0 − 9)/3
         for (found, wanted) in x.iter().zip([3.1, 3.2, 2.7]) {
             assert_relative_eq!(*found, wanted, max_relative = 1e-14);

@@ -90,7 +90,7 @@ mod tests {
     use crate::{
         Load,
         solver::{
-            gradient::{control::Control, tests::begun},
+            gradient::{load_control::LoadControl, tests::begun},
             tests::{RIGID, SIZE, paraboloid, problem},
         },
     };
@@ -101,7 +101,7 @@ mod tests {
         let direction: Vec<f64> = (0..SIZE * SIZE).map(|e| (e as f64).cos()).collect();
         for load in [Load::Force(1e-2), Load::Penetration(0.02)] {
             for (above, wanted) in [(1e-9, Part::Whole), (-1e-9, Part::Cut)] {
-                let control = Control::of(&problem, load);
+                let control = LoadControl::of(&problem, load);
                 let start: Vec<f64> = direction.iter().map(|d| 1.0 + d).collect();
                 let (mut state, _) = begun(&mut problem, control, &start);
                 let mut segment = Segment::new(SIZE * SIZE);

@@ -7,7 +7,7 @@ use super::*;
 use crate::{
     DiscreteProblem, Load,
     grid::candidates::elements_where,
-    solver::gradient::{control::Control, state::State},
+    solver::gradient::{load_control::LoadControl, state::State},
 };
 
 const SIZE: usize = 40;
@@ -44,7 +44,7 @@ fn set(candidates: &Candidates, belongs: impl Fn([usize; 2]) -> bool) -> Working
     let pressure: Vec<f64> = pressure
         .map(|presses| f64::from(u8::from(presses)))
         .collect();
-    let control = Control::of(&problem, Load::Penetration(0.0));
+    let control = LoadControl::of(&problem, Load::Penetration(0.0));
     let mut state = State::new(&problem);
     state.start(&mut problem, control, &pressure);
     let mut set = WorkingSet::new(ELEMENTS);

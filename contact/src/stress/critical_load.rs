@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::body_extremes::{BodyStress, InterfaceStress, StressExtremes};
 use super::extreme::Extreme;
-use super::extremes::{BodyStress, InterfaceStress, StressExtremes};
 use super::load_search::{LoadSearch, Outcome, Solved};
 use super::model::{Criterion, StressModel};
 use super::quantity::Quantity;
@@ -51,7 +51,7 @@ struct Asked {
 ///
 /// # Errors
 /// [`ContactError::WithHardness`] where the pressure is cut; as [`solve_path`](crate::solve_path) and
-/// [`stress_extremes`](super::extremes::stress_extremes);
+/// [`stress_extremes`](super::body_extremes::stress_extremes);
 /// [`ContactError::Cancelled`] by the
 /// observer.
 ///

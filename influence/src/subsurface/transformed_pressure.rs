@@ -49,7 +49,7 @@ impl Squares {
 }
 
 /// A pressure and the plans of its products.
-pub enum Pressed {
+pub enum TransformedPressure {
     /// Any pressure.
     Whole(Transformed<FourierLines<f64>>),
     /// A symmetric pressure, and a buffer for a quadrant of a field.
@@ -72,7 +72,7 @@ impl<L: Lines<Real = f64>> Transformed<L> {
     }
 }
 
-impl Pressed {
+impl TransformedPressure {
     /// The pressure, and M, half the padded length of the spectra.
     pub fn new(squares: Squares, pressure: &[f64]) -> (Self, usize) {
         let Squares {

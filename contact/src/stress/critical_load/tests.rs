@@ -10,7 +10,7 @@ use super::*;
 use crate::{
     Load, Paraboloid, solve_path,
     stress::{
-        extremes::{BodyUtilisation, InterfaceUtilisation, stress_extremes},
+        body_extremes::{BodyUtilisation, InterfaceUtilisation, stress_extremes},
         model::{BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths},
     },
 };

@@ -7,12 +7,12 @@ use crate::vector::update;
 const WORTH_A_COPY: f64 = 0.5;
 
 /// A pressure and its residual.
-pub struct Best {
+pub struct BestPressure {
     pressure: Vec<f64>,
     residual: f64,
 }
 
-impl Best {
+impl BestPressure {
     pub fn new() -> Self {
         Self {
             pressure: Vec::new(),

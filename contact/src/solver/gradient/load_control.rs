@@ -5,14 +5,14 @@ use crate::{DiscreteProblem, Load};
 
 /// The prescribed quantity in the solver's terms and the units of the problem's scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Control {
+pub enum LoadControl {
     /// `Σ p = Q/(4a²)`.
     Total(f64),
     /// The penetration `D`.
     Penetration(f64),
 }
 
-impl Control {
+impl LoadControl {
     /// The control that a load means on a problem.
     pub fn of(problem: &DiscreteProblem, load: Load) -> Self {
         let scale = problem.scale();

@@ -23,7 +23,7 @@ const ON_AXIS: f64 = 1e-3;
 const DEPTH_RATIO: f64 = 1.4;
 
 /// The search for the extremes under one step of a path.
-pub struct Finder<'a> {
+pub struct ExtremeFinder<'a> {
     path: &'a LoadingPath,
     step: &'a Step,
     field: StressField,
@@ -31,7 +31,7 @@ pub struct Finder<'a> {
     coarser: Vec<StressField>,
 }
 
-impl<'a> Finder<'a> {
+impl<'a> ExtremeFinder<'a> {
     pub fn new(path: &'a LoadingPath, step: &'a Step, sliding: Sliding) -> Self {
         let of =
             |grid, pressure: &[f64]| StressField::of(path.tables.clone(), grid, pressure, sliding);
@@ -332,7 +332,7 @@ mod tests {
             bottom: 2.0 * a,
             quantities: vec![Quantity::Compression],
         };
-        let finder = Finder::new(&path, &path.steps[0], Sliding::default());
+        let finder = ExtremeFinder::new(&path, &path.steps[0], Sliding::default());
         let found = finder.find(&[body, interface, deep]).unwrap();
         // Johnson 1985: 0.62 p0 and 0.31 p0 at 0.48 a.
         for (extreme, wanted, z) in [
@@ -357,7 +357,7 @@ mod tests {
     #[test]
     fn an_extreme_at_an_edge_near_the_surface_is_not_resolved_and_one_beside_the_axis_is_on_it() {
         let path = solved(crate::FlatPunch::new(0.2).unwrap(), 0.01);
-        let finder = Finder::new(&path, &path.steps[0], Sliding::default());
+        let finder = ExtremeFinder::new(&path, &path.steps[0], Sliding::default());
         let side = path.grid.element_side();
         let values = [(8, 1.5), (16, 1.125), (32, 1.03125)];
         let judged = |at: [f64; 3]| finder.judged(StressPeak { value: 1.03125, at }, &values);

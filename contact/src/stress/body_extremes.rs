@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::extreme::Extreme;
-use super::finder::Finder;
+use super::extreme_finder::ExtremeFinder;
 use super::model::StressModel;
 use super::quantity::{OF_BODIES, OF_INTERFACES};
 use super::scan::Target;
@@ -103,7 +103,7 @@ pub fn stress_extremes(
         quantities: OF_INTERFACES.to_vec(),
     });
     let targets: Vec<Target> = bodies.chain(interfaces).collect();
-    let finder = Finder::new(path, &path.steps[step], stress.sliding);
+    let finder = ExtremeFinder::new(path, &path.steps[step], stress.sliding);
     let mut found = finder.find(&targets)?.into_iter();
     let bodies = stress.bodies.iter().zip(found.by_ref());
     let bodies = bodies.map(|(body, extremes)| {
