@@ -28,8 +28,8 @@ const MOST_CHANGED: f64 = 0.02;
 /// Elements that may leave at once.
 const MOST_LEAVING: usize = 200;
 /// Coefficients of the elements that leave: the images on the nearest so many lose what those contributed. With a
-/// quarter, the bare coat 3000 times as stiff takes 25 products at N = 1024 instead of 19; with ever more, no cell takes
-/// fewer, in up to half more time.
+/// quarter, the bare coat 3000 times as stiff takes 25 products at N = 1024 instead of 19; with more, no cell takes
+/// fewer, but up to half more time.
 const MOST_COEFFICIENTS: usize = 1 << 23;
 /// Numbers in all pairs together, at most: 256 MB.
 const MOST_NUMBERS: usize = 1 << 26;
