@@ -170,7 +170,8 @@ impl SparseFactor {
             self.tiles.push(tile);
         }
         let mut blocks = std::mem::take(&mut self.blocks);
-        let rooms = blocks.make_room(fresh.iter().map(size_of));
+        let sizes: Vec<[usize; 2]> = fresh.iter().map(size_of).collect();
+        let rooms = blocks.make_room(&sizes);
         let rooms = rooms.into_par_iter().zip(&fresh).with_min_len(8);
         rooms.for_each_init(Workspace::new, |workspace, (room, pattern)| {
             self.compute(pattern, workspace, room);

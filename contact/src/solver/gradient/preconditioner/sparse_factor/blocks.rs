@@ -72,32 +72,29 @@ impl FactorBlocks {
     }
 
     /// Makes room after these for blocks of so many unknowns and own elements each, and returns it.
-    pub fn make_room(&mut self, sizes: impl Iterator<Item = [usize; 2]>) -> Vec<Room<'_>> {
-        let first = self.heads.len();
-        let (from, lanes_from) = (self.distances.len(), self.entries.len());
-        let (mut distances_end, mut entries_end) = (from, lanes_from);
-        self.heads.extend(sizes.map(|[unknowns, own]| {
+    pub fn make_room(&mut self, sizes: &[[usize; 2]]) -> Vec<Room<'_>> {
+        let from = [self.distances.len(), self.entries.len()];
+        let [mut distances_end, mut entries_end] = from;
+        for [unknowns, own] in sizes {
             let lanes = own.div_ceil(LANES);
             distances_end += unknowns;
             entries_end += unknowns * lanes;
-            BlockHead {
+            self.heads.push(BlockHead {
                 lanes,
                 distances_end,
                 entries_end,
-            }
-        }));
+            });
+        }
         self.distances.resize(distances_end, 0);
         self.entries.resize(entries_end, [0.0; LANES]);
-        let mut distances = &mut self.distances[from..];
-        let mut entries = &mut self.entries[lanes_from..];
-        let mut before = [from, lanes_from];
-        let rooms = self.heads[first..].iter().map(|head| {
-            let [unknowns, lanes] = [head.distances_end - before[0], head.entries_end - before[1]];
-            before = [head.distances_end, head.entries_end];
+        let mut distances = &mut self.distances[from[0]..];
+        let mut entries = &mut self.entries[from[1]..];
+        let rooms = sizes.iter().map(|[unknowns, own]| {
+            let lanes = own.div_ceil(LANES);
             Room {
-                lanes: head.lanes,
-                distances: (distances.split_off_mut(..unknowns)).expect("made room"),
-                entries: entries.split_off_mut(..lanes).expect("made room"),
+                lanes,
+                distances: (distances.split_off_mut(..*unknowns)).expect("made room"),
+                entries: (entries.split_off_mut(..unknowns * lanes)).expect("made room"),
             }
         });
         rooms.collect()
@@ -190,7 +187,7 @@ mod tests {
         let mut blocks = FactorBlocks::default();
         for (own, entries) in [(1, 5 * 4), (4, 5 * 4), (5, 5 * 8), (9, 5 * 12)] {
             let before = (blocks.len(), blocks.entries());
-            blocks.make_room(std::iter::once([5, own]));
+            blocks.make_room(&[[5, own]]);
             assert_eq!(
                 (blocks.len(), blocks.entries()),
                 (before.0 + 1, before.1 + entries)
@@ -212,8 +209,8 @@ mod tests {
         let own = [1, 4, 5, 8, 9, 12];
         // In two parts, one after the other.
         for own in own.chunks(4) {
-            let sizes = own.iter().map(|own| [distances.len(), *own]);
-            for (room, own) in blocks.make_room(sizes).into_iter().zip(own) {
+            let sizes: Vec<_> = own.iter().map(|own| [distances.len(), *own]).collect();
+            for (room, own) in blocks.make_room(&sizes).into_iter().zip(own) {
                 room.fill(distances.into_iter(), &columns(*own));
             }
         }
