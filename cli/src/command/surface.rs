@@ -44,7 +44,7 @@ pub fn surface(arguments: &SurfaceArguments) -> Result<Outcome, Failure> {
     let shown = path.display();
     let side = arguments.side;
     let keys = match format {
-        MapFormat::Npy => format!("file = \"{shown}\", side = \"{side:e} m\", height_unit = \"m\""),
+        MapFormat::Npy => format!("file = \"{shown}\", side = \"{side:?} m\", height_unit = \"m\""),
         MapFormat::Gsf => format!("file = \"{shown}\""),
     };
     terminal::tell(&format!(
@@ -84,7 +84,7 @@ fn described(arguments: &SurfaceArguments) -> Result<SelfAffine, Failure> {
     let refuse = |message: String| Err(Failure::RoughSurface { message });
     if longest > side {
         return refuse(format!(
-            "--wavelengths: found {longest:e} m, wanted no wave longer than the side, {side:e} m"
+            "--wavelengths: found {longest:?} m, wanted no wave longer than the side, {side:?} m"
         ));
     }
     if shortest < finest * (1.0 - LEEWAY) {
