@@ -51,7 +51,7 @@ pub use result::{
     certificate::{Certificate, Solution},
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
-    grid_error::{Estimate, GridError, LevelValues},
+    grid_error::{ErrorEstimate, GridError, LevelValues},
     null::nan_from_null,
     peak::PeakPlace,
     rough_contact::{Histogram, Islands, RoughContact},

@@ -100,7 +100,7 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> GradedLayer<F> {
         base: Base,
         options: &GradingOptions,
     ) -> Result<SplitLayer, KernelError> {
-        let problem = Problem {
+        let splitting = Splitting {
             layer: self,
             layers,
             base,
@@ -108,10 +108,10 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> GradedLayer<F> {
         };
         let mut cells = even_cells(self.thickness);
         loop {
-            let changes = problem.changes(&cells)?;
+            let changes = splitting.changes(&cells)?;
             let error = error_of_halves(&changes);
             if error <= options.tolerance {
-                return problem.finish(&halved(&cells, |_| true), error);
+                return splitting.finish(&halved(&cells, |_| true), error);
             }
             let largest: Vec<f64> = changes.iter().map(|change| largest(change)).collect();
             let worst = self::largest(&largest);
@@ -187,14 +187,14 @@ fn error_of_halves(changes: &[Vec<f64>]) -> f64 {
 }
 
 /// A graded layer, its support, and the wavenumbers at which the compliance is compared.
-struct Problem<'a, F> {
+struct Splitting<'a, F> {
     layer: &'a GradedLayer<F>,
     layers: &'a [Layer],
     base: Base,
     wavenumbers: Vec<f64>,
 }
 
-impl<F: Fn(f64) -> Result<Material, KernelError>> Problem<'_, F> {
+impl<F: Fn(f64) -> Result<Material, KernelError>> Splitting<'_, F> {
     /// `δᵢ(k) = Cᵢ(k)/C(k) − 1` by sublayer and wavenumber, `Cᵢ` with sublayer `i` halved.
     fn changes(&self, cells: &[DepthRange]) -> Result<Vec<Vec<f64>>, KernelError> {
         let present = self.compliances(cells)?;

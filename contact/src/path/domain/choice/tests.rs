@@ -8,8 +8,8 @@ use pellicle_kernel::{Foundation, Material};
 use super::*;
 use crate::Paraboloid;
 
-fn search() -> Search {
-    Search {
+fn search() -> SideSearch {
+    SideSearch {
         first: 2.0,
         power: 0,
         small: None,

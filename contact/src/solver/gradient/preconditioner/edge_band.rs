@@ -267,7 +267,7 @@ mod tests {
     use super::{ACCURACY, Answers, EdgeBand};
     use crate::{
         DiscreteProblem,
-        problem::body::Body,
+        problem::operator_source::OperatorSource,
         solver::gradient::{control::Control, tests::begun, working_set::WorkingSet},
     };
 
@@ -297,8 +297,8 @@ mod tests {
         let presses = |e: usize| f64::from(u8::from(inside([e / SIZE, e % SIZE + moved])));
         let pressure: Vec<f64> = (0..grid.elements()).map(presses).collect();
         let field = |value: f64| vec![value; grid.elements()];
-        let body = Body::Operator(Box::new(Rigid));
-        let problem = DiscreteProblem::on(grid, body, field(0.0), field(1.0), 1.0);
+        let source = OperatorSource::Operator(Box::new(Rigid));
+        let problem = DiscreteProblem::on(grid, source, field(0.0), field(1.0), 1.0);
         begun(&mut problem.unwrap(), Control::Penetration(0.0), &pressure).1
     }
 

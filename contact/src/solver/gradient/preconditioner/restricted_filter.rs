@@ -160,7 +160,7 @@ mod tests {
     use crate::solver::gradient::control::Control;
     use crate::{
         Boundary, DiscreteProblem,
-        problem::body::Body,
+        problem::operator_source::OperatorSource,
         solver::gradient::{tests::begun, working_set::WorkingSet},
         vector::{add_scaled, dot},
     };
@@ -226,8 +226,8 @@ mod tests {
         let mut field = mirrored(&|x, y| (0.3 * x).cos() + (0.9 * y).sin());
         let zeros = vec![0.0; pillars.len()];
         let gap = vec![1.0; pillars.len()];
-        let body = Body::of(surface.clone(), Boundary::Free);
-        let problem = DiscreteProblem::on(sector, body, zeros.clone(), gap, 1e-12);
+        let source = OperatorSource::of(surface.clone(), Boundary::Free);
+        let problem = DiscreteProblem::on(sector, source, zeros.clone(), gap, 1e-12);
         let set = begun(&mut problem.unwrap(), Control::Penetration(0.0), &pillars).1;
         let mut filter = RestrictedFilter::new(surface.symbol(SIZE), sector);
         filter.update(&set, &zeros);
