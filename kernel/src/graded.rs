@@ -16,10 +16,10 @@ use crate::{Base, Foundation, Interface, KernelError, Layer, Material};
 ///
 /// let steel = Material::new(210e9, 0.3)?;
 /// // Young's modulus falls linearly from 400 GPa to the steel's over 2 µm.
-/// let coat = GradedLayer::new(2e-6, Interface::Bonded, |z| {
+/// let coating = GradedLayer::new(2e-6, Interface::Bonded, |z| {
 ///     Material::new(400e9 - 190e9 * z / 2e-6, 0.3)
 /// })?;
-/// let split = coat.split(&[], Base::HalfSpace(steel), &GradingOptions::default())?;
+/// let split = coating.split(&[], Base::HalfSpace(steel), &GradingOptions::default())?;
 /// assert!(split.error_estimate <= 1e-4 && split.sublayers < 200);
 /// // Long waves do not see the coating: C → 2 (1 − ν²)/(E k), with a remainder of order k H = 2e-6.
 /// let steel_alone = 2.0 * 0.91 / 210e9;

@@ -124,8 +124,8 @@ impl LoadSearch<'_> {
             .copied()
     }
 
-    /// A load under which the strength is reached though it is not under those solved so far: a stiff coat that takes
-    /// the indenter's shape is bent no further, and under more load its stress falls.
+    /// A load under which the strength is reached though it is not under those solved so far: a stiff coating that
+    /// takes the indenter's shape is bent no further, and under more load its stress falls.
     fn reached_between(&mut self) -> Result<Option<Solved>, ContactError> {
         let nearly = self
             .largest()

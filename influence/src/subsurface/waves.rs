@@ -211,8 +211,8 @@ mod tests {
 
     #[test]
     fn further_depths_take_the_waves_of_the_first() {
-        let [coat, base] = [5.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
-        let foundation = Foundation::coated(3.0, coat, base).unwrap();
+        let [coating, base] = [5.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
+        let foundation = Foundation::coated(3.0, coating, base).unwrap();
         let mut waves = Waves::new(&foundation, 0.5);
         let mut solved = |depth: f64| {
             let before = waves.interiors.len();

@@ -25,7 +25,7 @@ fn extreme<const AXES: usize>(value: f64) -> Extreme<AXES> {
     }
 }
 
-/// A coat with all strengths on a substrate with one, and the interface between.
+/// A coating with all strengths on a substrate with one, and the interface between.
 fn stress() -> StressModel {
     let body = |name: &str, [top, bottom]: [f64; 2], strengths| BodyPart {
         name: name.to_owned(),

@@ -30,7 +30,7 @@ pub type Answers = [[f64; ANSWERS]; ANSWERS];
 /// more products.
 const WIDTH: usize = 3;
 /// Part of its residual to which `s` is found, and the steps after which it is good enough as it is: 3 on a homogeneous
-/// body, up to all under a stiff coat.
+/// body, up to all under a stiff coating.
 const ACCURACY: f64 = 0.1;
 const MOST_STEPS: usize = 12;
 /// Elements worth a thread of their own.
@@ -136,7 +136,7 @@ impl EdgeBand {
             });
             self.multiply();
             let alpha = product / dot(&self.direction, &self.image);
-            // Cut off at the reach, F_EE may be indefinite under a stiff coat.
+            // Cut off at the reach, F_EE may be indefinite under a stiff coating.
             if !(alpha > 0.0 && alpha.is_finite()) {
                 break;
             }
