@@ -12,6 +12,7 @@
 mod error;
 mod grid;
 mod indenter;
+mod model_parameter;
 mod path;
 mod problem;
 pub mod reference;
@@ -26,6 +27,7 @@ pub use indenter::{
     Cone, CustomProfile, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity,
     Paraboloid, Profile, Pyramid, Sphere,
 };
+pub use model_parameter::ModelParameter;
 pub use path::{
     LoadingPath,
     domain::{
@@ -45,7 +47,6 @@ pub use problem::{
     discrete_problem::{DiscreteProblem, Identity},
     load::Load,
     model::{Model, SampledModel},
-    model_parameter::ModelParameter,
 };
 pub use result::{
     certificate::{Certificate, Solution},

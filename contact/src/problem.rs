@@ -5,7 +5,6 @@ pub mod discrete_problem;
 pub mod held_pressure;
 pub mod load;
 pub mod model;
-pub mod model_parameter;
 pub mod operator_source;
 pub mod scale;
 pub mod tangents;
