@@ -17,7 +17,7 @@ use pellicle_cli::Case;
 use pellicle_contact::solve_path;
 use pellicle_influence::Cache;
 
-/// A ball on a hard coat, 32 elements a side.
+/// A ball on a hard coating, 32 elements a side.
 const BASE: &str = r#"
 [foundation]
 substrate = { young_modulus = "3 GPa", poisson_ratio = 0.35 }

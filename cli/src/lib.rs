@@ -131,8 +131,9 @@ pub mod drawing {
 /// Measured indentation curves, read from the text of instruments as a table `[[data]]` says.
 pub mod measurements {
     pub use crate::measured::channel::Channel;
-    pub use crate::measured::columns::{ColumnName, ColumnUnit, Columns};
+    pub use crate::measured::columns::{ColumnName, ColumnUnit, CurveColumns};
     pub use crate::measured::curve::{CurveWarning, MeasuredCurve};
+    pub use crate::measured::curve_segment::{Branch, CurveSegment, SegmentEnd, Until};
     pub use crate::measured::data_table::{DataTable, Observe};
     pub use crate::measured::decode::TextEncoding;
     pub use crate::measured::depth_step::DepthStep;
@@ -141,7 +142,6 @@ pub mod measurements {
     pub use crate::measured::files::files;
     pub use crate::measured::header::{HeaderField, HeaderUnit};
     pub use crate::measured::noise::{MeasuredNoise, NoiseCorrelation};
-    pub use crate::measured::segment::{Branch, Segment, SegmentEnd, Until};
     pub use crate::measured::separator::{DecimalMark, Separator};
     pub use crate::measured::spring::{HeightDirection, SpringConstant, penetration};
     pub use crate::measured::text_options::TextOptions;

@@ -1,5 +1,5 @@
 //! Extremes of the stresses under one load, beside the solution of the contact itself: a ball on a body of one
-//! material, and on a coat, still and sliding.
+//! material, and on a coating, still and sliding.
 
 use std::sync::Arc;
 
@@ -37,9 +37,9 @@ fn material(young_modulus: f64, poisson_ratio: f64) -> Material {
     Material::new(young_modulus, poisson_ratio).expect("a material")
 }
 
-/// The bodies of a foundation whose coat has this thickness, if any.
-fn stresses(coat: Option<f64>, friction: f64) -> StressModel {
-    let ends = [Some(0.0), coat, Some(f64::INFINITY)];
+/// The bodies of a foundation whose coating has this thickness, if any.
+fn stresses(coating: Option<f64>, friction: f64) -> StressModel {
+    let ends = [Some(0.0), coating, Some(f64::INFINITY)];
     let ends: Vec<f64> = ends.into_iter().flatten().collect();
     let bodies = ends.windows(2).map(|pair| BodyPart {
         name: format!("{pair:?}"),
@@ -47,7 +47,7 @@ fn stresses(coat: Option<f64>, friction: f64) -> StressModel {
         bottom: pair[1],
         strengths: BodyStrengths::default(),
     });
-    let interfaces = coat.map(|depth| InterfacePart {
+    let interfaces = coating.map(|depth| InterfacePart {
         index: 0,
         depth,
         strengths: InterfaceStrengths::default(),
@@ -72,7 +72,7 @@ fn extremes(criterion: &mut Criterion) {
     ];
     let mut group = criterion.benchmark_group("stress");
     group.sample_size(10);
-    for (name, foundation, coat, friction) in scenes {
+    for (name, foundation, coating, friction) in scenes {
         let model = Model {
             tables: Arc::new(RadialTables::build(&foundation).expect("tables")),
             relief: Relief::Bare,
@@ -80,7 +80,7 @@ fn extremes(criterion: &mut Criterion) {
             cache: Cache::none(),
         };
         for elements in [256, 512] {
-            let (path, stress) = (solved(&model, elements), stresses(coat, friction));
+            let (path, stress) = (solved(&model, elements), stresses(coating, friction));
             group.bench_function(
                 BenchmarkId::new(format!("{name}, solution"), elements),
                 |b| {

@@ -50,7 +50,7 @@ pub enum ContactError {
         most: f64,
     },
     /// Something that is not computed where the pressure is cut at a hardness.
-    #[error("found a hardness with {what}, which is computed for elastic contact alone")]
+    #[error("found a hardness with {what}, which need elastic contact, wanted no hardness")]
     WithHardness {
         /// The quantity asked for.
         what: &'static str,
@@ -105,7 +105,9 @@ pub enum ContactError {
         largest: usize,
     },
     /// The dense system of a working set is not positive definite, so its coefficients are wrong.
-    #[error("the elastic system of {elements} elements in contact is not positive definite")]
+    #[error(
+        "found a system of {elements} elements in contact that is not positive definite, wanted one that is"
+    )]
     NotPositiveDefinite {
         /// Elements in the working set.
         elements: usize,
@@ -126,8 +128,8 @@ pub enum ContactError {
     },
     /// The elements are so large that the middle of none is under the indenter.
     #[error(
-        "found a `grid.side` of {side:.3e}, far too large for a contact of radius {radius:.2e} or so: no element, {element_side:.3e} wide, \
-         has its centre under the indenter; wanted a side near {wanted:.2e}, or none"
+        "found a domain of side {side:.3e}, far too large for a contact of radius {radius:.2e} or so, so that no element, \
+         {element_side:.3e} wide, has its centre under the indenter, wanted a side near {wanted:.2e}, or an automatic one"
     )]
     ElementsTooLarge {
         /// Side of the domain found, in m.
@@ -141,7 +143,7 @@ pub enum ContactError {
     },
     /// The contact reached the edge of every domain tried.
     #[error(
-        "found contact at the edge of a domain of side {side:e}, the last of {trials} tried, wanted a larger side: give `grid.side`"
+        "found contact at the edge of a domain of side {side:e}, the last of {trials} tried, wanted a larger one: give its side"
     )]
     DomainTooSmall {
         /// Side of the last domain tried, in m.
@@ -153,7 +155,7 @@ pub enum ContactError {
     #[error(transparent)]
     Texture(#[from] TextureError),
     /// A solution that misses its tolerance where only certified ones are of use.
-    #[error("found a certificate of {worst:.1e} under {force:e} N, wanted a solution")]
+    #[error("found a certificate of {worst:.1e} under a force of {force:e}, wanted a solution")]
     NotCertified {
         /// The force, in N.
         force: f64,

@@ -12,6 +12,7 @@
 mod error;
 mod grid;
 mod indenter;
+mod model_parameter;
 mod path;
 mod problem;
 pub mod reference;
@@ -26,6 +27,7 @@ pub use indenter::{
     Cone, CustomProfile, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity,
     Paraboloid, Profile, Pyramid, Sphere,
 };
+pub use model_parameter::ModelParameter;
 pub use path::{
     LoadingPath,
     domain::{
@@ -45,13 +47,12 @@ pub use problem::{
     discrete_problem::{DiscreteProblem, Identity},
     load::Load,
     model::{Model, SampledModel},
-    model_parameter::ModelParameter,
 };
 pub use result::{
     certificate::{Certificate, Solution},
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
-    grid_error::{Estimate, GridError, LevelValues},
+    grid_error::{ErrorEstimate, GridError, LevelValues},
     nan_from_null::nan_from_null,
     peak::PeakPlace,
     rough_contact::{Histogram, Islands, RoughContact},

@@ -1,11 +1,10 @@
 //! The problem: an indenter pressed into a body by a load, and its form on one grid.
 
-pub mod body;
 pub mod boundary;
 pub mod discrete_problem;
 pub mod held_pressure;
 pub mod load;
 pub mod model;
-pub mod model_parameter;
+pub mod operator_source;
 pub mod scale;
 pub mod tangents;

@@ -25,8 +25,8 @@ fn half_space() -> Foundation {
 }
 
 fn coated() -> Foundation {
-    let [coat, base] = [0.2, 1.0].map(|modulus| Material::new(modulus, 0.45).unwrap());
-    Foundation::coated(0.02, coat, base).unwrap()
+    let [coating, base] = [0.2, 1.0].map(|modulus| Material::new(modulus, 0.45).unwrap());
+    Foundation::coated(0.02, coating, base).unwrap()
 }
 
 /// A map of side 1: waves of 8 to 64 a side in all directions, of equal slope.

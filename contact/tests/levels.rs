@@ -15,11 +15,11 @@ use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 
-/// A paraboloid of radius 1 on cylinders of radius 0.02 that stand in a period of 0.05 on a coat of relative stiffness
-/// `stiffness`.
+/// A paraboloid of radius 1 on cylinders of radius 0.02 that stand in a period of 0.05 on a coating of relative
+/// stiffness `stiffness`.
 fn model(stiffness: f64) -> Model {
-    let coat = Material::new(stiffness, 0.3).unwrap();
-    let foundation = Foundation::coated(0.01, coat, Material::new(1.0, 0.3).unwrap()).unwrap();
+    let coating = Material::new(stiffness, 0.3).unwrap();
+    let foundation = Foundation::coated(0.01, coating, Material::new(1.0, 0.3).unwrap()).unwrap();
     let spec = CylinderSpec {
         lattice: Lattice::Square,
         radius: 0.02,

@@ -22,7 +22,7 @@ fn paraboloid() -> Indenter {
     Paraboloid::new(1.0).unwrap().into()
 }
 
-/// An indenter on a coat of the given modulus, 0.01 thick on a body of plane-strain modulus 1.
+/// An indenter on a coating of the given modulus, 0.01 thick on a body of plane-strain modulus 1.
 fn model(modulus: f64, relief: Relief, indenter: Indenter) -> Model {
     let material = |modulus: f64| Material::new(modulus, 0.0).unwrap();
     let foundation = Foundation::coated(0.01, material(modulus), material(1.0)).unwrap();
@@ -145,7 +145,7 @@ fn a_quadrant_of_an_odd_number_of_elements_does_too() {
 }
 
 #[test]
-fn under_a_stiff_coat_the_sparse_factor_and_newton_do_too() {
+fn under_a_stiff_coating_the_sparse_factor_and_newton_do_too() {
     for modulus in [100.0, 1000.0] {
         for relief in [Relief::Bare, cylinders(Lattice::Square, [0.0, 0.0])] {
             compare(&model(modulus, relief, paraboloid()), 64, Load::Force(1e-2));
@@ -215,7 +215,7 @@ fn a_half_solves_what_the_whole_grid_does() {
 }
 
 #[test]
-fn so_does_a_half_under_stiff_coats_and_of_contacts_from_one_element_to_all() {
+fn so_does_a_half_under_stiff_coatings_and_of_contacts_from_one_element_to_all() {
     let berkovich = || Indenter::from(Pyramid::berkovich(0.01).unwrap());
     for modulus in [100.0, 1000.0] {
         compare(

@@ -2,7 +2,7 @@
 //!
 //! Stepanov and Torskaya (2022) solve the linear system of all elements that may touch, drop those with negative
 //! pressure, and repeat until there are none. Nothing looks at the gaps. Where the first systems pull on elements that
-//! belong to the contact, as under a stiff coat or on a relief of islands, the procedure ends with an indenter that
+//! belong to the contact, as under a stiff coating or on a relief of islands, the procedure ends with an indenter that
 //! overlaps the surface, and the certificate says so.
 
 #![expect(
@@ -86,10 +86,10 @@ fn matrix(problem: &mut DiscreteProblem) -> DMatrix<f64> {
     matrix
 }
 
-/// An indenter over a body of modulus 1, or over a coat of modulus `coat` and thickness 0.05 on it.
-fn problem(coat: f64, height: impl Fn(f64, f64) -> f64) -> DiscreteProblem {
+/// An indenter over a body of modulus 1, or over a coating of modulus `coating` and thickness 0.05 on it.
+fn problem(coating: f64, height: impl Fn(f64, f64) -> f64) -> DiscreteProblem {
     let material = |modulus| Material::new(modulus, 0.3).unwrap();
-    let body = Foundation::coated(0.05, material(coat), material(1.0)).unwrap();
+    let body = Foundation::coated(0.05, material(coating), material(1.0)).unwrap();
     let table = CoefficientTable::assemble(&RadialTables::build(&body).unwrap(), SIDE, SIZE);
     let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table.unwrap()), body));
     let centre = |i: usize| (i as f64 + 0.5) * SIDE - 0.5;
@@ -129,7 +129,7 @@ fn on_a_homogeneous_body_it_ends_where_the_others_do() {
 }
 
 #[test]
-fn under_a_stiff_coat_it_ends_with_an_overlap_and_the_certificate_says_so() {
+fn under_a_stiff_coating_it_ends_with_an_overlap_and_the_certificate_says_so() {
     let mut problem = problem(30.0, waved);
     let own = solve(&mut DropOnly, &mut problem);
     assert!(!own.certificate.is_satisfied());
@@ -141,9 +141,9 @@ fn under_a_stiff_coat_it_ends_with_an_overlap_and_the_certificate_says_so() {
 #[test]
 fn a_solver_that_is_given_another_problem_forgets_the_one_before() {
     let mut solver = GradientSolver::default();
-    for coat in [30.0, 1.0, 30.0] {
-        let kept = solve(&mut solver, &mut problem(coat, waved));
-        let fresh = solve(&mut GradientSolver::default(), &mut problem(coat, waved));
+    for coating in [30.0, 1.0, 30.0] {
+        let kept = solve(&mut solver, &mut problem(coating, waved));
+        let fresh = solve(&mut GradientSolver::default(), &mut problem(coating, waved));
         assert_eq!(kept, fresh);
     }
 }

@@ -176,7 +176,7 @@ fn in_ever_larger_cells_a_contact_becomes_free() {
 }
 
 #[test]
-fn both_methods_agree_in_a_cell_on_a_coat() {
+fn both_methods_agree_in_a_cell_on_a_coating() {
     let material = |modulus| Material::new(modulus, 0.3).unwrap();
     let body = Foundation::coated(0.05, material(5.0), material(1.0)).unwrap();
     let cell = model(&body, waves(true));

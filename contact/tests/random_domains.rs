@@ -23,7 +23,7 @@ use pellicle_texture::{
 use rayon::prelude::*;
 
 const ELEMENTS: usize = 48;
-/// Thickness of a coat over the length of a case, its modulus over the body's, and whether the body is rigid.
+/// Thickness of a coating over the length of a case, its modulus over the body's, and whether the body is rigid.
 const FOUNDATIONS: [Option<(f64, f64, bool)>; 6] = [
     None,
     Some((0.1, 1e3, false)),
@@ -72,9 +72,9 @@ fn tables(foundation: usize) -> Arc<RadialTables> {
     let foundation = match FOUNDATIONS[foundation] {
         None => Foundation::half_space(body),
         Some((thickness, modulus, is_rigid)) => {
-            let coat = Material::new(modulus, 0.4).unwrap();
+            let coating = Material::new(modulus, 0.4).unwrap();
             let thickness = thickness * length(foundation);
-            let layer = Layer::new(thickness, coat, Interface::Bonded).unwrap();
+            let layer = Layer::new(thickness, coating, Interface::Bonded).unwrap();
             let base = if is_rigid {
                 Base::Rigid
             } else {

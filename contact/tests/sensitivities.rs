@@ -24,8 +24,8 @@ fn model(bodies: &ElasticBodies, relief: Relief, indenter: impl Into<Indenter>) 
     }
 }
 
-fn coated(thickness: f64, coat: Material, base: Material) -> Foundation {
-    Foundation::coated(thickness, coat, base).unwrap()
+fn coated(thickness: f64, coating: Material, base: Material) -> Foundation {
+    Foundation::coated(thickness, coating, base).unwrap()
 }
 
 fn pillars(young_modulus: f64) -> Cylinders {
@@ -267,7 +267,7 @@ fn along_null_directions_the_penetration_stands_still() {
         Pyramid::berkovich(0.0).unwrap().into(),
     ];
     let cases = [
-        // The materials of the coat and the gauge, and the compliance of the film.
+        // The materials of the coating and the gauge, and the compliance of the film.
         (model(&bodies, Relief::Bare, paraboloid.clone()), 2),
         (model(&bodies, film.clone(), paraboloid), 3),
         (model(&bodies, film.clone(), sharp[0].clone()), 3),
@@ -339,11 +339,11 @@ fn solved_loosely(model: &Model, side: f64, size: usize, forces: &[f64]) -> Load
 fn the_derivative_along_the_curve_is_the_true_one_where_that_of_the_elements_is_not() {
     let bodies = coated(0.1, material(10.0, 0.25), material(1.0, 0.3)).into();
     let film = Relief::Film(Film::new(0.002, 0.5).unwrap());
-    let coat = model(&bodies, film, Paraboloid::new(1.0).unwrap());
+    let coating = model(&bodies, film, Paraboloid::new(1.0).unwrap());
     let (forces, side) = (decade(6e-2), 0.9);
-    let path = solved(&coat, side, 64, &forces);
-    let parameters = coat.parameters();
-    let sensitivities = coat
+    let path = solved(&coating, side, 64, &forces);
+    let parameters = coating.parameters();
+    let sensitivities = coating
         .derivatives(&parameters)
         .unwrap()
         .of_path(&path)
@@ -357,10 +357,10 @@ fn the_derivative_along_the_curve_is_the_true_one_where_that_of_the_elements_is_
     assert!(measured.len() >= 5);
     let (mut of_elements, mut along) = (0.0_f64, 0.0_f64);
     for (index, parameter) in parameters.iter().enumerate() {
-        let value = coat.parameter(*parameter).unwrap();
+        let value = coating.parameter(*parameter).unwrap();
         let step = 0.02 * value;
         let [more, less] = [step, -step].map(|step| {
-            let moved = coat.with_parameter(*parameter, value + step).unwrap();
+            let moved = coating.with_parameter(*parameter, value + step).unwrap();
             extrapolated(&moved, side, &forces)
         });
         let energies: Vec<f64> = steps.iter().map(|step| step[index].energy).collect();

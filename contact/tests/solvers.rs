@@ -159,7 +159,7 @@ fn without_contact_force_and_pressure_are_zero_and_the_certificate_is_satisfied(
 #[test]
 fn elements_beyond_the_indenters_rim_stay_out_of_contact() {
     let rim = |x: f64, y: f64| if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
-    // A soft coat: under a stiff one the punch's rim bends it away from the flat within.
+    // A soft coating: under a stiff one the punch's rim bends it away from the flat within.
     let mut problem = problem(24, 0.1, rim, |_, _| 0.0);
     let start = cold(&problem);
     let by_gradient = solve(&mut gradient(), &mut problem, Load::Force(1e-2), &start);

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use crate::{
     FitOptions, ForwardError, IdentifyError, Problem,
-    least_squares::{Minimum, Search, Stopping, difference},
+    least_squares::{LeastSquares, Minimum, Stopping, difference},
     metric::Metric,
     orthonormal_basis::dot,
     predictor::{Evaluation, Predictor},
@@ -48,7 +48,7 @@ pub(crate) fn search(
             continue;
         };
         let metric = metric.get_or_insert_with(|| provisional_metric(problem, &first));
-        let search = Search {
+        let search = LeastSquares {
             problem,
             metric,
             free: &free,

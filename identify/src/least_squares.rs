@@ -76,7 +76,7 @@ pub(crate) struct Minimum {
 }
 
 /// A search in some of the unknowns.
-pub(crate) struct Search<'s, 'p> {
+pub(crate) struct LeastSquares<'s, 'p> {
     pub problem: &'p Problem,
     pub metric: &'s Metric<'p>,
     /// The unknowns that move.
@@ -99,7 +99,7 @@ impl Damping {
     };
 }
 
-impl Search<'_, '_> {
+impl LeastSquares<'_, '_> {
     /// Descends from an evaluation. `enough` ends the search early.
     pub fn descend(
         &self,

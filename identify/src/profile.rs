@@ -19,7 +19,7 @@ use point::{Point, bracketed, hermite};
 
 use crate::{
     IdentifyError, Problem,
-    least_squares::{Minimum, Search, Stopping, farthest},
+    least_squares::{LeastSquares, Minimum, Stopping, farthest},
     metric::Metric,
     normal_equations::NormalEquations,
     orthonormal_basis::dot,
@@ -111,8 +111,8 @@ impl LikelihoodProfile<'_, '_> {
         self.outward(predictor, first, guess, sign)
     }
 
-    fn search(&self) -> Search<'_, '_> {
-        Search {
+    fn search(&self) -> LeastSquares<'_, '_> {
+        LeastSquares {
             problem: self.problem,
             metric: self.metric,
             free: self.others,

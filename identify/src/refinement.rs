@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use crate::{
     FitOptions, IdentifyError, NoiseLevels, Problem,
-    least_squares::{Minimum, Search, Stopping},
+    least_squares::{LeastSquares, Minimum, Stopping},
     metric::Metric,
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     normal_equations::NormalEquations,
@@ -149,8 +149,8 @@ impl<'p> Refinement<'_, 'p> {
         (0..self.problem.unknowns().len()).collect()
     }
 
-    fn search<'m>(&self, metric: &'m Metric<'p>, free: &'m [usize]) -> Search<'m, 'p> {
-        Search {
+    fn search<'m>(&self, metric: &'m Metric<'p>, free: &'m [usize]) -> LeastSquares<'m, 'p> {
+        LeastSquares {
             problem: self.problem,
             metric,
             free,

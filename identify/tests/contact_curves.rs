@@ -30,9 +30,9 @@ fn model(bodies: &ElasticBodies, relief: Relief, indenter: impl Into<Indenter>) 
     }
 }
 
-fn coat(thickness: f64) -> ElasticBodies {
-    let (coat, base) = (material(100e9, 0.25), material(10e9, 0.3));
-    Foundation::coated(thickness, coat, base).unwrap().into()
+fn coating(thickness: f64) -> ElasticBodies {
+    let (coating, base) = (material(100e9, 0.25), material(10e9, 0.3));
+    Foundation::coated(thickness, coating, base).unwrap().into()
 }
 
 fn young_modulus(body: usize) -> ModelParameter {
@@ -172,7 +172,7 @@ fn a_berkovich_curve_takes_hardly_more_products_than_a_paraboloids_and_those_on_
     let paraboloid = || Indenter::from(Paraboloid::new(RADIUS).unwrap());
     let berkovich = || Indenter::from(Pyramid::berkovich(0.2e-6).unwrap());
     let bare = ElasticBodies::from(Foundation::half_space(material(10e9, 0.3)));
-    for bodies in [bare, coat(0.5e-6)] {
+    for bodies in [bare, coating(0.5e-6)] {
         let [quadrant, half] = [paraboloid(), berkovich()].map(|indenter| {
             let model = model(&bodies, Relief::Bare, indenter);
             let curves = curves(&model, Observable::DepthAtForce, forces(), &[]);
@@ -193,7 +193,7 @@ fn a_berkovich_curve_takes_hardly_more_products_than_a_paraboloids_and_those_on_
 #[test]
 fn the_force_at_a_depth_is_the_inverse_of_the_depth_at_a_force() {
     let model = model(
-        &coat(0.5e-6),
+        &coating(0.5e-6),
         Relief::Bare,
         Paraboloid::new(RADIUS).unwrap(),
     );
@@ -216,14 +216,14 @@ fn the_force_at_a_depth_is_the_inverse_of_the_depth_at_a_force() {
         ];
         for (quantity, (found, expected)) in pairs.into_iter().enumerate() {
             let error = found / expected - 1.0;
-            // Two splines through other loads; of the coat's modulus, which is a twentieth of D.
+            // Two splines through other loads; of the coating's modulus, which is a twentieth of D.
             assert!(error.abs() < 1e-3, "{quantity} at {force}: {error:e}");
         }
     }
 }
 
 #[test]
-fn curves_of_coats_and_films_agree_with_fine_grids() {
+fn curves_of_coatings_and_films_agree_with_fine_grids() {
     let film = Relief::Film(Film::new(20e-9, 1e9).unwrap());
     let paraboloid = Indenter::from(Paraboloid::new(RADIUS).unwrap());
     let berkovich = Indenter::from(Pyramid::berkovich(0.2e-6).unwrap());
@@ -232,7 +232,7 @@ fn curves_of_coats_and_films_agree_with_fine_grids() {
         (film.clone(), paraboloid, 3e-5),
         (film, berkovich, 6e-4),
     ] {
-        let model = model(&coat(0.5e-6), relief, indenter);
+        let model = model(&coating(0.5e-6), relief, indenter);
         let points = vec![1.3e-4, 9e-4, 8.7e-3];
         let all = [forces(), points.clone()].concat();
         let found = predicted(&model, Observable::DepthAtForce, all, &[]);
@@ -258,7 +258,7 @@ fn curves_of_coats_and_films_agree_with_fine_grids() {
 fn derivatives_keep_to_the_identities_of_the_paraboloid() {
     for thickness in [0.05e-6, 0.5e-6, 4e-6] {
         let film = Relief::Film(Film::new(20e-9, 1e9).unwrap());
-        let model = model(&coat(thickness), film, Paraboloid::new(RADIUS).unwrap());
+        let model = model(&coating(thickness), film, Paraboloid::new(RADIUS).unwrap());
         let parameters = [
             young_modulus(0),
             young_modulus(1),
@@ -284,7 +284,7 @@ fn derivatives_keep_to_the_identities_of_the_paraboloid() {
     }
 }
 
-/// The paraboloid's gauge, a film's compliance, the materials of a coat; the slope of a sharp cone; two moduli that
+/// The paraboloid's gauge, a film's compliance, the materials of a coating; the slope of a sharp cone; two moduli that
 /// only their sum counts of.
 #[test]
 fn along_null_directions_no_penetration_changes() {
@@ -297,9 +297,9 @@ fn along_null_directions_no_penetration_changes() {
     let paraboloid = Indenter::from(Paraboloid::new(RADIUS).unwrap());
     let cone = Indenter::from(Cone::new(1.3, 0.0).unwrap());
     let cases = [
-        (model(&coat(0.5e-6), film.clone(), paraboloid.clone()), 3),
-        (model(&coat(0.5e-6), film, cone), 3),
-        (model(&coat(0.5e-6), stiffening, paraboloid.clone()), 2),
+        (model(&coating(0.5e-6), film.clone(), paraboloid.clone()), 3),
+        (model(&coating(0.5e-6), film, cone), 3),
+        (model(&coating(0.5e-6), stiffening, paraboloid.clone()), 2),
         (
             model(
                 &ElasticBodies::new(steel, diamond),
@@ -336,7 +336,7 @@ fn along_null_directions_no_penetration_changes() {
 #[test]
 fn many_points_cost_no_more_loads() {
     let model = model(
-        &coat(0.5e-6),
+        &coating(0.5e-6),
         Relief::Bare,
         Paraboloid::new(RADIUS).unwrap(),
     );

@@ -15,7 +15,7 @@ use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
-/// Moduli of coat and base in Pa, thickness in m.
+/// Moduli of coating and base in Pa, thickness in m.
 const TRUTH: [f64; 3] = [100e9, 10e9, 0.5e-6];
 const NOISE: f64 = 0.01;
 
@@ -25,8 +25,8 @@ fn young_modulus(body: usize) -> ModelParameter {
     ))
 }
 
-/// A coat of half a micrometre under a ball of ten, between 0.1 and 10 mN.
-fn coat(parameters: usize) -> (ContactCurves, Vec<f64>) {
+/// A coating of half a micrometre under a ball of ten, between 0.1 and 10 mN.
+fn coating(parameters: usize) -> (ContactCurves, Vec<f64>) {
     let [hard, soft] =
         [(TRUTH[0], 0.25), (TRUTH[1], 0.3)].map(|(e, nu)| Material::new(e, nu).unwrap());
     let bodies: ElasticBodies = Foundation::coated(TRUTH[2], hard, soft).unwrap().into();
@@ -57,9 +57,9 @@ fn coat(parameters: usize) -> (ContactCurves, Vec<f64>) {
     )
 }
 
-/// The first of the coat's numbers from a curve of its own with noise of 1 % and an unknown zero.
+/// The first of the coating's numbers from a curve of its own with noise of 1 % and an unknown zero.
 fn fit(parameters: usize) -> Fit {
-    let (curves, forces) = coat(parameters);
+    let (curves, forces) = coating(parameters);
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let observed = curves
         .predict(&TRUTH[..parameters])
@@ -103,7 +103,7 @@ fn assert_truth_inside(fit: &Fit) {
 }
 
 #[test]
-fn two_moduli_of_a_coat_and_their_intervals_take_a_dozen_curves() {
+fn two_moduli_of_a_coating_and_their_intervals_take_a_dozen_curves() {
     let fit = fit(2);
     assert_truth_inside(&fit);
     assert!(
@@ -119,7 +119,7 @@ fn two_moduli_of_a_coat_and_their_intervals_take_a_dozen_curves() {
 }
 
 #[test]
-fn with_the_thickness_unknown_the_modulus_of_the_coat_is_weak() {
+fn with_the_thickness_unknown_the_modulus_of_the_coating_is_weak() {
     let fit = fit(3);
     assert_truth_inside(&fit);
     assert_eq!(fit.estimates[0].verdict, Verdict::Weak);
@@ -134,7 +134,7 @@ fn with_the_thickness_unknown_the_modulus_of_the_coat_is_weak() {
 
 #[test]
 fn moduli_and_thickness_follow_a_radius_that_is_taken_as_exact_as_the_gauge_says() {
-    let (curves, forces) = coat(3);
+    let (curves, forces) = coating(3);
     let observed = curves.predict(&TRUTH).unwrap().value;
     let curve = Curve::new(forces, observed).unwrap();
     let unknown = |name: &str, value: f64| {

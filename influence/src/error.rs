@@ -8,13 +8,13 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum InfluenceError {
     /// The side of an element is not a finite positive length.
-    #[error("found {found} m for the side of an element, wanted a positive finite number")]
+    #[error("found {found} for the side of an element, wanted a positive finite number")]
     ElementSide {
         /// The side given, m.
         found: f64,
     },
     /// A depth above the surface, inside a rigid base, or not a number.
-    #[error("found {found} m for a depth in the body, wanted 0 to {largest} m")]
+    #[error("found {found} for a depth in the body, wanted 0 to {largest}")]
     Depth {
         /// The depth given, m.
         found: f64,
@@ -100,7 +100,7 @@ pub enum InfluenceError {
     },
     /// The radial tables of this foundation cannot be made accurate enough to be of use.
     #[error(
-        "found a relative accuracy of {found:.1e} for the influence coefficients at a radius of {radius:.1e} m, wanted {wanted:e}"
+        "found a relative accuracy of {found:.1e} for the influence coefficients at a radius of {radius:.1e}, wanted {wanted:e}"
     )]
     TableAccuracy {
         /// The largest relative error allowed.

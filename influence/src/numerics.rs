@@ -1,7 +1,7 @@
 //! Expansions, quadrature and sums that know nothing of elasticity.
 
 pub(crate) mod chebyshev;
+pub(crate) mod chebyshev_panels;
 pub(crate) mod lagrange;
-pub(crate) mod panels;
 pub(crate) mod quadrature;
 pub(crate) mod rounding;

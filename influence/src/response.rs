@@ -4,7 +4,7 @@
 use pellicle_kernel::{Base, Foundation};
 
 use crate::numerics::chebyshev::{ChebyshevTransform, nodes, sum, tail, taylor};
-use crate::numerics::panels::Panels;
+use crate::numerics::chebyshev_panels::ChebyshevPanels;
 
 /// Beyond this wavenumber, in units of 1/thickness of the top layer, `|Φ−1|` is below 4s² e^{−2s} = 3e-18.
 const NOTHING_BELOW: f64 = 24.0;
@@ -27,7 +27,7 @@ pub(crate) struct ResponseTable {
     /// Chebyshev coefficients of Φ over 0 ≤ s ≤ `reach`.
     low: Vec<f64>,
     reach: f64,
-    panels: Panels,
+    panels: ChebyshevPanels,
     /// Φ = 1 beyond.
     end: f64,
     limit: f64,
@@ -67,7 +67,7 @@ impl ResponseTable {
         let (low, reach) = low_polynomial(&response, limit, tolerance);
         let ends = [(reach / 2.0).ln(), end.ln()];
         let at = |ln_s: f64| response(ln_s.exp());
-        let panels = Panels::fit(ends, at, |largest, _| tolerance * largest);
+        let panels = ChebyshevPanels::fit(ends, at, |largest, _| tolerance * largest);
         Self {
             low,
             reach,

@@ -19,10 +19,10 @@ const STEP: f64 = 1e-2;
 /// ```
 /// use pellicle_kernel::{Foundation, FoundationParameter, Material};
 ///
-/// let (coat, steel) = (Material::new(400e9, 0.25)?, Material::new(210e9, 0.3)?);
-/// let coated = Foundation::coated(2e-6, coat, steel)?;
+/// let (coating, steel) = (Material::new(400e9, 0.25)?, Material::new(210e9, 0.3)?);
+/// let coated = Foundation::coated(2e-6, coating, steel)?;
 /// let by_modulus = coated.response_derivative(FoundationParameter::YoungModulus { body: 1 })?;
-/// // Long waves see the substrate alone: Φ → Φ(0) is inversely proportional to its modulus; 1e-5 is left of the coat.
+/// // Long waves see the substrate alone: Φ → Φ(0) is inversely proportional to its modulus; 1e-5 is the coating's.
 /// let relative = by_modulus.value(1.0) * 210e9 / coated.response(1.0);
 /// assert!((relative + 1.0).abs() < 1e-4);
 /// # Ok::<(), pellicle_kernel::KernelError>(())

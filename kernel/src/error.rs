@@ -70,7 +70,7 @@ pub enum KernelError {
         found: f64,
     },
     /// The transformed equations of one layer have no unique solution in floating point.
-    #[error("the transformed equations at s = k H = {s:e} are singular")]
+    #[error("found singular transformed equations at s = k H = {s:e}, wanted a unique solution")]
     Singular {
         /// Wavenumber times thickness.
         s: f64,
@@ -89,7 +89,7 @@ pub enum KernelError {
     },
     /// A number of a body that the foundation does not have, or that a body has not.
     #[error(
-        "found no such number of body {found}, wanted a layer (0 to {layers}, exclusive) or the elastic half-space below"
+        "found body {found}, which has no such number, wanted a layer (0 to {layers}, exclusive) or the elastic half-space below"
     )]
     NoBody {
         /// The body asked for, from 0 at the surface.

@@ -16,10 +16,10 @@ use crate::{Base, Foundation, Interface, KernelError, Layer, Material};
 ///
 /// let steel = Material::new(210e9, 0.3)?;
 /// // Young's modulus falls linearly from 400 GPa to the steel's over 2 µm.
-/// let coat = GradedLayer::new(2e-6, Interface::Bonded, |z| {
+/// let coating = GradedLayer::new(2e-6, Interface::Bonded, |z| {
 ///     Material::new(400e9 - 190e9 * z / 2e-6, 0.3)
 /// })?;
-/// let split = coat.split(&[], Base::HalfSpace(steel), &GradingOptions::default())?;
+/// let split = coating.split(&[], Base::HalfSpace(steel), &GradingOptions::default())?;
 /// assert!(split.error_estimate <= 1e-4 && split.sublayers < 200);
 /// // Long waves do not see the coating: C → 2 (1 − ν²)/(E k), with a remainder of order k H = 2e-6.
 /// let steel_alone = 2.0 * 0.91 / 210e9;
@@ -100,7 +100,7 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> GradedLayer<F> {
         base: Base,
         options: &GradingOptions,
     ) -> Result<SplitLayer, KernelError> {
-        let problem = Problem {
+        let splitting = Splitting {
             layer: self,
             layers,
             base,
@@ -108,10 +108,10 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> GradedLayer<F> {
         };
         let mut cells = even_cells(self.thickness);
         loop {
-            let changes = problem.changes(&cells)?;
+            let changes = splitting.changes(&cells)?;
             let error = error_of_halves(&changes);
             if error <= options.tolerance {
-                return problem.finish(&halved(&cells, |_| true), error);
+                return splitting.finish(&halved(&cells, |_| true), error);
             }
             let largest: Vec<f64> = changes.iter().map(|change| largest(change)).collect();
             let worst = self::largest(&largest);
@@ -187,14 +187,14 @@ fn error_of_halves(changes: &[Vec<f64>]) -> f64 {
 }
 
 /// A graded layer, its support, and the wavenumbers at which the compliance is compared.
-struct Problem<'a, F> {
+struct Splitting<'a, F> {
     layer: &'a GradedLayer<F>,
     layers: &'a [Layer],
     base: Base,
     wavenumbers: Vec<f64>,
 }
 
-impl<F: Fn(f64) -> Result<Material, KernelError>> Problem<'_, F> {
+impl<F: Fn(f64) -> Result<Material, KernelError>> Splitting<'_, F> {
     /// `δᵢ(k) = Cᵢ(k)/C(k) − 1` by sublayer and wavenumber, `Cᵢ` with sublayer `i` halved.
     fn changes(&self, cells: &[DepthRange]) -> Result<Vec<Vec<f64>>, KernelError> {
         let present = self.compliances(cells)?;

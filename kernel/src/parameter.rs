@@ -90,10 +90,10 @@ impl Foundation {
     /// ```
     /// use pellicle_kernel::{Foundation, FoundationParameter, Material};
     ///
-    /// let (coat, steel) = (Material::new(400e9, 0.25)?, Material::new(210e9, 0.3)?);
-    /// let coated = Foundation::coated(2e-6, coat, steel)?;
+    /// let (coating, steel) = (Material::new(400e9, 0.25)?, Material::new(210e9, 0.3)?);
+    /// let coated = Foundation::coated(2e-6, coating, steel)?;
     /// let thickness = FoundationParameter::Thickness { layer: 0 };
-    /// assert_eq!(coated.with_parameter(thickness, 3e-6)?, Foundation::coated(3e-6, coat, steel)?);
+    /// assert_eq!(coated.with_parameter(thickness, 3e-6)?, Foundation::coated(3e-6, coating, steel)?);
     /// # Ok::<(), pellicle_kernel::KernelError>(())
     /// ```
     ///

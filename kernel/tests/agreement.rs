@@ -101,8 +101,8 @@ fn on_springs(mut check: impl FnMut(f64, Material, Interface, Material)) {
 #[test]
 fn springs_in_the_recursion_are_springs_in_the_transformed_system() {
     on_springs(|s, layer, interface, half_space| {
-        let coat = Layer::new(1.0, layer, interface).unwrap();
-        let foundation = Foundation::new(vec![coat], Base::HalfSpace(half_space)).unwrap();
+        let coating = Layer::new(1.0, layer, interface).unwrap();
+        let foundation = Foundation::new(vec![coating], Base::HalfSpace(half_space)).unwrap();
         let system = TransformedSystem::on(s, layer, interface, half_space);
         let response = system.response().unwrap();
         // The error is the elimination's, a few tens of roundings.

@@ -11,14 +11,15 @@ import numpy.typing as npt
 _Function: TypeAlias = Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64], bool], npt.NDArray[np.float64]]
 
 __all__ = [
-    "Body",
     "Case",
     "CaseError",
     "ContactError",
+    "DiscreteProblem",
     "Error",
     "Field",
     "Fit",
     "FitRun",
+    "Foundation",
     "IdentifyError",
     "IndenterError",
     "InfluenceError",
@@ -26,7 +27,6 @@ __all__ = [
     "KernelError",
     "Operator",
     "Planes",
-    "Problem",
     "Run",
     "RunError",
     "Solution",
@@ -168,8 +168,8 @@ class InternalError(Error):
 
 def read_text(path: str | os.PathLike[str]) -> str: ...
 @final
-class Body:
-    def __new__(cls, text: str, source: str) -> Body: ...
+class Foundation:
+    def __new__(cls, text: str, source: str) -> Foundation: ...
     def compliance(self, wavenumbers: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]: ...
     def stress(
         self, pressure: npt.NDArray[np.float64], side: float, contact_radius: float, text: str
@@ -177,7 +177,7 @@ class Body:
 
 @final
 class Operator:
-    def __new__(cls, body: Body, element_side: float, elements: int) -> Operator: ...
+    def __new__(cls, foundation: Foundation, element_side: float, elements: int) -> Operator: ...
     def coefficients(self) -> npt.NDArray[np.float64]: ...
     def apply(self, pressure: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]: ...
 
@@ -196,8 +196,8 @@ class Case:
     def start(self, threads: int | None = None) -> Run: ...
 
 @final
-class Problem:
-    def __new__(cls, case: Case) -> Problem: ...
+class DiscreteProblem:
+    def __new__(cls, case: Case) -> DiscreteProblem: ...
     @property
     def side(self) -> float: ...
     @property

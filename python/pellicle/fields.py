@@ -8,7 +8,7 @@ from typing import Protocol, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from ._pellicle import Body, Planes, Solution
+from ._pellicle import Foundation, Planes, Solution
 
 Field: TypeAlias = npt.NDArray[np.float64]
 """N × N numbers, first index along x."""
@@ -121,5 +121,5 @@ class StoredFields:
 
     def stress(self, step: int, text: str) -> Planes:
         """Displacements and stresses on the planes that a table `[stress]` asks for."""
-        body = Body(self.foundation, "case")
-        return body.stress(self.pressures[step], self.side, self.radii[step], text)
+        foundation = Foundation(self.foundation, "case")
+        return foundation.stress(self.pressures[step], self.side, self.radii[step], text)

@@ -23,7 +23,7 @@ def compliance(foundation: Foundation, wavenumber: npt.ArrayLike) -> npt.NDArray
     wavenumbers = np.array(wavenumber, dtype=np.float64)
     if not (np.isfinite(wavenumbers) & (wavenumbers > 0)).all():
         raise ArgumentError("wavenumber: found zero, a negative number or none, wanted positive finite numbers")
-    found = _body(foundation).compliance(np.ascontiguousarray(wavenumbers.ravel()))
+    found = _inner(foundation).compliance(np.ascontiguousarray(wavenumbers.ravel()))
     return found.reshape(wavenumbers.shape)
 
 
@@ -49,7 +49,7 @@ class ElasticOperator:
         self.foundation = foundation
         self.element_side: float = float(element_side)
         self.elements: int = int(elements)
-        self._operator = _pellicle.Operator(_body(foundation), self.element_side, self.elements)
+        self._operator = _pellicle.Operator(_inner(foundation), self.element_side, self.elements)
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -84,5 +84,5 @@ class ElasticOperator:
         return f"<ElasticOperator of {self.elements} × {self.elements} elements of side {self.element_side:g}>"
 
 
-def _body(foundation: Foundation) -> _pellicle.Body:
-    return _pellicle.Body(toml.text({"foundation": foundation.as_table()}), "foundation")
+def _inner(foundation: Foundation) -> _pellicle.Foundation:
+    return _pellicle.Foundation(toml.text({"foundation": foundation.as_table()}), "foundation")

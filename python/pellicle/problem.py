@@ -36,7 +36,7 @@ class DiscreteProblem:
 
     def __init__(self, case: Case) -> None:
         self.case = case
-        self._problem = _pellicle.Problem(case._case)
+        self._problem = _pellicle.DiscreteProblem(case._case)
 
     @property
     def elements(self) -> int:

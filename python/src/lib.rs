@@ -5,14 +5,14 @@
 //! results. This module solves. Work is done on threads of its own while the interpreter goes on, and Python waits for
 //! it in short turns, so that signals are noticed.
 
-mod body;
 mod case;
+mod discrete_problem;
 mod error;
 mod field;
 mod fit;
+mod foundation;
 mod function;
 mod planes;
-mod problem;
 mod process;
 mod run;
 mod solution;
@@ -26,9 +26,9 @@ use pyo3::pymodule;
 #[pymodule(gil_used = false)]
 mod _pellicle {
     #[pymodule_export]
-    use crate::body::{Body, Operator};
-    #[pymodule_export]
     use crate::case::{Case, read_text};
+    #[pymodule_export]
+    use crate::discrete_problem::DiscreteProblem;
     #[pymodule_export]
     use crate::error::{
         CaseError, ContactError, Error, IdentifyError, IndenterError, InfluenceError,
@@ -39,9 +39,9 @@ mod _pellicle {
     #[pymodule_export]
     use crate::fit::{Fit, FitRun};
     #[pymodule_export]
-    use crate::planes::Planes;
+    use crate::foundation::{Foundation, Operator};
     #[pymodule_export]
-    use crate::problem::Problem;
+    use crate::planes::Planes;
     #[pymodule_export]
     use crate::run::Run;
     #[pymodule_export]

@@ -13,13 +13,13 @@ use crate::error::{self, Refusal};
 use crate::process::Threads;
 
 /// A result, a failure, or a panic.
-type Outcome<T> = Result<Result<T, Failure>, Box<dyn Any + Send>>;
+type Finished<T> = Result<Result<T, Failure>, Box<dyn Any + Send>>;
 
 /// Where the work stands.
 struct State<P, T> {
     progress: Option<P>,
     is_finished: bool,
-    outcome: Option<Outcome<T>>,
+    outcome: Option<Finished<T>>,
 }
 
 /// The state shared by the work and those who wait for it.
@@ -52,7 +52,7 @@ impl<P, T> Watched<P, T> {
         self.state().progress = Some(progress);
     }
 
-    fn finish(&self, outcome: Outcome<T>) {
+    fn finish(&self, outcome: Finished<T>) {
         let mut state = self.state();
         state.outcome = Some(outcome);
         state.is_finished = true;

@@ -87,7 +87,7 @@ RAISED: list[tuple[Callable[[], object], type[pl.Error], set[str]]] = [
     (lambda: pl.Case.from_string("[foundation]"), pl.CaseError, {"key", "line", "found", "wanted", "help"}),
     (lambda: pl.ElasticOperator(GLASS, -1e-6, 4), pl.InfluenceError, {"found"}),
     (
-        lambda: _pellicle.Problem(pl.Case(GLASS, pl.Sphere(1.0), force=1.0, elements=8)._case).displacement(np.zeros((2, 2))),
+        lambda: _pellicle.DiscreteProblem(pl.Case(GLASS, pl.Sphere(1.0), force=1.0, elements=8)._case).displacement(np.zeros((2, 2))),
         pl.ContactError,
         {"field", "found", "wanted"},
     ),

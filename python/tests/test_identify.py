@@ -24,15 +24,15 @@ from pellicle.measurement import UNITS
 Array = npt.NDArray[np.float64]
 Program = Callable[..., "subprocess.CompletedProcess[str]"]
 
-COAT = "foundation.layer[0].young_modulus"
+COATING = "foundation.layer[0].young_modulus"
 BASE = "foundation.substrate.young_modulus"
 
 
 @pytest.fixture(scope="module")
 def model() -> pl.Case:
-    """A ball on a hard coat."""
-    coat = pl.Layer("0.5 um", pl.Material("100 GPa", 0.25))
-    return pl.Case(pl.Foundation(pl.Material("10 GPa", 0.3), [coat]), pl.Paraboloid("10 um"), force="1 mN")
+    """A ball on a hard coating."""
+    coating = pl.Layer("0.5 um", pl.Material("100 GPa", 0.25))
+    return pl.Case(pl.Foundation(pl.Material("10 GPa", 0.3), [coating]), pl.Paraboloid("10 um"), force="1 mN")
 
 
 @pytest.fixture(scope="module")
@@ -48,8 +48,8 @@ def measured(model: pl.Case) -> tuple[Array, Array]:
 def fit(model: pl.Case, measured: tuple[Array, Array]) -> pl.Fit:
     force, depth = measured
     data = pl.Data.of_arrays(force=force, depth=depth, noise=pl.Noise(depth="0.2 nm", correlation="none"))
-    unknown: dict[str, Any] = {COAT: ("20 GPa", "500 GPa"), BASE: pl.Unknown(2e9, 50e9)}
-    return pl.Fit(model, data, unknown=unknown, title="coat")
+    unknown: dict[str, Any] = {COATING: ("20 GPa", "500 GPa"), BASE: pl.Unknown(2e9, 50e9)}
+    return pl.Fit(model, data, unknown=unknown, title="coating")
 
 
 @pytest.fixture(scope="module")
@@ -64,10 +64,10 @@ def timeless(found: dict[str, Any]) -> dict[str, Any]:
 def test_the_truth_is_found(result: pl.Identification) -> None:
     assert result.verdict == "fitted" and result.is_whole
     # Intervals of 95 % of this seed.
-    for key, truth in ((COAT, 100e9), (BASE, 10e9)):
+    for key, truth in ((COATING, 100e9), (BASE, 10e9)):
         low, high = result[key].interval
         assert low < truth < high and result[key].verdict == "identified"
-    assert [estimate.key for estimate in result] == [COAT, BASE]
+    assert [estimate.key for estimate in result] == [COATING, BASE]
     with pytest.raises(KeyError):
         result["indenter.radius"]
 
@@ -84,20 +84,20 @@ def test_results_are_arrays_and_numbers(result: pl.Identification, measured: tup
     assert correlation == pytest.approx(result.correlation[0, 1], abs=1e-12)
     exact = {number["key"]: number["exponents"] for number in result.taken_as_exact}
     assert all(len(exponents) == 2 for exponents in exact.values()) and "indenter.radius" in exact
-    assert set(result.profiles["parameter"]) == {COAT, BASE}
+    assert set(result.profiles["parameter"]) == {COATING, BASE}
     assert result.excluded is None and result.posterior == {} and result.goodness["points"] == 40
 
 
 def test_the_file_of_a_fit_gives_the_same_bits_in_the_program(
     fit: pl.Fit, result: pl.Identification, program: Program, tmp_path: Path
 ) -> None:
-    fit.to_toml(tmp_path / "coat.toml")
-    found = json.loads(program("identify", tmp_path / "coat.toml", "--json").stdout)
-    assert found["curves"][0].pop("file").endswith("coat-data-0.csv")
+    fit.to_toml(tmp_path / "coating.toml")
+    found = json.loads(program("identify", tmp_path / "coating.toml", "--json").stdout)
+    assert found["curves"][0].pop("file").endswith("coating-data-0.csv")
     mine = result.to_dict()
     assert mine["curves"][0].pop("file") == "data-0.csv"
     assert timeless(mine) == timeless(found)
-    again = pl.identify(tmp_path / "coat.toml", threads=1)
+    again = pl.identify(tmp_path / "coating.toml", threads=1)
     assert again.unknowns == result.unknowns
 
 
@@ -132,7 +132,7 @@ design = { forces = ["5 mN"] }
 
 def test_a_plan_is_that_of_the_program(model: pl.Case, program: Program, tmp_path: Path) -> None:
     design = pl.Design(forces=["1 mN", "10 mN"], radii=["1 um"])
-    fit = pl.Fit(model, unknown={COAT: ("10 GPa", "1 TPa")}, report=pl.Report(design=design))
+    fit = pl.Fit(model, unknown={COATING: ("10 GPa", "1 TPa")}, report=pl.Report(design=design))
     with pytest.raises(pl.CaseError, match="data"):
         pl.identify(fit)
     told: list[pl.FitProgress] = []
@@ -161,8 +161,8 @@ def test_a_misfit_is_a_result_with_a_warning(model: pl.Case, measured: tuple[Arr
 def test_fits_and_results_survive_a_pickle(fit: pl.Fit, result: pl.Identification) -> None:
     assert pickle.loads(pickle.dumps(fit)) == fit
     again = pickle.loads(pickle.dumps(result))
-    assert again == result and again[COAT] == result[COAT]
-    assert "identified" in str(result) and "coat" in repr(result) and COAT in result._repr_html_()
+    assert again == result and again[COATING] == result[COATING]
+    assert "identified" in str(result) and "coating" in repr(result) and COATING in result._repr_html_()
 
 
 def test_what_no_data_can_tell_is_said_with_what_is_known(model: pl.Case, measured: tuple[Array, Array]) -> None:
@@ -179,7 +179,7 @@ def test_what_no_data_can_tell_is_said_with_what_is_known(model: pl.Case, measur
 def test_ctrl_c_keeps_what_is_done(model: pl.Case, measured: tuple[Array, Array]) -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
     force, depth = measured
-    keys = ["foundation.layer[0].thickness", COAT, BASE]
+    keys = ["foundation.layer[0].thickness", COATING, BASE]
     bounds = [("0.05 um", "5 um"), ("20 GPa", "500 GPa"), ("2 GPa", "50 GPa")]
     data = pl.Data.of_arrays(force=force, depth=depth)
     report = pl.Report(posterior=100_000)
@@ -227,12 +227,12 @@ def test_faults_of_a_fit_are_told_with_their_keys(model: pl.Case, measured: tupl
         pl.Fit(model, data, unknown={"foundation.layer[7].young_modulus": (1e9, 2e9)})
     assert error.value.key is not None and "layer[7]" in error.value.key
     with pytest.raises(pl.ArgumentError, match="wanted a pellicle.Unknown or a pair of bounds"):
-        pl.Fit(model, data, unknown={COAT: 3e9})  # type: ignore[dict-item]
+        pl.Fit(model, data, unknown={COATING: 3e9})  # type: ignore[dict-item]
     with pytest.raises(pl.ArgumentError, match="model: found str"):
-        pl.Fit("case.toml", data, unknown={COAT: (1e9, 2e9)})  # type: ignore[arg-type]
+        pl.Fit("case.toml", data, unknown={COATING: (1e9, 2e9)})  # type: ignore[arg-type]
     short = pl.Data.of_arrays(force=force[:3], depth=depth[:3])
     with pytest.raises(pl.IdentifyError) as few:
-        pl.identify(pl.Fit(model, short, unknown={COAT: ("1 GPa", "1 TPa"), BASE: ("1 GPa", "1 TPa")}))
+        pl.identify(pl.Fit(model, short, unknown={COATING: ("1 GPa", "1 TPa"), BASE: ("1 GPa", "1 TPa")}))
     assert few.value.points == 3 and few.value.wanted == 3
 
 
@@ -248,7 +248,7 @@ def test_priors_nuisances_and_repeats_are_written_as_the_fit_file_has_them(
         frame_compliance=pl.Unknown(prior="normal", mean="0 nm/mN", sd="0.01 nm/mN"),
         parameters={BASE: prior},
     )
-    fit = pl.Fit(model, repeats, unknown={COAT: ("20 GPa", "500 GPa")}, nuisance=nuisance)
+    fit = pl.Fit(model, repeats, unknown={COATING: ("20 GPa", "500 GPa")}, nuisance=nuisance)
     result = pl.identify(fit)
     assert [curve["file"] for curve in result.curves] == ["0.csv", "1.csv"]
     shifts = [curve["shift"] for curve in result.curves]
@@ -256,7 +256,7 @@ def test_priors_nuisances_and_repeats_are_written_as_the_fit_file_has_them(
     assert shifts[1] - shifts[0] == pytest.approx(1e-9, rel=1e-6)
     assert BASE in {estimate.key for estimate in result.nuisances}
     with pytest.raises(pl.ArgumentError, match="two arrays of the name"):
-        pl.Fit(model, [repeats[0], dataclasses.replace(repeats[1], file="0.csv")], unknown={COAT: (1e9, 2e9)})
+        pl.Fit(model, [repeats[0], dataclasses.replace(repeats[1], file="0.csv")], unknown={COATING: (1e9, 2e9)})
 
 
 def test_a_measured_tip_as_an_array_is_the_indenter_of_a_fit(program: Program, tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ mod benchmarks;
 
 use std::fmt;
 
-use pellicle_contact::{Domain, Estimate, Load, Model, SolverOptions, Step, solve_path};
+use pellicle_contact::{Domain, ErrorEstimate, Load, Model, SolverOptions, Step, solve_path};
 
 pub use benchmarks::benchmarks;
 
@@ -128,7 +128,7 @@ impl GridQuantity {
 
     /// Its error bar in a step.
     #[must_use]
-    pub fn estimate(self, step: &Step) -> Option<Estimate> {
+    pub fn estimate(self, step: &Step) -> Option<ErrorEstimate> {
         let error = &step.grid_error;
         match self {
             Self::Penetration => error.penetration,

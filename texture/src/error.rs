@@ -66,7 +66,7 @@ pub enum TextureError {
     },
     /// Springs that are to stiffen have no height to be squeezed to.
     #[error(
-        "found a compliance of {found} m/Pa for springs that stiffen, wanted a Young's modulus, with which they have a height"
+        "found a compliance of {found} for springs that stiffen, wanted a Young's modulus, with which they have a height"
     )]
     NoHeight {
         /// The compliance, m/Pa.

@@ -73,9 +73,10 @@ mod tests {
             hardness(", hardness = 0.2", "[solver]\nhardness = 0.2"),
             Some(0.2)
         );
-        let coat = "[[foundation.layer]]\nthickness = 1\nyoung_modulus = 1\npoisson_ratio = 0.3\n";
-        assert_eq!(hardness(", hardness = 0.2", coat), None);
-        assert_eq!(hardness("", &format!("{coat}hardness = 0.3")), Some(0.3));
+        let coating =
+            "[[foundation.layer]]\nthickness = 1\nyoung_modulus = 1\npoisson_ratio = 0.3\n";
+        assert_eq!(hardness(", hardness = 0.2", coating), None);
+        assert_eq!(hardness("", &format!("{coating}hardness = 0.3")), Some(0.3));
     }
 
     #[test]

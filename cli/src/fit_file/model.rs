@@ -81,7 +81,7 @@ impl FitModel {
         }
         let case = Case::resolve_with(&root, &self.name, &self.maps)?;
         if case.hardness().is_some() {
-            return Err(case.blame(ContactError::WithHardness { what: "a fit" }));
+            return Err(case.blame(ContactError::WithHardness { what: "fits" }));
         }
         let model = case.model(&self.cache)?.value;
         let parameters = case.parameters(&model)?;

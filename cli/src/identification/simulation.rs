@@ -14,8 +14,8 @@ use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::measured::channel::Channel;
 use crate::measured::columns::{ColumnName, ColumnUnit};
+use crate::measured::curve_segment::SegmentEnd;
 use crate::measured::data_table::{DataTable, Observe};
-use crate::measured::segment::SegmentEnd;
 
 /// Points of a measurement, evenly spread in the logarithm of the force.
 const POINTS: u32 = 100;

@@ -1,7 +1,7 @@
 //! Checks of a curve before anything is fitted to it: errors where it cannot be used, warnings where it is doubtful.
 
 use super::channel::Channel;
-use super::columns::{ColumnUnit, Columns};
+use super::columns::{ColumnUnit, CurveColumns};
 use super::contact_slope::contact_slope;
 use super::curve::{CurveWarning, MeasuredCurve};
 use super::error::CurveError;
@@ -37,7 +37,7 @@ pub(super) fn refuse(curve: &MeasuredCurve) -> Result<(), CurveError> {
 }
 
 /// The warnings about a curve.
-pub(super) fn warnings(curve: &MeasuredCurve, columns: &Columns) -> Vec<CurveWarning> {
+pub(super) fn warnings(curve: &MeasuredCurve, columns: &CurveColumns) -> Vec<CurveWarning> {
     let mut warnings = Vec::new();
     let mut warn = |code, message: String| warnings.push(CurveWarning::new(code, message));
     let points = curve.rows.len();

@@ -208,7 +208,7 @@ fn refuse_other_quantity(
 
 /// The columns to read, and their units.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Columns {
+pub struct CurveColumns {
     /// Each quantity with its column and the unit given for it.
     pub channels: Vec<(Channel, ColumnName, Option<ColumnUnit>)>,
     /// The column that tells segments.
@@ -217,7 +217,7 @@ pub struct Columns {
     pub marker: Option<ColumnName>,
 }
 
-impl Columns {
+impl CurveColumns {
     const KEYS: [&'static str; 9] = [
         "depth",
         "force",

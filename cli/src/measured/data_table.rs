@@ -5,10 +5,10 @@ mod required_columns;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::columns::Columns;
+use super::columns::CurveColumns;
+use super::curve_segment::CurveSegment;
 use super::error::CurveError;
 use super::noise::MeasuredNoise;
-use super::segment::Segment;
 use super::sources::MeasurementSources;
 use super::spring::{HeightDirection, SpringConstant};
 use super::text_options::TextOptions;
@@ -38,11 +38,11 @@ pub struct DataTable {
     /// The files, in the order of their names.
     pub files: Vec<PathBuf>,
     /// The columns and their units.
-    pub columns: Columns,
+    pub columns: CurveColumns,
     /// The form of the text.
     pub text: TextOptions,
     /// The part that is used.
-    pub segment: Segment,
+    pub segment: CurveSegment,
     /// The observable that is compared with the model.
     pub observe: Observe,
     /// The noise.
@@ -129,10 +129,11 @@ impl DataTable {
         let data = Self {
             files: matching(&table, sources)?,
             sources: sources.clone(),
-            columns: Columns::read(&columns, optional("units")?.as_ref())?,
+            columns: CurveColumns::read(&columns, optional("units")?.as_ref())?,
             text: optional("text")?
                 .map_or(Ok(TextOptions::default()), |t| TextOptions::read(&t))?,
-            segment: optional("segment")?.map_or(Ok(Segment::default()), |t| Segment::read(&t))?,
+            segment: optional("segment")?
+                .map_or(Ok(CurveSegment::default()), |t| CurveSegment::read(&t))?,
             observe: observe(&table)?,
             noise: optional("noise")?
                 .map_or(Ok(MeasuredNoise::default()), |t| MeasuredNoise::read(&t))?,

@@ -1,7 +1,7 @@
 //! The columns of a measurement as numbers in SI units, every row of the table kept.
 
 use super::channel::Channel;
-use super::columns::{ColumnUnit, Columns};
+use super::columns::{ColumnUnit, CurveColumns};
 use super::error::CurveError;
 use super::text_options::TextOptions;
 use super::text_table::TextTable;
@@ -23,7 +23,7 @@ impl<'t> RawCurve<'t> {
     /// The columns of a table.
     pub(super) fn read(
         table: &TextTable<'t>,
-        columns: &Columns,
+        columns: &CurveColumns,
         options: &TextOptions,
     ) -> Result<Self, CurveError> {
         let mut places = Vec::new();

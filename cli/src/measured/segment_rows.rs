@@ -2,6 +2,7 @@
 
 use super::channel::Channel;
 use super::curve::CurveWarning;
+use super::curve_segment::{Branch, CurveSegment, SegmentEnd, Until};
 use super::depth_step::DepthStep;
 use super::error::CurveError;
 use super::exclusion::ExclusionReason::{
@@ -10,7 +11,6 @@ use super::exclusion::ExclusionReason::{
 };
 use super::exclusion::KeptRows;
 use super::raw_curve::RawCurve;
-use super::segment::{Branch, Segment, SegmentEnd, Until};
 
 /// An unloading given as a loading has its largest force within this fraction of its rows from its first.
 const FRACTION_OF_UNLOADING: usize = 10;
@@ -19,7 +19,7 @@ const FRACTION_OF_UNLOADING: usize = 10;
 /// and before the pop-in, in this order.
 pub(super) fn cut(
     raw: &RawCurve<'_>,
-    segment: &Segment,
+    segment: &CurveSegment,
     warnings: &mut Vec<CurveWarning>,
 ) -> Result<KeptRows, CurveError> {
     let mut kept = KeptRows {
@@ -46,7 +46,7 @@ pub(super) fn cut(
 fn keep_value(
     kept: &mut KeptRows,
     raw: &RawCurve<'_>,
-    segment: &Segment,
+    segment: &CurveSegment,
 ) -> Result<(), CurveError> {
     let Some(value) = &segment.value else {
         return Ok(());
@@ -87,7 +87,7 @@ fn listed(fields: &[&str]) -> String {
 fn keep_between_rows(
     kept: &mut KeptRows,
     raw: &RawCurve<'_>,
-    segment: &Segment,
+    segment: &CurveSegment,
 ) -> Result<(), CurveError> {
     let row = |end: &'static str, given: &Option<SegmentEnd>| match given {
         Some(SegmentEnd::Row(row)) => Ok(Some(row - 1)),
@@ -173,7 +173,7 @@ fn refuse_unloading(rows: &[usize], forces: &[f64], end: usize) -> Result<(), Cu
 
 /// Keeps the points between the forces of the ends. A loading or unloading stays one piece, without the rows before
 /// the force last enters between them and those behind it first leaves.
-fn keep_between_forces(kept: &mut KeptRows, forces: &[f64], segment: &Segment) {
+fn keep_between_forces(kept: &mut KeptRows, forces: &[f64], segment: &CurveSegment) {
     let force = |end: &Option<SegmentEnd>, none| match end {
         Some(SegmentEnd::Force(force)) => *force,
         _ => none,

@@ -1,6 +1,6 @@
 //! The accuracy of a picture's data in words: grid, certificate, grid error.
 
-use pellicle_contact::{Estimate, LevelValues};
+use pellicle_contact::{ErrorEstimate, LevelValues};
 
 use super::labels::power;
 use crate::display::significant;
@@ -36,7 +36,7 @@ pub fn of_step(elements: usize, step: &StepSummary) -> String {
 }
 
 /// The estimated error, or the change from the next coarser grid if the estimate is not resolved.
-fn error(value: f64, estimate: Option<Estimate>, change: f64) -> String {
+fn error(value: f64, estimate: Option<ErrorEstimate>, change: f64) -> String {
     match estimate {
         Some(error) if error.resolved => format!("± {}", percent(error.estimate / value)),
         _ if change.is_finite() => format!("[{}]", percent(change)),
@@ -76,7 +76,7 @@ mod tests {
     #[test]
     fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
         let estimate = |resolved| {
-            Some(Estimate {
+            Some(ErrorEstimate {
                 estimate: 0.02,
                 order: None,
                 resolved,

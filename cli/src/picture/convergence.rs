@@ -1,6 +1,6 @@
 //! The change of penetration, contact area and largest pressure from grid to grid.
 
-use pellicle_contact::{Estimate, GridError, LevelValues};
+use pellicle_contact::{ErrorEstimate, GridError, LevelValues};
 
 use super::colour_map::ColourMap;
 use super::colours::Colour;
@@ -36,7 +36,7 @@ struct Number {
     unit: Unit,
     on_level: fn(&LevelValues) -> f64,
     value: fn(&StepSummary) -> f64,
-    estimate: fn(&GridError) -> Option<Estimate>,
+    estimate: fn(&GridError) -> Option<ErrorEstimate>,
 }
 
 const NUMBERS: [Number; 3] = [

@@ -8,7 +8,7 @@ use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;
 use crate::identification::units;
 use crate::input::diagnosis::Diagnosis;
-use crate::measured::segment::SegmentEnd;
+use crate::measured::curve_segment::SegmentEnd;
 
 /// Points of a curve where neither the fit file nor measurements say how many.
 pub const POINTS: usize = 24;

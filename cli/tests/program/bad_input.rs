@@ -235,7 +235,7 @@ fn a_punch_that_misses_every_element_is_told_at_the_key_of_the_side() {
         TestFolder::with_case(CASE.replace("kind = \"paraboloid\"\nradius = \"4 um\"", punch));
     let ran = folder.run(&["run", "case.toml", "--json"]);
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
-    let sentence = "key `grid.side`: found a `grid.side` of 4.000e-7";
+    let sentence = "key `grid.side`: found a domain of side 4.000e-7";
     assert!(ran.stderr.contains(sentence), "{}", ran.stderr);
     assert!(ran.stderr.contains("far too large"), "{}", ran.stderr);
 }

@@ -7,16 +7,16 @@ use serde_json::Value;
 
 use crate::runner::{ProgramOutput, TestFolder};
 
-/// A coat on a polymer under a ball, with noise of 1 %.
-const COAT: &str = r#"
-title = "Coat on polymer, ball"
+/// A coating on a polymer under a ball, with noise of 1 %.
+const COATING: &str = r#"
+title = "Coating on polymer, ball"
 
 [model]
 foundation = { substrate = { young_modulus = "10 GPa", poisson_ratio = 0.3 }, layer = [{ thickness = "0.5 um", young_modulus = "100 GPa", poisson_ratio = 0.25 }] }
 indenter = { kind = "paraboloid", radius = "10 um" }
 
 [[data]]
-file = "coat.csv"
+file = "coating.csv"
 columns = { depth = "depth", force = "force", time = 1 }
 units = { depth = "nm", force = "mN", time = "s" }
 segment = { from = "0.1 mN", to = "10 mN" }
@@ -86,9 +86,9 @@ fn keys(value: &Value) -> Vec<&str> {
 }
 
 #[test]
-fn moduli_of_a_coat_and_its_base_are_found_with_intervals_that_hold_them() {
-    let folder = simulated(COAT, "coat.csv", "3");
-    let (ran, fit) = fitted(&folder, COAT, &[]);
+fn moduli_of_a_coating_and_its_base_are_found_with_intervals_that_hold_them() {
+    let folder = simulated(COATING, "coating.csv", "3");
+    let (ran, fit) = fitted(&folder, COATING, &[]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert_eq!(
         keys(&fit),
@@ -136,17 +136,17 @@ fn moduli_of_a_coat_and_its_base_are_found_with_intervals_that_hold_them() {
         fit["work"]
     );
     // Nothing is left but what there was.
-    assert_eq!(folder.names(), ["coat.csv", "fit.toml"]);
+    assert_eq!(folder.names(), ["coating.csv", "fit.toml"]);
 }
 
 #[test]
 fn the_same_seed_on_one_thread_or_two_gives_the_same_bytes() {
-    let folder = simulated(COAT, "coat.csv", "5");
-    let again = simulated(COAT, "coat.csv", "5");
-    let data = |folder: &TestFolder| fs::read(folder.path("coat.csv")).unwrap();
+    let folder = simulated(COATING, "coating.csv", "5");
+    let again = simulated(COATING, "coating.csv", "5");
+    let data = |folder: &TestFolder| fs::read(folder.path("coating.csv")).unwrap();
     assert_eq!(data(&folder), data(&again));
     let result = |threads: &str| {
-        let (_, mut fit) = fitted(&folder, COAT, &["--threads", threads]);
+        let (_, mut fit) = fitted(&folder, COATING, &["--threads", threads]);
         fit["work"]["seconds"] = Value::Null;
         fit.to_string()
     };
@@ -173,7 +173,7 @@ fn of_a_ball_on_a_half_space_the_modulus_times_the_root_of_the_radius_is_known()
 #[test]
 fn twins_give_the_same_misfit_and_neither_poissons_ratio_is_told() {
     // The same compliance to 1e-15 (Dundurs).
-    let twin = COAT
+    let twin = COATING
         .replace(
             "\"10 GPa\", poisson_ratio = 0.3 ",
             "\"9.86374 GPa\", poisson_ratio = 0.32 ",
@@ -186,7 +186,7 @@ fn twins_give_the_same_misfit_and_neither_poissons_ratio_is_told() {
         twin.matches("0.425676").count() + twin.matches("9.86374").count(),
         2
     );
-    let folder = simulated(COAT, "coat.csv", "7");
+    let folder = simulated(COATING, "coating.csv", "7");
     let free = |fit: &str| {
         let fit = format!(
             "{fit}\"foundation.layer[0].poisson_ratio\" = {{ from = 0.05, to = 0.49 }}\n\
@@ -194,7 +194,7 @@ fn twins_give_the_same_misfit_and_neither_poissons_ratio_is_told() {
         );
         fitted(&folder, &fit, &[]).1
     };
-    let (found, other) = (free(COAT), free(&twin));
+    let (found, other) = (free(COATING), free(&twin));
     let misfit = |found: &Value| number(&found["fit"]["chi_squared_per_degree"]);
     let (own, other) = (misfit(&found), misfit(&other));
     assert!((own - other).abs() < 1e-6 * own, "{own} {other}");

@@ -8,12 +8,12 @@ use serde_json::Value;
 use crate::identify_plan::{E1, E2, MODEL, design, error, number, unknown};
 use crate::runner::{TestFolder, names};
 
-/// A measurement of a coat, with a radius that is not known exactly and a frame that gives.
+/// A measurement of a coating, with a radius that is not known exactly and a frame that gives.
 fn measured(folder: &TestFolder, report: &str) {
     let fit = format!(
         r#"{MODEL}
 [[data]]
-file = "coat.csv"
+file = "coating.csv"
 columns = {{ depth = "depth", force = "force", time = "time" }}
 units = {{ depth = "nm", force = "mN", time = "s" }}
 segment = {{ from = "0.1 mN", to = "10 mN" }}
@@ -32,7 +32,7 @@ intervals = "wald"
     );
     fs::write(folder.path("fit.toml"), fit).unwrap();
     let simulate = ["identify", "fit.toml", "--simulate", "--quiet", "--force"];
-    let ran = folder.run(&[&simulate[..], &["--out", "coat.csv"]].concat());
+    let ran = folder.run(&[&simulate[..], &["--out", "coating.csv"]].concat());
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
 }
 

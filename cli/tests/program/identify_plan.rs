@@ -6,8 +6,8 @@ use serde_json::Value;
 
 use crate::runner::TestFolder;
 
-/// A coat on a polymer under a ball; nothing has been measured.
-pub const MODEL: &str = r#"title = "Coat & ball"
+/// A coating on a polymer under a ball; nothing has been measured.
+pub const MODEL: &str = r#"title = "Coating & ball"
 [model]
 foundation = { substrate = { young_modulus = "10 GPa", poisson_ratio = 0.3 }, layer = [{ thickness = "0.5 um", young_modulus = "100 GPa", poisson_ratio = 0.25 }] }
 indenter = { kind = "paraboloid", radius = "10 um" }
@@ -78,7 +78,7 @@ fn assert_near(found: f64, wanted: f64, tolerance: f64) {
     assert!((found / wanted - 1.0).abs() < tolerance, "{found} {wanted}");
 }
 
-/// Errors of a coat computed before by another program: 1 % of noise, a free zero, 24 loads over two decades.
+/// Errors of a coating computed before by another program: 1 % of noise, a free zero, 24 loads over two decades.
 #[test]
 fn a_plan_without_data_gives_the_errors_that_another_program_has_computed() {
     let folder = TestFolder::new();
@@ -138,7 +138,7 @@ fn fits_of_simulated_data_scatter_as_planned() {
     let folder = TestFolder::new();
     let data = r#"
 [[data]]
-file = "coat.csv"
+file = "coating.csv"
 columns = { depth = "depth", force = "force" }
 units = { depth = "nm", force = "mN" }
 segment = { from = "0.1 mN", to = "10 mN" }
@@ -163,7 +163,7 @@ intervals = "wald"
             "fit.toml",
             "--simulate",
             "--out",
-            "coat.csv",
+            "coating.csv",
             "--force",
         ];
         let ran = folder.run(&[&simulate[..], &["--quiet", "--seed", &seed]].concat());

@@ -43,7 +43,7 @@ fn a_plan_leaves_a_folder_of_its_own_that_is_whole() {
     // Two curves alone and both, two unknowns each.
     assert_eq!(read("plan.csv").lines().count(), 1 + 3 * 2);
     let page = read("report.html");
-    assert!(page.contains("Coat &amp; ball") || page.contains("Coat &#38; ball"));
+    assert!(page.contains("Coating &amp; ball") || page.contains("Coating &#38; ball"));
     assert!(page.contains(plan["advice"].as_str().unwrap().split(':').next().unwrap()));
     assert_eq!(page.matches("<figure").count(), 1);
     assert!(
@@ -151,11 +151,11 @@ fn the_plan_of_the_page_is_what_the_page_says() {
         found.unwrap().1
     };
     fs::write(
-        folder.path("coat-design.toml"),
-        after("# coat-design.toml\n"),
+        folder.path("coating-design.toml"),
+        after("# coating-design.toml\n"),
     )
     .unwrap();
-    let ran = folder.run(&["identify", "coat-design.toml", "--plan"]);
+    let ran = folder.run(&["identify", "coating-design.toml", "--plan"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let said = after("before any measurement: what to measure");
     // All but the time: two digits of sums in a fixed order.

@@ -215,7 +215,7 @@ fn the_worked_example_of_the_page_gives_what_the_page_says() {
         let found = blocks.iter().find_map(|block| block.strip_prefix(language));
         found.unwrap().trim_start()
     };
-    fs::write(folder.path("coat-fit.toml"), of("toml")).unwrap();
+    fs::write(folder.path("coating-fit.toml"), of("toml")).unwrap();
     let mut told = String::new();
     for line in of("sh").lines() {
         let words: Vec<_> = line.split_whitespace().skip(1).collect();

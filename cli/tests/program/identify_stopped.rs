@@ -9,8 +9,8 @@ use serde_json::Value;
 use crate::interrupt::interrupted;
 use crate::runner::TestFolder;
 
-/// Three numbers of a coat, with samples of their posterior.
-const COAT: &str = r#"
+/// Three numbers of a coating, with samples of their posterior.
+const COATING: &str = r#"
 [model]
 foundation = { substrate = { young_modulus = "10 GPa", poisson_ratio = 0.3 }, layer = [{ thickness = "0.5 um", young_modulus = "100 GPa", poisson_ratio = 0.25 }] }
 indenter = { kind = "paraboloid", radius = "10 um" }
@@ -24,7 +24,7 @@ posterior = 4000
 
 const TABLE: &str = r#"
 [[data]]
-file = "coat.csv"
+file = "coating.csv"
 columns = { depth = "depth", force = "force" }
 units = { depth = "nm", force = "mN" }
 segment = { from = "0.1 mN", to = "10 mN" }
@@ -35,14 +35,14 @@ noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
 fn fit(tables: usize) -> String {
     let radius = |table: usize| format!("set = {{ \"indenter.radius\" = \"10.00{table} um\" }}\n");
     let tables = (0..tables).map(|table| TABLE.to_owned() + &radius(table));
-    COAT.to_owned() + &tables.collect::<String>()
+    COATING.to_owned() + &tables.collect::<String>()
 }
 
 #[test]
 fn ctrl_c_in_a_fit_keeps_what_is_found_and_marks_it() {
     let folder = TestFolder::new();
     fs::write(folder.path("fit.toml"), fit(1)).unwrap();
-    let simulate = ["identify", "fit.toml", "--simulate", "--out", "coat.csv"];
+    let simulate = ["identify", "fit.toml", "--simulate", "--out", "coating.csv"];
     let ran = folder.run(&simulate);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     fs::write(folder.path("fit.toml"), fit(6)).unwrap();
@@ -55,7 +55,7 @@ fn ctrl_c_in_a_fit_keeps_what_is_found_and_marks_it() {
     assert!(time < Duration::from_secs(8), "{time:?}");
     if ran.stderr.contains("nothing is written") {
         // So busy a machine that no curve was solved in six seconds.
-        assert_eq!(folder.names(), ["coat.csv", "fit.toml"]);
+        assert_eq!(folder.names(), ["coating.csv", "fit.toml"]);
         return;
     }
     let found = fs::read_to_string(folder.path("fit").join("fit.json")).unwrap();

@@ -10,7 +10,7 @@ use crate::runner::{CASE, TestFolder};
 
 const SAMPLES: usize = 20;
 
-/// A rough rigid body on a coat, in a cell; `grid` and `load` are those lines.
+/// A rough rigid body on a coating, in a cell; `grid` and `load` are those lines.
 fn case(grid: &str, load: &str) -> String {
     format!(
         "[foundation]

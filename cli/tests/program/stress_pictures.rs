@@ -7,8 +7,8 @@ use serde_json::Value;
 
 use crate::runner::{TestFolder, names};
 
-/// A hard coat on a base, R = 1, with sliding along a slanting direction.
-const COATED: &str = "title = \"Coat\"\n\
+/// A hard coating on a base, R = 1, with sliding along a slanting direction.
+const COATED: &str = "title = \"Coating\"\n\
     [foundation]\nsubstrate = { young_modulus = 1, poisson_ratio = 0.3, yield_strength = 0.02 }\n\
     [[foundation.layer]]\nthickness = 0.05\nyoung_modulus = 3\npoisson_ratio = 0.25\ntensile_strength = 0.1\n\
     [indenter]\nkind = \"paraboloid\"\nradius = 1\n[load]\nforce = 1e-3\n[grid]\nelements = 32\n\
@@ -95,7 +95,7 @@ fn the_section_is_that_of_the_stresses_at_its_points() {
     let section = &view.section;
     let count = section.along.len();
     let largest = section.von_mises.iter().copied().fold(0.0, f64::max);
-    // Planes at the surface, within the coat, on both sides of the interface and in the base.
+    // Planes at the surface, within the coating, on both sides of the interface and in the base.
     let below = section.bodies.iter().position(|body| *body == 1).unwrap();
     for plane in [0, 3, below - 1, below, below + 5] {
         let i = plane * count + count / 3;

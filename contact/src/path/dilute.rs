@@ -45,7 +45,7 @@ const FIRST_TOLERANCE: f64 = 1e-5;
 /// Passes after which the whole grid is solved.
 const MOST_PASSES: usize = 8;
 /// How many times as compliant to its longest wave as to its shortest a body may be, all beyond what a homogeneous one
-/// is: under stiff coats systems are so badly conditioned that no product may be wrong in any digit.
+/// is: under stiff coatings systems are so badly conditioned that no product may be wrong in any digit.
 const LARGEST_CONTRAST: f64 = 4.0;
 
 /// A level's candidates on a window.

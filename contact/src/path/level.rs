@@ -11,7 +11,7 @@ use crate::{
     path::domain::Guess,
     path::effort::Effort,
     path::start::{CoarserSolution, FineGrid},
-    problem::{body::Body, model::SampledSector},
+    problem::{model::SampledSector, operator_source::OperatorSource},
     result::certificate::{JudgedFields, Trial},
     result::contact_field::ContactField,
     solver::Watch,
@@ -105,9 +105,9 @@ impl Level {
             initial_gap,
         } = model.sample_sector(grid, sector);
         let elasticity = model.elasticity(&grid)?;
-        let body = Body::of(elasticity.value.clone(), boundary);
+        let source = OperatorSource::of(elasticity.value.clone(), boundary);
         let area = grid.element_area();
-        let problem = DiscreteProblem::on(sector, body, compliance, initial_gap, area)?
+        let problem = DiscreteProblem::on(sector, source, compliance, initial_gap, area)?
             .with_spring_law(model.relief.spring_law());
         let problem = if hardness.is_finite() {
             problem.with_hardness(hardness)?

@@ -9,8 +9,8 @@
 //!
 //! A smooth contact needs the second set, because its gaps vanish. Pressures on `I` are interpolated between
 //! elements on the same side of the relief's outline, and scaled so that the force of a coarse element stays what it
-//! was, less what lies across an outline: unscaled, bare stiff coats take half as many products more. Gaps interpolated
-//! as negative pressures, as before, made the set 2 to 20 times too large on rough surfaces.
+//! was, less what lies across an outline: unscaled, bare stiff coatings take half as many products more. Gaps
+//! interpolated as negative pressures, as before, made the set 2 to 20 times too large on rough surfaces.
 
 use std::ops::Range;
 use std::sync::Arc;

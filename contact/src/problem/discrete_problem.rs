@@ -19,7 +19,10 @@ use self::fields::{check_length, check_values, is_rough};
 use crate::{
     Boundary, ContactError,
     grid::{candidates::Candidates, window::Window},
-    problem::{body::Body, held_pressure::HeldPressure, scale::Scale, tangents::Tangents},
+    problem::{
+        held_pressure::HeldPressure, operator_source::OperatorSource, scale::Scale,
+        tangents::Tangents,
+    },
     vector::update_with,
 };
 
@@ -35,7 +38,7 @@ impl PartialEq for Identity {
 
 /// One grid's problem. Fields hold N² values, index `i N + j`, first index along x.
 pub struct DiscreteProblem {
-    body: Body,
+    operators: OperatorSource,
     grid: SectorGrid,
     relief_compliance: Vec<f64>,
     spring_law: SpringLaw,
@@ -69,8 +72,8 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         let grid = SectorGrid::whole(operator.size());
-        let body = Body::Operator(operator);
-        Self::on(grid, body, relief_compliance, initial_gap, element_area)
+        let source = OperatorSource::Operator(operator);
+        Self::on(grid, source, relief_compliance, initial_gap, element_area)
     }
 
     /// The problem of a grid of `size` elements per side whose elasticity is known, so that solvers may take windows of
@@ -90,8 +93,8 @@ impl DiscreteProblem {
     ) -> Result<Self, ContactError> {
         assert!(size <= elasticity.size(), "a grid within the coefficients");
         let grid = SectorGrid::whole(size);
-        let body = Body::of(elasticity, Boundary::Free);
-        Self::on(grid, body, relief_compliance, initial_gap, element_area)
+        let source = OperatorSource::of(elasticity, Boundary::Free);
+        Self::on(grid, source, relief_compliance, initial_gap, element_area)
     }
 
     /// The problem of a periodic cell, which is the largest grid that the elasticity allows; the other fields as for
@@ -109,15 +112,15 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         let grid = SectorGrid::whole(elasticity.size());
-        let body = Body::of(elasticity, Boundary::Periodic);
-        Self::on(grid, body, relief_compliance, initial_gap, element_area)
+        let source = OperatorSource::of(elasticity, Boundary::Periodic);
+        Self::on(grid, source, relief_compliance, initial_gap, element_area)
     }
 
     /// The problem of a body under a grid or a sector of one; the fields are those of its elements, the area that of
     /// one of them.
     pub(crate) fn on(
         grid: SectorGrid,
-        mut body: Body,
+        mut source: OperatorSource,
         relief_compliance: Vec<f64>,
         initial_gap: Vec<f64>,
         element_area: f64,
@@ -143,9 +146,9 @@ impl DiscreteProblem {
         Ok(Self {
             scale: Scale::new(
                 grid.loaded_area(element_area).sqrt(),
-                body.own_coefficient(grid.size()),
+                source.own_coefficient(grid.size()),
             ),
-            body,
+            operators: source,
             grid,
             relief_compliance,
             spring_law: SpringLaw::LINEAR,
@@ -174,7 +177,7 @@ impl DiscreteProblem {
     /// The source of the operator, where it is known.
     #[must_use]
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
-        self.body.elasticity()
+        self.operators.elasticity()
     }
 
     /// Takes another initial gap, in m.
@@ -207,7 +210,7 @@ impl DiscreteProblem {
 
     /// The boundary condition of the grid.
     pub(crate) fn boundary(&self) -> Boundary {
-        self.body.boundary()
+        self.operators.boundary()
     }
 
     /// `C(k)` of a periodic cell's longest wave, in m/Pa; 0 of a free surface.
@@ -274,17 +277,17 @@ impl DiscreteProblem {
 
     /// The operator `K`; exclusive, because a product uses the operator's own buffers.
     pub fn operator_mut(&mut self) -> &mut dyn ElasticOperator {
-        self.body.operator_on(self.grid)
+        self.operators.operator_on(self.grid)
     }
 
     /// Gives back the memory of operators that can be made again.
     pub(crate) fn release_operator(&mut self) {
-        self.body.release();
+        self.operators.release();
     }
 
     /// Writes `K p` (m) of a pressure (Pa) on the problem's elements.
     pub(crate) fn displace(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        self.body.displace(self.grid, pressure, displacement);
+        self.operators.displace(self.grid, pressure, displacement);
     }
 
     /// Writes `K p` (m) of a pressure on a window, nought outside, on a `reach` around it.
@@ -294,7 +297,7 @@ impl DiscreteProblem {
         pressure: &[f64],
         displacement: &mut [f64],
     ) {
-        (self.body).displace_into(window_and_reach, pressure, displacement);
+        (self.operators).displace_into(window_and_reach, pressure, displacement);
     }
 
     /// Lower bound (m) of the displacement at this distance in elements or farther from pressures ≥ 0 of this sum:

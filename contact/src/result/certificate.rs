@@ -26,7 +26,7 @@ mod judged_fields;
 mod surface;
 
 pub use judged_fields::JudgedFields;
-use surface::{Residuals, Surface, largest};
+use surface::{Surface, Violations, largest};
 
 use crate::{
     DeformedSurface, DiscreteProblem, Load,
@@ -184,13 +184,13 @@ impl Solution {
             Load::Force(wanted) => (wanted, (carried - wanted).abs() / wanted),
             Load::Penetration(_) => (carried, 0.0),
         };
-        let Residuals {
+        let Violations {
             complementarity,
             gap_in_contact,
             gap_at_limit,
             over_limit,
             overlap,
-        } = surface.residuals(penetration, length, total);
+        } = surface.violations(penetration, length, total);
         let certificate = Certificate {
             complementarity,
             gap_in_contact,

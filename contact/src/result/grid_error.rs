@@ -55,7 +55,7 @@ fn nan() -> f64 {
 
 /// The error of one number on the finest grid.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Estimate {
+pub struct ErrorEstimate {
     /// Half the interval around the number that contains the truth, in the unit of the number itself.
     #[serde(deserialize_with = "nan_from_null")]
     pub estimate: f64,
@@ -69,21 +69,21 @@ pub struct Estimate {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct GridError {
     /// Of the penetration, in m; 0 where it is prescribed.
-    pub penetration: Option<Estimate>,
+    pub penetration: Option<ErrorEstimate>,
     /// Of the force, in N; 0 where it is prescribed. None in results stored before there was one.
     #[serde(default)]
-    pub force: Option<Estimate>,
+    pub force: Option<ErrorEstimate>,
     /// Of the contact area, in m².
-    pub contact_area: Option<Estimate>,
+    pub contact_area: Option<ErrorEstimate>,
     /// Of the largest pressure, in Pa. Never resolved at an edge, where it grows with the grid.
-    pub max_pressure: Option<Estimate>,
+    pub max_pressure: Option<ErrorEstimate>,
     /// The values on each level, coarsest first.
     pub levels: Vec<LevelValues>,
 }
 
-/// How numbers converge.
+/// The convergence that theory leads to expect.
 #[derive(Clone, Copy)]
-struct Convergence {
+struct ExpectedConvergence {
     /// The range in which an observed order is believed.
     lowest_order: f64,
     highest_order: f64,
@@ -92,19 +92,19 @@ struct Convergence {
 }
 
 /// Piecewise constant pressure under a smooth contact: second order.
-const SMOOTH: Convergence = Convergence {
+const SMOOTH: ExpectedConvergence = ExpectedConvergence {
     lowest_order: 1.3,
     highest_order: 2.0,
     safety: 3.0,
 };
 /// Outlines that elements follow as a staircase: first order.
-const STAIRCASE: Convergence = Convergence {
+const STAIRCASE: ExpectedConvergence = ExpectedConvergence {
     lowest_order: 1.0,
     highest_order: 1.2,
     safety: 2.5,
 };
 /// The peak at an edge: the square root that a rigid edge has, which tends to nothing finite.
-const EDGE: Convergence = Convergence {
+const EDGE: ExpectedConvergence = ExpectedConvergence {
     lowest_order: 0.5,
     highest_order: 0.5,
     safety: 1.0,
@@ -139,7 +139,7 @@ impl GridError {
             .rev()
             .take(2)
             .any(|level| level.peak_place != PeakPlace::Inside);
-        let of = |value: fn(&LevelValues) -> f64, convergence: Convergence, more: f64| {
+        let of = |value: fn(&LevelValues) -> f64, convergence: ExpectedConvergence, more: f64| {
             let values = levels.iter().map(|level| (level.elements, value(level)));
             let found = estimate(&values.collect::<Vec<_>>(), convergence)?;
             // A prescribed value has no error.
@@ -150,7 +150,7 @@ impl GridError {
                 accuracy * value(last).abs()
             };
             let estimate = found.estimate + besides + more;
-            Some(Estimate { estimate, ..found })
+            Some(ErrorEstimate { estimate, ..found })
         };
         let peak = of(
             |level| level.max_pressure,
@@ -165,7 +165,7 @@ impl GridError {
                 convergence,
                 last.edge_uncertainty,
             ),
-            max_pressure: peak.map(|peak| Estimate {
+            max_pressure: peak.map(|peak| ErrorEstimate {
                 resolved: peak.resolved && !is_edge_peak,
                 ..peak
             }),
@@ -174,7 +174,7 @@ impl GridError {
     }
 }
 
-impl Estimate {
+impl ErrorEstimate {
     /// The error of the last of the values on grids of so many elements per side, coarsest first; `accuracy` is the
     /// relative error of each from other causes. None from one grid; never resolved at an edge, where values grow with
     /// the grid.
@@ -213,7 +213,7 @@ struct LevelChange {
 }
 
 /// The estimate of one number from its values on grids of so many elements per side; none from a single one.
-fn estimate(values: &[(usize, f64)], convergence: Convergence) -> Option<Estimate> {
+fn estimate(values: &[(usize, f64)], convergence: ExpectedConvergence) -> Option<ErrorEstimate> {
     let (finest, last) = *values.last()?;
     let finest = finest as f64;
     let change = |pair: &[(usize, f64)]| LevelChange {
@@ -231,7 +231,7 @@ fn estimate(values: &[(usize, f64)], convergence: Convergence) -> Option<Estimat
         return None;
     }
     let observed = order(recent);
-    let Convergence {
+    let ExpectedConvergence {
         lowest_order,
         highest_order,
         safety,
@@ -255,7 +255,7 @@ fn estimate(values: &[(usize, f64)], convergence: Convergence) -> Option<Estimat
     let half_width = safety * largest;
     let shrinks = observed.is_none_or(|order| order > LOWEST_RESOLVED * lowest_order);
     let is_narrow = half_width <= NARROW * last.abs();
-    Some(Estimate {
+    Some(ErrorEstimate {
         estimate: half_width,
         order: observed,
         // Two levels show a change, not how it shrinks.

@@ -8,7 +8,7 @@
 //!   fast:     I changes:       p ← max(p + α z, 0),  z = M_I⁻¹ (λ − v), α spectral     (Barzilai and Borwein 1988)
 //!             I stands still:  p ← p + α d,          d = z + β d, conjugate on I       (Polak and Ribière)
 //!             a step that raises the energy is cut at its minimum on the segment       (Grippo, Lampariello and Lucidi 1986)
-//!   Newton:   where the fast steps stall or are cut, and from the start under a stiff coat: solve on I by conjugate
+//!   Newton:   where the fast steps stall or are cut, and from the start under a stiff coating: solve on I by conjugate
 //!             gradients until it is clear which elements are on the wrong side, exchange them all
 //!                                                                                      (Hintermüller, Ito and Kunisch 2003)
 //!   descent:  where Newton cycles: from face to face, the energy falls                 (Lawson and Hanson 1974)
@@ -30,11 +30,11 @@
 //!
 //! **Both kinds of load.** Every step keeps the total of the pressure. Under a prescribed penetration the pressure is
 //! then scaled until the mean of `v` over it is `D`, which takes no product, and the conjugate directions are conjugate
-//! to the pressure, too. With the plain residual `D − v` a stiff coat under the paper's cylinders took eight times the
-//! products, because preconditioners answer a uniform residual worst.
+//! to the pressure, too. With the plain residual `D − v` a stiff coating under the paper's cylinders took eight times
+//! the products, because preconditioners answer a uniform residual worst.
 //!
 //! **Preconditioners.** The reciprocal of the symbol of `K` on the periodic grid, aliases included, whose answer is
-//! made to vanish in a narrow band around the set: without aliases or band it takes twice the products. Under a coat
+//! made to vanish in a narrow band around the set: without aliases or band it takes twice the products. Under a coating
 //! more than some twenty times as stiff as its base, four times if the surface is rough, a factorised sparse
 //! approximate inverse `Gᵀ G` of the restricted system (Kaporin 1994; Schäfer, Katzfuss and Owhadi 2021), or where the
 //! set is small its own Cholesky factor.

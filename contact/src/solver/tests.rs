@@ -20,13 +20,13 @@ pub(in crate::solver) const SIZE: usize = 32;
 /// Factors on lengths and moduli.
 const AS_THEY_ARE: [f64; 2] = [1.0; 2];
 
-/// `SIZE`² elements of a square of side 1, on a coat of relative stiffness `stiffness` and `thickness` on a body.
+/// `SIZE`² elements of a square of side 1, on a coating of relative stiffness `stiffness` and `thickness` on a body.
 pub(in crate::solver) fn problem(
-    coat: [f64; 2],
+    coating: [f64; 2],
     gap: impl Fn(f64, f64) -> f64,
     eta: impl Fn(f64, f64) -> f64,
 ) -> DiscreteProblem {
-    problem_in(AS_THEY_ARE, coat, gap, eta)
+    problem_in(AS_THEY_ARE, coating, gap, eta)
 }
 
 /// The same in other units of length and modulus.
@@ -36,8 +36,8 @@ fn problem_in(
     gap: impl Fn(f64, f64) -> f64,
     eta: impl Fn(f64, f64) -> f64,
 ) -> DiscreteProblem {
-    let [coat, base] = [stiffness, 1.0].map(|e| Material::new(modulus * e, 0.3).unwrap());
-    let foundation = Foundation::coated(length * thickness, coat, base).unwrap();
+    let [coating, base] = [stiffness, 1.0].map(|e| Material::new(modulus * e, 0.3).unwrap());
+    let foundation = Foundation::coated(length * thickness, coating, base).unwrap();
     let tables = RadialTables::build(&foundation).unwrap();
     let side = 1.0 / SIZE as f64;
     let table = CoefficientTable::assemble(&tables, length * side, SIZE).unwrap();
@@ -246,7 +246,7 @@ fn both_solvers_agree_on_every_kind_of_problem() {
             let peak = by_active_set.iter().copied().fold(0.0, f64::max);
             let pairs = by_gradient.pressure.iter().zip(&by_active_set);
             let difference = pairs.map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
-            // The tolerance of 1e-8 times the condition of the systems, some 1e3 under the stiff coat.
+            // The tolerance of 1e-8 times the condition of the systems, some 1e3 under the stiff coating.
             assert!(difference < 1e-5 * peak, "{:e}", difference / peak);
         }
     }

@@ -4,9 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::body_extremes::{BodyStress, InterfaceStress, StressExtremes};
 use super::extreme::Extreme;
-use super::load_search::{LoadSearch, Outcome, Solved};
+use super::load_search::{LoadSearch, LoadSearchResult, Solved};
 use super::model::{Criterion, StressModel};
-use super::quantity::Quantity;
+use super::quantity::StressQuantity;
 use super::scan::Target;
 use crate::{ContactError, Domain, LoadingPath, Model, Observer, SolverOptions};
 
@@ -110,10 +110,10 @@ fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
     let mut asked = Vec::new();
     let mut ask = |criterion, name: &str, strength: Option<f64>, [top, bottom]: [f64; 2], known| {
         let quantity = match criterion {
-            Criterion::Yield => Quantity::VonMises,
-            Criterion::Tension => Quantity::MaxPrincipal,
-            Criterion::InterfaceShear => Quantity::ShearTraction,
-            Criterion::InterfaceTension => Quantity::Tension,
+            Criterion::Yield => StressQuantity::VonMises,
+            Criterion::Tension => StressQuantity::MaxPrincipal,
+            Criterion::InterfaceShear => StressQuantity::ShearTraction,
+            Criterion::InterfaceTension => StressQuantity::Tension,
         };
         asked.extend(strength.map(|strength| Asked {
             criterion,
@@ -181,10 +181,10 @@ fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
 
 impl Asked {
     /// The critical load that a search ended with.
-    fn answered(self, outcome: &Outcome) -> CriticalLoad {
+    fn answered(self, outcome: &LoadSearchResult) -> CriticalLoad {
         let (met, last) = match outcome {
-            Outcome::Met { solved, exponent } => (Some((solved, exponent)), Some(solved)),
-            Outcome::Missed(last) => (None, last.as_ref()),
+            LoadSearchResult::Met { solved, exponent } => (Some((solved, exponent)), Some(solved)),
+            LoadSearchResult::Missed(last) => (None, last.as_ref()),
         };
         let extreme = last.map(|solved| solved.extreme);
         // δQ/Q = δσ/σ / n

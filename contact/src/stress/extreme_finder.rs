@@ -3,11 +3,11 @@
 use super::extreme::Extreme;
 use super::field::StressField;
 use super::model::Sliding;
-use super::quantity::Quantity;
+use super::quantity::StressQuantity;
 use super::refine::{PeakSearch, StressPeak};
 use super::scan::{Candidate, Target, candidates, is_nearly};
 use crate::result::peak::place_near;
-use crate::{ContactError, Estimate, LoadingPath, PeakPlace, Step};
+use crate::{ContactError, ErrorEstimate, LoadingPath, PeakPlace, Step};
 
 /// Peaks of one quantity that are followed, at most.
 const PEAKS: usize = 4;
@@ -64,7 +64,7 @@ impl<'a> ExtremeFinder<'a> {
         }
         let found = candidates(&self.field, targets)?;
         let of_target = |(index, target): (usize, &Target)| {
-            let of_quantity = |quantity: &Quantity| {
+            let of_quantity = |quantity: &StressQuantity| {
                 let own = found.iter().filter(|candidate| {
                     candidate.target == index && candidate.quantity == *quantity
                 });
@@ -79,7 +79,7 @@ impl<'a> ExtremeFinder<'a> {
     fn extreme(
         &self,
         target: &Target,
-        quantity: Quantity,
+        quantity: StressQuantity,
         candidates: &[Candidate],
     ) -> Result<Extreme<3>, ContactError> {
         let element = self.field.grid().element_side();
@@ -148,7 +148,7 @@ impl<'a> ExtremeFinder<'a> {
             .iter()
             .any(|level| level.meets_outline);
         let accuracy = step.solution.certificate.worst() + path.tables.error_estimate();
-        let error = Estimate::of_values(values, meets_outline, is_at_edge, accuracy);
+        let error = ErrorEstimate::of_values(values, meets_outline, is_at_edge, accuracy);
         // Nearer to the axis than rounding tells, it is on it.
         let snapped = |along: f64| {
             if along.abs() < ON_AXIS * side {
@@ -169,7 +169,7 @@ impl<'a> ExtremeFinder<'a> {
 /// The same peak on a coarser grid.
 fn coarse_value(
     field: &StressField,
-    quantity: Quantity,
+    quantity: StressQuantity,
     [top, bottom]: [f64; 2],
     peak: StressPeak,
 ) -> Result<f64, ContactError> {
@@ -222,7 +222,7 @@ mod tests {
                 .iter()
                 .map(|(value, at, depth)| Candidate {
                     target: 0,
-                    quantity: Quantity::VonMises,
+                    quantity: StressQuantity::VonMises,
                     value: *value,
                     at: *at,
                     depth: *depth,
@@ -269,7 +269,7 @@ mod tests {
                 value: 1.0,
                 at: [0.1, 0.0, z],
             };
-            coarse_value(&field, Quantity::Compression, range, peak).unwrap()
+            coarse_value(&field, StressQuantity::Compression, range, peak).unwrap()
         };
         let there = |z| {
             let state = field.at([0.0; 2], Depth::below(z)).unwrap();
@@ -318,19 +318,19 @@ mod tests {
         let body = Target {
             top: 0.0,
             bottom: f64::INFINITY,
-            quantities: vec![Quantity::VonMises, Quantity::MaxShear],
+            quantities: vec![StressQuantity::VonMises, StressQuantity::MaxShear],
         };
         // −σ_zz = p0/(1 + z²/a²) on the axis, and no shear there.
         let depth = 0.5 * a;
         let interface = Target {
             top: depth,
             bottom: depth,
-            quantities: vec![Quantity::Compression],
+            quantities: vec![StressQuantity::Compression],
         };
         let deep = Target {
             top: a,
             bottom: 2.0 * a,
-            quantities: vec![Quantity::Compression],
+            quantities: vec![StressQuantity::Compression],
         };
         let finder = ExtremeFinder::new(&path, &path.steps[0], Sliding::default());
         let found = finder.find(&[body, interface, deep]).unwrap();
@@ -372,7 +372,7 @@ mod tests {
             assert_eq!((found.value, found.at[2]), (1.03125, at[2]));
             let accuracy =
                 path.steps[0].solution.certificate.worst() + path.tables.error_estimate();
-            let wanted = Estimate::of_values(&values, true, !is_resolved, accuracy);
+            let wanted = ErrorEstimate::of_values(&values, true, !is_resolved, accuracy);
             assert_eq!(found.estimate, wanted.map(|wanted| wanted.estimate));
         }
         let snapped = judged([0.9e-3 * side, -1.1e-3 * side, 0.1]);

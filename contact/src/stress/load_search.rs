@@ -37,7 +37,7 @@ pub struct Solved {
 }
 
 /// The result of a search.
-pub enum Outcome {
+pub enum LoadSearchResult {
     /// The strength is met; the stress grows as the force to the power `exponent`.
     Met { solved: Solved, exponent: f64 },
     /// It is met under no load, or under all; with the load that comes nearest.
@@ -61,13 +61,13 @@ pub struct LoadSearch<'a> {
 
 impl LoadSearch<'_> {
     /// Searches for the smallest force at which the strength is reached.
-    pub fn search(&mut self) -> Result<Outcome, ContactError> {
+    pub fn search(&mut self) -> Result<LoadSearchResult, ContactError> {
         let reached = match self.first_reached() {
             Some(reached) => Some(reached),
             None => self.reached_between()?,
         };
         let Some(mut upper) = reached else {
-            return Ok(Outcome::Missed(self.largest().copied()));
+            return Ok(LoadSearchResult::Missed(self.largest().copied()));
         };
         let mut tried = 0;
         let mut lower = loop {
@@ -75,7 +75,7 @@ impl LoadSearch<'_> {
                 break lower;
             }
             if tried == MOST_SMALLER {
-                return Ok(Outcome::Missed(Some(upper)));
+                return Ok(LoadSearchResult::Missed(Some(upper)));
             }
             tried += 1;
             let smaller = self.solve(SMALLER * upper.force, self.domain)?;
@@ -103,7 +103,7 @@ impl LoadSearch<'_> {
                 let is_near = (utilisation.ln() / exponent).abs() <= ACCURACY;
                 // A stress that jumps with the load is bracketed.
                 if is_near || (high / low).ln() <= ACCURACY {
-                    return Ok(Outcome::Met { solved, exponent });
+                    return Ok(LoadSearchResult::Met { solved, exponent });
                 }
             }
             latest = solved;
@@ -113,7 +113,7 @@ impl LoadSearch<'_> {
                 lower = solved;
             }
         }
-        Ok(Outcome::Missed(Some(upper)))
+        Ok(LoadSearchResult::Missed(Some(upper)))
     }
 
     /// The smallest load solved under which the strength is reached.
@@ -124,8 +124,8 @@ impl LoadSearch<'_> {
             .copied()
     }
 
-    /// A load under which the strength is reached though it is not under those solved so far: a stiff coat that takes
-    /// the indenter's shape is bent no further, and under more load its stress falls.
+    /// A load under which the strength is reached though it is not under those solved so far: a stiff coating that
+    /// takes the indenter's shape is bent no further, and under more load its stress falls.
     fn reached_between(&mut self) -> Result<Option<Solved>, ContactError> {
         let nearly = self
             .largest()

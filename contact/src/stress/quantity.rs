@@ -4,7 +4,7 @@ use pellicle_influence::SubsurfaceState;
 
 /// A quantity at a point of a body or an interface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Quantity {
+pub enum StressQuantity {
     VonMises,
     MaxPrincipal,
     /// Minus the least principal stress.
@@ -19,21 +19,21 @@ pub enum Quantity {
 }
 
 /// In a body.
-pub const OF_BODIES: [Quantity; 4] = [
-    Quantity::VonMises,
-    Quantity::MaxPrincipal,
-    Quantity::MinPrincipal,
-    Quantity::MaxShear,
+pub const OF_BODIES: [StressQuantity; 4] = [
+    StressQuantity::VonMises,
+    StressQuantity::MaxPrincipal,
+    StressQuantity::MinPrincipal,
+    StressQuantity::MaxShear,
 ];
 
 /// On an interface.
-pub const OF_INTERFACES: [Quantity; 3] = [
-    Quantity::ShearTraction,
-    Quantity::Tension,
-    Quantity::Compression,
+pub const OF_INTERFACES: [StressQuantity; 3] = [
+    StressQuantity::ShearTraction,
+    StressQuantity::Tension,
+    StressQuantity::Compression,
 ];
 
-impl Quantity {
+impl StressQuantity {
     /// Its value, in Pa.
     pub fn of(self, state: &SubsurfaceState) -> f64 {
         let [_, _, zz, _, xz, yz] = state.stress;

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::field::{LoadedSquare, StressField};
 use super::neighbourhood::Neighbourhood;
-use super::quantity::Quantity;
+use super::quantity::StressQuantity;
 
 /// Depths are bracketed to this part of the bracket's first width, by so many trials at most.
 const NARROW: f64 = 0.25;
@@ -40,7 +40,7 @@ pub struct StressPeak {
 /// A search for the largest value of a quantity under one field.
 pub struct PeakSearch<'a> {
     field: &'a StressField,
-    quantity: Quantity,
+    quantity: StressQuantity,
     /// Depths that the search keeps to, in m.
     range: [f64; 2],
     /// The depth looked at last.
@@ -77,7 +77,7 @@ impl Plane {
 
 impl<'a> PeakSearch<'a> {
     /// A search between two depths, which lie in one body.
-    pub fn new(field: &'a StressField, quantity: Quantity, range: [f64; 2]) -> Self {
+    pub fn new(field: &'a StressField, quantity: StressQuantity, range: [f64; 2]) -> Self {
         Self {
             field,
             quantity,

@@ -7,7 +7,7 @@ use pellicle_influence::{Depth, InfluenceError, PlaneFields, Squares, Subsurface
 use rayon::prelude::*;
 
 use super::field::{LoadedSquare, StressField};
-use super::quantity::Quantity;
+use super::quantity::StressQuantity;
 
 /// The stresses among the fields of a plane.
 const STRESSES: [usize; 6] = [3, 4, 5, 6, 7, 8];
@@ -36,7 +36,7 @@ pub struct Target {
     pub top: f64,
     /// Depth of its bottom, m.
     pub bottom: f64,
-    pub quantities: Vec<Quantity>,
+    pub quantities: Vec<StressQuantity>,
 }
 
 /// A peak of a quantity on a plane.
@@ -44,7 +44,7 @@ pub struct Target {
 pub struct Candidate {
     /// Among the targets.
     pub target: usize,
-    pub quantity: Quantity,
+    pub quantity: StressQuantity,
     /// In Pa.
     pub value: f64,
     /// (x, y), in m.
@@ -196,7 +196,7 @@ impl BlockPlanes {
     }
 
     /// The largest peaks of a quantity on a plane, with their places (m).
-    fn peaks(&self, states: &[SubsurfaceState], quantity: Quantity) -> Vec<(f64, [f64; 2])> {
+    fn peaks(&self, states: &[SubsurfaceState], quantity: StressQuantity) -> Vec<(f64, [f64; 2])> {
         let rows = states.par_chunks_exact(self.shown);
         let largest_of = |row: &[SubsurfaceState]| {
             let mut largest = f64::NEG_INFINITY;
@@ -232,7 +232,7 @@ impl BlockPlanes {
     fn is_peak(
         &self,
         states: &[SubsurfaceState],
-        quantity: Quantity,
+        quantity: StressQuantity,
         [i, j]: [usize; 2],
         value: f64,
     ) -> bool {

@@ -79,12 +79,12 @@ fn cut_gauss_seidel(
 #[test]
 fn an_independent_method_finds_the_same_pressures_under_either_load() {
     let size = 14;
-    for (coat, limit) in [
+    for (coating, limit) in [
         (None, 0.05),
         (Some([10.0, 0.05]), 0.1),
         (Some([0.1, 0.1]), 0.01),
     ] {
-        let elasticity = elasticity(body(coat), size);
+        let elasticity = elasticity(body(coating), size);
         let own = elasticity.coefficient([0, 0]);
         for softness in [0.0, 0.5] {
             let eta = sample(size, |x, _| if x < 0.1 { softness * own } else { 0.0 });

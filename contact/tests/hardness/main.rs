@@ -12,10 +12,10 @@ use pellicle_kernel::{Foundation, Material};
 
 const SIDE: f64 = 1.0;
 
-/// A coat of relative stiffness and thickness on a body of modulus 1, or the body alone.
-fn body(coat: Option<[f64; 2]>) -> Foundation {
+/// A coating of relative stiffness and thickness on a body of modulus 1, or the body alone.
+fn body(coating: Option<[f64; 2]>) -> Foundation {
     let base = Material::new(1.0, 0.3).unwrap();
-    match coat {
+    match coating {
         None => Foundation::half_space(base),
         Some([stiffness, thickness]) => {
             Foundation::coated(thickness, Material::new(stiffness, 0.3).unwrap(), base).unwrap()

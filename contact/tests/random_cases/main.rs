@@ -92,9 +92,9 @@ fn a_stiff_skin_under_a_punch_is_solved_in_every_system_of_units() {
     }
 }
 
-/// A coat 3.6e4 times as stiff as its base with rigid pillars in a hexagonal lattice under a flat punch.
+/// A coating 3.6e4 times as stiff as its base with rigid pillars in a hexagonal lattice under a flat punch.
 fn rigid_pillars_under_a_punch() -> Case {
-    let [coat, base] = [(229.5e9, 0.49), (6.44e6, 0.0)].map(|(e, nu)| Material::new(e, nu));
+    let [coating, base] = [(229.5e9, 0.49), (6.44e6, 0.0)].map(|(e, nu)| Material::new(e, nu));
     let pillars = CylinderSpec {
         lattice: Lattice::Hexagonal,
         radius: 33.59e-6,
@@ -104,7 +104,7 @@ fn rigid_pillars_under_a_punch() -> Case {
         young_modulus: 2.3e16,
     };
     Case {
-        foundation: Foundation::coated(7.9e-6, coat.unwrap(), base.unwrap()).unwrap(),
+        foundation: Foundation::coated(7.9e-6, coating.unwrap(), base.unwrap()).unwrap(),
         relief: Relief::Cylinders(Cylinders::new(pillars).unwrap()),
         indenter: FlatPunch::new(721.4e-6).unwrap().into(),
         domain: Domain::Side(1.792e-3),
@@ -114,7 +114,7 @@ fn rigid_pillars_under_a_punch() -> Case {
 }
 
 #[test]
-fn rigid_pillars_on_a_very_stiff_coat_are_certified_in_hundreds_of_products() {
+fn rigid_pillars_on_a_very_stiff_coating_are_certified_in_hundreds_of_products() {
     let case = rigid_pillars_under_a_punch();
     let path = case.solve(&SolverOptions::default()).unwrap();
     let step = &path.steps[0];
@@ -247,8 +247,8 @@ fn random_cases_give_the_same_numbers_in_other_units() {
         count / 2
     );
     // *Measured* on 1,200 cases of the long form, 1,147 of them certified so finely in both: all the same to 1e-10 but
-    // one, whose largest pressure differs by up to 3e-9: its coat is 1e8 times as stiff as what is below, and rounding
-    // leaves no more of the pressure at the edges.
+    // one, whose largest pressure differs by up to 3e-9: its coating is 1e8 times as stiff as what is below, and
+    // rounding leaves no more of the pressure at the edges.
     assert!(median <= 1e-14 && largest <= 1e-8, "{differences:?}");
     assert!(100 * close >= 99 * pairs.len(), "{differences:?}");
     assert!(3 * pairs.len() as u64 > count / 2);

@@ -60,7 +60,7 @@ fn a_homogeneous_body_yields_at_the_force_of_hertz() {
 #[test]
 fn each_strength_of_a_coated_body_is_reached_under_its_own_critical_load() {
     let thickness = 0.02;
-    let mut stress = sliding_coat(thickness);
+    let mut stress = sliding_coating(thickness);
     stress.bodies[1].strengths.yield_strength = Some(0.03);
     stress.interfaces[0].strengths.shear_strength = Some(0.02);
     let model = model(&coated(thickness), Paraboloid::new(1.0).unwrap());
@@ -81,12 +81,12 @@ fn each_strength_of_a_coated_body_is_reached_under_its_own_critical_load() {
 
 #[test]
 fn a_stress_that_falls_again_under_more_load_is_critical_where_it_first_reaches_its_strength() {
-    // A thin stiff coat takes the shape of the indenter, and is bent no further.
+    // A thin stiff coating takes the shape of the indenter, and is bent no further.
     let thickness = 0.02;
-    let coat = Material::new(10.0, 0.3).unwrap();
+    let coating = Material::new(10.0, 0.3).unwrap();
     let base = Material::new(STEEL.0, STEEL.1).unwrap();
     let model = model(
-        &Foundation::coated(thickness, coat, base).unwrap(),
+        &Foundation::coated(thickness, coating, base).unwrap(),
         Paraboloid::new(1.0).unwrap(),
     );
     let stress = |yield_strength| StressModel {

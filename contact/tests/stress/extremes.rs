@@ -26,10 +26,10 @@ fn von_mises_stress_under_hertz_is_found_in_value_and_depth() {
     }
 }
 
-/// A ball pressed on a coat of this thickness, on 64 × 64 elements, and the extremes under sliding.
-fn coat_under_a_ball(thickness: f64) -> (LoadingPath, StressModel, StressExtremes) {
+/// A ball pressed on a coating of this thickness, on 64 × 64 elements, and the extremes under sliding.
+fn coating_under_a_ball(thickness: f64) -> (LoadingPath, StressModel, StressExtremes) {
     let model = model(&coated(thickness), Paraboloid::new(1.0).unwrap());
-    let (path, stress) = (solved(&model, 64, 1e-3), sliding_coat(thickness));
+    let (path, stress) = (solved(&model, 64, 1e-3), sliding_coating(thickness));
     let extremes = stress_extremes(&path, 0, &stress).unwrap();
     (path, stress, extremes)
 }
@@ -44,7 +44,7 @@ fn spread(i: u32) -> [f64; 3] {
 #[test]
 fn no_sampled_stress_exceeds_the_extremes_and_each_is_found_where_it_is_said_to_be() {
     let thickness = 0.02;
-    let (path, stress, found) = coat_under_a_ball(thickness);
+    let (path, stress, found) = coating_under_a_ball(thickness);
     let field = StressField::new(&path, 0, stress.sliding).unwrap();
     let element = path.grid.element_side();
     let quantities: [fn(&SubsurfaceState) -> f64; 4] = [
@@ -105,7 +105,7 @@ fn no_sampled_stress_exceeds_the_extremes_and_each_is_found_where_it_is_said_to_
 
 #[test]
 fn planes_that_show_a_part_of_the_loaded_square_hold_the_states_at_their_centres() {
-    let (path, stress, _) = coat_under_a_ball(0.02);
+    let (path, stress, _) = coating_under_a_ball(0.02);
     let field = StressField::new(&path, 0, stress.sliding).unwrap();
     let depth = Depth::below(0.013);
     for part in [0.1, 0.5, 1.0] {
@@ -129,7 +129,7 @@ fn planes_that_show_a_part_of_the_loaded_square_hold_the_states_at_their_centres
 #[test]
 fn tractions_of_an_interface_are_the_largest_on_its_plane() {
     let thickness = 0.05;
-    let (path, stress, found) = coat_under_a_ball(thickness);
+    let (path, stress, found) = coating_under_a_ball(thickness);
     let mut planes = StressField::new(&path, 0, stress.sliding)
         .unwrap()
         .planes(path.grid.side());

@@ -24,10 +24,10 @@ fn half_space() -> Foundation {
     Foundation::half_space(Material::new(STEEL.0, STEEL.1).unwrap())
 }
 
-/// A coat of this thickness, five times as stiff as its support.
+/// A coating of this thickness, five times as stiff as its support.
 fn coated(thickness: f64) -> Foundation {
-    let (coat, base) = (Material::new(5.0, 0.25), Material::new(STEEL.0, STEEL.1));
-    Foundation::coated(thickness, coat.unwrap(), base.unwrap()).unwrap()
+    let (coating, base) = (Material::new(5.0, 0.25), Material::new(STEEL.0, STEEL.1));
+    Foundation::coated(thickness, coating.unwrap(), base.unwrap()).unwrap()
 }
 
 /// An indenter on a bare body.
@@ -74,8 +74,8 @@ fn whole(strengths: BodyStrengths) -> StressModel {
     }
 }
 
-/// Stresses of a coat, its support and the interface, under sliding.
-fn sliding_coat(thickness: f64) -> StressModel {
+/// Stresses of a coating, its support and the interface, under sliding.
+fn sliding_coating(thickness: f64) -> StressModel {
     let none = BodyStrengths::default();
     StressModel {
         sliding: Sliding {

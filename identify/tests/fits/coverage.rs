@@ -8,7 +8,7 @@ use pellicle_identify::{
 };
 
 use crate::toys::{
-    Normals, Point, Toy, coat, coat_moduli, hertz_modulus, logarithmic, noisy, unknown,
+    Normals, Point, Toy, coating, coating_moduli, hertz_modulus, logarithmic, noisy, unknown,
 };
 
 const REPLICATES: u64 = 400;
@@ -74,7 +74,7 @@ fn assert_coverage(measurement: &Measurement) {
 
 fn white() -> Measurement {
     Measurement {
-        law: coat_moduli,
+        law: coating_moduli,
         truth: vec![10.0, 1.5],
         unknowns: two_moduli(),
         forces: logarithmic(0.01, 100.0, 24),
@@ -113,7 +113,7 @@ fn correlated() -> Measurement {
 
 fn both_axes() -> Measurement {
     Measurement {
-        law: coat_moduli,
+        law: coating_moduli,
         truth: vec![10.0, 1.5],
         unknowns: two_moduli(),
         forces: logarithmic(0.2, 100.0, 40),
@@ -128,16 +128,16 @@ fn both_axes() -> Measurement {
                 .iter()
                 .map(|q| q + 0.02 * normals.next())
                 .collect();
-            let values = Toy::new(actual, coat_moduli).values(truth);
+            let values = Toy::new(actual, coating_moduli).values(truth);
             values.iter().map(|v| v + 0.01 * normals.next()).collect()
         },
     }
 }
 
-/// A coat whose thickness the data hardly tell.
+/// A coating whose thickness the data hardly tell.
 fn weak() -> Measurement {
     Measurement {
-        law: coat,
+        law: coating,
         truth: vec![10.0, 1.5, 1.0],
         unknowns: vec![
             unknown("E1", [0.5, 1000.0], 10.0),

@@ -5,7 +5,7 @@ use pellicle_identify::{
     Prior, Problem, Unknown, exponents, identify,
 };
 
-use crate::toys::{Normals, Toy, coat, hertz, logarithmic, noisy, unknown};
+use crate::toys::{Normals, Toy, coating, hertz, logarithmic, noisy, unknown};
 
 /// A law whose last parameter is held.
 struct Held {
@@ -70,7 +70,7 @@ fn a_modulus_goes_as_the_root_of_the_radius_that_is_taken_as_exact() {
 #[test]
 fn exponents_are_the_changes_of_the_fit_with_another_value() {
     let forces = logarithmic(0.01, 100.0, 40);
-    let toy = || Toy::new(forces.clone(), coat);
+    let toy = || Toy::new(forces.clone(), coating);
     // Without noise, so that the second derivatives of the model have no part.
     let curve = noisy(
         &forces,
@@ -107,7 +107,7 @@ fn exponents_are_the_changes_of_the_fit_with_another_value() {
 #[test]
 fn what_no_data_tell_has_no_exponent() {
     let forces = logarithmic(0.1, 10.0, 20);
-    let toy = Toy::new(forces.clone(), coat);
+    let toy = Toy::new(forces.clone(), coating);
     let curve = noisy(&forces, &toy.values(&[10.0, 1.5, 1.0]), 0.0, &[0.0; 20]);
     // The best fit lies at the bound.
     let unknowns = vec![

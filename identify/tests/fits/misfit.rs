@@ -5,7 +5,9 @@ use pellicle_identify::{
     identify,
 };
 
-use crate::toys::{Normals, Point, Toy, coat_moduli, hertz_modulus, logarithmic, noisy, unknown};
+use crate::toys::{
+    Normals, Point, Toy, coating_moduli, hertz_modulus, logarithmic, noisy, unknown,
+};
 
 const SIGMA: f64 = 0.02;
 
@@ -16,14 +18,14 @@ const CORRELATED: Noise = Noise {
     correlation: Correlation::Estimated,
 };
 
-/// Sixty points of a coat, fitted by a law of one or two moduli.
+/// Sixty points of a coating, fitted by a law of one or two moduli.
 fn fit(law: fn(f64, &[f64]) -> Point, unknowns: usize, noise: Noise, seed: u64) -> Fit {
     fit_series(law, unknowns, noise, &Normals::new(seed).white(60))
 }
 
 fn fit_series(law: fn(f64, &[f64]) -> Point, unknowns: usize, noise: Noise, series: &[f64]) -> Fit {
     let forces = logarithmic(0.01, 100.0, 60);
-    let truth = Toy::new(forces.clone(), coat_moduli).values(&[10.0, 1.5]);
+    let truth = Toy::new(forces.clone(), coating_moduli).values(&[10.0, 1.5]);
     let curve = noisy(&forces, &truth, SIGMA, series);
     let both = [
         unknown("E1", [0.1, 100.0], 5.0),
@@ -39,7 +41,7 @@ fn fit_series(law: fn(f64, &[f64]) -> Point, unknowns: usize, noise: Noise, seri
 }
 
 #[test]
-fn a_half_space_fitted_to_a_coat_is_refused() {
+fn a_half_space_fitted_to_a_coating_is_refused() {
     // An autoregression would take up the misfit, but for its own persistence.
     for noise in [Noise::white(SIGMA), Noise::default(), CORRELATED] {
         let fit = fit(hertz_modulus, 1, noise, 1);
@@ -52,7 +54,7 @@ fn a_half_space_fitted_to_a_coat_is_refused() {
 fn a_true_model_is_refused_at_most_once_in_a_hundred() {
     for noise in [Noise::white(SIGMA), Noise::default(), CORRELATED] {
         let fits: Vec<Fit> = (0..400)
-            .map(|seed| fit(coat_moduli, 2, noise, seed))
+            .map(|seed| fit(coating_moduli, 2, noise, seed))
             .collect();
         let refused = fits
             .iter()
@@ -73,7 +75,7 @@ fn correlated_noise_is_not_taken_for_a_misfit() {
         (0..replicates)
             .map(|seed| Normals::new(seed).autoregressive(60, 0.8, 0.2))
             .filter(|series| {
-                fit_series(coat_moduli, 2, noise, series).verdict == FitVerdict::Misfit
+                fit_series(coating_moduli, 2, noise, series).verdict == FitVerdict::Misfit
             })
             .count()
     };

@@ -6,7 +6,7 @@ use pellicle_identify::{
     identify,
 };
 
-use crate::toys::{Normals, Toy, coat_moduli, hertz_modulus, line, logarithmic, noisy, unknown};
+use crate::toys::{Normals, Toy, coating_moduli, hertz_modulus, line, logarithmic, noisy, unknown};
 
 fn options() -> FitOptions {
     FitOptions {
@@ -117,7 +117,7 @@ fn noise_of_both_axes_is_told_apart_where_the_slope_varies() {
     let forces = logarithmic(0.2, 100.0, 2000);
     let mut normals = Normals::new(8);
     let actual = forces.iter().map(|q| q + 0.02 * normals.next()).collect();
-    let values = Toy::new(actual, coat_moduli).values(&[10.0, 1.5]);
+    let values = Toy::new(actual, coating_moduli).values(&[10.0, 1.5]);
     let curve = noisy(&forces, &values, 0.01, &normals.white(2000));
     let noise = Noise {
         abscissa: Amount::Estimated,
@@ -128,7 +128,7 @@ fn noise_of_both_axes_is_told_apart_where_the_slope_varies() {
         unknown("E2", [0.2, 10.0], 1.0),
     ];
     let problem = Problem::new(vec![curve], unknowns, &[], noise).unwrap();
-    let fit = identify(&Toy::new(forces, coat_moduli), &problem, &options()).unwrap();
+    let fit = identify(&Toy::new(forces, coating_moduli), &problem, &options()).unwrap();
     // 2000 points tell one size to 1.6 %; the slopes, 0.02 … 0.4, make the errors of the abscissa the smaller part.
     assert_relative_eq!(fit.noise.observed, 0.01, max_relative = 0.08);
     assert_relative_eq!(fit.noise.abscissa, 0.02, max_relative = 0.3);
@@ -137,7 +137,7 @@ fn noise_of_both_axes_is_told_apart_where_the_slope_varies() {
 #[test]
 fn relative_noise_is_told_from_constant_noise() {
     let forces = logarithmic(0.01, 100.0, 2000);
-    let toy = Toy::new(forces.clone(), coat_moduli);
+    let toy = Toy::new(forces.clone(), coating_moduli);
     let mut normals = Normals::new(9);
     let observed = toy
         .values(&[10.0, 1.5])

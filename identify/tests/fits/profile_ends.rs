@@ -6,12 +6,12 @@ use pellicle_identify::{
     Fit, FitOptions, LinearNuisance, Noise, Problem, Unknown, Verdict, identify,
 };
 
-use crate::toys::{Normals, Point, Toy, coat, coat_moduli, logarithmic, noisy, unknown};
+use crate::toys::{Normals, Point, Toy, coating, coating_moduli, logarithmic, noisy, unknown};
 
 /// `z` at the ends of an interval of level 0.95.
 const QUANTILE: f64 = 1.959_963_984_540_054;
 
-/// A search of more predictions goes along a valley that bends: the third coat of three unknowns.
+/// A search of more predictions goes along a valley that bends: the third coating of three unknowns.
 const WINDING: usize = 7;
 
 /// A toy, the truth, and the noise of its 60 points.
@@ -22,22 +22,22 @@ struct System {
     sigma: f64,
 }
 
-/// Coats from stiff to soft, thick and thin, and noise from 0.1 to 1 % of a depth of one.
+/// Coatings from stiff to soft, thick and thin, and noise from 0.1 to 1 % of a depth of one.
 const TWO: [System; 3] = [
     System {
-        law: coat_moduli,
+        law: coating_moduli,
         truth: &[10.0, 1.5],
         forces: [0.01, 100.0],
         sigma: 0.002,
     },
     System {
-        law: coat_moduli,
+        law: coating_moduli,
         truth: &[10.0, 1.5],
         forces: [0.1, 10.0],
         sigma: 0.005,
     },
     System {
-        law: coat_moduli,
+        law: coating_moduli,
         truth: &[0.5, 4.0],
         forces: [0.01, 10.0],
         sigma: 0.005,
@@ -46,25 +46,25 @@ const TWO: [System; 3] = [
 
 const THREE: [System; 4] = [
     System {
-        law: coat,
+        law: coating,
         truth: &[10.0, 1.5, 1.0],
         forces: [0.01, 100.0],
         sigma: 0.002,
     },
     System {
-        law: coat,
+        law: coating,
         truth: &[10.0, 1.5, 1.0],
         forces: [0.01, 100.0],
         sigma: 0.006,
     },
     System {
-        law: coat,
+        law: coating,
         truth: &[4.0, 1.0, 0.4],
         forces: [0.001, 100.0],
         sigma: 0.001,
     },
     System {
-        law: coat,
+        law: coating,
         truth: &[0.5, 4.0, 2.0],
         forces: [0.01, 1000.0],
         sigma: 0.01,

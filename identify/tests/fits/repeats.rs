@@ -6,7 +6,7 @@ use pellicle_identify::{
     Problem, Scatter, Unknown, Verdict, identify,
 };
 
-use crate::toys::{Normals, Toy, coat_moduli, hertz, logarithmic, unknown};
+use crate::toys::{Normals, Toy, coating_moduli, hertz, logarithmic, unknown};
 
 const CURVES: usize = 8;
 const SIGMA: f64 = 0.005;
@@ -18,7 +18,7 @@ fn unknowns() -> Vec<Unknown> {
     ]
 }
 
-/// Eight curves of coats whose moduli scatter about 10 and 1.5.
+/// Eight curves of coatings whose moduli scatter about 10 and 1.5.
 fn curves(points: usize, scatter: f64, seed: u64) -> Vec<Curve> {
     let mut normals = Normals::new(seed);
     (0..CURVES)
@@ -26,7 +26,7 @@ fn curves(points: usize, scatter: f64, seed: u64) -> Vec<Curve> {
             let own = [10.0, 1.5].map(|mean: f64| mean * (scatter * normals.next()).exp());
             let shift = 0.1 * normals.next();
             let forces = logarithmic(0.01, 100.0, points);
-            let observed = Toy::new(forces.clone(), coat_moduli)
+            let observed = Toy::new(forces.clone(), coating_moduli)
                 .values(&own)
                 .iter()
                 .map(|v| v + shift + SIGMA * normals.next())
@@ -43,7 +43,7 @@ fn fit(curves: Vec<Curve>, noise: Noise) -> Fit {
         .unwrap()
         .with_scatter(Scatter::BetweenCurves);
     identify(
-        &Toy::new(forces, coat_moduli),
+        &Toy::new(forces, coating_moduli),
         &problem,
         &FitOptions::default(),
     )
@@ -117,7 +117,7 @@ fn a_curve_with_a_wrong_surface_is_named_and_left_out() {
     // The surface was found late: the forces of this curve are too small by 0.2, in a curve from 0.01 to 100.
     let forces = all[5].abscissa().to_vec();
     let late: Vec<f64> = forces.iter().map(|q| q + 0.2).collect();
-    let observed = Toy::new(late, coat_moduli).values(&[10.0, 1.5]);
+    let observed = Toy::new(late, coating_moduli).values(&[10.0, 1.5]);
     all[5] = Curve::new(forces, observed).unwrap();
     let without: Vec<Curve> = all
         .iter()

@@ -5,7 +5,7 @@ use pellicle_identify::{
     LinearNuisance, Noise, Prediction, Problem, Scatter, identify,
 };
 
-use crate::toys::{Normals, Point, Toy, coat_moduli, logarithmic, noisy, unknown};
+use crate::toys::{Normals, Point, Toy, coating_moduli, logarithmic, noisy, unknown};
 
 /// A toy whose predictions jump with the parameters, as those of a grid do.
 struct Jagged {
@@ -36,7 +36,7 @@ impl ForwardModel for Jagged {
 
 fn jagged_fit(jitter: f64, error: f64, seed: u64) -> Fit {
     let forces = logarithmic(0.01, 100.0, 60);
-    let toy = Toy::new(forces.clone(), coat_moduli);
+    let toy = Toy::new(forces.clone(), coating_moduli);
     let curve = noisy(
         &forces,
         &toy.values(&[10.0, 1.5]),
@@ -154,7 +154,7 @@ fn a_model_without_predictions_and_a_stop_are_errors() {
 #[test]
 fn data_without_any_noise_are_fitted_exactly() {
     let forces = logarithmic(0.01, 100.0, 40);
-    let toy = Toy::new(forces.clone(), coat_moduli);
+    let toy = Toy::new(forces.clone(), coating_moduli);
     let curve = noisy(&forces, &toy.values(&[10.0, 1.5]), 0.0, &[0.0; 40]);
     let unknowns = vec![
         unknown("E1", [1.0, 100.0], 3.0),
@@ -172,7 +172,7 @@ fn data_without_any_noise_are_fitted_exactly() {
 #[test]
 fn a_value_beyond_its_range_ends_at_the_bound_and_says_so() {
     let forces = logarithmic(0.01, 100.0, 40);
-    let toy = Toy::new(forces.clone(), coat_moduli);
+    let toy = Toy::new(forces.clone(), coating_moduli);
     let curve = noisy(
         &forces,
         &toy.values(&[10.0, 1.5]),
@@ -189,7 +189,7 @@ fn a_value_beyond_its_range_ends_at_the_bound_and_says_so() {
         let problem = Problem::new(curves, unknowns.clone(), &[], Noise::white(0.01))
             .unwrap()
             .with_scatter(scatter);
-        let model = Toy::new(twice, coat_moduli);
+        let model = Toy::new(twice, coating_moduli);
         let fit = identify(&model, &problem, &FitOptions::default()).unwrap();
         assert_eq!(fit.estimates[1].value, 2.0, "{scatter:?}: {fit:?}");
         assert!(

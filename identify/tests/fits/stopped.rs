@@ -7,7 +7,7 @@ use pellicle_identify::{
     Prediction, Problem, Stopped, identify,
 };
 
-use crate::toys::{Normals, Toy, coat_moduli, logarithmic, noisy, unknown};
+use crate::toys::{Normals, Toy, coating_moduli, logarithmic, noisy, unknown};
 
 const TRUTH: [f64; 2] = [10.0, 1.5];
 
@@ -28,10 +28,10 @@ impl ForwardModel for Limited {
     }
 }
 
-/// Both moduli of a coat from so many predictions.
+/// Both moduli of a coating from so many predictions.
 fn fit_of(predictions: usize) -> Result<Fit, IdentifyError> {
     let forces = logarithmic(0.01, 100.0, 60);
-    let toy = Toy::new(forces.clone(), coat_moduli);
+    let toy = Toy::new(forces.clone(), coating_moduli);
     let noise = Normals::new(3).white(60);
     let curve = noisy(&forces, &toy.values(&TRUTH), 0.002, &noise);
     let unknowns = vec![

@@ -78,9 +78,9 @@ pub fn hertz_modulus(q: f64, parameters: &[f64]) -> Point {
     (d, slope, derivatives)
 }
 
-/// A coat on a substrate, parameters `E1`, `E2`, `H`: `D = (Q/E)^⅔` with `E = E1 (1 − f) + E2 f`, `f = s/(s + H)`,
+/// A coating on a substrate, parameters `E1`, `E2`, `H`: `D = (Q/E)^⅔` with `E = E1 (1 − f) + E2 f`, `f = s/(s + H)`,
 /// `s = Q^⅓`.
-pub fn coat(q: f64, parameters: &[f64]) -> Point {
+pub fn coating(q: f64, parameters: &[f64]) -> Point {
     let (e1, e2, h) = (parameters[0], parameters[1], parameters[2]);
     let s = q.cbrt();
     let f = s / (s + h);
@@ -93,9 +93,9 @@ pub fn coat(q: f64, parameters: &[f64]) -> Point {
     (d, slope, vec![by_e * (1.0 - f), by_e * f, by_h])
 }
 
-/// A coat of thickness 1.
-pub fn coat_moduli(q: f64, parameters: &[f64]) -> Point {
-    let (d, slope, mut derivatives) = coat(q, &[parameters[0], parameters[1], 1.0]);
+/// A coating of thickness 1.
+pub fn coating_moduli(q: f64, parameters: &[f64]) -> Point {
+    let (d, slope, mut derivatives) = coating(q, &[parameters[0], parameters[1], 1.0]);
     derivatives.pop();
     (d, slope, derivatives)
 }
@@ -184,6 +184,6 @@ fn derivatives_of_the_toys_are_their_difference_quotients() {
         }
     };
     check(hertz, &[1.3, 0.8]);
-    check(coat, &[10.0, 1.5, 0.9]);
+    check(coating, &[10.0, 1.5, 0.9]);
     check(line, &[1.0, 2.0]);
 }

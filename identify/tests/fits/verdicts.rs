@@ -6,7 +6,7 @@ use pellicle_identify::{
     identify,
 };
 
-use crate::toys::{Normals, Point, Toy, coat, hertz, logarithmic, noisy, unknown};
+use crate::toys::{Normals, Point, Toy, coating, hertz, logarithmic, noisy, unknown};
 
 fn fit(
     law: fn(f64, &[f64]) -> Point,
@@ -98,7 +98,7 @@ fn a_prior_of_the_radius_makes_the_modulus_known_to_half_its_width() {
 }
 
 #[test]
-fn a_coat_of_known_thickness_is_identified_and_a_buried_one_is_not() {
+fn a_coating_of_known_thickness_is_identified_and_a_buried_one_is_not() {
     let unknowns = |h: f64| {
         vec![
             unknown("E1", [1.0, 100.0], 5.0),
@@ -107,7 +107,7 @@ fn a_coat_of_known_thickness_is_identified_and_a_buried_one_is_not() {
         ]
     };
     let none = NullDirections::default;
-    let thin = fit(coat, &[10.0, 1.5, 1.0], unknowns(1.0), 0.005, none());
+    let thin = fit(coating, &[10.0, 1.5, 1.0], unknowns(1.0), 0.005, none());
     assert_eq!(
         thin.estimates[0].verdict,
         Verdict::Identified,
@@ -120,8 +120,14 @@ fn a_coat_of_known_thickness_is_identified_and_a_buried_one_is_not() {
         "{:?}",
         thin.estimates[1]
     );
-    // Under a coat a thousand times thicker the substrate is a hundredth of the modulus.
-    let thick = fit(coat, &[10.0, 1.5, 1000.0], unknowns(1000.0), 0.05, none());
+    // Under a coating a thousand times thicker the substrate is a hundredth of the modulus.
+    let thick = fit(
+        coating,
+        &[10.0, 1.5, 1000.0],
+        unknowns(1000.0),
+        0.05,
+        none(),
+    );
     assert_eq!(
         thick.estimates[1].verdict,
         Verdict::NotIdentified,
@@ -139,14 +145,14 @@ fn a_coat_of_known_thickness_is_identified_and_a_buried_one_is_not() {
 
 #[test]
 fn a_thickness_seen_from_one_side_is_one_sided() {
-    // Loads that never reach the substrate tell that the coat is not thin.
+    // Loads that never reach the substrate tell that the coating is not thin.
     let unknowns = vec![
         unknown("E1", [1.0, 100.0], 10.0),
         unknown("E2", [1.0, 2.0], 1.5),
         unknown("H", [1.0, 1e4], 100.0),
     ];
     let fit = fit(
-        coat,
+        coating,
         &[10.0, 1.5, 1000.0],
         unknowns,
         0.02,

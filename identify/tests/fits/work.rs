@@ -5,12 +5,12 @@ use pellicle_identify::{
     Unknown, identify,
 };
 
-use crate::toys::{Normals, Point, Toy, coat, coat_moduli, logarithmic, noisy, unknown};
+use crate::toys::{Normals, Point, Toy, coating, coating_moduli, logarithmic, noisy, unknown};
 
 const FORCES: [f64; 2] = [0.01, 100.0];
 
-/// A coat of `E1 = 10`, `E2 = 1.5`, `H = 1` under 60 loads, fitted from some start.
-fn coat_fit(
+/// A coating of `E1 = 10`, `E2 = 1.5`, `H = 1` under 60 loads, fitted from some start.
+fn coating_fit(
     law: fn(f64, &[f64]) -> Point,
     truth: &[f64],
     unknowns: Vec<Unknown>,
@@ -41,7 +41,7 @@ fn two_unknowns_take_at_most_twelve_predictions_to_the_best_fit() {
             unknown("E1", [1.0, 100.0], start[0]),
             unknown("E2", [0.2, 10.0], start[1]),
         ];
-        let (fit, toy) = coat_fit(coat_moduli, &[10.0, 1.5], unknowns, seed as u64);
+        let (fit, toy) = coating_fit(coating_moduli, &[10.0, 1.5], unknowns, seed as u64);
         assert!(
             fit.work.search <= 12,
             "{} predictions from {start:?}",
@@ -67,7 +67,7 @@ fn three_unknowns_take_at_most_twenty_predictions_to_the_best_fit() {
             unknown("E2", [0.2, 10.0], start[1]),
             unknown("H", [0.1, 10.0], start[2]),
         ];
-        let (fit, _) = coat_fit(coat, &[10.0, 1.5, 1.0], unknowns, seed as u64);
+        let (fit, _) = coating_fit(coating, &[10.0, 1.5, 1.0], unknowns, seed as u64);
         assert!(
             fit.work.search <= 20,
             "{} predictions from {start:?}",
@@ -82,7 +82,7 @@ fn no_prediction_is_asked_for_twice() {
         unknown("E1", [1.0, 100.0], 3.0),
         unknown("E2", [0.2, 10.0], 3.0),
     ];
-    let (_, toy) = coat_fit(coat_moduli, &[10.0, 1.5], unknowns, 7);
+    let (_, toy) = coating_fit(coating_moduli, &[10.0, 1.5], unknowns, 7);
     let asked = toy.asked();
     for (i, parameters) in asked.iter().enumerate() {
         assert!(!asked[..i].contains(parameters), "{parameters:?} twice");
@@ -96,13 +96,13 @@ fn the_same_fit_gives_the_same_bits() {
             unknown("E1", [1.0, 100.0], 3.0),
             unknown("E2", [0.2, 10.0], 3.0),
         ];
-        coat_fit(coat_moduli, &[10.0, 1.5], unknowns, 7).0
+        coating_fit(coating_moduli, &[10.0, 1.5], unknowns, 7).0
     };
     let in_threads = std::thread::spawn(once).join().unwrap();
     assert_eq!(once(), in_threads);
 }
 
-/// A coat model that has no prediction for coats above a modulus.
+/// A coating model that has no prediction for coatings above a modulus.
 struct Limited {
     toy: Toy,
     highest: f64,
@@ -111,7 +111,7 @@ struct Limited {
 impl ForwardModel for Limited {
     fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
         if parameters[0] > self.highest {
-            let source = "the coat is too stiff for the tables".into();
+            let source = "the coating is too stiff for the tables".into();
             return Err(ForwardError::OutOfRange { source });
         }
         self.toy.predict(parameters)
@@ -121,7 +121,7 @@ impl ForwardModel for Limited {
 #[test]
 fn a_search_turns_back_from_where_the_model_has_no_prediction() {
     let forces = logarithmic(FORCES[0], FORCES[1], 60);
-    let toy = Toy::new(forces.clone(), coat_moduli);
+    let toy = Toy::new(forces.clone(), coating_moduli);
     let curve = noisy(
         &forces,
         &toy.values(&[10.0, 1.5]),

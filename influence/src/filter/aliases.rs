@@ -9,7 +9,7 @@ use crate::numerics::lagrange;
 /// Aliases counted to each side. Their terms alternate and fall like `n⁻³`: the rest is a hundredth of the sum.
 const REACH: i32 = 4;
 /// Nodes of the interpolation along each direction: its error is 1e-3 of the sum on a homogeneous body, 7e-3 under
-/// a stiff coat.
+/// a stiff coating.
 const NODES: usize = 4;
 
 /// One value for each node.

@@ -34,14 +34,14 @@ const TOLERANCE: f64 = 2e-12;
 /// use pellicle_influence::{ElasticParameter, RadialTables};
 /// use pellicle_kernel::{Foundation, FoundationParameter, Material};
 ///
-/// let (coat, steel) = (Material::new(400e9, 0.25)?, Material::new(210e9, 0.3)?);
-/// let tables = RadialTables::build(&Foundation::coated(2e-6, coat, steel)?)?;
+/// let (coating, steel) = (Material::new(400e9, 0.25)?, Material::new(210e9, 0.3)?);
+/// let tables = RadialTables::build(&Foundation::coated(2e-6, coating, steel)?)?;
 /// let modulus = |body| ElasticParameter::Foundation(FoundationParameter::YoungModulus { body });
 /// let by = |body| tables.derivative(modulus(body));
-/// let (by_coat, by_steel) = (by(0)?, by(1)?);
+/// let (by_coating, by_steel) = (by(0)?, by(1)?);
 /// // All moduli together scale the coefficient: Σ E ∂k/∂E = −k.
 /// let at = [1e-6, 2e-6].map(|side| {
-///     let sum = 400e9 * by_coat.coefficient(side, [3, 1]) + 210e9 * by_steel.coefficient(side, [3, 1]);
+///     let sum = 400e9 * by_coating.coefficient(side, [3, 1]) + 210e9 * by_steel.coefficient(side, [3, 1]);
 ///     sum / tables.coefficient(side, [3, 1])
 /// });
 /// assert!(at.iter().all(|ratio| (ratio + 1.0).abs() < 1e-9));

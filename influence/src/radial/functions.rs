@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::far_field::FarField;
 use crate::element::product_rule::Borders;
 use crate::numerics::chebyshev;
-use crate::numerics::panels::{Panel, Panels};
+use crate::numerics::chebyshev_panels::{ChebyshevPanel, ChebyshevPanels};
 
 /// `T` and `P` of one layered foundation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,7 +19,7 @@ pub(crate) struct RadialFunctions {
     /// g in `T = 1 + g t`, left of the panels.
     pub(super) slope: f64,
     /// T over ln t.
-    pub(super) panels: Panels,
+    pub(super) panels: ChebyshevPanels,
     /// P over ln t, in the same panels.
     pub(super) integrals: Vec<Vec<f64>>,
     /// Ends of the panels as t.
@@ -131,7 +131,7 @@ impl RadialFunctions {
     /// The form of P that is smaller for all radii from `t` on.
     pub(crate) fn area_from(&self, t: f64) -> Area {
         let panels = self.panels.panels();
-        let beyond = |panel: &Panel| t.ln() >= panel.centre - panel.half_width;
+        let beyond = |panel: &ChebyshevPanel| t.ln() >= panel.centre - panel.half_width;
         match panels.get(self.reduced_from) {
             Some(first) if beyond(first) => Area::Reduced,
             _ => Area::Whole,

@@ -5,7 +5,7 @@ use pellicle_kernel::Foundation;
 use super::functions::{RadialFunctions, Worst, Yardstick, scale};
 use super::hankel::{HankelRule, RoundedSum};
 use super::precise::Precise;
-use crate::numerics::panels::Panel;
+use crate::numerics::chebyshev_panels::ChebyshevPanel;
 use crate::response::ResponseTable;
 
 /// Wanted size of the expansions' tails, relative to the scale of T.
@@ -79,7 +79,7 @@ impl<'a> Sampler<'a> {
     /// Tails and rounding of all panels, with a margin.
     pub(super) fn worst(&self, functions: &RadialFunctions) -> Worst {
         let mut yardstick = Yardstick::new(functions);
-        let error = |panel: &Panel| {
+        let error = |panel: &ChebyshevPanel| {
             let t = panel.centre.exp();
             let rounding = self.at(panel.centre).rounding();
             let scale = yardstick.at(t, panel.bound());

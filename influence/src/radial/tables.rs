@@ -52,7 +52,7 @@ impl RadialTables {
     ///
     /// # Errors
     ///
-    /// [`InfluenceError::TableAccuracy`] if the estimated error exceeds 1e-8, with which the matrix of stiff coats
+    /// [`InfluenceError::TableAccuracy`] if the estimated error exceeds 1e-8, with which the matrix of stiff coatings
     /// need not be positive definite; [`InfluenceError::LayerThicknesses`] if the layers together are more than
     /// 1e16 times as thick as the top one.
     pub fn build(foundation: &Foundation) -> Result<Self, InfluenceError> {

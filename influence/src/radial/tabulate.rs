@@ -8,7 +8,7 @@ use super::functions::{RadialFunctions, Worst, Yardstick, scale};
 use super::sampler::Sampler;
 use crate::element::product_rule::Borders;
 use crate::numerics::chebyshev;
-use crate::numerics::panels::{Panel, Panels, TERMS};
+use crate::numerics::chebyshev_panels::{ChebyshevPanel, ChebyshevPanels, TERMS};
 use crate::response::ResponseTable;
 
 /// Below this many thicknesses of the top layer `T = 1 + g t` to 1e-17: the next term is t³.
@@ -48,7 +48,7 @@ impl RadialFunctions {
             let scale = scale(limit, largest, ln_t);
             (sampler.tolerance() * scale).max(2.0 * sampler.at(ln_t).rounding())
         };
-        let panels = Panels::fit(ends.map(f64::ln), at, allowed);
+        let panels = ChebyshevPanels::fit(ends.map(f64::ln), at, allowed);
         let [start, end] = panels.range();
         let series = series(sampler.even_taylor());
         let rule_floor = rule_floor(limit);
@@ -118,7 +118,7 @@ fn rule_floor(limit: f64) -> f64 {
 }
 
 /// Chebyshev coefficients of `∫ T dt` from the panel's left end, over ln t.
-fn integral(panel: &Panel) -> Vec<f64> {
+fn integral(panel: &ChebyshevPanel) -> Vec<f64> {
     let transform = chebyshev::ChebyshevTransform::new(TERMS, TERMS);
     // dt = t d ln t
     let integrand = panel.samples().map(|ln_t| panel.value(ln_t) * ln_t.exp());

@@ -39,7 +39,7 @@ impl Depth {
 
     /// Whether the fields are split into a half-space of the top layer's material and the layers' correction.
     ///
-    /// In the lower half of a layer both would be large where a stiff coat leaves little stress, and the fields
+    /// In the lower half of a layer both would be large where a stiff coating leaves little stress, and the fields
     /// themselves are smooth over a distance of the depth.
     pub(super) fn is_split(&self, foundation: &Foundation) -> bool {
         let top = foundation.layers().first();

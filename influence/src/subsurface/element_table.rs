@@ -6,7 +6,7 @@
 
 use rayon::prelude::*;
 
-use super::point_kernels::Load;
+use super::point_kernels::PointLoad;
 use super::state::{FIELDS, SubsurfaceState, SurfaceLoad};
 use super::under_load::UnderLoad;
 use crate::transform::LINES;
@@ -78,7 +78,7 @@ impl ElementTable {
     }
 
     /// Computes the fields of an element under the table's load.
-    pub fn fill<L: Load<F>, const F: usize>(&mut self, element: &UnderLoad<L, F>) {
+    pub fn fill<L: PointLoad<F>, const F: usize>(&mut self, element: &UnderLoad<L, F>) {
         assert!(self.load == L::LOAD, "the table is made for the load");
         let (size, fields) = (self.size, self.fields());
         let tiles = self.tiles.par_chunks_exact_mut(fields).enumerate();

@@ -33,7 +33,7 @@ pub const NORMAL: usize = 6;
 pub const TANGENTIAL: usize = 9;
 
 /// A load on a point, whose fields are made of `F` functions of the radius.
-pub trait Load<const F: usize>: Sync {
+pub trait PointLoad<const F: usize>: Sync {
     /// The load on the surface.
     const LOAD: SurfaceLoad;
 
@@ -51,7 +51,7 @@ pub trait Load<const F: usize>: Sync {
 #[derive(Clone, Copy, Debug)]
 pub struct Pressure;
 
-impl Load<NORMAL> for Pressure {
+impl PointLoad<NORMAL> for Pressure {
     const LOAD: SurfaceLoad = SurfaceLoad::Pressure;
 
     const ORDERS: [usize; NORMAL] = [0, 1, 0, 1, 0, 2];
@@ -90,7 +90,7 @@ impl Load<NORMAL> for Pressure {
 #[derive(Clone, Copy, Debug)]
 pub struct Traction;
 
-impl Load<TANGENTIAL> for Traction {
+impl PointLoad<TANGENTIAL> for Traction {
     const LOAD: SurfaceLoad = SurfaceLoad::Traction;
 
     const ORDERS: [usize; TANGENTIAL] = [0, 2, 1, 1, 0, 2, 1, 1, 3];

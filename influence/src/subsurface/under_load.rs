@@ -18,7 +18,7 @@ use pellicle_kernel::{KernelError, Material};
 use super::depth::Depth;
 use super::homogeneous::loaded_square;
 use super::log_lattice::STEP;
-use super::point_kernels::{Load, NORMAL, Pressure, TANGENTIAL, Traction};
+use super::point_kernels::{NORMAL, PointLoad, Pressure, TANGENTIAL, Traction};
 use super::radial_panels::{Layout, RadialPanels};
 use super::state::SubsurfaceState;
 use super::waves::{Sampled, Waves};
@@ -177,7 +177,7 @@ struct Near<const F: usize> {
     reach: f64,
 }
 
-impl<L: Load<F>, const F: usize> UnderLoad<L, F> {
+impl<L: PointLoad<F>, const F: usize> UnderLoad<L, F> {
     pub fn new(waves: &DepthWaves) -> Self {
         let (side, depth) = (waves.side, waves.depth.z);
         let panels = |sampled: &Sampled| sampled.panels::<L, F>();

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::log_lattice::{
     COARSE, COARSE_STRIDE, FINE, FINE_FIRST, FIRST, HankelWeights, LAST, RADIUS_STRIDE, STEP,
 };
-use super::point_kernels::Load;
+use super::point_kernels::PointLoad;
 use super::radial_panels::{Layout, RadialPanels};
 
 /// Amplitudes have fallen to e^{−60} at this wavenumber over the reach's.
@@ -124,7 +124,7 @@ impl Sampled {
 
     /// The functions of the radius under a load, each over `rⁿ`, n being the order of its Bessel function: the integral
     /// of a unit force on each point of a unit square.
-    pub fn panels<L: Load<F>, const F: usize>(&self) -> RadialPanels<F> {
+    pub fn panels<L: PointLoad<F>, const F: usize>(&self) -> RadialPanels<F> {
         let [first, last] = self.radii;
         let with_factor = self.amplitudes.iter().zip(&self.factors);
         let amplitudes: Vec<[f64; F]> = with_factor
@@ -211,8 +211,8 @@ mod tests {
 
     #[test]
     fn further_depths_take_the_waves_of_the_first() {
-        let [coat, base] = [5.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
-        let foundation = Foundation::coated(3.0, coat, base).unwrap();
+        let [coating, base] = [5.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
+        let foundation = Foundation::coated(3.0, coating, base).unwrap();
         let mut waves = Waves::new(&foundation, 0.5);
         let mut solved = |depth: f64| {
             let before = waves.interiors.len();

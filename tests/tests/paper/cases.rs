@@ -30,7 +30,7 @@ const INDENTATION: [f64; 19] = [
 
 /// The paper's two coatings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Coat {
+pub enum Coating {
     /// Ten times softer than its base.
     Soft,
     /// Ten times stiffer than its base.
@@ -51,18 +51,18 @@ pub enum PaperCase {
     /// Fig. 2(d) on a domain of eleven periods.
     WholePeriods,
     /// Fig. 3 by its labels: both loads of the other coating.
-    Labels(Coat),
+    Labels(Coating),
     /// Fig. 4: the curve with so many periods to the indenter's radius.
-    Curve(Coat, u8),
+    Curve(Coating, u8),
     /// Period R/80 at one to ten times the last load of Fig. 4.
-    Beyond(Coat),
+    Beyond(Coating),
     /// Fig. 6: the pyramid's curve, with or without the film; its last load is that of Fig. 5.
     Berkovich {
         /// Whether the film is there.
         film: bool,
     },
     /// One cylinder under a flat punch of its own size.
-    OneCylinder(Coat),
+    OneCylinder(Coating),
 }
 
 type Solved = Arc<OnceLock<Arc<LoadingPath>>>;
@@ -98,66 +98,66 @@ pub fn only_step(case: PaperCase, elements: usize) -> Step {
 impl PaperCase {
     /// The model, where it is solved, and its loads.
     fn posed(self) -> (Model, Domain, Vec<Load>) {
-        let [soft, stiff] = [Coat::Soft, Coat::Stiff];
+        let [soft, stiff] = [Coating::Soft, Coating::Stiff];
         match self {
             Self::Fig2a => textured(soft, 1.0, 80, 0.08, &[0.3571e-4]),
             Self::Fig2b => textured(stiff, 1.0, 80, 0.08, &[0.3571e-5]),
             Self::Fig2c => textured(soft, 1.0, 80, 0.12, &[2.1426e-4]),
             Self::Fig2d => textured(stiff, 1.0, 80, 0.14, &[2.1426e-5]),
             Self::WholePeriods => textured(stiff, 1.0, 80, 0.1375, &[2.1426e-5]),
-            Self::Labels(Coat::Soft) => textured(soft, 1.0, 80, 0.08, &[0.3571e-5, 2.1426e-5]),
-            Self::Labels(Coat::Stiff) => textured(stiff, 1.0, 80, 0.3, &[0.3571e-4, 2.1426e-4]),
-            Self::Curve(coat, periods) => {
-                let side = [0.08, 0.14][coat as usize];
+            Self::Labels(Coating::Soft) => textured(soft, 1.0, 80, 0.08, &[0.3571e-5, 2.1426e-5]),
+            Self::Labels(Coating::Stiff) => textured(stiff, 1.0, 80, 0.3, &[0.3571e-4, 2.1426e-4]),
+            Self::Curve(coating, periods) => {
+                let side = [0.08, 0.14][coating as usize];
                 textured(
-                    coat,
-                    of_stiff(coat),
+                    coating,
+                    of_stiff(coating),
                     periods,
                     side,
                     &LOADING.map(|q| q * 1e-5),
                 )
             }
-            Self::Beyond(coat) => {
-                let side = [0.18, 0.32][coat as usize];
+            Self::Beyond(coating) => {
+                let side = [0.18, 0.32][coating as usize];
                 let forces =
                     [0, 1, 2, 3, 4, 5, 6].map(|i| 2.1426e-5 * 10_f64.powf(f64::from(i) / 6.0));
-                textured(coat, of_stiff(coat), 80, side, &forces)
+                textured(coating, of_stiff(coating), 80, side, &forces)
             }
             Self::Berkovich { film } => berkovich(film),
-            Self::OneCylinder(coat) => one_cylinder(coat),
+            Self::OneCylinder(coating) => one_cylinder(coating),
         }
     }
 }
 
 /// The coating's modulus in units of the stiff one's, as Fig. 4 has it for both.
-fn of_stiff(coat: Coat) -> f64 {
-    [0.1, 1.0][coat as usize]
+fn of_stiff(coating: Coating) -> f64 {
+    [0.1, 1.0][coating as usize]
 }
 
 /// The coated body with this modulus of its coating.
-fn body(coat: Coat, young_modulus: f64) -> Foundation {
-    let (poisson_ratio, base) = match coat {
-        Coat::Soft => (0.4, material(10.0 * young_modulus, 0.3)),
-        Coat::Stiff => (0.3, material(0.1 * young_modulus, 0.4)),
+fn body(coating: Coating, young_modulus: f64) -> Foundation {
+    let (poisson_ratio, base) = match coating {
+        Coating::Soft => (0.4, material(10.0 * young_modulus, 0.3)),
+        Coating::Stiff => (0.3, material(0.1 * young_modulus, 0.4)),
     };
     coated(HEIGHT, material(young_modulus, poisson_ratio), base)
 }
 
 /// A paraboloid on cylinders of the coating's own material.
 fn textured(
-    coat: Coat,
+    coating: Coating,
     young_modulus: f64,
     periods: u8,
     side: f64,
     forces: &[f64],
 ) -> (Model, Domain, Vec<Load>) {
     let relief = cylinders(RADIUS, HEIGHT, 1.0 / f64::from(periods), young_modulus);
-    let model = model(&body(coat, young_modulus), relief, paraboloid(1.0));
+    let model = model(&body(coating, young_modulus), relief, paraboloid(1.0));
     let loads = forces.iter().copied().map(Load::Force).collect();
     (model, Domain::Side(side), loads)
 }
 
-/// A Berkovich pyramid of tip radius 400 nm on the stiff coat of 10 nm, in SI units.
+/// A Berkovich pyramid of tip radius 400 nm on the stiff coating of 10 nm, in SI units.
 fn berkovich(film: bool) -> (Model, Domain, Vec<Load>) {
     let body = coated(10e-9, material(70e9, 0.3), material(7e9, 0.4));
     let relief = if film {
@@ -171,16 +171,16 @@ fn berkovich(film: bool) -> (Model, Domain, Vec<Load>) {
 }
 
 /// A flat punch of a cylinder's radius on a film of the cylinders' compliance.
-fn one_cylinder(coat: Coat) -> (Model, Domain, Vec<Load>) {
+fn one_cylinder(coating: Coating) -> (Model, Domain, Vec<Load>) {
     let relief = Relief::Film(Film::new(HEIGHT, 1.0).expect("a film"));
     let indenter = Indenter::FlatPunch(FlatPunch::new(RADIUS).expect("a punch"));
-    let model = model(&body(coat, 1.0), relief, indenter);
+    let model = model(&body(coating, 1.0), relief, indenter);
     (model, Domain::Side(0.0105), vec![Load::Penetration(1e-4)])
 }
 
 /// `ℓ = η E1 / (2 (1 − ν1²))`, below which springs of compliance `η = h/E1` are the more compliant: half the cylinders'
 /// height over `1 − ν1²`.
-pub fn spring_length(coat: Coat) -> f64 {
-    let poisson_ratio: f64 = [0.4, 0.3][coat as usize];
+pub fn spring_length(coating: Coating) -> f64 {
+    let poisson_ratio: f64 = [0.4, 0.3][coating as usize];
     HEIGHT / (1.0 - poisson_ratio.powi(2)) / 2.0
 }

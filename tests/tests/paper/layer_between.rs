@@ -1,6 +1,6 @@
 //! The parts of the surface that the indenter touches: the cylinders alone, or the layer between them too.
 
-use crate::cases::{Coat, PaperCase, only_step};
+use crate::cases::{Coating, PaperCase, only_step};
 use crate::fields::SolvedFields;
 use crate::numbers::assert_reads;
 
@@ -48,7 +48,7 @@ fn by_the_labels_of_figure_3_contact_on_the_stiff_coating_is_incomplete_too() {
         .enumerate()
     {
         for (elements, written) in [512, 1024].into_iter().zip(found) {
-            let open = open_share(PaperCase::Labels(Coat::Stiff), step, elements);
+            let open = open_share(PaperCase::Labels(Coating::Stiff), step, elements);
             assert_reads(open, written);
             assert!(open > OPEN, "step {step}");
         }

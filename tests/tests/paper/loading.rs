@@ -1,6 +1,6 @@
 //! Penetration D against load Q (Fig. 4).
 
-use crate::cases::{Coat, PaperCase, path};
+use crate::cases::{Coating, PaperCase, path};
 use crate::numbers::assert_reads;
 
 /// A twentieth of the full scale is a bend that anyone sees.
@@ -17,10 +17,10 @@ const SIMILAR: f64 = 0.1;
 
 /// The four curves of Fig. 4.
 const CURVES: [PaperCase; 4] = [
-    PaperCase::Curve(Coat::Soft, 60),
-    PaperCase::Curve(Coat::Soft, 80),
-    PaperCase::Curve(Coat::Stiff, 60),
-    PaperCase::Curve(Coat::Stiff, 80),
+    PaperCase::Curve(Coating::Soft, 60),
+    PaperCase::Curve(Coating::Soft, 80),
+    PaperCase::Curve(Coating::Stiff, 60),
+    PaperCase::Curve(Coating::Stiff, 80),
 ];
 
 /// One value a load each, in order of increasing force.
@@ -148,19 +148,19 @@ fn the_gradient_of_penetration_does_not_become_constant() {
 
 #[test]
 fn nor_does_the_gradient_become_constant_within_ten_times_the_loads() {
-    assert_still_falls(PaperCase::Beyond(Coat::Soft), [["21.1 %", "-0.34"]; 2]);
-    assert_still_falls(PaperCase::Beyond(Coat::Stiff), [["21.0 %", "-0.34"]; 2]);
+    assert_still_falls(PaperCase::Beyond(Coating::Soft), [["21.1 %", "-0.34"]; 2]);
+    assert_still_falls(PaperCase::Beyond(Coating::Stiff), [["21.0 %", "-0.34"]; 2]);
 }
 
 #[test]
 fn a_smaller_period_gives_a_smaller_penetration() {
-    for (coat, found) in [
+    for (coating, found) in [
         (
-            Coat::Soft,
+            Coating::Soft,
             [["0 %", "17.2 %", "4.18 %"], ["0 %", "17.2 %", "4.11 %"]],
         ),
         (
-            Coat::Stiff,
+            Coating::Stiff,
             [
                 ["1.04 %", "14.0 %", "1.04 %"],
                 ["1.05 %", "13.9 %", "1.05 %"],
@@ -168,8 +168,8 @@ fn a_smaller_period_gives_a_smaller_penetration() {
         ),
     ] {
         for (elements, written) in [256, 512].into_iter().zip(found) {
-            let [less, more] =
-                [80, 60].map(|periods| LoadingCurve::of(PaperCase::Curve(coat, periods), elements));
+            let [less, more] = [80, 60]
+                .map(|periods| LoadingCurve::of(PaperCase::Curve(coating, periods), elements));
             let pairs = less.penetration.iter().zip(&more.penetration);
             let shortfall: Vec<f64> = pairs.map(|(less, more)| 1.0 - less / more).collect();
             let [smallest, largest] = range(&shortfall);
@@ -182,7 +182,7 @@ fn a_smaller_period_gives_a_smaller_penetration() {
             // While the central cylinder alone touches, the period cannot matter.
             assert!(
                 smallest >= -DIFFERENT && last(&shortfall) > DIFFERENT,
-                "{coat:?}"
+                "{coating:?}"
             );
         }
     }
@@ -195,8 +195,8 @@ fn the_curves_of_the_soft_and_the_stiff_coating_are_similar() {
         (80, [["1.42 %", "4.17"], ["1.46 %", "4.17"]]),
     ] {
         for (elements, [apart, deeper]) in [256, 512].into_iter().zip(found) {
-            let [soft, stiff] = [Coat::Soft, Coat::Stiff]
-                .map(|coat| LoadingCurve::of(PaperCase::Curve(coat, periods), elements));
+            let [soft, stiff] = [Coating::Soft, Coating::Stiff]
+                .map(|coating| LoadingCurve::of(PaperCase::Curve(coating, periods), elements));
             let pairs = soft.scaled().zip(stiff.scaled());
             let distances: Vec<f64> = pairs
                 .map(|([_, one], [_, other])| (one - other).abs())

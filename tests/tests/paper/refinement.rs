@@ -1,6 +1,6 @@
 //! Peaks followed over grids that the paper could not afford: the tables of `docs/claims.md`, line by line.
 
-use crate::cases::{Coat, PaperCase, only_step, path, spring_length};
+use crate::cases::{Coating, PaperCase, only_step, path, spring_length};
 use crate::layer_between::share_between;
 use crate::numbers::{assert_reads, exponent, fitted_exponent};
 
@@ -10,35 +10,35 @@ const PAGE: &str = include_str!("../../../docs/claims.md");
 const SETTLED: f64 = 0.1;
 
 /// A case, its coating, and the heading of its table.
-const TABLES: [(PaperCase, Coat, &str); 6] = [
+const TABLES: [(PaperCase, Coating, &str); 6] = [
     (
         PaperCase::Fig2a,
-        Coat::Soft,
+        Coating::Soft,
         "Fig. 2(a): soft coating, small load",
     ),
     (
         PaperCase::Fig2b,
-        Coat::Stiff,
+        Coating::Stiff,
         "Fig. 2(b): stiff coating, small load",
     ),
     (
         PaperCase::Fig2c,
-        Coat::Soft,
+        Coating::Soft,
         "Fig. 2(c): soft coating, six times the load",
     ),
     (
         PaperCase::Fig2d,
-        Coat::Stiff,
+        Coating::Stiff,
         "Fig. 2(d): stiff coating, six times the load",
     ),
     (
-        PaperCase::OneCylinder(Coat::Soft),
-        Coat::Soft,
+        PaperCase::OneCylinder(Coating::Soft),
+        Coating::Soft,
         "One cylinder of the soft coating under a flat punch of its own size",
     ),
     (
-        PaperCase::OneCylinder(Coat::Stiff),
-        Coat::Stiff,
+        PaperCase::OneCylinder(Coating::Stiff),
+        Coating::Stiff,
         "One cylinder of the stiff coating under a flat punch of its own size",
     ),
 ];
@@ -62,7 +62,7 @@ fn peak(case: PaperCase, elements: usize) -> (usize, f64) {
 
 /// Asserts the lines of all tables whose N belongs.
 fn assert_lines(belongs: impl Fn(usize) -> bool) {
-    for (case, coat, heading) in TABLES {
+    for (case, coating, heading) in TABLES {
         let (rows, _) = table(heading);
         assert!(rows.len() >= 6, "{heading}");
         for row in rows {
@@ -75,7 +75,7 @@ fn assert_lines(belongs: impl Fn(usize) -> bool) {
             let step = only_step(case, elements);
             let [x, y] = step.summary.max_pressure_at;
             let element = path(case, elements).grid.element_side();
-            assert_reads(element / spring_length(coat), side);
+            assert_reads(element / spring_length(coating), side);
             assert_reads(step.solution.penetration, depth);
             assert_reads(step.summary.max_pressure, largest);
             assert_reads(x.hypot(y), at);
@@ -104,7 +104,7 @@ fn every_line_of_the_tables_of_2048_elements_is_what_is_found() {
 #[ignore = "minutes and 2 GB for the grids of 4096 elements a side"]
 fn every_line_of_the_tables_of_4096_elements_and_every_fit_is_what_is_found() {
     assert_lines(|elements| elements == 4096);
-    for (case, coat, heading) in TABLES {
+    for (case, coating, heading) in TABLES {
         let (rows, fits) = table(heading);
         let [coarse, fine] = [true, false].map(|is_larger| {
             let grids = rows
@@ -112,7 +112,7 @@ fn every_line_of_the_tables_of_4096_elements_and_every_fit_is_what_is_found() {
                 .map(|row| row[0].parse().expect("elements per side"));
             let peaks: Vec<_> = grids
                 .filter(|&n| {
-                    (path(case, n).grid.element_side() >= spring_length(coat)) == is_larger
+                    (path(case, n).grid.element_side() >= spring_length(coating)) == is_larger
                 })
                 .map(|n| peak(case, n))
                 .collect();
@@ -152,11 +152,11 @@ fn the_largest_pressure_on_the_stiff_coating_has_not_settled() {
 
 #[test]
 fn the_edge_peak_of_one_cylinder_settles_once_elements_are_much_smaller_than_the_springs_length() {
-    for coat in [Coat::Soft, Coat::Stiff] {
+    for coating in [Coating::Soft, Coating::Stiff] {
         assert_eq!(
-            settles(PaperCase::OneCylinder(coat)),
+            settles(PaperCase::OneCylinder(coating)),
             [true, true],
-            "{coat:?}"
+            "{coating:?}"
         );
     }
 }

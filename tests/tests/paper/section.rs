@@ -1,6 +1,6 @@
 //! The deformed layer along the axis, between the central cylinder and its neighbour (Fig. 3).
 
-use crate::cases::{Coat, PERIOD, PaperCase, RADIUS};
+use crate::cases::{Coating, PERIOD, PaperCase, RADIUS};
 use crate::fields::SolvedFields;
 use crate::numbers::assert_reads;
 
@@ -53,7 +53,7 @@ fn rise(stretch: &[f64]) -> f64 {
 
 #[test]
 fn under_incomplete_contact_the_layer_between_the_elements_is_curved() {
-    let labels = PaperCase::Labels(Coat::Soft);
+    let labels = PaperCase::Labels(Coating::Soft);
     for (case, step, found) in [
         (PaperCase::Fig2a, 0, ["6.66 %", "7.79 %"]),
         (PaperCase::Fig2b, 0, ["5.25 %", "5.94 %"]),
@@ -83,7 +83,7 @@ fn the_layer_between_the_elements_is_displaced_most_beside_them() {
             [["6.24 %", "4.38 %"], ["6.95 %", "5.04 %"]],
         ),
         (
-            PaperCase::Labels(Coat::Soft),
+            PaperCase::Labels(Coating::Soft),
             1,
             [["14.5 %", "2.92 %"], ["15.9 %", "4.01 %"]],
         ),

@@ -11,7 +11,7 @@ mod certificate;
 mod grid_error;
 mod load;
 mod methods;
-mod rough_on_stiff_coats;
+mod rough_on_stiff_coatings;
 mod scaling;
 mod symmetry;
 mod textured;

@@ -69,7 +69,7 @@ fn a_homogeneous_body_takes_few_products_bare_and_with_pillars() {
 }
 
 #[test]
-fn a_thin_stiff_coat_on_a_soft_body_is_certified_where_descent_alone_stalls() {
+fn a_thin_stiff_coating_on_a_soft_body_is_certified_where_descent_alone_stalls() {
     // Design: H = 0.01, E1 = 1, Q = 4·0.2³/3 · E2/(1 − ν²), 100 and 1000 times as stiff as the body; and where a
     // plate's near coefficients all but cancel.
     for stiffness in [10.0, 20.0, 100.0, 1000.0] {

@@ -83,7 +83,7 @@ fn a_coated_body_yields_first_at_the_force_and_place_of_the_independent_integral
         assert!((solution.force / case.force - 1.0).abs() < 1e-11);
         let height = case.thickness;
         // Hankel's integrals end above the surface.
-        let coat = largest(&body, &solution, [0.06, height], Side::Above);
+        let coating = largest(&body, &solution, [0.06, height], Side::Above);
         let base = largest(&body, &solution, [height, height + 2.0], Side::Below);
         let contact = Contact {
             model: Model {
@@ -96,7 +96,7 @@ fn a_coated_body_yields_first_at_the_force_and_place_of_the_independent_integral
         };
         let found = contact.extremes(case.force);
         let of_bodies = found.bodies.iter().map(|body| body.max_von_mises);
-        for (found, (value, at)) in of_bodies.zip([coat, base]) {
+        for (found, (value, at)) in of_bodies.zip([coating, base]) {
             if at[1] > 0.061 {
                 assert!(
                     (found.value / value - 1.0).abs() < GRID,

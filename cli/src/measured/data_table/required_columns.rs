@@ -4,7 +4,7 @@ use super::{DataTable, Observe};
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::table_reader::TableReader;
 use crate::measured::channel::Channel;
-use crate::measured::segment::{Branch, SegmentEnd, Until};
+use crate::measured::curve_segment::{Branch, SegmentEnd, Until};
 
 impl DataTable {
     /// Looks whether what is observed and what bounds the segment have their columns.

@@ -1,6 +1,6 @@
 //! The note on the grid's error in a number of the report.
 
-use pellicle_contact::Estimate;
+use pellicle_contact::ErrorEstimate;
 
 use crate::display::{Unit, error_of};
 use crate::input::units::Units;
@@ -20,7 +20,7 @@ pub enum GridErrorNote {
 
 impl GridErrorNote {
     /// Of a number with this error; none where there is no coarser grid.
-    pub fn new(value: f64, unit: Unit, error: Option<Estimate>, units: Units) -> Self {
+    pub fn new(value: f64, unit: Unit, error: Option<ErrorEstimate>, units: Units) -> Self {
         let Some(error) = error else {
             return Self::OneGrid;
         };
@@ -40,7 +40,7 @@ mod tests {
     #[test]
     fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
         let note = |resolved| {
-            let estimate = Estimate {
+            let estimate = ErrorEstimate {
                 estimate: 0.02,
                 order: Some(2.0),
                 resolved,

@@ -1,6 +1,6 @@
 //! Lines of a summary in words, in columns.
 
-use pellicle_contact::Estimate;
+use pellicle_contact::ErrorEstimate;
 
 use crate::display::{Unit, error_of, quantity};
 use crate::input::units::Units;
@@ -22,7 +22,7 @@ impl TextColumns {
         self.push(name, &quantity(value, unit, self.units), "");
     }
 
-    pub fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<Estimate>) {
+    pub fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<ErrorEstimate>) {
         let note = match error {
             // Prescribed.
             Some(error) if error.estimate == 0.0 => String::new(),

@@ -184,7 +184,7 @@ mod tests {
                 found.penetration / case.penetration - 1.0,
                 found.force / case.force - 1.0,
             ];
-            // Rules exact to rounding; e^(−25) of the waves left out, times the cancellation of stiff coats.
+            // Rules exact to rounding; e^(−25) of the waves left out, times the cancellation of stiff coatings.
             for error in errors {
                 assert!(error.abs() < 1e-11, "{case:?}: {errors:?}");
             }

@@ -114,7 +114,7 @@ fn states(
     Ok(states)
 }
 
-fn coat() -> Result<Material, ValidationError> {
+fn coating() -> Result<Material, ValidationError> {
     Ok(Material::new(5.0, 0.2)?)
 }
 
@@ -122,9 +122,9 @@ fn base() -> Result<Material, ValidationError> {
     Ok(Material::new(1.0, 0.4)?)
 }
 
-/// A coat of thickness 1 on an interface.
+/// A coating of thickness 1 on an interface.
 fn on(interface: Interface) -> Result<Foundation, ValidationError> {
-    let layer = Layer::new(1.0, coat()?, interface)?;
+    let layer = Layer::new(1.0, coating()?, interface)?;
     Ok(Foundation::new(vec![layer], Base::HalfSpace(base()?))?)
 }
 
@@ -136,18 +136,18 @@ fn equal() -> Result<[Foundation; 2], ValidationError> {
 }
 
 fn thick() -> Result<[Foundation; 2], ValidationError> {
-    let body = Foundation::half_space(coat()?);
-    Ok([body, Foundation::coated(1e6, coat()?, base()?)?])
+    let body = Foundation::half_space(coating()?);
+    Ok([body, Foundation::coated(1e6, coating()?, base()?)?])
 }
 
 fn thin() -> Result<[Foundation; 2], ValidationError> {
     let body = Foundation::half_space(base()?);
-    Ok([body, Foundation::coated(1e-7, coat()?, base()?)?])
+    Ok([body, Foundation::coated(1e-7, coating()?, base()?)?])
 }
 
 fn cut() -> Result<[Foundation; 2], ValidationError> {
     let layer = |thickness| {
-        Layer::new(thickness, coat()?, Interface::Bonded).map_err(ValidationError::from)
+        Layer::new(thickness, coating()?, Interface::Bonded).map_err(ValidationError::from)
     };
     let layers = vec![layer(0.4)?, layer(0.6)?];
     let body = Foundation::new(layers, Base::HalfSpace(base()?))?;

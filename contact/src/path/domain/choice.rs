@@ -54,7 +54,7 @@ pub fn choose_side_at(model: &Model, loads: &[Load], hardness: f64) -> Result<f6
     for load in loads {
         load.checked()?;
     }
-    let mut search = Search {
+    let mut search = SideSearch {
         first: default_side_at(model, loads, hardness),
         power: 0,
         small: None,
@@ -105,7 +105,7 @@ enum SquareVerdict {
 }
 
 /// The powers tried so far.
-struct Search {
+struct SideSearch {
     first: f64,
     power: i32,
     /// The largest known to be too small.
@@ -114,7 +114,7 @@ struct Search {
     large: Option<i32>,
 }
 
-impl Search {
+impl SideSearch {
     fn side(&self) -> f64 {
         self.first * FACTOR.powi(self.power)
     }

@@ -54,8 +54,8 @@ fn a_penetration_reaches_as_far_as_the_indenter_is_that_high() {
 
 #[test]
 fn without_contact_the_indenter_stands_one_thickness_high_at_the_edge() {
-    let coat = Material::new(1.0, 0.3).unwrap();
-    let coated = Foundation::coated(0.02, coat, Material::new(2.0, 0.3).unwrap()).unwrap();
+    let coating = Material::new(1.0, 0.3).unwrap();
+    let coated = Foundation::coated(0.02, coating, Material::new(2.0, 0.3).unwrap()).unwrap();
     // ρ² = 2 R H, and 1 m for H where nothing has a thickness; the side is twice ρ, not three times.
     for (foundation, height) in [(coated, 0.02_f64), (half_space(1.0), 1.0)] {
         let model = model(&foundation, Relief::Bare, paraboloid(2.0));
@@ -97,8 +97,8 @@ fn a_guess_is_hertz_on_a_homogeneous_body_and_nothing_above_it() {
 
 #[test]
 fn a_coated_body_has_the_modulus_of_waves_as_long_as_the_contact() {
-    let coat = Material::new(30.0, 0.3).unwrap();
-    let foundation = Foundation::coated(0.05, coat, Material::new(1.0, 0.4).unwrap()).unwrap();
+    let coating = Material::new(30.0, 0.3).unwrap();
+    let foundation = Foundation::coated(0.05, coating, Material::new(1.0, 0.4).unwrap()).unwrap();
     let a = 0.1_f64;
     // E* = 2 a/C(1/a)
     let modulus = 2.0 * a / foundation.compliance(1.0 / a);

@@ -8,7 +8,7 @@ use super::{DiscreteProblem, Identity};
 use crate::{
     Boundary,
     grid::{candidates::Candidates, window::Window},
-    problem::body::Body,
+    problem::operator_source::OperatorSource,
 };
 
 impl DiscreteProblem {
@@ -17,12 +17,12 @@ impl DiscreteProblem {
     ///
     /// The pressure outside is zero.
     pub(crate) fn window(&self, window: &Window) -> Option<Self> {
-        let boundary = self.body.boundary();
+        let boundary = self.operators.boundary();
         if boundary == Boundary::Periodic && !window.is_whole() {
             return None;
         }
-        let body = Body::of(self.elasticity()?.clone(), boundary);
-        Some(self.part(window, body, None, |field| window.cut(field)))
+        let source = OperatorSource::of(self.elasticity()?.clone(), boundary);
+        Some(self.part(window, source, None, |field| window.cut(field)))
     }
 
     /// The same problem on the candidates of a window alone, whose products are right to some 1e-9; all fields are
@@ -47,20 +47,20 @@ impl DiscreteProblem {
             (above + row) * self.size() + left + column
         };
         let gather = |field: &[f64]| (0..candidates.len()).map(|c| field[on_grid(c)]).collect();
-        let body = Body::among(elasticity.clone(), operator);
-        Some(self.part(window, body, Some(candidates.clone()), gather))
+        let source = OperatorSource::among(elasticity.clone(), operator);
+        Some(self.part(window, source, Some(candidates.clone()), gather))
     }
 
-    /// The same problem on a window or the candidates in it, with their body and their values of a field.
+    /// The same problem on a window or the candidates in it, with their operators and their values of a field.
     fn part(
         &self,
         window: &Window,
-        body: Body,
+        source: OperatorSource,
         candidates: Option<Arc<Candidates>>,
         values: impl Fn(&[f64]) -> Vec<f64>,
     ) -> Self {
         Self {
-            body,
+            operators: source,
             grid: window.shape(),
             relief_compliance: values(&self.relief_compliance),
             spring_law: self.spring_law,
@@ -78,12 +78,12 @@ impl DiscreteProblem {
 
     /// The operator among candidates, where there is one; then the problem has none.
     pub(crate) fn take_scattered(&mut self) -> Option<ScatteredOperator> {
-        self.body.take_scattered()
+        self.operators.take_scattered()
     }
 
     /// Gives it back.
     pub(crate) fn give_scattered(&mut self, operator: ScatteredOperator) {
-        self.body.give_scattered(operator);
+        self.operators.give_scattered(operator);
     }
 
     /// The elements that the fields are of; none where they are of all.

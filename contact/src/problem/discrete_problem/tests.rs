@@ -189,10 +189,10 @@ fn among_candidates_the_fields_are_those_of_their_elements_on_the_grid() {
     }
 }
 
-/// The problem of a flat surface on a coat on 64 × 64 elements of side 1/64.
-fn on_coat(stiffness: f64, thickness: f64) -> DiscreteProblem {
-    let [coat, base] = [stiffness, 1.0].map(|young| Material::new(young, 0.3).unwrap());
-    let body = Foundation::coated(thickness, coat, base).unwrap();
+/// The problem of a flat surface on a coating on 64 × 64 elements of side 1/64.
+fn on_coating(stiffness: f64, thickness: f64) -> DiscreteProblem {
+    let [coating, base] = [stiffness, 1.0].map(|young| Material::new(young, 0.3).unwrap());
+    let body = Foundation::coated(thickness, coating, base).unwrap();
     let tables = RadialTables::build(&body).unwrap();
     let table = CoefficientTable::assemble(&tables, 1.0 / 64.0, 64).unwrap();
     let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), body));
@@ -202,15 +202,15 @@ fn on_coat(stiffness: f64, thickness: f64) -> DiscreteProblem {
 
 #[test]
 fn the_contrast_of_a_body_is_by_how_much_it_yields_more_to_long_waves() {
-    assert!((on_coat(1.0, 0.1).stiffness_contrast() - 1.0).abs() < 1e-9);
-    // The shortest wave, of two elements, feels the coat alone; one of 64, hardly anything of a thin one.
-    let (stiff, soft) = (on_coat(20.0, 0.05), on_coat(0.05, 0.05));
+    assert!((on_coating(1.0, 0.1).stiffness_contrast() - 1.0).abs() < 1e-9);
+    // The shortest wave, of two elements, feels the coating alone; one of 64, hardly anything of a thin one.
+    let (stiff, soft) = (on_coating(20.0, 0.05), on_coating(0.05, 0.05));
     let contrast = stiff.stiffness_contrast();
     assert!(contrast > 2.0 && contrast < 20.0, "{contrast}");
     let contrast = soft.stiffness_contrast();
     assert!(contrast > 0.05 && contrast < 0.5, "{contrast}");
-    // The longer the wave beside the coat, the more of the base.
-    assert!(on_coat(20.0, 0.03).stiffness_contrast() > stiff.stiffness_contrast());
+    // The longer the wave beside the coating, the more of the base.
+    assert!(on_coating(20.0, 0.03).stiffness_contrast() > stiff.stiffness_contrast());
 }
 
 #[test]

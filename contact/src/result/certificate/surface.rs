@@ -65,13 +65,15 @@ impl Surface<'_> {
     }
 
     /// The lines of the certificate that need the gaps, which are relative to the length `reference` (m).
-    pub fn residuals(&self, penetration: f64, reference: f64, total: f64) -> Residuals {
+    pub fn violations(&self, penetration: f64, reference: f64, total: f64) -> Violations {
         let parts = self
             .reach
             .by_lines(self.displacement, |line, displacement| {
-                self.residuals_of_line(line, displacement, penetration)
+                self.violations_of_line(line, displacement, penetration)
             });
-        let found = parts.into_iter().fold(Residuals::default(), Residuals::and);
+        let found = parts
+            .into_iter()
+            .fold(Violations::default(), Violations::and);
         // Without pressure nothing is weighed; without penetration nothing sets a scale, and only zeros pass.
         let relative = |length: f64| {
             if length == 0.0 {
@@ -80,7 +82,7 @@ impl Surface<'_> {
                 length / reference
             }
         };
-        Residuals {
+        Violations {
             complementarity: if total == 0.0 {
                 0.0
             } else {
@@ -93,14 +95,19 @@ impl Surface<'_> {
         }
     }
 
-    fn residuals_of_line(&self, line: usize, displacement: &[f64], penetration: f64) -> Residuals {
+    fn violations_of_line(
+        &self,
+        line: usize,
+        displacement: &[f64],
+        penetration: f64,
+    ) -> Violations {
         let limit = self.limit;
         // g = K p + w* + g0 − D
         let gaps = displacement
             .iter()
             .zip(self.reach.line(self.initial_gap, line));
         let mut gaps: Vec<f64> = gaps.map(|(u, g0)| u + g0 - penetration).collect();
-        let mut found = Residuals::default();
+        let mut found = Violations::default();
         for Pressed {
             column,
             p,
@@ -148,7 +155,7 @@ struct Pressed {
 /// Sums and maxima of the gaps and pressures that break a condition, by the line of the certificate that tells them;
 /// NaN if one gap is.
 #[derive(Clone, Copy, Default)]
-pub struct Residuals {
+pub struct Violations {
     pub complementarity: f64,
     pub gap_in_contact: f64,
     pub gap_at_limit: f64,
@@ -157,7 +164,7 @@ pub struct Residuals {
     pub overlap: f64,
 }
 
-impl Residuals {
+impl Violations {
     /// Counts an element with pressure in.
     fn add(&mut self, p: f64, limit: f64, gap: f64) {
         if p < limit {

@@ -10,7 +10,8 @@ use pellicle_texture::SpringLaw;
 
 use super::{Certificate, JudgedFields, Solution, Surface, Trial};
 use crate::{
-    Boundary, DeformedSurface, DiscreteProblem, Load, grid::window::Window, problem::body::Body,
+    Boundary, DeformedSurface, DiscreteProblem, Load, grid::window::Window,
+    problem::operator_source::OperatorSource,
 };
 
 /// Independent springs of 0.5 m/Pa.
@@ -210,11 +211,11 @@ fn pressed_layer(grid: SectorGrid, poisson_ratio: f64) -> DiscreteProblem {
         let [x, y] = [along(first[0] + e / SIZE), along(first[1] + e % SIZE)];
         f64::midpoint(x * x, y * y)
     });
-    let (eta, body) = (
+    let (eta, source) = (
         vec![0.0; grid.elements()],
-        Body::of(elasticity, Boundary::Free),
+        OperatorSource::of(elasticity, Boundary::Free),
     );
-    DiscreteProblem::on(grid, body, eta, gap.collect(), side * side).unwrap()
+    DiscreteProblem::on(grid, source, eta, gap.collect(), side * side).unwrap()
 }
 
 /// The contact's part of a grid is judged as the whole is, and the rest does not overlap.

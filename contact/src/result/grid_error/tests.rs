@@ -19,7 +19,7 @@ fn levels(values: &[f64]) -> Vec<LevelValues> {
         .collect()
 }
 
-fn penetration(values: &[f64]) -> Estimate {
+fn penetration(values: &[f64]) -> ErrorEstimate {
     GridError::new(levels(values), 0.0).penetration.unwrap()
 }
 
@@ -112,7 +112,7 @@ fn what_the_values_lack_besides_is_added_and_a_prescribed_value_has_no_error() {
     assert_relative_eq!(found.penetration.unwrap().estimate, 0.1875 + besides);
     assert_relative_eq!(found.contact_area.unwrap().estimate, 0.6875 + besides);
     let settled = GridError::new(levels(&[2.0, 2.0, 2.0]), 1e-3);
-    let wanted = Estimate {
+    let wanted = ErrorEstimate {
         estimate: 0.0,
         order: None,
         resolved: true,
@@ -135,7 +135,7 @@ fn one_level_says_nothing_and_two_resolve_nothing() {
 #[test]
 fn values_beside_a_solution_have_the_same_interval_and_the_accuracy_that_each_has() {
     let values = [(32, 2.0), (64, 1.25), (128, 1.0625)];
-    let of = |outline, edge, accuracy| Estimate::of_values(&values, outline, edge, accuracy);
+    let of = |outline, edge, accuracy| ErrorEstimate::of_values(&values, outline, edge, accuracy);
     let smooth = of(false, false, 0.0).unwrap();
     assert_eq!(smooth, penetration(&[2.0, 1.25, 1.0625]));
     let besides = of(false, false, 0.01).unwrap();
@@ -153,11 +153,11 @@ fn values_beside_a_solution_have_the_same_interval_and_the_accuracy_that_each_ha
         0.6 * 0.75 / (ratio - 1.0) / ratio,
         max_relative = 1e-12
     );
-    assert!(Estimate::of_values(&values[..1], false, false, 0.0).is_none());
+    assert!(ErrorEstimate::of_values(&values[..1], false, false, 0.0).is_none());
     // A number that grows is not resolved away from an edge either.
     let growing = [(32, 1.0), (64, 1.4), (128, 2.0)];
     assert!(
-        !Estimate::of_values(&growing, false, false, 0.0)
+        !ErrorEstimate::of_values(&growing, false, false, 0.0)
             .unwrap()
             .resolved
     );

@@ -4,10 +4,10 @@
 //!
 //! - The [restricted filter](self::restricted_filter), by FFT, where the body answers short waves much as it does long
 //!   ones.
-//! - The [factorised sparse approximate inverse](self::sparse_factor) of the restricted system itself under a coat so
-//!   stiff that the contact breaks up into rings and edges ([`STIFF`]), or into the summits of a rough surface
+//! - The [factorised sparse approximate inverse](self::sparse_factor) of the restricted system itself under a coating
+//!   so stiff that the contact breaks up into rings and edges ([`STIFF`]), or into the summits of a rough surface
 //!   ([`STIFF_IF_ROUGH`]). Its neighbours grow with the stiffness and the grid ([`neighbours`]).
-//! - Where a rough surface has springs that its shortest waves feel, the filter up to a stiffer coat
+//! - Where a rough surface has springs that its shortest waves feel, the filter up to a stiffer coating
 //!   ([`STIFF_IF_SPRINGY`]): it knows uniform springs exactly, and the factor is worse with them than without.
 //! - The factor too where springs stiffen, by orders of magnitude from the edge of the contact to its middle: under the
 //!   load of the paper's Fig. 5 the filter takes three times the products, in the same time.
@@ -33,16 +33,16 @@ use crate::{
     vector::{sum, update, update_with},
 };
 
-/// Stiffness contrast from which on a coat counts as stiff. Under a coat ten times as stiff as what it lies on, the
-/// filter takes as many products as the factor, in less time.
+/// Stiffness contrast from which on a coating counts as stiff. Under a coating ten times as stiff as what it lies on,
+/// the filter takes as many products as the factor, in less time.
 const STIFF: f64 = 20.0;
 /// The same above a rough surface, where the filter takes two to three times the factor's products from here on.
 const STIFF_IF_ROUGH: f64 = 3.0;
-/// The same with springs: under a coat of 5 the filter takes fewer products than the factor, in half the time.
+/// The same with springs: under a coating of 5 the filter takes fewer products than the factor, in half the time.
 const STIFF_IF_SPRINGY: f64 = 7.0;
 /// Contrast from which on Newton's method comes first with the filter too, where there is a relief of springs; with the
-/// factor it always does. Pillars under a coat of 9 take a fifth fewer products than by the fast steps, a bare coat a
-/// fifth more. From 3 on, Fig. 2d would take 30 instead of 19 at N = 1024.
+/// factor it always does. Pillars under a coating of 9 take a fifth fewer products than by the fast steps, a bare
+/// coating a fifth more. From 3 on, Fig. 2d would take 30 instead of 19 at N = 1024.
 const STIFF_FOR_NEWTON: f64 = 7.0;
 /// Mean compliance of springs, in units of an element's own elastic one, from which on they count.
 const SPRINGY: f64 = 0.05;
@@ -54,7 +54,7 @@ const SHORTEST_RESPONSE: f64 = 1.166;
 /// Neighbours of a tile in the sparse factor up to [`COARSE`] elements a side: with 30 an eighth more products in the
 /// same time, with 60 a tenth fewer in a third more.
 const NEIGHBOURS: u32 = 42;
-/// The same under a very stiff coat.
+/// The same under a very stiff coating.
 const MORE_NEIGHBOURS: u32 = 60;
 /// Elements per side from which on neighbours grow with the grid: a factor of fixed neighbours loses accuracy with
 /// every halving of the element.
@@ -62,7 +62,7 @@ const COARSE: usize = 512;
 /// Power of the grid's size by which neighbours grow: growing in proportion, they take rough films up to 41 products at
 /// N = 1024 instead of 35, in a sixth less time.
 const GROWTH: f64 = 4.0 / 3.0;
-/// The same under a coat that is stiff on a rough surface alone, where proportion takes 31 products already.
+/// The same under a coating that is stiff on a rough surface alone, where proportion takes 31 products already.
 const SLOW_GROWTH: f64 = 1.0;
 /// Most neighbours of a tile, beyond which time grows faster than products fall.
 const MOST_NEIGHBOURS: u32 = 108;
@@ -84,7 +84,7 @@ pub struct Preconditioner {
     adapted_to: Option<u64>,
     /// Neighbours of a tile or candidate, should it be the sparse factor.
     neighbours: usize,
-    /// Whether the coat is so stiff that Newton's method comes first.
+    /// Whether the coating is so stiff that Newton's method comes first.
     is_for_newton: bool,
     /// Secant pairs of Newton's method on earlier sets.
     secants: Secants,

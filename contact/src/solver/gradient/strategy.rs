@@ -1,5 +1,5 @@
-//! Which kind of step comes next: fast ones while they gain, Newton's where they do not or under a stiff coat, descent
-//! from face to face where Newton's fail.
+//! Which kind of step comes next: fast ones while they gain, Newton's where they do not or under a stiff coating,
+//! descent from face to face where Newton's fail.
 
 use crate::solver::gradient::steps::newton::Turn;
 use crate::solver::gradient::steps::segment::Part;
@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn under_a_stiff_coat_newton_comes_first() {
+    fn under_a_stiff_coating_newton_comes_first() {
         assert_eq!(Strategy::new(true).phase(), Phase::Newton(0));
         assert_eq!(Strategy::new(false).phase(), Phase::Fast);
     }

@@ -11,9 +11,9 @@
 //! The energy falls from one admissible pressure to the next, so no set is let go twice. It is convex, so it falls on
 //! the whole way of a step `s` if it falls at the end, `s·∂E ≤ 0`, whatever the law of the springs.
 //!
-//! **How many are let go.** All with a gap, although those left free take up most of what is let go under a stiff coat
-//! and come back: letting go a part of them, fewer the longer the last took to come back, took the two hardest of 1000
-//! random problems more than 2000 products instead of 1461 and 1421.
+//! **How many are let go.** All with a gap, although those left free take up most of what is let go under a stiff
+//! coating and come back: letting go a part of them, fewer the longer the last took to come back, took the two hardest
+//! of 1000 random problems more than 2000 products instead of 1461 and 1421.
 
 use crate::{
     DiscreteProblem, Load,

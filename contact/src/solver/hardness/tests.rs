@@ -97,7 +97,7 @@ fn a_cut_contact_on_springs_takes_few_products() {
 }
 
 #[test]
-fn a_cut_contact_under_a_stiff_coat_takes_few_products() {
+fn a_cut_contact_under_a_stiff_coating_takes_few_products() {
     let plate = || problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);
     assert_work(&plate, Load::Force(2e-3), &[(0.9, [16, 3, 6])]);
     let some = [(0.9, [15, 3, 4]), (0.05, [43, 3, 43])];

@@ -20,7 +20,7 @@ fn a_homogeneous_body_takes_few_products() {
 }
 
 #[test]
-fn pillars_on_a_soft_coat_take_few_products() {
+fn pillars_on_a_soft_coating_take_few_products() {
     let springs = |x: f64, y: f64| {
         if pillars(x, y, 1.0) < 0.6 { 0.02 } else { 0.0 }
     };
@@ -29,13 +29,13 @@ fn pillars_on_a_soft_coat_take_few_products() {
 }
 
 #[test]
-fn a_film_makes_a_stiff_coat_easy() {
+fn a_film_makes_a_stiff_coating_easy() {
     let film = problem([10.0, 0.02], paraboloid, |_, _| 0.3);
     assert_work(film, Load::Force(2e-3), [14, 2]);
 }
 
 #[test]
-fn a_stiff_coat_takes_few_products_bare_and_with_pillars() {
+fn a_stiff_coating_takes_few_products_bare_and_with_pillars() {
     let bare = problem([10.0, 0.05], paraboloid, RIGID);
     assert_work(bare, Load::Force(2e-3), [31, 2]);
     let islands = problem([10.0, 0.05], |x, y| pillars(x, y, 0.002), RIGID);
@@ -43,7 +43,7 @@ fn a_stiff_coat_takes_few_products_bare_and_with_pillars() {
 }
 
 #[test]
-fn a_thin_coat_a_thousand_times_as_stiff_takes_few_products() {
+fn a_thin_coating_a_thousand_times_as_stiff_takes_few_products() {
     let bare = problem([1000.0, 0.01], paraboloid, RIGID);
     assert_work(bare, Load::Force(1e-2), [41, 4]);
     let islands = || problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);

@@ -12,6 +12,7 @@ use crate::{
     stress::{
         body_extremes::{BodyUtilisation, InterfaceUtilisation, stress_extremes},
         model::{BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths},
+        quantity::StressQuantity::{MaxPrincipal, ShearTraction, Tension, VonMises},
     },
 };
 
@@ -24,7 +25,7 @@ fn extreme<const AXES: usize>(value: f64) -> Extreme<AXES> {
     }
 }
 
-/// A coat with all strengths on a substrate with one, and the interface between.
+/// A coating with all strengths on a substrate with one, and the interface between.
 fn stress() -> StressModel {
     let body = |name: &str, [top, bottom]: [f64; 2], strengths| BodyPart {
         name: name.to_owned(),
@@ -97,11 +98,11 @@ fn every_strength_asks_for_its_own_stress_in_its_own_range() {
     });
     let endless = [0.2, f64::INFINITY];
     let wanted = [
-        ("layer[0]", 3.0, [0.0, 0.2], Quantity::VonMises, 10.0),
-        ("layer[0]", 4.0, [0.0, 0.2], Quantity::MaxPrincipal, 11.0),
-        ("substrate", 5.0, endless, Quantity::MaxPrincipal, 21.0),
-        ("interface[0]", 6.0, [0.2; 2], Quantity::ShearTraction, 30.0),
-        ("interface[0]", 7.0, [0.2; 2], Quantity::Tension, 31.0),
+        ("layer[0]", 3.0, [0.0, 0.2], VonMises, 10.0),
+        ("layer[0]", 4.0, [0.0, 0.2], MaxPrincipal, 11.0),
+        ("substrate", 5.0, endless, MaxPrincipal, 21.0),
+        ("interface[0]", 6.0, [0.2; 2], ShearTraction, 30.0),
+        ("interface[0]", 7.0, [0.2; 2], Tension, 31.0),
     ];
     assert_eq!(found.collect::<Vec<_>>(), wanted);
     // On an interface the depth is its own.
@@ -117,7 +118,7 @@ fn the_error_of_a_critical_load_is_that_of_the_stress_over_how_steeply_it_grows(
         target: Target {
             top: 0.0,
             bottom: 1.0,
-            quantities: vec![Quantity::VonMises],
+            quantities: vec![VonMises],
         },
         known: Vec::new(),
     };
@@ -126,7 +127,7 @@ fn the_error_of_a_critical_load_is_that_of_the_stress_over_how_steeply_it_grows(
         penetration: 0.3,
         extreme: extreme(value),
     };
-    let met = asked().answered(&Outcome::Met {
+    let met = asked().answered(&LoadSearchResult::Met {
         solved: solved(4.0),
         exponent: 0.5,
     });
@@ -134,13 +135,13 @@ fn the_error_of_a_critical_load_is_that_of_the_stress_over_how_steeply_it_grows(
     assert!((met.estimate.unwrap() - 0.3).abs() < 1e-15);
     let numbers = (met.force, met.penetration, met.at, met.utilisation);
     assert_eq!(numbers, (Some(6.0), Some(0.3), Some([0.5; 3]), 1.0));
-    let missed = asked().answered(&Outcome::Missed(Some(solved(1.0))));
+    let missed = asked().answered(&LoadSearchResult::Missed(Some(solved(1.0))));
     let numbers = (missed.force, missed.penetration, missed.at, missed.estimate);
     assert_eq!(numbers, (None, None, None, None));
     assert_eq!((missed.utilisation, missed.resolved), (0.25, true));
-    let pulled = asked().answered(&Outcome::Missed(Some(solved(-1.0))));
+    let pulled = asked().answered(&LoadSearchResult::Missed(Some(solved(-1.0))));
     assert_eq!(pulled.utilisation, 0.0);
-    let unloaded = asked().answered(&Outcome::Missed(None));
+    let unloaded = asked().answered(&LoadSearchResult::Missed(None));
     assert_eq!((unloaded.utilisation, unloaded.resolved), (0.0, false));
 }
 

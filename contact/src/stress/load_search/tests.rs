@@ -7,7 +7,7 @@ use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::Relief;
 
 use super::*;
-use crate::{Paraboloid, stress::quantity::Quantity};
+use crate::{Paraboloid, stress::quantity::StressQuantity};
 
 fn solved(force: f64, value: f64) -> Solved {
     Solved {
@@ -55,7 +55,7 @@ fn target() -> Target {
     Target {
         top: 0.0,
         bottom: 1.0,
-        quantities: vec![Quantity::VonMises],
+        quantities: vec![StressQuantity::VonMises],
     }
 }
 
@@ -74,7 +74,7 @@ fn secants_from_either_side_find_where_a_ball_makes_a_body_yield_in_a_few_loads(
         let before = known.len();
         let observer = &mut ();
         let mut search = search((&model, &target), strength, known, observer);
-        let Outcome::Met { solved, exponent } = search.search().unwrap() else {
+        let LoadSearchResult::Met { solved, exponent } = search.search().unwrap() else {
             panic!("the strength is reached")
         };
         // The grid's error of the stress, three times in the force.

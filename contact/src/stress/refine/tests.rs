@@ -76,7 +76,7 @@ fn a_climb_ends_under_the_middle_from_near_and_far() {
     let field = hertz(0.0);
     let middle = field.at([0.0; 2], Depth::below(0.4)).unwrap();
     for start in [[0.0, 0.0], [1.3, -0.9], [-0.45, 5.0], [30.0, -30.0]] {
-        let mut search = PeakSearch::new(&field, Quantity::Compression, [0.0, f64::INFINITY]);
+        let mut search = PeakSearch::new(&field, StressQuantity::Compression, [0.0, f64::INFINITY]);
         let found = search.climb(start, 0.4).unwrap();
         assert!(found.at[0].hypot(found.at[1]) < 1e-12 && found.at[2] == 0.4);
         assert!((found.value + middle.stress[2]).abs() < 1e-9);
@@ -87,7 +87,7 @@ fn a_climb_ends_under_the_middle_from_near_and_far() {
 fn no_point_around_a_peak_has_more_than_it_and_the_peak_is_where_it_is_said_to_be() {
     for (friction, range) in [(0.0, [0.0, f64::INFINITY]), (0.3, [0.25, 0.9])] {
         let field = hertz(friction);
-        let mut search = PeakSearch::new(&field, Quantity::VonMises, range);
+        let mut search = PeakSearch::new(&field, StressQuantity::VonMises, range);
         let found = search.peak([0.4, 0.2], [0.25, 0.35, 0.9]).unwrap();
         let [x, y, z] = found.at;
         let there = field.at([x, y], Depth::below(z)).unwrap();
@@ -106,7 +106,7 @@ fn no_point_around_a_peak_has_more_than_it_and_the_peak_is_where_it_is_said_to_b
 #[test]
 fn within_an_element_of_the_surface_the_centres_alone_count() {
     let field = hertz(0.0);
-    let mut search = PeakSearch::new(&field, Quantity::Compression, [0.0, f64::INFINITY]);
+    let mut search = PeakSearch::new(&field, StressQuantity::Compression, [0.0, f64::INFINITY]);
     let found = search.peak([0.3, 0.1], [0.0, 0.0, 0.1]).unwrap();
     assert_eq!(found.at[2], 0.0);
     // The pressure of the middle element.
@@ -116,7 +116,7 @@ fn within_an_element_of_the_surface_the_centres_alone_count() {
 #[test]
 fn an_element_is_the_nearest_to_its_own_centre() {
     let field = hertz(0.0);
-    let search = PeakSearch::new(&field, Quantity::VonMises, [0.0, 1.0]);
+    let search = PeakSearch::new(&field, StressQuantity::VonMises, [0.0, 1.0]);
     for place in [[0, 0], [3, -2], [-7, 20]] {
         let [x, y, z] = search.point(place, 0.3);
         assert_eq!((search.place([x + 0.09, y - 0.09]), z), (place, 0.3));
@@ -172,7 +172,7 @@ fn a_bracket_is_divided_at_the_vertex_of_its_parabola_or_in_the_golden_section()
 #[test]
 fn a_depth_lies_in_the_body_of_the_range_at_either_end() {
     let field = hertz(0.0);
-    let search = PeakSearch::new(&field, Quantity::VonMises, [0.2, 0.5]);
+    let search = PeakSearch::new(&field, StressQuantity::VonMises, [0.2, 0.5]);
     let found = [0.2, 0.3, 0.5].map(|z| search.depth(z));
     assert!(found == [Depth::below(0.2), Depth::below(0.3), Depth::above(0.5)]);
 }
@@ -181,7 +181,7 @@ fn a_depth_lies_in_the_body_of_the_range_at_either_end() {
 fn a_climb_that_never_ends_stops_a_few_depths_beside_the_loaded_square() {
     // Eleven elements of side 0.2 press, from −1.1 on; nothing that fades away is a peak before the limit.
     let field = hertz(0.0);
-    let mut search = PeakSearch::new(&field, Quantity::Tension, [0.0, f64::INFINITY]);
+    let mut search = PeakSearch::new(&field, StressQuantity::Tension, [0.0, f64::INFINITY]);
     for depth in [0.2, 0.6] {
         let found = search.climb([90.0, 0.0], depth).unwrap();
         let limit = field.loaded().size as f64 * 0.2 + FARTHEST_DEPTHS * depth;
@@ -199,7 +199,7 @@ fn a_peak_between_depths_is_interpolated_within_the_range_however_narrow() {
         ([0.2, 0.5], 0.45, true),
         ([0.55, 0.56], 0.56, false),
     ] {
-        let mut search = PeakSearch::new(&field, Quantity::VonMises, range);
+        let mut search = PeakSearch::new(&field, StressQuantity::VonMises, range);
         let first = search.climb([0.0; 2], start).unwrap();
         let found = search
             .between_centres(first, search.place([0.0; 2]), 1.0)

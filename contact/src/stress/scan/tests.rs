@@ -127,7 +127,7 @@ fn peaks_of_a_plane_are_the_values_near_the_largest_with_no_larger_neighbour() {
     ] {
         states[i * blocks.shown + j].stress[2] = stress;
     }
-    let found = blocks.peaks(&states, Quantity::Tension);
+    let found = blocks.peaks(&states, StressQuantity::Tension);
     let values: Vec<f64> = found.iter().map(|(value, _)| *value).collect();
     assert_eq!(values, [10.0, 9.9, 9.85, 9.82]);
     let [x, y] = blocks.first;
@@ -147,7 +147,7 @@ fn peaks_of_every_plane_are_the_stresses_there_under_elements_and_under_blocks()
     let pressure: Vec<f64> = pressure.collect();
     let field = StressField::of(tables, grid, &pressure, Sliding::default());
     assert_eq!(field.loaded().size, 32);
-    let quantities = [Quantity::Compression, Quantity::VonMises];
+    let quantities = [StressQuantity::Compression, StressQuantity::VonMises];
     let target = |top: f64, bottom: f64| Target {
         top,
         bottom,
@@ -174,7 +174,7 @@ fn peaks_of_every_plane_are_the_stresses_there_under_elements_and_under_blocks()
                     "{quantity:?} {}: {ratio}",
                     depth.z
                 );
-                if quantity == Quantity::Compression {
+                if quantity == StressQuantity::Compression {
                     // p0/(1 + z²/a²) on the axis, beside which a block's middle lies.
                     let ratio = largest.value * (1.0 + depth.z * depth.z);
                     assert!((ratio - 1.0).abs() < 0.02, "{}: {ratio}", depth.z);

@@ -29,7 +29,7 @@ const STEEPNESS: f64 = 11.5;
 /// `2 q H` from which on `Φ − 1` is below rounding.
 const FADED: f64 = 20.0;
 /// Nodes of the polynomial along each axis: the first alias is at 14 in the metric of their ellipse, 14⁻¹⁶ = 5e-19,
-/// and less far where a coat is much thinner than an element.
+/// and less far where a coating is much thinner than an element.
 const NODES: usize = 16;
 
 /// The sum for every wave of a grid.
@@ -164,7 +164,7 @@ mod tests {
 
     use super::*;
 
-    /// Elements a hundred times as large as the coat is thick, as large, and a tenth.
+    /// Elements a hundred times as large as the coating is thick, as large, and a tenth.
     #[test]
     fn the_polynomial_is_the_sum_between_its_nodes_too() {
         let material = |modulus| Material::new(modulus, 0.3).unwrap();

@@ -79,8 +79,8 @@ fn difference([found, whole]: &[Vec<f64>; 2]) -> f64 {
 #[test]
 fn scattered_elements_move_as_the_whole_grid_does() {
     let soft = Material::new(2e9, 0.49).unwrap();
-    let coats = [1e-6, 1e-5, 1e-4].map(|h| Foundation::coated(h, soft, steel()).unwrap());
-    for foundation in [Foundation::half_space(steel())].iter().chain(&coats) {
+    let coatings = [1e-6, 1e-5, 1e-4].map(|h| Foundation::coated(h, soft, steel()).unwrap());
+    for foundation in [Foundation::half_space(steel())].iter().chain(&coatings) {
         // On all of a table's grid nodes lie beyond its offsets, of a small one far beyond.
         for (of, size, bound) in [(SIZE, SIZE, 2e-9), (SIZE, 213, 2e-9), (200, 200, 2e-8)] {
             let off = difference(&both(&table(foundation, of), size));

@@ -8,8 +8,8 @@ use pellicle_kernel::{Foundation, Material};
 use super::*;
 use crate::Paraboloid;
 
-fn search() -> Search {
-    Search {
+fn search() -> SideSearch {
+    SideSearch {
         first: 2.0,
         power: 0,
         small: None,
@@ -74,10 +74,10 @@ fn a_square_that_cuts_off_grows_half_of_the_way_to_where_the_indenter_is_as_high
     );
 }
 
-/// A ball of radius 1 on a coat of this relative stiffness and thickness.
-fn on_coat(stiffness: f64, thickness: f64, relief: Relief) -> Model {
-    let [coat, base] = [stiffness, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
-    let body = Foundation::coated(thickness, coat, base).unwrap();
+/// A ball of radius 1 on a coating of this relative stiffness and thickness.
+fn on_coating(stiffness: f64, thickness: f64, relief: Relief) -> Model {
+    let [coating, base] = [stiffness, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
+    let body = Foundation::coated(thickness, coating, base).unwrap();
     Model {
         tables: Arc::new(RadialTables::build(&body).unwrap()),
         relief,
@@ -89,7 +89,10 @@ fn on_coat(stiffness: f64, thickness: f64, relief: Relief) -> Model {
 #[test]
 fn the_square_chosen_holds_the_contact_which_is_no_small_part_of_it() {
     let film = Relief::Film(pellicle_texture::Film::new(0.01, 0.02).unwrap());
-    for model in [on_coat(100.0, 0.02, Relief::Bare), on_coat(0.1, 0.05, film)] {
+    for model in [
+        on_coating(100.0, 0.02, Relief::Bare),
+        on_coating(0.1, 0.05, film),
+    ] {
         let loads = [
             Load::Force(1e-4),
             Load::Force(1e-3),
@@ -144,7 +147,7 @@ fn a_coarse_grid_tells_what_fits_but_for_half_an_element() {
         default_side_at(&model, &[load], f64::INFINITY)
     );
     assert!(is_known_beforehand(&model));
-    assert!(!is_known_beforehand(&on_coat(2.0, 0.1, Relief::Bare)));
+    assert!(!is_known_beforehand(&on_coating(2.0, 0.1, Relief::Bare)));
     // A hardness spreads the contact: Q/p_max is the least area.
     let force = Load::Force(1e-3);
     let side = choose_side_at(&model, &[force], 0.01).unwrap();
@@ -162,11 +165,11 @@ fn a_coarse_grid_is_not_asked_where_it_may_miss_something() {
         young_modulus: 1.0,
     };
     let cylinders = pellicle_texture::Cylinders::new(spec).unwrap();
-    let pillars = on_coat(2.0, 0.1, Relief::Cylinders(cylinders));
+    let pillars = on_coating(2.0, 0.1, Relief::Cylinders(cylinders));
     let grid = |elements: usize| Grid::new(1.6, elements).unwrap();
     // Elements of 0.1 are wider than a pillar's radius.
     assert!(!is_seen_by(&pillars, &grid(16)) && is_seen_by(&pillars, &grid(32)));
-    let bare = on_coat(2.0, 0.1, Relief::Bare);
+    let bare = on_coating(2.0, 0.1, Relief::Bare);
     assert!(is_seen_by(&bare, &grid(16)));
     let pin = Model {
         indenter: crate::FlatPunch::new(0.06).unwrap().into(),

@@ -30,7 +30,7 @@ pub type Answers = [[f64; ANSWERS]; ANSWERS];
 /// more products.
 const WIDTH: usize = 3;
 /// Part of its residual to which `s` is found, and the steps after which it is good enough as it is: 3 on a homogeneous
-/// body, up to all under a stiff coat.
+/// body, up to all under a stiff coating.
 const ACCURACY: f64 = 0.1;
 const MOST_STEPS: usize = 12;
 /// Elements worth a thread of their own.
@@ -136,7 +136,7 @@ impl EdgeBand {
             });
             self.multiply();
             let alpha = product / dot(&self.direction, &self.image);
-            // Cut off at the reach, F_EE may be indefinite under a stiff coat.
+            // Cut off at the reach, F_EE may be indefinite under a stiff coating.
             if !(alpha > 0.0 && alpha.is_finite()) {
                 break;
             }
@@ -267,7 +267,7 @@ mod tests {
     use super::{ACCURACY, Answers, EdgeBand};
     use crate::{
         DiscreteProblem,
-        problem::body::Body,
+        problem::operator_source::OperatorSource,
         solver::gradient::{load_control::LoadControl, tests::begun, working_set::WorkingSet},
     };
 
@@ -297,8 +297,8 @@ mod tests {
         let presses = |e: usize| f64::from(u8::from(inside([e / SIZE, e % SIZE + moved])));
         let pressure: Vec<f64> = (0..grid.elements()).map(presses).collect();
         let field = |value: f64| vec![value; grid.elements()];
-        let body = Body::Operator(Box::new(Rigid));
-        let problem = DiscreteProblem::on(grid, body, field(0.0), field(1.0), 1.0);
+        let source = OperatorSource::Operator(Box::new(Rigid));
+        let problem = DiscreteProblem::on(grid, source, field(0.0), field(1.0), 1.0);
         begun(
             &mut problem.unwrap(),
             LoadControl::Penetration(0.0),

@@ -3,11 +3,12 @@
 //! `F = F⁻¹ 1/(K̂ + η̄) F` by FFT, with `K̂` the symbol of `K` and `η̄` the mean compliance of the relief over the set;
 //! restricted to the set, with a [band](super::edge_band) of elements just outside it that forces the answer to vanish
 //! there.
-//! (The symbol is positive; the padded operator's own spectrum is not where a coat is stiff, and must not be inverted.)
+//! (The symbol is positive; the padded operator's own spectrum is not where a coating is stiff, and must not be
+//! inverted.)
 //!
-//! With `X` for the inverse of `F_EE` that the band stands for, the answer to `r` is `F_II − F_IE X F_EI`. Where a coat
-//! is stiff, near coefficients of `F` all but cancel, as those of a plate do, and an `X` a tenth wrong makes that
-//! negative for uniform residuals. There the band answers a second time, to what the first has left:
+//! With `X` for the inverse of `F_EE` that the band stands for, the answer to `r` is `F_II − F_IE X F_EI`. Where a
+//! coating is stiff, near coefficients of `F` all but cancel, as those of a plate do, and an `X` a tenth wrong makes
+//! that negative for uniform residuals. There the band answers a second time, to what the first has left:
 //!
 //! ```text
 //! M⁻¹ = (1 − F_IE X) F (1 − X F_EI),
@@ -36,7 +37,7 @@ use crate::vector::{add_scaled, by_parts, update};
 const MEAN_RATIO: f64 = 1.1;
 
 /// Sum of the coefficients of `F` within the band's reach, in units of the first, below which they count as a plate's:
-/// 0.11 on a homogeneous body, more under soft coats.
+/// 0.11 on a homogeneous body, more under soft coatings.
 const PLATE: f64 = 0.08;
 
 /// The restricted inverse on one grid.
@@ -160,7 +161,7 @@ mod tests {
     use crate::solver::gradient::load_control::LoadControl;
     use crate::{
         Boundary, DiscreteProblem,
-        problem::body::Body,
+        problem::operator_source::OperatorSource,
         solver::gradient::{tests::begun, working_set::WorkingSet},
         vector::{add_scaled, dot},
     };
@@ -226,8 +227,8 @@ mod tests {
         let mut field = mirrored(&|x, y| (0.3 * x).cos() + (0.9 * y).sin());
         let zeros = vec![0.0; pillars.len()];
         let gap = vec![1.0; pillars.len()];
-        let body = Body::of(surface.clone(), Boundary::Free);
-        let problem = DiscreteProblem::on(sector, body, zeros.clone(), gap, 1e-12);
+        let source = OperatorSource::of(surface.clone(), Boundary::Free);
+        let problem = DiscreteProblem::on(sector, source, zeros.clone(), gap, 1e-12);
         let set = begun(
             &mut problem.unwrap(),
             LoadControl::Penetration(0.0),
@@ -255,17 +256,17 @@ mod tests {
         }
     }
 
-    /// A coat two and a half elements thick, ten times as stiff as its base.
+    /// A coating two and a half elements thick, ten times as stiff as its base.
     fn plate() -> Arc<SurfaceElasticity> {
-        let [coat, base] = [1e9, 1e8].map(|modulus| Material::new(modulus, 0.3).unwrap());
-        let foundation = Foundation::coated(2.5e-6, coat, base).unwrap();
+        let [coating, base] = [1e9, 1e8].map(|modulus| Material::new(modulus, 0.3).unwrap());
+        let foundation = Foundation::coated(2.5e-6, coating, base).unwrap();
         let tables = RadialTables::build(&foundation).unwrap();
         let table = CoefficientTable::assemble(&tables, 1e-6, SIZE).unwrap();
         Arc::new(SurfaceElasticity::new(Arc::new(table), foundation))
     }
 
     #[test]
-    fn under_a_stiff_coat_no_residual_is_answered_by_pulling_where_it_pushes() {
+    fn under_a_stiff_coating_no_residual_is_answered_by_pulling_where_it_pushes() {
         let surface = plate();
         let set = set_of_pillars(&surface, 7.0, 2.2);
         let mut filter = filter_on(&surface, &set);

@@ -11,12 +11,12 @@
 //! the earliest first:  z ← z + (a_i − y_i·z / s_i·y_i) s_i
 //! ```
 //!
-//! which is symmetric and positive whatever the pairs are, as long as every `s_i·y_i > 0`. Pillars under a coat 30
+//! which is symmetric and positive whatever the pairs are, as long as every `s_i·y_i > 0`. Pillars under a coating 30
 //! times as stiff over a layer take 39 products instead of 50 at N = 1024.
 //!
 //! A pair is cut to the elements that stay. Its image is kept everywhere, so it is known on those that enter, and loses
-//! what the elements that leave contributed: pairs whose images were only cut took pillars under a coat 3000 times as
-//! stiff up to 46 products instead of 32.
+//! what the elements that leave contributed: pairs whose images were only cut took pillars under a coating 3000 times
+//! as stiff up to 46 products instead of 32.
 
 use rayon::prelude::*;
 
@@ -28,7 +28,7 @@ const MOST_CHANGED: f64 = 0.02;
 /// Elements that may leave at once.
 const MOST_LEAVING: usize = 200;
 /// Coefficients of the elements that leave: the images on the nearest so many lose what those contributed. With a
-/// quarter, the bare coat 3000 times as stiff takes 25 products at N = 1024 instead of 19; with more, no cell takes
+/// quarter, the bare coating 3000 times as stiff takes 25 products at N = 1024 instead of 19; with more, no cell takes
 /// fewer, but up to half more time.
 const MOST_COEFFICIENTS: usize = 1 << 23;
 /// Numbers in all pairs together, at most: 256 MB.

@@ -47,7 +47,7 @@ const MOST_DIRECT: usize = 500;
 /// with 160 places it takes twice the products.
 const PLACES: usize = 4000;
 /// Elements, in units of the spacing of a tile's level, from the axis of a sector within which mirror images count in
-/// a block: with 8 a bare coat 1000 times as stiff takes a third more products at N = 512.
+/// a block: with 8 a bare coating 1000 times as stiff takes a third more products at N = 512.
 const NEAR_AXIS: u32 = 24;
 /// Numbers in a pattern before its elements.
 const HEAD: usize = 4;

@@ -10,7 +10,7 @@ use crate::{
     Load,
     solver::{
         gradient::{load_control::LoadControl, tests::begun},
-        tests::{RIGID, SIZE, paraboloid, problem as of_coat},
+        tests::{RIGID, SIZE, paraboloid, problem as of_coating},
     },
 };
 
@@ -27,7 +27,7 @@ fn neighbours_grow_with_the_grid_from_a_few_hundred_elements_up_to_a_bound() {
 }
 
 #[test]
-fn a_stiff_coat_shows_in_the_response_to_long_waves_over_that_to_short_ones() {
+fn a_stiff_coating_shows_in_the_response_to_long_waves_over_that_to_short_ones() {
     let contrast = |body: Foundation, size: usize| {
         let tables = RadialTables::build(&body).unwrap();
         let table = CoefficientTable::assemble(&tables, 1.0 / size as f64, size).unwrap();
@@ -38,18 +38,18 @@ fn a_stiff_coat_shows_in_the_response_to_long_waves_over_that_to_short_ones() {
     let coated = |young| Foundation::coated(0.02, material(young), material(1.0)).unwrap();
     // No wave meets a softer body than another. The element's own shape counts a little.
     assert!((contrast(half_space(), 128) - 1.0).abs() < 0.1);
-    // The longest wave of 1 meets the base below a coat of 0.02, the shortest of 1/64 meets the coat alone.
+    // The longest wave of 1 meets the base below a coating of 0.02, the shortest of 1/64 meets the coating alone.
     let [stiff, soft] = [8.0, 0.125].map(|young| contrast(coated(young), 128));
     assert!(stiff > 5.0 && stiff < 8.0, "{stiff}");
     assert!(soft > 0.125 && soft < 0.25, "{soft}");
     assert_eq!(contrast(coated(8.0), 4), 1.0);
 }
 
-/// A bare coat takes a fifth more products by Newton's method first.
+/// A bare coating takes a fifth more products by Newton's method first.
 #[test]
-fn newton_comes_first_with_the_filter_where_springs_lie_on_a_stiff_coat() {
+fn newton_comes_first_with_the_filter_where_springs_lie_on_a_stiff_coating() {
     let is_for_newton = |stiffness: f64, springs: f64| {
-        let problem = of_coat([stiffness, 0.1], paraboloid, |_, _| springs);
+        let problem = of_coating([stiffness, 0.1], paraboloid, |_, _| springs);
         let symbol = problem.elasticity().unwrap().symbol(SIZE);
         let preconditioner = Preconditioner::new(&problem);
         assert!(matches!(preconditioner.inverse, Inverse::Filter(_)));
@@ -65,7 +65,7 @@ fn newton_comes_first_with_the_filter_where_springs_lie_on_a_stiff_coat() {
 
 #[test]
 fn what_is_missing_of_the_penetration_is_counted_on_the_set_alone() {
-    let mut problem = of_coat([1.0, 0.1], paraboloid, RIGID);
+    let mut problem = of_coating([1.0, 0.1], paraboloid, RIGID);
     let control = LoadControl::of(&problem, Load::Penetration(0.02));
     let pressure: Vec<f64> = (0..ELEMENTS).map(|e| (e as f64).sin().max(0.0)).collect();
     let (state, mut set) = begun(&mut problem, control, &pressure);
@@ -122,7 +122,8 @@ const TIMES_NEIGHBOURS: [usize; 4] = [1, 2, 5, 15];
 
 #[test]
 fn the_sparse_factor_tends_to_the_inverse_with_its_neighbours() {
-    let error = |times| distance_from_inverse(&mut of_coat([10.0, 0.05], paraboloid, RIGID), times);
+    let error =
+        |times| distance_from_inverse(&mut of_coating([10.0, 0.05], paraboloid, RIGID), times);
     let errors = TIMES_NEIGHBOURS.map(error);
     assert!(
         errors.is_sorted_by(|fewer, more| more < fewer),
@@ -138,7 +139,7 @@ fn the_sparse_factor_tends_to_the_inverse_with_its_neighbours() {
 fn the_sparse_factor_tends_to_the_inverse_with_springs_of_many_kinds_too() {
     let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
     let error =
-        |times| distance_from_inverse(&mut of_coat([10.0, 0.05], paraboloid, springs), times);
+        |times| distance_from_inverse(&mut of_coating([10.0, 0.05], paraboloid, springs), times);
     let errors = TIMES_NEIGHBOURS.map(error);
     assert!(
         errors.is_sorted_by(|fewer, more| more < fewer),
@@ -150,7 +151,7 @@ fn the_sparse_factor_tends_to_the_inverse_with_springs_of_many_kinds_too() {
 #[test]
 fn a_small_set_with_springs_is_solved_exactly() {
     let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
-    let mut problem = of_coat([10.0, 0.05], paraboloid, springs);
+    let mut problem = of_coating([10.0, 0.05], paraboloid, springs);
     let control = LoadControl::of(&problem, Load::Penetration(0.0));
     let pressure: Vec<f64> = (0..ELEMENTS)
         .map(|e| f64::from(u8::from(e % 7 == 0)) * (1.0 + (e as f64).sin() / 2.0))
@@ -170,11 +171,11 @@ fn a_small_set_with_springs_is_solved_exactly() {
 
 #[test]
 fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
-    let bare = of_coat([0.5, 0.1], paraboloid, |_, _| 0.0);
+    let bare = of_coating([0.5, 0.1], paraboloid, |_, _| 0.0);
     let symbol = bare.elasticity().unwrap().symbol(SIZE);
     // One that the filter does not round.
     let compliance = 1.1_f64.powi(-3) * symbol.value([SIZE / 2; 2]);
-    let problem = of_coat([0.5, 0.1], paraboloid, |_, _| compliance);
+    let problem = of_coating([0.5, 0.1], paraboloid, |_, _| compliance);
     let control = LoadControl::of(&problem, Load::Penetration(1.0));
     let mut problem = problem;
     let (state, set) = begun(&mut problem, control, &[1.0; ELEMENTS]);

@@ -6,8 +6,8 @@
 //! in few exchanges where the contact breaks up into rings and edges, and descending step by step does not; but nothing
 //! proves that it ends, so its caller watches it.
 //!
-//! **When it is clear.** Under a stiff coat `K` falls off so steeply with the wavenumber that the residual says nothing
-//! of the short waves of the pressure: solved to a tenth of it, a system exchanges noise. The preconditioner's
+//! **When it is clear.** Under a stiff coating `K` falls off so steeply with the wavenumber that the residual says
+//! nothing of the short waves of the pressure: solved to a tenth of it, a system exchanges noise. The preconditioner's
 //! estimate of the pressure's remaining error does show them. So the elements on the wrong side are predicted one step
 //! ahead, and the system is solved until two successive predictions agree but for a third of the elements. If only a
 //! few remain the estimated error must be small besides: single elements would keep switching. Many that keep changing

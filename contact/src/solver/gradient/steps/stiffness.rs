@@ -7,7 +7,7 @@
 //! The pressure is a free first search direction, because its image `(K + η) p = v − g0` is known already. The
 //! iteration starts from `q = c p`, with `c` chosen to maximise the sum, and keeps all later directions conjugate to
 //! `p`. (Deflation; Nicolaides 1987.) That spares a product of four on a homogeneous body, and two of seven under a
-//! stiff coat.
+//! stiff coating.
 
 use crate::solver::gradient::{
     context::Context,

@@ -247,8 +247,8 @@ mod tests {
 
     #[test]
     fn a_block_solves_the_system_of_its_elements_with_mirror_images_and_springs() {
-        let [coat, base] = [10.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
-        let body = Foundation::coated(0.05, coat, base).unwrap();
+        let [coating, base] = [10.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
+        let body = Foundation::coated(0.05, coating, base).unwrap();
         let tables = RadialTables::build(&body).unwrap();
         let table = CoefficientTable::assemble(&tables, 1.0 / 64.0, 64).unwrap();
         let elasticity = SurfaceElasticity::new(Arc::new(table), body);

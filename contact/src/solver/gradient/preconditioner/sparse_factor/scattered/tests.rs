@@ -16,8 +16,8 @@ const ROWS: [usize; 2] = [20, 32];
 const ELEMENTS: usize = SIZE * SIZE;
 
 fn elasticity() -> Arc<SurfaceElasticity> {
-    let [coat, base] = [10.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
-    let body = Foundation::coated(0.05, coat, base).unwrap();
+    let [coating, base] = [10.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
+    let body = Foundation::coated(0.05, coating, base).unwrap();
     let tables = RadialTables::build(&body).unwrap();
     let table = CoefficientTable::assemble(&tables, 1.0 / SIZE as f64, SIZE).unwrap();
     Arc::new(SurfaceElasticity::new(Arc::new(table), body))

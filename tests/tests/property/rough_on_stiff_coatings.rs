@@ -1,7 +1,7 @@
-//! Rough contact, pillars and rough films on thin stiff coats, where the contact breaks up into islands: the work,
+//! Rough contact, pillars and rough films on thin stiff coatings, where the contact breaks up into islands: the work,
 //! counted in products with `K` on the finest grid.
 //!
-//! A paraboloid of radius 1 on a base of E = 1 under a coat of thickness 0.003 or 0.02, of one ratio of Poisson; the
+//! A paraboloid of radius 1 on a base of E = 1 under a coating of thickness 0.003 or 0.02, of one ratio of Poisson; the
 //! force is that of a contact radius of 0.08 on the base alone.
 
 use std::sync::{Arc, LazyLock};
@@ -25,8 +25,8 @@ const MOST_PRODUCTS: usize = 40;
 /// Side and samples per side of the rough map.
 const SIDE: f64 = 0.3;
 const SAMPLES: usize = 512;
-/// Stiffness of the coat over the base's, and its thickness.
-const COATS: [[f64; 2]; 8] = [
+/// Stiffness of the coating over the base's, and its thickness.
+const COATINGS: [[f64; 2]; 8] = [
     [1.0, 0.003],
     [10.0, 0.003],
     [30.0, 0.003],
@@ -93,20 +93,23 @@ fn solve(elements: usize, [stiffness, thickness]: [f64; 2], relief: Relief) -> S
 }
 
 fn assert_few_products(elements: usize, name: &str, relief: impl Fn(f64) -> Relief) {
-    for coat in COATS {
-        let step = solve(elements, coat, relief(coat[0]));
+    for coating in COATINGS {
+        let step = solve(elements, coating, relief(coating[0]));
         let certificate = step.solution.certificate;
         assert!(
             certificate.is_satisfied(),
-            "{name} {coat:?}: {certificate:?}"
+            "{name} {coating:?}: {certificate:?}"
         );
         let taken = step.work.operator_applications;
-        assert!(taken <= MOST_PRODUCTS, "{name} {coat:?}: {taken} products");
+        assert!(
+            taken <= MOST_PRODUCTS,
+            "{name} {coating:?}: {taken} products"
+        );
     }
 }
 
 #[test]
-fn bare_coats_take_few_products() {
+fn bare_coatings_take_few_products() {
     assert_few_products(ELEMENTS, "bare", |_| Relief::Bare);
 }
 

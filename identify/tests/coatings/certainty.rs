@@ -13,28 +13,28 @@ use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
-use crate::coat::{Coat, THICKNESS, coat, young_modulus};
+use crate::coating::{Coating, THICKNESS, coating, young_modulus};
 
 const NOISE: f64 = 0.01;
 
 /// A fit of `E1`, `E2`, `H` to a curve with noise of 1 % and an unknown zero.
-fn fit(coat: Coat, seed: u64, more: &[LinearNuisance]) -> Fit {
-    let model = coat.curves(3);
+fn fit(coating: Coating, seed: u64, more: &[LinearNuisance]) -> Fit {
+    let model = coating.curves(3);
     let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let values = model.predict(&coat.truth()).unwrap().value;
+    let values = model.predict(&coating.truth()).unwrap().value;
     let observed = values.iter().map(|depth| {
         let normal: f64 = StandardNormal.sample(&mut random);
         depth * (1.0 + NOISE * normal)
     });
     let unknowns = ["E1", "E2", "H"]
         .iter()
-        .zip(coat.truth())
+        .zip(coating.truth())
         .map(|(name, value)| {
             let range = [value / 30.0, value * 30.0];
             let unknown = Unknown::positive(*name, range).unwrap();
             unknown.starting_at(1.3 * value).unwrap()
         });
-    let curve = Curve::new(coat.forces(), observed.collect()).unwrap();
+    let curve = Curve::new(coating.forces(), observed.collect()).unwrap();
     let noise = Noise {
         observed: Amount::Given(0.0),
         relative: Amount::Given(NOISE),
@@ -55,10 +55,10 @@ fn is_wide(estimate: &Estimate) -> bool {
 
 #[test]
 #[ignore = "hundreds of contacts along flat profiles: a minute"]
-fn under_a_thick_coat_and_a_soft_frame_base_and_thickness_are_lost() {
-    let thick = Coat {
+fn under_a_thick_coating_and_a_soft_frame_base_and_thickness_are_lost() {
+    let thick = Coating {
         thickness: 4e-6,
-        ..coat(10e-6)
+        ..coating(10e-6)
     };
     let fit = fit(thick, 1, &[LinearNuisance::frame_compliance()]);
     let lost = &fit.estimates[1..];
@@ -66,10 +66,10 @@ fn under_a_thick_coat_and_a_soft_frame_base_and_thickness_are_lost() {
 }
 
 #[test]
-fn the_modulus_of_a_coat_too_thin_is_lost() {
-    let thin = Coat {
+fn the_modulus_of_a_coating_too_thin_is_lost() {
+    let thin = Coating {
         thickness: 0.1e-6,
-        ..coat(10e-6)
+        ..coating(10e-6)
     };
     let fit = fit(thin, 1, &[]);
     assert!(is_wide(&fit.estimates[0]), "{:?}", fit.estimates[0]);

@@ -9,7 +9,7 @@ use crate::input::value_reader::{Sign, ValueReader};
 
 /// The part of a measurement that is used.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Segment {
+pub struct CurveSegment {
     /// The value in the column of segments; all by default.
     pub value: Option<String>,
     /// Its start, if given.
@@ -57,7 +57,7 @@ pub enum Until {
     LargestDepthStep,
 }
 
-impl Segment {
+impl CurveSegment {
     const KEYS: [&'static str; 5] = ["value", "from", "to", "part", "until"];
 
     /// Reads the table.

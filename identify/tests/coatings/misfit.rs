@@ -1,4 +1,4 @@
-//! How often a wrong model of a coat is refused, and a right one is not.
+//! How often a wrong model of a coating is refused, and a right one is not.
 //!
 //! Each measurement is 100 points with noise of 1 % of the depth and a zero of its own. Its fit seeks both moduli of
 //! half a micrometre on a half-space under a ball of ten, on a surrogate of the real model.
@@ -19,13 +19,13 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 use rayon::prelude::*;
 
-use crate::coat::{Coat, coat};
+use crate::coating::{Coating, coating};
 
 const NOISE: f64 = 0.01;
 
-/// The coat, the unknowns and the surrogate of a fit.
+/// The coating, the unknowns and the surrogate of a fit.
 struct Fitted {
-    coat: Coat,
+    coating: Coating,
     unknowns: Vec<Unknown>,
     surrogate: Surrogate,
 }
@@ -40,9 +40,9 @@ struct Ends {
 
 impl Fitted {
     fn new() -> Self {
-        let coat = Coat {
+        let coating = Coating {
             points: 100,
-            ..coat(10e-6)
+            ..coating(10e-6)
         };
         let ranges = [[30e9, 300e9], [4e9, 25e9]];
         let unknowns: Vec<Unknown> = ["E1", "E2"]
@@ -54,9 +54,9 @@ impl Fitted {
             tolerance: 1e-3,
             ..SurrogateOptions::default()
         };
-        let surrogate = Surrogate::over(&coat.curves(2), &unknowns, &ranges, options).unwrap();
+        let surrogate = Surrogate::over(&coating.curves(2), &unknowns, &ranges, options).unwrap();
         Self {
-            coat,
+            coating,
             unknowns,
             surrogate,
         }
@@ -66,7 +66,7 @@ impl Fitted {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
         let read = depths.iter().map(|d| d * (1.0 + NOISE * normal()) + 3e-9);
-        let curve = Curve::new(self.coat.forces(), read.collect()).unwrap();
+        let curve = Curve::new(self.coating.forces(), read.collect()).unwrap();
         let noise = Noise {
             observed: Amount::Given(0.0),
             relative: Amount::Estimated,
@@ -78,7 +78,7 @@ impl Fitted {
     }
 
     fn fits(&self, depths: &[f64], replicates: u64) -> Ends {
-        let truth = self.coat.truth();
+        let truth = self.coating.truth();
         let held = |fit: &Fit| {
             fit.estimates.iter().zip(truth).all(|(estimate, truth)| {
                 let [low, high] = estimate.interval;
@@ -99,10 +99,11 @@ impl Fitted {
     /// Depths of a real model.
     fn depths(&self, layers: &[(f64, f64)], indenter: Indenter) -> Vec<f64> {
         let layers = layers.iter().map(|&(thickness, modulus)| {
-            let material = Material::new(modulus, self.coat.layer.1).unwrap();
+            let material = Material::new(modulus, self.coating.layer.1).unwrap();
             Layer::new(thickness, material, Interface::Bonded).unwrap()
         });
-        let base = Base::HalfSpace(Material::new(self.coat.base.0, self.coat.base.1).unwrap());
+        let base =
+            Base::HalfSpace(Material::new(self.coating.base.0, self.coating.base.1).unwrap());
         let bodies: ElasticBodies = Foundation::new(layers.collect(), base).unwrap().into();
         let cache = Cache::of_shapes();
         let curve = ContactCurve {
@@ -113,7 +114,7 @@ impl Fitted {
                 cache,
             },
             observable: Observable::DepthAtForce,
-            abscissae: self.coat.forces(),
+            abscissae: self.coating.forces(),
             own: Vec::new(),
         };
         let curves = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default()).unwrap();
@@ -123,7 +124,7 @@ impl Fitted {
     /// Depths of the model itself.
     fn true_depths(&self) -> Vec<f64> {
         self.surrogate
-            .predict(&self.coat.truth()[..2])
+            .predict(&self.coating.truth()[..2])
             .unwrap()
             .value
     }
@@ -131,7 +132,7 @@ impl Fitted {
     /// Beyond a force the depth grows faster by a tenth.
     fn yielding_depths(&self, yield_force: f64) -> Vec<f64> {
         let elastic = self.true_depths();
-        let forces = self.coat.forces();
+        let forces = self.coating.forces();
         let first = forces
             .iter()
             .position(|force| *force > yield_force)
@@ -146,7 +147,7 @@ fn ball(radius: f64) -> Indenter {
 }
 
 #[test]
-fn wrong_models_of_a_coat_are_refused_and_a_right_one_is_not() {
+fn wrong_models_of_a_coating_are_refused_and_a_right_one_is_not() {
     let fitted = Fitted::new();
     let one = [(0.5e-6, 100e9)];
     let two = [(0.25e-6, 100e9), (0.25e-6, 20e9)];

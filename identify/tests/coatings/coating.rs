@@ -1,4 +1,4 @@
-//! A coat under a ball, and its curve.
+//! A coating under a ball, and its curve.
 
 use pellicle_contact::{Model, ModelParameter, Paraboloid};
 use pellicle_identify::{ContactCurve, ContactCurves, CurveOptions, Observable};
@@ -6,15 +6,15 @@ use pellicle_influence::{Cache, ElasticBodies, ElasticParameter};
 use pellicle_kernel::{Foundation, FoundationParameter, Material};
 use pellicle_texture::Relief;
 
-/// The thickness of the coat, as a parameter.
+/// The thickness of the coating, as a parameter.
 pub const THICKNESS: ModelParameter = ModelParameter::Elastic(ElasticParameter::Foundation(
     FoundationParameter::Thickness { layer: 0 },
 ));
 
-/// A coat on a base under a ball: forces over two decades.
+/// A coating on a base under a ball: forces over two decades.
 #[derive(Debug, Clone, Copy)]
-pub struct Coat {
-    /// Young's modulus and Poisson's ratio of the coat.
+pub struct Coating {
+    /// Young's modulus and Poisson's ratio of the coating.
     pub layer: (f64, f64),
     /// Those of the base.
     pub base: (f64, f64),
@@ -26,8 +26,8 @@ pub struct Coat {
 }
 
 /// 100 GPa, 0.25 on 10 GPa, 0.3, half a micrometre thick, under a ball of ten.
-pub fn coat(least_force: f64) -> Coat {
-    Coat {
+pub fn coating(least_force: f64) -> Coating {
+    Coating {
         layer: (100e9, 0.25),
         base: (10e9, 0.3),
         thickness: 0.5e-6,
@@ -37,7 +37,7 @@ pub fn coat(least_force: f64) -> Coat {
     }
 }
 
-impl Coat {
+impl Coating {
     pub fn forces(&self) -> Vec<f64> {
         let last = f64::from(self.points - 1);
         (0..self.points)
@@ -45,7 +45,7 @@ impl Coat {
             .collect()
     }
 
-    /// Moduli of coat and base, thickness.
+    /// Moduli of coating and base, thickness.
     pub fn truth(&self) -> [f64; 3] {
         [self.layer.0, self.base.0, self.thickness]
     }

@@ -1,4 +1,4 @@
-//! The same coat fitted by another program's variable projection.
+//! The same coating fitted by another program's variable projection.
 //!
 //! The crate `varpro` fits sums of curves with free coefficients (D. P. O'Leary and B. W. Rust, Comput. Optim. Appl.
 //! 54, 579 (2013)), by the Levenberg–Marquardt method of MINPACK in coordinates of its own. A depth read with an
@@ -18,7 +18,7 @@ use varpro::{
     solvers::levmar::LevMarSolver, statistics::FitStatistics,
 };
 
-use crate::coat::{Coat, THICKNESS, coat, young_modulus};
+use crate::coating::{Coating, THICKNESS, coating, young_modulus};
 
 /// Depths are in nanometres for `varpro`, moduli in gigapascals, thicknesses in micrometres.
 const NANO: f64 = 1e-9;
@@ -115,20 +115,22 @@ impl SeparableNonlinearModel for Separable {
     }
 }
 
-fn modulus_and_thickness(coat: Coat) -> ContactCurves {
-    coat.curves_of(&[young_modulus(0), THICKNESS])
+fn modulus_and_thickness(coating: Coating) -> ContactCurves {
+    coating.curves_of(&[young_modulus(0), THICKNESS])
 }
 
 #[test]
-fn a_coat_and_the_gain_of_the_depth_are_those_that_varpro_finds() {
-    let coat = Coat {
+fn a_coating_and_the_gain_of_the_depth_are_those_that_varpro_finds() {
+    let coating = Coating {
         points: 60,
-        ..coat(10e-6)
+        ..coating(10e-6)
     };
-    let curves = || modulus_and_thickness(coat);
+    let curves = || modulus_and_thickness(coating);
     let mut random = ChaCha8Rng::seed_from_u64(5);
     let sigma = 0.2 * NANO;
-    let truth = curves().predict(&[coat.layer.0, coat.thickness]).unwrap();
+    let truth = curves()
+        .predict(&[coating.layer.0, coating.thickness])
+        .unwrap();
     let read: Vec<f64> = (truth.value.iter())
         .map(|depth| {
             let noise: f64 = StandardNormal.sample(&mut random);
@@ -150,7 +152,7 @@ fn a_coat_and_the_gain_of_the_depth_are_those_that_varpro_finds() {
             .starting_at(1.0)
             .unwrap(),
     ];
-    let curve = Curve::new(coat.forces(), read.clone()).unwrap();
+    let curve = Curve::new(coating.forces(), read.clone()).unwrap();
     let shift = [LinearNuisance::shift()];
     let problem = Problem::new(vec![curve], unknowns, &shift, Noise::default()).unwrap();
     let options = FitOptions {

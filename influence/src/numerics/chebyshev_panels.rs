@@ -21,13 +21,13 @@ const CELL: f64 = LN_2 / FINEST as f64;
 
 /// One expansion, over `|ln x − centre| ≤ half_width`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Panel {
+pub(crate) struct ChebyshevPanel {
     pub centre: f64,
     pub half_width: f64,
     pub coefficients: Vec<f64>,
 }
 
-impl Panel {
+impl ChebyshevPanel {
     /// The place of ln x in the panel, −1 … 1.
     #[inline]
     pub(crate) fn position(&self, ln_x: f64) -> f64 {
@@ -59,15 +59,15 @@ impl Panel {
 
 /// Panels side by side, found in constant time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Panels {
+pub(crate) struct ChebyshevPanels {
     start: f64,
     end: f64,
     /// Panel of each cell of the finest width.
     cells: Vec<usize>,
-    all: Vec<Panel>,
+    all: Vec<ChebyshevPanel>,
 }
 
-impl Panels {
+impl ChebyshevPanels {
     /// Fits `function(ln x)` from `start` to at least `end` (both ln x), halving panels of width ln 2 until their
     /// tail is below `allowed(largest value in the panel, ln x of its centre)`, or they are as narrow as they may
     /// be.
@@ -110,9 +110,9 @@ impl Panels {
         cells: usize,
         function: impl Fn(f64) -> f64,
         transform: &ChebyshevTransform,
-    ) -> (Panel, f64) {
+    ) -> (ChebyshevPanel, f64) {
         let half_width = cells as f64 * CELL / 2.0;
-        let mut panel = Panel {
+        let mut panel = ChebyshevPanel {
             centre: self.start + left as f64 * CELL + half_width,
             half_width,
             coefficients: Vec::new(),
@@ -129,7 +129,7 @@ impl Panels {
     }
 
     /// The panels from left to right.
-    pub(crate) fn panels(&self) -> &[Panel] {
+    pub(crate) fn panels(&self) -> &[ChebyshevPanel] {
         &self.all
     }
 
@@ -149,12 +149,12 @@ impl Panels {
 
 #[cfg(test)]
 mod tests {
-    use super::Panels;
+    use super::ChebyshevPanels;
 
     #[test]
     fn a_function_with_a_narrow_feature_is_met_everywhere() {
         let feature = |ln_x: f64| 1.0 / (1.0 + (20.0 * (ln_x - 1.0)).powi(2));
-        let panels = Panels::fit([-3.0, 4.0], feature, |_, _| 1e-14);
+        let panels = ChebyshevPanels::fit([-3.0, 4.0], feature, |_, _| 1e-14);
         assert!(panels.panels().len() < 60);
         for i in 0..=700 {
             let ln_x = -3.0 + 0.01 * f64::from(i);

@@ -5,7 +5,7 @@ use pellicle_identify::{
     Prior, Unknown, Verdict,
 };
 
-use crate::coat::{Coat, coat};
+use crate::coating::{Coating, coating};
 
 /// White noise of 1 % of the depth.
 const NOISE: NoiseLevels = NoiseLevels {
@@ -36,11 +36,11 @@ fn plan_for(unknowns: &[Unknown], truth: &[f64], more: &[LinearNuisance]) -> Pla
     }
 }
 
-/// The information of a curve on a coat.
-fn information(plan: &Plan, coat: &Coat) -> Information {
-    let curves = coat.curves(plan.truth.len());
+/// The information of a curve on a coating.
+fn information(plan: &Plan, coating: &Coating) -> Information {
+    let curves = coating.curves(plan.truth.len());
     let prediction = curves.predict(&plan.truth).unwrap();
-    let curve = Curve::new(coat.forces(), prediction.value.clone()).unwrap();
+    let curve = Curve::new(coating.forces(), prediction.value.clone()).unwrap();
     plan.information(&prediction, &[curve]).unwrap()
 }
 
@@ -55,9 +55,9 @@ fn errors(plan: &Plan, measurements: &[&Information]) -> Vec<f64> {
 }
 
 /// The errors of the first of the unknowns from one curve, with an unknown zero and more.
-fn planned(coat: &Coat, count: usize, more: &[LinearNuisance]) -> Vec<f64> {
-    let plan = plan_for(&unknowns()[..count], &coat.truth()[..count], more);
-    errors(&plan, &[&information(&plan, coat)])
+fn planned(coating: &Coating, count: usize, more: &[LinearNuisance]) -> Vec<f64> {
+    let plan = plan_for(&unknowns()[..count], &coating.truth()[..count], more);
+    errors(&plan, &[&information(&plan, coating)])
 }
 
 /// Errors computed before by another program, to two or three digits.
@@ -72,7 +72,7 @@ fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
 
 #[test]
 fn each_unknown_more_makes_the_others_less_certain() {
-    let of = |count, more: &[LinearNuisance]| planned(&coat(10e-6), count, more);
+    let of = |count, more: &[LinearNuisance]| planned(&coating(10e-6), count, more);
     // The digits of the expected numbers.
     assert_near(&of(1, &[]), &[0.010], 0.03);
     assert_near(&of(2, &[]), &[0.034, 0.018], 0.03);
@@ -84,11 +84,11 @@ fn each_unknown_more_makes_the_others_less_certain() {
 
 #[test]
 fn a_small_and_a_large_ball_together_tell_what_neither_does() {
-    let ball = |radius| Coat {
+    let ball = |radius| Coating {
         radius,
-        ..coat(20e-6)
+        ..coating(20e-6)
     };
-    let plan = plan_for(&unknowns(), &coat(1.0).truth(), &[]);
+    let plan = plan_for(&unknowns(), &coating(1.0).truth(), &[]);
     let both = [1e-6, 100e-6].map(|radius| information(&plan, &ball(radius)));
     let together = errors(&plan, &[&both[0], &both[1]]);
     // The forces of these numbers are not known; 20 µN to 2 mN come near them.
@@ -101,10 +101,10 @@ fn a_small_and_a_large_ball_together_tell_what_neither_does() {
 
 #[test]
 fn a_prior_is_one_more_observation() {
-    let coat = coat(10e-6);
+    let coating = coating(10e-6);
     let of = |unknown: Unknown| {
         let plan = plan_for(&[unknown], &[100e9], &[]);
-        errors(&plan, &[&information(&plan, &coat)])[0]
+        errors(&plan, &[&information(&plan, &coating)])[0]
     };
     let [free, ..] = unknowns();
     let prior = Prior::Lognormal {
@@ -117,14 +117,14 @@ fn a_prior_is_one_more_observation() {
     assert!((known / expected - 1.0).abs() < 1e-9);
 }
 
-/// A coat so thick or so thin, or a frame so soft, that a parameter is lost: never an error below a factor of two.
+/// A coating so thick or so thin, or a frame so soft, that a parameter is lost: never an error below a factor of two.
 #[test]
 fn no_certainty_where_a_parameter_is_lost() {
     let lost = std::f64::consts::LN_2 / 1.96;
     let of = |thickness, more: &[LinearNuisance]| {
-        let one = Coat {
+        let one = Coating {
             thickness,
-            ..coat(10e-6)
+            ..coating(10e-6)
         };
         planned(&one, 3, more)
     };
@@ -136,24 +136,24 @@ fn no_certainty_where_a_parameter_is_lost() {
 
 #[test]
 fn two_curves_alike_halve_the_variance_and_scatter_between_them_stays() {
-    let coat = coat(10e-6);
+    let coating = coating(10e-6);
     let mut plan = plan_for(&unknowns()[..1], &[100e9], &[]);
-    let one = information(&plan, &coat);
+    let one = information(&plan, &coating);
     let single = errors(&plan, &[&one])[0];
     let pair = errors(&plan, &[&one, &one])[0];
     // 1/σ² adds, to rounding.
     assert!((single / pair - 2_f64.sqrt()).abs() < 1e-9);
     plan.scatter = vec![0.03];
-    let scattered = errors(&plan, &[&information(&plan, &coat)])[0];
+    let scattered = errors(&plan, &[&information(&plan, &coating)])[0];
     // σ² + τ², to rounding.
     assert!((scattered / single.hypot(0.03) - 1.0).abs() < 1e-9);
 }
 
 #[test]
 fn an_exact_direction_is_told_as_such_whatever_the_numbers_say() {
-    let coat = coat(10e-6);
-    let plan = plan_for(&unknowns()[..2], &coat.truth()[..2], &[]);
-    let one = information(&plan, &coat);
+    let coating = coating(10e-6);
+    let plan = plan_for(&unknowns()[..2], &coating.truth()[..2], &[]);
+    let one = information(&plan, &coating);
     let names = ["E1", "E2"].map(String::from).to_vec();
     let directions = NullDirections::new(names, vec![vec![1.0, -2.0]]).unwrap();
     let found = plan.expected(&[&one], &directions, 0.95).unwrap();
@@ -168,8 +168,8 @@ fn an_exact_direction_is_told_as_such_whatever_the_numbers_say() {
     // E1² E2 does not change along (1, −2).
     assert_eq!(known.expression, "E1 * E2^0.5");
     // With E2 held the error is that of E1 alone, and 1.96 of them are the interval of the product.
-    let alone = plan_for(&unknowns()[..1], &coat.truth()[..1], &[]);
-    let alone = errors(&alone, &[&information(&alone, &coat)])[0];
+    let alone = plan_for(&unknowns()[..1], &coating.truth()[..1], &[]);
+    let alone = errors(&alone, &[&information(&alone, &coating)])[0];
     let half = (known.interval[1].unwrap() / known.value).ln();
     assert!(
         (half / (1.959_964 * alone) - 1.0).abs() < 1e-6,

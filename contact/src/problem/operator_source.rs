@@ -1,4 +1,4 @@
-//! The elastic body: an operator, or coefficients that operators are made from when needed.
+//! Where the operators of a problem come from: one that is given, or coefficients that they are made from when needed.
 
 use std::sync::Arc;
 
@@ -8,16 +8,16 @@ use pellicle_influence::{
 
 use crate::{Boundary, grid::window::Window};
 
-/// The elastic body under a grid, a window or a sector of one.
-pub enum Body {
+/// The operators of the elastic body under a grid, a window or a sector of one.
+pub enum OperatorSource {
     /// An operator of which nothing more is known.
     Operator(Box<dyn ElasticOperator>),
-    /// Coefficients, and the operators made from them so far.
-    Known(KnownBody),
+    /// Coefficients that operators are made from.
+    Coefficients(CoefficientSource),
 }
 
-/// A body whose coefficients are known.
-pub struct KnownBody {
+/// Coefficients, and the operators made from them so far.
+pub struct CoefficientSource {
     elasticity: Arc<SurfaceElasticity>,
     boundary: Boundary,
     operator: Option<Box<dyn ElasticOperator>>,
@@ -27,9 +27,9 @@ pub struct KnownBody {
     among: Option<Box<ScatteredOperator>>,
 }
 
-impl Body {
+impl OperatorSource {
     pub fn of(elasticity: Arc<SurfaceElasticity>, boundary: Boundary) -> Self {
-        Self::Known(KnownBody {
+        Self::Coefficients(CoefficientSource {
             elasticity,
             boundary,
             operator: None,
@@ -40,7 +40,7 @@ impl Body {
 
     /// A free surface of which scattered elements alone are looked at.
     pub fn among(elasticity: Arc<SurfaceElasticity>, operator: ScatteredOperator) -> Self {
-        Self::Known(KnownBody {
+        Self::Coefficients(CoefficientSource {
             elasticity,
             boundary: Boundary::Free,
             operator: None,
@@ -49,18 +49,18 @@ impl Body {
         })
     }
 
-    /// The operator among scattered elements, where there is one; then the body has none.
+    /// The operator among scattered elements, where there is one; then the source has none.
     pub fn take_scattered(&mut self) -> Option<ScatteredOperator> {
         match self {
             Self::Operator(_) => None,
-            Self::Known(surface) => surface.among.take().map(|among| *among),
+            Self::Coefficients(source) => source.among.take().map(|among| *among),
         }
     }
 
     /// Gives it back.
     pub fn give_scattered(&mut self, operator: ScatteredOperator) {
-        if let Self::Known(surface) = self {
-            surface.among = Some(Box::new(operator));
+        if let Self::Coefficients(source) = self {
+            source.among = Some(Box::new(operator));
         }
     }
 
@@ -68,7 +68,7 @@ impl Body {
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
         match self {
             Self::Operator(_) => None,
-            Self::Known(surface) => Some(&surface.elasticity),
+            Self::Coefficients(source) => Some(&source.elasticity),
         }
     }
 
@@ -76,7 +76,7 @@ impl Body {
     pub fn boundary(&self) -> Boundary {
         match self {
             Self::Operator(_) => Boundary::Free,
-            Self::Known(surface) => surface.boundary,
+            Self::Coefficients(source) => source.boundary,
         }
     }
 
@@ -91,7 +91,7 @@ impl Body {
                 operator.apply_into(&unit, &mut displacement);
                 displacement[middle]
             }
-            Self::Known(surface) => surface.elasticity.coefficient([0, 0]),
+            Self::Coefficients(source) => source.elasticity.coefficient([0, 0]),
         }
     }
 
@@ -99,14 +99,14 @@ impl Body {
     pub fn operator_on(&mut self, grid: SectorGrid) -> &mut dyn ElasticOperator {
         match self {
             Self::Operator(operator) => operator.as_mut(),
-            Self::Known(surface) => surface.operator_on(grid),
+            Self::Coefficients(source) => source.operator_on(grid),
         }
     }
 
     /// Writes the displacement by a pressure on all elements, or on the scattered ones.
     pub fn displace(&mut self, grid: SectorGrid, pressure: &[f64], displacement: &mut [f64]) {
         match self {
-            Self::Known(KnownBody {
+            Self::Coefficients(CoefficientSource {
                 among: Some(among), ..
             }) => among.apply_into(pressure, displacement),
             _ => self.operator_on(grid).apply_into(pressure, displacement),
@@ -121,8 +121,8 @@ impl Body {
         displacement: &mut [f64],
     ) {
         match self {
-            Self::Known(surface) if !window.is_whole() => {
-                let spread = surface.spread_of([*window, *reach]);
+            Self::Coefficients(source) if !window.is_whole() => {
+                let spread = source.spread_of([*window, *reach]);
                 spread.apply_into(pressure, displacement);
             }
             _ => self
@@ -133,13 +133,13 @@ impl Body {
 
     /// Gives back the memory of operators that can be made again.
     pub fn release(&mut self) {
-        if let Self::Known(surface) = self {
-            (surface.operator, surface.spread) = (None, None);
+        if let Self::Coefficients(source) = self {
+            (source.operator, source.spread) = (None, None);
         }
     }
 }
 
-impl KnownBody {
+impl CoefficientSource {
     fn operator_on(&mut self, grid: SectorGrid) -> &mut dyn ElasticOperator {
         let elasticity = &self.elasticity;
         let made = || -> Box<dyn ElasticOperator> {
@@ -185,7 +185,7 @@ mod tests {
 
     #[test]
     fn an_operators_own_coefficient_is_that_of_the_element_in_the_middle() {
-        let mut body = Body::Operator(Box::new(Springs));
-        assert_eq!(body.own_coefficient(3), 5.0);
+        let mut source = OperatorSource::Operator(Box::new(Springs));
+        assert_eq!(source.own_coefficient(3), 5.0);
     }
 }

@@ -11,7 +11,7 @@ use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
-use crate::{coat::coat, surrogate::Power};
+use crate::{coating::coating, surrogate::Power};
 
 /// `a + b q`.
 struct Line(Vec<f64>);
@@ -139,10 +139,10 @@ fn quantiles_are_those_of_the_profiles_where_the_noise_is_estimated() {
     }
 }
 
-/// Two moduli of the half-micrometre coat from a curve with noise of 1 % and an unknown zero.
-fn coat_problem(model: &dyn ForwardModel) -> Problem {
-    let coat = coat(10e-6);
-    let observed = measured(model, &coat.truth()[..2], |v| 0.01 * v);
+/// Two moduli of the half-micrometre coating from a curve with noise of 1 % and an unknown zero.
+fn coating_problem(model: &dyn ForwardModel) -> Problem {
+    let coating = coating(10e-6);
+    let observed = measured(model, &coating.truth()[..2], |v| 0.01 * v);
     let unknowns = vec![
         Unknown::positive("E1", [20e9, 500e9]).unwrap(),
         Unknown::positive("E2", [1e9, 100e9]).unwrap(),
@@ -152,14 +152,14 @@ fn coat_problem(model: &dyn ForwardModel) -> Problem {
         relative: Amount::Given(0.01),
         ..Noise::default()
     };
-    let curve = Curve::new(coat.forces(), observed).unwrap();
+    let curve = Curve::new(coating.forces(), observed).unwrap();
     Problem::new(vec![curve], unknowns, &[LinearNuisance::shift()], noise).unwrap()
 }
 
 #[test]
-fn two_moduli_of_a_coat_have_the_quantiles_of_their_profiles() {
-    let model = coat(10e-6).curves(2);
-    let problem = coat_problem(&model);
+fn two_moduli_of_a_coating_have_the_quantiles_of_their_profiles() {
+    let model = coating(10e-6).curves(2);
+    let problem = coating_problem(&model);
     let (fit, posterior) = sampled(&model, &problem, 40_000);
     for (unknown, estimate) in fit.estimates.iter().enumerate() {
         let [low, high] = estimate.interval.map(Option::unwrap);

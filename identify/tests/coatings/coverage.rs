@@ -1,4 +1,4 @@
-//! How often intervals of coats hold the truth.
+//! How often intervals of coatings hold the truth.
 //!
 //! Measurements are simulated and fitted on a surrogate of the real model. Of 400 intervals of level 0.95 between 368
 //! and 390 hold the truth, by the binomial distribution but for 1 %.
@@ -12,7 +12,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 use rayon::prelude::*;
 
-use crate::coat::{Coat, coat};
+use crate::coating::{Coating, coating};
 
 const EXPECTED: std::ops::RangeInclusive<usize> = 368..=390;
 
@@ -34,16 +34,16 @@ enum Kind {
     BothAxes,
 }
 
-/// A coat, and the bounds of its unknowns.
+/// A coating, and the bounds of its unknowns.
 struct System {
-    coat: Coat,
+    coating: Coating,
     sides: Vec<[f64; 2]>,
 }
 
 /// Half a micrometre of 100 GPa on 10 GPa: both moduli.
 fn stiff() -> System {
     System {
-        coat: coat(10e-6),
+        coating: coating(10e-6),
         sides: vec![[60e9, 170e9], [8e9, 12.5e9]],
     }
 }
@@ -51,10 +51,10 @@ fn stiff() -> System {
 /// Half a micrometre of 1 GPa on 100 GPa: both moduli.
 fn soft() -> System {
     System {
-        coat: Coat {
+        coating: Coating {
             layer: (1e9, 0.45),
             base: (100e9, 0.3),
-            ..coat(10e-6)
+            ..coating(10e-6)
         },
         sides: vec![[0.7e9, 1.4e9], [30e9, 300e9]],
     }
@@ -63,9 +63,9 @@ fn soft() -> System {
 /// A micrometre and a half of 100 GPa on 10 GPa: the moduli and the thickness, which are correlated.
 fn weak() -> System {
     System {
-        coat: Coat {
+        coating: Coating {
             thickness: 1.5e-6,
-            ..coat(100e-6)
+            ..coating(100e-6)
         },
         sides: vec![[60e9, 160e9], [3e9, 25e9], [0.45e-6, 5e-6]],
     }
@@ -87,9 +87,9 @@ struct Simulated {
 
 impl Simulated {
     fn new(system: &System, kind: Kind) -> Self {
-        let coat = Coat {
+        let coating = Coating {
             points: points(kind),
-            ..system.coat
+            ..system.coating
         };
         let count = system.sides.len();
         let unknowns: Vec<Unknown> = ["E1", "E2", "H"]
@@ -97,8 +97,8 @@ impl Simulated {
             .zip(&system.sides)
             .map(|(name, side)| Unknown::positive(*name, *side).unwrap())
             .collect();
-        let model = coat.curves(count);
-        // The surrogate is the truth here: it need not be the coat to the last digit.
+        let model = coating.curves(count);
+        // The surrogate is the truth here: it need not be the coating to the last digit.
         let options = SurrogateOptions {
             tolerance: 1e-3,
             ..SurrogateOptions::default()
@@ -106,8 +106,8 @@ impl Simulated {
         Self {
             surrogate: Surrogate::over(&model, &unknowns, &system.sides, options).unwrap(),
             unknowns,
-            truth: coat.truth()[..count].to_vec(),
-            forces: coat.forces(),
+            truth: coating.truth()[..count].to_vec(),
+            forces: coating.forces(),
             kind,
         }
     }
@@ -194,7 +194,7 @@ impl Simulated {
 }
 
 #[test]
-fn of_forty_intervals_of_a_coat_nearly_all_hold_the_truth() {
+fn of_forty_intervals_of_a_coating_nearly_all_hold_the_truth() {
     for count in Simulated::new(&stiff(), Kind::White).held(40) {
         // 38 and three and a half standard deviations of the binomial distribution, 1.4.
         assert!(count[0] >= 33, "{count:?}");
@@ -250,7 +250,7 @@ fn a_profile_whose_others_have_two_valleys_ends_where_the_lower_of_both_does() {
 
 #[test]
 #[ignore = "six minutes in release on two busy cores"]
-fn profiles_of_coats_hold_what_they_say_and_covariances_of_weak_ones_do_not() {
+fn profiles_of_coatings_hold_what_they_say_and_covariances_of_weak_ones_do_not() {
     let mut failed = Vec::new();
     let mut weak_covariances = false;
     for (name, system) in [("weak", weak()), ("soft", soft()), ("stiff", stiff())] {

@@ -9,7 +9,6 @@ use pellicle_cli::solved::{FoundationCase, StressCase, StressFields};
 use pellicle_cli::{Failure, Source};
 use pellicle_contact::{ContactError, StressField};
 use pellicle_influence::{CoefficientTable, ConvolutionOperator, ElasticOperator};
-use pellicle_kernel::Foundation;
 use pellicle_texture::Grid;
 use pyo3::prelude::*;
 
@@ -17,15 +16,15 @@ use crate::error::Refusal;
 use crate::planes::Planes;
 use crate::process::{self, Threads};
 
-/// A layered body.
+/// A layered foundation.
 #[pyclass(frozen, module = "pellicle._pellicle")]
-pub struct Body {
+pub struct Foundation {
     case: FoundationCase,
-    foundation: Foundation,
+    foundation: pellicle_kernel::Foundation,
 }
 
 #[pymethods]
-impl Body {
+impl Foundation {
     /// Reads the table `[foundation]` of a text that goes by the name `source`.
     #[new]
     fn new(text: String, source: String) -> Result<Self, Refusal> {
@@ -102,10 +101,15 @@ pub struct Operator {
 impl Operator {
     /// The operator of a body under `elements` × `elements` elements of this side (m).
     #[new]
-    fn new(py: Python<'_>, body: &Body, element_side: f64, elements: usize) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        foundation: &Foundation,
+        element_side: f64,
+        elements: usize,
+    ) -> PyResult<Self> {
         let shared = process::shared();
         let made = Threads::work(py, || {
-            let tables = shared.cache.radial_tables(&body.foundation)?.value;
+            let tables = shared.cache.radial_tables(&foundation.foundation)?.value;
             let table = shared
                 .cache
                 .coefficients(&tables, element_side, elements)?

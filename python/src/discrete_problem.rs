@@ -5,7 +5,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pellicle_cli::Failure;
 use pellicle_cli::solved::BoundaryCase;
-use pellicle_contact::{Certificate, ContactError, DiscreteProblem, Load, Solution};
+use pellicle_contact::{Certificate, ContactError, Load, Solution};
 use pyo3::prelude::*;
 
 use crate::case::Case;
@@ -18,8 +18,8 @@ type Lines = (f64, f64, f64, f64, f64, f64, bool);
 
 /// The discrete problem of a case on its grid.
 #[pyclass(frozen, module = "pellicle._pellicle")]
-pub struct Problem {
-    discrete: Mutex<DiscreteProblem>,
+pub struct DiscreteProblem {
+    problem: Mutex<pellicle_contact::DiscreteProblem>,
     #[pyo3(get)]
     side: f64,
     #[pyo3(get)]
@@ -27,9 +27,9 @@ pub struct Problem {
     tolerance: f64,
 }
 
-impl Problem {
-    fn problem(&self) -> MutexGuard<'_, DiscreteProblem> {
-        self.discrete.lock().unwrap_or_else(PoisonError::into_inner)
+impl DiscreteProblem {
+    fn problem(&self) -> MutexGuard<'_, pellicle_contact::DiscreteProblem> {
+        self.problem.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn array<'py>(&self, py: Python<'py>, values: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
@@ -54,7 +54,7 @@ impl Problem {
 }
 
 #[pymethods]
-impl Problem {
+impl DiscreteProblem {
     /// The problem of a case, on the side that it gives or that is chosen for its loads.
     #[new]
     fn new(py: Python<'_>, case: &Case) -> PyResult<Self> {
@@ -63,13 +63,13 @@ impl Problem {
             let model = case.model(&shared.cache)?.value;
             let (side, elements) = (case.side(&model)?, case.grid.elements);
             let sampled = model.sample(side, elements)?;
-            let discrete = match case.grid.boundary {
+            let problem = match case.grid.boundary {
                 BoundaryCase::Free => model.discretize(&sampled)?.value,
                 BoundaryCase::Periodic => model.discretize_cell(&sampled)?.value,
             };
-            let discrete = Mutex::new(discrete);
+            let problem = Mutex::new(problem);
             Ok::<_, Failure>(Self {
-                discrete,
+                problem,
                 side,
                 elements,
                 tolerance: case.solver.tolerance,

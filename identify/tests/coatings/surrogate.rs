@@ -6,7 +6,7 @@ use pellicle_identify::{
     ForwardError, ForwardModel, IdentifyError, Prediction, Surrogate, SurrogateOptions, Unknown,
 };
 
-use crate::coat::coat;
+use crate::coating::coating;
 
 /// `y = a q^b + c`, and how often it was asked.
 pub struct Power {
@@ -112,9 +112,9 @@ fn a_model_with_a_kink_is_refused_with_what_was_reached() {
 }
 
 #[test]
-fn two_moduli_of_a_coat_take_a_hundred_curves() {
-    let coat = coat(10e-6);
-    let model = coat.curves(2);
+fn two_moduli_of_a_coating_take_a_hundred_curves() {
+    let coating = coating(10e-6);
+    let model = coating.curves(2);
     let [e1, e2] = ["E1", "E2"].map(|name| Unknown::positive(name, [1e9, 1e12]).unwrap());
     let sides = [[80e9, 125e9], [9e9, 11e9]];
     let surrogate = Surrogate::over(&model, &[e1, e2], &sides, SurrogateOptions::default());

@@ -1,8 +1,8 @@
-//! Coats under balls on the real model: plans, surrogates, posteriors, coverage, and what is lost.
+//! Coatings under balls on the real model: plans, surrogates, posteriors, coverage, and what is lost.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 mod certainty;
-mod coat;
+mod coating;
 mod coverage;
 mod misfit;
 mod plan;
