@@ -1,7 +1,7 @@
 //! A forecast of the work, memory and warnings of a case, from a trial on a coarse grid.
 //!
-//! The trial solves for the smallest and the largest load on at most 64 × 64 elements, in a few milliseconds. It gives
-//! the size of the contact and the warnings about the model. The domain is that of the solution.
+//! The trial solves for the smallest and the largest load on at most 64 × 64 elements. It gives the size of the contact
+//! and the warnings about the model. The domain is that of the solution.
 
 use pellicle_contact::{
     ContactError, Domain, Load, LoadingPath, Method, Model, SolverOptions, Step, Warning,

@@ -73,7 +73,7 @@ impl Cache {
     ///
     /// Measured with `cargo bench -p pellicle-influence --bench cache`: a homogeneous body's table is computed
     /// faster than it is read below N = 8. A coated body's never is, but below N = 16 it takes no longer than
-    /// creating a file does, 40 to 150 µs.
+    /// creating a file does.
     pub const SMALLEST_STORED: usize = 16;
 
     /// Keeps nothing.

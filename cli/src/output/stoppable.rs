@@ -12,7 +12,7 @@ use crate::interrupt;
 /// and not stop.
 const SYNC: usize = 1 << 25;
 
-/// Most bytes that are written or packed between two looks at the user: some milliseconds of work.
+/// Most bytes that are written or packed between two looks at the user, too few for the user to wait.
 const CHUNK: usize = 1 << 20;
 
 /// The cause of a file that was stopped.

@@ -26,7 +26,8 @@ pub struct ModelDerivatives {
 }
 
 impl Model {
-    /// Its derivatives by `parameters`: radial tables for each number of the elastic bodies, some ten milliseconds.
+    /// Its derivatives by `parameters`: radial tables for each number of the elastic bodies, which take as long
+    /// as some five loads on 64 × 64 elements.
     ///
     /// # Errors
     /// [`ContactError::NoParameter`] for a number that the model does not have; a number without values beside its own.

@@ -71,7 +71,7 @@ pub fn solve(
     let iterate = loop {
         exchange.press(problem);
         *solver.options() = exchange.options(wanted);
-        let found = exchange.solve(solver, problem, load, watch);
+        let found = exchange.solve(solver, problem, watch);
         *solver.options() = wanted;
         let (iterate, displacement) = found?;
         let reached_border = exchange.take(iterate);
@@ -80,7 +80,7 @@ pub fn solve(
             break exchange.into_iterate(problem.hardness());
         }
         let displacement = exchange.displacement(problem, displacement);
-        if !exchange.advance(problem, load, tolerance, &displacement) {
+        if !exchange.advance(problem, &displacement) {
             break exchange.into_iterate(problem.hardness());
         }
     };

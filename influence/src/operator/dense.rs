@@ -7,7 +7,7 @@ use crate::coefficient_table::CoefficientTable;
 
 /// `u = K p` by N⁴ multiplications, from the table of coefficients alone.
 ///
-/// At N = 48 a product takes some milliseconds; at N = 256 seconds: use [`crate::ConvolutionOperator`] there.
+/// At N = 256 they are 800 times as many as at N = 48: use [`crate::ConvolutionOperator`] there.
 #[derive(Clone, Debug)]
 pub struct DenseOperator {
     table: CoefficientTable,

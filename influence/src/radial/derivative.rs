@@ -64,7 +64,7 @@ struct Moved {
 }
 
 impl RadialTables {
-    /// The derivative of every coefficient by one number of the bodies; some tens of milliseconds.
+    /// The derivative of every coefficient by one number of the bodies, in less time than new tables take.
     ///
     /// # Errors
     ///

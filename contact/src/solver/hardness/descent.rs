@@ -27,6 +27,7 @@ const ROUNDING: f64 = 1e-14;
 
 /// An admissible pressure, and how to go on from it.
 pub struct Descent {
+    load: Load,
     /// In Pa.
     pressure: Vec<f64>,
     /// `K p`, in m.
@@ -44,6 +45,7 @@ impl Descent {
         let mut displacement = vec![0.0; pressure.len()];
         problem.displace(&pressure, &mut displacement);
         Self {
+            load,
             pressure,
             displacement,
             caution: 0,
@@ -68,7 +70,6 @@ impl Descent {
     pub fn step(
         &mut self,
         problem: &mut DiscreteProblem,
-        load: Load,
         pressure: &[f64],
         displacement: &[f64],
     ) -> usize {
@@ -88,8 +89,8 @@ impl Descent {
             };
             let both = self.pressure.iter().zip(pressure);
             let ahead: Vec<f64> = both.map(|(from, to)| from + part * (to - from)).collect();
-            let cut = Self::begin(problem, load, &ahead);
-            if cut.slope_from(problem, load, &self.pressure) <= 0.0 {
+            let cut = Self::begin(problem, self.load, &ahead);
+            if cut.slope_from(problem, &self.pressure) <= 0.0 {
                 (self.pressure, self.displacement) = (cut.pressure, cut.displacement);
                 self.caution = self.caution.saturating_sub(1);
                 return 1;
@@ -116,10 +117,10 @@ impl Descent {
     }
 
     /// `s·∂E` of the step from a pressure to its own: the slope of the energy at its end.
-    fn slope_from(&self, problem: &DiscreteProblem, load: Load, pressure: &[f64]) -> f64 {
+    fn slope_from(&self, problem: &DiscreteProblem, pressure: &[f64]) -> f64 {
         let mut v = self.displacement.clone();
         problem.shorten_into(&self.pressure, &mut v);
-        let penetration = match load {
+        let penetration = match self.load {
             // The step keeps the force.
             Load::Force(_) => 0.0,
             Load::Penetration(penetration) => penetration,

@@ -29,6 +29,9 @@ const ABOVE: f64 = 1e-13;
 
 /// The elements held at the limit, and the pressure of the others.
 pub struct LimitExchange {
+    load: Load,
+    /// Residual that the solution must have.
+    tolerance: f64,
     held: HeldPressure,
     /// Whether `held` is pressed as it stands.
     is_pressed: bool,
@@ -87,6 +90,8 @@ impl LimitExchange {
         let mut free = start.to_vec();
         held.take_from(&mut free);
         Self {
+            load,
+            tolerance,
             held,
             is_pressed: false,
             free,
@@ -123,14 +128,13 @@ impl LimitExchange {
         &mut self,
         solver: &mut impl ElasticSolver,
         problem: &mut DiscreteProblem,
-        load: Load,
         watch: &mut Watch<'_>,
     ) -> Result<(Iterate, Option<Vec<f64>>), ContactError> {
         let (rest, free) = (
-            self.held.rest_of(load, problem.loaded_area()),
+            self.held.rest_of(self.load, problem.loaded_area()),
             std::mem::take(&mut self.free),
         );
-        match (rest, load) {
+        match (rest, self.load) {
             (Load::Force(rest), Load::Force(force)) if rest <= ROUNDING * force => {
                 let nothing = vec![0.0; free.len()];
                 Ok((Iterate::of(nothing.clone()), Some(nothing)))
@@ -172,20 +176,14 @@ impl LimitExchange {
     }
 
     /// Exchanges elements or asks for a closer solution; false where neither is needed.
-    pub fn advance(
-        &mut self,
-        problem: &mut DiscreteProblem,
-        load: Load,
-        tolerance: f64,
-        displacement: &[f64],
-    ) -> bool {
-        let limit = problem.hardness();
+    pub fn advance(&mut self, problem: &mut DiscreteProblem, displacement: &[f64]) -> bool {
+        let (limit, tolerance) = (problem.hardness(), self.tolerance);
         let pressure = self.pressure(limit);
         // v = K p + w* + g0
         let mut v = displacement.to_vec();
         problem.shorten_into(&pressure, &mut v);
         add_scaled(&mut v, 1.0, problem.initial_gap());
-        let wrong = self.wrong(problem, load, &v);
+        let wrong = self.wrong(problem, &v);
         if wrong.above.is_empty() && wrong.open.is_empty() {
             let is_done = self.accuracy <= tolerance;
             self.accuracy = if self.descent.is_some() {
@@ -198,9 +196,9 @@ impl LimitExchange {
         let accuracy = (REFINEMENT * wrong.by).clamp(tolerance, COARSEST.max(tolerance));
         self.is_pressed = false;
         if self.descent.is_some() {
-            self.descend(problem, load, &wrong, [&pressure, displacement], accuracy);
+            self.descend(problem, &wrong, [&pressure, displacement], accuracy);
         } else if self.has_stalled(&wrong) {
-            self.descent = Some(Descent::begin(problem, load, &pressure));
+            self.descent = Some(Descent::begin(problem, self.load, &pressure));
             self.total.operator_applications += 1;
             self.hold_descended(limit);
             self.accuracy = accuracy;
@@ -245,7 +243,6 @@ impl LimitExchange {
     fn descend(
         &mut self,
         problem: &mut DiscreteProblem,
-        load: Load,
         wrong: &Wrong,
         [pressure, displacement]: [&[f64]; 2],
         accuracy: f64,
@@ -262,7 +259,7 @@ impl LimitExchange {
             (descent.accuracy, self.accuracy) = (accuracy, accuracy);
             self.let_go(limit, &wrong.open);
         } else if returned.is_empty() {
-            let products = descent.step(problem, load, pressure, displacement);
+            let products = descent.step(problem, pressure, displacement);
             self.total.operator_applications += products;
             self.hold_descended(limit);
         } else {
@@ -271,7 +268,7 @@ impl LimitExchange {
     }
 
     /// The elements on the wrong side of the solution beside the held ones, by its `v = K p + w* + g0` (m).
-    fn wrong(&mut self, problem: &DiscreteProblem, load: Load, v: &[f64]) -> Wrong {
+    fn wrong(&mut self, problem: &DiscreteProblem, v: &[f64]) -> Wrong {
         let limit = problem.hardness();
         let highest = limit * (1.0 + ABOVE);
         let mut wrong = Wrong::default();
@@ -282,7 +279,7 @@ impl LimitExchange {
         if self.held.count() == 0 {
             return wrong;
         }
-        let penetration = self.penetration(load, v);
+        let penetration = self.penetration(v);
         self.total.penetration = penetration;
         let total = self.free.iter().sum::<f64>() + self.held.total;
         let reference = problem.reference_length(penetration, total);
@@ -318,8 +315,8 @@ impl LimitExchange {
     }
 
     /// `D` for `v = K p + w* + g0` (m).
-    fn penetration(&self, load: Load, v: &[f64]) -> f64 {
-        if let Load::Penetration(penetration) = load {
+    fn penetration(&self, v: &[f64]) -> f64 {
+        if let Load::Penetration(penetration) = self.load {
             return penetration;
         }
         let (mut total, mut weighted) = (0.0, 0.0);
