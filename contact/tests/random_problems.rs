@@ -16,7 +16,7 @@
 mod random;
 
 use std::sync::{
-    Arc,
+    Arc, LazyLock,
     atomic::{AtomicU64, Ordering},
 };
 
@@ -39,14 +39,14 @@ const FOUNDATIONS: u64 = 24;
 const STALLING: [u64; 4] = [144, 552, 721, 819];
 
 /// The tables of all foundations; most of them have some.
-fn all_tables() -> Vec<Arc<RadialTables>> {
+static TABLES: LazyLock<Vec<Arc<RadialTables>>> = LazyLock::new(|| {
     let tables: Vec<_> = (0..FOUNDATIONS)
         .into_par_iter()
         .filter_map(|seed| RadialTables::build(&foundation(seed)).ok().map(Arc::new))
         .collect();
     assert!(tables.len() as u64 > FOUNDATIONS / 2, "{}", tables.len());
     tables
-}
+});
 
 /// How many problems of each kind.
 fn problems() -> u64 {
@@ -234,7 +234,7 @@ fn mirrored_model(random: &mut Random, tables: &Arc<RadialTables>) -> (SampledMo
 
 #[test]
 fn every_random_mirrored_model_is_certified_on_the_whole_grid_by_its_sector() {
-    let all_tables = all_tables();
+    let all_tables = &*TABLES;
     let failures: Vec<String> = (0..problems())
         .into_par_iter()
         .filter_map(|seed| {
@@ -336,7 +336,7 @@ fn assert_certified(
     seeds: Vec<u64>,
     problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,
 ) {
-    let all_tables = all_tables();
+    let all_tables = &*TABLES;
     let problems = seeds.len();
     let outcomes: Vec<(usize, Option<String>)> = seeds
         .into_par_iter()

@@ -155,8 +155,10 @@ fn xarray_reads_the_netcdf_in_the_layout_of_contact_engineering() {
     check_both_cases("xarray_netcdf.py");
 }
 
-/// Stresses of a curve: one layer with friction, and two layers, one of them graded, without.
-fn check_stresses(script: &str) {
+/// Stresses of a curve: one layer with friction, and two layers, one of them graded, without. xarray reads those that
+/// the surface bears and interfaces pass, VTK those on their uneven planes.
+#[test]
+fn stresses_are_read_as_written_by_xarray_and_vtk() {
     let folder = TestFolder::with_case(CASE);
     let layers = "foundation.layer=[\
         { thickness = \"10 nm\", young_modulus = { from = \"90 GPa\", to = \"50 GPa\", profile = \"linear\" }, poisson_ratio = 0.3 },\
@@ -182,18 +184,10 @@ fn check_stresses(script: &str) {
         let line = line.into_iter().chain(["--fields", "all"]).chain(sets);
         let ran = folder.run(&line.collect::<Vec<_>>());
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-        read_back(script, &[folder.path(name)]);
+        for script in ["xarray_stress.py", "vtk_rectilinear.py"] {
+            read_back(script, &[folder.path(name)]);
+        }
     }
-}
-
-#[test]
-fn xarray_reads_the_stresses_that_the_surface_bears_and_interfaces_pass() {
-    check_stresses("xarray_stress.py");
-}
-
-#[test]
-fn vtk_reads_the_stresses_on_their_uneven_planes() {
-    check_stresses("vtk_rectilinear.py");
 }
 
 #[test]
