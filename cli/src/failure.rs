@@ -278,6 +278,9 @@ impl Failure {
     pub fn render(&self) -> String {
         match self {
             Self::Case(diagnosis) => diagnosis.render(),
+            Self::Contact(ContactError::DomainTooSmall { .. }) => {
+                clean(&format!("Error: {self} (`grid.side`)"))
+            }
             other => clean(&format!("Error: {other}")),
         }
     }
@@ -294,6 +297,20 @@ fn fitting_in_words(fitting: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_contact_that_outgrows_every_domain_names_the_key_that_gives_one() {
+        let failure = Failure::from(ContactError::DomainTooSmall {
+            side: 2.0,
+            trials: 100,
+        });
+        let told = failure.render();
+        assert!(
+            told.trim_end().ends_with("give its side (`grid.side`)"),
+            "{told}"
+        );
+        assert_eq!(failure.exit_code(), 1);
+    }
 
     #[test]
     fn too_little_memory_comes_with_the_elements_that_fit() {

@@ -10,7 +10,7 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use crate::failure::Failure;
-use crate::forecast::Need;
+use crate::forecast::need::Need;
 use crate::interrupt;
 
 /// Time after which a case that waits for memory checks whether the user wants to stop.

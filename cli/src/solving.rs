@@ -7,7 +7,7 @@ use pellicle_influence::Cache;
 
 use crate::case::Case;
 use crate::failure::Failure;
-use crate::forecast::Need;
+use crate::forecast::need::Need;
 use crate::memory::MemoryBudget;
 use crate::output::folder::Completeness;
 use crate::output::summary::{Clock, RunSummary, WarningSummary};

@@ -12,7 +12,7 @@ use crate::input::value_reader::Sign;
 const DEFAULT_ELEMENTS: usize = 256;
 
 /// More than 16,384² elements are beyond the memory of a workstation: where symmetry leaves a quadrant to be solved, at
-/// some 50 bytes each, these take 14 GB. What there is decides before anything is solved (`forecast.rs`).
+/// some 50 bytes each, these take 14 GB. What there is decides before anything is solved (`forecast/need.rs`).
 const ELEMENTS: std::ops::RangeInclusive<usize> = 1..=16_384;
 
 /// The grid of a case.

@@ -13,7 +13,7 @@ use crate::arguments::RunArguments;
 use crate::case::Case;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::forecast::Need;
+use crate::forecast::need::Need;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
 use crate::output::folder::{self, Completeness, ResultsFolder};

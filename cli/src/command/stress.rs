@@ -10,7 +10,7 @@ use crate::case::foundation::depths::BodyPlane;
 use crate::case::stress::StressCase;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::forecast::Need;
+use crate::forecast::need::Need;
 use crate::input::units::Units;
 use crate::memory::MemoryBudget;
 use crate::output::stress::FIELDS;
