@@ -124,7 +124,7 @@ fn ctrl_c_keeps_the_finished_cases_of_a_study() {
 fn sigterm_finishes_the_cases_of_a_study_in_hand_and_begins_no_other() {
     let folder = TestFolder::with_case(CASE);
     // The second case takes some seconds: it is in hand when the signal comes.
-    let study = "[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 512, 48]\n";
+    let study = "[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 1024, 48]\n";
     fs::write(folder.path("study.toml"), study).unwrap();
     let table = folder.path("results/study/results.csv");
     let cases = || {
