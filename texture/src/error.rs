@@ -64,7 +64,7 @@ pub enum TextureError {
         /// Its value.
         found: f64,
     },
-    /// Springs that are to stiffen have no height to be squeezed to.
+    /// Stiffening springs are asked for, but they have no height.
     #[error(
         "found a compliance of {found} for springs that stiffen, wanted a Young's modulus, with which they have a height"
     )]
@@ -80,7 +80,7 @@ pub enum TextureError {
         /// Its value.
         found: f64,
     },
-    /// The number of elements per side is zero or beyond any memory.
+    /// The number of elements per side is zero or too large for any memory.
     #[error("found {found} elements per side, wanted 1 to {largest}")]
     GridSize {
         /// Elements per side asked for.
