@@ -1,4 +1,5 @@
-//! The hash that identifies a study: of the base case with its defaults, and of every value of every key, each once.
+//! The hash that identifies a study, computed from the base case with its defaults and from every value of every key,
+//! each once.
 
 use std::collections::BTreeSet;
 use std::fs;

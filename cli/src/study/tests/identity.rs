@@ -1,4 +1,4 @@
-//! The identity of studies: which changes make a different study.
+//! The identity of studies: the changes that make a different study.
 
 use super::*;
 
