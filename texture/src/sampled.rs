@@ -2,8 +2,8 @@
 
 use crate::spring_law::SpringLaw;
 
-/// The relief at the centres of a grid's elements: mask, surface profile and compliance, N² values each, index `i * N +
-/// j`, or at those of a quadrant.
+/// The relief at the centres of a grid's elements: mask, surface profile and compliance, N² values each, index
+/// `i * N + j`, or at those of a quadrant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SampledRelief {
     pub(crate) mask: Vec<bool>,

@@ -11,10 +11,10 @@ use crate::error::{Quantity, TextureError, positive};
 /// logarithmic:   w* = h (1 − exp(−p/E)),    p = −E ln(1 − w*/h)
 /// ```
 ///
-/// The second uses the logarithmic strain `−ln(1 − w*/h)` in Hooke's law, so a spring never reaches zero height. For `p
-/// ≪ E` it tends to the first, `w* = η p (1 − p/2E + …)`. Both grow with the pressure everywhere, so a contact has one
-/// solution under either. All functions describe one spring, with η in m/Pa and p in Pa; `w* = η m(p)` with `m = p` or
-/// `m = E (1 − exp(−p/E))`, so springs differ only in η.
+/// The second uses the logarithmic strain `−ln(1 − w*/h)` in Hooke's law, so a spring never reaches zero height. For
+/// `p ≪ E` it tends to the first, `w* = η p (1 − p/2E + …)`. Both grow with the pressure everywhere, so a contact has
+/// one solution under either. All functions describe one spring, with η in m/Pa and p in Pa; `w* = η m(p)` with `m = p`
+/// or `m = E (1 − exp(−p/E))`, so springs under one law differ only in η.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SpringLaw {
     /// Young's modulus E of the logarithmic law, Pa.

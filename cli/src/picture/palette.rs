@@ -1,4 +1,4 @@
-//! Encoding of pixels as a PNG file of at most 256 colours, a third of the size of one with all colours.
+//! Encodes pixels as a PNG file of at most 256 colours, a third of the size of one with all colours.
 
 use std::io;
 

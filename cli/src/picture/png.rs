@@ -1,4 +1,4 @@
-//! Encoding of pixels as a PNG file.
+//! Encodes pixels as a PNG file.
 
 /// Pixels per metre of paper: 150 per inch, so that the widest picture fits a page.
 const DENSITY: u32 = 5906;

@@ -1,4 +1,4 @@
-//! Rendering of a drawing to pixels, with the typeface embedded in the program.
+//! Renders a drawing to pixels, with the typeface embedded in the program.
 
 use std::io;
 use std::sync::{Arc, LazyLock};

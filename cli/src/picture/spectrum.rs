@@ -36,7 +36,7 @@ pub fn is_drawn(summary: &RunSummary) -> bool {
         .any(|(_, map)| !points(map).is_empty())
 }
 
-/// Draws the picture as SVG; `None` of a case without a rough map.
+/// Draws the picture as SVG; `None` for a case without a rough map.
 #[must_use]
 pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
     if !is_drawn(summary) {

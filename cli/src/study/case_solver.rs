@@ -1,4 +1,4 @@
-//! Solution of one case of a study: from its values to the rows of the table.
+//! Solves one case of a study: from its values to the rows of the table.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;

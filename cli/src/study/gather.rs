@@ -1,4 +1,4 @@
-//! Merging of the tables of a study's parts into one.
+//! Merges the tables of a study's parts into one.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};

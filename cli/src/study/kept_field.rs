@@ -1,4 +1,4 @@
-//! Fields of every case kept in one file.
+//! A field of every case kept in one file.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! Solution of the remaining cases of a study, as many at a time as there are threads.
+//! Solves the remaining cases of a study, as many at a time as there are threads.
 
 use std::num::NonZero;
 use std::sync::atomic::{AtomicBool, Ordering};

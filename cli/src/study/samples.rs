@@ -1,8 +1,8 @@
 //! `vary.from = "samples.csv"`: cases from elsewhere, with a column for every key and a row for every case.
 //!
-//! The first line names the keys, each followed by the unit of its numbers in brackets if they have one: `load.force
-//! [mN]`. Without a unit the values are written as in a case file, without the quotes: `3 mN`, `64`, `true`, `bare`. A
-//! column of numbers takes eight bytes per case.
+//! The first line names the keys, each followed by the unit of its numbers in brackets if they have one:
+//! `load.force [mN]`. Without a unit the values are written as in a case file, without the quotes: `3 mN`, `64`,
+//! `true`, `bare`. A column of numbers takes eight bytes per case.
 
 use std::path::{Path, PathBuf};
 

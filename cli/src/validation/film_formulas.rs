@@ -76,8 +76,8 @@ impl ThinLayer {
     ///
     /// The integral equation's kernel is `A + B (x² + t²)` up to the fifth power of the lengths.
     ///
+    /// # Errors
     /// Errors of [`Self::foundation`].
-    /// As [`Self::foundation`].
     pub fn series(&self) -> Result<[f64; 5], ValidationError> {
         let body = self.foundation()?;
         let moment = |power| {

@@ -1,4 +1,4 @@
-//! Running of the binary in its own folder.
+//! Runs the binary in its own folder.
 
 use std::fs;
 use std::path::{Path, PathBuf};

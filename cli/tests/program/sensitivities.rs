@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::runner::TestFolder;
 
-/// Hertz' contact of a diamond on steel, nine forces over a decade.
+/// Hertz's contact of a diamond on steel, nine forces over a decade.
 const HERTZ: &str = r#"
 [foundation]
 substrate = { young_modulus = "210 GPa", poisson_ratio = 0.3 }

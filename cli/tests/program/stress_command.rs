@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::runner::{CASE, ProgramOutput, TestFolder};
 
-/// Hertz' contact with R = 1 and E/(1 − ν²) = 1.
+/// Hertz's contact with R = 1 and E/(1 − ν²) = 1.
 const HERTZ: &str = "[foundation]\nsubstrate = { young_modulus = 0.91, poisson_ratio = 0.3 }\n\
     [indenter]\nkind = \"paraboloid\"\nradius = 1\n[load]\nforces = [1e-4, 1e-3]\n[grid]\nelements = 64\n";
 

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::runner::{CASE, TestFolder};
 
-/// Hertz' contact with R = 1, E/(1 − ν²) = 1 and a yield strength.
+/// Hertz's contact with R = 1, E/(1 − ν²) = 1 and a yield strength.
 fn hertz(yield_strength: f64) -> String {
     format!(
         "[foundation]\nsubstrate = {{ young_modulus = 0.91, poisson_ratio = 0.3, yield_strength = {yield_strength:e} }}\n\

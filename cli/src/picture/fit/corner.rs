@@ -271,7 +271,7 @@ mod tests {
     #[test]
     fn the_levels_hold_their_part_of_a_normal_distribution_of_two() {
         for (level, part) in LEVELS.into_iter().zip([0.68, 0.95]) {
-            // The number of digits in the levels.
+            // The levels have this many digits.
             assert_relative_eq!(1.0 - (-0.5 * level).exp(), part, max_relative = 1e-6);
         }
     }

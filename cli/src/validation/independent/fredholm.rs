@@ -8,8 +8,8 @@
 //! g(x) + 1/π ∫₀ᵃ g(t) (M(x + t) + M(x − t)) dt = 2/π d/dx ∫₀ˣ r u(r)/√(x² − r²) dr      M(y) = ∫ (Φ(k) − 1) cos ky dk
 //! ```
 //!
-//! where u is the displacement that the indenter prescribes: `D` for a flat punch, `D − r²/2R` for a paraboloid, `D −
-//! r` for a cone. The right-hand side is then `2D/π`, `2/π (D − x²/R)`, `2D/π − x`. The force is `π E* ∫ g dt`.
+//! where u is the displacement that the indenter prescribes: `D` for a flat punch, `D − r²/2R` for a paraboloid,
+//! `D − r` for a cone. The right-hand side is then `2D/π`, `2/π (D − x²/R)`, `2D/π − x`. The force is `π E* ∫ g dt`.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
