@@ -1,7 +1,7 @@
-//! The processor time of a study over that of the bare solves of its cases, which one process does one after the other
-//! on one thread. Both are measured in pairs; the resolved cases of the bare solves are made beforehand.
+//! Processor time of a study relative to bare solves of its cases, which run one after the other in one process on one
+//! thread. Both are measured in pairs; the resolved cases of the bare solves are prepared beforehand.
 //!
-//! `cargo bench -p pellicle-cli --bench study_rate -- 20000 3`: cases, and pairs. Linux only.
+//! `cargo bench -p pellicle-cli --bench study_rate -- 20000 3`: cases and pairs. Linux only.
 
 #![expect(
     clippy::unwrap_used,
@@ -17,7 +17,7 @@ use pellicle_cli::Case;
 use pellicle_contact::solve_path;
 use pellicle_influence::Cache;
 
-/// A ball on a hard coating, 32 elements a side.
+/// A ball on a hard coating, 32 elements per side.
 const BASE: &str = r#"
 [foundation]
 substrate = { young_modulus = "3 GPa", poisson_ratio = 0.35 }
@@ -73,7 +73,7 @@ fn main() {
         .unwrap();
     println!("{count} cases: processor time of the bare solves, of the study, and their ratio");
     for _ in 0..pairs {
-        // A thread of the pool: from outside, every parallel step would wait for another thread.
+        // Run on a thread of the pool: from outside, every parallel step would wait for another thread.
         let [bare, _] = timed(|| rayon::scope(|_| solve_all(&cases)));
         let [_, study] = timed(|| run_study(folder.path()));
         println!("{bare:.2} s  {study:.2} s  {:.3}", bare / study);
@@ -108,7 +108,7 @@ fn run_study(folder: &Path) {
     assert!(ran.unwrap().success());
 }
 
-/// Processor time that some work takes in this process, and in children that it waits for, s.
+/// Processor time in seconds used by some work in this process and in children that it waits for.
 fn timed(work: impl FnOnce()) -> [f64; 2] {
     let before = processor_times();
     work();
@@ -116,7 +116,7 @@ fn timed(work: impl FnOnce()) -> [f64; 2] {
     [0, 1].map(|i| after[i] - before[i])
 }
 
-/// `proc_pid_stat(5)`: user and system time in ticks of 10 ms, fields 14 to 17.
+/// `proc_pid_stat(5)`: user and system time in ticks of 10 ms, in fields 14 to 17.
 fn processor_times() -> [f64; 2] {
     let stat = fs::read_to_string("/proc/self/stat").unwrap();
     let (_, fields) = stat.rsplit_once(')').unwrap();

@@ -1,5 +1,4 @@
-//! Pictures of a solution, readable in print and by the colour-blind: each is drawn as SVG and rendered from that to
-//! PNG.
+//! Pictures of a solution, readable in print and by the colour-blind. Each is drawn as SVG and rendered from it as PNG.
 
 pub mod accuracy;
 pub mod coarse_field;

@@ -1,4 +1,4 @@
-//! Planning of measurements: the intervals that curves of a design would give, alone, in pairs and together.
+//! Planning of measurements: the expected intervals from the curves of a design, alone, in pairs and together.
 
 pub mod advice;
 pub mod after_fit;
@@ -28,15 +28,15 @@ use crate::identification::findings::WarningResult;
 use crate::identification::null_directions;
 use crate::measured::data_table::Observe;
 
-/// Time between two points of a curve, s: of a drift only the shape counts.
+/// Time between two points of a curve, s; for a drift only the shape matters.
 const INTERVAL: f64 = 0.1;
 
-/// A measurement, made or to be made: its information, and the directions in which it does not change.
+/// A measurement, existing or planned: its information, and the directions in which it does not change.
 #[derive(Debug)]
 pub struct Judged {
-    /// The curve; none for the data that there are.
+    /// The curve; `None` for the existing data.
     pub candidate: Option<CandidateCurve>,
-    /// Places of the radii that it depends on among the unknowns of the plan.
+    /// Indices, among the unknowns of the plan, of the radii that it depends on.
     pub radii: Vec<usize>,
     /// Its information about the unknowns.
     pub information: Information,
@@ -44,27 +44,27 @@ pub struct Judged {
     pub directions: NullDirections,
 }
 
-/// Curves of a design, each judged alone.
+/// The curves of a design, each evaluated alone.
 #[derive(Debug)]
 pub struct Planning<'a> {
-    /// The values, the noise and the indenters that are assumed.
+    /// The assumed values, noise and indenters.
     pub premises: Premises<'a>,
-    /// The data that there are.
+    /// The existing data.
     pub data: Option<Judged>,
-    /// The curves that can be solved.
+    /// The curves that could be solved.
     pub judged: Vec<Judged>,
-    /// Loads solved.
+    /// Number of loads solved.
     pub loads_solved: usize,
     /// Warnings for the reader.
     pub warnings: Vec<WarningResult>,
 }
 
 impl<'a> Planning<'a> {
-    /// Judges every candidate; `tell` gets the number done, `stop` ends it.
+    /// Evaluates every candidate; `tell` receives the number done, `stop` ends it.
     ///
     /// # Errors
     ///
-    /// [`Failure`] if no candidate can be solved, or the user stops.
+    /// [`Failure`] if no candidate can be solved, or if the user stops.
     pub fn new(
         premises: Premises<'a>,
         candidates: &[CandidateCurve],
@@ -102,7 +102,7 @@ impl<'a> Planning<'a> {
         });
     }
 
-    /// Solves a candidate and keeps what it tells.
+    /// Solves a candidate and keeps its information.
     fn judge(&mut self, candidate: &CandidateCurve) -> Result<(), Failure> {
         let premises = &self.premises;
         let indenter = premises.indenter(candidate.radius);
@@ -141,7 +141,7 @@ impl<'a> Planning<'a> {
     }
 }
 
-/// The failure of a model without a prediction.
+/// The failure for a model without a prediction.
 fn not_solved(error: ForwardError) -> Failure {
     match error {
         ForwardError::OutOfRange { source } => Failure::NotPlanned(source.to_string()),
@@ -149,13 +149,13 @@ fn not_solved(error: ForwardError) -> Failure {
     }
 }
 
-/// A curve of the expected values, its points evenly in time.
+/// Builds a curve of the expected values, with its points evenly spaced in time.
 fn timed(abscissae: Vec<f64>, prediction: &Prediction) -> Result<Curve, IdentifyError> {
     let times = (0..abscissae.len()).map(|i| i as f64 * INTERVAL).collect();
     Curve::new(abscissae, prediction.value.clone())?.with_time(times)
 }
 
-/// Depths at forces, or what they mean for forces at these depths.
+/// Returns depths at forces, or converts them to forces at these depths.
 fn observed(observe: Observe, forces: Vec<f64>, depths: Prediction) -> (Vec<f64>, Prediction) {
     if observe != Observe::ForceAtDepth {
         return (forces, depths);

@@ -1,10 +1,10 @@
-//! A study: one case solved for many values of its keys, on all cores and on many machines, resumed after kills.
+//! A study: one case solved for many values of its keys, on all cores and on many machines, resumed after a kill.
 //!
-//! [`study_file`] reads it, [`numbering`] numbers its cases, [`plan`] checks what can be checked before any of them is
-//! solved, [`results_table`] keeps the results, one block of rows per case, [`kept_file`] the fields that are wanted of
-//! all, [`runner`] solves the remaining cases, [`gather`](mod@gather) merges the tables of several machines, and
-//! [`report`](mod@report) shows them. A case is read when it is its turn: neither the start of a study nor its memory
-//! depends on the number of its cases, but for some bytes each.
+//! [`study_file`] reads it, [`numbering`] numbers its cases, and [`plan`] checks what can be checked before any case is
+//! solved. [`results_table`] keeps the results, one block of rows per case, and [`kept_file`] the requested fields of
+//! all cases. [`runner`] solves the remaining cases, [`gather`](mod@gather) merges the tables of several machines, and
+//! [`report`](mod@report) shows them. A case is read only when its turn comes: neither the start of a study nor its
+//! memory depends on the number of its cases, except for a few bytes per case.
 
 pub mod case_blocks;
 pub mod case_counts;
@@ -43,30 +43,30 @@ use crate::input::key_path;
 use crate::input::overrides;
 use crate::input::toml_tree::TomlNode;
 
-/// A base case and the keys that vary in it.
+/// A base case and its varied keys.
 #[derive(Debug, Clone)]
 pub struct Study {
-    /// Name of its file, without the ending.
+    /// Name of the study file, without extension.
     pub name: String,
-    /// Title of the cases, unless the base case has one.
+    /// Title of the cases, if the base case has none.
     case_name: String,
     /// Folder to which the file names of the base case are relative.
     folder: PathBuf,
     base: TomlNode,
     numbering: CaseNumbering,
     varied_keys: Vec<VariedKey>,
-    /// The fields of all cases that are wanted in one file.
+    /// The fields of all cases that are kept in one file.
     pub keep: Vec<KeptField>,
 }
 
 impl Study {
-    /// The keys that vary, in the order of the file.
+    /// Returns the varied keys, in the order of the file.
     #[must_use]
     pub fn varied_keys(&self) -> &[VariedKey] {
         &self.varied_keys
     }
 
-    /// The numbers of the cases.
+    /// Returns the numbering of the cases.
     #[must_use]
     pub fn numbering(&self) -> &CaseNumbering {
         &self.numbering
@@ -78,7 +78,7 @@ impl Study {
         self.numbering.len()
     }
 
-    /// The number of each key's value in a case, all counted from 0.
+    /// Returns the index of each key's value in a case; all indices count from 0.
     #[must_use]
     pub fn choice(&self, case: usize) -> Vec<usize> {
         let choice = self.numbering.choice(case);
@@ -86,7 +86,7 @@ impl Study {
         keys.map(|varied| choice[varied.axis]).collect()
     }
 
-    /// The axes with a key of which `holds` is true, given its path.
+    /// Returns the axes with a key whose path satisfies `holds`.
     #[must_use]
     pub fn axes_of(&self, holds: impl Fn(&[String]) -> bool) -> Vec<usize> {
         let is_wanted = |varied: &&VariedKey| {
@@ -99,7 +99,7 @@ impl Study {
         axes
     }
 
-    /// The text of a case as a tree: the base case with the case's own values.
+    /// The tree of a case: the base case with the case's own values.
     fn tree(&self, case: usize) -> Result<TomlNode, Diagnosis> {
         let mut root = self.base.clone();
         for (varied, i) in self.varied_keys.iter().zip(self.choice(case)) {
@@ -109,7 +109,7 @@ impl Study {
         Ok(root)
     }
 
-    /// A case, counted from 0.
+    /// Resolves a case, counted from 0.
     ///
     /// # Errors
     ///
@@ -118,7 +118,7 @@ impl Study {
         Case::resolve(&self.tree(case)?, &self.case_name, &self.folder)
     }
 
-    /// The values of a case in words: `load.force = 1 mN, grid.elements = 64`.
+    /// Describes the values of a case: `load.force = 1 mN, grid.elements = 64`.
     #[must_use]
     pub fn words(&self, case: usize) -> String {
         let choice = self.choice(case);

@@ -1,4 +1,4 @@
-//! The commented cases of `pellicle init`, each of which runs as it is.
+//! The commented cases of `pellicle init`; each runs as it is.
 
 use clap::ValueEnum;
 
@@ -33,7 +33,7 @@ pub enum Template {
 }
 
 impl Template {
-    /// The text of the case.
+    /// Returns the text of the template.
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {
@@ -52,7 +52,7 @@ impl Template {
         }
     }
 
-    /// The next command, for a template written to the file `path`.
+    /// Returns the command to run next, for a template written to the file `path`.
     #[must_use]
     pub fn next(self, path: &str) -> String {
         match self {

@@ -1,7 +1,7 @@
-//! `pellicle validate`: the program's numbers compared with known ones.
+//! `pellicle validate`: comparison of the program's results with known values.
 //!
-//! A [`ValidationSection`] is one kind of evidence, one file here, with the source of its references and the cause of
-//! its tolerances; each of its rows is a [`Comparison`](comparison::Comparison). Everything goes through the same
+//! A [`ValidationSection`] is one kind of evidence, in its own file, with the source of its references and the cause of
+//! its tolerances. Each of its rows is a [`Comparison`](comparison::Comparison). Everything goes through the same
 //! crates as `pellicle run`.
 
 mod anchors;

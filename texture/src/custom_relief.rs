@@ -5,27 +5,28 @@ use std::sync::Arc;
 
 use crate::error::{Quantity, TextureError, not_negative};
 
-/// Points along each side of the square over which a compliance is averaged: the mean serves an estimate.
+/// Points along each side of the square over which a compliance is averaged; the mean only serves an estimate.
 const POINTS: u32 = 16;
 
-/// A relief of springs of a user's own, which becomes a [`Relief`](crate::Relief) by
-/// [`custom`](crate::Relief::custom). The springs are linear.
+/// A user-defined relief of springs. [`custom`](crate::Relief::custom) makes a [`Relief`](crate::Relief) of it. The
+/// springs are linear.
 pub trait ReliefShape: Debug + Send + Sync {
-    /// Surface profile `f*` at some points (m): 0 on the highest tops, negative elsewhere, finite.
+    /// Returns the surface profile `f*` at the given points (m): 0 on the highest tops, negative elsewhere, finite.
     fn profile(&self, points: &[[f64; 2]]) -> Vec<f64>;
 
-    /// Compliance η at some points, m/Pa: not negative; 0 where the relief is as rigid as a part of the body.
+    /// Returns the compliance η at the given points, m/Pa: not negative; 0 where the relief is as rigid as a part of
+    /// the body.
     fn compliance(&self, points: &[[f64; 2]]) -> Vec<f64>;
 
-    /// The mean of η over [points of the square](mean_points) around the axis that encloses the circle of this radius
-    /// (m), m/Pa: meant for estimates.
+    /// Returns the mean of η over [points of the square](mean_points) around the axis that encloses the circle of this
+    /// radius (m), m/Pa. It is meant for estimates.
     fn mean_compliance(&self, radius: f64) -> f64 {
         let values = self.compliance(&mean_points(radius));
         values.iter().sum::<f64>() / values.len() as f64
     }
 }
 
-/// Points of the square around the axis that encloses the circle of this radius (m), which stand for its mean.
+/// Returns points of the square around the axis that encloses the circle of this radius (m), for taking a mean over it.
 #[must_use]
 pub fn mean_points(radius: f64) -> Vec<[f64; 2]> {
     let at = |i: u32| radius * (f64::from(2 * i + 1) / f64::from(POINTS) - 1.0);
@@ -34,11 +35,11 @@ pub fn mean_points(radius: f64) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// A shape that the crate does not know, shared by all copies of a relief; it equals its copies alone.
+/// A user-defined shape, shared by all copies of a relief. It equals only its own copies.
 #[derive(Clone, Debug)]
 pub struct CustomRelief {
     shape: Arc<dyn ReliefShape>,
-    /// In place of the shape's, m/Pa.
+    /// Replaces the compliance of the shape, m/Pa.
     uniform_compliance: Option<f64>,
 }
 
@@ -50,7 +51,7 @@ impl PartialEq for CustomRelief {
 }
 
 impl CustomRelief {
-    /// A relief of this shape.
+    /// Wraps a shape.
     #[must_use]
     pub fn new(shape: impl ReliefShape + 'static) -> Self {
         Self {
@@ -59,7 +60,7 @@ impl CustomRelief {
         }
     }
 
-    /// The same profile with one compliance (m/Pa) everywhere.
+    /// Returns the same profile with one compliance (m/Pa) everywhere.
     ///
     /// # Errors
     /// [`TextureError`] if the compliance is negative or not finite.
@@ -71,13 +72,13 @@ impl CustomRelief {
         })
     }
 
-    /// Surface profile `f*` at some points, m.
+    /// Returns the surface profile `f*` at the given points, m.
     #[must_use]
     pub fn profile(&self, points: &[[f64; 2]]) -> Vec<f64> {
         self.shape.profile(points)
     }
 
-    /// Compliance η at some points, m/Pa.
+    /// Returns the compliance η at the given points, m/Pa.
     #[must_use]
     pub fn compliance(&self, points: &[[f64; 2]]) -> Vec<f64> {
         match self.uniform_compliance {
@@ -86,7 +87,7 @@ impl CustomRelief {
         }
     }
 
-    /// The mean of η about the axis, m/Pa; see [`ReliefShape::mean_compliance`].
+    /// Returns the mean of η about the axis, m/Pa; see [`ReliefShape::mean_compliance`].
     #[must_use]
     pub fn mean_compliance(&self, radius: f64) -> f64 {
         self.uniform_compliance
@@ -135,7 +136,7 @@ mod tests {
         let Relief::Custom(valley) = Relief::custom(Valley) else {
             unreachable!();
         };
-        // 1 + R²/3, and the midpoint rule's relative error 1/16² of the second part.
+        // 1 + R²/3, and the midpoint rule's relative error of 1/16² in the second term.
         let found = valley.mean_compliance(3.0);
         assert!((found - 4.0).abs() <= 3.0 / 256.0 + 1e-12, "{found}");
     }

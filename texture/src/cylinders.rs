@@ -32,7 +32,7 @@ pub struct Cylinders {
 const RIM_SLACK: f64 = 1e-12;
 
 impl Cylinders {
-    /// Checks a description and takes it over.
+    /// Checks a description and builds the cylinders.
     ///
     /// # Errors
     ///
@@ -64,20 +64,20 @@ impl Cylinders {
         })
     }
 
-    /// The same cylinders as springs of the [logarithmic law](SpringLaw), never squeezed beyond their height.
+    /// Returns the same cylinders with springs of the [logarithmic law](SpringLaw), never squeezed beyond their height.
     #[must_use]
     pub fn stiffening(self) -> Self {
         let law = SpringLaw::of_checked(self.spec.young_modulus);
         Self { law, ..self }
     }
 
-    /// How the springs shorten.
+    /// The law of the springs.
     #[must_use]
     pub fn spring_law(&self) -> SpringLaw {
         self.law
     }
 
-    /// The description that they were made of.
+    /// The description of the cylinders.
     #[must_use]
     pub fn spec(&self) -> CylinderSpec {
         self.spec
@@ -133,7 +133,8 @@ impl Cylinders {
             .area_fraction(self.spec.radius, self.spec.period)
     }
 
-    /// Whether the lattice is symmetric in x and y: whether both axes pass through a centre or halfway between two.
+    /// Whether the lattice is symmetric in x and y, i.e. whether each axis passes through a centre or halfway between
+    /// two centres.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         let CylinderSpec {

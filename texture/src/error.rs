@@ -1,4 +1,4 @@
-//! Errors of a grid's or a relief's numbers.
+//! Errors for invalid numbers of a grid or a relief.
 
 use std::fmt;
 
@@ -64,7 +64,7 @@ pub enum TextureError {
         /// Its value.
         found: f64,
     },
-    /// Springs that are to stiffen have no height to be squeezed to.
+    /// Stiffening springs are requested, but they have no height.
     #[error(
         "found a compliance of {found} for springs that stiffen, wanted a Young's modulus, with which they have a height"
     )]
@@ -80,10 +80,10 @@ pub enum TextureError {
         /// Its value.
         found: f64,
     },
-    /// The number of elements per side is zero or beyond any memory.
+    /// The number of elements per side is zero or too large for any memory.
     #[error("found {found} elements per side, wanted 1 to {largest}")]
     GridSize {
-        /// Elements per side asked for.
+        /// Number of elements per side requested.
         found: usize,
         /// The most that [`Grid`](crate::Grid) accepts.
         largest: usize,

@@ -12,7 +12,7 @@ pub struct Film {
 }
 
 impl Film {
-    /// A film of the given thickness h (m) and Young's modulus `E_w` (Pa).
+    /// Builds a film of thickness h (m) and Young's modulus `E_w` (Pa).
     ///
     /// # Errors
     ///
@@ -27,20 +27,20 @@ impl Film {
         })
     }
 
-    /// The same film as springs of the [logarithmic law](SpringLaw), never squeezed beyond the thickness.
+    /// Returns the same film with springs of the [logarithmic law](SpringLaw), never squeezed beyond the thickness.
     #[must_use]
     pub fn stiffening(self) -> Self {
         let law = SpringLaw::of_checked(self.young_modulus);
         Self { law, ..self }
     }
 
-    /// How the springs shorten.
+    /// The law of the springs.
     #[must_use]
     pub fn spring_law(&self) -> SpringLaw {
         self.law
     }
 
-    /// Thickness h, m. A computed shortening beyond it, as linear springs may have, is outside the model's validity.
+    /// Thickness h, m. Linear springs may shorten by more; such a result is outside the model's validity.
     #[must_use]
     pub fn thickness(&self) -> f64 {
         self.thickness

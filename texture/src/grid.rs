@@ -1,10 +1,10 @@
-//! The square domain Ω* cut into N × N square elements.
+//! The square domain Ω*, divided into N × N square elements.
 
 use rayon::prelude::*;
 
 use crate::error::{Quantity, TextureError, positive};
 
-/// A square domain centred on the origin, cut into N × N square elements of side `h = 2a`.
+/// A square domain centred on the origin and divided into N × N square elements of side `h = 2a`.
 ///
 /// Element `(i, j)` has its centre at `(x_i, x_j)`, `x_i = (i + ½) h − side/2`, and the index `i * N + j` in every
 /// field on the grid: the first index runs along x, the second along y.
@@ -15,10 +15,10 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// The most elements per side: one field of 32 768² values takes 8 GiB, and a solution needs about ten.
+    /// Largest number of elements per side: one field of 32 768² values takes 8 GiB, and a solution needs about ten.
     pub const LARGEST_SIZE: usize = 32_768;
 
-    /// A grid of `size` × `size` elements on a square of the given `side` (m).
+    /// Builds a grid of `size` × `size` elements on a square of the given `side` (m).
     ///
     /// # Errors
     ///
@@ -69,20 +69,21 @@ impl Grid {
         self.element_side().powi(2)
     }
 
-    /// Coordinate `x_i` (or `y_i`) of the centre of element `i`, m; mirror elements have exactly opposite coordinates.
+    /// Coordinate `x_i` (or `y_i`) of the centre of element `i`, m; mirrored elements have exactly opposite
+    /// coordinates.
     #[must_use]
     pub fn centre(&self, i: usize) -> f64 {
-        // x_i = (i + ½) h − side/2 = (2i + 1 − N) h/2, the bracket exact.
+        // x_i = (i + ½) h − side/2 = (2i + 1 − N) h/2, the bracket is exact.
         ((2 * i + 1) as f64 - self.size as f64) * (0.5 * self.element_side())
     }
 
-    /// Coordinates `x_i` of the centres of elements from one on, m.
+    /// Coordinates `x_i` of the element centres from index `first` on, m.
     pub(crate) fn centres_from(&self, first: usize) -> Vec<f64> {
         (first..self.size).map(|i| self.centre(i)).collect()
     }
 
-    /// A function of the point at the centres of all elements; one that is symmetric in x and y is computed in a
-    /// quadrant, from which the other values are copied to the last bit.
+    /// Evaluates a function of the point at the centres of all elements. A function symmetric in x and y is computed in
+    /// one quadrant only and copied to the others, so the values agree to the last bit.
     pub fn sample<T: Copy + Default + Send + Sync>(
         &self,
         is_mirrored: bool,
@@ -102,7 +103,7 @@ impl Grid {
                 *value = *image;
             }
         });
-        // Row i is row N − 1 − i: of an odd N the middle one is its own.
+        // Row i is the image of row N − 1 − i; for odd N the middle row is its own image.
         let rows = copied.par_chunks_exact_mut(size).rev();
         let images = sampled.par_chunks_exact(size).skip(size % 2);
         rows.zip(images)
@@ -110,7 +111,7 @@ impl Grid {
         field
     }
 
-    /// A function of the point at the centres of the elements from a row and a column on, row after row.
+    /// Evaluates a function of the point at the element centres from row `above` and column `left` on, row by row.
     ///
     /// # Panics
     /// If the grid has no such row or column.

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::error::{Quantity, TextureError, positive};
 use crate::interpolation::{Interpolation, Stencil};
 
-/// Rounding of a place, in samples, on a map of one sample.
+/// Rounding error of a position, in samples, for a map of one sample.
 const ON_A_SAMPLE: f64 = 4.0 * f64::EPSILON;
 
 /// Heights (m) measured at the centres of `shape[0]` × `shape[1]` equal pixels that fill a rectangle centred on the
@@ -23,8 +23,8 @@ pub struct HeightMap {
 }
 
 impl HeightMap {
-    /// A map of `shape[0] * shape[1]` heights (m, above any plane) over a rectangle of sides `extent` (m), bicubic
-    /// between them.
+    /// Builds a map of `shape[0] * shape[1]` heights (m, above any plane) over a rectangle of sides `extent` (m), with
+    /// bicubic interpolation.
     ///
     /// # Errors
     ///
@@ -60,7 +60,7 @@ impl HeightMap {
         }
     }
 
-    /// The same samples with this interpolation between them.
+    /// Returns the same samples with another interpolation.
     #[must_use]
     pub fn with_interpolation(self, interpolation: Interpolation) -> Self {
         Self {
@@ -69,7 +69,7 @@ impl HeightMap {
         }
     }
 
-    /// How heights between the samples are found.
+    /// The interpolation between the samples.
     #[must_use]
     pub fn interpolation(&self) -> Interpolation {
         self.interpolation
@@ -141,8 +141,8 @@ impl HeightMap {
         along(0).min(along(1))
     }
 
-    /// Height at a point (m) by the map's interpolation; beyond the outermost samples, the height of the nearest point
-    /// among them.
+    /// Height at a point (m) by the map's interpolation. Beyond the outermost samples, it is the height of the nearest
+    /// point among them.
     #[must_use]
     pub fn height(&self, point: [f64; 2]) -> f64 {
         match self.interpolation {
@@ -156,7 +156,8 @@ impl HeightMap {
         self.weighed([&along_x, &along_y], 0.0)
     }
 
-    /// The samples that heights at a coordinate depend on along an axis: one where it is a sample's up to rounding.
+    /// The samples along an axis on which the height at a coordinate depends: a single one where the coordinate is that
+    /// of a sample up to rounding.
     fn stencil(&self, axis: usize, coordinate: f64) -> Stencil {
         let samples = self.shape[axis];
         let (before, after, t) = self.bracket(axis, coordinate);
@@ -170,8 +171,8 @@ impl HeightMap {
         }
     }
 
-    /// Heights (m) where lines of constant x cross lines of constant y, given their coordinates (m): row after row, to
-    /// the last bit those at the points.
+    /// Heights (m) at the crossings of lines of constant x and lines of constant y, given by their coordinates (m), row
+    /// by row. They equal the heights at the single points to the last bit.
     pub(crate) fn at_crossings(&self, [x, y]: [&[f64]; 2]) -> Vec<f64> {
         let mut heights = vec![0.0; x.len() * y.len()];
         let rows = heights.par_chunks_exact_mut(y.len()).zip(x);
@@ -193,11 +194,11 @@ impl HeightMap {
         heights
     }
 
-    /// The heights of a line across the samples along y, weighed along x.
+    /// Interpolates along x and writes the heights of the samples along y.
     fn line_into(&self, along_x: &Stencil, line: &mut Vec<f64>) {
         let columns = self.shape[1];
         line.clear();
-        // As an empty sum, so that the bits are those of a sum.
+        // −0 is what an empty sum gives, so the bits are those of a sum.
         line.resize(columns, -0.0);
         for (i, weight) in along_x.terms() {
             let samples = &self.heights[i * columns..][..columns];
@@ -206,8 +207,8 @@ impl HeightMap {
         }
     }
 
-    /// Slopes along x and y and second derivatives along x, both and y of the bicubic surface at a point (m), in
-    /// heights per distance between samples.
+    /// Slopes along x and y, and second derivatives (xx, xy, yy), of the bicubic surface at a point (m), in heights per
+    /// distance between samples.
     pub(crate) fn slopes_and_bends(&self, point: [f64; 2]) -> ([f64; 2], [f64; 3]) {
         let [along_x, along_y] = [0, 1].map(|axis| {
             let (before, _, t) = self.bracket(axis, point[axis]);
@@ -218,7 +219,7 @@ impl HeightMap {
                 Stencil::cubic_bend(before, t, samples),
             ]
         });
-        // Derivatives of differences, so that a map far from its plane of reference is none the worse.
+        // Differentiate height differences, so that a map far from its reference plane loses no accuracy.
         let reference = self.height(point);
         let derivative = |x: usize, y: usize| self.weighed([&along_x[x], &along_y[y]], reference);
         let slopes = [derivative(1, 0), derivative(0, 1)];
@@ -228,7 +229,7 @@ impl HeightMap {
         )
     }
 
-    /// The sum of the heights above a reference, weighed along both axes.
+    /// The sum of the heights above a reference, weighted along both axes.
     fn weighed(&self, [along_x, along_y]: [&Stencil; 2], reference: f64) -> f64 {
         let column = |j: usize| {
             along_x
@@ -250,7 +251,7 @@ impl HeightMap {
             sample(i1, j0),
             sample(i1, j1),
         ];
-        // Rounding must not carry the mean beyond its corners; a NaN coordinate stays NaN.
+        // Rounding must not push the mean beyond the corner heights; a NaN coordinate stays NaN.
         let [low, high] = [
             corners.into_iter().fold(f64::INFINITY, f64::min),
             corners.into_iter().fold(f64::NEG_INFINITY, f64::max),
@@ -263,7 +264,7 @@ impl HeightMap {
         [0, 1].map(|axis| self.extent[axis] / self.shape[axis] as f64)
     }
 
-    /// Where a sample stands, m.
+    /// Position of a sample, m.
     pub(crate) fn point(&self, [i, j]: [usize; 2]) -> [f64; 2] {
         [self.coordinate(0, i), self.coordinate(1, j)]
     }
@@ -274,7 +275,7 @@ impl HeightMap {
         ((2 * i + 1) as f64 - self.shape[axis] as f64) * (0.5 * pixel)
     }
 
-    /// Whether a coordinate lies inside the outermost samples, where the surface has slopes of both signs.
+    /// Whether a coordinate lies between the outermost samples, where the surface has slopes of both signs.
     pub(crate) fn is_between_samples(&self, axis: usize, coordinate: f64) -> bool {
         coordinate.abs() < self.coordinate(axis, self.shape[axis] - 1)
     }

@@ -1,27 +1,27 @@
-//! How heights between the samples of a map are found, along one axis at a time.
+//! Interpolation between the samples of a map, along one axis at a time.
 //!
-//! Bicubic: between two samples the cubic that has their heights and their slopes (Hermite), a sample's slope being
-//! that of the polynomial through it and three neighbours on either side, fewer near the rim. The slope belongs to the
-//! sample, so the surface is smooth (C¹) across every line of samples, where a bilinear one has a ridge; cubics come
-//! back exactly wherever three neighbours are there, and the error of a smooth surface falls with the fourth power of
-//! the distance between samples. A wave of four samples keeps 97 % of its height midway between two samples, of which a
-//! bilinear map leaves 71 %.
+//! Bicubic: between two samples, the cubic with their heights and slopes (Hermite). The slope at a sample is that of
+//! the polynomial through it and three neighbours on either side, fewer near the rim. It belongs to the sample, so the
+//! surface is smooth (C¹) across every line of samples, where a bilinear one has a ridge. Cubics are reproduced exactly
+//! wherever there are three neighbours on either side, and the error on a smooth surface falls with the fourth power of
+//! the distance between samples. A wave of four samples keeps 97 % of its height midway between two samples; a bilinear
+//! map leaves 71 %.
 
-/// How heights between the samples of a map are found.
+/// The interpolation between the samples of a map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Interpolation {
-    /// Smooth: piecewise bicubic, continuous with its slopes.
+    /// Piecewise bicubic and smooth: the slopes are continuous.
     #[default]
     Bicubic,
-    /// Piecewise bilinear: no height lies beyond those of the four samples around it, and every line of samples is a
-    /// ridge.
+    /// Piecewise bilinear: no height lies outside the range of the four samples around it, and every line of samples is
+    /// a ridge.
     Linear,
 }
 
-/// Most samples that a height depends on along one axis.
+/// Largest number of samples that a height depends on along one axis.
 const MOST: usize = 8;
 
-/// Neighbours on either side that a sample's slope is taken from, where there are as many.
+/// Neighbours on either side used for the slope at a sample, where there are that many.
 const REACH: usize = 3;
 
 /// Weights of the differences `f(k) − f(−k)`, k = 1, 2, …, in the slope of the polynomial through `2m + 1` equally
@@ -32,7 +32,7 @@ const CENTRAL: [&[f64]; REACH] = [
     &[0.75, -0.15, 1.0 / 60.0],
 ];
 
-/// The slope of the parabola through the first three samples, at the first.
+/// Slope of the parabola through the first three samples, at the first of them.
 const ONE_SIDED: [f64; 3] = [-1.5, 2.0, -0.5];
 
 /// The samples that a height depends on along one axis, and their weights.
@@ -44,10 +44,11 @@ pub(crate) struct Stencil {
 }
 
 impl Stencil {
-    /// The cubic's, at the fraction `t` of the way from sample `before` to the next of so many.
+    /// The stencil of the cubic at the fraction `t` of the way from sample `before` to the next, on an axis of
+    /// `samples` samples.
     pub(crate) fn cubic(before: usize, t: f64, samples: usize) -> Self {
         if t == 0.0 {
-            // All points of a grid whose elements are the map's samples.
+            // Common case: a grid whose elements are the samples of the map.
             let mut weights = [0.0; MOST];
             weights[0] = 1.0;
             return Self {
@@ -93,7 +94,7 @@ impl Stencil {
         stencil
     }
 
-    /// No weights yet, of the samples that a cubic between `before` and the next depends on.
+    /// A stencil of zero weights on the samples that a cubic between `before` and the next depends on.
     fn empty(before: usize, samples: usize) -> Self {
         let after = (before + 1).min(samples - 1);
         let first = before.saturating_sub(REACH);
@@ -146,8 +147,7 @@ impl Stencil {
                 self.add(1, weight);
             }
             (0, _) => {
-                // Seen from the last sample the others come in the opposite order, and the slope with the opposite
-                // sign.
+                // At the last sample the others come in the opposite order, and the slope has the opposite sign.
                 let is_first = sample == 0;
                 for (k, one_sided) in ONE_SIDED.into_iter().enumerate() {
                     let (at, sign) = if is_first {
@@ -209,7 +209,7 @@ mod tests {
     fn a_wave_of_four_samples_keeps_97_percent_of_its_height_midway() {
         let wave = |x: f64| (std::f64::consts::FRAC_PI_2 * (x - 8.5)).cos();
         let found = value(wave, 20, 8.5);
-        // ½ √½ · 2 + ¼ · 22/15 · √½: heights and slopes of the two samples beside the crest.
+        // ½ √½ · 2 + ¼ · 22/15 · √½, from the heights and slopes of the two samples beside the crest.
         let expected = 0.5_f64.sqrt() * (1.0 + 22.0 / 60.0);
         assert!((found - expected).abs() < 1e-14, "{found}");
         assert!((expected - 0.966).abs() < 5e-4);

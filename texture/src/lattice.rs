@@ -1,7 +1,7 @@
 //! The two planar lattices on which cylinders stand.
 //!
-//! Both are described by a rectangular cell: one centre at its corner and, for the hexagonal lattice, one more in its
-//! middle. The nearest point of a rectangular lattice is found exactly by rounding each coordinate, so the nearest
+//! Both are described by a rectangular cell: it has one centre at its corner and, for the hexagonal lattice, another in
+//! its middle. The nearest point of a rectangular lattice is found exactly by rounding each coordinate, so the nearest
 //! centre is the nearer of at most two candidates.
 
 use std::f64::consts::PI;
@@ -17,8 +17,7 @@ pub enum Lattice {
 }
 
 impl Lattice {
-    /// Sides along x and y of the rectangular cell, in the unit of `period`: `T × T`, or `T × √3 T` holding two
-    /// centres.
+    /// Sides along x and y of the rectangular cell, in the unit of `period`: `T × T`, or `T × √3 T` with two centres.
     #[must_use]
     pub fn cell(self, period: f64) -> [f64; 2] {
         match self {
@@ -45,7 +44,7 @@ impl Lattice {
         }
     }
 
-    /// Fraction of the plane covered by discs of the given radius that do not overlap, in closed form.
+    /// Fraction of the plane covered by non-overlapping discs of the given radius, in closed form.
     #[must_use]
     pub fn area_fraction(self, radius: f64, period: f64) -> f64 {
         let disc = PI * (radius / period).powi(2);
@@ -69,7 +68,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Smallest distance to any of the centres with indices up to 12, straight from the definition.
+    /// Smallest distance to any of the centres with indices up to 12, by the definition.
     fn by_enumeration(lattice: Lattice, period: f64, [x, y]: [f64; 2]) -> f64 {
         let mut nearest = f64::INFINITY;
         for m in -12..=12 {
@@ -90,7 +89,7 @@ mod tests {
         fn the_nearest_centre_is_the_nearest_of_all(x in -4.0..4.0, y in -4.0..4.0, period in 0.8..2.0) {
             for lattice in [Lattice::Square, Lattice::Hexagonal] {
                 let found = lattice.distance_to_centre(period, [x, y]);
-                // Coordinates up to 30 round to 4e-15.
+                // Rounding of coordinates up to 30 is 4e-15.
                 prop_assert!((found - by_enumeration(lattice, period, [x, y])).abs() < 2e-14);
             }
         }
@@ -98,7 +97,7 @@ mod tests {
 
     #[test]
     fn neighbours_stand_one_period_apart() {
-        // The six neighbours of the origin, halfway to each: T/2 from two centres, and none nearer.
+        // The points halfway to the six neighbours of the origin are T/2 from two centres and no nearer to any other.
         for k in 0..6 {
             let (sine, cosine) = (PI / 3.0 * f64::from(k)).sin_cos();
             let half = Lattice::Hexagonal.distance_to_centre(2.0, [cosine, sine]);

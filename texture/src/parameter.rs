@@ -1,4 +1,4 @@
-//! The numbers of a relief that change its springs or heights and not its outline: read, or replaced by another.
+//! Parameters of a relief that change its springs or heights but not its outline: reading and replacing them.
 
 use crate::cylinders::{CylinderSpec, Cylinders};
 use crate::error::TextureError;
@@ -6,10 +6,10 @@ use crate::film::Film;
 use crate::relief::Relief;
 use crate::relief_map::{MapCompliance, ReliefMap};
 
-/// One number of a [`Relief`].
+/// One parameter of a [`Relief`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ReliefParameter {
-    /// Young's modulus of film, cylinders or a map that has one, Pa.
+    /// Young's modulus of a film, of cylinders or of a map that has one, Pa.
     YoungModulus,
     /// Height of cylinders or thickness of a film, m.
     Height,
@@ -18,7 +18,7 @@ pub enum ReliefParameter {
 }
 
 impl Relief {
-    /// Its numbers; none of a bare surface.
+    /// Returns the parameters of the relief; a bare surface has none.
     #[must_use]
     pub fn parameters(&self) -> Vec<ReliefParameter> {
         let all = [
@@ -30,7 +30,7 @@ impl Relief {
         all.into_iter().filter(is_there).collect()
     }
 
-    /// The value of a number, in SI units; none where the relief has no such number.
+    /// Returns the value of a parameter in SI units, or `None` if the relief has no such parameter.
     #[must_use]
     pub fn parameter(&self, parameter: ReliefParameter) -> Option<f64> {
         use ReliefParameter::{Compliance, Height, YoungModulus};
@@ -47,8 +47,8 @@ impl Relief {
         }
     }
 
-    /// The same relief, of the same law of springs, with another value of one number; itself where it has no such
-    /// number.
+    /// Returns the same relief, with the same spring law, with another value of one parameter; an unchanged copy if it
+    /// has no such parameter.
     ///
     /// # Errors
     ///

@@ -13,7 +13,7 @@ use crate::spring_law::SpringLaw;
 /// The relief on top of the foundation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Relief {
-    /// Nothing: the foundation's own plane surface.
+    /// No relief: the foundation's own plane surface.
     #[default]
     Bare,
     /// Equal cylinders on a lattice.
@@ -22,18 +22,18 @@ pub enum Relief {
     Film(Film),
     /// A measured height map.
     Map(ReliefMap),
-    /// A shape of a user's own.
+    /// A user-defined shape.
     Custom(CustomRelief),
 }
 
 impl Relief {
-    /// A relief of any shape.
+    /// Builds a relief of any shape.
     #[must_use]
     pub fn custom(shape: impl ReliefShape + 'static) -> Self {
         Self::Custom(CustomRelief::new(shape))
     }
 
-    /// Surface profile `f*` at some points (m): 0 on the tops, negative between them.
+    /// Returns the surface profile `f*` at the given points (m): 0 on the tops, negative between them.
     #[must_use]
     pub fn profile_at(&self, points: &[[f64; 2]]) -> Vec<f64> {
         match self {
@@ -50,7 +50,7 @@ impl Relief {
         }
     }
 
-    /// Mask, surface profile and compliance at the centres of the grid's elements.
+    /// Samples mask, surface profile and compliance at the centres of the grid's elements.
     #[must_use]
     pub fn sample(&self, grid: &Grid) -> SampledRelief {
         self.sampled(
@@ -61,7 +61,7 @@ impl Relief {
         )
     }
 
-    /// The same at the elements from a row and a column on, in the order of [`Grid::sample_from`].
+    /// Samples the elements from a row and a column on, in the order of [`Grid::sample_from`].
     ///
     /// # Panics
     /// As [`Grid::sample_from`].
@@ -75,8 +75,8 @@ impl Relief {
         )
     }
 
-    /// The relief at `count` elements, by what samples cylinders there, the coordinates of their rows and columns, and
-    /// their centres.
+    /// Samples the relief at `count` elements, given a function that samples the mask of cylinders, the coordinates of
+    /// the rows and columns, and the element centres.
     fn sampled(
         &self,
         count: usize,
@@ -141,7 +141,7 @@ impl Relief {
         }
     }
 
-    /// How the springs of the relief shorten.
+    /// The law of the springs.
     #[must_use]
     pub fn spring_law(&self) -> SpringLaw {
         match self {
@@ -152,8 +152,7 @@ impl Relief {
         }
     }
 
-    /// Fraction of the plane that carries relief: closed form for cylinders, 0 for a bare surface, 1 for the
-    /// others.
+    /// Fraction of the plane that carries relief: closed form for cylinders, 0 for a bare surface, 1 otherwise.
     #[must_use]
     pub fn area_fraction(&self) -> f64 {
         match self {
@@ -163,7 +162,7 @@ impl Relief {
         }
     }
 
-    /// Height h of the cylinders or thickness of the film, m; none for a bare surface and where it varies.
+    /// Height h of the cylinders or thickness of the film, m; `None` for a bare surface and where it varies.
     #[must_use]
     pub fn height(&self) -> Option<f64> {
         match self {
@@ -174,7 +173,7 @@ impl Relief {
     }
 
     /// Distance from the point to the nearest outline of the relief, m: positive on the tops, negative between them;
-    /// none where there is no outline.
+    /// `None` if there is no outline.
     #[must_use]
     pub fn distance_to_outline(&self, point: [f64; 2]) -> Option<f64> {
         match self {
@@ -183,7 +182,7 @@ impl Relief {
         }
     }
 
-    /// Distance from the point to the nearest ridge of the relief, m; infinite where it has none. See
+    /// Distance from the point to the nearest ridge of the relief, m; infinite if it has none. See
     /// [`HeightMap::distance_to_ridge`](crate::HeightMap::distance_to_ridge).
     #[must_use]
     pub fn distance_to_ridge(&self, point: [f64; 2]) -> f64 {
@@ -193,9 +192,9 @@ impl Relief {
         }
     }
 
-    /// Whether the relief is symmetric in x and y; false of every map, and of shapes of a user's own.
+    /// Whether the relief is symmetric in x and y; false for every map and every user-defined shape.
     ///
-    /// Then its samples are so to the last bit, on every grid.
+    /// If it is, its samples are symmetric to the last bit on every grid.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         match self {
@@ -289,7 +288,7 @@ mod tests {
     #[test]
     fn mirrored_reliefs_have_mirrored_samples_and_others_do_not() {
         let relief = |lattice: Lattice, offset: [f64; 2]| {
-            // A radius that many centres of elements meet up to rounding.
+            // Many element centres are at this radius up to rounding.
             let spec = CylinderSpec {
                 lattice,
                 radius: 0.3,

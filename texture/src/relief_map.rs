@@ -7,31 +7,31 @@ use crate::grid::Grid;
 use crate::height_map::HeightMap;
 use crate::spring_law::SpringLaw;
 
-/// How soft a measured relief is.
+/// The compliance of a measured relief.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MapCompliance {
-    /// The same compliance η everywhere, m/Pa; 0 for a rigid relief.
+    /// Uniform compliance η, m/Pa; 0 for a rigid relief.
     Uniform(f64),
     /// Young's modulus E, Pa: `η = (height above the deepest point) / E`, so the deepest point is rigid.
     YoungModulus(f64),
 }
 
-/// A measured relief: a height map whose highest point is level with the plane of the tops, and its compliance.
+/// A measured relief: a compliance and a height map whose highest point is level with the plane of the tops.
 ///
-/// Outside the map's rectangle the height of its rim continues outwards, so that a domain may be larger than the
-/// measurement; [`ReliefMap::covers`] tells whether it is.
+/// Outside the map's rectangle the height at its rim continues outwards, so a domain may be larger than the measured
+/// area; [`ReliefMap::covers`] tells whether the map covers a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReliefMap {
     map: HeightMap,
     compliance: MapCompliance,
     law: SpringLaw,
-    /// Height that springs stand on; nothing stands on it where all are equally soft.
+    /// Height of the base of the springs; unused if the compliance is uniform.
     ground: f64,
     highest: f64,
 }
 
 impl ReliefMap {
-    /// A relief from a map, whose heights may be above any plane, and its compliance.
+    /// Builds a relief from a map, whose heights may be relative to any plane, and its compliance.
     ///
     /// # Errors
     ///
@@ -58,12 +58,12 @@ impl ReliefMap {
         })
     }
 
-    /// The same relief as springs of the [logarithmic law](SpringLaw), never squeezed beyond their height above the
-    /// deepest point.
+    /// Returns the same relief with springs of the [logarithmic law](SpringLaw), never squeezed beyond their height
+    /// above the deepest point.
     ///
     /// # Errors
     ///
-    /// [`TextureError::NoHeight`] of a uniform compliance, whose springs have no height.
+    /// [`TextureError::NoHeight`] for a uniform compliance, whose springs have no height.
     pub fn stiffening(self) -> Result<Self, TextureError> {
         let law = match self.compliance {
             MapCompliance::Uniform(found) => return Err(TextureError::NoHeight { found }),
@@ -72,7 +72,7 @@ impl ReliefMap {
         Ok(Self { law, ..self })
     }
 
-    /// How the springs shorten.
+    /// The law of the springs.
     #[must_use]
     pub fn spring_law(&self) -> SpringLaw {
         self.law
@@ -122,7 +122,7 @@ impl ReliefMap {
         self.map.height(point) - self.highest
     }
 
-    /// The profile of heights of the map, in their memory.
+    /// Turns heights of the map into the profile, in place.
     pub(crate) fn profile_of(&self, mut heights: Vec<f64>) -> Vec<f64> {
         heights
             .par_iter_mut()
@@ -136,7 +136,7 @@ impl ReliefMap {
         self.compliance_of(self.map.height(point))
     }
 
-    /// Compliance η where the map has this height, m/Pa.
+    /// Compliance η at a height of the map, m/Pa.
     pub(crate) fn compliance_of(&self, height: f64) -> f64 {
         match self.compliance {
             MapCompliance::Uniform(compliance) => compliance,

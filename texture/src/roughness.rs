@@ -1,15 +1,15 @@
-//! Roughness of a height map: height, slope and curvature in the root mean square, and the power spectrum.
+//! Roughness of a height map: root mean square height, slope and curvature, and the power spectrum.
 //!
-//! With `h` the height above the mean plane, `q = 2π (m/L_x, n/L_y)` a wave that fits in the map and `ĥ` its Fourier
-//! coefficient, `h = Σ ĥ exp(i q·x)`:
+//! With `h` the height above the mean plane, `q = 2π (m/L_x, n/L_y)` the wave vector of a wave that fits in the map and
+//! `ĥ` its Fourier coefficient, `h = Σ ĥ exp(i q·x)`:
 //!
 //! ```text
 //! rms height² = ⟨h²⟩ = Σ |ĥ|²     rms slope² = ⟨|∇h|²⟩ = Σ |q|² |ĥ|²     rms curvature² = ⟨(∇²h/2)²⟩ = Σ |q|⁴ |ĥ|²/4
 //! ```
 //!
-//! The sums over waves are those of a map that repeats itself. Of one that ends they would count the jump from rim to
-//! rim, so slopes and curvatures are differences between neighbouring samples there, which see a wave of wavelength
-//! `ℓ` as if it were lower by `sinc(w/ℓ)`, `w` a pixel.
+//! The sums over waves hold for a map that repeats periodically. On a map that ends they would include the jump across
+//! the rim, so slopes and curvatures are taken there from differences between neighbouring samples. The differences
+//! underestimate the slope of a wave of wavelength `ℓ` by the factor `sinc(w/ℓ)`, where `w` is the pixel.
 
 mod spectrum;
 
@@ -25,16 +25,16 @@ use spectrum::Moments;
 pub struct Roughness {
     /// Root mean square of the heights above their mean plane, m.
     pub rms_height: f64,
-    /// Root mean square of the length of the gradient.
+    /// Root mean square of the gradient's length.
     pub rms_slope: f64,
     /// Root mean square of the mean curvature, 1/m.
     pub rms_curvature: f64,
-    /// How the power is distributed over the wavenumbers.
+    /// Distribution of the power over the wavenumbers.
     pub spectrum: PowerSpectrum,
 }
 
 impl Roughness {
-    /// The roughness of the samples of a map.
+    /// Computes the roughness of the samples of a map.
     ///
     /// ```
     /// use pellicle_texture::{HeightMap, MapRim, Roughness};
@@ -68,17 +68,17 @@ impl Roughness {
     }
 }
 
-/// The sum over the rows of a field of a number of each, in their order.
+/// The sum of one number per row of a field, in the order of the rows.
 fn sum_of_lines(field: &[f64], shape: [usize; 2], of: impl Fn(&[f64]) -> f64 + Send + Sync) -> f64 {
     let rows = field.par_chunks(shape[1]).map(of);
     rows.collect::<Vec<_>>().into_iter().sum()
 }
 
-/// The heights above their mean, or their mean plane.
+/// The heights above their mean or their mean plane.
 fn levelled(map: &HeightMap, rim: MapRim) -> Vec<f64> {
     let ([rows, columns], heights) = (map.shape(), map.heights());
     let count = heights.len() as f64;
-    // Above one of them first: a map may be far from its plane of reference.
+    // Subtract one height first: a map may be far from its reference plane.
     let reference = heights[0];
     let mean = |field: &[f64]| sum_of_lines(field, [rows, columns], |row| row.iter().sum()) / count;
     let mut samples: Vec<f64> = heights.par_iter().map(|h| h - reference).collect();
@@ -87,7 +87,7 @@ fn levelled(map: &HeightMap, rim: MapRim) -> Vec<f64> {
     if rim == MapRim::Repeats {
         return samples;
     }
-    // Places about the middle, in samples: b = Σ t h / Σ t² along each axis, Σ t² = N (n² − 1)/12.
+    // Positions about the middle, in samples: b = Σ t h / Σ t² along each axis, Σ t² = N (n² − 1)/12.
     let place = |i: usize, n: usize| i as f64 - 0.5 * (n as f64 - 1.0);
     let tilt = |products: f64, n: usize| {
         let squares = count * ((n * n) as f64 - 1.0) / 12.0;
@@ -117,7 +117,7 @@ fn levelled(map: &HeightMap, rim: MapRim) -> Vec<f64> {
     samples
 }
 
-/// `⟨|∇h|²⟩` and `⟨(∇²h/2)²⟩` by differences between neighbouring samples.
+/// Computes `⟨|∇h|²⟩` and `⟨(∇²h/2)²⟩` from differences between neighbouring samples.
 fn difference_moments(samples: &[f64], map: &HeightMap) -> Moments {
     let ([rows, columns], pixel) = (map.shape(), map.pixel());
     let row = |i: usize| &samples[i * columns..(i + 1) * columns];

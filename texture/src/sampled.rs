@@ -1,9 +1,9 @@
-//! A relief as a solver sees it: three fields on a grid, and the law of its springs.
+//! The sampled relief that a solver uses: three fields on a grid and the spring law.
 
 use crate::spring_law::SpringLaw;
 
 /// The relief at the centres of a grid's elements: mask, surface profile and compliance, N² values each, index
-/// `i * N + j`; or at those of a quadrant.
+/// `i * N + j`, or at those of a quadrant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SampledRelief {
     pub(crate) mask: Vec<bool>,
@@ -13,7 +13,7 @@ pub struct SampledRelief {
 }
 
 impl SampledRelief {
-    /// Whether each element lies on the relief: on a cylinder's top, under a film, on a map; nowhere on a bare surface.
+    /// Whether each element lies on the relief: on a cylinder's top, under a film, on a map; never on a bare surface.
     #[must_use]
     pub fn mask(&self) -> &[bool] {
         &self.mask
@@ -25,7 +25,7 @@ impl SampledRelief {
         &self.profile
     }
 
-    /// How the springs shorten.
+    /// The law of the springs.
     #[must_use]
     pub fn spring_law(&self) -> SpringLaw {
         self.law
@@ -37,13 +37,13 @@ impl SampledRelief {
         &self.compliance
     }
 
-    /// Mask, surface profile and compliance as fields of their own.
+    /// Returns mask, surface profile and compliance as separate fields.
     #[must_use]
     pub fn into_parts(self) -> (Vec<bool>, Vec<f64>, Vec<f64>) {
         (self.mask, self.profile, self.compliance)
     }
 
-    /// Fraction of the elements that lie on the relief; tends to
+    /// Fraction of the elements that lie on the relief; it tends to
     /// [`Relief::area_fraction`](crate::Relief::area_fraction).
     #[must_use]
     pub fn mask_fraction(&self) -> f64 {

@@ -1,8 +1,8 @@
-//! How a spring of the relief shortens under pressure: in proportion, or ever less.
+//! Shortening of a relief's spring under pressure: proportional or stiffening.
 
 use crate::error::{Quantity, TextureError, positive};
 
-/// How the springs of a relief shorten under a pressure p.
+/// The law by which the springs of a relief shorten under a pressure p.
 ///
 /// With the compliance at rest `η = h/E`, height h and Young's modulus E:
 ///
@@ -11,17 +11,17 @@ use crate::error::{Quantity, TextureError, positive};
 /// logarithmic:   w* = h (1 − exp(−p/E)),    p = −E ln(1 − w*/h)
 /// ```
 ///
-/// The second takes the logarithmic strain `−ln(1 − w*/h)` for the strain of Hooke's law, so a spring is never
-/// squeezed to nothing; for `p ≪ E` it is the first, with `w* = η p (1 − p/2E + …)`. Both grow with the pressure
-/// everywhere, so a contact on either has one solution. All functions are of one spring, with η in m/Pa and p in Pa;
-/// `w* = η m(p)` with `m = p` or `m = E (1 − exp(−p/E))`, so η alone tells a spring from another.
+/// The second uses the logarithmic strain `−ln(1 − w*/h)` in Hooke's law, so a spring never reaches zero height. For
+/// `p ≪ E` it tends to the first, `w* = η p (1 − p/2E + …)`. Both grow with the pressure everywhere, so a contact has
+/// one solution under either. All functions describe one spring, with η in m/Pa and p in Pa; `w* = η m(p)` with `m = p`
+/// or `m = E (1 − exp(−p/E))`, so springs under one law differ only in η.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SpringLaw {
-    /// E of the logarithmic law, Pa.
+    /// Young's modulus E of the logarithmic law, Pa.
     young_modulus: Option<f64>,
 }
 
-/// Changes of pressure, in units of E, below which differences of exponentials are taken by `expm1`.
+/// Changes of pressure, in units of E, below which differences of exponentials are computed by `expm1`.
 const SMALL_CHANGE: f64 = 1.0;
 
 impl SpringLaw {
@@ -30,7 +30,7 @@ impl SpringLaw {
         young_modulus: None,
     };
 
-    /// `w* = h (1 − exp(−p/E))` of springs of Young's modulus E (Pa).
+    /// The law `w* = h (1 − exp(−p/E))` for springs of Young's modulus E (Pa).
     ///
     /// # Errors
     ///
@@ -39,14 +39,14 @@ impl SpringLaw {
         positive(Quantity::YoungModulus, young_modulus).map(Self::of_checked)
     }
 
-    /// The logarithmic law of a modulus that is positive and finite.
+    /// The logarithmic law for a modulus known to be positive and finite.
     pub(crate) fn of_checked(young_modulus: f64) -> Self {
         Self {
             young_modulus: Some(young_modulus),
         }
     }
 
-    /// Whether the shortening is in proportion to the pressure.
+    /// Whether the shortening is proportional to the pressure.
     #[must_use]
     pub fn is_linear(self) -> bool {
         self.young_modulus.is_none()
@@ -80,7 +80,7 @@ impl SpringLaw {
         }
     }
 
-    /// Pressure `p` that shortens a spring by `w*` (m), Pa; infinite for a spring squeezed to nothing.
+    /// Pressure `p` that shortens a spring by `w*` (m), Pa; infinite for a spring squeezed to zero height.
     #[must_use]
     pub fn pressure(self, compliance: f64, shortening: f64) -> f64 {
         match self.young_modulus {
@@ -101,8 +101,8 @@ impl SpringLaw {
         }
     }
 
-    /// Shortening at a pressure beyond that on the tangent at another, `w*(p) − w*(p₀) − (p − p₀) dw*/dp(p₀)`, m: 0 or
-    /// negative, and right to the last digits for near pressures.
+    /// Shortening at a pressure beyond the tangent at another, `w*(p) − w*(p₀) − (p − p₀) dw*/dp(p₀)`, m: 0 or
+    /// negative, accurate to the last digits for close pressures.
     #[must_use]
     pub fn beyond_tangent(self, compliance: f64, from: f64, pressure: f64) -> f64 {
         let Some(modulus) = self.young_modulus else {
@@ -117,8 +117,8 @@ impl SpringLaw {
         compliance * modulus * beyond
     }
 
-    /// Energy at a pressure beyond that on the tangent at another, `∫ (beyond tangent) dp` from p₀ to p, J/m²: the sign
-    /// is that of `p₀ − p`.
+    /// Energy at a pressure beyond the tangent at another, `∫ (beyond tangent) dp` from p₀ to p, J/m². It has the sign
+    /// of `p₀ − p`.
     #[must_use]
     pub fn energy_beyond_tangent(self, compliance: f64, from: f64, pressure: f64) -> f64 {
         let Some(modulus) = self.young_modulus else {
@@ -134,7 +134,7 @@ impl SpringLaw {
         compliance * modulus * modulus * beyond
     }
 
-    /// The law for pressures in another unit, of so many Pa.
+    /// Returns the law for pressures in another unit, given in Pa.
     #[must_use]
     pub fn in_unit(self, pressure: f64) -> Self {
         Self {
@@ -162,7 +162,7 @@ mod tests {
             let shortening = law.shortening(COMPLIANCE, pressure);
             assert!(0.0 < shortening && shortening < height, "{pressure}");
         }
-        // e^{−37} is the last that a height can tell from nothing.
+        // e^{−37} is the smallest part of the height above rounding.
         assert!(law.shortening(COMPLIANCE, 1e6) <= height);
         assert_eq!(law.pressure(COMPLIANCE, height), f64::INFINITY);
         assert_eq!(law.shortening(0.0, 1.0), 0.0);
@@ -224,11 +224,11 @@ mod tests {
                 assert!((beyond - (f - straight)).abs() < 1e-12);
             }
         }
-        // y²/2 of a change too small for a difference of shortenings
+        // y²/2 for a change too small for a difference of shortenings
         let [_, law] = laws();
         let wanted = -COMPLIANCE * MODULUS * (-0.125_f64).exp() * 0.5e-20;
         let found = law.beyond_tangent(COMPLIANCE, 1.0, 1.0 + 1e-10 * MODULUS);
-        // e^x − 1 − x of x = 1e-10 keeps six digits.
+        // e^x − 1 − x at x = 1e-10 keeps six digits.
         assert!((found / wanted - 1.0).abs() < 1e-5, "{found:e} {wanted:e}");
     }
 

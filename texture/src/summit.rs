@@ -1,31 +1,31 @@
-//! Where the surface of a map is highest and lowest, which may be between samples.
+//! The highest and the lowest point of a map's surface, which may lie between samples.
 //!
-//! A crest of a surface that its samples resolve lies within one sample of a sample that is as high as its neighbours.
-//! The parabola through three samples tells how high a crest may be; the few that may be the highest are looked at
-//! closely.
+//! A crest of a surface that its samples resolve lies within one sample of a sample at least as high as its neighbours.
+//! The parabola through three samples bounds the height of the crest. The few crests that may be the highest are
+//! searched closely.
 
 use crate::height_map::HeightMap;
 use crate::interpolation::{Interpolation, Stencil};
 
-/// Crests that are looked at: a measured map has one or two whose parabolas come near the highest; one of round numbers
+/// Most crests searched: a measured map has one or two whose parabolas come near the highest; one of rounded numbers
 /// may have many.
 const MOST_CRESTS: usize = 256;
 
-/// Points along each axis of one look.
+/// Points along each axis in one search.
 const POINTS: i32 = 8;
 
-/// Looks, each at a region of a third of the side: down to 3⁻¹⁸ of a sample, beyond which heights no longer tell places
-/// apart.
+/// Searches, each over a region of a third of the previous side: down to 3⁻¹⁸ of a sample, below which heights no
+/// longer distinguish points.
 const LOOKS: usize = 18;
 
-/// Newton steps to where the slope is zero, from where the looks end; two suffice.
+/// Newton steps to the point of zero slope, begun where the searches end; two suffice.
 const NEWTON_STEPS: usize = 4;
 
-/// The longest Newton step, in samples: a longer one leads elsewhere, as on a plateau.
+/// The longest Newton step, in samples: a longer one leaves the summit, as on a plateau.
 const LONGEST_STEP: f64 = 1e-3;
 
-/// Two crests that differ by less than this, relative to the map's range, are equally high: rounding of 64 products,
-/// with a margin.
+/// Two crests that differ by less than this, relative to the map's range, count as equally high: the rounding of 64
+/// products, with a margin.
 const EQUAL: f64 = 1e-13;
 
 /// A point and the height of the surface there.
@@ -36,7 +36,7 @@ pub(crate) struct Summit {
 }
 
 impl HeightMap {
-    /// The lowest height of the surface, m, which a bicubic one may have between samples.
+    /// The lowest height of the surface, m; a bicubic surface may have it between samples.
     #[must_use]
     pub fn lowest(&self) -> f64 {
         match self.interpolation() {
@@ -45,7 +45,7 @@ impl HeightMap {
         }
     }
 
-    /// The largest height of the surface, m, which a bicubic one may have between samples.
+    /// The largest height of the surface, m; a bicubic surface may have it between samples.
     #[must_use]
     pub fn highest(&self) -> f64 {
         match self.interpolation() {
@@ -54,7 +54,7 @@ impl HeightMap {
         }
     }
 
-    /// Where the surface is lowest, m; of several equally low points the one nearest to the middle of the map.
+    /// The lowest point of the surface, m; of several, the one nearest to the middle of the map.
     #[must_use]
     pub fn lowest_point(&self) -> [f64; 2] {
         match self.interpolation() {
@@ -63,7 +63,7 @@ impl HeightMap {
         }
     }
 
-    /// Where the smallest sample stands.
+    /// Position of the smallest sample; of several, the nearest to the middle.
     fn least_point(&self) -> [f64; 2] {
         let lowest = self.least();
         let columns = self.shape()[1];
@@ -75,28 +75,29 @@ impl HeightMap {
     }
 }
 
-/// A sample that is as high as its neighbours.
+/// A sample at least as high as its neighbours.
 struct Crest {
     sample: [usize; 2],
-    /// Height that the crest's parabolas add to the sample's.
+    /// Rise of the crest's parabolas above the sample.
     rise: f64,
     height: f64,
 }
 
 impl Crest {
-    /// More than the crest can have. Of a wave of four samples, half of whose samples stand beside a crest, the surface
-    /// rises by 0.68 of its parabola's rise, of a flat line with a slope at its end by 8/27.
+    /// An upper bound of the crest's height. For a wave of four samples, half of whose samples lie beside a crest, the
+    /// surface rises by 0.68 of the parabola's rise; for a flat line with a slope at its end, by 8/27.
     fn most(&self) -> f64 {
         self.height + 2.0 * self.rise
     }
 
-    /// Less than the crest has.
+    /// A lower bound of the crest's height.
     fn least(&self) -> f64 {
         self.height + 0.25 * self.rise
     }
 }
 
-/// The highest point of `sign` times the surface; of several equally high the one nearest to the middle of the map.
+/// The highest point of `sign` times the surface; of several equally high points, the one nearest to the middle of the
+/// map.
 pub(crate) fn summit(map: &HeightMap, sign: f64) -> Summit {
     let equal = EQUAL * (map.greatest() - map.least());
     let crests = near_the_top(map, crests(map, sign, equal));
@@ -105,15 +106,15 @@ pub(crate) fn summit(map: &HeightMap, sign: f64) -> Summit {
     let enough = top.fold(f64::NEG_INFINITY, f64::max) - equal;
     let as_high = summits.iter().filter(|summit| summit.height >= enough);
     let nearest = as_high.min_by(|a, b| norm(a.point).total_cmp(&norm(b.point)));
-    // A map has at least one sample, and its highest is a crest.
+    // A map has at least one sample, and the highest sample is a crest.
     nearest.map_or(Summit::default(), |summit| Summit {
         height: sign * summit.height,
         ..*summit
     })
 }
 
-/// Those that may be the highest: of equals the nearest to the middle first. Of a plateau every sample is a crest, so
-/// no more are kept than are looked at, and as many again until they are sorted.
+/// The crests that may be the highest, those nearest to the middle of the map first among equals. Every sample of a
+/// plateau is a crest, so the list is sorted and cut to the number searched whenever it reaches twice that number.
 fn near_the_top(map: &HeightMap, crests: impl Iterator<Item = Crest>) -> Vec<Crest> {
     let mut least = f64::NEG_INFINITY;
     let distance = |crest: &Crest| norm(map.point(crest.sample));
@@ -144,7 +145,8 @@ fn norm([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
 }
 
-/// The samples that are as high as their four neighbours; slopes that rise by no more than `equal` a sample are none.
+/// The samples at least as high as their four neighbours; a slope that rises by no more than `equal` per sample is
+/// ignored.
 fn crests(map: &HeightMap, sign: f64, equal: f64) -> impl Iterator<Item = Crest> + '_ {
     let [rows, columns] = map.shape();
     let at = move |i: usize, j: usize| sign * map.heights()[i * columns + j];
@@ -161,7 +163,7 @@ fn crests(map: &HeightMap, sign: f64, equal: f64) -> impl Iterator<Item = Crest>
     samples.filter_map(crest)
 }
 
-/// A line of samples through one that is as high as its neighbours on it.
+/// A line of samples through one that is at least as high as its neighbours on the line.
 struct SampleLine<F> {
     sample: usize,
     samples: usize,
@@ -169,7 +171,7 @@ struct SampleLine<F> {
 }
 
 impl<F: Fn(usize) -> f64> SampleLine<F> {
-    /// None if a neighbour is higher.
+    /// Returns `None` if a neighbour is higher.
     fn new(sample: usize, samples: usize, at: F) -> Option<Self> {
         let last = (sample + 1).min(samples - 1);
         let is_highest = (sample.saturating_sub(1)..=last).all(|k| at(k) <= at(sample));
@@ -180,11 +182,11 @@ impl<F: Fn(usize) -> f64> SampleLine<F> {
         })
     }
 
-    /// How far the parabola with the slope and the bend at the sample rises above it.
+    /// Rise above the sample of the parabola with the slope and the second difference there.
     fn rise(&self, equal: f64) -> f64 {
         let height = (self.at)(self.sample);
         let terms = Stencil::slope(self.sample, self.samples);
-        // Differences, so that a map far from its plane of reference is none the worse.
+        // Take differences, so that a map far from its reference plane loses no accuracy.
         let slope = terms
             .terms()
             .map(|(k, weight)| weight * ((self.at)(k) - height));
@@ -198,12 +200,12 @@ impl<F: Fn(usize) -> f64> SampleLine<F> {
         let middle = self.sample.clamp(1, self.samples.saturating_sub(2).max(1));
         let near = |k: usize| (self.at)(k.min(self.samples - 1));
         let bend = 2.0 * near(middle) - near(middle - 1) - near(middle + 1);
-        // A surface that does not bend at the sample does so before the next.
+        // A surface that does not bend at the sample bends before the next.
         (slope * slope / (2.0 * bend.max(0.0))).min(0.5 * slope)
     }
 }
 
-/// The highest point within a sample of the crest.
+/// Searches for the highest point within a sample of the crest.
 fn climb(map: &HeightMap, sign: f64, crest: &Crest) -> Summit {
     let mut best = Summit {
         point: map.point(crest.sample),
@@ -231,14 +233,14 @@ fn climb(map: &HeightMap, sign: f64, crest: &Crest) -> Summit {
     level(map, sign, best)
 }
 
-/// The point near a summit where the surface is level. A height tells a summit's place to the root of its rounding,
-/// 1e-8 of a sample, a slope to rounding.
+/// The point of zero slope near a summit. Heights locate it to the square root of their rounding, 1e-8 of a sample;
+/// slopes locate it to rounding.
 fn level(map: &HeightMap, sign: f64, summit: Summit) -> Summit {
     let pixel = map.pixel();
     let mut point = summit.point;
     for _ in 0..NEWTON_STEPS {
         let ([along_x, along_y], [xx, xy, yy]) = map.slopes_and_bends(point);
-        // δ = −H⁻¹ ∇f; at the border of the samples along the border alone.
+        // δ = −H⁻¹ ∇f; at the border of the samples, only along it.
         let step = match [0, 1].map(|axis| map.is_between_samples(axis, point[axis])) {
             [true, true] => {
                 let determinant = xx * yy - xy * xy;
@@ -251,7 +253,7 @@ fn level(map: &HeightMap, sign: f64, summit: Summit) -> Summit {
             [false, true] => [0.0, -along_y / yy],
             [false, false] => return summit,
         };
-        // False of what is no number.
+        // False for NaN.
         let is_short = step.iter().all(|step| step.abs() <= LONGEST_STEP);
         if !is_short {
             return summit;
@@ -279,8 +281,8 @@ mod tests {
     fn a_crest_between_samples_is_found_where_it_stands() {
         let map = map(|x, y| 7.0 - (x - 0.123).powi(2) - 2.0 * (y + 0.456).powi(2));
         let found = summit(&map, 1.0);
-        // The quadratic comes back, and its slope tells the place to some roundings of heights up to 7 over the bend of
-        // 2.
+        // The quadratic is reproduced, and its slope locates the summit to a few roundings of heights up to 7 over a
+        // second derivative of 2.
         assert!((found.height - 7.0).abs() < 1e-14, "{found:?}");
         let [x, y] = found.point;
         assert!((x - 0.123).hypot(y + 0.456) < 1e-13, "{found:?}");

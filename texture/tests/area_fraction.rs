@@ -1,4 +1,4 @@
-//! The sampled area fraction tends to the closed form at the rate known for counting lattice points in discs.
+//! The sampled area fraction converges to the closed form at the known rate for lattice points in discs.
 
 use pellicle_texture::{CylinderSpec, Cylinders, Grid, Lattice, Relief};
 
@@ -15,7 +15,7 @@ fn cylinders(lattice: Lattice, offset: [f64; 2]) -> Cylinders {
     .expect("a valid relief")
 }
 
-/// Fraction of an n × n sampling of the lattice's rectangular cell that lies on a cylinder.
+/// Fraction of the points of an n × n sampling of the lattice's rectangular cell that lie on a cylinder.
 fn fraction_in_cell(cylinders: &Cylinders, n: u32) -> f64 {
     let cell = cylinders.lattice().cell(cylinders.period());
     let at = |axis: usize, i: u32| (f64::from(i) + 0.5) * cell[axis] / f64::from(n);
@@ -55,7 +55,7 @@ fn the_sampled_fraction_converges_to_the_closed_form_with_order_three_halves() {
 fn a_grid_of_whole_periods_samples_the_closed_form() {
     let relief = Relief::Cylinders(cylinders(Lattice::Square, [0.0, 0.0]));
     let sampled = relief.sample(&Grid::new(4.0, 400).unwrap());
-    // 100 elements a period, centred offset: the discrepancy is below one element per period and side, 1e-3 of the
-    // area.
+    // 100 elements per period, offset at a centre: the discrepancy is below one element per period and side, 1e-3 of
+    // the area.
     assert!((sampled.mask_fraction() - relief.area_fraction()).abs() < 1e-3);
 }

@@ -1,4 +1,4 @@
-//! The sampled reliefs have the symmetries of their lattices, element for element.
+//! Sampled reliefs have the symmetries of their lattices, element for element.
 
 #![allow(
     clippy::float_cmp,
@@ -56,13 +56,13 @@ proptest! {
         let (sine, cosine) = (std::f64::consts::PI / 3.0).sin_cos();
         let distance = |point| Lattice::Hexagonal.distance_to_centre(1.0, point);
         let turned = distance([cosine * x - sine * y, sine * x + cosine * y]);
-        // Coordinates up to 7 round to 1e-15, a handful of times.
+        // A few roundings of coordinates up to 7, each 1e-15.
         prop_assert!((turned - distance([x, y])).abs() < 1e-14);
     }
 
     #[test]
     fn moving_the_offset_by_whole_elements_moves_the_mask(di in 0_usize..8, dj in 0_usize..8, radius in 0.05..0.45) {
-        // Steps of 1/8 are exact in binary, so nothing is decided by rounding.
+        // Steps of 1/8 are exact in binary, so rounding decides nothing.
         let grid = Grid::new(4.0, 32).unwrap();
         let still = sample(Lattice::Square, radius, [0.0, 0.0], &grid);
         let shifted = sample(Lattice::Square, radius, [di as f64 / 8.0, dj as f64 / 8.0], &grid);

@@ -9,8 +9,8 @@ use crate::output::summary::StepSummary;
 /// The meaning of the brackets of [`of_step`].
 pub const BRACKETS: &str = "[…]: not resolved by the grids; the change from the next coarser grid";
 
-/// The certificate of a step on `elements` × `elements` elements, and the errors of its numbers: `± 0.1 %` where the
-/// grids resolve it, otherwise in brackets the change from the next coarser grid.
+/// Describes the certificate of a step on `elements` × `elements` elements and the errors of its results: `± 0.1 %`
+/// where the grids resolve it, otherwise the change from the next coarser grid, in brackets.
 #[must_use]
 pub fn of_step(elements: usize, step: &StepSummary) -> String {
     let errors = &step.grid_error;
@@ -44,7 +44,7 @@ fn error(value: f64, estimate: Option<ErrorEstimate>, change: f64) -> String {
     }
 }
 
-/// The relative change of a number from the next coarser grid to the finest; NaN on a single grid.
+/// Returns the relative change of a result from the next coarser grid to the finest; NaN on a single grid.
 #[must_use]
 pub fn last_change(step: &StepSummary, value: fn(&LevelValues) -> f64) -> f64 {
     match step.grid_error.levels.as_slice() {
@@ -53,10 +53,10 @@ pub fn last_change(step: &StepSummary, value: fn(&LevelValues) -> f64) -> f64 {
     }
 }
 
-/// Percentages below this are written as powers of ten.
+/// Percentages smaller than this are written as powers of ten.
 const SMALL: f64 = 1e-3;
 
-/// A fraction as a percentage with two digits: `0.21 %`, `7.2·10⁻⁵ %`.
+/// Writes a fraction as a percentage with two digits: `0.21 %`, `7.2·10⁻⁵ %`.
 #[must_use]
 pub fn percent(part: f64) -> String {
     let percent = 100.0 * part;

@@ -17,8 +17,8 @@ pub struct CoarseField {
 }
 
 impl CoarseField {
-    /// The crop on at most `most` cells per side. A cell has the largest pressure of its elements, so that no peak is
-    /// lost, and belongs to the relief if half of them do.
+    /// Coarsens the crop to at most `most` cells per side. A cell has the largest pressure of its elements, so no peak
+    /// is lost, and belongs to the relief if half of them do.
     #[must_use]
     pub fn new(fields: &Fields<'_>, crop: &Crop, most: usize) -> Self {
         let block = crop.x.len().div_ceil(most).max(1);
@@ -56,7 +56,7 @@ impl CoarseField {
         self.mask[i * self.cells + j]
     }
 
-    /// The ends of its sides along x and along y, m.
+    /// Ends of the sides along x and along y, m.
     #[must_use]
     pub fn ends(&self) -> [[f64; 2]; 2] {
         [self.x, self.y]
@@ -70,7 +70,7 @@ impl CoarseField {
     }
 }
 
-/// Indices of the elements of a block that lie in a field of `size` × `size`.
+/// Indices of the elements of a block that lie within a field of `size` × `size`.
 fn block_of(size: usize, [i, j]: [usize; 2], block: usize) -> Vec<usize> {
     let range = |start: usize| start..(start + block).min(size);
     let row = |i: usize| range(j).map(move |j| i * size + j);
@@ -100,7 +100,7 @@ mod tests {
         };
         let crop = Crop { x: 0..10, y: 0..10 };
         let coarse = CoarseField::new(&fields, &crop, 4);
-        // Blocks of three: four of them, the last with one element a side.
+        // Four blocks of three; the last has one element per side.
         assert_eq!((coarse.cells, coarse.x), (4, [-5.0, 7.0]));
         assert_eq!(coarse.pressure(1, 2), 5.0);
         assert!(coarse.is_relief(3, 3));

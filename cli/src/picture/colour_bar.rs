@@ -1,4 +1,4 @@
-//! The bar of a picture's colours, with the values beside it.
+//! The colour bar of a picture, with the values beside it.
 
 use super::colour_map::ColourScale;
 use super::contour_bands::ContourBands;
@@ -14,11 +14,11 @@ pub const BESIDE: f64 = 112.0;
 const SHADES: usize = 256;
 
 const TITLE: f64 = 18.0;
-/// A digit of a label is about this wide.
+/// Width of a digit of a label, about.
 const DIGIT: f64 = 0.64 * LABEL;
 const TICK: f64 = 6.0;
 
-/// Draws the bar of these colours, whose values have this title.
+/// Draws the bar of a colour scale, with a title for its values.
 pub fn draw(svg: &mut Svg, place: Rect, shades: &ColourScale, title: &str) {
     let (from, to) = (shades.from, shades.to);
     let shade = |_, j| shades.map.at((SHADES - 1 - j) as f64 / (SHADES - 1) as f64);
@@ -29,7 +29,7 @@ pub fn draw(svg: &mut Svg, place: Rect, shades: &ColourScale, title: &str) {
     draw_labels(svg, place, &labelled.collect::<Vec<_>>(), title);
 }
 
-/// Draws a bar of bands of equal height, their levels beside it.
+/// Draws a bar of bands of equal height, with their levels beside it.
 pub fn draw_bands(svg: &mut Svg, place: Rect, bands: &ContourBands, title: &str) {
     let height = place.height / bands.colours().len() as f64;
     for (i, colour) in bands.colours().iter().enumerate() {
@@ -56,7 +56,7 @@ pub fn draw_bands(svg: &mut Svg, place: Rect, bands: &ContourBands, title: &str)
     draw_labels(svg, place, &labels.collect::<Vec<_>>(), title);
 }
 
-/// Draws labels beside the bar at their heights, and the title beside them.
+/// Draws labels beside the bar at their heights, and the title beside the labels.
 fn draw_labels(svg: &mut Svg, place: Rect, labels: &[(f64, String)], title: &str) {
     let stroke = Stroke::new(colours::INK, 1.2);
     let right = place.right();

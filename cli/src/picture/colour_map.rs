@@ -25,7 +25,7 @@ pub enum ColourMap {
 }
 
 impl ColourMap {
-    /// The colour of a fraction of the scale; the first below 0 and for NaN, the last above 1.
+    /// Returns the colour at a fraction of the scale: the first colour below 0 and for NaN, the last above 1.
     #[must_use]
     pub fn at(self, fraction: f64) -> Colour {
         let gradient = match self {
@@ -42,7 +42,7 @@ impl ColourMap {
     }
 }
 
-/// The number clamped to the range from 0 to 1; 0 for NaN.
+/// Clamps a number to the range from 0 to 1; 0 for NaN.
 #[must_use]
 pub fn within_the_scale(number: f64) -> f64 {
     if number > 0.0 { number.min(1.0) } else { 0.0 }
@@ -51,29 +51,30 @@ pub fn within_the_scale(number: f64) -> f64 {
 /// A scale of colours from one value to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ColourScale {
-    /// The colours.
+    /// The colour map.
     pub map: ColourMap,
-    /// The value of the first.
+    /// The value of the first colour.
     pub from: f64,
-    /// The value of the last.
+    /// The value of the last colour.
     pub to: f64,
 }
 
 impl ColourScale {
-    /// The standard colours from 0 to a value.
+    /// Returns the standard colours from 0 to a value.
     #[must_use]
     pub fn up_to(to: f64) -> Self {
         let (map, from) = (ColourMap::default(), 0.0);
         Self { map, from, to }
     }
 
-    /// The place of a value on the scale, clamped to the range from 0, its first colour, to 1, its last; 0 for NaN.
+    /// Returns the position of a value on the scale, clamped to the range from 0, the first colour, to 1, the last; 0
+    /// for NaN.
     #[must_use]
     pub fn fraction(&self, value: f64) -> f64 {
         within_the_scale((value - self.from) / (self.to - self.from))
     }
 
-    /// The colour of a value.
+    /// Returns the colour of a value.
     #[must_use]
     pub fn colour(&self, value: f64) -> Colour {
         self.map.at(self.fraction(value))

@@ -1,15 +1,15 @@
-//! Fixed colours of the pictures: Okabe and Ito's for lines, greys for elements without pressure.
+//! Fixed colours of the pictures: Okabe and Ito's for lines, grey for elements without pressure.
 
 use std::fmt;
 
-/// A colour of the screen: red, green, blue.
+/// A screen colour: red, green, blue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Colour(pub u8, pub u8, pub u8);
 
-/// Elements of the relief that carry nothing.
+/// Elements of the relief without pressure.
 pub const RELIEF: Colour = Colour(222, 222, 222);
 
-/// Elements without relief that carry nothing.
+/// Elements without relief and without pressure.
 pub const BARE: Colour = Colour(250, 250, 250);
 
 /// The outline of the relief, visible on white and on either end of viridis.
@@ -18,7 +18,7 @@ pub const RELIEF_OUTLINE: Colour = Colour(150, 150, 150);
 /// Text and axes.
 pub const INK: Colour = Colour(30, 30, 30);
 
-/// The lines of a grid.
+/// Grid lines.
 pub const GRID: Colour = Colour(225, 225, 225);
 
 /// Paper.
@@ -39,7 +39,7 @@ pub const PURPLE: Colour = Colour(204, 121, 167);
 /// Sky blue of the same palette.
 pub const SKY: Colour = Colour(86, 180, 233);
 
-/// Orange of the same palette, which is yellower than [`ORANGE`].
+/// Orange of the same palette, yellower than [`ORANGE`].
 pub const AMBER: Colour = Colour(230, 159, 0);
 
 /// The indenter in a section.
@@ -48,10 +48,10 @@ pub const INDENTER: Colour = Colour(205, 210, 216);
 /// The relief in a section.
 pub const SPRINGS: Colour = Colour(158, 202, 225);
 
-/// The body below it.
+/// The body below the relief in a section.
 pub const BODY: Colour = Colour(240, 228, 205);
 
-/// Indigo of Tol's muted palette, for more lines than Okabe and Ito's has colours.
+/// Indigo of Tol's muted palette, for lines beyond the colours of Okabe and Ito's palette.
 pub const INDIGO: Colour = Colour(51, 34, 136);
 
 /// Wine of the same palette.
@@ -63,14 +63,14 @@ pub const OLIVE: Colour = Colour(153, 153, 51);
 /// Teal of the same palette.
 pub const TEAL: Colour = Colour(68, 170, 153);
 
-/// The ground of an interval.
+/// The background of an interval.
 pub const INTERVAL: Colour = Colour(226, 238, 247);
 
 /// Measurements that were left out of a fit.
 pub const LEFT_OUT: Colour = Colour(190, 190, 190);
 
 impl Colour {
-    /// The colour with this much light on it; 1 leaves it as it is.
+    /// Returns the colour under this much light; 1 leaves it unchanged.
     #[must_use]
     pub fn lit(self, light: f64) -> Self {
         #[expect(
@@ -82,7 +82,7 @@ impl Colour {
         Self(channel(self.0), channel(self.1), channel(self.2))
     }
 
-    /// Its luma, ITU-R BT.601, from 0, black, to 255, white: what is left of it in grey.
+    /// Luma by ITU-R BT.601, from 0 for black to 255 for white: the grey level of the colour.
     #[must_use]
     pub fn luma(self) -> f64 {
         0.299 * f64::from(self.0) + 0.587 * f64::from(self.1) + 0.114 * f64::from(self.2)

@@ -1,18 +1,18 @@
-//! A field of columns in perspective, by the floating-horizon algorithm.
+//! An oblique view of a field of columns, by the floating-horizon algorithm.
 //!
-//! The pixels of one vertical line of the sheet lie over one straight line of the plan. That line is followed away from
-//! the eye, and each column shows the part of its side and its top that rises above all before it, so every pixel is
-//! coloured once.
+//! The pixels of one vertical line of the sheet lie over one straight line of the plan. The algorithm follows that line
+//! away from the eye. Each column shows the part of its side and its top that rises above all columns before it, so
+//! every pixel is coloured once.
 
 use super::colours::Colour;
 use super::projection::Projection;
 use super::raster::Raster;
 use super::svg::Rect;
 
-/// Light on the sides of a column that face along x and along y, against 1 on its top.
+/// Light on the sides of a column that face along x and along y; on its top it is 1.
 const LIT: [f64; 2] = [0.74, 0.88];
 
-/// Points along each side of a pixel, which shows their mean.
+/// Points along each side of a pixel; the pixel shows their mean.
 const FINENESS: usize = 2;
 
 /// Columns on a square of cells.
@@ -22,11 +22,11 @@ pub struct ColumnField {
     pub cells: usize,
     /// The first and last edge of the cells along x and along y, in the box.
     pub ends: [[f64; 2]; 2],
-    /// The height and the colour of each; the second index runs along y.
+    /// Height and colour of each column; the second index runs along y.
     pub tops: Vec<(f64, Colour)>,
 }
 
-/// The columns within a rectangle of the sheet, on a transparent ground.
+/// Draws the columns within a rectangle of the sheet, on a transparent background.
 #[must_use]
 pub fn draw(columns: &ColumnField, view: &Projection, place: Rect) -> Raster {
     #[expect(
@@ -62,14 +62,14 @@ fn look(
 ) {
     line.fill(None);
     let line_of_sight = view.line_of_sight(place.left + across);
-    // Distances at which the cells begin and end along each axis, and from one cell to the next.
+    // Distances at which the line enters and leaves the field along each axis, and the distance between cells.
     let ends =
         |end: usize| [0, 1].map(|axis| line_of_sight.distance(axis, columns.ends[axis][end]));
     let [entered, left] = [0, 1].map(ends);
     let steps = [0, 1].map(|axis: usize| (left[axis] - entered[axis]) / columns.cells as f64);
     let mut distance = entered[0].max(entered[1]);
     let leaving = left[0].min(left[1]);
-    // The axis along which the side that faces the eye points.
+    // The axis normal to the side that faces the eye.
     let mut facing = usize::from(entered[1] > entered[0]);
     let mut cell = [0, 1].map(|axis: usize| {
         let passed = (distance - entered[axis]) / steps[axis];
@@ -92,7 +92,7 @@ fn look(
 /// The upper end of the coloured part of a line.
 struct Horizon<'a> {
     line: &'a mut [Option<Colour>],
-    /// The points from here on are coloured, or in front of the field.
+    /// The points from here on are already coloured, or in front of the field.
     done_from: usize,
 }
 
@@ -112,7 +112,7 @@ impl<'a> Horizon<'a> {
     }
 }
 
-/// The first point whose middle is below a row.
+/// The first point with its middle below a row.
 fn first_below(row: f64) -> usize {
     truncated(row + 0.5)
 }
@@ -159,7 +159,7 @@ mod tests {
     };
 
     fn columns(cells: usize, height: impl Fn(usize, usize) -> f64) -> ColumnField {
-        // A colour for each, the red of the row and the green of the column.
+        // Each column has its own colour: red by the row, green by the column.
         let byte = |i: usize| u8::try_from(20 * i).unwrap();
         let column = |e: usize| {
             let (i, j) = (e / cells, e % cells);
@@ -172,10 +172,10 @@ mod tests {
         }
     }
 
-    /// The first column that a ray from the eye through a point of the sheet meets, found by small steps.
+    /// Finds by small steps the first column that a ray from the eye through a point of the sheet meets.
     fn met(columns: &ColumnField, (left, top): (f64, f64)) -> Option<Colour> {
         let (cos, sin) = {
-            // The turn, from where the view shows a point on the x axis.
+            // The turn of the view, from the position of a point on the x axis.
             let (x, _) = VIEW.at([1.0, 0.0, 0.0]);
             let cos = (x - VIEW.centre.0) / VIEW.unit;
             (cos, (1.0 - cos * cos).sqrt())
@@ -191,7 +191,7 @@ mod tests {
             let inside = |index: f64| index >= 0.0 && index < columns.cells as f64;
             let (height, colour) = (inside(i) && inside(j))
                 .then(|| columns.tops[truncated(i) * columns.cells + truncated(j)])?;
-            // The ray is between the floor, but for a step, and the top of the column that stands here.
+            // The ray is between the floor, up to one step, and the top of the column at this place.
             let [low, high] = [0.0, height].map(|z| VIEW.at([place[0], place[1], z]).1);
             (high <= top && top <= low + 0.01).then_some(colour)
         })
@@ -211,7 +211,7 @@ mod tests {
                 let top = PLACE.top + (j as f64 + 0.5) / FINENESS as f64;
                 let expected = met(&field, (PLACE.left + across, top));
                 seen += usize::from(expected.is_some());
-                // On a side there is less light.
+                // The sides are darker.
                 let shades = expected.map(|c| [c, c.lit(LIT[0]), c.lit(LIT[1])]);
                 let is_shown = match (found, shades) {
                     (Some(found), Some(shades)) => shades.contains(found),
@@ -220,7 +220,7 @@ mod tests {
                 wrong += usize::from(!is_shown);
             }
         }
-        // The ray's steps miss an edge by a fiftieth of a pixel now and then.
+        // The steps of the ray occasionally miss an edge by a fiftieth of a pixel.
         assert!(seen > 500 && wrong <= 3, "{wrong} of {seen}");
     }
 
@@ -252,7 +252,7 @@ mod tests {
         let corner = |x, y| VIEW.at([x, y, 0.0]);
         let (a, b, c) = (corner(-1.0, -0.9), corner(0.8, -0.9), corner(-1.0, 1.0));
         let expected = ((b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)).abs();
-        // Points on a grid of half pixels along a circumference of some 300.
+        // Points on a grid of half pixels, along a circumference of about 300.
         assert!(
             (area - expected).abs() < 0.01 * expected,
             "{area} {expected}"

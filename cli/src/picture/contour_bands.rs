@@ -4,12 +4,12 @@ use super::colour_map::ColourMap;
 use super::colours::{self, Colour};
 use super::{labels, ticks};
 
-/// At most so many bands on one side of zero, and half of them at least.
+/// Largest number of bands on one side of zero; there are at least half as many.
 const MANY: usize = 12;
-/// And so many on the other side, where values are much smaller.
+/// The same on the other side, if its values are much smaller.
 const FEW: usize = 4;
 
-/// A side of zero whose largest value is below this part of the other's has levels of its own.
+/// A side of zero whose largest value is below this part of the other side's gets its own levels.
 const MUCH_SMALLER: f64 = 0.4;
 
 /// Bands of values, each of one colour.
@@ -17,12 +17,12 @@ const MUCH_SMALLER: f64 = 0.4;
 pub struct ContourBands {
     /// The limits between bands, rising.
     pub levels: Vec<f64>,
-    /// One colour more than there are levels.
+    /// The colours, one more than there are levels.
     colours: Vec<Colour>,
 }
 
 impl ContourBands {
-    /// Bands of values from 0 to `largest`, in the colours of a map.
+    /// Returns bands of values from 0 to `largest`, in the colours of a map.
     #[must_use]
     pub fn up_to(largest: f64, map: ColourMap) -> Self {
         let levels = between(0.0, largest, MANY);
@@ -34,8 +34,8 @@ impl ContourBands {
         }
     }
 
-    /// Bands of values of both signs: blue where negative, red where positive, paler towards zero, which is a level.
-    /// Where one sign's values are much smaller, its levels are closer together, and its colours as strong.
+    /// Returns bands of values of both signs: blue for negative, red for positive, paler towards zero, which is a
+    /// level. If one sign's values are much smaller, its levels are closer together and its colours equally strong.
     #[must_use]
     pub fn signed(least: f64, largest: f64) -> Self {
         let (below, above) = (-least.min(0.0), largest.max(0.0));
@@ -66,19 +66,19 @@ impl ContourBands {
         }
     }
 
-    /// The colours, that of the lowest band first.
+    /// The colours, from the lowest band up.
     #[must_use]
     pub fn colours(&self) -> &[Colour] {
         &self.colours
     }
 
-    /// The colour of a value; of NaN that of the lowest band.
+    /// Returns the colour of a value; for NaN, that of the lowest band.
     #[must_use]
     pub fn colour(&self, value: f64) -> Colour {
         self.colours[self.levels.partition_point(|level| *level <= value)]
     }
 
-    /// The label of a level, with the digits that tell it from its neighbours.
+    /// Returns the label of a level, with enough digits to distinguish it from its neighbours.
     #[must_use]
     pub fn label(&self, level: f64) -> String {
         let steps = self.levels.windows(2).map(|pair| pair[1] - pair[0]);
@@ -86,7 +86,7 @@ impl ContourBands {
         labels::tick(level, 10.0 * near)
     }
 
-    /// A colour for the line at a level that is seen on the bands beside it.
+    /// Returns a colour for the line at a level that is visible on the bands beside it.
     #[must_use]
     pub fn ink(&self, level: usize) -> Colour {
         let darker = self.colours[level]
@@ -100,7 +100,7 @@ impl ContourBands {
     }
 }
 
-/// The round values strictly between two.
+/// The round values strictly between two values.
 fn between(from: f64, to: f64, count: usize) -> Vec<f64> {
     let margin = 1e-6 * (to - from);
     let ticks = ticks::linear(from, to, count).into_iter();
@@ -109,7 +109,7 @@ fn between(from: f64, to: f64, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Blue at −1, white at 0, red at 1: distinct to the colour-blind too.
+/// Blue at −1, white at 0, red at 1: distinct for the colour-blind too.
 fn diverging(part: f64) -> Colour {
     let colour = colorous::RED_BLUE.eval_continuous(0.5 - 0.5 * part);
     Colour(colour.r, colour.g, colour.b)
@@ -138,7 +138,7 @@ mod tests {
             let Colour(red, _, blue) = bands.colour(value);
             assert_eq!(red > blue, is_red, "{value}");
         }
-        // Values alike on both sides have the same steps.
+        // Values of similar size on both sides have the same steps.
         assert_eq!(
             ContourBands::signed(-3.0, 2.5).levels,
             [-2.5, -2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0]

@@ -1,11 +1,11 @@
-//! Lines of one value through a field on a rectangular mesh, by marching squares.
+//! Contour lines of a field on a rectangular mesh, by marching squares.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A line through points.
+/// A line through a sequence of points.
 pub type Polyline = Vec<(f64, f64)>;
 
-/// Values at the nodes of a mesh: `columns` in each row, row after row.
+/// Values at the nodes of a mesh, with `columns` nodes in each row, row by row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     /// Nodes in a row.
@@ -14,10 +14,10 @@ pub struct Mesh {
     pub values: Vec<f64>,
 }
 
-/// The corners of a square from its first, going round: a side leads from each to the next.
+/// The corners of a square, in cyclic order: side i leads from corner i to the next.
 const CORNERS: [(usize, usize); 4] = [(0, 0), (1, 0), (1, 1), (0, 1)];
 
-/// A side of a square, the same for the two squares that share it: its lower node, and whether it runs along a column.
+/// A side of a square, shared by two squares: its lower node, and whether it runs along a column.
 type GridEdge = (usize, bool);
 
 impl Mesh {
@@ -25,8 +25,8 @@ impl Mesh {
         self.values.len() / self.columns.max(1)
     }
 
-    /// The lines on which the field, linear along every side of a square, has this value: places in columns and rows. A
-    /// closed line ends in its first place.
+    /// Returns the lines on which the field has this value, as positions in columns and rows. The field is taken as
+    /// linear along the sides of the squares. A closed line ends at its first point.
     #[must_use]
     pub fn lines_at(&self, level: f64) -> Vec<Polyline> {
         let mut next = BTreeMap::new();
@@ -36,7 +36,7 @@ impl Mesh {
             }
         }
         let entered: BTreeSet<GridEdge> = next.values().copied().collect();
-        // Lines that begin at the rim first, so that none is begun in its middle.
+        // Start with the lines that begin at the rim, so that none is begun in its middle.
         let starts = next.keys().copied();
         let (inner, rim): (Vec<_>, Vec<_>) = starts.partition(|edge| entered.contains(edge));
         let mut lines = Vec::new();
@@ -54,7 +54,7 @@ impl Mesh {
         lines
     }
 
-    /// The pieces of lines within a square, higher values on one side of all.
+    /// Adds the line segments within a square, directed so that higher values always lie on the same side.
     fn cross(
         &self,
         [column, row]: [usize; 2],
@@ -70,7 +70,8 @@ impl Mesh {
             let (one, other) = (node(side), node(side + 1));
             (one.min(other), side % 2 == 1)
         };
-        // A line enters where going round meets higher values, and leaves by the next side where it meets lower ones.
+        // A line enters where the circuit passes to higher values, and leaves by the next side where it passes to lower
+        // ones.
         for side in (0..4).filter(|side| !is_high(*side) && is_high(side + 1)) {
             let leaving = (side + 1..side + 4).find(|side| is_high(*side) && !is_high(side + 1));
             if let Some(leaving) = leaving {
@@ -79,7 +80,7 @@ impl Mesh {
         }
     }
 
-    /// The point of a side at which the field has the value.
+    /// Returns the point of a side at which the field has the value.
     fn place(&self, (node, is_down): GridEdge, level: f64) -> (f64, f64) {
         let other = if is_down {
             node + self.columns
@@ -128,7 +129,7 @@ mod tests {
         assert_eq!(lines.len(), 1);
         let line = &lines[0];
         assert_eq!(line[0], line[line.len() - 1]);
-        // A cone is not linear along a side: off by at most 1/8 of its second derivative, 1/12.3.
+        // A cone is not linear along a side: the error is at most 1/8 of its second derivative, 1/12.3.
         for (x, y) in line {
             assert!(((x - 20.0).hypot(y - 20.0) - 12.3).abs() < 0.011);
         }

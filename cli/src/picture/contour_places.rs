@@ -1,34 +1,34 @@
-//! Places for the labels of contours, so that no two overlap.
+//! Places for the labels of contours, chosen so that no two overlap.
 
 use super::colours;
 use super::contour_lines::Polyline;
 use super::svg::{Anchor, Rect, Svg};
 
-/// Size of the letters, the width of one over it, and the margin around a text, in pixels.
+/// Font size, width of a letter relative to it, and margin around a text, in pixels.
 const SIZE: f64 = 14.0;
 const LETTER: f64 = 0.62;
 const MARGIN: f64 = 3.0;
 
-/// A line shorter than this many widths of its label has none.
+/// A line shorter than this many label widths has no label.
 const SHORTEST: f64 = 2.5;
 
 /// Most labels of one level in one body.
 const MOST: usize = 3;
 
-/// Parts of the way along a line at which its label may stand, the best first.
+/// Positions of a label along its line, as parts of the length, best first.
 const PARTS: [f64; 7] = [0.5, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85];
 
-/// From a mark to its text.
+/// Distance of a mark from its text, in pixels.
 const FROM_MARK: f64 = 10.0;
 
-/// The places taken within a panel.
+/// The occupied places within a panel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContourPlaces {
     panel: Rect,
     taken: Vec<Rect>,
 }
 
-/// The rectangle that a text centred on a place takes.
+/// The rectangle that a text centred on a place occupies.
 fn rectangle((x, y): (f64, f64), text: &str) -> Rect {
     let width = LETTER * SIZE * text.chars().count() as f64 + 2.0 * MARGIN;
     let height = SIZE + 2.0 * MARGIN;
@@ -47,7 +47,7 @@ pub fn boxed(svg: &mut Svg, place: (f64, f64), text: &str) {
 }
 
 impl ContourPlaces {
-    /// A panel in which nothing stands yet.
+    /// Returns a panel without any text.
     #[must_use]
     pub fn new(panel: Rect) -> Self {
         Self {
@@ -56,7 +56,8 @@ impl ContourPlaces {
         }
     }
 
-    /// The middle of a text beside a mark: on its right, or on its left where there is no room; within the panel.
+    /// Returns the centre of a text beside a mark, within the panel: on the right of the mark, or on its left if there
+    /// is no room.
     #[must_use]
     pub fn beside_mark(&self, (x, y): (f64, f64), text: &str) -> (f64, f64) {
         let Rect { width, height, .. } = rectangle((x, y), text);
@@ -73,15 +74,15 @@ impl ContourPlaces {
         )
     }
 
-    /// Takes the place of a mark and its text.
+    /// Reserves the place of a mark and its text.
     pub fn reserve_mark(&mut self, place: (f64, f64), text: &str) {
         let beside = self.beside_mark(place, text);
         self.taken.push(rectangle(beside, text));
         self.taken.push(rectangle(place, "oo"));
     }
 
-    /// Takes the place of a text in the corner to the left of a point and below it, or on the left side of the panel
-    /// where that is taken, and returns its middle.
+    /// Reserves the place of a text in the corner left of and below a point, or on the left side of the panel if that
+    /// is occupied, and returns its centre.
     pub fn in_corner(&mut self, (right, top): (f64, f64), text: &str) -> (f64, f64) {
         let Rect { width, height, .. } = rectangle((right, top), text);
         let y = top + 4.0 + height / 2.0;
@@ -96,7 +97,7 @@ impl ContourPlaces {
         place
     }
 
-    /// Takes a level line across the panel.
+    /// Reserves a horizontal line across the panel.
     pub fn reserve_line(&mut self, y: f64) {
         let Rect { left, width, .. } = self.panel;
         self.taken.push(Rect {
@@ -107,7 +108,7 @@ impl ContourPlaces {
         });
     }
 
-    /// Takes the place of a text on a level line, at the left side of the panel, and returns its middle.
+    /// Reserves the place of a text on a horizontal line, at the left side of the panel, and returns its centre.
     pub fn on_left(&mut self, y: f64, text: &str) -> (f64, f64) {
         let width = rectangle((0.0, y), text).width;
         let place = (self.panel.left + 8.0 + width / 2.0, y);
@@ -115,7 +116,7 @@ impl ContourPlaces {
         place
     }
 
-    /// Draws the label of these lines on the longest of them, where there is room.
+    /// Draws the label on the longest of these lines, where there is room.
     pub fn draw_labels(&mut self, svg: &mut Svg, lines: &[Polyline], label: &str) {
         let width = rectangle((0.0, 0.0), label).width;
         let mut long: Vec<_> = (lines.iter().map(|line| (length(line), line)))
@@ -134,7 +135,7 @@ impl ContourPlaces {
         }
     }
 
-    /// Whether a rectangle lies within the panel and nothing stands there.
+    /// Whether a rectangle lies within the panel and overlaps nothing.
     fn is_free(&self, place: &Rect) -> bool {
         let panel = &self.panel;
         let is_within = place.left >= panel.left
@@ -160,7 +161,7 @@ fn length(line: &[(f64, f64)]) -> f64 {
     pieces.fold(0.0, |sum, piece| sum + piece)
 }
 
-/// The first place of a line that is so far from its beginning.
+/// Returns the first point of a line at least `far` from its beginning.
 fn point(line: &[(f64, f64)], mut far: f64) -> Option<(f64, f64)> {
     for pair in line.windows(2) {
         far -= distance(&pair[0], &pair[1]);
@@ -188,7 +189,7 @@ mod tests {
         let mut places = ContourPlaces::new(PANEL);
         let line = |y: f64, to: f64| vec![(0.0, y), (to / 2.0, y), (to, y)];
         places.draw_labels(&mut svg, &[line(50.0, 400.0)], "1.5");
-        // The same place again, one at the rim, and one too short.
+        // The same place again, one at the rim, and a line that is too short.
         places.draw_labels(&mut svg, &[line(50.0, 400.0)], "2");
         places.draw_labels(&mut svg, &[line(1.0, 400.0)], "3");
         places.draw_labels(&mut svg, &[line(80.0, 30.0)], "4");

@@ -12,7 +12,7 @@ use crate::display::{Unit, error_of, quantity};
 use crate::input::units::Units;
 use crate::output::summary::{RunSummary, StepSummary};
 
-/// Name of the picture, without ending.
+/// File name of the picture, without extension.
 pub const NAME: &str = "convergence";
 
 const LEFT: f64 = 100.0;
@@ -23,13 +23,13 @@ const BETWEEN: f64 = 82.0;
 const WIDTH: f64 = LEFT + 3.0 * PANEL_WIDTH + 2.0 * BETWEEN + 30.0;
 const HEIGHT: f64 = TOP + PANEL_HEIGHT + 72.0;
 
-/// Margin above and below the lines, as a part of their extent.
+/// Margin above and below the lines, as a fraction of their extent.
 const MARGIN: f64 = 0.1;
 
-/// The end of the scale in use: the lightest part of viridis cannot be seen on white.
+/// End of the part of viridis in use: its lightest colours cannot be seen on white.
 const LIGHTEST: f64 = 0.85;
 
-/// A number of a run that has a value on every grid.
+/// A result that has a value on every grid.
 #[derive(Clone, Copy)]
 struct Number {
     name: &'static str,
@@ -63,14 +63,14 @@ const NUMBERS: [Number; 3] = [
     },
 ];
 
-/// Whether the run has more than one grid, so that there is a picture.
+/// Whether the run has more than one grid, which the picture needs.
 #[must_use]
 pub fn is_drawn(summary: &RunSummary) -> bool {
     let mut steps = summary.steps.iter();
     steps.any(|step| step.grid_error.levels.len() > 1)
 }
 
-/// The picture as SVG; none for a run on one grid.
+/// Draws the picture as SVG; `None` for a run on one grid.
 #[must_use]
 pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
     if !is_drawn(summary) {
@@ -127,7 +127,7 @@ fn draw_panel(svg: &mut Svg, summary: &RunSummary, left: f64, number: Number) {
     panel.draw_axes(svg);
 }
 
-/// Elements per side and change against the finest grid in percent.
+/// Elements per side, and change relative to the finest grid in percent.
 fn changes(step: &StepSummary, number: Number) -> Vec<(f64, f64)> {
     let levels = &step.grid_error.levels;
     let finest = levels.last().map_or(f64::NAN, number.on_level);
@@ -138,7 +138,7 @@ fn changes(step: &StepSummary, number: Number) -> Vec<(f64, f64)> {
     points.filter(|(_, change)| change.is_finite()).collect()
 }
 
-/// The value and the error estimated from the grids.
+/// Describes the value and its error estimated from the grids.
 fn note(step: &StepSummary, number: Number, units: Units) -> String {
     let value = (number.value)(step);
     let text = quantity(value, number.unit, units);
@@ -154,7 +154,7 @@ fn note(step: &StepSummary, number: Number, units: Units) -> String {
     }
 }
 
-/// The axis of the grids, logarithmic in the elements per side.
+/// The axis of the grids: logarithmic in the elements per side.
 fn grids(summary: &RunSummary) -> Axis {
     let levels = summary
         .steps

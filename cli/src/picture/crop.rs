@@ -1,4 +1,4 @@
-//! The part of the domain that a picture shows: the contact and a margin around it.
+//! The part of the domain that a picture shows: the contact with a margin.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ const MARGIN: f64 = 0.12;
 /// Fewest elements across a picture.
 const FEWEST: usize = 12;
 
-/// A square of elements: `x` and `y` are of the same length.
+/// A square of elements: `x` and `y` have the same length.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Crop {
     /// Elements along x.
@@ -18,8 +18,8 @@ pub struct Crop {
 }
 
 impl Crop {
-    /// The square around the axis that reaches `part` of the way to the edge of a field of `size` × `size`; from 1 on,
-    /// the whole field.
+    /// Returns the square around the axis that reaches `part` of the way to the edge of a field of `size` × `size`;
+    /// from 1 on, the whole field.
     #[must_use]
     pub fn around_axis(size: usize, part: f64) -> Self {
         #[expect(
@@ -35,7 +35,8 @@ impl Crop {
         }
     }
 
-    /// The square around the elements under pressure of a field of `size` × `size`; the whole field if there are none.
+    /// Returns the square around the elements under pressure in a field of `size` × `size`; the whole field if there
+    /// are none.
     #[must_use]
     pub fn around_contact(pressure: &[f64], size: usize) -> Self {
         let all = 0..size;
@@ -52,7 +53,7 @@ impl Crop {
             reason = "a part of size"
         )]
         let margin = (MARGIN * extent as f64).ceil() as usize;
-        // Equal on both sides, so that a contact centred on the axis stays centred.
+        // The same margin on both sides, so that a contact centred on the axis stays centred.
         let margin = margin.max(FEWEST.saturating_sub(extent).div_ceil(2));
         let length = (extent + 2 * margin).min(size);
         Self {
@@ -62,7 +63,7 @@ impl Crop {
     }
 }
 
-/// The smallest ranges along x and y that hold every element under pressure.
+/// The smallest ranges along x and y that contain every element under pressure.
 fn extent(pressure: &[f64], size: usize) -> Option<[Range<usize>; 2]> {
     let in_contact = || (0..pressure.len()).filter(|&e| pressure[e] > 0.0);
     let range = |index: fn(usize, usize) -> usize| {
@@ -72,7 +73,7 @@ fn extent(pressure: &[f64], size: usize) -> Option<[Range<usize>; 2]> {
     Some([range(|e, size| e / size)?, range(|e, size| e % size)?])
 }
 
-/// The range of this length around the middle of another, moved to lie within the field.
+/// A range of the given length about the middle of another, shifted to lie within the field.
 fn widen(range: &Range<usize>, length: usize, size: usize) -> Range<usize> {
     let middle = range.start.midpoint(range.end);
     let start = middle.saturating_sub(length / 2).min(size - length);

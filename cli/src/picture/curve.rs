@@ -1,4 +1,4 @@
-//! The curves of cases with several loads: force over penetration, largest pressure over force.
+//! Curves of cases with several loads: force over penetration, largest pressure over force.
 
 use super::colours::{self, Colour};
 use super::panel::{Axis, Panel};
@@ -9,10 +9,10 @@ use crate::display::{DisplayUnit, Unit};
 use crate::input::units::Units;
 use crate::output::summary::{RunSummary, StepSummary};
 
-/// Name of the picture, without ending.
+/// File name of the picture, without extension.
 pub const NAME: &str = "curve";
 
-/// Name of the picture of several results, without ending.
+/// File name of the picture of several results, without extension.
 pub const NAME_OF_SEVERAL: &str = "curves";
 
 const LEFT: f64 = 112.0;
@@ -22,17 +22,17 @@ const BETWEEN: f64 = 120.0;
 const WIDTH: f64 = LEFT + 2.0 * SIDE + BETWEEN + 36.0;
 const HEIGHT: f64 = TOP + SIDE + 72.0;
 
-/// Height of a line of the legend, and its columns.
+/// Height of a line of the legend, and number of columns.
 const ENTRY: f64 = 28.0;
 const COLUMNS: usize = 2;
 
-/// Margin above the largest value, as a part of it.
+/// Margin above the largest value, as a fraction of it.
 const MARGIN: f64 = 0.06;
 
-/// Ratio of the largest to the smallest force from which axes are logarithmic.
+/// Ratio of the largest to the smallest force above which the axes are logarithmic.
 const DECADES: f64 = 50.0;
 
-/// The colours of several curves, which the colour-blind can tell apart; more curves are dashed.
+/// Colours of several curves, distinguishable by the colour-blind; further curves are dashed.
 const COLOURS: [Colour; 7] = [
     colours::BLUE,
     colours::ORANGE,
@@ -43,7 +43,7 @@ const COLOURS: [Colour; 7] = [
     colours::INK,
 ];
 
-/// A quantity of a loading step, on one of the axes.
+/// A quantity of a loading step, shown on one of the axes.
 #[derive(Clone, Copy)]
 struct StepQuantity {
     symbol: &'static str,
@@ -67,7 +67,7 @@ const PEAK: StepQuantity = StepQuantity {
     value: |step| step.max_pressure,
 };
 
-/// The curve of one result, and its name.
+/// A result's curve and its name.
 #[derive(Debug, Clone)]
 pub struct NamedCurve<'a> {
     /// Its name in the legend.
@@ -76,13 +76,13 @@ pub struct NamedCurve<'a> {
     pub steps: &'a [StepSummary],
 }
 
-/// Whether the run has more than one step, so that there is a picture.
+/// Whether the run has more than one step, which the picture needs.
 #[must_use]
 pub fn is_drawn(summary: &RunSummary) -> bool {
     summary.steps.len() > 1
 }
 
-/// The picture as SVG; none for a single step.
+/// Draws the picture as SVG; `None` for a single step.
 #[must_use]
 pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
     let curve = NamedCurve {
@@ -93,14 +93,14 @@ pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
     is_drawn(summary).then(|| Sheet::new(vec![curve], summary.units).draw(&numbers, style))
 }
 
-/// The picture of several results as SVG; all are in these units.
+/// Draws the picture of several results in common units as SVG.
 #[must_use]
 pub fn draw_several(curves: Vec<NamedCurve<'_>>, units: Units, style: &Style) -> String {
     let numbers = format!("{} results", curves.len());
     Sheet::new(curves, units).draw(&numbers, style)
 }
 
-/// The curves on one sheet, with the axes that suit them all.
+/// The curves on one sheet, with axes that suit them all.
 struct Sheet<'a> {
     curves: Vec<NamedCurve<'a>>,
     units: Units,
@@ -207,7 +207,7 @@ impl<'a> Sheet<'a> {
         self.curves.iter().flat_map(|curve| curve.steps)
     }
 
-    /// Whether everything is positive and the forces span so much that small ones would vanish on a linear axis.
+    /// Whether all values are positive and the forces span a range in which small ones would vanish on a linear axis.
     fn suits_logarithms(&self) -> bool {
         let all_positive = self.steps().all(|step| {
             [FORCE, PENETRATION, PEAK]
@@ -246,7 +246,7 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// The line of curve number `i`.
+/// Stroke of curve number `i`.
 fn pen(i: usize) -> (Stroke, Dash) {
     let colour = COLOURS[i % COLOURS.len()];
     let dash = if i < COLOURS.len() {
@@ -257,7 +257,7 @@ fn pen(i: usize) -> (Stroke, Dash) {
     (Stroke::new(colour, 2.0), dash)
 }
 
-/// Fill and edge of the mark of a step.
+/// Fill and edge colour of a step's mark.
 fn mark(satisfied: bool, colour: Colour) -> (Colour, Colour) {
     match (satisfied, colour) {
         (true, colour) => (colour, colour),

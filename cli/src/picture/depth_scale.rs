@@ -1,28 +1,29 @@
-//! The depth axis of a section through layers: each body has room enough to be seen, thin or not.
+//! The depth axis of a section through layers: every body is tall enough to be seen, however thin.
 
 use super::labels;
 use super::panel::Axis;
 use super::ticks;
 
-/// Least part of the height that a body has, if there are few of them; and the part that all of them share, if many.
+/// Least fraction of the height for a body if there are few bodies; the sum of these minima if there are many.
 const LEAST: f64 = 0.22;
 const SHARED: f64 = 0.6;
 
-/// Least distance of a tick from the ends of its body, and about that of ticks, as parts of the height.
+/// Least distance of a tick from the ends of its body, and approximate distance between ticks, as fractions of the
+/// height.
 const FROM_ENDS: f64 = 0.05;
 const BETWEEN: f64 = 0.12;
 
 /// A depth axis, linear within each body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DepthScale {
-    /// The depths of the surface, the interfaces and the lowest plane, and how far down the picture each is.
+    /// Depths of the surface, the interfaces and the lowest plane, each with its position down the picture.
     ends: Vec<(f64, f64)>,
     /// Whether one body is enlarged more than another.
     pub is_uneven: bool,
 }
 
 impl DepthScale {
-    /// The scale of bodies that end at these rising depths, the first of which is that of the surface.
+    /// Builds the scale of bodies bounded by these increasing depths; the first is that of the surface.
     #[must_use]
     pub fn new(depths: &[f64]) -> Self {
         let thicknesses: Vec<f64> = depths.windows(2).map(|pair| pair[1] - pair[0]).collect();
@@ -42,27 +43,27 @@ impl DepthScale {
         self.ends.len() - 1
     }
 
-    /// The places of a body's top and bottom down the picture, from 0 to 1.
+    /// Positions of a body's top and bottom down the picture, from 0 to 1.
     #[must_use]
     pub fn within(&self, body: usize) -> [f64; 2] {
         [self.ends[body].1, self.ends[body + 1].1]
     }
 
-    /// The place of a depth of a body down the picture, from 0 to 1.
+    /// Position of a depth in a body down the picture, from 0 to 1.
     #[must_use]
     pub fn down(&self, body: usize, depth: f64) -> f64 {
         let [(top, from), (bottom, to)] = [self.ends[body], self.ends[body + 1]];
         from + (to - from) * (depth - top) / (bottom - top)
     }
 
-    /// The depth in a body so far down the picture.
+    /// Depth in a body at a position down the picture.
     #[must_use]
     pub fn depth(&self, body: usize, down: f64) -> f64 {
         let [(top, from), (bottom, to)] = [self.ends[body], self.ends[body + 1]];
         top + (bottom - top) * (down - from) / (to - from)
     }
 
-    /// The axis, with the depths of all interfaces and round ones between, in a unit of so many of the depths'.
+    /// Returns the axis, with the depths of all interfaces and round depths between them, divided by `divisor`.
     #[must_use]
     pub fn axis(&self, divisor: f64, title: String) -> Axis {
         let mut ticks = Vec::new();
@@ -95,8 +96,8 @@ impl DepthScale {
     }
 }
 
-/// The parts of the height: in proportion, but for bodies that would have less than the least; and whether there are
-/// such.
+/// Fractions of the height: proportional to the thickness, except that no body gets less than the minimum; and whether
+/// any body was raised to it.
 fn shares(thicknesses: &[f64]) -> (Vec<f64>, bool) {
     let least = LEAST.min(SHARED / thicknesses.len() as f64);
     let mut is_raised = vec![false; thicknesses.len()];

@@ -1,5 +1,5 @@
-//! A field of lengths over the surface, as a map with the outline of the contact: heights of a measured surface, gap,
-//! displacement.
+//! A field of lengths over the surface (heights of a measured surface, gap or displacement), as a map with the outline
+//! of the contact.
 
 use super::colour_map::ColourScale;
 use super::crop::Crop;
@@ -21,7 +21,7 @@ pub enum FieldMap {
 }
 
 impl FieldMap {
-    /// Name of the picture of a step, without ending.
+    /// Returns the file name of a step's picture, without extension.
     #[must_use]
     pub fn name(self, step: usize) -> String {
         let name = match self {
@@ -32,7 +32,7 @@ impl FieldMap {
         format!("{name}-{step:03}")
     }
 
-    /// The field in words.
+    /// Describes the field in words.
     #[must_use]
     pub fn title(self) -> &'static str {
         match self {
@@ -50,7 +50,7 @@ impl FieldMap {
         }
     }
 
-    /// The picture as SVG.
+    /// Draws the picture as SVG.
     #[must_use]
     pub fn draw(self, subject: &Subject<'_>) -> String {
         let fields = &subject.fields;
@@ -81,7 +81,7 @@ impl FieldMap {
         };
         svg.image(place, &Raster::of(cells, cells, colour));
         let contact = |i, j| blocks.contact[i * cells + j];
-        // White beside black, so that the outline is seen on either end of the colours.
+        // Black on white, so that the outline is visible at both ends of the colour scale.
         let [halo, line] = [colours::WHITE, colours::INK].map(pressure_map::pen);
         let halo = Stroke {
             width: 3.0 * halo.width,
@@ -102,7 +102,7 @@ impl FieldMap {
     }
 }
 
-/// The part of a field that is shown, block by block where it is finer than the picture.
+/// The part of a field that is shown, averaged over blocks if it is finer than the picture.
 struct CoarseValues {
     /// Cells per side.
     cells: usize,
@@ -149,7 +149,7 @@ impl CoarseValues {
         blocks
     }
 
-    /// The smallest and the largest value; an interval around them if they are equal.
+    /// Returns the smallest and the largest value, or an interval around them if they are equal.
     fn extent(&self) -> [f64; 2] {
         let finite = || {
             self.values
@@ -175,7 +175,7 @@ mod tests {
     fn blocks_have_the_mean_of_what_is_finite_and_an_extent() {
         let size = 2 * pressure_map::CELLS;
         let mut gap = vec![1.0; size * size];
-        // The first block: 3, 5, and two that are no numbers.
+        // The first block holds 3, 5, an infinity and a NaN.
         (gap[0], gap[1]) = (3.0, 5.0);
         (gap[size], gap[size + 1]) = (f64::INFINITY, f64::NAN);
         let zeros = vec![0.0; size * size];

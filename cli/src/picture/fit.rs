@@ -13,7 +13,7 @@ mod tests;
 
 use super::colours::{self, Colour};
 
-/// The colours of several measurements, which the colour-blind can tell apart.
+/// Colours of several measurements, distinguishable by the colour-blind.
 const COLOURS: [Colour; 10] = [
     colours::BLUE,
     colours::ORANGE,
@@ -27,16 +27,16 @@ const COLOURS: [Colour; 10] = [
     colours::TEAL,
 ];
 
-/// The colour of measurement number `i`.
+/// Colour of measurement number `i`.
 fn colour(i: usize) -> Colour {
     COLOURS[i % COLOURS.len()]
 }
 
-/// The lines above a picture of a fit.
+/// The heading of a picture of a fit.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FitHeading {
     /// The title of the fit.
     pub title: String,
-    /// Its verdict, with its numbers.
+    /// The verdict, with its numbers.
     pub numbers: String,
 }

@@ -2,15 +2,15 @@
 
 use super::svg::{Anchor, Svg};
 
-/// Room for the lines, in pixels.
+/// Height of the heading, in pixels.
 pub const HEIGHT: f64 = 106.0;
 
-/// Sizes of the letters, in pixels.
+/// Font sizes, in pixels.
 const TITLE: f64 = 23.0;
 const NUMBERS: f64 = 18.0;
 const ACCURACY: f64 = 14.0;
 
-/// Width of a letter over its height, about.
+/// Approximate width of a letter relative to its height.
 const LETTER: f64 = 0.6;
 
 /// Draws a small third line below the two of [`draw`].
@@ -25,7 +25,7 @@ pub fn draw(svg: &mut Svg, left: f64, width: f64, title: &str, numbers: &str) {
     svg.text((left, 60.0), NUMBERS, Anchor::Start, numbers);
 }
 
-/// The text cut to a width.
+/// Cuts the text to a width.
 #[must_use]
 pub fn fitted(text: &str, width: f64, size: f64) -> String {
     #[expect(

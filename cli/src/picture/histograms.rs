@@ -1,4 +1,4 @@
-//! Histograms of the pressures in contact and of the gaps beside it, each over its mean.
+//! Histograms of the pressures in contact and of the gaps beside it, each relative to its mean.
 
 use pellicle_contact::Histogram;
 
@@ -16,16 +16,16 @@ const BETWEEN: f64 = 110.0;
 const WIDTH: f64 = LEFT + 2.0 * SIDE + BETWEEN + 36.0;
 const HEIGHT: f64 = TOP + SIDE + 72.0;
 
-/// Room above the tallest class, as a part of it.
+/// Space above the tallest class, as a fraction of its height.
 const MARGIN: f64 = 0.06;
 
-/// Name of the picture of a step, without ending.
+/// Returns the file name of a step's picture, without extension.
 #[must_use]
 pub fn name(step: usize) -> String {
     format!("histograms-{step:03}")
 }
 
-/// The picture as SVG.
+/// Draws the picture as SVG.
 #[must_use]
 pub fn draw(subject: &Subject<'_>) -> String {
     let mut svg = subject.style.sheet(WIDTH, HEIGHT);
@@ -105,7 +105,7 @@ fn draw_panel(
     panel.draw_axes(svg);
 }
 
-/// The density of each class of a number over its mean; the area below them is 1. None of no numbers.
+/// The density of each class of a number over its mean, normalised to an area of 1; empty if there are no numbers.
 fn densities(histogram: &Histogram) -> Vec<f64> {
     let total: usize = histogram.counts.iter().sum();
     let width = histogram.largest / histogram.mean / histogram.counts.len() as f64;
@@ -116,7 +116,7 @@ fn densities(histogram: &Histogram) -> Vec<f64> {
     histogram.counts.iter().map(density).collect()
 }
 
-/// Halfway to white, and again.
+/// Lightens a colour halfway to white, twice.
 fn lightened(Colour(red, green, blue): Colour) -> Colour {
     let light = |part: u8| 255 - (255 - part) / 4;
     Colour(light(red), light(green), light(blue))
@@ -134,7 +134,7 @@ mod tests {
             counts: vec![5, 3, 2, 0, 0, 1],
         };
         let densities = densities(&histogram);
-        // Classes are 1 wide, half a mean.
+        // The classes are half a mean wide.
         let area: f64 = densities.iter().map(|density| 0.5 * density).sum();
         assert!((area - 1.0).abs() < 1e-15 && densities.len() == 6);
         let nothing = Histogram {

@@ -1,11 +1,12 @@
-//! The labels of an axis.
+//! Labels of an axis.
 
 use crate::display::superscript;
 
-/// The label of a tick on an axis of this length, with as many decimals as its ticks need and a true minus sign.
+/// Returns the label of a tick on an axis of this length, with as many decimals as its ticks need and a true minus
+/// sign.
 #[must_use]
 pub fn tick(value: f64, length: f64) -> String {
-    // About six ticks on an axis: the first digit of a tenth of it, and the one after.
+    // About six ticks on an axis: a tenth of its length determines the first digit, and one more is kept.
     let needed = (1.0 - (length / 10.0).log10().floor()).clamp(0.0, 12.0);
     #[expect(
         clippy::cast_possible_truncation,
@@ -24,14 +25,15 @@ pub fn tick(value: f64, length: f64) -> String {
     }
 }
 
-/// Most digits of a label.
+/// Largest number of digits in a label.
 const DIGITS: usize = 12;
 
-/// The labels of the ticks of a logarithmic axis, with as many digits as tell them apart; powers of ten far from 1.
+/// Returns the labels of a logarithmic axis, with as many digits as distinguish them; values far from 1 are written as
+/// powers of ten.
 #[must_use]
 pub fn logarithmic_ticks(ticks: &[f64]) -> Vec<String> {
     let labels = |digits| ticks.iter().map(|tick| power(*tick, digits)).collect();
-    // A label is right if it reads back as its tick, up to rounding.
+    // A label is correct if it reads back as its tick, up to rounding.
     let is_right = |digits: &usize| {
         ticks.iter().all(|tick| {
             let rounded = format!("{tick:.*e}", digits - 1);
@@ -42,7 +44,7 @@ pub fn logarithmic_ticks(ticks: &[f64]) -> Vec<String> {
     labels((1..DIGITS).find(is_right).unwrap_or(DIGITS))
 }
 
-/// The title of an axis: `p, GPa`, or `p (case units)` for a case without units.
+/// Returns the title of an axis: `p, GPa`, or `p (case units)` for a case without units.
 #[must_use]
 pub fn axis_title(symbol: &str, unit: &str) -> String {
     match unit {
@@ -51,7 +53,8 @@ pub fn axis_title(symbol: &str, unit: &str) -> String {
     }
 }
 
-/// The value with at most this many significant digits and a power of ten where it is far from 1: `3.571·10⁻⁵`, `0.3`.
+/// Writes a value with at most this many significant digits, and with a power of ten if it is far from 1: `3.571·10⁻⁵`,
+/// `0.3`.
 #[must_use]
 pub fn power(value: f64, digits: usize) -> String {
     let text = format!("{value:.*e}", digits.saturating_sub(1));
@@ -67,7 +70,7 @@ pub fn power(value: f64, digits: usize) -> String {
     }
 }
 
-/// The text without trailing zeros in its decimals.
+/// Removes trailing zeros from the decimals.
 fn trimmed(text: &str) -> String {
     if !text.contains('.') {
         return text.to_owned();

@@ -1,21 +1,21 @@
-//! The outline of a set of elements: the edges between an element in the set and one outside, joined into lines.
+//! The outline of a set of elements: the edges between elements inside and outside, joined into lines.
 
-/// Right, up, left, down. Along an edge the set lies on the left.
+/// Right, up, left, down. The set lies on the left of an edge.
 const DIRECTIONS: [(isize, isize); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
-/// The edges, by the corner that they leave: bit `d` of a corner is the edge in direction `d`.
+/// The edges by the corner that they leave: bit `d` of a corner stands for the edge in direction `d`.
 struct BoundaryEdges {
     corners: usize,
     leaving: Vec<u8>,
 }
 
-/// The outlines of the elements for which `inside(i, j)` holds, of `cells` × `cells`: lines through corners of
-/// elements, each with its first corner at its end if it is closed. The rim of the field is no outline.
+/// Returns the outlines of the elements of a field of `cells` × `cells` for which `inside(i, j)` holds: lines through
+/// corners of elements. A closed line ends at its first corner. The rim of the field is not an outline.
 #[must_use]
 pub fn trace(cells: usize, inside: impl Fn(usize, usize) -> bool) -> Vec<Vec<(usize, usize)>> {
     let mut edges = BoundaryEdges::new(cells, inside);
     let mut lines = Vec::new();
-    // Lines that begin at the rim first, so that none is begun in its middle.
+    // Start with the lines that begin at the rim, so that none is begun in its middle.
     for corner in edges.beginnings() {
         while edges.leaving[corner] != 0 {
             lines.push(edges.follow(corner));
@@ -51,7 +51,7 @@ impl BoundaryEdges {
         self.leaving[i * self.corners + j] |= u8::from(is_side) << direction;
     }
 
-    /// Corners on the rim that an edge leaves.
+    /// Corners on the rim from which an edge starts.
     fn beginnings(&self) -> Vec<usize> {
         let last = self.corners - 1;
         let on_rim = |e: usize| {
@@ -62,7 +62,7 @@ impl BoundaryEdges {
         (0..self.leaving.len()).filter(leaves).collect()
     }
 
-    /// Follows the edges from a corner until none goes on or the corner is met again, and removes them.
+    /// Follows the edges from a corner until none continues or the corner is reached again, and removes them.
     fn follow(&mut self, start: usize) -> Vec<(usize, usize)> {
         let mut line = vec![self.place(start)];
         let (mut at, mut heading) = (start, None);
@@ -81,7 +81,7 @@ impl BoundaryEdges {
         line
     }
 
-    /// The next edge: to the left where there is a choice, so that elements that meet in a corner stay apart.
+    /// Returns the next edge, the leftmost if there are several, so that elements that meet at a corner stay apart.
     fn next(&self, at: usize, heading: Option<usize>) -> Option<usize> {
         let first = heading.map_or(0, |heading| heading + 1);
         let turns = [first, first + 3, first + 2, first + 1].map(|direction| direction % 4);

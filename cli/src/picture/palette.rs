@@ -1,4 +1,4 @@
-//! Pixels as a PNG file of at most 256 colours, a third of the size of one with all colours.
+//! Encodes pixels as a PNG file of at most 256 colours, a third of the size of one with all colours.
 
 use std::io;
 
@@ -6,13 +6,13 @@ use color_quant::NeuQuant;
 
 use super::png::encoder;
 
-/// Colours of a palette.
+/// Number of colours in a palette.
 const COLOURS: usize = 256;
 
-/// The palette is fitted to one pixel in so many: 1 is best and slowest, 30 the opposite.
+/// The palette is fitted to one pixel in this many: 1 is best and slowest, 30 worst and fastest.
 const SAMPLING: i32 = 3;
 
-/// Pixels of three bytes each, red, green and blue, as a PNG file with the palette that suits them best.
+/// Encodes pixels of three bytes each (red, green, blue) as a PNG file with the best-fitting palette.
 ///
 /// # Errors
 ///
@@ -30,7 +30,7 @@ pub fn encode(width: usize, height: usize, rgb: &[u8]) -> io::Result<Vec<u8>> {
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_palette(palette.color_map_rgb());
     encoder.set_compression(png::Compression::High);
-    // Neighbouring indices are no neighbouring colours.
+    // Neighbouring indices are not neighbouring colours.
     encoder.set_filter(png::Filter::NoFilter);
     let written = encoder
         .write_header()
@@ -56,7 +56,7 @@ mod tests {
         let mut read = vec![0; reader.output_buffer_size().unwrap()];
         reader.next_frame(&mut read).unwrap();
         let largest = read.iter().zip(&rgb).map(|(a, b)| a.abs_diff(*b)).max();
-        // The network comes within a few levels of a colour that it was shown.
+        // The network reproduces a training colour to within a few levels.
         assert!(largest <= Some(4), "{largest:?}");
     }
 

@@ -1,17 +1,17 @@
-//! A rectangle with axes, in which values have places.
+//! A rectangle with axes, which maps values to positions.
 
 use super::colours;
 use super::svg::{Anchor, Rect, Stroke, Svg, TextDirection};
 use super::{labels, ticks};
 
-/// Sizes of the letters of labels and titles, in pixels.
+/// Font sizes of labels and titles, in pixels.
 pub const LABEL: f64 = 17.0;
 const TITLE: f64 = 18.0;
 
 /// Length of a tick, in pixels.
 const TICK: f64 = 6.0;
 
-/// From an axis to its title, in pixels.
+/// Distance from an axis to its title, in pixels.
 const TITLE_BELOW: f64 = 48.0;
 const TITLE_LEFT: f64 = 84.0;
 
@@ -24,14 +24,14 @@ pub struct Axis {
     pub to: f64,
     /// Its quantity, with the unit.
     pub title: String,
-    /// Values that are marked, with their labels.
+    /// Marked values, with their labels.
     pub ticks: Vec<(f64, String)>,
-    /// Whether equal lengths are equal ratios; all values are positive then.
+    /// Whether equal lengths are equal ratios; then all values are positive.
     pub is_logarithmic: bool,
 }
 
 impl Axis {
-    /// An axis with about `count` round ticks.
+    /// Returns an axis with about `count` round ticks.
     #[must_use]
     pub fn new(from: f64, to: f64, title: String, count: usize) -> Self {
         let length = (to - from).abs();
@@ -46,7 +46,7 @@ impl Axis {
         }
     }
 
-    /// A logarithmic axis that holds these two positive values, with at least three ticks.
+    /// Returns a logarithmic axis that contains these two positive values, with at least three ticks.
     #[must_use]
     pub fn logarithmic(smallest: f64, largest: f64, title: String) -> Self {
         let (from, to) = (smallest / 1.3, largest * 1.3);
@@ -61,7 +61,7 @@ impl Axis {
         }
     }
 
-    /// The axis with its ticks, but without words: those of the panel below are meant.
+    /// Returns the axis with ticks but without text, as the panel below has the same.
     #[must_use]
     pub fn unlabelled(self) -> Self {
         let ticks = self.ticks.into_iter();
@@ -72,7 +72,7 @@ impl Axis {
         }
     }
 
-    /// The place of a value along the axis: 0 at its first end, 1 at its last.
+    /// Returns the position of a value along the axis: 0 at its first end, 1 at its last.
     #[must_use]
     pub fn fraction(&self, value: f64) -> f64 {
         if self.is_logarithmic {
@@ -85,7 +85,7 @@ impl Axis {
 /// A rectangle with two axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
-    /// The rectangle; labels stand outside it.
+    /// The rectangle; labels are drawn outside it.
     pub place: Rect,
     /// The axis below.
     pub x: Axis,
@@ -94,7 +94,7 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// The place of a point on the sheet.
+    /// Returns the position of a point on the sheet.
     #[must_use]
     pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
         let Rect {
@@ -109,12 +109,12 @@ impl Panel {
         )
     }
 
-    /// The places of many points.
+    /// Returns the positions of many points.
     pub fn all_at(&self, points: impl IntoIterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
         points.into_iter().map(|(x, y)| self.at(x, y)).collect()
     }
 
-    /// Draws the mesh, below what the panel shows.
+    /// Draws the grid lines, below the contents of the panel.
     pub fn draw_mesh(&self, svg: &mut Svg) {
         let stroke = Stroke::new(colours::GRID, 1.0);
         let across = self.x.ticks.iter().map(|(x, _)| {
@@ -128,7 +128,7 @@ impl Panel {
         svg.lines(&across.chain(along).collect::<Vec<_>>(), stroke);
     }
 
-    /// Draws frame, ticks, labels and titles, above what the panel shows.
+    /// Draws frame, ticks, labels and titles, above the contents of the panel.
     pub fn draw_axes(&self, svg: &mut Svg) {
         let Rect { left, top, .. } = self.place;
         let (right, bottom) = (self.place.right(), self.place.bottom());

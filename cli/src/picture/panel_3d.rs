@@ -1,4 +1,4 @@
-//! A box with three axes, seen from above one corner, that holds a field of pressure as columns.
+//! A box with three axes, seen from above one corner, that shows a field of pressure as columns.
 
 use super::coarse_field::CoarseField;
 use super::colour_map::{ColourScale, within_the_scale};
@@ -9,24 +9,24 @@ use super::pressure_map;
 use super::projection::Projection;
 use super::svg::{Anchor, Rect, Stroke, Svg};
 
-/// A box with three axes that holds a field as columns.
+/// A box with three axes that shows a field as columns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel3d {
-    /// The rectangle of the columns; labels may stand outside.
+    /// The rectangle of the columns; labels may lie outside.
     pub place: Rect,
     /// The view of the box.
     pub view: Projection,
-    /// The axis in front, to the right.
+    /// The front axis on the right.
     pub x: Axis,
-    /// The axis in front, to the left.
+    /// The front axis on the left.
     pub y: Axis,
-    /// The axis upwards.
+    /// The vertical axis.
     pub z: Axis,
 }
 
 impl Panel3d {
-    /// Draws walls, columns and labels. Coordinates are divided by `metres`, pressures by `pascals`, the unit of the
-    /// colours. The field may be smaller than the box.
+    /// Draws walls, columns and labels. Coordinates are divided by `metres`, pressures by `pascals`, which is the unit
+    /// of the colours. The field may be smaller than the box.
     pub fn draw(
         &self,
         svg: &mut Svg,
@@ -48,7 +48,7 @@ impl Panel3d {
         self.draw_labels(svg);
     }
 
-    /// A column for each cell, cut off at the ceiling.
+    /// Returns a column for each cell, cut off at the ceiling.
     fn columns(
         &self,
         coarse: &CoarseField,
@@ -72,7 +72,7 @@ impl Panel3d {
         }
     }
 
-    /// Draws lines on the two walls behind.
+    /// Draws lines on the two rear walls.
     fn draw_walls(&self, svg: &mut Svg) {
         let line = |from, to| [self.view.at(from), self.view.at(to)];
         let mut lines = Vec::new();
@@ -95,7 +95,7 @@ impl Panel3d {
         svg.lines(&posts, Stroke::new(colours::RELIEF_OUTLINE, 1.0));
     }
 
-    /// Draws edges, ticks, labels and titles in front.
+    /// Draws the edges, ticks, labels and titles in front.
     fn draw_labels(&self, svg: &mut Svg) {
         let ink = Stroke::new(colours::INK, 1.2);
         let edges = [

@@ -1,9 +1,9 @@
-//! Pixels as a PNG file.
+//! Encodes pixels as a PNG file.
 
 /// Pixels per metre of paper: 150 per inch, so that the widest picture fits a page.
 const DENSITY: u32 = 5906;
 
-/// The bytes of a pixel.
+/// The bytes of one pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PixelFormat {
     /// Red, green, blue.
@@ -12,7 +12,7 @@ pub enum PixelFormat {
     Rgba,
 }
 
-/// Pixels as a PNG file; an empty one if the sides do not fit the pixels.
+/// Encodes pixels as a PNG file; the result is empty if the sides do not fit the pixels.
 #[must_use]
 pub fn encode(width: usize, height: usize, kind: PixelFormat, pixels: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
@@ -35,12 +35,12 @@ fn try_encode(
     });
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::Fast);
-    // As small as with a filter chosen for each row, which is the compression's own choice, and faster.
+    // As small as with a filter chosen for each row, the default for this compression, and faster.
     encoder.set_filter(png::Filter::Paeth);
     encoder.write_header()?.write_image_data(pixels)
 }
 
-/// An encoder that knows the sides and the density.
+/// Returns an encoder with the sides and the density set.
 pub(super) fn encoder(
     bytes: &mut Vec<u8>,
     width: usize,

@@ -10,7 +10,7 @@ use super::subject::Subject;
 use super::svg::{Anchor, Rect, Stroke, Svg};
 use super::{colour_bar, heading, labels, outline};
 
-/// The map itself, in pixels.
+/// The rectangle of the map, in pixels.
 pub(super) const MAP: Rect = Rect {
     left: 112.0,
     top: heading::HEIGHT,
@@ -24,19 +24,19 @@ const BAR: f64 = 30.0;
 pub const WIDTH: f64 = MAP.left + MAP.width + GAP + BAR + colour_bar::BESIDE;
 pub(super) const HEIGHT: f64 = MAP.top + MAP.height + BELOW;
 
-/// Most cells that are drawn along a side: about one a pixel.
+/// Largest number of cells drawn along a side: about one per pixel.
 pub const CELLS: usize = 760;
 
 /// Width of the outlines, in pixels.
 const OUTLINE: f64 = 1.2;
 
-/// Name of the picture of a step, without ending.
+/// Returns the file name of a step's picture, without extension.
 #[must_use]
 pub fn name(step: usize) -> String {
     format!("pressure-{step:03}")
 }
 
-/// The picture as SVG.
+/// Draws the picture as SVG.
 #[must_use]
 pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
@@ -62,8 +62,8 @@ pub fn draw(subject: &Subject<'_>) -> String {
     svg.finish()
 }
 
-/// The panel of a map whose sides along x and y have these ends, m, with axes in a suitable unit; and the
-/// divisor to it.
+/// Returns the panel of a map whose sides along x and y have these ends, m, with axes in a suitable unit, and the
+/// divisor for that unit.
 pub(super) fn panel(subject: &Subject<'_>, [x, y]: [[f64; 2]; 2]) -> (Panel, f64) {
     let farthest = [x, y].concat().into_iter().map(f64::abs);
     let scale = subject.metres(farthest.fold(0.0, f64::max));
@@ -97,7 +97,7 @@ pub fn draw_field(
     draw_outline(svg, place, cells, contact, pen(colours::INK));
 }
 
-/// The place on a panel of a square whose sides have these ends, divided by `divisor`.
+/// Returns the rectangle on a panel of a square whose sides have these ends, divided by `divisor`.
 pub(super) fn within(panel: &Panel, ends: [[f64; 2]; 2], divisor: f64) -> Rect {
     let [[left, right], [low, high]] = ends.map(|ends| ends.map(|x| x / divisor));
     let ((left, top), (right, bottom)) = (panel.at(left, high), panel.at(right, low));
@@ -109,7 +109,7 @@ pub(super) fn within(panel: &Panel, ends: [[f64; 2]; 2], divisor: f64) -> Rect {
     }
 }
 
-/// Draws the outline of the cells that are inside.
+/// Draws the outline of the cells for which `inside` holds.
 pub(super) fn draw_outline(
     svg: &mut Svg,
     field: Rect,
@@ -132,7 +132,7 @@ pub(super) fn draw_outline(
     svg.lines(&lines, stroke);
 }
 
-/// The line of an outline.
+/// Stroke of an outline.
 pub(super) fn pen(colour: Colour) -> Stroke {
     Stroke::new(colour, OUTLINE)
 }
@@ -147,7 +147,7 @@ pub(super) fn draw_bar(svg: &mut Svg, shades: &ColourScale, title: &str) {
     colour_bar::draw(svg, bar, shades, title);
 }
 
-/// The legend of grey, below the bar.
+/// Draws the legend of grey below the bar.
 fn draw_legend(svg: &mut Svg, has_relief: bool) {
     if !has_relief {
         return;
@@ -163,7 +163,7 @@ fn draw_legend(svg: &mut Svg, has_relief: bool) {
     svg.text(place, 15.0, Anchor::Start, "free relief");
 }
 
-/// The colour of a cell.
+/// Returns the colour of a cell.
 #[must_use]
 pub fn colour(coarse: &CoarseField, i: usize, j: usize, shades: &ColourScale) -> Colour {
     let pressure = coarse.pressure(i, j);

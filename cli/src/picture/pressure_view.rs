@@ -9,7 +9,7 @@ use super::subject::Subject;
 use super::svg::Rect;
 use super::{colour_bar, heading, labels};
 
-/// The scene, in pixels.
+/// The rectangle of the scene, in pixels.
 const SCENE: Rect = Rect {
     left: 0.0,
     top: heading::HEIGHT,
@@ -32,16 +32,16 @@ const VIEW: Projection = Projection {
     centre: (490.0, SCENE.top + 485.0),
 };
 
-/// Most columns along a side.
+/// Largest number of columns along a side.
 const CELLS: usize = 200;
 
-/// Name of the picture of a step, without ending.
+/// Returns the file name of a step's picture, without extension.
 #[must_use]
 pub fn name(step: usize) -> String {
     format!("pressure-3d-{step:03}")
 }
 
-/// The picture as SVG.
+/// Draws the picture as SVG.
 #[must_use]
 pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;

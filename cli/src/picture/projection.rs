@@ -1,22 +1,22 @@
-//! A box seen from above one of its corners, without perspective.
+//! A box seen from above one of its corners, in parallel projection.
 
-/// Turn about the vertical, and height of the eye above the horizon.
+/// Turn about the vertical, and elevation of the eye above the horizon.
 const TURN: f64 = 0.61;
 const ELEVATION: f64 = 0.50;
 
-/// The view onto a box with the corners (−1, −1, 0) and (1, 1, 1).
+/// The view of a box with the corners (−1, −1, 0) and (1, 1, 1).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Projection {
-    /// Pixels to a unit along x and y.
+    /// Pixels per unit along x and y.
     pub unit: f64,
-    /// Pixels to the height of the box.
+    /// Pixels for the height of the box.
     pub height: f64,
-    /// The middle of the box's floor on the sheet.
+    /// Position on the sheet of the centre of the floor.
     pub centre: (f64, f64),
 }
 
 impl Projection {
-    /// The place on the sheet of a point of the box; y of the sheet runs downwards.
+    /// Returns the position on the sheet of a point of the box; y of the sheet runs downwards.
     #[must_use]
     pub fn at(&self, [x, y, z]: [f64; 3]) -> (f64, f64) {
         let (sin, cos) = TURN.sin_cos();
@@ -24,13 +24,13 @@ impl Projection {
         (self.centre.0 + self.unit * right, self.row(away, z))
     }
 
-    /// The row on the sheet, downwards, of a point this far behind the middle and this high.
+    /// Returns the row on the sheet, counted downwards, of a point this far behind the middle and this high.
     #[must_use]
     pub fn row(&self, away: f64, z: f64) -> f64 {
         self.centre.1 - away * ELEVATION.sin() * self.unit - z * ELEVATION.cos() * self.height
     }
 
-    /// The line of sight through the points of the sheet this far to the right.
+    /// Returns the line of sight through the points at this abscissa of the sheet.
     #[must_use]
     pub fn line_of_sight(&self, x: f64) -> LineOfSight {
         let (sin, cos) = TURN.sin_cos();
@@ -42,17 +42,17 @@ impl Projection {
     }
 }
 
-/// The points of the plan that lie behind one another for the eye: a straight line.
+/// A straight line of the plan whose points lie behind one another for the eye.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LineOfSight {
-    /// Its nearest point to the middle of the floor.
+    /// The point of the line nearest to the middle of the floor.
     origin: [f64; 2],
-    /// Away from the eye; positive along both axes.
+    /// The direction away from the eye; positive along both axes.
     direction: [f64; 2],
 }
 
 impl LineOfSight {
-    /// The distance behind the middle at which it crosses an edge across the x (0) or the y axis (1).
+    /// Returns the distance behind the middle at which the line crosses an edge normal to the x (0) or the y axis (1).
     #[must_use]
     pub fn distance(&self, axis: usize, edge: f64) -> f64 {
         (edge - self.origin[axis]) / self.direction[axis]

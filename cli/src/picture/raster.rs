@@ -1,4 +1,4 @@
-//! A small image of pixels, placed in a drawing.
+//! A small raster image, placed in a drawing.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -15,7 +15,7 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// A transparent raster.
+    /// Returns a transparent raster.
     #[must_use]
     pub fn transparent(width: usize, height: usize) -> Self {
         Self {
@@ -25,7 +25,7 @@ impl Raster {
         }
     }
 
-    /// A raster whose pixel in column `i` and row `j`, from the top left, is `colour(i, j)`.
+    /// Returns a raster whose pixel in column `i` and row `j`, from the top left, is `colour(i, j)`.
     #[must_use]
     pub fn of(width: usize, height: usize, colour: impl Fn(usize, usize) -> Colour) -> Self {
         let mut raster = Self::transparent(width, height);
@@ -38,7 +38,7 @@ impl Raster {
         raster
     }
 
-    /// Gives a pixel its red, green, blue and opacity.
+    /// Sets red, green, blue and opacity of a pixel.
     ///
     /// # Panics
     ///
@@ -54,7 +54,7 @@ impl Raster {
         self.rgba.chunks_exact(4).map(|pixel| pixel[3])
     }
 
-    /// The raster as a `data:` address of a PNG image.
+    /// Returns the raster as a `data:` URL of a PNG image.
     #[must_use]
     pub fn data_address(&self) -> String {
         let bytes = png::encode(self.width, self.height, png::PixelFormat::Rgba, &self.rgba);

@@ -1,4 +1,4 @@
-//! A drawing rendered to pixels, with the typeface that the program carries.
+//! Renders a drawing to pixels, with the typeface embedded in the program.
 
 use std::io;
 use std::sync::{Arc, LazyLock};
@@ -9,8 +9,7 @@ use super::palette;
 use super::png::{self, PixelFormat};
 use super::svg::FAMILY;
 
-/// Pixels of a picture per unit of its drawing. Twice as many take twice as long; the drawing itself is sharp at any
-/// size.
+/// Pixels per unit of a drawing. Twice as many take twice as long; the SVG itself is sharp at any size.
 const ZOOM: f32 = 1.0;
 
 static OPTIONS: LazyLock<usvg::Options<'static>> = LazyLock::new(|| {
@@ -22,17 +21,17 @@ static OPTIONS: LazyLock<usvg::Options<'static>> = LazyLock::new(|| {
     options
 });
 
-/// The drawing as a PNG file.
+/// Renders a drawing as a PNG file.
 ///
 /// # Errors
 ///
-/// If the drawing is not SVG, or there is no memory for its pixels.
+/// If the drawing is not SVG, or if there is no memory for its pixels.
 pub fn png(svg: &str) -> io::Result<Vec<u8>> {
     let (width, height, rgb) = pixels(svg, ZOOM)?;
     Ok(png::encode(width, height, PixelFormat::Rgb, &rgb))
 }
 
-/// The drawing as a PNG file with `zoom` pixels per unit of it, in as few bytes as possible.
+/// Renders a drawing as a PNG file with `zoom` pixels per unit, in as few bytes as possible.
 ///
 /// # Errors
 ///
@@ -42,7 +41,7 @@ pub fn small_png(svg: &str, zoom: f32) -> io::Result<Vec<u8>> {
     palette::encode(width, height, &rgb)
 }
 
-/// Width, height and the bytes of the pixels, three each.
+/// Width, height and the bytes of the pixels, three for each.
 fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
     let tree = usvg::Tree::from_str(svg, &OPTIONS).map_err(io::Error::other)?;
     let size = tree.size().to_int_size().scale_by(zoom);
@@ -52,7 +51,7 @@ fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
     resvg::render(&tree, zoom, &mut pixels.as_mut());
     let (width, height) = (pixels.width() as usize, pixels.height() as usize);
     let mut rgb = vec![0; 3 * width * height];
-    // The last row and column may reach past the sheet, where paper is white.
+    // The last row and column may extend beyond the sheet; paper is white there.
     for (rgb, pixel) in rgb.chunks_exact_mut(3).zip(pixels.data().chunks_exact(4)) {
         let paper = 255 - pixel[3];
         for (channel, value) in rgb.iter_mut().zip(pixel) {

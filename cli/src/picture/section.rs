@@ -1,5 +1,5 @@
-//! A section along x or y, through the axis unless ordered otherwise: indenter, tops of the relief, surface of the
-//! body, and the pressure above them.
+//! A section along x or y, by default through the axis: indenter, tops of the relief, surface of the body, and the
+//! pressure above them.
 
 use std::ops::Range;
 
@@ -33,14 +33,14 @@ const DEPTH: Rect = Rect {
 };
 const HEIGHT: f64 = DEPTH.top + DEPTH.height + 72.0;
 
-/// Margins of the depth axis above the highest point of the surface and below the deepest, as parts of the depth
-/// between.
+/// Margins of the depth axis above the highest and below the deepest point of the surface, as fractions of the depth
+/// between them.
 const ABOVE: f64 = 0.3;
 const BELOW: f64 = 0.12;
 
 const LINE: f64 = 2.2;
 
-/// Name of the picture of a step, without ending.
+/// Returns the file name of a step's picture, without extension.
 #[must_use]
 pub fn name(step: usize) -> String {
     format!("section-{step:03}")
@@ -50,16 +50,16 @@ pub fn name(step: usize) -> String {
 struct Depths<'a> {
     subject: &'a Subject<'a>,
     line: ElementLine,
-    /// The elements shown.
+    /// The elements that are shown.
     elements: Range<usize>,
 }
 
 /// A line of elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum ElementLine {
-    /// Along x, of this second index.
+    /// A line along x, with this second index.
     AlongX(usize),
-    /// Along y, of this first index.
+    /// A line along y, with this first index.
     AlongY(usize),
 }
 
@@ -74,7 +74,7 @@ impl ElementLine {
         }
     }
 
-    /// The coordinate that runs along it, the one that is constant, and the index of the latter.
+    /// Names of the coordinate along the line and of the constant one, and the index of the latter.
     fn names(self) -> (&'static str, &'static str, usize) {
         match self {
             Self::AlongX(index) => ("x", "y", index),
@@ -83,7 +83,7 @@ impl ElementLine {
     }
 }
 
-/// The first of the elements with the largest pressure.
+/// Returns the first of the elements with the largest pressure.
 fn peak(pressure: &[f64]) -> usize {
     let larger = |best: usize, e: usize| {
         if pressure[e] > pressure[best] {
@@ -95,7 +95,7 @@ fn peak(pressure: &[f64]) -> usize {
     (0..pressure.len()).fold(0, larger)
 }
 
-/// The picture as SVG.
+/// Draws the picture as SVG.
 #[must_use]
 pub fn draw(subject: &Subject<'_>) -> String {
     let fields = &subject.fields;
@@ -129,7 +129,7 @@ impl Depths<'_> {
         }
     }
 
-    /// The elastic surface of relief or body: `u + w* − f*`.
+    /// Elastic surface of the relief or body: `u + w* − f*`.
     fn elastic_top(&self, i: usize) -> f64 {
         let (fields, e) = (&self.subject.fields, self.element(i));
         fields.displacement[e] + fields.shortening[e] - fields.profile[e]
@@ -140,18 +140,18 @@ impl Depths<'_> {
         depths.get(self.element(i)).copied().unwrap_or(0.0)
     }
 
-    /// The surface that the indenter meets, by the plastic depth under the elastic one.
+    /// Surface that touches the indenter: the plastic depth below the elastic surface.
     fn top(&self, i: usize) -> f64 {
         self.elastic_top(i) + self.plastic_depth(i)
     }
 
-    /// The indenter: `D − f = u + w* − f* − g`; not finite where it ends.
+    /// Surface of the indenter: `D − f = u + w* − f* − g`; not finite where it ends.
     fn indenter(&self, i: usize) -> f64 {
         self.elastic_top(i) - self.subject.fields.gap[self.element(i)]
     }
 
-    /// The surface of the body, `u + h`, by its plastic depth deeper where no relief stands on it; what the indenter
-    /// meets where the relief has no one height.
+    /// Surface of the body, `u + h`, lowered by the plastic depth where there is no relief; the contact surface if the
+    /// relief has no uniform height.
     fn body(&self, i: usize) -> f64 {
         let Some(height) = self.subject.relief_height else {
             return self.top(i);
@@ -165,7 +165,7 @@ impl Depths<'_> {
         fields.displacement[e] + height + plastic_depth
     }
 
-    /// Whether relief and body are drawn apart.
+    /// Whether relief and body are drawn separately.
     fn has_relief(&self) -> bool {
         self.subject
             .relief_height
@@ -177,7 +177,7 @@ impl Depths<'_> {
         [self.elements.start, self.elements.end].map(|i| self.subject.fields.edge(i))
     }
 
-    /// The highest and the deepest point of the surface, tops and body, the undeformed plane of the tops included.
+    /// Returns the highest and the deepest point of tops and body; the undeformed plane of the tops is included.
     fn extent(&self) -> [f64; 2] {
         let elements = self.elements.clone();
         let surfaces = elements.flat_map(|i| [self.body(i), self.top(i)]);
@@ -270,7 +270,7 @@ impl Depths<'_> {
         panel.draw_axes(svg);
         let depths = (panel.y.from - panel.y.to) * scale.divisor;
         let [from, to] = self.ends();
-        // Pixels to a length downwards, over pixels to the same length across.
+        // Vertical pixels per length over horizontal pixels per length.
         let enlarged = (DEPTH.height / depths) / (DEPTH.width / (to - from));
         let note = format!("depth {} × enlarged", power(enlarged, 2));
         let place = (DEPTH.right(), DEPTH.top - 22.0);
@@ -281,7 +281,7 @@ impl Depths<'_> {
         self.has_relief() && self.subject.fields.mask[self.element(i)]
     }
 
-    /// The longest runs of elements shown for which something holds.
+    /// Returns the longest runs of the shown elements for which `holds` is true.
     fn runs(&self, holds: impl Fn(usize) -> bool) -> Vec<Range<usize>> {
         let mut runs: Vec<Range<usize>> = Vec::new();
         for i in self.elements.clone().filter(|i| holds(*i)) {
@@ -293,7 +293,7 @@ impl Depths<'_> {
         runs
     }
 
-    /// A line through the centres of a run, straight on to its ends.
+    /// Returns a line through the centres of a run, extended straight to its ends.
     fn line(
         &self,
         run: Range<usize>,
@@ -303,7 +303,7 @@ impl Depths<'_> {
     ) -> Vec<(f64, f64)> {
         let fields = &self.subject.fields;
         let inner = run.len().min(2) - 1;
-        // Half an element beyond the outermost centre.
+        // Extrapolates by half an element beyond the outermost centre.
         let beyond = |outer: usize, inner: usize| 1.5 * depth(outer) - 0.5 * depth(inner);
         let first = (fields.edge(run.start), beyond(run.start, run.start + inner));
         let last = (
@@ -334,7 +334,7 @@ impl Depths<'_> {
     }
 }
 
-/// The area between a line and a level.
+/// Returns the area between a line and a level.
 fn closed(line: &[(f64, f64)], level: f64) -> Vec<(f64, f64)> {
     let (Some(first), Some(last)) = (line.first(), line.last()) else {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! A stress on a section, between its planes and points; never across an interface.
+//! A stress on a section, interpolated between its planes and points but never across an interface.
 
 use super::colours::Colour;
 use super::contour_bands::ContourBands;
@@ -10,14 +10,14 @@ use super::raster::Raster;
 use super::svg::{Dash, Rect, Stroke, Svg};
 use crate::output::stress::view::StressSection;
 
-/// Distance of the nodes between which contours are straight, in pixels.
+/// Distance in pixels between the nodes of a contour; it is straight between them.
 const NODES: f64 = 2.5;
 
-/// Width of a contour, and of that of zero.
+/// Width of a contour, and of the zero contour.
 const LINE: f64 = 0.9;
 const ZERO: f64 = 2.2;
 
-/// The values of a section.
+/// The values of a stress on a section.
 pub struct SectionField<'a> {
     section: &'a StressSection,
     values: &'a [f64],
@@ -27,7 +27,7 @@ pub struct SectionField<'a> {
 }
 
 impl<'a> SectionField<'a> {
-    /// The values of a section, a row for each depth, drawn on a depth axis.
+    /// Prepares the values of a section, one row per depth, for drawing on a depth axis.
     #[must_use]
     pub fn new(section: &'a StressSection, values: &'a [f64], depths: &'a DepthScale) -> Self {
         let of_body = |body: usize| {
@@ -60,7 +60,7 @@ impl<'a> SectionField<'a> {
         })
     }
 
-    /// The place of the largest value, along the section and down, its body and the value itself.
+    /// Returns the position of the largest value along the section and down the picture, its body and the value.
     #[must_use]
     pub fn largest(&self) -> Option<(f64, f64, usize, f64)> {
         let count = self.section.along.len();
@@ -75,7 +75,7 @@ impl<'a> SectionField<'a> {
         Some((self.section.along[i % count], depth, body, *value))
     }
 
-    /// The values at a depth of a body, so many of them from end to end.
+    /// Returns `columns` values at a depth of a body, from end to end.
     fn across(&self, body: usize, depth: f64, columns: usize) -> Vec<f64> {
         let planes = self.planes[body].clone();
         let depths = &self.section.depths[planes.clone()];
@@ -94,7 +94,7 @@ impl<'a> SectionField<'a> {
         (0..columns).map(at).collect()
     }
 
-    /// An image of the section, a pixel for each of its place.
+    /// Returns an image of the section, with one image pixel per pixel of its rectangle.
     #[must_use]
     pub fn raster(&self, place: Rect, colour: impl Fn(f64) -> Colour) -> Raster {
         let [columns, rows] = [place.width, place.height].map(|side| nodes(side, 1.0));
@@ -110,7 +110,7 @@ impl<'a> SectionField<'a> {
         Raster::of(columns, rows, |column, row| colour(values[row][column]))
     }
 
-    /// Draws the contours of each body and their labels; levels are in units of `divisor` values.
+    /// Draws the contours of each body and their labels; levels are in units of `divisor`.
     pub fn draw_contours(
         &self,
         svg: &mut Svg,
@@ -138,7 +138,7 @@ impl<'a> SectionField<'a> {
         }
     }
 
-    /// The contours of a body, by the number of their level.
+    /// Returns the contours of a body, with the index of their level.
     fn contours(
         &self,
         body: usize,
@@ -172,8 +172,8 @@ impl<'a> SectionField<'a> {
     }
 }
 
-/// The last of these rising numbers that is not above another, but not the very last, and the part of the way to the
-/// next.
+/// Returns the index of the last of these increasing numbers not above `number`, excluding the very last, and the
+/// fraction of the way to the next.
 fn between(numbers: &[f64], number: f64) -> (usize, f64) {
     let above = numbers.partition_point(|other| *other <= number);
     let first = above.clamp(1, numbers.len().max(2) - 1) - 1;
@@ -183,7 +183,7 @@ fn between(numbers: &[f64], number: f64) -> (usize, f64) {
     }
 }
 
-/// So many nodes about this far apart cover a length, both in pixels; at least two.
+/// Number of nodes about this far apart that cover a length, both in pixels; at least two.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -10,7 +10,7 @@ use crate::input::units::Units;
 use crate::output::summary::RunSummary;
 use crate::output::summary::roughness::{MapRoughness, RoughnessSummary};
 
-/// Name of the picture, without ending.
+/// File name of the picture, without extension.
 pub const NAME: &str = "spectrum";
 
 const PLACE: Rect = Rect {
@@ -20,15 +20,15 @@ const PLACE: Rect = Rect {
     height: 460.0,
 };
 const WIDTH: f64 = PLACE.left + PLACE.width + 36.0;
-/// Height of a line of the legend, which stands this far below the panel.
+/// Height of a line of the legend, and distance of the legend below the panel.
 const ENTRY: f64 = 28.0;
 const LEGEND: f64 = 86.0;
 
-/// Powers below this part of the largest are not shown: they are the rounding of heights in single precision, and four
-/// decades of wavenumbers of a self-affine surface lie above.
+/// Powers below this fraction of the largest are not shown: they are the rounding of heights in single precision. Four
+/// decades of wavenumbers of a self-affine surface lie above it.
 const ROUNDING: f64 = 1e-16;
 
-/// Whether the case has a map that is rough at all.
+/// Whether the case has a map with any roughness.
 #[must_use]
 pub fn is_drawn(summary: &RunSummary) -> bool {
     (summary.roughness.iter())
@@ -36,7 +36,7 @@ pub fn is_drawn(summary: &RunSummary) -> bool {
         .any(|(_, map)| !points(map).is_empty())
 }
 
-/// The picture as SVG; none of a case without a rough map.
+/// Draws the picture as SVG; `None` for a case without a rough map.
 #[must_use]
 pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
     if !is_drawn(summary) {
@@ -92,7 +92,7 @@ pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
     Some(svg.finish())
 }
 
-/// `surface: rms height 1.2 nm, rms slope 0.05`
+/// For example `surface: rms height 1.2 nm, rms slope 0.05`.
 fn words(name: &str, map: &MapRoughness, units: Units) -> String {
     let height = quantity(map.rms_height, Unit::Metre, units);
     let slope = significant(map.rms_slope, 3);
@@ -103,7 +103,7 @@ fn colour(map: usize) -> Colour {
     [colours::BLUE, colours::ORANGE][map % 2]
 }
 
-/// Wavenumbers and powers of the bands that have any.
+/// Wavenumbers and powers of the bands with nonzero power.
 fn points(map: &MapRoughness) -> Vec<(f64, f64)> {
     let (wavenumber, power) = (&map.spectrum.wavenumber, &map.spectrum.power);
     let largest = power.iter().copied().fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! The tractions on each interface as maps, with the outline of the contact above and the places of the extremes.
+//! Tractions on each interface as maps, with the outline of the contact above and the extremes marked.
 
 use pellicle_contact::{Extreme, InterfaceStress};
 
@@ -18,11 +18,11 @@ const LEFT: f64 = 112.0;
 const SIDE: f64 = 430.0;
 const GAP: f64 = 18.0;
 const BAR: f64 = 26.0;
-/// Width of a map with its axes and its bar, and of the picture, in pixels.
+/// Width of a map with its axes and its bar, and width of the picture, in pixels.
 const CELL: f64 = LEFT + SIDE + GAP + BAR + colour_bar::BESIDE;
 pub const WIDTH: f64 = 2.0 * CELL;
 
-/// Above a map, for its title, and below it, for its axis.
+/// Space above a map for its title, and below it for its axis.
 const ABOVE: f64 = 52.0;
 const BELOW: f64 = 76.0;
 const ROW: f64 = ABOVE + SIDE + BELOW;
@@ -34,7 +34,7 @@ const MARK: f64 = 6.0;
 /// Most interfaces in one picture.
 pub const MOST: usize = 8;
 
-/// Name of the picture of a step, without ending.
+/// Returns the file name of a step's picture, without extension.
 #[must_use]
 pub fn name(step: usize) -> String {
     format!("stress-interfaces-{step:03}")
@@ -47,7 +47,7 @@ enum InterfaceTraction {
     Normal,
 }
 
-/// The picture as SVG: a row for each interface.
+/// Draws the picture as SVG: a row for each interface.
 #[must_use]
 pub fn draw(subject: &Subject<'_>, view: &StressView) -> String {
     let shown = &view.interfaces[..view.interfaces.len().min(MOST)];
@@ -68,7 +68,7 @@ pub fn draw(subject: &Subject<'_>, view: &StressView) -> String {
     svg.finish()
 }
 
-/// The extremes of an interface, if they were looked for.
+/// The extremes of an interface, if they were computed.
 fn extremes<'a>(subject: &Subject<'a>, index: usize) -> Option<&'a InterfaceStress> {
     let mut found = subject.step.stress.as_ref()?.extremes.interfaces.iter();
     found.find(|interface| interface.index == index)
@@ -118,7 +118,7 @@ impl InterfaceMap<'_> {
         colour_bar::draw_bands(svg, bar, &bands, &title);
     }
 
-    /// A panel whose edges are those of the outermost elements, and the divisor to the unit of its axes.
+    /// Returns a panel bounded by the outer edges of the outermost elements, and the divisor for the unit of its axes.
     fn panel(&self, (left, top): (f64, f64)) -> (Panel, f64) {
         let half = match self.centres {
             [first, second, ..] => (second - first) / 2.0,
@@ -144,7 +144,7 @@ impl InterfaceMap<'_> {
         (panel, scale.divisor)
     }
 
-    /// The outline of the contact above, white beside black, so that it is seen on all colours.
+    /// Draws the outline of the contact above, black on white so that it is visible on all colours.
     fn draw_contact(&self, svg: &mut Svg, place: Rect) {
         let fields = &self.subject.fields;
         let elements: Vec<usize> = self.centres.iter().map(|x| fields.nearest(*x)).collect();
@@ -157,8 +157,8 @@ impl InterfaceMap<'_> {
         }
     }
 
-    /// The extreme that is marked: the largest shear, the largest tension, or where nothing pulls the largest
-    /// compression.
+    /// Returns the extreme to mark: the largest shear, the largest tension, or the largest compression if there is no
+    /// tension.
     fn marked(&self, traction: InterfaceTraction) -> Option<(&'static str, Extreme<2>)> {
         let found = self.extremes?;
         match traction {
@@ -219,7 +219,7 @@ impl InterfaceTraction {
     }
 }
 
-/// The least and the largest finite value, 0 among them.
+/// The least and the largest of 0 and the finite values.
 fn extent(values: &[f64]) -> [f64; 2] {
     let finite = values.iter().copied().filter(|value| value.is_finite());
     finite.fold([0.0, 0.0], |[least, largest], value| {
@@ -227,7 +227,7 @@ fn extent(values: &[f64]) -> [f64; 2] {
     })
 }
 
-/// Marks the place of an extreme that the panel shows.
+/// Marks an extreme that lies within the panel.
 fn draw_mark(
     svg: &mut Svg,
     panel: &Panel,

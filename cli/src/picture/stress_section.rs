@@ -1,5 +1,5 @@
-//! The section through the place of the largest von Mises stress: von Mises' stress and the largest principal stress as
-//! filled contours, the contact and the relief on the surface above, interfaces between the bodies.
+//! The section through the point of the largest von Mises stress: filled contours of the von Mises stress and the
+//! largest principal stress, contact and relief on the surface above, and the interfaces between the bodies.
 
 use super::colour_bar;
 use super::colours;
@@ -24,7 +24,7 @@ const BAR: f64 = 30.0;
 /// Width of the picture, in pixels.
 pub const WIDTH: f64 = LEFT + PANEL_WIDTH + GAP + BAR + colour_bar::BESIDE;
 
-/// Above a panel, for its title and for what stands on the surface.
+/// Space above a panel for its title and for the strip on the surface.
 const ABOVE: f64 = 76.0;
 const BELOW: f64 = 66.0;
 const HEIGHT: f64 = heading::HEIGHT + 2.0 * (ABOVE + PANEL_HEIGHT + BELOW);
@@ -33,7 +33,7 @@ const TITLE: f64 = 16.0;
 const INTERFACE: f64 = 2.4;
 const MARK: f64 = 6.0;
 
-/// Name of the picture of a step, without ending.
+/// Returns the file name of a step's picture, without extension.
 #[must_use]
 pub fn name(step: usize) -> String {
     format!("stress-section-{step:03}")
@@ -46,7 +46,7 @@ enum Stress {
     MaxPrincipal,
 }
 
-/// A largest value and the place where it is.
+/// A largest value and its point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Largest<'a> {
     value: f64,
@@ -54,7 +54,7 @@ struct Largest<'a> {
     body: &'a str,
 }
 
-/// The picture as SVG.
+/// Draws the picture as SVG.
 #[must_use]
 pub fn draw(subject: &Subject<'_>, view: &StressView) -> String {
     let section = &view.section;
@@ -90,7 +90,7 @@ fn where_is(subject: &Subject<'_>, section: &StressSection) -> String {
     }
 }
 
-/// The coordinate that runs along the section.
+/// Name of the coordinate along the section.
 fn along_axis(section: &StressSection) -> &'static str {
     let (sin, cos) = section.line.direction.sin_cos();
     match (sin.abs() < 1e-9 && cos > 0.0, cos.abs() < 1e-9 && sin > 0.0) {
@@ -194,7 +194,8 @@ impl<'a> SectionDrawing<'a> {
         colour_bar::draw_bands(svg, bar, &bands, &title);
     }
 
-    /// The place of the largest value of the section: that which the search found, where it lies on the section.
+    /// Returns the position and the value of the largest stress on the section: those found by the search, if they lie
+    /// on the section.
     fn mark(
         &self,
         field: &SectionField<'_>,
@@ -231,7 +232,7 @@ impl<'a> SectionDrawing<'a> {
         (body < self.depths.bodies()).then_some(body)
     }
 
-    /// The largest value in all bodies, as the search found it.
+    /// Returns the largest value in all bodies, as found by the search.
     fn largest(&self, stress: Stress) -> Option<Largest<'a>> {
         let found = self.subject.step.stress.as_ref()?.extremes.bodies.iter();
         let found = found.map(|body| {
@@ -248,14 +249,15 @@ impl<'a> SectionDrawing<'a> {
         found.max_by(|one, other| one.value.total_cmp(&other.value))
     }
 
-    /// Whether a place lies on the section, to a pixel.
+    /// Whether a point lies on the section, to within a pixel.
     fn is_on_section(&self, found: &Largest<'_>) -> bool {
         let [x, y, _] = found.at;
         let [from, to] = self.section.ends();
         self.section.line.distance([x, y]) <= (to - from) / PANEL_WIDTH
     }
 
-    /// The names of the bodies, each in the upper right corner of its own, and of the interfaces on their lines.
+    /// Places the names of the bodies, each in the upper right corner of its body, and of the interfaces, each on its
+    /// line.
     fn names(&self, panel: &Panel, places: &mut ContourPlaces) -> Vec<((f64, f64), String)> {
         let bodies = self.subject.step.stress.iter();
         let bodies = bodies.flat_map(|stress| &stress.extremes.bodies);
@@ -282,7 +284,7 @@ impl<'a> SectionDrawing<'a> {
         }
     }
 
-    /// Title, legend and notes above a panel.
+    /// Draws the title, legend and notes above a panel.
     fn draw_words(&self, svg: &mut Svg, top: f64, stress: Stress) {
         let mut title = stress.name().to_owned();
         if let Some(found) = self.largest(stress) {
@@ -330,7 +332,7 @@ impl<'a> SectionDrawing<'a> {
         svg.text(place, 15.0, Anchor::End, &self.enlargement());
     }
 
-    /// The enlargement of depths over lengths across, in words.
+    /// Describes the enlargement of depths relative to horizontal lengths.
     fn enlargement(&self) -> String {
         let [from, to] = self.section.ends();
         let across = PANEL_WIDTH / (to - from);
@@ -348,7 +350,7 @@ impl<'a> SectionDrawing<'a> {
     }
 }
 
-/// A value beside its mark, in the unit of the bar.
+/// Writes a value beside its mark, in the unit of the bar.
 #[must_use]
 pub fn mark_text(value: f64, pascals: &DisplayUnit) -> String {
     let number = significant(value / pascals.divisor, 4);

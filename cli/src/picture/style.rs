@@ -1,31 +1,31 @@
-//! The look of pictures.
+//! Style of the pictures.
 
 use super::colour_map::ColourMap;
 use super::heading;
 use super::svg::{Frame, Svg};
 
-/// The options of a picture's look.
+/// Options for the style of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Style {
-    /// Width on the screen and of the PNG, in pixels; by default that of the drawing.
+    /// Width on the screen and of the PNG, in pixels; by default the width of the drawing.
     pub width: Option<f64>,
-    /// Whether there is a heading.
+    /// Whether the heading is shown.
     pub heading: Heading,
-    /// The colours of a map.
+    /// The colour map.
     pub colours: ColourMap,
-    /// Ends of the scale of pressures, Pa; by default 0 and the largest.
+    /// Ends of the scale of pressures, Pa; by default 0 and the largest pressure.
     pub pressures: Option<[f64; 2]>,
     /// The place of the section.
     pub cut: Cut,
 }
 
-/// Whether a picture has the lines above it.
+/// Whether a picture has a heading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Heading {
-    /// It has.
+    /// The heading is shown.
     #[default]
     Shown,
-    /// It has not, nor room for them.
+    /// Neither the heading nor the space for it.
     Hidden,
 }
 
@@ -43,11 +43,11 @@ pub enum Cut {
     AlongY(f64),
 }
 
-/// Room left above a picture without heading, in pixels: labels reach a little above their ticks.
+/// Space left above a picture without heading, in pixels: labels reach a little above their ticks.
 const ABOVE: f64 = 16.0;
 
 impl Style {
-    /// A white sheet for a picture of this width and height, heading included.
+    /// Returns a white sheet for a picture of this width and height, which includes the heading.
     #[must_use]
     pub fn sheet(&self, width: f64, height: f64) -> Svg {
         let top = match self.heading {

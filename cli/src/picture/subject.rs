@@ -17,7 +17,7 @@ pub struct Subject<'a> {
     pub title: &'a str,
     /// Units of the case.
     pub units: Units,
-    /// Height of the relief above the surface of the body, m, where it is the same everywhere.
+    /// Height of the relief above the surface of the body, m, if it is uniform.
     pub relief_height: Option<f64>,
     /// Its numbers.
     pub step: &'a StepSummary,
@@ -28,7 +28,7 @@ pub struct Subject<'a> {
 }
 
 impl Subject<'_> {
-    /// The second line of a heading: force, penetration, largest pressure, and a mark if they must not be used.
+    /// The second line of a heading: force, penetration, largest pressure, and a mark if the step has not converged.
     #[must_use]
     pub fn numbers(&self) -> String {
         let quantity = |value, unit| display::quantity(value, unit, self.units);
@@ -45,7 +45,7 @@ impl Subject<'_> {
         )
     }
 
-    /// Draws the heading, if the style shows one; `more` follows the numbers.
+    /// Draws the heading, if the style shows one; `more` is appended to the numbers.
     pub fn draw_heading(&self, svg: &mut Svg, left: f64, width: f64, more: &str) {
         if self.style.heading == Heading::Shown {
             let numbers = self.numbers() + more;
@@ -66,14 +66,14 @@ impl Subject<'_> {
         self.fields.pressure.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The scale of lengths up to this one.
+    /// Returns the scale for lengths up to this one.
     #[must_use]
     pub fn metres(&self, largest: f64) -> DisplayUnit {
         DisplayUnit::of(largest, Unit::Metre, self.units)
     }
 
-    /// The scale of the pressures, and their colours in its unit: as ordered, or from 0 to the largest pressure, or to
-    /// 1 without contact.
+    /// Returns the scale of the pressures and their colours in its unit: over the range of the style, or from 0 to the
+    /// largest pressure, or to 1 without contact.
     #[must_use]
     pub fn pressures(&self) -> (DisplayUnit, ColourScale) {
         let [from, to] = (self.style.pressures).unwrap_or([0.0, self.largest_pressure()]);

@@ -9,7 +9,7 @@ use crate::output::stress::view::StressSection;
 pub const ON_SURFACE: f64 = 22.0;
 pub const CONTACT: f64 = 7.0;
 
-/// Pieces along the section: about a pixel each.
+/// Number of pieces along the section, each about a pixel.
 const PIECES: usize = 850;
 
 /// The surface above a section.
@@ -21,7 +21,7 @@ pub struct SurfaceStrip<'a> {
 }
 
 impl SurfaceStrip<'_> {
-    /// Draws it above the place of the section.
+    /// Draws the strip above the rectangle of the section.
     pub fn draw(&self, svg: &mut Svg, place: Rect) {
         let fields = &self.fields;
         self.draw_blocks(svg, place, ON_SURFACE, colours::SPRINGS, |e| fields.mask[e]);
@@ -30,7 +30,7 @@ impl SurfaceStrip<'_> {
         });
     }
 
-    /// Draws a block of this height above every run of elements for which something holds.
+    /// Draws a block of this height above every run of elements for which `holds` is true.
     fn draw_blocks(
         &self,
         svg: &mut Svg,
@@ -50,7 +50,7 @@ impl SurfaceStrip<'_> {
         }
     }
 
-    /// The longest runs along the section for which something holds of the elements, as parts of its length.
+    /// Returns the longest runs along the section whose elements satisfy `holds`, as fractions of its length.
     fn runs(&self, holds: impl Fn(usize) -> bool) -> Vec<[f64; 2]> {
         let [from, to] = self.section.ends();
         let part = |i: usize| i as f64 / PIECES as f64;
@@ -82,7 +82,7 @@ mod tests {
     fn runs_are_those_of_the_elements_below_the_line() {
         let zeros = [0.0; 16];
         let mut pressure = zeros;
-        // Of the row at y = 0.5: elements 1, 2 along x.
+        // In the row at y = 0.5: elements 1 and 2 along x.
         (pressure[4 + 2], pressure[8 + 2]) = (1.0, 1.0);
         let section = StressSection {
             line: SurfaceLine {

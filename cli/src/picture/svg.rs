@@ -1,28 +1,28 @@
-//! A drawing as SVG text: lines, areas, words and rasters, in the order in which they are drawn.
+//! A drawing as SVG text: lines, areas, text and rasters, in drawing order.
 
 use super::colours::{self, Colour};
 use super::raster::Raster;
 
-/// The typeface, embedded in the program; Verdana has the same widths where a browser has no `DejaVu Sans`.
+/// The typeface, embedded in the program; Verdana has the same widths for browsers without `DejaVu Sans`.
 pub const FAMILY: &str = "DejaVu Sans";
 
-/// The point of a text that stands at its place.
+/// The part of a text that is placed at its position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
-    /// Its beginning.
+    /// The beginning.
     Start,
-    /// Its middle.
+    /// The middle.
     Middle,
-    /// Its end.
+    /// The end.
     End,
 }
 
-/// The way a text runs.
+/// Direction of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TextDirection {
     /// From left to right.
     Across,
-    /// From below to above.
+    /// Upwards.
     Up,
 }
 
@@ -36,23 +36,23 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    /// A line of this colour and width.
+    /// Returns a stroke of this colour and width.
     #[must_use]
     pub fn new(colour: Colour, width: f64) -> Self {
         Self { colour, width }
     }
 }
 
-/// Whether a line is broken.
+/// The pattern of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dash {
-    /// It is not.
+    /// Unbroken.
     Solid,
-    /// Into dashes.
+    /// Broken into dashes.
     Dashed,
 }
 
-/// A rectangle, in pixels from the top left.
+/// A rectangle in pixels, from the top left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rect {
     /// Left side.
@@ -85,12 +85,12 @@ pub struct Svg {
     text: String,
 }
 
-/// The part of a drawing that is shown, and its size.
+/// Size of a drawing and the part of it that is shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     /// Width of the drawing.
     pub width: f64,
-    /// Its height, the part cut off included.
+    /// Height of the drawing, including the part cut off.
     pub height: f64,
     /// Height cut off at the top.
     pub top: f64,
@@ -99,7 +99,7 @@ pub struct Frame {
 }
 
 impl Svg {
-    /// A white sheet.
+    /// Returns a white sheet.
     #[must_use]
     pub fn new(width: f64, height: f64) -> Self {
         Self::framed(&Frame {
@@ -110,7 +110,7 @@ impl Svg {
         })
     }
 
-    /// A white sheet, of which a part is shown.
+    /// Returns a white sheet, of which only a part is shown.
     #[must_use]
     pub fn framed(frame: &Frame) -> Self {
         let Frame {
@@ -140,32 +140,32 @@ impl Svg {
         svg
     }
 
-    /// The whole document.
+    /// Finishes the document and returns it.
     #[must_use]
     pub fn finish(mut self) -> String {
         self.text.push_str("</svg>\n");
         self.text
     }
 
-    /// A filled rectangle.
+    /// Draws a filled rectangle.
     pub fn rectangle(&mut self, place: Rect, colour: Colour) {
         let place = attributes(place);
         self.push(&format!("<rect {place} fill=\"{colour}\"/>"));
     }
 
-    /// A line through points.
+    /// Draws a line through points.
     pub fn line(&mut self, points: &[(f64, f64)], stroke: Stroke) {
         if points.len() > 1 {
             self.lines(&[points], stroke);
         }
     }
 
-    /// Many lines of one kind, as one element.
+    /// Draws many lines with one stroke, as one element.
     pub fn lines(&mut self, lines: &[impl AsRef<[(f64, f64)]>], stroke: Stroke) {
         self.broken_lines(lines, stroke, Dash::Solid);
     }
 
-    /// Many lines of one kind, broken or not, as one element.
+    /// Draws many lines with one stroke, solid or dashed, as one element.
     pub fn broken_lines(&mut self, lines: &[impl AsRef<[(f64, f64)]>], stroke: Stroke, dash: Dash) {
         let dash = match dash {
             Dash::Solid => "",
@@ -182,7 +182,7 @@ impl Svg {
         }
     }
 
-    /// A filled area.
+    /// Draws a filled area.
     pub fn area(&mut self, points: &[(f64, f64)], colour: Colour) {
         let path = path(points);
         if !path.is_empty() {
@@ -190,7 +190,7 @@ impl Svg {
         }
     }
 
-    /// A filled circle.
+    /// Draws a filled circle.
     pub fn circle(&mut self, (x, y): (f64, f64), radius: f64, fill: Colour, edge: Colour) {
         let [x, y, radius] = [x, y, radius].map(number);
         self.push(&format!(
@@ -198,7 +198,7 @@ impl Svg {
         ));
     }
 
-    /// Many filled circles of one kind, as one element.
+    /// Draws many equal filled circles, as one element.
     pub fn dots(&mut self, places: &[(f64, f64)], radius: f64, colour: Colour) {
         let dot = |(x, y): &(f64, f64)| format!("M{} {}h0", number(*x), number(*y));
         let path: String = places.iter().map(dot).collect();
@@ -211,12 +211,12 @@ impl Svg {
         }
     }
 
-    /// A text, centred on the height of the point.
+    /// Draws a text, vertically centred on the point.
     pub fn text(&mut self, (x, y): (f64, f64), size: f64, anchor: Anchor, text: &str) {
         self.directed_text((x, y), size, anchor, TextDirection::Across, text);
     }
 
-    /// A text that runs in a direction.
+    /// Draws a text in a direction.
     pub fn directed_text(
         &mut self,
         (x, y): (f64, f64),
@@ -237,7 +237,7 @@ impl Svg {
             Anchor::Middle => "middle",
             Anchor::End => "end",
         };
-        // The middle of lower-case letters is about a third of the size above the line they stand on.
+        // The middle of lower-case letters is about a third of the font size above the baseline.
         let [x, y, size] = [x, y + 0.35 * size, size].map(number);
         let (ink, text) = (colours::INK, escaped(text));
         self.push(&format!(
@@ -245,7 +245,7 @@ impl Svg {
         ));
     }
 
-    /// A raster stretched over a rectangle, its pixels sharp.
+    /// Draws a raster stretched over a rectangle, with sharp pixels.
     pub fn image(&mut self, place: Rect, raster: &Raster) {
         let (place, address) = (attributes(place), raster.data_address());
         self.push(&format!(
@@ -253,7 +253,7 @@ impl Svg {
         ));
     }
 
-    /// Draws within a rectangle and cuts off at its sides.
+    /// Draws within a rectangle, clipped to it.
     pub fn within(&mut self, place: Rect, draw: impl FnOnce(&mut Self)) {
         let attributes = attributes(place);
         let [left, top, width, height] =
@@ -276,7 +276,7 @@ fn attributes(place: Rect) -> String {
     format!("x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"")
 }
 
-/// The path through the points; nothing where there are none.
+/// Returns the path through the points; empty if there are none.
 fn path(points: &[(f64, f64)]) -> String {
     let command = |i| if i == 0 { 'M' } else { 'L' };
     let step =
@@ -284,11 +284,11 @@ fn path(points: &[(f64, f64)]) -> String {
     points.iter().enumerate().map(step).collect()
 }
 
-/// The largest coordinate drawn. Nothing beyond it is on the sheet, and the renderer, which counts quarters of pixels
-/// in 16 bits, panics there.
+/// The largest coordinate drawn. The sheet ends far before it, and the renderer, which counts quarter pixels in 16
+/// bits, panics beyond it.
 const FARTHEST: f64 = 8e3;
 
-/// A coordinate to a hundredth of a pixel, in the fewest letters; 0 for NaN.
+/// Writes a coordinate to a hundredth of a pixel, as short as possible; 0 for NaN.
 fn number(value: f64) -> String {
     let value = if value.is_nan() {
         0.0
@@ -304,7 +304,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// The text with the five special characters of XML escaped; a space stands for those that XML cannot hold.
+/// Escapes the five special characters of XML; characters that XML cannot hold become spaces.
 #[must_use]
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());

@@ -1,4 +1,4 @@
-//! Whatever finite numbers a solution has, its pictures can be drawn.
+//! The pictures of a solution can be drawn for any finite numbers.
 
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -41,7 +41,7 @@ fn step(value: f64) -> StepSummary {
     serde_json::from_value(step).unwrap()
 }
 
-/// A view whose planes and interface have these values.
+/// Returns a view whose planes and interface have these values.
 fn view(side: f64, values: &[f64]) -> StressView {
     let coordinates: Vec<f64> = (0..SIZE)
         .map(|i| side * (i as f64 / SIZE as f64 - 0.4))
@@ -69,7 +69,7 @@ fn view(side: f64, values: &[f64]) -> StressView {
     }
 }
 
-/// Fields of sizes that do not go together.
+/// Fields with incompatible magnitudes.
 fn field() -> impl Strategy<Value = Vec<f64>> {
     let sizes = vec![0.0, 1e-308, 1e-9, 1.0, 1e7, 1e16, 1e150, 1e308];
     let value = (select(sizes), -1.0..1.0).prop_map(|(size, part)| size * part);

@@ -1,6 +1,6 @@
 //! The ticks of an axis.
 
-/// The multiples of 1, 2 or 5 times a power of ten between two ends, about `count` of them.
+/// Returns the multiples of 1, 2 or 5 times a power of ten between two ends, about `count` of them.
 #[must_use]
 pub fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
     let (low, high) = (from.min(to), from.max(to));
@@ -9,7 +9,7 @@ pub fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
         return Vec::new();
     }
     let step = round_step(length / count.max(1) as f64);
-    // The slack keeps an end that is a multiple but for its last bits.
+    // The slack keeps an end that is a multiple up to rounding.
     let slack = 1e-9 * length;
     let first = ((low - slack) / step).ceil();
     (0..=2 * count + 2)
@@ -18,14 +18,14 @@ pub fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The smallest of 1, 2, 5 times a power of ten that is no smaller than this.
+/// Returns the smallest of 1, 2 and 5 times a power of ten not below this.
 fn round_step(step: f64) -> f64 {
     let power = 10_f64.powf(step.log10().floor());
     let fits = |digit: &f64| digit * power >= step * (1.0 - 1e-9);
     [1.0, 2.0, 5.0].into_iter().find(fits).unwrap_or(10.0) * power
 }
 
-/// Fewest and most ticks of a logarithmic axis: fewer do not show what kind of axis it is, more let labels meet.
+/// Fewest and most ticks of a logarithmic axis: fewer do not show that it is logarithmic, more make labels overlap.
 const FEWEST: usize = 3;
 const MOST: usize = 10;
 
@@ -37,8 +37,9 @@ const DIGITS: [&[f64]; 4] = [
     &[1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
 ];
 
-/// The round numbers between two positive ends: powers of ten, with numbers between them until there are at least
-/// three; on a very short axis the ticks of a linear one. None if an end is not a positive number.
+/// Returns the round numbers between two positive ends: powers of ten, and numbers between them until there are at
+/// least three. On a very short axis they are the ticks of a linear one. The result is empty if an end is not a
+/// positive number.
 #[must_use]
 pub fn logarithmic(from: f64, to: f64) -> Vec<f64> {
     let (low, high) = (from.min(to), from.max(to));
@@ -55,14 +56,14 @@ pub fn logarithmic(from: f64, to: f64) -> Vec<f64> {
                 .find(|ticks| ticks.len() >= FEWEST)
         })
         .unwrap_or_default();
-    // Over very many decades every second, every third and so on.
+    // Over very many decades, keep every second, every third and so on.
     let stride = ticks.len().div_ceil(MOST);
     let mut index = 0..;
     ticks.retain(|_| index.next().is_none_or(|i: usize| i.is_multiple_of(stride)));
     ticks
 }
 
-/// These digits times every power of ten that lie between two positive ends.
+/// Returns these digits times every power of ten, between two positive ends.
 fn with_digits(digits: &[f64], low: f64, high: f64) -> Vec<f64> {
     #[expect(
         clippy::cast_possible_truncation,

@@ -1,4 +1,4 @@
-//! The advice on the next measurement, in a sentence or two.
+//! The advice on the next measurement, in one or two sentences.
 
 use pellicle_identify::IDENTIFIED_WITHIN;
 
@@ -6,7 +6,7 @@ use super::candidate::CandidateCurve;
 use super::design::{DesignResult, ExpectedResult, better};
 use crate::identification::names;
 
-/// A design of more curves is advised only if its worst standard error is below this part of that of fewer.
+/// A design with more curves is advised only if its worst standard error is below this fraction of that with fewer.
 const WORTH: f64 = 0.67;
 
 /// The occasion of the advice.
@@ -14,11 +14,11 @@ const WORTH: f64 = 0.67;
 pub enum Advice {
     /// Nothing has been measured.
     ForAPlan,
-    /// There are data, to which curves are added.
+    /// There are data, and curves are added to them.
     AfterAFit,
 }
 
-/// The advice that follows from the designs, the best first.
+/// Derives the advice from the designs, which are sorted best first.
 #[must_use]
 pub fn advice(designs: &[DesignResult], of: Advice) -> String {
     let Some(chosen) = chosen(designs) else {
@@ -55,8 +55,8 @@ pub fn advice(designs: &[DesignResult], of: Advice) -> String {
     sentences.join(" ")
 }
 
-/// The design with the fewest curves that tells every unknown that any does; without one, the best, unless fewer curves
-/// do nearly as well.
+/// Returns the design with the fewest curves that determines every unknown that any design determines. If there is
+/// none, it returns the best design, unless one with fewer curves is nearly as good.
 #[must_use]
 pub fn chosen(designs: &[DesignResult]) -> Option<&DesignResult> {
     let best_of = |count: usize| {
@@ -85,7 +85,7 @@ pub fn chosen(designs: &[DesignResult]) -> Option<&DesignResult> {
     })
 }
 
-/// The curves of a design in words.
+/// Describes the curves of a design.
 #[must_use]
 pub fn curves(design: &DesignResult) -> String {
     let all: Vec<_> = design.curves.iter().map(CandidateCurve::words).collect();
@@ -96,7 +96,7 @@ pub fn curves(design: &DesignResult) -> String {
     }
 }
 
-/// Numbers with their widths: `thickness of layer 0 ± 3.4 %, Young's modulus of layer 0 lost`.
+/// Lists parameters with their widths: `thickness of layer 0 ± 3.4 %, Young's modulus of layer 0 lost`.
 fn told(all: &[&ExpectedResult]) -> String {
     let one = |of: &&ExpectedResult| format!("{} {}", names::of_key(&of.key), of.width());
     let all: Vec<_> = all.iter().map(one).collect();
@@ -118,7 +118,7 @@ mod tests {
 
     use super::*;
 
-    /// A design of so many curves that tells one unknown to this standard error.
+    /// Returns a design with this many curves and one unknown with this standard error.
     fn design(curves: usize, error: Option<f64>, verdict: Verdict) -> DesignResult {
         let curve = CandidateCurve {
             radius: None,

@@ -1,4 +1,4 @@
-//! The next measurement after a fit: curves of a design added to its data, at its values and with its noise.
+//! The next measurement after a fit: curves of a design added to its data, with its values and its noise.
 
 use std::ops::Range;
 
@@ -16,20 +16,20 @@ use crate::failure::Failure;
 use crate::identification::Identification;
 use crate::identification::findings::WarningResult;
 
-/// The gain from the design of a fit file over its data.
+/// The gain of the designs in a fit file over its data.
 #[derive(Debug, Clone, Default)]
 pub struct Next {
     /// The designs, the best first, and the data alone.
     pub designs: Vec<DesignResult>,
-    /// The advice on the next measurement, in a sentence or two.
+    /// The advice on the next measurement, in one or two sentences.
     pub advice: String,
     /// Warnings for the reader.
     pub warnings: Vec<WarningResult>,
 }
 
 impl Next {
-    /// The designs that the fit file asks for; a plan that cannot be made is a warning. `tell` gets the number of
-    /// curves judged.
+    /// Evaluates the designs that the fit file asks for; if no plan can be made, this is a warning. `tell` receives the
+    /// number of curves evaluated.
     #[must_use]
     pub fn of(of: &Identification, fit: &Fit, tell: &dyn Fn(usize)) -> Self {
         if of.file.report.design.is_empty() {
@@ -71,7 +71,7 @@ impl Next {
     }
 }
 
-/// The largest force that was measured, N.
+/// The largest measured force, N.
 fn largest_force(of: &Identification) -> f64 {
     let observes_force = of
         .model
@@ -116,7 +116,7 @@ fn data(of: &Identification, fit: &Fit, premises: &Premises<'_>) -> Result<Judge
     })
 }
 
-/// The model at each point without its shift, as relative noise refers to it; frame and drift are included.
+/// The model at each point without its shift, because relative noise refers to that; frame and drift are included.
 fn without_shift(of: &Identification, fit: &Fit) -> Vec<f64> {
     let curves = of.problem.curves().iter().enumerate();
     let shifts = curves.flat_map(|(index, curve)| {
@@ -132,7 +132,7 @@ fn without_shift(of: &Identification, fit: &Fit) -> Vec<f64> {
         .collect()
 }
 
-/// The prediction at the points of some of the curves.
+/// Returns the prediction at the points of the curves in `used`.
 fn part(of: &Prediction, curves: &[Curve], used: &[usize]) -> Prediction {
     let mut first = 0;
     let spans: Vec<Range<usize>> = curves

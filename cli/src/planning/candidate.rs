@@ -1,4 +1,4 @@
-//! A curve that may be measured, and those of a design.
+//! A curve that may be measured, and the curves of a design.
 
 use serde::Serialize;
 
@@ -10,25 +10,25 @@ use crate::identification::units;
 use crate::input::diagnosis::Diagnosis;
 use crate::measured::curve_segment::SegmentEnd;
 
-/// Points of a curve where neither the fit file nor measurements say how many.
+/// Default number of points of a curve, if neither the fit file nor measurements give it.
 pub const POINTS: usize = 24;
 
-/// The largest load over the smallest, where the segment does not begin later.
+/// Ratio of the largest to the smallest load, unless the segment begins later.
 const SPAN: f64 = 100.0;
 
-/// A curve that may be measured: points evenly spread in the logarithm of the force.
+/// A curve that may be measured: points evenly spaced in the logarithm of the force.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CandidateCurve {
     /// Radius of the indenter, m; null if it has none.
     pub radius: Option<f64>,
     /// Least and largest force, N.
     pub forces: [f64; 2],
-    /// Points.
+    /// Number of points.
     pub points: usize,
 }
 
 impl CandidateCurve {
-    /// The forces of the points, N.
+    /// Returns the forces of the points, N.
     #[must_use]
     pub fn loads(&self) -> Vec<f64> {
         let [least, most] = self.forces;
@@ -37,7 +37,7 @@ impl CandidateCurve {
         (0..self.points).map(load).collect()
     }
 
-    /// `R 10 µm, 0.1 to 10 mN`.
+    /// Describes the curve: `R 10 µm, 0.1 to 10 mN`.
     #[must_use]
     pub fn words(&self) -> String {
         let forces = span(self.forces, &units::scale(self.forces[1], "N"));
@@ -48,7 +48,7 @@ impl CandidateCurve {
     }
 }
 
-/// `R 10 µm`.
+/// Writes a radius: `R 10 µm`.
 #[must_use]
 pub fn radius_words(radius: f64) -> String {
     let scale = units::scale(radius, "m");
@@ -56,14 +56,14 @@ pub fn radius_words(radius: f64) -> String {
     format!("R {number} {}", scale.label)
 }
 
-/// The curves of the design of a fit file: each radius with each largest force.
+/// Returns the curves of the design in a fit file: each radius with each largest force.
 ///
-/// Without radii they are those of the `[[data]]` tables, or that of the model; without forces the end of the segment,
-/// or `largest`, the largest force that was measured.
+/// If no radii are given, they are those of the `[[data]]` tables, or that of the model. If no forces are given, the
+/// end of the segment is used, or `largest`, the largest measured force.
 ///
 /// # Errors
 ///
-/// [`Failure`] if there is no largest force, or the values of a table are not valid.
+/// [`Failure`] if there is no largest force, or if the values of a table are not valid.
 pub fn candidates(
     file: &FitFile,
     points: usize,
@@ -91,7 +91,7 @@ pub fn candidates(
     Ok(all.map(|(radius, most)| one(radius, most)).collect())
 }
 
-/// The radii of the indenters of the tables; that of the model without tables.
+/// The indenter radii of the tables; without tables, that of the model.
 fn radii_of_tables(file: &FitFile) -> Result<Vec<Option<f64>>, Failure> {
     let radius = |of: &ModelParameters| of.radius().and_then(|radius| of.value(radius));
     if file.data.is_empty() {
@@ -116,7 +116,7 @@ fn end(file: &FitFile) -> Option<f64> {
     ends.filter(|force| *force > 0.0).reduce(f64::max)
 }
 
-/// Two decades below the largest force, or where the segment begins if that is later.
+/// Two decades below the largest force, or the beginning of the segment if that is later.
 fn least(file: &FitFile, most: f64) -> f64 {
     let from = file
         .data

@@ -1,4 +1,4 @@
-//! Curves alone, in pairs and all together, the best first.
+//! Curves alone, in pairs and all together, best first.
 
 use pellicle_identify::{Expected, NullDirections, Role};
 
@@ -8,10 +8,10 @@ use super::{Judged, Planning};
 use crate::failure::Failure;
 use crate::identification::findings::CombinationResult;
 
-/// Pairs that are told, the best ones.
+/// Number of pairs reported, the best ones.
 const PAIRS: usize = 10;
 
-/// The designs, the best first: each curve alone, the best pairs, all together; and what has been measured alone.
+/// Returns the designs, best first: each curve alone, the best pairs, and all together; and the existing data alone.
 ///
 /// # Errors
 ///
@@ -38,7 +38,7 @@ pub fn designs(of: &Planning<'_>) -> Result<Vec<DesignResult>, Failure> {
 }
 
 impl Planning<'_> {
-    /// The design of some of the curves, added to the data if there are any.
+    /// Evaluates the design of some of the curves, added to the data if there are any.
     fn design(&self, chosen: &[usize]) -> Result<DesignResult, Failure> {
         let chosen: Vec<&Judged> = chosen.iter().map(|i| &self.judged[*i]).collect();
         let parts: Vec<&Judged> = self.data.iter().chain(chosen.iter().copied()).collect();
@@ -88,7 +88,7 @@ impl Planning<'_> {
     }
 }
 
-/// Of several indenters whose radii are sought, the one whose radius is known least.
+/// Of several unknown indenter radii, the one with the largest standard error.
 fn radius<'a>(all: &'a [Expected], parts: &[&Judged], own: usize) -> &'a Expected {
     let places = parts.iter().flat_map(|of| &of.radii);
     let least = places

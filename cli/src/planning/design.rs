@@ -1,4 +1,4 @@
-//! A design: the curves to measure, what they are expected to tell, and which of two designs is better.
+//! A design: the curves to measure, their expected results, and the comparison of two designs.
 
 use std::cmp::Ordering;
 
@@ -10,43 +10,43 @@ use crate::display::significant;
 use crate::identification::findings::CombinationResult;
 use crate::identification::names;
 
-/// A factor from which on an interval counts as lost, even if the bounds are wider.
+/// An interval at least this factor wide counts as lost, even if the bounds are wider.
 const MANY: f64 = 1000.0;
 
 /// A design: one curve or several.
 #[derive(Debug, Clone, Serialize)]
 pub struct DesignResult {
-    /// The curves to measure; none for what has been measured alone.
+    /// The curves to measure; empty for the existing data alone.
     pub curves: Vec<CandidateCurve>,
     /// The unknowns.
     pub unknowns: Vec<ExpectedResult>,
-    /// The nuisances: numbers that are not known exactly.
+    /// The nuisances: parameters that are not known exactly.
     pub nuisances: Vec<ExpectedResult>,
 }
 
-/// The expected result for a number.
+/// The expected result for a parameter.
 #[derive(Debug, Clone, Serialize)]
 pub struct ExpectedResult {
     /// Its key.
     pub key: String,
     /// Its SI unit.
     pub unit: String,
-    /// The value that is taken for true.
+    /// The value assumed true.
     pub value: f64,
-    /// Standard error of its logarithm, the relative one where it is small; null where nothing is told.
+    /// Standard error of the logarithm, which is the relative error if small; null if nothing is determined.
     pub standard_error: Option<f64>,
-    /// The factor within which the interval lies, as if there were no bounds.
+    /// The factor within which the interval lies, ignoring the bounds.
     pub factor: Option<f64>,
-    /// The interval; null on a side that is open.
+    /// The interval; null on an open side.
     pub interval: [Option<f64>; 2],
-    /// Its expected verdict: how well the measurements determine it.
+    /// The expected verdict: how well the measurements determine it.
     pub verdict: String,
-    /// The product of powers that is known instead, if any.
+    /// The product of powers that is determined instead, if any.
     pub known_combination: Option<CombinationResult>,
 }
 
-/// The better of two designs first: the one that loses fewer unknowns, then the one whose worst known unknown is known
-/// better.
+/// Orders the better of two designs first: the one that loses fewer unknowns, then the one with the smaller worst
+/// standard error.
 #[must_use]
 pub fn better(one: &DesignResult, other: &DesignResult) -> Ordering {
     let lost = one.lost().cmp(&other.lost());
@@ -54,14 +54,14 @@ pub fn better(one: &DesignResult, other: &DesignResult) -> Ordering {
 }
 
 impl DesignResult {
-    /// Unknowns of which nothing is told.
+    /// Number of unknowns that are not determined.
     #[must_use]
     pub fn lost(&self) -> usize {
         let unknowns = self.unknowns.iter();
         unknowns.filter(|of| of.is_lost()).count()
     }
 
-    /// The largest standard error of the unknowns that are told.
+    /// The largest standard error of the unknowns that are determined.
     #[must_use]
     pub fn worst(&self) -> f64 {
         let told = self.unknowns.iter().filter(|of| !of.is_lost());
@@ -77,7 +77,7 @@ impl DesignResult {
 }
 
 impl ExpectedResult {
-    /// Whether the measurements do not determine it.
+    /// Whether the measurements do not determine the parameter.
     #[must_use]
     pub fn is_lost(&self) -> bool {
         let lost = [Verdict::NotIdentified, Verdict::NotIdentifiable];
@@ -85,20 +85,20 @@ impl ExpectedResult {
             .any(|verdict| self.verdict == verdict.to_string())
     }
 
-    /// Whether it is determined within a factor of 1.2.
+    /// Whether the parameter is determined within a factor of 1.2.
     #[must_use]
     pub fn is_told(&self) -> bool {
         !self.is_lost() && (self.factor).is_some_and(|factor| factor <= IDENTIFIED_WITHIN)
     }
 
-    /// Whether no data can determine it.
+    /// Whether no data can determine the parameter.
     #[must_use]
     pub fn is_never(&self) -> bool {
         self.verdict == Verdict::NotIdentifiable.to_string()
     }
 
-    /// The interval over the value: `± 3.4 %`, `factor 2.1`, `lost` where every value between the bounds will
-    /// fit, `never` where no data can tell it.
+    /// Writes the interval relative to the value: `± 3.4 %`, `factor 2.1`, `lost` if every value between the bounds
+    /// fits, `never` if no data can determine it.
     #[must_use]
     pub fn width(&self) -> String {
         if self.is_never() {
@@ -114,7 +114,7 @@ impl ExpectedResult {
         }
     }
 
-    /// The product known in place of numbers that no data determine: `E (substrate) · R^0.5 ± 0.7 %`.
+    /// Describes the product determined in place of parameters that no data determine: `E (substrate) · R^0.5 ± 0.7 %`.
     #[must_use]
     pub fn instead(&self) -> Option<String> {
         let known = self.known_combination.as_ref()?;
@@ -154,7 +154,7 @@ mod tests {
         };
         assert_eq!(of(Some(1.0342), Verdict::Identified), "± 3.4 %");
         assert_eq!(of(Some(2.13), Verdict::Weak), "factor 2.1");
-        // Between narrow bounds even a narrow interval says nothing.
+        // Between narrow bounds, even a narrow interval carries no information.
         assert_eq!(of(Some(1.1), Verdict::NotIdentified), "lost");
         assert_eq!(of(None, Verdict::NotIdentified), "lost");
         assert_eq!(of(None, Verdict::NotIdentifiable), "never");

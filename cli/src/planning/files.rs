@@ -11,10 +11,10 @@ use crate::output::{file, json, report};
 use crate::picture::fit::designs;
 use crate::picture::style::Style;
 
-/// The table.
+/// File name of the table.
 const TABLE: &str = "plan.csv";
 
-/// Whether a plan writes a file of this name, the page apart.
+/// Whether a plan writes a file with this name, other than the page.
 #[must_use]
 pub fn is_name(name: &str) -> bool {
     let ending = name.strip_prefix(designs::NAME);

@@ -1,13 +1,13 @@
-//! Warnings about a model under the largest load of a curve that is not measured yet.
+//! Warnings about a model under the largest load of a planned curve.
 
 use pellicle_contact::{Domain, Load, Model, SolverOptions, Warning, solve_path};
 
 use crate::failure::Failure;
 
-/// Elements per side of the solution that is looked at.
+/// Elements per side of the solution used.
 const ELEMENTS: usize = 64;
 
-/// The warnings about a model under a load.
+/// Returns the warnings about a model under a load.
 ///
 /// # Errors
 ///
@@ -28,7 +28,7 @@ pub fn at_load(model: &Model, load: Load) -> Result<Vec<Warning>, Failure> {
     Ok(path.warnings.into_iter().filter(is_of_model).collect())
 }
 
-/// The warning without the number of its step: there is one.
+/// Returns the warning without its step number; there is only one step.
 #[must_use]
 pub fn words(warning: &Warning) -> String {
     let words = warning.to_string();

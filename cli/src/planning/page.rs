@@ -1,4 +1,4 @@
-//! `report.html` of a plan, on one page that needs no network. The page itself is `cli/templates/plan_report.html`.
+//! `report.html` of a plan, a single page that needs no network. The page itself is `cli/templates/plan_report.html`.
 
 use askama::Template;
 
@@ -9,7 +9,7 @@ use super::words::count;
 use crate::display::significant;
 use crate::identification::names;
 
-/// The page, its numbers in words.
+/// The page, with its numbers as text.
 #[derive(Template)]
 #[template(path = "plan_report.html")]
 struct PlanPage<'a> {
@@ -25,16 +25,16 @@ struct PlanPage<'a> {
 
 /// The designs in rows, for a page.
 pub struct DesignTable {
-    /// Names of the numbers.
+    /// Names of the parameters.
     pub heads: Vec<String>,
-    /// Names of the designs, and a width for each number.
+    /// Names of the designs, each with a width for every parameter.
     pub rows: Vec<(String, Vec<String>)>,
-    /// For each number that no data determine, the product of powers that the best design does.
+    /// For each parameter that no data determine, the product of powers that the best design determines.
     pub instead: Vec<(String, String)>,
 }
 
 impl DesignTable {
-    /// The table of some designs.
+    /// Builds the table of some designs.
     #[must_use]
     pub fn of(designs: &[DesignResult]) -> Self {
         let heads = designs.first().map(|first| {
@@ -58,7 +58,7 @@ impl DesignTable {
     }
 }
 
-/// The page as HTML.
+/// Returns the page as HTML.
 #[must_use]
 pub fn html(plan: &PlanResult, drawing: Option<&str>) -> String {
     let truth = plan.designs.first().map(|first| {

@@ -7,7 +7,7 @@ use crate::identification::{names, units};
 use crate::picture::fit::FitHeading;
 use crate::picture::fit::designs::{DesignedUnknown, Designs};
 
-/// The content of the picture of designs; `conditions` are the noise and the number of points.
+/// Prepares the picture of the designs; `conditions` are the noise and the number of points.
 #[must_use]
 pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) -> Designs {
     let mut singles: Vec<(&CandidateCurve, &DesignResult)> = all
@@ -53,7 +53,7 @@ pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) 
             numbers: format!("expected {} intervals {added}", percent(level)),
         },
         note: conditions.to_owned(),
-        // Over many decades the middle of the axis has the short numbers.
+        // Over many decades, the unit is chosen for short numbers in the middle of the axis.
         forces: units::scale((least * most).sqrt(), "N"),
         indenters: radii
             .iter()
@@ -63,7 +63,7 @@ pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) 
     }
 }
 
-/// Half the interval in percent of the value; none where it is lost.
+/// Half the interval in percent of the value; `None` if it is lost.
 fn half_width(of: &ExpectedResult) -> Option<f64> {
     let factor = of.factor.filter(|_| !of.is_lost())?;
     Some(100.0 * (factor - 1.0))

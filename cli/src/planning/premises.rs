@@ -13,7 +13,7 @@ use crate::fit_file::unknown::UnknownCase;
 use crate::identification::{Identification, curve_source};
 use crate::measured::data_table::Observe;
 
-/// Noise over the value of what is observed, where the fit file says nothing of noise.
+/// Relative noise of the observable assumed if the fit file gives no noise.
 const RELATIVE: f64 = 0.01;
 
 /// The premises of a plan.
@@ -25,38 +25,38 @@ pub struct Premises<'a> {
     pub plan: Plan,
     /// The observable of every curve.
     pub observe: Observe,
-    /// The origin of the noise.
+    /// Source of the noise.
     pub noise: NoiseSource,
     base: ModelParameters,
     cases: Vec<UnknownCase>,
-    /// Radii of indenters that are sought besides that of the model, each with its place among the unknowns.
+    /// Unknown radii of indenters other than the model's, each with its index among the unknowns.
     others: Vec<(f64, usize)>,
-    /// Radii that tables have of their own, which a fit takes for known.
+    /// Radii given in tables, which a fit takes as known.
     known: Vec<f64>,
 }
 
-/// The origin of the noise of a plan.
+/// Source of the noise of a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoiseSource {
     /// The fit file or a fit.
     Known,
-    /// Nowhere: it is assumed.
+    /// No source: it is assumed.
     Assumed,
 }
 
-/// The knowledge that a plan has of an indenter's radius.
+/// What a plan knows about an indenter's radius.
 #[derive(Debug, Clone, PartialEq)]
 pub enum IndenterRadius {
-    /// It is that of the model.
+    /// The radius of the model.
     OfModel,
-    /// It is another one, and known exactly.
+    /// Another radius, known exactly.
     Known(String),
-    /// It is another one, and sought as that of the model is: its place among the unknowns, and its name.
+    /// Another radius, unknown like that of the model: its index among the unknowns, and its name.
     Sought(usize, String),
 }
 
 impl IndenterRadius {
-    /// The name of its radius, if that is not the key of the model's.
+    /// Returns the name of the radius, if that is not the key of the model's.
     #[must_use]
     pub fn name(&self) -> Option<String> {
         match self {
@@ -67,11 +67,11 @@ impl IndenterRadius {
 }
 
 impl<'a> Premises<'a> {
-    /// The premises before any measurement: the values of the model, the noise of the fit file.
+    /// Builds the premises before any measurement: the values of the model, the noise of the fit file.
     ///
     /// # Errors
     ///
-    /// [`Failure`] if the tables of the fit file disagree, or do not observe what can be planned.
+    /// [`Failure`] if the tables of the fit file disagree, or if their observable cannot be planned.
     pub fn of_file(file: &'a FitFile, candidates: &[CandidateCurve]) -> Result<Self, Failure> {
         let cases = file.all_unknowns();
         let truth = cases.iter().map(|case| case.start).collect();
@@ -82,11 +82,11 @@ impl<'a> Premises<'a> {
         Ok(premises)
     }
 
-    /// The premises after a fit: its values, its noise, the scatter between repeats.
+    /// Builds the premises after a fit: its values, its noise, and the scatter between repeats.
     ///
     /// # Errors
     ///
-    /// [`Failure`] if the tables do not observe what can be planned.
+    /// [`Failure`] if the observable of the tables cannot be planned.
     pub fn of_fit(
         of: &'a Identification,
         fit: &Fit,
@@ -95,7 +95,7 @@ impl<'a> Premises<'a> {
         let estimates = || fit.estimates.iter();
         let truth = estimates().map(|estimate| estimate.value).collect();
         let mut premises = Self::new(&of.file, of.file.all_unknowns(), truth, fit.noise)?;
-        // The unknowns of a fit file are sought by their logarithms.
+        // The unknowns of a fit file are fitted by their logarithms.
         let scatter = estimates().map(|estimate| {
             let between = estimate.between_curves.as_ref();
             between.map_or(0.0, |between| between.standard_deviation / estimate.value)
@@ -145,13 +145,13 @@ impl<'a> Premises<'a> {
         })
     }
 
-    /// The unknowns and nuisances that a curve depends on.
+    /// The unknowns and nuisances on which a curve depends.
     #[must_use]
     pub fn sought(&self) -> Vec<ModelParameter> {
         self.cases.iter().map(|case| case.parameter).collect()
     }
 
-    /// The true values for a curve of this indenter.
+    /// Returns the true values for a curve of this indenter.
     #[must_use]
     pub fn values(&self, indenter: &IndenterRadius, radius: Option<f64>) -> Vec<f64> {
         let mut values = self.plan.truth[..self.cases.len()].to_vec();
@@ -163,7 +163,8 @@ impl<'a> Premises<'a> {
         values
     }
 
-    /// The prediction with derivatives by all unknowns of the plan: by its own radius, and by no other one.
+    /// Returns the prediction with derivatives with respect to all unknowns of the plan; of the radii, only its own
+    /// counts.
     #[must_use]
     pub fn spread(&self, mut prediction: Prediction, indenter: &IndenterRadius) -> Prediction {
         let nothing = vec![0.0; prediction.value.len()];
@@ -175,15 +176,15 @@ impl<'a> Premises<'a> {
         prediction
     }
 
-    /// The unknowns of the fit file, which come first among those of the plan.
+    /// The unknowns of the fit file, the first among those of the plan.
     #[must_use]
     pub fn cases(&self) -> &[UnknownCase] {
         &self.cases
     }
 }
 
-/// The noise of the fit file; what is left out of it is none, and all of it is assumed if it says nothing of what is
-/// observed.
+/// The noise of the fit file. Levels it leaves to be estimated are zero; if it gives none for the observable, the noise
+/// is assumed.
 fn noise(file: &FitFile) -> Result<(NoiseLevels, NoiseSource), Failure> {
     let noise = curve_source::noise(file)?;
     let level = |amount| match amount {
@@ -208,7 +209,7 @@ fn noise(file: &FitFile) -> Result<(NoiseLevels, NoiseSource), Failure> {
     Ok((levels, source))
 }
 
-/// The radii that tables have of their own.
+/// The radii given in tables.
 fn known_radii(file: &FitFile) -> Result<Vec<f64>, Failure> {
     let mut radii = Vec::new();
     for table in &file.data {

@@ -1,4 +1,4 @@
-//! `plan.json`, and the key `design` of `fit.json`: what designs are expected to tell, in SI units.
+//! `plan.json`, and the key `design` of `fit.json`: the expected results of designs, in SI units.
 
 use serde::Serialize;
 
@@ -33,29 +33,29 @@ pub struct PlanResult {
     pub level: f64,
     /// The noise, given or assumed.
     pub noise: NoiseResult,
-    /// The designs, the best first.
+    /// The designs, best first.
     pub designs: Vec<DesignResult>,
-    /// The advice on the next measurement, in a sentence or two.
+    /// The advice on the next measurement, in one or two sentences.
     pub advice: String,
-    /// The work that it took.
+    /// The work spent.
     pub work: PlanWork,
     /// Warnings for the reader.
     pub warnings: Vec<WarningResult>,
 }
 
-/// The work that a plan took.
+/// The work spent on a plan.
 #[derive(Debug, Clone, Serialize)]
 pub struct PlanWork {
-    /// Curves solved.
+    /// Number of curves solved.
     pub curves_solved: usize,
-    /// Loads solved.
+    /// Number of loads solved.
     pub loads_solved: usize,
     /// Time, s.
     pub seconds: f64,
 }
 
 impl PlanResult {
-    /// The result of a plan that took so many seconds.
+    /// Builds the result of a plan that took `seconds`.
     ///
     /// # Errors
     ///
@@ -84,7 +84,7 @@ impl PlanResult {
 }
 
 impl Premises<'_> {
-    /// The noise by channel.
+    /// Returns the noise by channel.
     #[must_use]
     pub fn noise_result(&self) -> NoiseResult {
         let levels = &self.plan.noise;
@@ -100,7 +100,7 @@ impl Premises<'_> {
         }
     }
 
-    /// Warnings about the assumptions of the plan.
+    /// Returns warnings about the assumptions of the plan.
     #[must_use]
     pub fn warnings(&self) -> Vec<WarningResult> {
         let what = match self.observe {

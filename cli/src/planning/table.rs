@@ -1,9 +1,9 @@
-//! `plan.csv`: a row for each design and each of its numbers, the best design first.
+//! `plan.csv`: a row for each design and parameter, best design first.
 
 use super::design::DesignResult;
 use super::text;
 
-/// The table.
+/// Returns the table.
 #[must_use]
 pub fn csv(designs: &[DesignResult]) -> String {
     let header = "rank,design,curves,key,unit,value,standard error of ln,low,high,verdict\n";
@@ -26,7 +26,7 @@ pub fn csv(designs: &[DesignResult]) -> String {
     header.to_owned() + &rows.collect::<String>()
 }
 
-/// A number, or an empty cell.
+/// Writes a number, or an empty cell.
 fn number(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| format!("{value:e}"))
 }

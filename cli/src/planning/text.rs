@@ -9,10 +9,10 @@ use crate::identification::findings::NoiseResult;
 use crate::identification::names;
 use crate::identification::units;
 
-/// Rows of the table that are shown.
+/// Number of rows shown.
 const ROWS: usize = 24;
 
-/// The plan in words: the noise, the table, the advice.
+/// Describes the plan: the noise, the table, the advice.
 #[must_use]
 pub fn text(plan: &PlanResult) -> String {
     format!(
@@ -28,7 +28,7 @@ pub fn text(plan: &PlanResult) -> String {
     )
 }
 
-/// The noise and the number of points.
+/// Describes the noise and the number of points.
 #[must_use]
 pub fn conditions(plan: &PlanResult) -> String {
     let mut curves = plan.designs.iter().flat_map(|design| &design.curves);
@@ -54,13 +54,13 @@ fn noise(of: &NoiseResult) -> String {
     format!("noise {}", parts.join(" and "))
 }
 
-/// A part of one in percent.
+/// Writes a fraction of one in percent.
 #[must_use]
 pub fn percent(part: f64) -> String {
     format!("{} %", short(100.0 * part))
 }
 
-/// The designs in rows, the best first, the unknowns in columns.
+/// Returns the designs in rows, best first, with the unknowns in columns.
 #[must_use]
 pub fn table(designs: &[DesignResult]) -> String {
     let Some(first) = designs.first() else {
@@ -98,12 +98,12 @@ pub fn table(designs: &[DesignResult]) -> String {
     rows + &more + &instead.collect::<String>()
 }
 
-/// Unknowns, then nuisances.
+/// The unknowns, then the nuisances.
 pub fn numbers(design: &DesignResult) -> impl Iterator<Item = &ExpectedResult> {
     design.unknowns.iter().chain(&design.nuisances)
 }
 
-/// The curves of a design, for a row.
+/// Names the curves of a design in a row.
 #[must_use]
 pub fn name(design: &DesignResult) -> String {
     match design.curves.len() {

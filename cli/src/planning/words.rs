@@ -2,7 +2,7 @@
 
 use crate::display::{DisplayUnit, significant};
 
-/// The number with at most three digits, without zeros at the end.
+/// Writes a number with at most three digits, without trailing zeros.
 #[must_use]
 pub fn short(value: f64) -> String {
     let rounded = significant(value, 3);
@@ -11,14 +11,14 @@ pub fn short(value: f64) -> String {
         .map_or(rounded, |value| value.to_string())
 }
 
-/// `0.1 to 10 mN`.
+/// Writes a range: `0.1 to 10 mN`.
 #[must_use]
 pub fn span([least, most]: [f64; 2], scale: &DisplayUnit) -> String {
     let number = |value: f64| short(value / scale.divisor);
     format!("{} to {} {}", number(least), number(most), scale.label)
 }
 
-/// `1 curve`, `2 curves`.
+/// Writes a count: `1 curve`, `2 curves`.
 #[must_use]
 pub fn count(number: usize, noun: &str) -> String {
     match number {

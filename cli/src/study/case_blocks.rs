@@ -1,4 +1,4 @@
-//! The blocks of rows of a table of results, one per case, read without keeping the rows in memory.
+//! The blocks of rows of a results table, one per case, read without keeping the rows in memory.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
@@ -15,23 +15,23 @@ pub struct CaseBlock {
     pub case: usize,
     /// Its status.
     pub status: CaseStatus,
-    /// Byte at which they begin.
+    /// Byte at which the rows begin.
     pub start: u64,
-    /// Their bytes, line ends included.
+    /// Their length in bytes, including line ends.
     pub length: usize,
 }
 
 /// The complete blocks of a table.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct CaseBlocks {
-    /// In the order of the file.
+    /// The blocks, in the order of the file.
     pub blocks: Vec<CaseBlock>,
     /// Bytes up to the end of the last block; 0 if not even the first line is complete.
     pub end: u64,
 }
 
 impl CaseBlocks {
-    /// The complete blocks of the table at `path`.
+    /// Reads the complete blocks of the table at `path`.
     ///
     /// # Errors
     ///
@@ -44,11 +44,11 @@ impl CaseBlocks {
             .ok_or_else(|| Failure::damaged(path, &"its first line is not that of this study"))
     }
 
-    /// The complete blocks of a text; none if the first line is not that of this study.
+    /// Reads the complete blocks of a text; `None` if the first line is not that of this study.
     ///
     /// # Errors
     ///
-    /// That of the reader.
+    /// Errors of the reader.
     pub fn of(text: impl BufRead, identity: &StudyIdentity) -> io::Result<Option<Self>> {
         let header = identity.header.as_bytes();
         let mut rows = RowReader::new(text);
@@ -66,7 +66,7 @@ impl CaseBlocks {
         while let Some((case, status)) = rows.block(columns, identity)? {
             let start = found.end;
             found.end = rows.at;
-            // The rows of a case are in memory when they are written: their number of bytes is a usize.
+            // The rows of a case were in memory when they were written, so their length fits a usize.
             let length = usize::try_from(rows.at - start).map_err(io::Error::other)?;
             found.blocks.push(CaseBlock {
                 case,
@@ -78,18 +78,18 @@ impl CaseBlocks {
         Ok(Some(found))
     }
 
-    /// Whether the blocks are in the order of their cases, each case once.
+    /// Whether the blocks are in the order of their cases, with each case once.
     #[must_use]
     pub fn are_in_order(&self) -> bool {
         self.blocks.is_sorted_by(|a, b| a.case < b.case)
     }
 }
 
-/// The bytes of a block, from the file it is in.
+/// Copies the bytes of a block from its file.
 ///
 /// # Errors
 ///
-/// The system's.
+/// Errors of the system.
 pub fn copy(block: &CaseBlock, mut file: &File, bytes: &mut Vec<u8>) -> io::Result<()> {
     bytes.resize(block.length, 0);
     file.seek(SeekFrom::Start(block.start))?;
@@ -114,7 +114,7 @@ impl<R: BufRead> RowReader<R> {
         }
     }
 
-    /// Reads the next row; false if it has no end. A line end between quotes does not end a row.
+    /// Reads the next row; false if the row has no end. A line end between quotes does not end a row.
     fn next(&mut self) -> io::Result<bool> {
         self.row.clear();
         let (mut is_quoted, mut seen) = (false, 0);
@@ -135,7 +135,7 @@ impl<R: BufRead> RowReader<R> {
         }
     }
 
-    /// The next block, if it is complete: all lines of one case of this part.
+    /// Returns the next block if it is complete: all rows of one case of this part.
     fn block(
         &mut self,
         columns: usize,
@@ -160,7 +160,7 @@ impl<R: BufRead> RowReader<R> {
         Ok(Some((case, status)))
     }
 
-    /// Case and status of the next row.
+    /// Returns case and status of the next row.
     fn case(&mut self, columns: usize) -> io::Result<Option<(usize, CaseStatus)>> {
         if !self.next()? {
             return Ok(None);
@@ -168,7 +168,7 @@ impl<R: BufRead> RowReader<R> {
         if count_cells(&self.row) != columns {
             return Ok(None);
         }
-        // Neither of them is ever quoted.
+        // Neither is ever quoted.
         let mut cells = self.row.splitn(3, |byte| *byte == b',');
         let mut cell = || str::from_utf8(cells.next()?).ok();
         let case = cell().and_then(|case| case.parse::<usize>().ok()?.checked_sub(1));
@@ -176,7 +176,7 @@ impl<R: BufRead> RowReader<R> {
     }
 }
 
-/// The number of cells of one row; a comma between quotes does not end one.
+/// Counts the cells of one row; a comma between quotes does not end a cell.
 fn count_cells(row: &[u8]) -> usize {
     let mut is_quoted = false;
     let ends = row.iter().filter(|byte| {

@@ -1,4 +1,4 @@
-//! A number that every case has before it is solved: its rows, one per loading step, or the elements of its grid.
+//! Counts known for every case before it is solved: its rows, one per loading step, or the elements of its grid.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,23 +10,23 @@ use crate::input::diagnosis::Diagnosis;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::ValueReader;
 
-/// A number of every case. It takes no more room for a million cases than for one, unless the keys that change it vary.
+/// One count per case. It takes no more memory for a million cases than for one, unless the keys that affect it vary.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CaseCounts {
-    /// The axes on which it depends.
+    /// The axes on which the count depends.
     axes: Vec<usize>,
     /// The counts, for every combination of values of these axes.
     counts: Vec<usize>,
 }
 
 impl CaseCounts {
-    /// The rows of every case of a study, unless it fails.
+    /// Counts the rows of every case of a study, for cases that do not fail.
     #[must_use]
     pub fn rows(study: &Study) -> Self {
         Self::new(study, changes_the_number_of_loads, Study::steps)
     }
 
-    /// The elements per side of every case; 0 where they are invalid.
+    /// Counts the elements per side of every case; 0 if they are invalid.
     #[must_use]
     pub fn elements(study: &Study) -> Self {
         Self::new(study, changes_the_elements, Study::elements)
@@ -48,7 +48,7 @@ impl CaseCounts {
         Self { axes, counts }
     }
 
-    /// The count of a case; none if there is no such case.
+    /// Returns the count of a case; `None` if there is no such case.
     #[must_use]
     pub fn of(&self, numbering: &CaseNumbering, case: usize) -> Option<usize> {
         if case >= numbering.len() {
@@ -58,7 +58,7 @@ impl CaseCounts {
         self.counts.get(place).copied()
     }
 
-    /// The different counts, in order.
+    /// Returns the distinct counts, in order.
     #[must_use]
     pub fn different(&self) -> Vec<usize> {
         let mut different = self.counts.clone();
@@ -69,7 +69,7 @@ impl CaseCounts {
 }
 
 impl Study {
-    /// The number of loading steps of a case; 1 if its load is invalid. Nothing else of the case is read.
+    /// The number of loading steps of a case; 1 if its load is invalid. Only the load is read.
     fn steps(&self, case: usize) -> usize {
         let read = || {
             let root = self.tree(case)?;
@@ -79,7 +79,7 @@ impl Study {
         read().map_or(1, |load: LoadCase| load.loads().len())
     }
 
-    /// The elements per side of a case; 0 if they are invalid. Nothing else of the case is read.
+    /// The elements per side of a case; 0 if they are invalid. Only the grid is read.
     fn elements(&self, case: usize) -> usize {
         let read = || -> Result<usize, Diagnosis> {
             let root = self.tree(case)?;
@@ -93,7 +93,7 @@ impl Study {
     }
 }
 
-/// Whether another value of this key may be another number of loads.
+/// Whether another value of this key may change the number of loads.
 fn changes_the_number_of_loads(path: &[String]) -> bool {
     let mut path = path.iter().map(String::as_str);
     path.next() == Some("load")
@@ -102,7 +102,7 @@ fn changes_the_number_of_loads(path: &[String]) -> bool {
             .is_none_or(|key| matches!(key, "forces" | "penetrations"))
 }
 
-/// Whether another value of this key may be another grid.
+/// Whether another value of this key may change the grid.
 fn changes_the_elements(path: &[String]) -> bool {
     let mut path = path.iter().map(String::as_str);
     path.next() == Some("grid") && path.next().is_none_or(|key| key == "elements")

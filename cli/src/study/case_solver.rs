@@ -31,11 +31,11 @@ pub struct CaseSolver<'a> {
     pub columns: &'a TableColumns,
     /// The cache, shared by all cases.
     pub cache: Cache,
-    /// The memory, shared by all cases.
+    /// The memory budget, shared by all cases.
     pub memory: &'a MemoryBudget,
-    /// The parent of the cases' results folders, if these are wanted.
+    /// The parent of the cases' results folders, if they are wanted.
     pub folders: Option<PathBuf>,
-    /// Who keeps fields of all cases, if any are wanted.
+    /// The keeper of the fields of all cases, if any are kept.
     pub kept: Option<&'a dyn FieldKeeper>,
 }
 
@@ -49,17 +49,17 @@ pub struct CaseResult {
     outcome: CaseOutcome,
 }
 
-/// The outcome of a case, for people.
+/// The outcome of a case, as shown to the user.
 #[derive(Debug, Clone, PartialEq)]
 enum CaseOutcome {
-    /// Force and penetration of the last step, in these units.
+    /// The case was solved: force and penetration of the last step, in these units.
     Solved(Units, Option<[f64; 2]>),
     /// The case failed, with the reason.
     Failed(String),
 }
 
 impl CaseResult {
-    /// The outcome in words, for the terminal: `certified, Q = 1 mN, D = 20 nm`.
+    /// Describes the outcome for the terminal: `certified, Q = 1 mN, D = 20 nm`.
     #[must_use]
     pub fn words(&self) -> String {
         use crate::display::{Unit, quantity};
@@ -77,13 +77,13 @@ impl CaseResult {
 }
 
 impl CaseSolver<'_> {
-    /// Solves a case; none if it is stopped by `observer`, or by `search` before a search for stresses, and its
-    /// unfinished results are discarded.
+    /// Solves a case. Returns `None` if `observer` stops it, or if `search` stops it before a search for stresses;
+    /// unfinished results are then discarded.
     ///
     /// # Errors
     ///
-    /// [`Failure`] if its results folder cannot be written or is something else. Any other error is the result
-    /// `failed`.
+    /// [`Failure`] if its results folder cannot be written or belongs to something else. Any other error gives the
+    /// result `failed`.
     pub fn solve(
         &self,
         case: usize,
@@ -107,7 +107,8 @@ impl CaseSolver<'_> {
         }
     }
 
-    /// Claims the results folder of a case, if one is wanted. An existing one is of this case, from before a kill.
+    /// Claims the results folder of a case, if one is wanted. An existing folder must be of this case, left by a killed
+    /// run.
     fn claim(&self, number: usize, case: &Case) -> Result<Option<ResultsFolder>, Failure> {
         let Some(folders) = &self.folders else {
             return Ok(None);
@@ -129,7 +130,7 @@ impl CaseSolver<'_> {
         })
     }
 
-    /// Threads that need memory for the fields of a case.
+    /// Number of threads that need memory for the fields of a case.
     fn writers(&self, folder: Option<&ResultsFolder>) -> usize {
         let kept = self.kept.map(FieldKeeper::records);
         let is_kept = kept.is_some_and(KeptRecords::need_the_surface);
@@ -156,7 +157,7 @@ impl CaseSolver<'_> {
         if solved.completeness == Completeness::Part {
             return Ok(None);
         }
-        // Warnings of the cache concern all cases, and are printed at the end.
+        // Warnings of the cache concern all cases and are printed at the end.
         let SolvedCase {
             path, mut summary, ..
         } = solved;
@@ -185,8 +186,8 @@ impl CaseSolver<'_> {
     }
 }
 
-/// Whether the case of a summary is this one. The summary has a side of the domain even if the case leaves it open; the
-/// choice of files does not count.
+/// Whether the case of a summary is this one. The summary always has a domain side, even if the case leaves it open;
+/// the choice of files is ignored.
 fn is_of(written: &Value, case: &Case) -> bool {
     let mut case = case.clone();
     let side = written["grid"]["side"].as_f64();

@@ -1,20 +1,20 @@
-//! The status of a study's cases.
+//! Status of a study's cases.
 
 /// The status of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CaseStatus {
     /// Every step is certified.
     Certified,
-    /// There is a result, but some certificate is not satisfied.
+    /// There is a result, but at least one certificate is not satisfied.
     NotConverged,
-    /// A contact is cut off by the edge of the domain or a map, so that another problem is solved.
+    /// A contact is cut off by the edge of the domain or of a map, so a different problem was solved.
     CutOff,
     /// There is no result.
     Failed,
 }
 
 impl CaseStatus {
-    /// All of them; a file of fields has the number of one in this list.
+    /// All statuses; a file of fields stores the index in this list.
     pub const ALL: [Self; 4] = [
         Self::Certified,
         Self::NotConverged,
@@ -22,7 +22,7 @@ impl CaseStatus {
         Self::Failed,
     ];
 
-    /// The word in the table.
+    /// Returns the word in the table.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -33,7 +33,7 @@ impl CaseStatus {
         }
     }
 
-    /// The status with this word.
+    /// Returns the status with this word.
     #[must_use]
     pub fn of(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|status| status.word() == word)
@@ -43,7 +43,7 @@ impl CaseStatus {
 /// The number of cases with each status.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize)]
 pub struct Tally {
-    /// Cases that are certified.
+    /// Certified cases.
     pub certified: usize,
     /// Cases with a result that is not certified.
     pub not_converged: usize,
@@ -54,14 +54,14 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// Counts these statuses.
+    /// Counts the given statuses.
     pub fn of(statuses: impl IntoIterator<Item = CaseStatus>) -> Self {
         let mut tally = Self::default();
         statuses.into_iter().for_each(|status| tally.add(status));
         tally
     }
 
-    /// Counts one more.
+    /// Counts one more case.
     pub fn add(&mut self, status: CaseStatus) {
         let count = match status {
             CaseStatus::Certified => &mut self.certified,
@@ -72,13 +72,13 @@ impl Tally {
         *count += 1;
     }
 
-    /// The number of all cases.
+    /// Returns the number of all cases counted.
     #[must_use]
     pub fn done(&self) -> usize {
         self.certified + self.not_converged + self.cut_off + self.failed
     }
 
-    /// The counts in words, of so many cases in all.
+    /// Describes the counts, out of `cases` in all.
     #[must_use]
     pub fn words(&self, cases: usize) -> String {
         let others = [

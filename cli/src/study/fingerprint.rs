@@ -1,5 +1,5 @@
-//! The hash that tells one study from another: of the base case, its defaults filled in, and of every value
-//! of every key, each once.
+//! The hash that identifies a study, computed from the base case with its defaults and from every value of every key,
+//! each once.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -17,14 +17,14 @@ use crate::input::units::{PROSE, Units};
 /// The key that names a file.
 const FILE: &str = "file";
 
-/// The table that has no part in it: the choice of files does not change the solution.
+/// The table that is left out: the choice of files does not change the solution.
 const OUTPUT: &str = "output";
 
-/// The hash of all that the results of a study depend on: version of the program, base case, keys, values, contents of
-/// the maps, system of units, and first line of the table.
+/// Hashes everything on which the results of a study depend: version of the program, base case, keys, values, contents
+/// of the maps, system of units, and first line of the table.
 ///
-/// A quantity counts with its value and not with its spelling, and neither comments nor the order of keys count.
-/// `valid` is a valid case and its number: what the base case leaves open counts as its default.
+/// A quantity counts by its value, not its spelling; comments and the order of keys do not count. `valid` is a valid
+/// case with its number, which supplies the defaults of the base case.
 ///
 /// # Errors
 ///
@@ -39,13 +39,12 @@ pub fn of(study: &Study, valid: (usize, &Case), header: &str) -> Result<String, 
     hasher.add(b'c', study.case_name.as_bytes());
     let numbering = study.numbering();
     hasher.add(b'z', format!("{numbering:?}").as_bytes());
-    // Values of the base case that every case replaces have no part in it. All others are in every case: none may have
-    // a key that it does not use.
+    // Values that every case replaces do not count. All others are in every case, as no case may have an unused key.
     hasher.add(b'r', &resolved(case)?);
     if let Ok(tree) = study.tree(number) {
         hasher.files_in("", &tree);
     }
-    // The fields of a study that kept none cannot be had without its solutions.
+    // If a study kept no fields, they cannot be had without solving it again.
     for field in &study.keep {
         hasher.add(b'K', format!("{field:?}").as_bytes());
     }
@@ -67,7 +66,7 @@ pub fn of(study: &Study, valid: (usize, &Case), header: &str) -> Result<String, 
     Ok(hasher.finish(&study.folder))
 }
 
-/// The case with every default filled in, but for the choice of files.
+/// The case with all defaults, without the choice of files.
 fn resolved(case: &Case) -> Result<Vec<u8>, Failure> {
     let mut case = serde_json::to_value(case)?;
     if let Some(table) = case.as_object_mut() {
@@ -84,7 +83,7 @@ struct FingerprintHasher {
 }
 
 impl FingerprintHasher {
-    /// Adds bytes of one kind; their number comes first, so that no two sequences of parts look alike.
+    /// Adds bytes of one kind, preceded by their length, so that no two sequences of parts have the same hash input.
     fn add(&mut self, kind: u8, bytes: &[u8]) {
         self.hasher.update(&[kind]);
         self.hasher.update(&(bytes.len() as u64).to_le_bytes());
@@ -95,7 +94,7 @@ impl FingerprintHasher {
         self.add(b'n', format!("{number:e}").as_bytes());
     }
 
-    /// The files that a tree names: of a map read from one, the resolved case has no heights.
+    /// Collects the files that a tree names: the resolved case does not contain the heights of a map read from a file.
     fn files_in(&mut self, key: &str, node: &TomlNode) {
         match &node.value {
             TomlValue::Text(text) if key == FILE => {
@@ -142,7 +141,7 @@ impl FingerprintHasher {
         }
         let dimension = quantity::dimension_of(text).filter(|_| !PROSE.contains(&key));
         match dimension {
-            // A bare angle has another unit.
+            // A bare angle has a different unit.
             Some(Dimension::Angle) | None => self.add(b's', text.as_bytes()),
             Some(dimension) => match quantity::parse(text, dimension) {
                 Ok(number) => self.number(number),
@@ -151,7 +150,7 @@ impl FingerprintHasher {
         }
     }
 
-    /// The hash, with the contents of the files that were named.
+    /// Returns the hash, with the contents of the named files.
     fn finish(mut self, folder: &Path) -> String {
         for name in std::mem::take(&mut self.files) {
             self.add(b'f', name.as_bytes());

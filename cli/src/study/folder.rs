@@ -1,4 +1,4 @@
-//! The folder of a study, which belongs to this study alone and to one process at a time.
+//! The folder of a study; it belongs to this study alone and to one process at a time.
 
 use std::fs::{self, File};
 use std::io::{self, Read};
@@ -13,33 +13,33 @@ use crate::failure::Failure;
 use crate::output::lock::Lock;
 use crate::output::{own_files, partial_file};
 
-/// Text of the lock's file.
+/// Contents of the lock file.
 const AT_WORK: &str = "pellicle is at work on this study.\n";
 
-/// Folder of the results folders of the cases.
+/// Name of the folder for the results folders of the cases.
 const CASES: &str = "cases";
 
-/// Beginning of the name of a table that a fresh study replaces, until that is complete.
+/// Prefix of the name of a table that a fresh study replaces, until the new one is complete.
 const BEFORE: &str = ".pellicle-before-";
 
-/// The number of attempts, and the interval between them, to wait for a process that is nearly done.
+/// Number of attempts and interval between them, while waiting for a process that is nearly done.
 const PATIENCE: (usize, Duration) = (100, Duration::from_millis(50));
 
-/// The way in which a study begins with an existing table.
+/// How a study begins if there is a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Begin {
-    /// Go on with it.
+    /// Continue it.
     Resume,
     /// Empty it first.
     Again,
 }
 
-/// The folder of a study, claimed for one part of it. Nobody else works on this part until it is dropped.
+/// The folder of a study, claimed for one part of it. No other process works on this part until it is dropped.
 #[derive(Debug)]
 pub struct StudyFolder {
     /// The folder.
     pub folder: PathBuf,
-    /// The way to begin with the part's table.
+    /// How to begin with the part's table.
     pub begin: Begin,
     /// The path of the earlier table, while this study replaces it.
     pub before: Option<PathBuf>,
@@ -47,12 +47,12 @@ pub struct StudyFolder {
 }
 
 impl StudyFolder {
-    /// Claims the folder for the part that `identity` is of; `fresh` forgets what other studies have left in it.
+    /// Claims the folder for the part given by `identity`; `fresh` discards results of other studies in it.
     ///
     /// # Errors
     ///
-    /// [`Failure::NoResults`] if there is something that no study has written, [`Failure::OtherStudy`] if there are
-    /// results of another study, [`Failure::Busy`] if another process is at work on this part, [`Failure::Write`] if
+    /// [`Failure::NoResults`] if there is something not written by a study, [`Failure::OtherStudy`] if there are
+    /// results of another study, [`Failure::Busy`] if another process is working on this part, [`Failure::Write`] if
     /// nothing can be written here.
     pub fn claim(folder: &Path, identity: &StudyIdentity, fresh: bool) -> Result<Self, Failure> {
         refuse_foreign(folder)?;
@@ -98,14 +98,14 @@ impl StudyFolder {
         })
     }
 
-    /// The folder for the results folders of the cases.
+    /// Returns the parent of the cases' results folders.
     #[must_use]
     pub fn cases(&self) -> PathBuf {
         self.folder.join(CASES)
     }
 }
 
-/// The lock of a part; none if another process has it.
+/// Takes the lock of a part; returns `None` if another process holds it.
 ///
 /// # Errors
 ///
@@ -115,7 +115,7 @@ pub fn lock(folder: &Path, part: Shard) -> Result<Option<Lock>, Failure> {
     Lock::take(&path, AT_WORK).map_err(|cause| Failure::write(&path, cause))
 }
 
-/// Whether a process is at work on a part.
+/// Whether a process is working on a part.
 #[must_use]
 pub fn is_at_work(folder: &Path, part: Shard) -> bool {
     Lock::is_held(&lock_path(folder, part))
@@ -125,11 +125,11 @@ fn lock_path(folder: &Path, part: Shard) -> PathBuf {
     folder.join(format!(".pellicle-{}", part.file("study", "lock")))
 }
 
-/// The lock of [`lock`], asked for again while another process has it, for some seconds.
+/// Takes the lock of a part, retrying for some seconds while another process holds it.
 ///
 /// # Errors
 ///
-/// [`Failure::Busy`] if it keeps it, [`Failure::Write`] if it cannot be made.
+/// [`Failure::Busy`] if the other process keeps it, [`Failure::Write`] if the lock cannot be made.
 pub fn wait_for_lock(folder: &Path, part: Shard) -> Result<Lock, Failure> {
     let (times, pause) = PATIENCE;
     for _ in 0..times {
@@ -142,11 +142,11 @@ pub fn wait_for_lock(folder: &Path, part: Shard) -> Result<Lock, Failure> {
     Err(Failure::Busy { path })
 }
 
-/// The identities of the studies and parts of studies in a folder, in the order of their parts.
+/// Reads the identities of the studies and parts of studies in a folder, in the order of their parts.
 ///
 /// # Errors
 ///
-/// [`Failure::Damaged`] if one is not what a study writes.
+/// [`Failure::Damaged`] if one was not written by a study.
 pub fn identities(folder: &Path) -> Result<Vec<StudyIdentity>, Failure> {
     let mut identities = Vec::new();
     for name in names(folder) {
@@ -158,7 +158,7 @@ pub fn identities(folder: &Path) -> Result<Vec<StudyIdentity>, Failure> {
     Ok(identities)
 }
 
-/// Whether a table is there that this study or part of a study, and nobody else, has written.
+/// Whether there is a table written by this study or part of a study.
 ///
 /// # Errors
 ///
@@ -171,11 +171,11 @@ pub fn is_table_of(folder: &Path, identity: &StudyIdentity) -> Result<bool, Fail
     let first = File::open(&path).and_then(|file| first_line(file, identity.header.len()));
     let first = first.map_err(|cause| Failure::damaged(&path, &cause))?;
     let header = format!("{}\n", identity.header);
-    // A kill may have cut it off.
+    // A kill may have cut the line off.
     Ok(header.as_bytes().starts_with(&first))
 }
 
-/// The first bytes of a table: as many as its first line should have, with its end.
+/// Reads the first bytes of a table: as many as its first line should have, with its line end.
 fn first_line(file: File, length: usize) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.take(length as u64 + 1).read_to_end(&mut bytes)?;
@@ -186,7 +186,7 @@ fn is_file(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|data| data.is_file())
 }
 
-/// Refuses a folder with a table that no study has written, or without any study and not empty.
+/// Refuses a folder with a table not written by a study, and a nonempty folder without any study.
 fn refuse_foreign(folder: &Path) -> Result<(), Failure> {
     let foreign = |path: PathBuf| Err(Failure::NoResults { path });
     if fs::symlink_metadata(folder).is_ok() && !folder.is_dir() {
@@ -213,7 +213,7 @@ fn refuse_foreign(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Sets the table of another study aside, and removes what it remembers.
+/// Sets the table of another study aside and removes its identity.
 fn forget(folder: &Path, other: &StudyIdentity, locked: Shard) -> Result<(), Failure> {
     let _lock = if other.shard == locked {
         None
@@ -227,14 +227,14 @@ fn forget(folder: &Path, other: &StudyIdentity, locked: Shard) -> Result<(), Fai
     remove(&StudyIdentity::path(folder, other.shard))
 }
 
-/// The path to which the table is moved that a fresh study replaces.
+/// The path to which a table is moved while a fresh study replaces it.
 fn before(table: &Path) -> Option<PathBuf> {
     let name = table.file_name()?.to_string_lossy();
     Some(table.with_file_name(format!("{BEFORE}{name}")))
 }
 
-/// Keeps a table and its fields until those that replace them are complete. If a table is kept already, this is its
-/// replacement, not complete, and goes.
+/// Sets a table and its fields aside until their replacements are complete. If an earlier table is set aside already,
+/// this one is its incomplete replacement and is removed.
 fn set_aside(folder: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
     let table = identity.table(folder);
     let is_there = |path: &Path| fs::symlink_metadata(path).is_ok();
@@ -251,8 +251,8 @@ fn set_aside(folder: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Removes the table and the fields that those which are complete now have replaced, and with those of a whole study
-/// those of all parts.
+/// Removes the table and the fields set aside, now that their replacements are complete; for a whole study, also those
+/// of all parts.
 ///
 /// # Errors
 ///
@@ -274,7 +274,7 @@ fn remove(path: &Path) -> Result<(), Failure> {
     }
 }
 
-/// Removes the results of another study's cases, and nothing that it has not written.
+/// Removes the results of another study's cases, and nothing else.
 fn forget_cases(cases: &Path) -> io::Result<()> {
     for name in names(cases) {
         let case = cases.join(&name);
@@ -288,7 +288,7 @@ fn forget_cases(cases: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// The part that a name belongs to: `results.csv` is of the whole, `results-2-of-8.csv` of the second of eight.
+/// The part to which a file name belongs: `results.csv` to the whole, `results-2-of-8.csv` to the second of eight.
 fn part(name: &str, stem: &str, ending: &str) -> Option<Shard> {
     let middle = name
         .strip_prefix(stem)?
@@ -305,7 +305,7 @@ fn part(name: &str, stem: &str, ending: &str) -> Option<Shard> {
     (shard.file(stem, ending) == name).then_some(shard)
 }
 
-/// The names in a folder; none if there is no such folder.
+/// The names in a folder; empty if there is no such folder.
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     entries

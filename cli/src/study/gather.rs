@@ -21,14 +21,14 @@ pub struct Gathered {
     pub tally: Tally,
     /// The missing cases, counted from 0.
     pub missing: Vec<usize>,
-    /// The merged table; none if cases are missing.
+    /// The merged table; `None` if cases are missing.
     pub table: Option<PathBuf>,
 }
 
-/// The treatment of another study's table in the place of the merged one.
+/// What to do with another study's table in the place of the merged one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OtherTable {
-    /// Leave it alone.
+    /// Keep it.
     Keep,
     /// Replace it.
     Replace,
@@ -39,8 +39,8 @@ pub enum OtherTable {
 ///
 /// # Errors
 ///
-/// [`Failure`] if there are no parts, if they are of different studies, if a table cannot be read or written, or if
-/// something else stands in the place of the merged table.
+/// [`Failure`] if there are no parts, if they belong to different studies, if a table cannot be read or written, or if
+/// something else is in the place of the merged table.
 pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     let parts = parts(folder)?;
     let Some(first) = parts.first() else {
@@ -65,7 +65,7 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     partial_file::sweep(folder);
     let before = StudyIdentity::read(&StudyIdentity::path(folder, Shard::WHOLE))?;
     check_whole(folder, &whole, before.as_ref(), other)?;
-    // The fields of the study that was gathered here before go with its table.
+    // Kept fields of the study gathered here before are replaced along with its table.
     let given_way = match (&before, other) {
         (Some(before), OtherTable::Replace) => before.kept_files(folder),
         _ => Vec::new(),
@@ -75,7 +75,7 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     let mut statuses = vec![None; first.numbering.len()];
     for part in &parts {
         let path = part.table(folder);
-        // No row has been written yet.
+        // No row of this part has been written yet.
         if !path.exists() {
             continue;
         }
@@ -90,7 +90,8 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     let missing: Vec<_> = missing.collect();
     let table = missing.is_empty().then(|| whole.table(folder));
     if let Some(path) = &table {
-        // A kill between the two leaves a study that has not begun, and not a table of an unknown study.
+        // The identity is written before the table: a kill in between leaves a study that has not begun, not a table of
+        // an unknown study.
         whole.write(folder)?;
         kept_file::gather(folder, &whole, &parts)?;
         results_table::write_in_order(path, &whole.header, tables)?;

@@ -1,4 +1,4 @@
-//! `study.json`, beside the table of results: it tells one study from another.
+//! `study.json`, beside the results table: the identity of a study.
 
 use std::fmt::Display;
 use std::fs;
@@ -15,11 +15,11 @@ use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::{file, json};
 
-/// Name of the layout, and with its version.
+/// Name of the layout, without and with its version.
 const LAYOUT: &str = "pellicle-study/";
 const SCHEMA: &str = "pellicle-study/2";
 
-/// A study and its part, as stored in its folder.
+/// A study or a part of it, as stored in its folder.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StudyIdentity {
     /// Name and version of this layout.
@@ -28,7 +28,7 @@ pub struct StudyIdentity {
     pub version: String,
     /// Name of the study.
     pub study: String,
-    /// The part of it in the table beside this file.
+    /// The part whose table is beside this file.
     pub shard: Shard,
     /// Hash of everything that the results depend on: version, cases, maps.
     pub fingerprint: String,
@@ -36,18 +36,18 @@ pub struct StudyIdentity {
     pub header: String,
     /// The cases of the whole study.
     pub numbering: CaseNumbering,
-    /// Rows of every case, in this part or not, unless it fails.
+    /// Rows of every case, whether in this part or not, unless it fails.
     pub rows: CaseCounts,
     /// Number of cases that the table held when this part was last started.
     #[serde(default)]
     pub done_before: usize,
-    /// The fields of its cases that are kept; none without.
+    /// The layout of the kept fields; `None` if nothing is kept.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub kept: Option<KeptLayout>,
 }
 
 impl StudyIdentity {
-    /// The identity of a study with this hash and this header.
+    /// Builds the identity of a study with this hash and this header.
     #[must_use]
     pub fn new(study: &Study, fingerprint: String, header: String, shard: Shard) -> Self {
         Self {
@@ -64,32 +64,32 @@ impl StudyIdentity {
         }
     }
 
-    /// Number of cases of this part.
+    /// Returns the number of cases of this part.
     #[must_use]
     pub fn case_count(&self) -> usize {
         self.shard.count_of(self.numbering.len())
     }
 
-    /// The rows of a case of this part unless it fails; none of any other case.
+    /// Returns the number of rows of a case of this part unless it fails; `None` for any other case.
     #[must_use]
     pub fn rows_of(&self, case: usize) -> Option<usize> {
         let rows = self.rows.of(&self.numbering, case);
         rows.filter(|_| self.shard.holds(case))
     }
 
-    /// The path of its file.
+    /// Returns the path of the identity file.
     #[must_use]
     pub fn path(folder: &Path, shard: Shard) -> PathBuf {
         folder.join(shard.file("study", "json"))
     }
 
-    /// The path of the table of results.
+    /// Returns the path of the results table.
     #[must_use]
     pub fn table(&self, folder: &Path) -> PathBuf {
         folder.join(self.shard.file("results", "csv"))
     }
 
-    /// The paths of the files of kept fields.
+    /// Returns the paths of the files of kept fields.
     #[must_use]
     pub fn kept_files(&self, folder: &Path) -> Vec<PathBuf> {
         let grids = self.kept.iter().flat_map(KeptLayout::grids);
@@ -97,13 +97,13 @@ impl StudyIdentity {
         grids.map(file).collect()
     }
 
-    /// The cases of this part, counted from 0.
+    /// Returns the cases of this part, counted from 0.
     pub fn cases(&self) -> impl Iterator<Item = usize> + use<> {
         let shard = self.shard;
         (0..self.numbering.len()).filter(move |case| shard.holds(*case))
     }
 
-    /// Writes it.
+    /// Writes the identity.
     ///
     /// # Errors
     ///
@@ -114,8 +114,8 @@ impl StudyIdentity {
         file::write_whole(&path, |file| file.write_all(text.as_bytes()))
     }
 
-    /// Reads one; none if there is no such file. Of one that an older program has written no more is known than what
-    /// tells it from others.
+    /// Reads an identity; `None` if there is no such file. For a file of an older program, only the fields that
+    /// distinguish it from others are read.
     ///
     /// # Errors
     ///
@@ -137,7 +137,7 @@ impl StudyIdentity {
         read.map(Some).map_err(|cause| damaged(&cause))
     }
 
-    /// Whether it is of this layout, and tells the cases of the study.
+    /// Whether it has the current layout, which gives the cases of the study.
     #[must_use]
     pub fn is_of_this_layout(&self) -> bool {
         self.schema == SCHEMA
@@ -158,7 +158,7 @@ struct Head {
 impl From<Head> for StudyIdentity {
     fn from(head: Head) -> Self {
         Self {
-            // No hash of this layout is equal to it.
+            // No hash of the current layout equals this.
             fingerprint: format!("{}: {}", head.schema, head.fingerprint),
             schema: head.schema,
             version: head.version,

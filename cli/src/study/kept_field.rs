@@ -1,4 +1,4 @@
-//! A field of every case that is kept in one file.
+//! A field of every case kept in one file.
 
 use serde::{Deserialize, Serialize};
 
@@ -28,7 +28,7 @@ impl KeptField {
         ("profile", Self::Profile),
     ];
 
-    /// Whether it is computed from the pressure, by a product with `K`.
+    /// Whether the field is computed from the pressure by a product with `K`.
     #[must_use]
     pub fn is_of_the_surface(self) -> bool {
         matches!(self, Self::Displacement | Self::Gap | Self::Shortening)

@@ -1,8 +1,8 @@
-//! The files of kept fields, written while the cases are solved and gathered from the parts of a study.
+//! The files of kept fields, written while the cases are solved, and merged from the parts of a study.
 //!
-//! A file has its full length from the start, and every case its place in it, whenever it is solved: nothing is sorted
-//! or copied at the end, and a case that is solved again after a kill is written over itself. As long as cases are
-//! missing the header says that there are none, so that nobody reads what is not there yet.
+//! A file has its full length from the start, and every case has a fixed place in it, so nothing is sorted or copied at
+//! the end, and a case solved again after a kill overwrites itself. While cases are missing, the header gives their
+//! number as 0, so that nobody reads missing data.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -17,7 +17,7 @@ use super::shard::Shard;
 use crate::failure::Failure;
 use crate::output::file;
 
-/// Place and length of the number of cases in the header.
+/// Position and length in the header of the number of cases.
 const CASES_AT: usize = 4;
 const CASES_END: usize = CASES_AT + 4;
 
@@ -26,32 +26,32 @@ const CASES_END: usize = CASES_AT + 4;
 pub struct KeptFields {
     records: KeptRecords,
     files: Vec<KeptFile>,
-    /// The place of each case in its file.
+    /// Index of each case in its file.
     places: Vec<u32>,
 }
 
-/// One file under way.
+/// One file being written.
 #[derive(Debug)]
 struct KeptFile {
     elements: usize,
     cases: u32,
-    /// Bytes of a case.
+    /// Length of a case in bytes.
     record: u64,
     path: PathBuf,
     file: Mutex<File>,
-    /// Byte of the first case.
+    /// Byte at which the first case begins.
     start: u64,
-    /// Whether anything was written since it was last forced to the disk.
+    /// Whether anything was written since the file was last forced to disk.
     is_unforced: AtomicBool,
 }
 
 impl KeptFields {
-    /// Opens the files of a part of whose cases so many are done, and creates those that are missing; none if nothing
+    /// Opens the files of a part of which `done` cases are solved, and creates missing files. Returns `None` if nothing
     /// is kept.
     ///
     /// # Errors
     ///
-    /// [`Failure`] if one cannot be opened, is something else, or is missing while cases are done.
+    /// [`Failure`] if one cannot be opened, is not of this study, or is missing while cases are done.
     pub fn open(
         folder: &Path,
         identity: &StudyIdentity,
@@ -84,7 +84,7 @@ impl KeptFields {
         }))
     }
 
-    /// Says in the files that all cases are there.
+    /// Writes the number of cases into the files, as all are complete.
     ///
     /// # Errors
     ///
@@ -97,7 +97,7 @@ impl KeptFields {
         })
     }
 
-    /// File and first byte of a case; none if its grid is invalid.
+    /// File and first byte of a case; `None` if its grid is invalid.
     fn place(&self, case: usize) -> Option<(&KeptFile, u64)> {
         let elements = self.records.elements_of(case)?;
         let file = self.files.iter().find(|file| file.elements == elements)?;
@@ -177,7 +177,7 @@ impl KeptFile {
             return Ok(());
         }
         let file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
-        // The others write on meanwhile.
+        // Other threads can write meanwhile.
         let other = file.try_clone();
         drop(file);
         other
@@ -186,7 +186,7 @@ impl KeptFile {
     }
 }
 
-/// Whether a file has this beginning, whatever number of cases it says it holds, and this length if one is given.
+/// Whether a file has this beginning, apart from the number of cases, and this length if one is given.
 fn begins_with(path: &Path, beginning: &[u8], length: Option<u64>) -> bool {
     let is_long =
         |data: &fs::Metadata| data.is_file() && length.is_none_or(|length| data.len() == length);
@@ -202,11 +202,11 @@ fn begins_with(path: &Path, beginning: &[u8], length: Option<u64>) -> bool {
     found == beginning
 }
 
-/// Refuses files of something else in the places of the gathered ones, but for those in `given_way`.
+/// Refuses files of something else in the places of the merged ones, except those in `given_way`.
 ///
 /// # Errors
 ///
-/// [`Failure::NotKept`] of the first of them.
+/// [`Failure::NotKept`] for the first of them.
 pub fn check_whole(
     folder: &Path,
     whole: &StudyIdentity,
@@ -227,11 +227,11 @@ pub fn check_whole(
     Ok(())
 }
 
-/// Writes the files of the whole study from those of its parts, of which no case is missing.
+/// Merges the files of the parts, of which no case is missing, into those of the whole study.
 ///
 /// # Errors
 ///
-/// [`Failure`] if a part's file is not there, or nothing can be written.
+/// [`Failure`] if a part's file is missing, or nothing can be written.
 pub fn gather(
     folder: &Path,
     whole: &StudyIdentity,
@@ -257,7 +257,7 @@ fn gather_grid(
     let is_of_grid = |case: &usize| layout.grid_of(&whole.numbering, *case) == Some(elements);
     let cases = (0..whole.numbering.len()).filter(is_of_grid);
     let wanted = beginning(0).map_err(failed)?;
-    // In the order of the parts, from the first; none of a part without such a case.
+    // In the order of the parts; `None` for a part without such a case.
     let mut files: Vec<Option<File>> = Vec::new();
     let count = whole_count(parts);
     files.resize_with(count, || None);
@@ -284,7 +284,7 @@ fn gather_grid(
             let part = Shard::of(case, count);
             let mut part = files[part.index - 1].as_ref();
             let part = part.as_mut().ok_or(io::ErrorKind::NotFound)?;
-            // A part holds its cases in order, too.
+            // A part holds its cases in the same order.
             part.read_exact(&mut record)?;
             file.write_all(&record)?;
         }

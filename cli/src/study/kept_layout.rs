@@ -1,8 +1,8 @@
-//! The layout of `fields-nN.nc`: the kept fields of all cases of a study that have N × N elements, as NetCDF-3.
+//! Layout of `fields-nN.nc`: the kept fields of all cases of a study that have N × N elements, as NetCDF-3.
 //!
-//! The case is the record dimension: variables `case`, its number in the table, `status` and `side` of its domain, and
-//! the fields over `(case, x, y)`, or `(case, step, x, y)` where all loading steps are kept. Each case has a domain of
-//! its own, so `x` and `y` are in sides of it. A case of fewer steps, or a failed one, is filled with NaN.
+//! The case is the record dimension. The variables are `case` (its number in the table), `status`, the `side` of its
+//! domain, and the fields over `(case, x, y)`, or `(case, step, x, y)` if all loading steps are kept. Each case has its
+//! own domain, so `x` and `y` are relative to its side. Missing steps and failed cases are filled with NaN.
 
 use std::io;
 
@@ -21,10 +21,10 @@ use crate::input::units::Units;
 use crate::output::fields::Fields;
 use crate::output::netcdf::header::{Attribute, Header, Kind, RECORDS, Variable};
 
-/// The most bytes of a variable in one case: the format has 32 bits for it.
+/// Most bytes of a variable in one case: the format has 32 bits for its size.
 const MOST_BYTES: usize = u32::MAX as usize - 3;
 
-/// Bytes of a case before its fields: its number, its status and its side.
+/// Bytes of a case before its fields: number, status and side.
 pub const HEAD: usize = 4 + 4 + 8;
 
 /// The layout of the files: fields, steps and units.
@@ -32,7 +32,7 @@ pub const HEAD: usize = 4 + 4 + 8;
 pub struct KeptLayout {
     /// The fields, each once, in the order of the files.
     pub fields: Vec<KeptField>,
-    /// Most loading steps of a case if all are kept; none if the last alone is.
+    /// Largest number of loading steps if all are kept; `None` if only the last is kept.
     pub steps: Option<usize>,
     /// The units of the numbers.
     units: Units,
@@ -41,8 +41,8 @@ pub struct KeptLayout {
 }
 
 impl KeptLayout {
-    /// The layout of a study, of which `case` is a valid case; none if nothing is to be kept. All loading steps are
-    /// kept if `output.fields` of this case is `all`, the last otherwise.
+    /// Builds the layout of a study, of which `case` is a valid case; `None` if nothing is to be kept. All loading
+    /// steps are kept if `output.fields` of this case is `all`, otherwise only the last.
     ///
     /// # Errors
     ///
@@ -66,7 +66,7 @@ impl KeptLayout {
         Ok(Some(layout))
     }
 
-    /// The elements per side that cases have, in order: one file for each.
+    /// Returns the elements per side that occur, in order; there is one file for each.
     #[must_use]
     pub fn grids(&self) -> Vec<usize> {
         let mut grids = self.elements.different();
@@ -74,20 +74,20 @@ impl KeptLayout {
         grids
     }
 
-    /// Name of the file of a part of the study.
+    /// Returns the file name for a part of the study.
     #[must_use]
     pub fn file(elements: usize, shard: Shard) -> String {
         shard.file(&format!("fields-n{elements}"), "nc")
     }
 
-    /// Elements per side of a case; none if they are invalid.
+    /// Returns the elements per side of a case; `None` if they are invalid.
     #[must_use]
     pub fn grid_of(&self, numbering: &CaseNumbering, case: usize) -> Option<usize> {
         let elements = self.elements.of(numbering, case);
         elements.filter(|elements| *elements > 0)
     }
 
-    /// Bytes of a field in a case.
+    /// Bytes of one field of a case.
     #[must_use]
     pub fn field_bytes(&self, elements: usize) -> usize {
         self.steps.unwrap_or(1) * elements * elements * size_of::<f64>()
@@ -99,14 +99,14 @@ impl KeptLayout {
         HEAD + self.fields.len() * self.field_bytes(elements)
     }
 
-    /// Bytes from the beginning of a case to a step of a field.
+    /// Byte offset of a step of a field from the beginning of its case.
     #[must_use]
     pub fn offset(&self, elements: usize, field: usize, step: usize) -> u64 {
         let plane = elements * elements * size_of::<f64>();
         (HEAD + field * self.field_bytes(elements) + step * plane) as u64
     }
 
-    /// Everything before the first case of a file that says it holds so many cases.
+    /// Returns everything before the first case, in a file whose header gives `cases` cases.
     ///
     /// # Errors
     ///

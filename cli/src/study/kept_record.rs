@@ -1,7 +1,7 @@
-//! The record of a case in a file of kept fields: its number, its status, its side, and the fields one after the other.
+//! The record of a case in a file of kept fields: number, status and side, followed by the fields one after the other.
 //!
-//! The program writes it at its place in the file, field by field. An engine's worker, which may be on another machine,
-//! makes the same bytes in memory, and whoever gathers the rows writes them.
+//! The program writes it at its place in the file, field by field. A worker of an engine, possibly on another machine,
+//! makes the same bytes in memory, and the process that gathers the rows writes them.
 
 use std::fmt::Debug;
 use std::sync::{Mutex, PoisonError};
@@ -23,7 +23,7 @@ pub struct KeptRecords {
 }
 
 impl KeptRecords {
-    /// Those of a study; none if it keeps nothing.
+    /// Returns the records of a study; `None` if it keeps nothing.
     #[must_use]
     pub fn of(identity: &StudyIdentity) -> Option<Self> {
         Some(Self {
@@ -38,13 +38,13 @@ impl KeptRecords {
         &self.layout
     }
 
-    /// Elements per side of a case; none if they are invalid.
+    /// Elements per side of a case; `None` if they are invalid.
     #[must_use]
     pub fn elements_of(&self, case: usize) -> Option<usize> {
         self.layout.grid_of(&self.numbering, case)
     }
 
-    /// Whether a case needs more than its pressure.
+    /// Whether any kept field is computed from the pressure.
     #[must_use]
     pub fn need_the_surface(&self) -> bool {
         let mut fields = self.layout.fields.iter();
@@ -52,31 +52,31 @@ impl KeptRecords {
     }
 }
 
-/// Keeps the fields of cases.
+/// A store for the fields of cases.
 pub trait FieldKeeper: Debug + Sync {
-    /// The layout and the numbering of the records.
+    /// Returns the layout and the numbering of the records.
     fn records(&self) -> &KeptRecords;
 
-    /// Writes some bytes of a case, the first of them at byte `at` of its record.
+    /// Writes bytes of a case, beginning at byte `at` of its record.
     ///
     /// # Errors
     ///
     /// [`Failure::Write`] if they cannot be written.
     fn write(&self, case: usize, at: u64, bytes: &[u8]) -> Result<(), Failure>;
 
-    /// Forces what was written to the disk, if it is on one.
+    /// Forces everything written to disk, if the store is on one.
     ///
     /// # Errors
     ///
-    /// [`Failure::Write`] if the system cannot.
+    /// [`Failure::Write`] if the system cannot do so.
     fn force(&self) -> Result<(), Failure>;
 }
 
-/// Keeps the fields of a case that is solved.
+/// Stores the fields of a solved case.
 ///
 /// # Errors
 ///
-/// That of the keeper.
+/// Those of the keeper.
 pub fn add(
     keeper: &dyn FieldKeeper,
     case: usize,
@@ -111,11 +111,11 @@ pub fn add(
     Ok(())
 }
 
-/// Keeps NaN for the fields of a case without a result.
+/// Stores NaN for the fields of a case without a result.
 ///
 /// # Errors
 ///
-/// That of the keeper.
+/// Those of the keeper.
 pub fn add_failed(keeper: &dyn FieldKeeper, case: usize) -> Result<(), Failure> {
     let records = keeper.records();
     let Some(elements) = records.elements_of(case) else {
@@ -128,7 +128,7 @@ pub fn add_failed(keeper: &dyn FieldKeeper, case: usize) -> Result<(), Failure> 
     places.try_for_each(|at| keeper.write(case, at, &missing))
 }
 
-/// The record of one case at a time, in memory.
+/// A record in memory, one case at a time.
 #[derive(Debug)]
 pub struct RecordInMemory {
     records: KeptRecords,
@@ -136,7 +136,7 @@ pub struct RecordInMemory {
 }
 
 impl RecordInMemory {
-    /// None if the study keeps nothing.
+    /// Returns `None` if the study keeps nothing.
     #[must_use]
     pub fn of(identity: &StudyIdentity) -> Option<Self> {
         let records = KeptRecords::of(identity)?;
@@ -144,7 +144,7 @@ impl RecordInMemory {
         Some(Self { records, bytes })
     }
 
-    /// Hands out what was kept since this was last asked: empty of a case whose grid is invalid.
+    /// Returns and clears what was stored since the last call; empty for a case whose grid is invalid.
     #[must_use]
     pub fn take(&self) -> Vec<u8> {
         std::mem::take(&mut self.bytes.lock().unwrap_or_else(PoisonError::into_inner))
@@ -161,7 +161,7 @@ impl FieldKeeper for RecordInMemory {
         let elements = self.records.elements_of(case).unwrap_or(0);
         record.resize(self.records.layout.record_bytes(elements), 0);
         let start = usize::try_from(at).unwrap_or(usize::MAX);
-        // Every field is within its record.
+        // Every field lies within its record.
         if let Some(place) = record.get_mut(start..start.saturating_add(bytes.len())) {
             place.copy_from_slice(bytes);
         }
@@ -174,7 +174,7 @@ impl FieldKeeper for RecordInMemory {
 }
 
 fn head(case: usize, status: CaseStatus, side: f64) -> Vec<u8> {
-    // At most a million cases, and a few statuses.
+    // There are at most a million cases and a few statuses.
     let number = |number: usize| u32::try_from(number).unwrap_or(u32::MAX).to_be_bytes();
     let status = CaseStatus::ALL.iter().position(|known| *known == status);
     let side = side.to_be_bytes();
@@ -197,7 +197,7 @@ fn missing(elements: usize) -> Vec<u8> {
     f64::NAN.to_be_bytes().repeat(elements * elements)
 }
 
-/// The values of a field in a step; none if there is no such step.
+/// The values of a field in a step; `None` if there is no such step.
 fn values<'a>(
     field: KeptField,
     path: &'a LoadingPath,

@@ -1,18 +1,19 @@
-//! The numbers of a study's cases: which value of every axis a case has.
+//! Numbering of a study's cases: the value of every axis in a case.
 
 use serde::{Deserialize, Serialize};
 
-/// The combination of the values of several keys.
+/// How the values of several keys are combined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Combine {
-    /// Every value of each with every value of the others; the last key changes fastest.
+    /// Every value of each key with every value of the others; the last key changes fastest.
     Product,
-    /// The first values of all, the second values of all, and so on.
+    /// The first values of all keys, then the second values of all, and so on.
     Zip,
 }
 
-/// The axes of a study, each a key with its values or several keys that change together, and the way they combine.
+/// The axes of a study and the way they combine. An axis is a key with its values, or several keys that change
+/// together.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CaseNumbering {
     /// The combination of the axes.
@@ -31,7 +32,7 @@ impl CaseNumbering {
         }
     }
 
-    /// The number of the value that each axis has in a case, all counted from 0.
+    /// Returns the index of each axis's value in a case; all indices count from 0.
     #[must_use]
     pub fn choice(&self, case: usize) -> Vec<usize> {
         let mut rest = case;
@@ -42,14 +43,14 @@ impl CaseNumbering {
             }
             digit
         };
-        // The last axis is the last digit.
+        // The last axis is the last digit of the case number.
         let mut choice: Vec<_> = self.lengths.iter().rev().map(digit).collect();
         choice.reverse();
         choice
     }
 
-    /// The cases that have any values of these axes and those of the case `reference` of the others; all of them if the
-    /// axes are zipped, since none changes alone then.
+    /// Returns the cases with any values of these axes and, for the other axes, the values of the case `reference`. If
+    /// the axes are zipped, these are all cases, since no axis changes alone.
     pub fn around(&self, reference: usize, axes: &[usize]) -> impl Iterator<Item = usize> + use<> {
         let (lengths, strides, base) = match self.combine {
             Combine::Zip if axes.is_empty() => (Vec::new(), Vec::new(), reference),
@@ -77,7 +78,7 @@ impl CaseNumbering {
         })
     }
 
-    /// The place of a case among those that differ in these axes alone: [`Self::around`] gives them in this order.
+    /// Returns the index of a case among those that differ only in these axes, in the order of [`Self::around`].
     #[must_use]
     pub fn place(&self, case: usize, axes: &[usize]) -> usize {
         if self.combine == Combine::Zip && !axes.is_empty() {
@@ -88,7 +89,7 @@ impl CaseNumbering {
         axes.iter().fold(0, next)
     }
 
-    /// Distance of the cases of two neighbouring values of an axis of a product.
+    /// Distance between the cases of two neighbouring values of an axis in a product.
     fn stride(&self, axis: usize) -> usize {
         self.lengths[axis + 1..].iter().product()
     }

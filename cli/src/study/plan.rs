@@ -1,4 +1,4 @@
-//! The plan of a study: what can be known of its cases before any of them is solved, without reading all of them.
+//! The plan of a study: what can be known about its cases before any is solved, without reading all of them.
 
 use super::Study;
 use super::fingerprint;
@@ -11,39 +11,39 @@ use crate::case::Case;
 use crate::failure::Failure;
 use crate::input::diagnosis::Diagnosis;
 
-/// The most values of one axis that are tried before anything is solved; the others are read in their turn.
+/// Most values of one axis tried before anything is solved; the others are read in their turn.
 const MOST_TRIED: usize = 10_000;
 
-/// The columns and the identity of a study, and the cases known to be invalid.
+/// The columns and the identity of a study, with the cases known to be invalid.
 #[derive(Debug, Clone)]
 pub struct StudyPlan {
     /// The table's columns.
     pub columns: TableColumns,
     /// The study's identity.
     pub identity: StudyIdentity,
-    /// The invalid cases among those that were tried; all of them are recorded as failed in their turn.
+    /// The invalid cases among those tried; they are recorded as failed in their turn.
     pub refused: RefusedCases,
 }
 
-/// The invalid ones of the cases that were tried before anything is solved.
+/// The invalid cases among those tried before anything is solved.
 #[derive(Debug, Clone, Default)]
 pub struct RefusedCases {
     /// Number of cases tried.
     pub tried: usize,
     /// Number of invalid ones.
     pub count: usize,
-    /// The first of them, counted from 0, and what is wrong with it.
+    /// The first invalid case, counted from 0, and its fault.
     pub first: Option<(usize, Box<Diagnosis>)>,
 }
 
 impl StudyPlan {
-    /// Reads the cases up to the first valid one, and those that differ from it in one key: so every value of a key is
-    /// tried once, with valid values of the others. Of a key with more than 10,000 values, and of zipped keys, the
+    /// Reads the cases up to the first valid one, and those that differ from it in one key. So every value of a key is
+    /// tried once, with valid values of the others. For a key with more than 10,000 values, and for zipped keys, the
     /// first 10,000 are tried.
     ///
     /// # Errors
     ///
-    /// The [`Diagnosis`] of the first case if no case is valid; if others are, an invalid case is recorded in its turn.
+    /// The [`Diagnosis`] of the first case if no case is valid; otherwise an invalid case is recorded in its turn.
     pub fn new(study: &Study, shard: Shard) -> Result<Self, Failure> {
         let (reference, valid) = first_valid(study)?;
         let units = valid.units;
@@ -74,7 +74,7 @@ impl RefusedCases {
         self.first.get_or_insert((case, Box::new(diagnosis)));
     }
 
-    /// The first of them in words, and how many there are; none if every case tried is valid.
+    /// Describes the first invalid case and the number of invalid cases; `None` if every case tried is valid.
     #[must_use]
     pub fn words(&self) -> Option<String> {
         let (case, diagnosis) = self.first.as_ref()?;
@@ -103,8 +103,8 @@ fn first_valid(study: &Study) -> Result<(usize, Case), Failure> {
     Err(refused.map_or(Failure::NoCases, Failure::from))
 }
 
-/// The cases that differ from a valid one in one key, and in any number of keys that change the shape of a case: these
-/// decide what columns the table has. In order, each once.
+/// The cases that differ from a valid one in one key, and those that differ in any number of keys that change the shape
+/// of a case, since these decide the columns of the table. In order, each once.
 fn cases_to_try(study: &Study, reference: usize) -> Vec<usize> {
     let numbering = study.numbering();
     let mut cases = Vec::new();

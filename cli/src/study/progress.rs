@@ -18,12 +18,12 @@ pub struct StudyProgress {
     terminal: Option<MultiProgress>,
     total: usize,
     start: Instant,
-    /// Cases done before this run, and since.
+    /// Cases done before this run, and during it.
     done: Mutex<(usize, usize)>,
 }
 
 impl StudyProgress {
-    /// Lines for a part of `total` cases, of which `before` are done; no lines unless `watched`.
+    /// Returns lines for a part of `total` cases, of which `before` are done; none are shown unless `watched`.
     #[must_use]
     pub fn new(total: usize, before: usize, watched: bool) -> Self {
         Self {
@@ -34,7 +34,7 @@ impl StudyProgress {
         }
     }
 
-    /// The line of a case being solved.
+    /// Returns the line of a case being solved.
     #[must_use]
     pub fn case(&self, study: &Study, case: usize) -> ProgressLine {
         match &self.terminal {
@@ -65,12 +65,12 @@ impl StudyProgress {
         if lines.is_hidden() {
             terminal::tell(&line);
         } else {
-            // If the terminal is gone, there is nobody to tell.
+            // If the terminal is gone, the message is dropped.
             drop(lines.println(line));
         }
     }
 
-    /// Counts one more case; returns how many are done, how many a second, and the time left if it stays so.
+    /// Counts one more case. Returns the number done, the rate per second, and the time left at this rate.
     fn count(&self) -> (usize, f64, Option<Duration>) {
         let mut done = self
             .done
@@ -85,7 +85,7 @@ impl StudyProgress {
     }
 }
 
-/// A number of cases a second in words: a minute or an hour where a second is too short.
+/// Writes a number of cases per second, or per minute or hour if the rate is small.
 #[must_use]
 pub fn rate_in_words(rate: f64) -> String {
     let (number, time) = if rate >= 1.0 {

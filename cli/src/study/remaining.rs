@@ -1,9 +1,9 @@
-//! The cases of a study's part that are still to be solved.
+//! The cases of a study's part still to be solved.
 
 use super::identity::StudyIdentity;
 use super::shard::Shard;
 
-/// The cases that a table has no rows of yet, in order: one byte each.
+/// The cases not yet in a table, in order; one byte each.
 #[derive(Debug, Clone)]
 pub struct RemainingCases {
     shard: Shard,
@@ -14,7 +14,7 @@ pub struct RemainingCases {
 }
 
 impl RemainingCases {
-    /// The cases of this part without those that are done.
+    /// Returns the cases of this part that are not done.
     #[must_use]
     pub fn new(identity: &StudyIdentity, done: Vec<bool>) -> Self {
         let count_done = done.iter().filter(|done| **done).count();
@@ -26,7 +26,7 @@ impl RemainingCases {
         }
     }
 
-    /// The number left.
+    /// Returns the number of cases left.
     #[must_use]
     pub fn count_left(&self) -> usize {
         self.count

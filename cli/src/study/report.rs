@@ -1,8 +1,8 @@
-//! `report.html` of a study, on one page that needs no network: every column against every other, and the cases that
-//! failed with their reasons. The page itself is `cli/templates/study_report.html`.
+//! `report.html` of a study, a single page that needs no network: every column against every other, and the failed
+//! cases with their reasons. The page itself is `cli/templates/study_report.html`.
 //!
-//! Of a long study the page shows a sample, chosen by the numbers of the cases as if by chance, so that no value of a
-//! key is left out; the ranges of the columns and the reasons are those of all cases.
+//! For a long study the page shows a sample, chosen pseudorandomly by case number so that no value of a key is left
+//! out. The ranges of the columns and the reasons are those of all cases.
 
 mod column;
 mod reasons;
@@ -26,42 +26,42 @@ use crate::output::file;
 /// Name of the file in the folder of a study.
 pub const FILE: &str = "report.html";
 
-/// Text near the beginning of the page, by which it is known.
+/// Text near the beginning of the page, by which it is recognised.
 const MARK: &str = "<meta name=\"generator\" content=\"pellicle study\">";
 
 /// Bytes in which [`MARK`] is found.
 const MARK_WITHIN: u64 = 1000;
 
-/// About as many rows are on the page of a longer study: some MB, and drawn in a tenth of a second.
+/// Approximate number of rows on the page of a longer study: a few MB, drawn in a tenth of a second.
 const SAMPLE: usize = 5000;
 
-/// Columns that are not for drawing.
+/// Columns that are not drawn.
 const NOT_DRAWN: [&str; 2] = ["case", "message"];
 
 /// The content of a study's tables as the page shows it.
 struct StudyTables {
     columns: Vec<StudyColumn>,
-    /// Rows of the sample; a number in the place of a word.
+    /// Rows of the sample, with a number for each word.
     rows: Vec<SampledRow>,
     rows_read: usize,
     tally: Tally,
     reasons: Reasons,
-    /// A case is in the sample if its pseudorandom number is not above this.
+    /// A case is in the sample if its pseudorandom number does not exceed this.
     share: usize,
 }
 
-/// A row in the page's data: the case, and a number for each column, none where the cell is empty.
+/// A row in the page's data: the case, and a number for each column, `None` for an empty cell.
 #[derive(Serialize)]
 struct SampledRow(usize, Vec<Option<f64>>);
 
-/// The data of the page's script.
+/// The data for the page's script.
 #[derive(Serialize)]
 struct Data<'a> {
     columns: Vec<&'a StudyColumn>,
     rows: Vec<SampledRow>,
 }
 
-/// The page, its numbers in words.
+/// The page, with its numbers as text.
 #[derive(Template)]
 #[template(path = "study_report.html")]
 struct StudyPage<'a> {
@@ -72,14 +72,14 @@ struct StudyPage<'a> {
     sample: Option<String>,
     columns: Vec<ColumnRow>,
     reasons: Vec<&'a Reason>,
-    /// Failed cases whose reasons are not listed.
+    /// Number of failed cases whose reasons are not listed.
     others: usize,
-    /// JSON in which no `<` can end the script.
+    /// JSON without a `<` that could end the script.
     data: String,
 }
 
-/// Writes the page of the cases done so far, in all these tables of one study; false if something else stands in its
-/// place, which is left alone.
+/// Writes the page for the cases done so far in these tables of one study. Returns false if something else is in its
+/// place, which is left untouched.
 ///
 /// # Errors
 ///
@@ -110,7 +110,7 @@ pub fn forget(folder: &Path) -> Result<(), Failure> {
     std::fs::remove_file(&path).map_err(|cause| Failure::write(&path, cause))
 }
 
-/// Whether nothing stands at a path, or a page of a study.
+/// Whether a path is free or holds a page of a study.
 fn is_free(path: &PathBuf) -> bool {
     if std::fs::symlink_metadata(path).is_err() {
         return true;
@@ -129,7 +129,7 @@ impl StudyTables {
             names.map(str::to_owned).collect()
         });
         let names: Vec<String> = names.unwrap_or_default();
-        // case, status, the keys, then the columns of a curve, which begin with the step.
+        // Case, status, the keys, then the columns of a curve, beginning with the step.
         let keys = names.iter().position(|name| name == "step").unwrap_or(2);
         let columns = names.into_iter().enumerate();
         let columns = columns.map(|(i, name)| StudyColumn::new(name, (2..keys).contains(&i)));
@@ -145,7 +145,7 @@ impl StudyTables {
         }
     }
 
-    /// Reads the complete cases of a table; none of one that is not there yet.
+    /// Reads the complete cases of a table, if it exists.
     fn read(&mut self, path: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
         if !path.exists() {
             return Ok(());
@@ -174,7 +174,7 @@ impl StudyTables {
         }
         let columns = self.columns.iter_mut().zip(cells);
         let values = columns.map(|(column, cell)| column.add(cell));
-        // Every cell is looked at, for the ranges.
+        // Every cell is read, for the ranges.
         let values: Vec<_> = values.collect();
         if shard::mixed(case) <= self.share {
             self.rows.push(SampledRow(case, values));
@@ -218,7 +218,7 @@ impl StudyTables {
     }
 }
 
-/// The pseudorandom number that a share `wanted / all` of all cases does not exceed.
+/// The limit on the pseudorandom numbers that selects a share `wanted / all` of the cases.
 fn share_of_numbers(wanted: usize, all: usize) -> usize {
     let largest = u32::MAX as usize;
     if wanted >= all {
@@ -236,7 +236,7 @@ mod tests {
         let share = share_of_numbers(5000, 1_000_000);
         let is_in = |case: &usize| shard::mixed(*case) <= share;
         let sample: Vec<_> = (1..=1_000_000).filter(is_in).collect();
-        // Three deviations of chance.
+        // Three standard deviations.
         assert!((4780..5220).contains(&sample.len()), "{}", sample.len());
         for last in 0..100 {
             assert!(sample.iter().any(|case| case % 100 == last), "{last}");

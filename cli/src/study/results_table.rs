@@ -1,10 +1,10 @@
-//! The table of a study's results, which survives a kill at any moment.
+//! The results table of a study; it survives a kill at any moment.
 //!
-//! A case is a block of rows, one per loading step, passed to the system in one write: what is written survives the
-//! process. [`ResultsTable::unforced`] lets somebody force it to the disk from time to time, so that it survives a
-//! power failure too, while others write on. Either can leave an incomplete block at the end of the file: its last row
-//! has no end, or rows are missing. It is removed when the study continues, and the cases after it are solved again.
-//! When every case is done, the blocks are sorted into a new file that replaces the old one.
+//! A case is a block of rows, one per loading step, passed to the system in one write, so it survives the end of the
+//! process. [`ResultsTable::unforced`] allows another thread to force the table to disk from time to time, while others
+//! write, so that it also survives a power failure. Either can leave an incomplete block at the end of the file: its
+//! last row has no end, or rows are missing. It is removed when the study continues, and its case and any after it are
+//! solved again. When every case is done, the blocks are sorted into a new file that replaces the old one.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufReader, ErrorKind, Seek, Write};
@@ -18,27 +18,27 @@ use super::remaining::RemainingCases;
 use crate::failure::Failure;
 use crate::output::file;
 
-/// The table on disk, open for this process alone as long as it holds the place.
+/// The table on disk, open for this process alone as long as it holds the folder.
 #[derive(Debug)]
 pub struct ResultsTable {
     path: PathBuf,
     file: File,
     place: StudyFolder,
-    /// Bytes of its complete blocks.
+    /// Length in bytes of the complete blocks.
     length: u64,
-    /// Whether anything was written since it was last forced to the disk.
+    /// Whether anything was written since the file was last forced to disk.
     is_unforced: bool,
     statuses: Vec<Option<CaseStatus>>,
     tally: Tally,
 }
 
 impl ResultsTable {
-    /// Opens the table of a study's part and removes an incomplete block; creates it if it is missing or to be started
-    /// afresh.
+    /// Opens the table of a study's part and removes an incomplete block. Creates the table if it is missing, and
+    /// empties it if the study begins again.
     ///
     /// # Errors
     ///
-    /// [`Failure`] if it cannot be opened, or is another table.
+    /// [`Failure`] if it cannot be opened, or belongs to something else.
     pub fn open(place: StudyFolder, identity: &StudyIdentity) -> Result<Self, Failure> {
         let path = identity.table(&place.folder);
         let failed = |cause| Failure::write(&path, cause);
@@ -91,22 +91,22 @@ impl ResultsTable {
         }
     }
 
-    /// The cases that it has no rows of yet: a study goes on with them.
+    /// Returns the cases without rows, with which the study continues.
     #[must_use]
     pub fn remaining(&self, identity: &StudyIdentity) -> RemainingCases {
         let done = self.statuses.iter().map(Option::is_some).collect();
         RemainingCases::new(identity, done)
     }
 
-    /// Appends the rows of a case. They survive the process, and a power failure once they are forced to the disk.
+    /// Appends the rows of a case. They survive the process, and a power failure once they are forced to disk.
     ///
     /// # Errors
     ///
-    /// [`Failure::Write`] if they cannot be written; the table stays as it was.
+    /// [`Failure::Write`] if they cannot be written; the table is unchanged.
     pub fn add(&mut self, case: usize, status: CaseStatus, rows: &str) -> Result<(), Failure> {
         if let Err(cause) = self.file.write_all(rows.as_bytes()) {
-            // Another case may still find room: it must not follow half a block. If this fails too, the next start
-            // finds the half block and cuts there.
+            // Another case may still fit and must not follow half a block. If this fails too, the next start finds the
+            // half block and removes it.
             drop(self.file.set_len(self.length));
             return Err(Failure::write(&self.path, cause));
         }
@@ -116,11 +116,11 @@ impl ResultsTable {
         Ok(())
     }
 
-    /// The file, if anything was written since this was last asked: the caller forces it to the disk.
+    /// Returns the file if anything was written since the last call; the caller forces it to disk.
     ///
     /// # Errors
     ///
-    /// [`Failure::Write`] if the system gives no second handle.
+    /// [`Failure::Write`] if the system cannot duplicate the file handle.
     pub fn unforced(&mut self) -> Result<Option<UnforcedFile>, Failure> {
         if !std::mem::take(&mut self.is_unforced) {
             return Ok(None);
@@ -137,19 +137,19 @@ impl ResultsTable {
         self.tally
     }
 
-    /// Its path.
+    /// Returns the path of the table.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The place of the study.
+    /// Returns the folder of the study.
     #[must_use]
     pub fn place(&self) -> &StudyFolder {
         &self.place
     }
 
-    /// Sorts the cases, once all are done, and closes the table. The place stays locked until then.
+    /// Sorts the cases once all are done, and closes the table. The folder stays locked until then.
     ///
     /// # Errors
     ///
@@ -173,7 +173,7 @@ impl ResultsTable {
     }
 }
 
-/// A table with rows that may not be on the disk yet.
+/// A table with rows that may not be on disk yet.
 #[derive(Debug)]
 pub struct UnforcedFile {
     file: File,
@@ -181,24 +181,25 @@ pub struct UnforcedFile {
 }
 
 impl UnforcedFile {
-    /// Forces them to the disk.
+    /// Forces the rows to disk.
     ///
     /// # Errors
     ///
-    /// [`Failure::Write`] if the system cannot.
+    /// [`Failure::Write`] if the system cannot do so.
     pub fn force(&self) -> Result<(), Failure> {
         let forced = self.file.sync_data();
         forced.map_err(|cause| Failure::write(&self.path, cause))
     }
 }
 
-/// The blocks of an open table; none if its first line is not that of this study.
+/// The blocks of an open table; `None` if its first line is not that of this study.
 fn blocks_of(mut file: &File, identity: &StudyIdentity) -> io::Result<Option<CaseBlocks>> {
     file.rewind()?;
     CaseBlocks::of(BufReader::new(file), identity)
 }
 
-/// Writes a table of the blocks of these tables, in the order of their cases; for a repeated case, the last block.
+/// Writes a table of the blocks of these tables, in the order of their cases; if a case is repeated, its last block
+/// counts.
 ///
 /// # Errors
 ///
@@ -213,7 +214,7 @@ pub fn write_in_order(
         files.push(file);
         blocks.extend(found.into_iter().map(|block| (i, block)));
     }
-    // Stable: of equal cases the last stays last.
+    // The sort is stable: of equal cases, the last stays last.
     blocks.sort_by_key(|(_, block)| block.case);
     let is_repeated = |i: usize| {
         let next: Option<&(usize, CaseBlock)> = blocks.get(i + 1);
@@ -234,7 +235,7 @@ pub fn write_in_order(
     })
 }
 
-/// Opens the table for reading and appending. A link in its place is not followed.
+/// Opens the table for reading and appending. A symbolic link is not followed.
 fn open(path: &Path) -> io::Result<File> {
     if fs::symlink_metadata(path).is_ok_and(|data| !data.is_file()) {
         return Err(io::Error::new(ErrorKind::InvalidInput, "it is not a file"));

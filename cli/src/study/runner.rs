@@ -14,18 +14,17 @@ use super::results_table::ResultsTable;
 use crate::failure::Failure;
 use crate::{interrupt, threads};
 
-/// The interval at which results are forced to the disk: a power failure loses as much work.
+/// Interval at which results are forced to disk: a power failure loses at most this much work.
 const FORCE_EVERY: Duration = Duration::from_secs(1);
 
-/// Solves `cases` and adds each to the table when it is done. Returns early, without an error, if the user asks to
-/// stop.
+/// Solves `cases` and adds each to the table when it is done. Returns early, without an error, if the user stops it.
 ///
-/// Every case has threads of its own, a single one if there are more cases than threads: cases do not wait for each
-/// other, and results do not depend on the number of threads.
+/// Every case has its own threads, a single one if there are more cases than threads. Cases do not wait for each other,
+/// and results do not depend on the number of threads.
 ///
 /// # Errors
 ///
-/// [`Failure`] of the first case whose results could not be written; the others would fail too.
+/// [`Failure`] for the first case whose results could not be written; the others would fail too.
 pub fn run(
     kit: &CaseSolver<'_>,
     cases: RemainingCases,
@@ -56,7 +55,7 @@ pub fn run(
                 if let Ok(pool) = &pool {
                     pool.install(threads::begin);
                 }
-                // All threads take their memory before the first case asks how much is left.
+                // All threads allocate their memory before the first case checks how much is left.
                 begun.wait();
                 let work = |pool: rayon::ThreadPool| pool.install(|| work(kit, shared, lines));
                 shared.end(pool.map_err(Failure::from).and_then(work));
@@ -77,12 +76,12 @@ pub fn default_threads() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// The data that the workers share.
+/// Data shared by the workers.
 struct SharedWork<'a> {
     queue: Mutex<RemainingCases>,
     is_closed: AtomicBool,
     table: Mutex<&'a mut ResultsTable>,
-    /// Cases whose kept fields may not be on the disk yet: their rows come after these.
+    /// Cases whose kept fields may not be on disk yet; their rows are written after them.
     waiting: Mutex<Vec<(usize, CaseResult)>>,
     failure: Mutex<Option<Failure>>,
 }
@@ -104,7 +103,7 @@ impl<'a> SharedWork<'a> {
         self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Keeps the first failure; nobody takes another case after it.
+    /// Keeps the first failure; no worker takes another case after it.
     fn end(&self, worked: Result<(), Failure>) {
         if let Err(first) = worked {
             self.is_closed.store(true, Ordering::SeqCst);
@@ -135,10 +134,10 @@ fn work(
     Ok(())
 }
 
-/// Forces the results to the disk every now and then, and at the end, while the workers write on.
+/// Forces the results to disk at intervals and at the end, while the workers continue.
 fn force_until(kit: &CaseSolver<'_>, shared: &SharedWork<'_>, all_done: &mpsc::Receiver<()>) {
     loop {
-        // Nothing is ever sent: the channel is closed when the last worker is done.
+        // Nothing is ever sent: the channel closes when the last worker is done.
         let is_last = all_done.recv_timeout(FORCE_EVERY) == Err(RecvTimeoutError::Disconnected);
         let forced = force(kit, shared);
         let failed = forced.is_err();
@@ -149,7 +148,7 @@ fn force_until(kit: &CaseSolver<'_>, shared: &SharedWork<'_>, all_done: &mpsc::R
     }
 }
 
-/// Forces the kept fields to the disk, adds the rows of their cases to the table, and forces that.
+/// Forces the kept fields to disk, adds the rows of their cases to the table, and forces the table.
 fn force(kit: &CaseSolver<'_>, shared: &SharedWork<'_>) -> Result<(), Failure> {
     let waiting = std::mem::take(&mut *shared.waiting());
     if let Some(kept) = kit.kept {
@@ -158,7 +157,7 @@ fn force(kit: &CaseSolver<'_>, shared: &SharedWork<'_>) -> Result<(), Failure> {
     for (case, done) in waiting {
         shared.table().add(case, done.status, &done.rows)?;
     }
-    // The table is free meanwhile.
+    // The table is unlocked meanwhile.
     let unforced = shared.table().unforced()?;
     unforced.map_or(Ok(()), |file| file.force())
 }

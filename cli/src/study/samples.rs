@@ -1,8 +1,8 @@
-//! `vary.from = "samples.csv"`: cases made elsewhere, a column for every key and a row for every case.
+//! `vary.from = "samples.csv"`: cases from elsewhere, with a column for every key and a row for every case.
 //!
-//! The first line names the keys, with the unit of the column's numbers in brackets if they have one:
-//! `load.force [mN]`. Without one the values are as in a case file, without the quotes: `3 mN`, `64`, `true`, `bare`. A
-//! column of numbers takes eight bytes a case.
+//! The first line names the keys, each followed by the unit of its numbers in brackets if they have one:
+//! `load.force [mN]`. Without a unit the values are written as in a case file, without the quotes: `3 mN`, `64`,
+//! `true`, `bare`. A column of numbers takes eight bytes per case.
 
 use std::path::{Path, PathBuf};
 
@@ -21,12 +21,12 @@ pub enum SampleColumn {
     Integers(Vec<i64>),
     /// Numbers without a unit.
     Numbers(Vec<f64>),
-    /// Words, among them `true` and `false`.
+    /// Words, including `true` and `false`.
     Words(Vec<String>),
 }
 
 impl SampleColumn {
-    /// Number of values.
+    /// Returns the number of values.
     #[must_use]
     pub fn len(&self) -> usize {
         match self {
@@ -36,7 +36,7 @@ impl SampleColumn {
         }
     }
 
-    /// The `i`-th value, as if it stood in a case file at this place; none if there is none.
+    /// Returns the `i`-th value, as if it stood in a case file at this place; `None` if there is no such value.
     #[must_use]
     pub fn value(&self, i: usize, span: &Span) -> Option<TomlNode> {
         let value = match self {
@@ -56,12 +56,12 @@ impl SampleColumn {
     }
 }
 
-/// The keys of a file and their values, in the order of its columns.
+/// Reads the keys of a file and their values, in the order of its columns.
 ///
 /// # Errors
 ///
-/// [`Failure::Samples`] if the file cannot be read, has no rows or more than `most`, or a value is not of the kind of
-/// its column.
+/// [`Failure::Samples`] if the file cannot be read, has no rows or more than `most`, or if a value is not of the kind
+/// of its column.
 pub fn read(path: &Path, most: usize) -> Result<Vec<(String, SampleColumn)>, Failure> {
     let samples = Samples::read(path, most)?;
     let headings = samples.headings.iter().enumerate();
@@ -111,7 +111,7 @@ impl Samples {
         })
     }
 
-    /// The values of a column whose heading names this unit.
+    /// Returns the values of a column whose heading gives this unit.
     fn column(&self, i: usize, unit: Option<&str>) -> Result<SampleColumn, Failure> {
         let heading = self.headings.get(i).map_or("", String::as_str);
         if let Some(unit) = unit {
@@ -142,7 +142,7 @@ impl Samples {
         Ok(SampleColumn::Words(words))
     }
 
-    /// Every value of a column, read by `read`; the first that it cannot read is the error.
+    /// Reads every value of a column with `read`; the first that cannot be read is the error.
     fn all<T>(
         &self,
         i: usize,
@@ -160,7 +160,7 @@ impl Samples {
         self.rows.get(row).and_then(|row| row.get(i)).unwrap_or("")
     }
 
-    /// The fault of a cell; row 0 is the first line.
+    /// The error for a cell; row 0 is the first line.
     fn wrong(&self, row: usize, i: usize, found: &str, wanted: &str) -> Failure {
         let position = row
             .checked_sub(1)
@@ -176,14 +176,15 @@ impl Samples {
     }
 }
 
-/// The number of a cell in SI units.
+/// Converts a cell to SI units.
 fn in_unit(cell: &str, unit: &str, dimension: Dimension) -> Option<f64> {
-    // The cell is a number by itself: "1e" and "1 k" would become numbers of other units.
+    // The cell must be a number by itself: "1e" and "1 k" would become numbers with other units.
     cell.parse::<f64>().ok()?;
     quantity::parse(&format!("{cell} {unit}"), dimension).ok()
 }
 
-/// A heading's key and unit: brackets at the end are a unit if a space is before them, or else an item of a list.
+/// Splits a heading into key and unit: brackets at the end are a unit if a space precedes them, otherwise the index of
+/// a list.
 fn split(heading: &str) -> (&str, Option<&str>) {
     let parts = heading.strip_suffix(']');
     match parts.and_then(|heading| heading.rsplit_once(" [")) {
@@ -218,7 +219,7 @@ mod tests {
         ];
         assert_eq!(keys, wanted);
         let words = ["bare", "film"].map(str::to_owned).to_vec();
-        // Units are powers of ten: the numbers are correctly rounded.
+        // The units are powers of ten, so the numbers are correctly rounded.
         let wanted = [
             SampleColumn::Quantities(vec![1e-3, 2.5e-3], Dimension::Force),
             SampleColumn::Quantities(vec![10e-9, 20e-9], Dimension::Length),

@@ -18,19 +18,19 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// The study undivided.
+    /// The undivided study.
     pub const WHOLE: Self = Self { index: 1, count: 1 };
 
     /// Whether a case, counted from 0, belongs to this part.
     ///
-    /// Each of `count` neighbours goes to another part, so that the parts are equally large. Their order is irregular,
-    /// so that no part gets all the cases of one value, such as the large grids.
+    /// Each of `count` successive cases goes to another part, so the parts are equally large. Their order is irregular,
+    /// so that no part gets all cases of one value, such as the large grids.
     #[must_use]
     pub fn holds(self, case: usize) -> bool {
         Self::of(case, self.count) == self
     }
 
-    /// The part of `count` to which a case, counted from 0, belongs.
+    /// Returns the part, of `count` parts, to which a case, counted from 0, belongs.
     #[must_use]
     pub fn of(case: usize, count: usize) -> Self {
         let (round, place) = (case / count, case % count);
@@ -38,7 +38,7 @@ impl Shard {
         Self { index, count }
     }
 
-    /// Number of cases of this part in a study of `len` cases.
+    /// Returns the number of cases of this part in a study of `len` cases.
     #[must_use]
     pub fn count_of(self, len: usize) -> usize {
         let whole_rounds = len / self.count;
@@ -46,13 +46,13 @@ impl Shard {
         whole_rounds + rest.filter(|case| self.holds(*case)).count()
     }
 
-    /// Name of a file of this part: `results.csv`, or `results-2-of-8.csv`.
+    /// Returns the name of a file of this part: `results.csv`, or `results-2-of-8.csv`.
     #[must_use]
     pub fn file(self, stem: &str, ending: &str) -> String {
         format!("{stem}{}.{ending}", self.suffix())
     }
 
-    /// End of the names of its files, `-2-of-8`; nothing of the whole.
+    /// Returns the suffix of the names of its files, `-2-of-8`; empty for the whole study.
     #[must_use]
     pub fn suffix(self) -> String {
         match self {
@@ -62,7 +62,7 @@ impl Shard {
     }
 }
 
-/// A pseudorandom number of 32 bits: the finalizer of `SplitMix64` (Steele, Lea, Flood 2014).
+/// A pseudorandom number with 32 bits: the finalizer of `SplitMix64` (Steele, Lea, Flood 2014).
 #[expect(clippy::cast_possible_truncation, reason = "any 32 bits will do")]
 pub(super) fn mixed(number: usize) -> usize {
     let mut z = (number as u64).wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -77,21 +77,21 @@ impl fmt::Display for Shard {
     }
 }
 
-/// The part that a command line asks for.
+/// The part requested on the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WantedShard {
-    /// This one.
+    /// The given part.
     Given(Shard),
-    /// That of this task of a batch system.
+    /// The part of this task in a batch system.
     Auto,
 }
 
 impl WantedShard {
-    /// The part.
+    /// Returns the part.
     ///
     /// # Errors
     ///
-    /// [`Failure::NoTask`] if it is that of a task and the environment names none.
+    /// [`Failure::NoTask`] if the part of a task is requested and the environment names none.
     pub fn resolve(self) -> Result<Shard, Failure> {
         match self {
             Self::Given(shard) => Ok(shard),
@@ -111,8 +111,8 @@ impl FromStr for WantedShard {
     }
 }
 
-/// The part of a task of Slurm, given the environment: of a job array, of the tasks that one `srun` has started, or of
-/// both, every task of the array being divided among those of its `srun`.
+/// The part of a Slurm task, given the environment: a task of a job array, one of the tasks started by an `srun`, or
+/// both, where every array task is divided among the tasks of its `srun`.
 fn of_task(variable: impl Fn(&str) -> Option<String>) -> Result<Shard, Failure> {
     let number = |name: &'static str| {
         let Some(text) = variable(name) else {
@@ -194,7 +194,7 @@ mod tests {
             }
             for value in 0..4 {
                 let count = held.iter().filter(|case| *case % 4 == value).count();
-                // A quarter of 100, and three times the deviation of chance.
+                // A quarter of 100, within three standard deviations.
                 assert!((12..=38).contains(&count), "{count}");
             }
         }

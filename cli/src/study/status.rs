@@ -1,4 +1,4 @@
-//! The progress of a study, read from its folder while other processes work on it, on this machine or on others.
+//! Progress of a study, read from its folder while other processes work on it, on this machine or others.
 
 use std::fs;
 use std::path::Path;
@@ -13,18 +13,18 @@ use crate::failure::Failure;
 /// The progress of a study.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StudyStatus {
-    /// Number of all cases.
+    /// Total number of cases.
     pub cases: usize,
-    /// The statuses of those that are done, in any part.
+    /// The statuses of the cases done in any part.
     pub tally: Tally,
-    /// Number of parts that a process is at work on.
+    /// Number of parts on which a process is working.
     pub parts_at_work: usize,
-    /// Cases per second of these parts together, since each was last started; none if nothing is known yet.
+    /// Cases per second of these parts together, since each was last started; `None` if it is not known yet.
     pub rate: Option<f64>,
 }
 
 impl StudyStatus {
-    /// Reads the tables of all parts of this study in a folder; nothing is written, and nobody waits for it.
+    /// Reads the tables of all parts of this study in a folder; nothing is written and no process has to wait.
     ///
     /// # Errors
     ///
@@ -63,13 +63,13 @@ impl StudyStatus {
         })
     }
 
-    /// Number of cases that are not done.
+    /// Returns the number of cases that are not done.
     #[must_use]
     pub fn to_do(self) -> usize {
         self.cases - self.tally.done()
     }
 
-    /// Time until every case is done at this rate; none if it is unknown, or all are done.
+    /// Returns the time until every case is done at this rate; `None` if it is unknown or all are done.
     #[must_use]
     pub fn time_left(self) -> Option<Duration> {
         let seconds = self.to_do() as f64 / self.rate?;
@@ -79,8 +79,8 @@ impl StudyStatus {
     }
 }
 
-/// The time from the start of a part to its last row. Both are times of files that one machine has written: it does not
-/// matter what another's clock says.
+/// Time from the start of a part to its last row. Both are times of files written by one machine, so the clocks of
+/// other machines do not matter.
 fn time(folder: &Path, part: &StudyIdentity) -> Option<Duration> {
     let written = |path: &Path| fs::metadata(path).and_then(|data| data.modified()).ok();
     let start = written(&StudyIdentity::path(folder, part.shard))?;

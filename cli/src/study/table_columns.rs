@@ -1,7 +1,7 @@
-//! The columns of a study's table: case, status, the keys that vary, and those of a curve.
+//! The columns of a study's table: case, status, the varied keys, and those of a curve.
 //!
-//! They are the same for all cases. Those of a hardness, of stresses and of rough contact are there if any of the cases
-//! tried before the study begins has them, and empty in the rows of the others.
+//! They are the same for all cases. Columns of a hardness, of stresses and of rough contact are present if any of the
+//! cases tried before the study begins has them; they are empty in the rows of the other cases.
 
 use pellicle_contact::CriticalLoad;
 
@@ -19,7 +19,7 @@ use crate::output::summary::{RunSummary, StepSummary};
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableColumns {
     names: Vec<String>,
-    /// The number of columns of a curve, with those that not every case has.
+    /// Number of columns of a curve, including those that not every case has.
     curve: usize,
     further: FurtherColumns,
 }
@@ -33,7 +33,7 @@ pub struct FurtherColumns {
 }
 
 impl FurtherColumns {
-    /// Adds the columns of a case, each once.
+    /// Adds the columns of a case that are not there yet.
     pub fn add(&mut self, case: &Case) {
         self.hardness.add(case);
         self.stress.add(case);
@@ -52,7 +52,7 @@ impl FurtherColumns {
 }
 
 impl TableColumns {
-    /// The columns of a study whose cases have these units and these further columns.
+    /// Returns the columns of a study whose cases have these units and further columns.
     #[must_use]
     pub fn new(study: &Study, units: Units, further: FurtherColumns) -> Self {
         let curve = [curve::header(units), further.header(units)].concat();
@@ -75,13 +75,13 @@ impl TableColumns {
         }
     }
 
-    /// The first line of the table, without its end.
+    /// Returns the first line of the table, without its line end.
     #[must_use]
     pub fn header(&self) -> String {
         line(&self.names).trim_end().to_owned()
     }
 
-    /// The rows of a case that has a result, one per loading step.
+    /// Returns the rows of a case with a result, one per loading step.
     #[must_use]
     pub fn solved(&self, study: &Study, case: usize, summary: &RunSummary) -> String {
         let status = status(summary);
@@ -101,18 +101,18 @@ impl TableColumns {
         summary.steps.iter().enumerate().map(row).collect()
     }
 
-    /// The one row of a case without a result.
+    /// Returns the one row of a case without a result.
     #[must_use]
     pub fn failed(&self, study: &Study, case: usize, message: &str) -> String {
         let empty = vec![String::new(); self.curve + 2];
-        // A row is a line: a message with line ends would be cut when it is read back.
+        // A row is one line: a message with line ends would be cut when it is read back.
         let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
         let cells = [first(study, case, CaseStatus::Failed), empty, vec![message]];
         line(&cells.concat())
     }
 }
 
-/// The status of a case that has a result.
+/// Returns the status of a case with a result.
 #[must_use]
 pub fn status(summary: &RunSummary) -> CaseStatus {
     match summary.status {
@@ -132,7 +132,7 @@ fn first(study: &Study, case: usize, status: CaseStatus) -> Vec<String> {
         .collect()
 }
 
-/// The cells as one row with its line end. Line ends within a cell are quoted.
+/// Writes the cells as one row with its line end. Line ends within a cell are quoted.
 fn line(cells: &[String]) -> String {
     let bytes = cells.iter().map(|cell| cell.len() + 1).sum();
     let mut writer = csv::WriterBuilder::new();

@@ -1,4 +1,4 @@
-//! Tests of a study's file, and of its table after a kill.
+//! Tests of a study's file and of its table after a kill.
 
 mod identity;
 mod kept_fields;

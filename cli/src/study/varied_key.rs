@@ -1,4 +1,4 @@
-//! One key of a study and the values it takes: a list, a range, or a column of a file.
+//! One key of a study with its values: a list, a range, or a column of a file.
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -15,7 +15,7 @@ use crate::input::toml_tree::{TomlNode, TomlValue};
 use crate::input::units::Units;
 use crate::input::value_reader::ValueReader;
 
-/// The most values of one key; more are a mistake.
+/// Most values of one key; more are assumed to be a mistake.
 const MOST_VALUES: usize = 100_000;
 
 const WANTED: &str = "a list of values, or a table of from, to, count and spacing";
@@ -25,9 +25,9 @@ const WANTED: &str = "a list of values, or a table of from, to, count and spacin
 pub struct VariedKey {
     /// Dotted path of the key in the case, such as `foundation.layer[0].thickness`.
     pub key: String,
-    /// The place of the key in the study.
+    /// Location of the key in the study file.
     pub key_span: Span,
-    /// The axis on which its values are: keys that change together have the same.
+    /// The axis of its values; keys that change together share one.
     pub axis: usize,
     /// Its values, in order.
     values: KeyValues,
@@ -38,12 +38,12 @@ pub struct VariedKey {
 /// The values of a key.
 #[derive(Debug, Clone, PartialEq)]
 enum KeyValues {
-    /// Those of a list or a range.
+    /// Values of a list or a range.
     Listed {
         nodes: Vec<TomlNode>,
-        /// The values as they stand in the table; made once, since a study needs them often.
+        /// The values as written in the table, made once because a study needs them often.
         cells: Vec<String>,
-        /// The values for people, made when they are first wanted.
+        /// The values as shown to the user, made on first use.
         words: OnceLock<Vec<String>>,
         /// Whether they come from a range.
         is_range: bool,
@@ -91,7 +91,7 @@ impl VariedKey {
         })
     }
 
-    /// A key whose values are a column of a file, which the study names at `key_span`.
+    /// Returns a key whose values are a column of a file, which the study names at `key_span`.
     #[must_use]
     pub fn sampled(key: String, key_span: Span, column: SampleColumn) -> Self {
         let dimension = match &column {
@@ -122,7 +122,7 @@ impl VariedKey {
         }
     }
 
-    /// The `i`-th value; an empty text if there is none.
+    /// Returns the `i`-th value; an empty text if there is none.
     #[must_use]
     pub fn value(&self, i: usize) -> TomlNode {
         let value = match &self.values {
@@ -135,8 +135,8 @@ impl VariedKey {
         })
     }
 
-    /// Whether its values may make cases of different shapes, with other layers or other keys: lists, tables, switches
-    /// and words do, numbers and quantities do not.
+    /// Whether the values may give cases of different shapes, with other layers or other keys. Lists, tables, switches
+    /// and words may; numbers and quantities do not.
     #[must_use]
     pub fn shapes_cases(&self) -> bool {
         let is_number =
@@ -149,7 +149,7 @@ impl VariedKey {
         }
     }
 
-    /// Name of its column in the table, with the unit.
+    /// Returns the name of its column in the table, with the unit.
     #[must_use]
     pub fn heading(&self) -> String {
         match self.dimension {
@@ -158,7 +158,7 @@ impl VariedKey {
         }
     }
 
-    /// The `i`-th value as it stands in the table: in SI units if it has a unit, otherwise as it was written.
+    /// Returns the `i`-th value as written in the table: in SI units if it has a unit, otherwise as in the file.
     #[must_use]
     pub fn cell(&self, i: usize) -> Cow<'_, str> {
         match &self.values {
@@ -170,7 +170,8 @@ impl VariedKey {
         }
     }
 
-    /// The `i`-th value for people, on one line: as written, or rounded if it comes from a range or a file.
+    /// Returns the `i`-th value as shown to the user, on one line: as written, or rounded if it comes from a range or a
+    /// file.
     #[must_use]
     pub fn words(&self, i: usize) -> Cow<'_, str> {
         match &self.values {
@@ -193,7 +194,7 @@ impl VariedKey {
     }
 }
 
-/// A value for people, on one line; a quantity is rounded if nobody has written it so.
+/// Writes a value for the user on one line; a computed quantity is rounded.
 fn spelt(value: &TomlValue, dimension: Option<Dimension>, is_computed: bool) -> String {
     let words = match (value, dimension) {
         (TomlValue::Text(text), Some(dimension)) if is_computed => {
@@ -205,7 +206,7 @@ fn spelt(value: &TomlValue, dimension: Option<Dimension>, is_computed: bool) -> 
     on_one_line(&words)
 }
 
-/// The dimension of a value that is written with a unit.
+/// The dimension of a value written with a unit.
 fn dimension_of(node: &TomlNode) -> Option<Dimension> {
     match &node.value {
         TomlValue::Text(text) => quantity::dimension_of(text),
@@ -244,7 +245,7 @@ fn cell(node: &TomlNode, dimension: Option<Dimension>) -> String {
     }
 }
 
-/// The text with line ends and other control characters escaped.
+/// Escapes line ends and other control characters.
 fn on_one_line(text: &str) -> String {
     let spelt = |character: char| {
         let is_control = character.is_control();
@@ -254,7 +255,7 @@ fn on_one_line(text: &str) -> String {
     text.chars().map(spelt).collect()
 }
 
-/// A quantity with five digits and the prefix that suits it.
+/// Writes a quantity with five digits and a suitable prefix.
 fn rounded(text: &str, dimension: Dimension) -> Option<String> {
     let value = quantity::parse(text, dimension).ok()?;
     let with_prefix = |unit| display::quantity(value, unit, Units::Si);
@@ -293,7 +294,7 @@ fn words(value: &TomlValue) -> String {
     }
 }
 
-/// The values of `{ from, to, count, spacing }`, all with its place.
+/// Returns the values of `{ from, to, count, spacing }`, all with the location of the table.
 fn range(table: &TableReader<'_>, span: &Span) -> Result<Vec<TomlNode>, Diagnosis> {
     table.only(&spacing::KEYS)?;
     let spacing = Spacing::read(table)?;
@@ -319,7 +320,7 @@ fn range(table: &TableReader<'_>, span: &Span) -> Result<Vec<TomlNode>, Diagnosi
     Ok(numbers.into_iter().map(node).collect())
 }
 
-/// One value of a range; between integers, a value that is an integer up to rounding stays one.
+/// Returns one value of a range; between integers, a value that is an integer up to rounding becomes one.
 fn value(number: f64, dimension: Option<Dimension>, integers: bool) -> TomlValue {
     let nearest = number.round();
     match dimension {

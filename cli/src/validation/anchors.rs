@@ -1,4 +1,4 @@
-//! Anchors of the literature: punches on layers and square punches.
+//! Reference cases from the literature: punches on layers and square punches.
 
 use pellicle_contact::{FlatPunch, Indenter, Load, Profile};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
@@ -29,9 +29,10 @@ fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     Ok(rows)
 }
 
-/// Contact radius over thickness, and Poisson's ratio.
+/// Ratio of contact radius to thickness, and Poisson's ratio.
 const LAYERS: [(f64, f64); 4] = [(0.4, 0.3), (1.0, 0.5), (2.0, 0.4), (2.0, 0.5)];
-/// Error of the staircase boundary beyond a change of the radius: of second order in the element's side, 1/96 of it.
+/// Error of the staircase boundary beyond a change of the radius: of second order in the element's side, which is 1/96
+/// of the radius.
 const STAIRCASE: f64 = 2e-5;
 /// Error left after extrapolation over the grids; the capacity has five digits.
 const EXTRAPOLATED: f64 = 3e-5;
@@ -42,7 +43,7 @@ fn layer(nu: f64) -> Result<Foundation, ValidationError> {
     Ok(Foundation::new(vec![layer], Base::Rigid)?)
 }
 
-/// Force under a flat punch over that on a half-space, `κ` of Hayes and others.
+/// Compares the force under a flat punch relative to that on a half-space, `κ` of Hayes and others.
 fn layer_on_rigid_base(
     run: ValidationRun,
     radius: f64,
@@ -62,10 +63,10 @@ fn layer_on_rigid_base(
 /// Elements along the diameter of a round punch.
 const PUNCH: usize = 192;
 
-/// The radius of the disc that a round punch of radius 1 is on a grid, by its force on a half-space: elements follow
-/// its rim as a staircase and end there with a finite pressure.
+/// Radius of the disc equivalent to a round punch of radius 1 on a grid, from its force on a half-space: the elements
+/// follow the rim as a staircase, with a finite pressure there.
 fn effective_radius(run: ValidationRun, elements: usize) -> Result<f64, ValidationError> {
-    // Of plane-strain modulus 1: Q = 2 a D
+    // With plane-strain modulus 1: Q = 2 a D
     let body = Foundation::half_space(unit_material()?);
     Ok(punch_force(run, &body, 1.0, elements)? / 2.0)
 }
@@ -73,7 +74,7 @@ fn effective_radius(run: ValidationRun, elements: usize) -> Result<f64, Validati
 /// Elements along the side of a square punch.
 const GRIDS: [usize; 3] = [48, 96, 192];
 
-/// The limit of values whose errors begin with the first and second power of the element's side.
+/// Extrapolates values whose errors begin with the first and second power of the element's side.
 fn extrapolated(
     value: impl Fn(usize) -> Result<f64, ValidationError>,
 ) -> Result<f64, ValidationError> {
@@ -100,11 +101,11 @@ fn punch_force(
     Ok(path.steps[0].solution.force)
 }
 
-/// Thicknesses in punch radii.
+/// Thicknesses of the film, in punch radii.
 const FILMS: [f64; 3] = [0.2, 1.0, 3.0];
-/// The change of the film's modulus, whose square is what the derivative leaves.
+/// Relative change of the film's modulus; the error of the derivative is its square.
 const CHANGE: f64 = 1e-4;
-/// That square, and rounding over the change.
+/// That square, and the rounding divided by the change.
 const DIFFERENCE: f64 = 2e-8;
 
 /// `d ln Q/d ln E₁` of a flat punch on a film at `E₁ = E₂` and equal ν, the weight `I₀` of the film.
@@ -175,7 +176,7 @@ impl Profile for SquarePunch {
     }
 }
 
-/// A punch is a charged plate: `Q = π E* C D` with the capacity C, which is `2a/π` of a disc.
+/// A punch corresponds to a charged plate: `Q = π E* C D` with the capacity C, which is `2a/π` for a disc.
 fn square_punch(run: ValidationRun) -> Result<Comparison, ValidationError> {
     let body = Foundation::half_space(unit_material()?);
     let capacity = extrapolated(|elements| {

@@ -1,4 +1,4 @@
-//! Paraboloids and cones on coated half-spaces against axisymmetric solutions of 22 digits.
+//! Paraboloids and cones on coated half-spaces against axisymmetric solutions to 22 digits.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -24,7 +24,7 @@ pub const SECTION: ValidationSection = ValidationSection {
 const ELEMENTS: usize = 256;
 /// Side of the domain, in contact radii.
 const SIDE: f64 = 2.4;
-/// (1/107)² = 9e-5 times a factor that scatters with how the grid meets the contact's edge.
+/// (1/107)² = 9e-5 times a factor that depends on where the grid meets the contact's edge.
 const SECOND_ORDER: f64 = 1e-5;
 
 fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
@@ -48,7 +48,7 @@ fn row(run: ValidationRun, case: &AxisymmetricContact) -> Comparison {
     }
 }
 
-/// The contact under its force.
+/// The contact of a case under its force.
 fn contact(case: &AxisymmetricContact) -> Result<ContactSetup, ValidationError> {
     let coating = Material::new(case.e1, case.nu1)?;
     let substrate = Material::new(1.0, case.nu2)?;

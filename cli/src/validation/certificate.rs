@@ -19,7 +19,7 @@ pub const SECTION: ValidationSection = ValidationSection {
 /// A small change, but a hundred times the certificate's tolerance.
 const SMALL: f64 = 1e-6;
 
-/// A change that spoils a correct pressure.
+/// A change that makes a correct pressure wrong.
 type Spoil = fn(&mut Vec<f64>);
 
 const SPOILT: [(&str, Spoil); 8] = [
@@ -97,7 +97,7 @@ fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
 /// Force on the contact.
 const FORCE: f64 = 2e-3;
 
-/// A paraboloid on the paper's stiff coating with cylinders, islands of contact within 64 × 64 elements.
+/// A paraboloid on the paper's stiff coating with cylinders: islands of contact on 64 × 64 elements.
 fn textured() -> Result<ContactSetup, ValidationError> {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
@@ -117,7 +117,7 @@ fn textured() -> Result<ContactSetup, ValidationError> {
     })
 }
 
-/// Judges pressures by the certificate of a problem.
+/// Judges pressures with the certificate of a problem.
 struct Judge {
     problem: DiscreteProblem,
     load: Load,
@@ -143,7 +143,7 @@ impl Judge {
     }
 }
 
-/// The element of the largest pressure.
+/// The element with the largest pressure.
 fn largest(pressure: &[f64]) -> usize {
     let elements = 0..pressure.len();
     elements
@@ -151,7 +151,7 @@ fn largest(pressure: &[f64]) -> usize {
         .unwrap_or(0)
 }
 
-/// The element of the least pressure above zero.
+/// The element with the smallest nonzero pressure.
 fn least(pressure: &[f64]) -> usize {
     let pressed = (0..pressure.len()).filter(|i| pressure[*i] > 0.0);
     pressed

@@ -20,12 +20,12 @@ pub const SECTION: ValidationSection = ValidationSection {
     rows,
 };
 
-/// Elements per side; the domains are two and a half to three contact radii wide, so an element is some 1/90 of a
+/// Elements per side. The domains are two and a half to three contact radii wide, so an element is about 1/90 of a
 /// radius.
 const ELEMENTS: usize = 256;
-/// Error of second order: (1/85)² = 1.4e-4 times a factor that scatters with how the grid meets the contact's edge.
+/// Error of second order: (1/85)² = 1.4e-4 times a factor that depends on where the grid meets the contact's edge.
 const SECOND_ORDER: f64 = 2e-5;
-/// The nearest centre to the axis lies some 1/120 of a radius off it.
+/// The centre nearest to the axis is about 1/120 of a radius off it.
 const PEAK: f64 = 2e-4;
 /// The edge of the contact is a staircase: 1/85, reduced by the averaging of its steps.
 const STAIRCASE: f64 = 5e-3;
@@ -38,7 +38,7 @@ fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     Ok(rows?.concat())
 }
 
-/// A contact with the half-space of plane-strain modulus 1.
+/// A contact on the half-space of plane-strain modulus 1.
 fn on_half_space(
     indenter: Indenter,
     side: f64,
@@ -86,7 +86,7 @@ fn hertz_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
 }
 
 fn sphere_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
-    // Deep enough for Hertz's penetration under the same force to be 0.9 % off.
+    // Deep enough that Hertz's penetration under the same force is off by 0.9 %.
     let wanted = sphere::from_contact_radius(1.0, 1.0, 0.35);
     let indenter = Indenter::Sphere(Sphere::new(1.0)?);
     let found = run.penetration(&on_half_space(indenter, 1.05, Load::Force(wanted.force))?)?;
@@ -131,7 +131,7 @@ fn punch_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let indenter = Indenter::FlatPunch(FlatPunch::new(0.1)?);
     let path = run.solve(&on_half_space(indenter, 0.25, Load::Force(wanted.force))?)?;
     let solution = &path.steps[0].solution;
-    // The element whose corner is on the axis.
+    // The element with a corner on the axis.
     let middle = solution.pressure[ELEMENTS / 2 * (ELEMENTS + 1)];
     Ok(vec![
         Comparison::relative(

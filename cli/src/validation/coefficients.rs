@@ -1,4 +1,4 @@
-//! Influence coefficients against 20 and 30 digits.
+//! Influence coefficients against values of 20 and 30 digits.
 
 use pellicle_influence::direct;
 use pellicle_kernel::{Foundation, Material};
@@ -19,7 +19,7 @@ pub const SECTION: ValidationSection = ValidationSection {
 
 /// Error of the product rules around the softest layers.
 const PRODUCT_RULES: f64 = 1e-13;
-/// Rounding of some tens of terms of Love's formula.
+/// Rounding of a few tens of terms in Love's formula.
 const ROUNDING: f64 = 1e-14;
 /// The quadrature's own tolerance.
 const QUADRATURE: f64 = 1e-11;
@@ -38,7 +38,7 @@ fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     Ok(rows)
 }
 
-/// `k E1/a` of a coating, the worst of all its offsets and thicknesses.
+/// Compares `k E1/a` of a coating; the row is the worst of all its offsets and thicknesses.
 fn coated(
     run: ValidationRun,
     data: &Coefficients,
@@ -66,7 +66,7 @@ fn coated(
     ))
 }
 
-/// `k E1/a` of half-spaces, the worst of all offsets.
+/// Compares `k E1/a` of half-spaces; the row is the worst of all offsets.
 fn homogeneous(run: ValidationRun, data: &Coefficients) -> Result<Comparison, ValidationError> {
     let mut found = Vec::new();
     for value in &data.values {
@@ -83,7 +83,7 @@ fn homogeneous(run: ValidationRun, data: &Coefficients) -> Result<Comparison, Va
     Ok(Comparison::worst(check, found.into_iter(), ROUNDING))
 }
 
-/// One coefficient of the paper's stiff coating in two ways.
+/// Compares one coefficient of the paper's stiff coating with quadrature.
 fn by_quadrature(run: ValidationRun, offset: [usize; 2]) -> Result<Comparison, ValidationError> {
     let (coating, substrate) = (Material::new(1.0, 0.3)?, Material::new(0.1, 0.4)?);
     let foundation = Foundation::coated(1.0, coating, substrate)?;

@@ -1,4 +1,4 @@
-//! One comparison and its verdict.
+//! One comparison with its verdict.
 
 use pellicle_contact::Certificate;
 use serde::Serialize;
@@ -32,13 +32,13 @@ pub enum ComparedValue {
     Word(String),
 }
 
-/// Whether a row passes.
+/// Verdict on a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RowVerdict {
-    /// The comparison is as it should be.
+    /// The row passes.
     Pass,
-    /// It is not.
+    /// The row fails.
     Fail,
 }
 
@@ -56,7 +56,7 @@ impl Comparison {
         Self::compare(check, [reference, computed], error, tolerance)
     }
 
-    /// Compares two numbers by an error measured otherwise.
+    /// Compares two numbers with a given error.
     #[must_use]
     pub fn compare(
         check: String,
@@ -74,7 +74,7 @@ impl Comparison {
         }
     }
 
-    /// The worst of many comparisons, each given by reference, computed number and error.
+    /// Returns the worst of many comparisons, each given by reference, computed number and error.
     #[must_use]
     pub fn worst(
         check: String,
@@ -95,7 +95,7 @@ impl Comparison {
         Self::compare(check, numbers, error, tolerance)
     }
 
-    /// Checks that the certificate refuses a pressure.
+    /// Checks that the certificate rejects a pressure.
     #[must_use]
     pub fn refused(check: String, certificate: &Certificate) -> Self {
         Self::judged(check, "refused", certificate)
@@ -120,7 +120,7 @@ impl Comparison {
         }
     }
 
-    /// Compares two words, which must be the same.
+    /// Compares two words, which must be equal.
     #[must_use]
     pub fn words(check: String, wanted: &str, found: &str) -> Self {
         let same = wanted == found;
@@ -134,7 +134,7 @@ impl Comparison {
         }
     }
 
-    /// A comparison that could not be computed.
+    /// Makes the row of a comparison that could not be computed.
     #[must_use]
     pub fn failed(check: String, error: &ValidationError) -> Self {
         Self {
@@ -143,7 +143,7 @@ impl Comparison {
         }
     }
 
-    /// Whether it passes.
+    /// Whether the row passes.
     #[must_use]
     pub fn passes(&self) -> bool {
         self.verdict == RowVerdict::Pass

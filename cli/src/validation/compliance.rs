@@ -1,4 +1,4 @@
-//! The compliance of layers in the wavenumber domain against 40 digits.
+//! The compliance of layers in the wavenumber domain against values of 40 digits.
 
 use pellicle_kernel::Interface::{Bonded, Frictionless};
 use pellicle_kernel::{Foundation, Interface};
@@ -18,7 +18,7 @@ pub const SECTION: ValidationSection = ValidationSection {
 
 /// A dozen roundings.
 const ROUNDING: f64 = 2e-15;
-/// The same and one more for `Φ − 1`, the difference of two terms that cancel.
+/// The same, and the rounding of the difference of two terms that cancel in `Φ − 1`.
 const DIFFERENCE: f64 = 1e-14;
 
 fn rows(_: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
@@ -41,7 +41,7 @@ fn rows(_: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     ])
 }
 
-/// Interface, whether the base is rigid, and `Φ`.
+/// The interface, whether the base is rigid, and `Φ`.
 type Reference = fn(&OneLayerResponse) -> Option<(Interface, bool, f64)>;
 
 fn row(

@@ -23,9 +23,9 @@ pub const SECTION: ValidationSection = ValidationSection {
     rows,
 };
 
-/// Bound on the certificate: far below what is compared.
+/// Tolerance of the certificate: far below the tolerance of the comparison.
 const CERTIFIED: f64 = 1e-12;
-/// `CERTIFIED` times a condition of some 1e2.
+/// `CERTIFIED` times a condition number of about 1e2.
 const COMPARED: f64 = 1e-10;
 
 fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
@@ -54,7 +54,7 @@ fn row(run: ValidationRun, case: &DiscreteContact) -> Comparison {
     }
 }
 
-/// The solution of the grid problem from a cold start, certified to 1e-12.
+/// Solves the grid problem from a cold start, with a certificate of 1e-12.
 ///
 /// # Errors
 /// Errors of the crates, and [`ValidationError::NotCertified`].
@@ -108,7 +108,8 @@ fn problem(run: ValidationRun, case: &DiscreteContact) -> Result<DiscreteProblem
     )?)
 }
 
-/// The largest error of a pressure over the peak, of the force, of the penetration; infinite if other elements touch.
+/// The largest error of a pressure over the peak, of the force and of the penetration; infinite if different elements
+/// are in contact.
 fn error(case: &DiscreteContact, solution: &Solution) -> f64 {
     let touching = solution.pressure.iter().filter(|p| **p > 0.0).count();
     if touching != case.contact_elements {

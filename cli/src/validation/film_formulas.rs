@@ -1,4 +1,4 @@
-//! Formulas for a paraboloid on a thin layer on a rigid base, and the exact force.
+//! Formulas for a paraboloid on a thin layer on a rigid base, compared with the exact force.
 //!
 //! All give the force over Hertz's, `F = ψ(χ) 4/3 E* √R D^{3/2}` with `χ = √(RD)/H`, for a frictionless indenter.
 
@@ -10,23 +10,23 @@ use super::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
 use super::independent::{composite, graded};
 use super::run::ValidationError;
 
-/// Secants until a contact radius is found to rounding, and two more.
+/// Secant steps that find a contact radius to rounding, and two more.
 const SECANTS: usize = 8;
 
 /// A layer of thickness 1 on a rigid base.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThinLayer {
-    /// With the base.
+    /// Interface with the base.
     pub interface: Interface,
     /// Poisson's ratio.
     pub poisson_ratio: f64,
 }
 
 impl ThinLayer {
-    /// A body with the plane-strain modulus 1.
+    /// Returns the foundation, with the plane-strain modulus 1.
     ///
     /// # Errors
-    /// A Poisson's ratio outside 0 … ½.
+    /// Errors if Poisson's ratio is outside 0 … ½.
     pub fn foundation(&self) -> Result<Foundation, ValidationError> {
         let nu = self.poisson_ratio;
         let material = Material::new(1.0 - nu * nu, nu)?;
@@ -34,10 +34,10 @@ impl ThinLayer {
         Ok(Foundation::new(vec![layer], Base::Rigid)?)
     }
 
-    /// `χ` and `ψ` at a contact radius, in thicknesses, by the integral equation.
+    /// Returns `χ` and `ψ` at a contact radius, in thicknesses, from the integral equation.
     ///
     /// # Errors
-    /// As [`AxisymmetricSolution::new`].
+    /// Errors of [`AxisymmetricSolution::new`].
     pub fn at_contact_radius(&self, radius: f64) -> Result<[f64; 2], ValidationError> {
         let profile = AxisymmetricProfile::Paraboloid(1.0);
         let exact = AxisymmetricSolution::new(&self.foundation()?, profile, radius)?;
@@ -45,12 +45,12 @@ impl ThinLayer {
         Ok([chi, 0.75 * exact.force / chi.powi(3)])
     }
 
-    /// `ψ(χ)` by the integral equation.
+    /// Returns `ψ(χ)` from the integral equation.
     ///
     /// # Errors
-    /// As [`AxisymmetricSolution::new`].
+    /// Errors of [`AxisymmetricSolution::new`].
     pub fn exact(&self, chi: f64) -> Result<f64, ValidationError> {
-        // χ grows about as a power of the contact radius: secants of the logarithms, from Hertz's a = χ on.
+        // χ grows roughly as a power of the contact radius: secants in the logarithms, starting from Hertz's a = χ.
         let at =
             |radius: f64| Ok::<_, ValidationError>((radius.ln(), self.at_contact_radius(radius)?));
         let (mut before, mut last) = (at(chi)?, at(1.2 * chi)?);
@@ -67,7 +67,7 @@ impl ThinLayer {
         Ok(last.1[1])
     }
 
-    /// The first coefficients of the exact `ψ` over the powers of χ, from 1 on:
+    /// Returns the first coefficients of the exact `ψ` in powers of χ, including the constant:
     ///
     /// ```text
     /// ψ = 1 − A χ + 7/6 A² χ² − (40/27 A³ + 8/15 B) χ³ + (143/72 A⁴ + 8/5 A B) χ⁴ + …
@@ -77,7 +77,7 @@ impl ThinLayer {
     /// The integral equation's kernel is `A + B (x² + t²)` up to the fifth power of the lengths.
     ///
     /// # Errors
-    /// As [`Self::foundation`].
+    /// Errors of [`Self::foundation`].
     pub fn series(&self) -> Result<[f64; 5], ValidationError> {
         let body = self.foundation()?;
         let moment = |power| {
@@ -97,8 +97,8 @@ impl ThinLayer {
         ])
     }
 
-    /// The coefficients of `ψ` by E. K. Dimitriadis and others (2002): for a bonded incompressible layer as printed,
-    /// for a layer that is not bonded by the general formula; none else.
+    /// Returns the coefficients of `ψ` by E. K. Dimitriadis and others (2002): for a bonded incompressible layer as
+    /// printed, for a layer that is not bonded from the general formula; `None` otherwise.
     #[must_use]
     pub fn dimitriadis(&self) -> Option<[f64; 5]> {
         let nu = self.poisson_ratio;
@@ -120,9 +120,9 @@ impl ThinLayer {
         }
     }
 
-    /// `ψ` of a layer much thinner than the contact is wide: `3π/8 χ³` if bonded and incompressible, where it flows
-    /// outward like a liquid film; else `3π/4 χ` times the modulus of what squeezes it over `E*`, where it is a bed of
-    /// springs.
+    /// Returns `ψ` of a layer much thinner than the contact is wide. A bonded incompressible layer flows outward like a
+    /// liquid film and has `3π/8 χ³`. Otherwise the layer is a bed of springs and has `3π/4 χ` times its modulus of
+    /// compression over `E*`.
     #[must_use]
     pub fn thin_limit(&self, chi: f64) -> f64 {
         let nu = self.poisson_ratio;

@@ -1,4 +1,4 @@
-//! Controls of the grid error: a number that converges is called resolved, one that does not is not.
+//! Controls of the grid error: a result that converges is called resolved, one that diverges is not.
 
 use pellicle_contact::{FlatPunch, Indenter, Load, Step};
 use pellicle_kernel::Foundation;

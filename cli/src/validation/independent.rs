@@ -1,7 +1,7 @@
-//! Axisymmetric contact and stress by ways of their own: no grid, no elements, no transform of the other crates.
+//! Independent solutions for axisymmetric contact and stress: no grid, no elements, no transform of the other crates.
 //!
-//! Both start from the kernel's amplitudes of single waves, which have evidence of their own, and share nothing else
-//! with what they check: pressures come from [`fredholm`]'s integral equation, fields from [`hankel`]'s integrals.
+//! Both start from the kernel's amplitudes of single waves, which are tested separately, and share nothing else with
+//! the code that they check. Pressures come from [`fredholm`]'s integral equation, fields from [`hankel`]'s integrals.
 
 pub mod fredholm;
 pub mod hankel;
@@ -11,14 +11,14 @@ use std::sync::LazyLock;
 
 use gauss_quad::GaussLegendre;
 
-/// Points of a rule.
+/// Points of the quadrature rule.
 const POINTS: NonZeroUsize = NonZeroUsize::new(16).expect("16 is not 0");
 
-/// Nodes and weights on −1 … 1.
+/// Nodes and weights on [−1, 1].
 static RULE: LazyLock<Vec<(f64, f64)>> =
     LazyLock::new(|| GaussLegendre::new(POINTS).into_iter().collect());
 
-/// Nodes and weights of a rule of 16 points on each piece between two neighbours of `borders`.
+/// Returns nodes and weights of a 16-point rule on each interval between neighbouring `borders`.
 #[must_use]
 pub fn composite(borders: &[f64]) -> Vec<(f64, f64)> {
     let piece = |ends: &[f64]| {
@@ -30,7 +30,7 @@ pub fn composite(borders: &[f64]) -> Vec<(f64, f64)> {
     borders.windows(2).flat_map(piece).collect()
 }
 
-/// Borders from 0 to `end`: powers of two up to `width`, then steps of it.
+/// Returns borders from 0 to `end`: powers of two up to `width`, then steps of that width.
 #[must_use]
 pub fn graded(end: f64, width: f64) -> Vec<f64> {
     let small = (0..24).rev().map(|halvings| width * 0.5_f64.powi(halvings));

@@ -1,4 +1,4 @@
-//! Limits in which one problem becomes another, and two ways to the same number.
+//! Limits in which one problem becomes another, and values computed in two ways.
 
 use pellicle_contact::{Load, Method, SolverOptions};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
@@ -18,11 +18,11 @@ pub const SECTION: ValidationSection = ValidationSection {
 
 /// The error of a penetration is less than ten times the certificate's 1e-8.
 const CERTIFIED: f64 = 1e-7;
-/// Coatings are a millionth or a million contact radii thick, a stiff substrate a million times as stiff: their effect
-/// is a millionth, times some ratio of moduli.
+/// Coatings are a millionth or a million contact radii thick, or a stiff substrate is a million times stiffer. The
+/// effect is a millionth times some ratio of moduli.
 const MILLIONTH: f64 = 1e-5;
 
-/// Two contacts with one answer.
+/// Two contacts with the same solution.
 type SetupPair = fn() -> Result<[ContactSetup; 2], ValidationError>;
 
 /// The limit in words, the tolerance, and the two contacts.
@@ -60,7 +60,7 @@ fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     Ok(rows)
 }
 
-/// Penetrations of two contacts, each over its own side.
+/// Compares the penetrations of two contacts, each relative to its own side.
 fn limit(
     run: ValidationRun,
     check: &str,
@@ -78,7 +78,7 @@ fn limit(
     ))
 }
 
-/// A paraboloid of radius 1 whose contact radius is some 0.1.
+/// A paraboloid of radius 1 with a contact radius of about 0.1.
 fn contact(foundation: Foundation) -> Result<ContactSetup, ValidationError> {
     Ok(ContactSetup {
         foundation,
@@ -108,7 +108,7 @@ fn other_material() -> Result<Material, ValidationError> {
 
 fn equal_materials() -> Result<[ContactSetup; 2], ValidationError> {
     let substrate = unit_material()?;
-    // If equal to the bit, it would be recognised as a half-space.
+    // Exactly equal materials would be recognised as a half-space.
     let coating = Material::new(substrate.young_modulus() * (1.0 + 1e-12), 0.3)?;
     Ok([half_space(substrate)?, coated(0.05, coating, substrate)?])
 }
@@ -167,7 +167,7 @@ fn low_relief() -> Result<[ContactSetup; 2], ValidationError> {
     Ok([stiff_coating()?, low])
 }
 
-/// Cylinders of the coating's own modulus, eight elements a radius.
+/// Cylinders of the coating's own modulus, with eight elements per radius.
 fn cylinders(height: f64) -> Result<Relief, ValidationError> {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
@@ -195,7 +195,7 @@ fn units() -> Result<[ContactSetup; 2], ValidationError> {
     Ok([stiff_coating()?, in_si])
 }
 
-/// Touching on cylinders and between them.
+/// Contact on cylinders and between them.
 fn textured() -> Result<ContactSetup, ValidationError> {
     let load = Load::Force(5e-3);
     let relief = cylinders(2e-3)?;
@@ -207,7 +207,7 @@ fn textured() -> Result<ContactSetup, ValidationError> {
     })
 }
 
-/// A force, its penetration, and the force of that penetration.
+/// Solves for a force, then prescribes the penetration found and compares the force.
 fn there_and_back(run: ValidationRun) -> Result<Comparison, ValidationError> {
     let by_force = textured()?;
     let there = run.solve(&by_force)?.steps.remove(0).solution;
@@ -226,7 +226,7 @@ fn there_and_back(run: ValidationRun) -> Result<Comparison, ValidationError> {
     ))
 }
 
-/// Gradients and the paper's active set on the dense system.
+/// Compares gradients with the paper's active set on the dense system.
 fn two_methods(run: ValidationRun) -> Result<Comparison, ValidationError> {
     let contact = textured()?;
     let options = SolverOptions {

@@ -27,7 +27,7 @@ fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
         .collect()
 }
 
-/// The worst element of a pressure without symmetry.
+/// Compares the worst element for a pressure without symmetry.
 fn product(
     run: ValidationRun,
     name: &str,
@@ -35,7 +35,7 @@ fn product(
 ) -> Result<Comparison, ValidationError> {
     let size = 37;
     let table = CoefficientTable::assemble(&run.tables(foundation)?, 0.3, size)?;
-    // Every value of the chaotic sequence is in (0, 1); its start is no rational.
+    // All values of the chaotic sequence are in (0, 1); its start is irrational.
     let mut state = std::f64::consts::FRAC_1_SQRT_2;
     let pressure: Vec<f64> = (0..size * size)
         .map(|_| {

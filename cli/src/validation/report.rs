@@ -1,4 +1,4 @@
-//! The validation as JSON for machines.
+//! The validation as JSON.
 
 use serde::Serialize;
 
@@ -6,7 +6,7 @@ use super::comparison::Comparison;
 use super::run::ValidationRun;
 use super::section::SectionResult;
 
-/// Everything that was compared.
+/// All comparisons.
 #[derive(Debug, Serialize)]
 pub struct ValidationReport<'a> {
     /// Version of this layout.
@@ -32,7 +32,7 @@ struct SectionReport<'a> {
 }
 
 impl<'a> ValidationReport<'a> {
-    /// The report of these sections, computed in this many seconds.
+    /// Builds the report of these sections, computed in `seconds`.
     #[must_use]
     pub fn new(run: ValidationRun, sections: &'a [SectionResult], seconds: f64) -> Self {
         let rows = || sections.iter().flat_map(|section| &section.rows);
@@ -60,7 +60,7 @@ impl ValidationReport<'_> {
         self.failed == 0
     }
 
-    /// The number of rows that pass, and the sections of those that fail.
+    /// Writes the number of rows that pass, and the sections with rows that fail.
     #[must_use]
     pub fn conclusion(&self) -> String {
         let (seconds, rows) = (self.seconds, self.passed + self.failed);
@@ -73,7 +73,7 @@ impl ValidationReport<'_> {
     }
 }
 
-/// The number of rows of a section that fail, if any does.
+/// Writes the number of rows of a section that fail, if any.
 fn failures(section: &SectionReport<'_>) -> Option<String> {
     let failed = section.rows.iter().filter(|row| !row.passes()).count();
     let (name, rows) = (section.name, section.rows.len());

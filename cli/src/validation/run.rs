@@ -1,4 +1,4 @@
-//! A run of the validation: it solves the contacts to be compared, all with its own coefficients.
+//! A run of the validation: it solves the contacts to be compared, with coefficients that it computes itself.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use pellicle_influence::{Cache, InfluenceError, RadialTables};
 use pellicle_kernel::{Foundation, KernelError, Material};
 use pellicle_texture::{Relief, TextureError};
 
-/// A run of the validation, which makes and solves contacts.
+/// A run of the validation, which builds and solves contacts.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ValidationRun {
     /// Relative error of every influence coefficient: 0 except for the test hook.
@@ -34,7 +34,7 @@ pub struct ContactSetup {
     pub load: Load,
 }
 
-/// The reason why something cannot be compared.
+/// The reason for a failed comparison.
 #[derive(Debug, thiserror::Error)]
 #[expect(missing_docs, reason = "each is the error it holds")]
 pub enum ValidationError {
@@ -57,18 +57,18 @@ pub enum ValidationError {
 }
 
 impl ValidationRun {
-    /// The tables of a foundation.
+    /// Builds the tables of a foundation.
     ///
     /// # Errors
-    /// As [`RadialTables::build`].
+    /// Errors of [`RadialTables::build`].
     pub fn tables(self, foundation: &Foundation) -> Result<RadialTables, ValidationError> {
         Ok(RadialTables::build(foundation)?.perturbed(self.perturbation))
     }
 
-    /// The model of a contact.
+    /// Builds the model of a contact.
     ///
     /// # Errors
-    /// As [`Self::tables`].
+    /// Errors of [`Self::tables`].
     pub fn model(self, contact: &ContactSetup) -> Result<Model, ValidationError> {
         Ok(Model {
             tables: Arc::new(self.tables(&contact.foundation)?),
@@ -78,7 +78,7 @@ impl ValidationRun {
         })
     }
 
-    /// The certified solution of a contact: a path of one step.
+    /// Returns the certified solution of a contact: a path of one step.
     ///
     /// # Errors
     /// Errors of the crates, and [`ValidationError::NotCertified`].
@@ -86,10 +86,10 @@ impl ValidationRun {
         self.solve_with(contact, SolverOptions::default())
     }
 
-    /// The same with other options.
+    /// Returns the same with other options.
     ///
     /// # Errors
-    /// As [`Self::solve`].
+    /// Errors of [`Self::solve`].
     pub fn solve_with(
         self,
         contact: &ContactSetup,
@@ -107,16 +107,16 @@ impl ValidationRun {
         Err(ValidationError::NotCertified { worst })
     }
 
-    /// Penetration of the certified solution.
+    /// Returns the penetration of the certified solution.
     ///
     /// # Errors
-    /// As [`Self::solve`].
+    /// Errors of [`Self::solve`].
     pub fn penetration(self, contact: &ContactSetup) -> Result<f64, ValidationError> {
         Ok(self.solve(contact)?.steps[0].solution.penetration)
     }
 }
 
-/// A material of plane-strain modulus 1.
+/// Returns a material with plane-strain modulus 1.
 ///
 /// # Errors
 /// Never.
@@ -124,10 +124,10 @@ pub fn unit_material() -> Result<Material, KernelError> {
     Material::new(0.91, 0.3)
 }
 
-/// A paraboloid.
+/// Returns a paraboloid.
 ///
 /// # Errors
-/// A radius that is not positive.
+/// An error if the radius is not positive.
 pub fn paraboloid(radius: f64) -> Result<Indenter, IndenterError> {
     Paraboloid::new(radius).map(Indenter::Paraboloid)
 }

@@ -1,4 +1,4 @@
-//! A section of the validation, one kind of evidence, and what it has compared.
+//! A section of the validation, which is one kind of evidence, and its comparisons.
 
 use super::comparison::Comparison;
 use super::run::{ValidationError, ValidationRun};
@@ -12,7 +12,7 @@ pub struct ValidationSection {
     pub source: &'static str,
     /// The scale of the errors, and the cause of the tolerance.
     pub because: &'static str,
-    /// Its comparisons, made by a run.
+    /// Computes its comparisons in a run.
     pub rows: fn(ValidationRun) -> Result<Vec<Comparison>, ValidationError>,
 }
 
@@ -26,7 +26,7 @@ pub struct SectionResult {
 }
 
 impl ValidationSection {
-    /// Computes the section. If that fails, its one row says why, and fails.
+    /// Computes the section. If that fails, its only row gives the reason and fails.
     #[must_use]
     pub fn compute(&'static self, run: ValidationRun) -> SectionResult {
         let failed = |error| vec![Comparison::failed(self.name.into(), &error)];

@@ -1,4 +1,4 @@
-//! Stress inside the body: published numbers, Hertz's contact, limits, balance of forces.
+//! Stress inside the body: published values, Hertz's contact, limits, balance of forces.
 
 pub mod balance;
 pub mod hertz;
@@ -8,8 +8,8 @@ pub mod squares;
 
 use pellicle_influence::SubsurfaceState;
 
-/// The numbers of two lists of states with their differences: of stresses over the largest stress, of displacements
-/// over the largest displacement.
+/// Pairs of values from two lists of states with their differences: stresses relative to the largest stress,
+/// displacements relative to the largest displacement.
 fn differences(wanted: &[SubsurfaceState], found: &[SubsurfaceState]) -> Vec<([f64; 2], f64)> {
     let kinds = [0..3, 3..9];
     let of_kind = |kind: std::ops::Range<usize>| {

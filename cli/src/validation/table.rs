@@ -1,4 +1,4 @@
-//! The validation as a table for people.
+//! The validation as a table for the terminal.
 
 use super::comparison::{ComparedValue, Comparison, RowVerdict};
 use super::section::{SectionResult, ValidationSection};
@@ -10,14 +10,14 @@ const DIGITS: usize = 9;
 /// Characters of the longest word that fits its column.
 const LONGEST_WORD: usize = 14;
 
-/// The names of the columns.
+/// Returns the names of the columns.
 #[must_use]
 pub fn heading() -> String {
     let cells = ["reference", "computed", "error", "tolerance", "verdict"];
     line("check", cells)
 }
 
-/// A section: its name, its rows, and the sources of its references and tolerances.
+/// Writes a section: its name, its rows, and the sources of its references and tolerances.
 #[must_use]
 pub fn section_text(section: &SectionResult) -> String {
     let rows: String = section.rows.iter().map(row).collect();
@@ -36,7 +36,7 @@ fn row(row: &Comparison) -> String {
         RowVerdict::Fail => "FAIL",
     };
     let (reference, computed) = (value(&row.reference), value(&row.computed));
-    // An error message gets a line of its own.
+    // An error message is put on its own line.
     let (computed, reason) = if computed.chars().count() > LONGEST_WORD {
         ("none".to_owned(), format!("      {computed}\n"))
     } else {

@@ -102,7 +102,7 @@ fn piezo_and_load_of_an_optics11_file_give_the_indentation_that_it_states() {
     let depth = curve.depth().unwrap();
     let stated = one("file = \"optics11*.txt\"\ncolumns = { depth = 3, force = 2 }");
     let stated = stated.depth().unwrap();
-    // From 2 µm on, so that both count from the same point; loads are given to 1 pN, 0.05 nm on this spring.
+    // From 2 µm on, so that both count from the same point. Loads are given to 1 pN, which is 0.05 nm on this spring.
     let from = stated.iter().position(|depth| *depth > 2e-6).unwrap();
     for point in from..stated.len() {
         let difference = (depth[point] - depth[from]) - (stated[point] - stated[from]);
@@ -121,7 +121,7 @@ fn the_deflection_of_an_optics11_file_gives_the_load_that_it_states() {
         // Loads are given to 1 pN.
         assert!((force - stated).abs() < 0.51e-12, "{force:e} {stated:e}");
     }
-    // Another spring constant scales the force; the penetration is approach less deflection whatever it is.
+    // Another spring constant scales the force; the penetration is the approach minus the deflection in any case.
     let doubled = curve.force_with(0.038).unwrap();
     assert!((doubled[2000] - 2.0 * curve.force().unwrap()[2000]).abs() < 1e-20);
     let (approach, deflection) = (curve.approach().unwrap(), curve.deflection().unwrap());

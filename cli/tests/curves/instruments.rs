@@ -20,7 +20,7 @@ fn a_fischerscope_file_has_decimal_commas_prose_and_several_tables() {
     check_ends(curve.force(), 0.416459e-3, 299.995e-3);
     check_ends(curve.depth(), 0.031365e-6, 1.53517e-6);
     check_ends(curve.time(), 0.1, 117.0);
-    // It says itself that there are three.
+    // The file itself states that there are three.
     assert_eq!(codes(&curve), ["several-tables"]);
     let text = r#"text = { decimal = ",", skip_until = "F h t", encoding = "latin-1", table = 3 }
         segment = { part = "unloading" }"#;
@@ -29,7 +29,7 @@ fn a_fischerscope_file_has_decimal_commas_prose_and_several_tables() {
         (curve.table_rows, curve.rows.len(), codes(&curve).len()),
         (1200, 30, 0)
     );
-    // From the last of two equal forces on.
+    // From the last of two equal forces.
     check_ends(curve.force(), 299.994e-3, 29.9918e-3);
 }
 
@@ -91,7 +91,7 @@ fn a_loading_between_two_forces_has_none_beyond_them_and_not_the_approach() {
     let curve = one(&format!("{HYSITRON}{segment}"));
     let force = curve.force().unwrap();
     assert!(force.iter().all(|force| (1e-6..=0.5e-3).contains(force)));
-    // The approach begins with 1.8 µN too, but falls below 1 µN again.
+    // The approach also begins at 1.8 µN, but falls below 1 µN again.
     assert!(curve.rows[0] > 100, "{}", curve.rows[0]);
     let (first, last) = (curve.rows[0], curve.rows[curve.rows.len() - 1]);
     assert_eq!(last - first + 1, curve.rows.len());
@@ -108,7 +108,7 @@ fn a_unit_that_the_header_contradicts_is_refused_with_both() {
             && found.contains("and in mN here"),
         "{found}"
     );
-    // A bare number is the reader's own.
+    // A bare number is a factor given by the user.
     let curve = one(&format!("{HYSITRON}units = {{ force = 1e-3 }}"));
     check_ends(curve.force(), 1.836146e-3, 3000.027013e-3);
 }

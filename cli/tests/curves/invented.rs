@@ -1,4 +1,4 @@
-//! Small invented files: every way of writing the same curve, and everything that can be wrong with one.
+//! Small invented files: every way to write the same curve, and every possible fault.
 
 use std::fmt::Write;
 use std::fs;
@@ -13,7 +13,7 @@ use super::{codes, excluded};
 
 const PLAIN: &str = "file = \"a.txt\"\ncolumns = { depth = 1, force = 2 }\nunits = { depth = \"nm\", force = \"uN\" }\n";
 
-/// Reads `a.txt` with these bytes as a table says.
+/// Reads a file `a.txt` with these bytes according to a table.
 fn read(table: &str, bytes: &[u8]) -> Result<MeasuredCurve, CurveError> {
     let folder = tempfile::tempdir().expect("a folder can be made");
     fs::write(folder.path().join("a.txt"), bytes).expect("the folder takes files");
@@ -27,7 +27,7 @@ fn tables(table: &str, folder: &Path) -> Result<Vec<DataTable>, String> {
     tables.map_err(|diagnosis| diagnosis.to_string())
 }
 
-/// The fault of a table whose file is `a.txt`.
+/// Returns the fault of a table with the file `a.txt`.
 fn fault(table: &str) -> String {
     let folder = tempfile::tempdir().expect("a folder can be made");
     fs::write(folder.path().join("a.txt"), "1 2\n2 4\n3 7\n").expect("the folder takes files");
@@ -38,7 +38,7 @@ fn code(table: &str, text: &str) -> &'static str {
     read(table, text.as_bytes()).expect_err("no curve").code()
 }
 
-/// Rows of depth in nm and force in µN, `F = D²`, one of them at each of the depths.
+/// Rows of depth in nm and force in µN, `F = D²`, one at each depth.
 fn rows(depths: impl IntoIterator<Item = f64>, separator: &str, end: &str) -> String {
     let row = |depth: f64| format!("{depth}{separator}{}{end}", depth * depth);
     depths.into_iter().map(row).collect()
@@ -111,7 +111,7 @@ proptest! {
         let table = "file = \"a.txt\"\ncolumns = { depth = 1, force = 2 }\nunits = { depth = 1, force = 1 }\n";
         let comma = read(&format!("{table}text = {{ decimal = \",\" }}"), text.replace('.', ",").as_bytes());
         let point = read(table, text.as_bytes()).unwrap();
-        // Bare numbers are SI: every bit is that of the text.
+        // Bare numbers are SI, so the bits are those of the text.
         let (depths, forces): (Vec<_>, Vec<_>) = points.into_iter().unzip();
         for curve in [&point, &comma.unwrap()] {
             prop_assert_eq!(curve.depth().unwrap(), &depths[..]);
@@ -189,7 +189,7 @@ fn invalid_values_are_left_out_and_counted() {
     assert_eq!(curve.rows, [1, 2, 6, 8, 10]);
     assert_eq!(excluded(&curve, ExclusionReason::InvalidValue), 5);
     assert_eq!(codes(&curve), ["few-points", "many-invalid"]);
-    // The limit is the reader's.
+    // The user may set the limit.
     let curve = read(
         &format!("{PLAIN}text = {{ invalid_above = 40 }}"),
         text.as_bytes(),
@@ -202,7 +202,7 @@ fn invalid_values_are_left_out_and_counted() {
 fn swapped_columns_are_refused_by_their_names_and_told_by_their_shape() {
     let text = format!("Load;Depth\n{}", rows(twenty(), ";", "\n"));
     assert_eq!(code(PLAIN, &text), "other-quantity");
-    // Without names only the shape tells: the force of a contact rises ever faster.
+    // Without names only the shape decides: the slope of a contact's force increases.
     let swapped = PLAIN.replace("depth = 1, force = 2", "depth = 2, force = 1");
     let curve = read(&swapped, rows(twenty(), ";", "\n").as_bytes()).unwrap();
     assert_eq!(codes(&curve), ["concave-curve"]);
@@ -260,7 +260,7 @@ fn stiffness_over_contact_radius_needs_no_force() {
         units = { stiffness = \"uN/nm\", contact_radius = \"nm\" }\nobserve = \"stiffness at contact radius\"";
     let curve = read(table, rows(twenty(), ";", "\n").as_bytes()).unwrap();
     assert_eq!((curve.rows.len(), curve.force()), (20, None));
-    // 1.5² µN/nm, exact in binary but for the unit's rounding.
+    // 1.5² µN/nm, exact in binary except for the unit's rounding.
     assert!((curve.stiffness().unwrap()[1] - 2250.0).abs() < 1e-12);
 }
 

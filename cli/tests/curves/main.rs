@@ -1,4 +1,5 @@
-//! Measured curves of seven kinds of instruments, read as a fit file says, with numbers taken from the files by hand.
+//! Measured curves of seven kinds of instruments, read as a fit file specifies, and compared with numbers taken from
+//! the files by hand.
 
 #![expect(
     clippy::unreadable_literal,
@@ -16,7 +17,7 @@ mod instruments;
 mod invented;
 mod tungsten;
 
-/// Reads the curves of one table `[[data]]`, whose files lie beside this one.
+/// Reads the curves of one table `[[data]]`, with files in this folder.
 fn read(table: &str) -> Result<Vec<MeasuredCurve>, Diagnosis> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/curves");
     let text = format!("[[data]]\n{table}\n");
@@ -33,12 +34,12 @@ fn one(table: &str) -> MeasuredCurve {
     curves.remove(0)
 }
 
-/// The sentence of the diagnosis of a table.
+/// Returns the sentence of a table's diagnosis.
 fn refused(table: &str) -> String {
     read(table).expect_err("some file is none").to_string()
 }
 
-/// Rows left out for a reason.
+/// Number of rows left out for a reason.
 fn excluded(curve: &MeasuredCurve, reason: ExclusionReason) -> usize {
     let found = curve.excluded.iter().find(|found| found.reason == reason);
     found.map_or(0, |found| found.count)
@@ -48,7 +49,8 @@ fn codes(curve: &MeasuredCurve) -> Vec<&str> {
     curve.warnings.iter().map(|warning| warning.code).collect()
 }
 
-/// First and last value. One rounding of the number and one of its product with the unit.
+/// Checks the first and the last value. The tolerance allows one rounding of the number and one of its product with the
+/// unit.
 fn check_ends(values: Option<&[f64]>, first: f64, last: f64) {
     let values = values.expect("the column was read");
     let ends = [(values[0], first), (values[values.len() - 1], last)];

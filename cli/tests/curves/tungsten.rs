@@ -1,4 +1,4 @@
-//! Eight indentations of tungsten by a rounded tip: elastic up to a pop-in, with markers.
+//! Eight indentations of tungsten with a rounded tip: elastic up to a pop-in, with markers.
 
 use pellicle_cli::measurements::ExclusionReason;
 
@@ -16,7 +16,7 @@ fn every_elastic_segment_ends_at_its_pop_in() {
         "file = \"tungsten_sphere_test*.csv\"\n{TABLE}{segment}"
     ))
     .unwrap();
-    // The last point before the pop-in, read off the files: row, depth in nm, force in mN.
+    // The last point before the pop-in, read from the files: row, depth in nm, force in mN.
     let wanted = [
         (774, 30.960_204_619_931_6, 0.812_086_615_131_596),
         (1061, 35.953_678_611_055_2, 1.115_032_363_683_71),
@@ -52,7 +52,7 @@ fn forces_bound_the_segment_before_the_pop_in_does() {
     ));
     let force = curve.force().unwrap();
     assert!(force.iter().all(|force| (0.01e-3..=0.8e-3).contains(force)));
-    // Below 0.8 mN there is no step that stands out.
+    // There is no distinct step below 0.8 mN.
     assert_eq!(codes(&curve), ["no-depth-step"]);
     let counted: usize = curve.excluded.iter().map(|found| found.count).sum();
     assert_eq!(counted + curve.rows.len(), curve.table_rows);

@@ -1,4 +1,4 @@
-//! Wrong command lines: exit code 2, a sentence that says what is wrong, nothing written.
+//! Wrong command lines: exit code 2, a sentence that states the fault, nothing written.
 
 use crate::runner::{CASE, TestFolder};
 

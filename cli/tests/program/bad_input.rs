@@ -250,7 +250,7 @@ fn a_bare_number_among_units_is_warned_of_with_its_line() {
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let summary: serde_json::Value = serde_json::from_str(&ran.stdout).unwrap();
     assert_eq!(summary["warnings"][0]["code"], "bare-number");
-    // With no unit anywhere a bare number is what it is.
+    // Without any units, a bare number needs no warning.
     let checked = folder.run(&["check", "case.toml"]).stdout;
     let resolved = TestFolder::with_case(checked).run(&["check", "case.toml"]);
     assert!(
@@ -309,7 +309,7 @@ fn a_strength_without_a_unit_among_units_is_warned_of() {
     );
 }
 
-/// The case with a table of stresses, whose second line is this.
+/// The case with a table of stresses that has this line.
 fn with_stress(line: &str) -> String {
     format!("{CASE}\n[stress]\n{line}\n")
 }

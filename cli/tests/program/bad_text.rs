@@ -1,4 +1,4 @@
-//! Case files that are no text, no TOML or no case, or that would steer a terminal.
+//! Case files that are not text, not TOML or not a case, or that contain terminal control characters.
 
 use crate::bad_input::{Expected, refuses, refuses_case};
 use crate::runner::{CASE, TestFolder};
@@ -57,7 +57,7 @@ fn a_case_with_a_byte_order_mark_is_read() {
     let folder = TestFolder::with_case(format!("\u{feff}{CASE}"));
     let checked = folder.run(&["check", "case.toml"]);
     assert_eq!(checked.code, Some(0), "{}", checked.stderr);
-    // Places are those of what the editor shows.
+    // Positions are those that the editor shows.
     let folder = TestFolder::with_case(format!("\u{feff}{}", CASE.replace("title", "titel")));
     let message = folder.run(&["check", "case.toml"]).stderr;
     assert!(

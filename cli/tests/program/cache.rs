@@ -1,4 +1,4 @@
-//! The cache between runs: what is kept, what is said when it fails, and `pellicle cache`.
+//! The cache between runs: its contents, the message when it fails, and `pellicle cache`.
 
 use std::fs;
 use std::path::PathBuf;
@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::runner::{CASE, ProgramOutput, TestFolder};
 
-/// A grid above the border from which coefficients are kept, and two coarser ones.
+/// A grid large enough for its coefficients to be kept, and two coarser ones.
 const SIZE: &str = "grid.elements=128";
 
 /// Runs the program with its cache in the folder `kept`.

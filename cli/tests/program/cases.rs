@@ -1,4 +1,4 @@
-//! Every file in `cases/` and `cases/paper/`: it runs as it stands, is certified, and opens with a comment.
+//! Every file in `cases/` and `cases/paper/`: it runs unchanged, is certified, and begins with a comment.
 
 use std::fs;
 use std::path::{Path, PathBuf};

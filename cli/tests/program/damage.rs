@@ -1,4 +1,4 @@
-//! Two hundred damaged case files, and what goes wrong around a run: each ends with one message and leaves nothing.
+//! Two hundred damaged case files, and faults around a run: each gives one message and leaves no files.
 
 use std::fs;
 use std::io::Write;
@@ -12,19 +12,19 @@ use crate::runner::{CASE, ProgramOutput, TestFolder};
 /// One way to damage a case, at a place given by a number in [0, 1).
 #[derive(Debug, Clone)]
 enum Damage {
-    /// Letters of a key exchanged.
+    /// A letter is inserted into a key.
     Key(f64),
-    /// A value replaced by one that fits nowhere.
+    /// A value is replaced by one that fits nowhere.
     Value(f64, &'static str),
-    /// The unit of a quantity replaced.
+    /// The unit of a quantity is replaced.
     Unit(f64, &'static str),
-    /// A line that must be there taken away.
+    /// A required line is removed.
     Line(f64),
-    /// A byte that is no text.
+    /// A byte that is not text is inserted.
     Byte(f64, u8),
-    /// The end cut off within a line.
+    /// The end is cut off within a line.
     Cut(f64),
-    /// A line twice.
+    /// A line is repeated.
     Twice(f64),
 }
 
@@ -68,7 +68,7 @@ fn damage() -> impl Strategy<Value = Damage> {
     ]
 }
 
-/// The item that a number in [0, 1) points at.
+/// Picks an item by a number in [0, 1).
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -78,7 +78,7 @@ fn pick<T: Copy>(items: &[T], at: f64) -> T {
     items[((items.len() as f64 * at) as usize).min(items.len() - 1)]
 }
 
-/// Lines `key = value` whose value must be what it is for the case to be one; the title may be anything.
+/// Lines `key = value` whose value may make the case invalid; the title may be anything.
 fn lines(wanted: impl Fn(&str) -> bool) -> Vec<usize> {
     let lines = CASE.lines().enumerate();
     let kept = lines.filter(|(_, line)| line.contains(" = ") && !line.starts_with("title"));
@@ -130,7 +130,7 @@ fn damaged(damage: &Damage) -> Vec<u8> {
             bytes
         }
         Damage::Cut(at) => {
-            // Before the load: what comes after it has defaults.
+            // Before the load, because everything after it has defaults.
             let end = CASE.find("[load]").unwrap();
             let places: Vec<_> = (1..end).collect();
             CASE.as_bytes()[..pick(&places, at)].to_vec()
@@ -172,7 +172,7 @@ fn two_hundred_damaged_cases_end_with_2_one_diagnosis_and_no_results() {
     }
 }
 
-/// Whether the tests may write where nobody may: as root they may everywhere.
+/// Whether the tests run as root and may write anywhere.
 fn is_root() -> bool {
     let folder = TestFolder::new();
     let path = folder.path("closed");
@@ -193,7 +193,7 @@ fn set_read_only(path: &std::path::Path, read_only: bool) {
 fn a_folder_that_cannot_be_written_to_is_told_before_any_work() {
     if is_root() {
         let folder = TestFolder::with_case(CASE);
-        // Nobody may make a folder in a file.
+        // A folder cannot be made in a file.
         fs::write(folder.path("results"), "mine").unwrap();
         refused(&folder.run(&["run", "case.toml"]), "results");
         refused(

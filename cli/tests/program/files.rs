@@ -1,4 +1,4 @@
-//! `run` and `plot`: the results folder, whole or not at all.
+//! `run` and `plot`: the results folder, complete or not at all.
 
 use std::fs;
 
@@ -73,7 +73,7 @@ fn a_folder_of_something_else_is_never_replaced() {
 #[test]
 fn a_result_that_did_not_converge_is_written_and_marked() {
     let folder = TestFolder::with_case(CASE);
-    // The smallest force that a number can hold: spread over the elements it is no number any more.
+    // The smallest force that a number can hold: divided over the elements it underflows.
     let ran = folder.run(&[
         "run",
         "case.toml",
@@ -195,13 +195,13 @@ fn the_fields_are_arrays_of_the_grid() {
     }
     let mask: Array2<bool> = npz.by_name("mask").unwrap();
     let pressure: Array2<f64> = npz.by_name("pressure").unwrap();
-    // A cylinder stands on the axis, and carries something.
+    // A cylinder stands on the axis and carries pressure.
     assert!(mask[[16, 16]] && pressure[[16, 16]] > 0.0);
     let contact: Array2<bool> = npz.by_name("contact").unwrap();
     assert_eq!(contact, pressure.mapv(|pressure| pressure > 0.0));
     assert_ne!(contact, mask);
     let area = (400e-9_f64 / 32.0).powi(2);
-    // The force of the certificate, to its tolerance.
+    // The force agrees within the certificate's tolerance.
     assert!((pressure.sum() * area / 1e-6 - 1.0).abs() < 1e-8);
 }
 
@@ -245,7 +245,7 @@ fn the_report_holds_everything_it_shows_and_says_warnings_aloud() {
         "title=<b>5 & 6</b>",
     ]);
     let page = fs::read_to_string(folder.path("a/report.html")).unwrap();
-    // The name of SVG's vocabulary is the only address on the page, and nothing is fetched from it.
+    // The namespace of SVG is the only address on the page, and nothing is fetched from it.
     let addresses = page.replace("http://www.w3.org/2000/svg", "");
     assert!(!addresses.contains("http:") && !addresses.contains("https:"));
     assert!(page.contains("<title>&#60;b&#62;5 &#38; 6&#60;/b&#62;</title>"));

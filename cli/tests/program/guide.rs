@@ -1,4 +1,4 @@
-//! The guide: its commands, run one after the other as they stand there.
+//! The guide: its commands, run one after the other as written.
 #![cfg(unix)]
 
 use std::env;
@@ -10,13 +10,13 @@ use crate::runner::{TestFolder, names};
 
 const GUIDE: &str = include_str!("../../../docs/guide.md");
 
-/// The blocks of the guide: language and text.
+/// The code blocks of the guide: language and text.
 fn blocks() -> Vec<(&'static str, &'static str)> {
     let blocks = GUIDE.split("```").skip(1).step_by(2);
     blocks.filter_map(|block| block.split_once('\n')).collect()
 }
 
-/// The program's folder before all others.
+/// The search path, with the program's folder first.
 fn path() -> String {
     let folder = Path::new(env!("CARGO_BIN_EXE_pellicle")).parent().unwrap();
     format!("{}:{}", folder.display(), env::var("PATH").unwrap())
@@ -26,7 +26,7 @@ fn path() -> String {
 fn every_command_of_the_guide_does_what_it_says() {
     let (folder, path) = (TestFolder::new(), path());
     for (language, text) in blocks() {
-        // A case with a name is saved under it.
+        // A block with a file name is saved under it.
         let name = text.strip_prefix("# ").and_then(|text| text.lines().next());
         match (language, name) {
             ("toml", Some(name)) => fs::write(folder.path(name), text).unwrap(),
@@ -36,7 +36,7 @@ fn every_command_of_the_guide_does_what_it_says() {
     }
     let studies = ["results/thickness", "results/study"].map(|study| names(&folder.path(study)));
     assert_eq!(studies[0], ["report.html", "results.csv", "study.json"]);
-    // Tables and identities of the whole and its parts, a page, and fields on two grids of each.
+    // Tables and identities of the whole and its parts, a page, and for each the fields on two grids.
     assert_eq!(studies[1].len(), 13);
 }
 

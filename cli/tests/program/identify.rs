@@ -1,4 +1,4 @@
-//! `pellicle identify` as a user meets it: numbers with intervals, verdicts, exit codes, wrong fit files.
+//! `pellicle identify` as seen by a user: numbers with intervals, verdicts, exit codes, wrong fit files.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::runner::{ProgramOutput, TestFolder};
 
-/// A coating on a polymer under a ball, with noise of 1 %.
+/// A coating on a polymer indented by a ball, with noise of 1 %.
 const COATING: &str = r#"
 title = "Coating on polymer, ball"
 
@@ -44,7 +44,7 @@ noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
 "foundation.substrate.young_modulus" = { from = "1 GPa", to = "1 TPa" }
 "#;
 
-/// A folder with this fit file and the measurements that it would give.
+/// A folder with this fit file and the measurements simulated from it.
 fn simulated(fit: &str, data: &str, seed: &str) -> TestFolder {
     let folder = TestFolder::new();
     fs::write(folder.path("fit.toml"), fit).unwrap();
@@ -63,7 +63,7 @@ fn simulated(fit: &str, data: &str, seed: &str) -> TestFolder {
     folder
 }
 
-/// The fit of another fit file in the folder.
+/// Runs the fit of another fit file in the folder.
 fn fitted(folder: &TestFolder, fit: &str, more: &[&str]) -> (ProgramOutput, Value) {
     fs::write(folder.path("fit.toml"), fit).unwrap();
     let ran = folder.run(&[&["identify", "fit.toml", "--json"], more].concat());
@@ -135,7 +135,7 @@ fn moduli_of_a_coating_and_its_base_are_found_with_intervals_that_hold_them() {
         "{}",
         fit["work"]
     );
-    // Nothing is left but what there was.
+    // No other files are left.
     assert_eq!(folder.names(), ["coating.csv", "fit.toml"]);
 }
 

@@ -1,4 +1,4 @@
-//! The part of a fit's result about the numbers that it takes as exact.
+//! The part of a fit's result about the parameters that are taken as exact.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::runner::TestFolder;
 
-/// A ball on a half-space and another ball, whose radius stands in the table of its curve.
+/// Two balls on a half-space; the radius of one is given in the table of its curve.
 const BALLS: &str = r#"
 [model]
 foundation = { substrate = { young_modulus = "70 GPa", poisson_ratio = 0.2 } }
@@ -34,7 +34,7 @@ shift = "off"
 "foundation.substrate.young_modulus" = { from = "1 GPa", to = "1 TPa" }
 "#;
 
-/// The folder of a fit file with the measurements that it would give.
+/// A folder with a fit file and the measurements simulated from it.
 fn simulated(fit: &str) -> TestFolder {
     let folder = TestFolder::new();
     fs::write(folder.path("fit.toml"), fit).unwrap();
@@ -56,7 +56,8 @@ fn a_modulus_follows_each_number_taken_as_exact_as_hertz_says() {
         let found = all.find(|number| number["key"] == key).unwrap();
         found["exponents"][0].as_f64().unwrap()
     };
-    // E = (1 − ν²)/(1/E* − 1/E_i*) with E* √R as measured, half of it by each ball: both curves have as many points.
+    // E = (1 − ν²)/(1/E* − 1/E_i*) with E* √R as measured, half of the weight for each ball, since both curves have the
+    // same number of points.
     let (modulus, ratio) = (fit["unknowns"][0]["value"].as_f64().unwrap(), 0.2);
     let body = modulus / (1.0 - ratio * ratio);
     let diamond = 1140e9 / (1.0 - 0.07 * 0.07);
@@ -72,7 +73,7 @@ fn a_modulus_follows_each_number_taken_as_exact_as_hertz_says() {
         ),
     ] {
         let found = exponent(key);
-        // The error of grids of 64 elements.
+        // Grid error with 64 elements.
         assert!((found - wanted).abs() < 2e-3, "{key}: {found} for {wanted}");
     }
     let sentence = "taken as exact: an error of ";

@@ -1,4 +1,4 @@
-//! The next measurement: the design of a fit file, judged together with its data.
+//! The next measurement: the design of a fit file, evaluated together with its data.
 
 use std::fs;
 use std::path::Path;
@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::identify_plan::{E1, E2, MODEL, design, error, number, unknown};
 use crate::runner::{TestFolder, names};
 
-/// A measurement of a coating, with a radius that is not known exactly and a frame that gives.
+/// Simulates a measurement of a coating, with a radius that is not known exactly and a compliant frame.
 fn measured(folder: &TestFolder, report: &str) {
     let fit = format!(
         r#"{MODEL}
@@ -54,7 +54,7 @@ fn what_was_measured_has_the_intervals_of_the_fit_and_the_same_again_halves_thei
             }
             for end in [0, 1] {
                 let (found, wald) = (&unknown(now, key)["interval"][end], &one["wald"][end]);
-                // The best fit and its noise are known to a part of a standard error.
+                // The best fit and its noise are known to a fraction of a standard error.
                 assert!(
                     (number(found) / number(wald) - 1.0).abs() < 1e-4,
                     "{key} {found} {wald}"
@@ -65,7 +65,7 @@ fn what_was_measured_has_the_intervals_of_the_fit_and_the_same_again_halves_thei
     let again = design(&fit["design"], &[(10e-6, 10e-3)]);
     assert_eq!(again["curves"][0]["points"], 100);
     assert_eq!(again, &fit["design"][0]);
-    // The radius and the frame are common to both curves, and no prior is measured twice.
+    // The radius and the frame are common to both curves, and no prior is counted twice.
     let part = error(again, "layer[0].young_modulus") / error(now, "layer[0].young_modulus");
     assert!((0.71..0.95).contains(&part), "{part}");
     let radius = error(again, "indenter.radius") / error(now, "indenter.radius");
@@ -97,7 +97,7 @@ fn without_a_design_nothing_is_planned() {
     assert!(!folder.path("results/plan-intervals.svg").exists());
 }
 
-/// Repeats scatter by more than the error of each: one more curve tells no more than one more repeat.
+/// Repeats scatter by more than the error of each: one more curve adds no more than one more repeat.
 #[test]
 fn of_repeats_the_scatter_between_them_is_in_the_plan() {
     let curves =
@@ -129,7 +129,7 @@ design = {{ forces = ["0.2 mN"] }}
     let [low, high] = [0, 1].map(|end: usize| number(&radius["wald"][end]));
     let planned = &unknown(now, "indenter.radius")["interval"];
     let [least, most] = [0, 1].map(|end: usize| number(&planned[end]));
-    // Rounding of the mixed model's algebra.
+    // Rounding in the algebra of the mixed model.
     let part = (most / least).ln() / (high / low).ln();
     assert!((part - 1.0).abs() < 1e-6, "{part}");
     let more = fit["design"].as_array().unwrap().iter();

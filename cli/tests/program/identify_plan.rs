@@ -1,4 +1,4 @@
-//! `pellicle identify --plan`: the intervals that measurements would give, before any is made.
+//! `pellicle identify --plan`: the expected intervals before any measurement.
 
 use std::fs;
 
@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::runner::TestFolder;
 
-/// A coating on a polymer under a ball; nothing has been measured.
+/// A coating on a polymer indented by a ball; there are no measurements.
 pub const MODEL: &str = r#"title = "Coating & ball"
 [model]
 foundation = { substrate = { young_modulus = "10 GPa", poisson_ratio = 0.3 }, layer = [{ thickness = "0.5 um", young_modulus = "100 GPa", poisson_ratio = 0.25 }] }
@@ -26,7 +26,7 @@ indenter = { kind = "paraboloid", radius = "10 um" }
 "#;
 const MODULUS: &str = r#""foundation.substrate.young_modulus" = { from = "1 GPa", to = "1 TPa" }"#;
 
-/// A fit file of a model, its unknowns, and more tables.
+/// A fit file with a model, unknowns, and more tables.
 pub fn fit_file(model: &str, unknowns: &[&str], more: &str) -> String {
     format!("{model}\n[unknown]\n{}\n{more}\n", unknowns.join("\n"))
 }
@@ -39,7 +39,7 @@ fn planned(folder: &TestFolder, fit: &str) -> Value {
     serde_json::from_str(&ran.stdout).unwrap()
 }
 
-/// The design of a list whose curves are of these radii and largest forces.
+/// Finds the design of a list whose curves have these radii and largest forces.
 pub fn design<'a>(designs: &'a Value, curves: &[(f64, f64)]) -> &'a Value {
     let is_of = |curve: &Value, (radius, force): (f64, f64)| {
         let near = |found: &Value, wanted: f64| (number(found) / wanted - 1.0).abs() < 1e-9;
@@ -56,7 +56,7 @@ pub fn design<'a>(designs: &'a Value, curves: &[(f64, f64)]) -> &'a Value {
     designs.find(is_wanted).unwrap()
 }
 
-/// The standard error of the unknown with this end of its key; infinite where nothing is told.
+/// The standard error of the unknown whose key ends so; infinite if it is not determined.
 pub fn error(design: &Value, key: &str) -> f64 {
     let unknown = unknown(design, key);
     unknown["standard_error"].as_f64().unwrap_or(f64::INFINITY)
@@ -78,7 +78,7 @@ fn assert_near(found: f64, wanted: f64, tolerance: f64) {
     assert!((found / wanted - 1.0).abs() < tolerance, "{found} {wanted}");
 }
 
-/// Errors of a coating computed before by another program: 1 % of noise, a free zero, 24 loads over two decades.
+/// Errors for a coating computed earlier by another program: 1 % of noise, a free zero, 24 loads over two decades.
 #[test]
 fn a_plan_without_data_gives_the_errors_that_another_program_has_computed() {
     let folder = TestFolder::new();
@@ -101,11 +101,11 @@ fn a_plan_without_data_gives_the_errors_that_another_program_has_computed() {
             assert_near(found, *wanted, tolerance);
         }
     };
-    // The digits of the expected numbers.
+    // The digits given of the expected values.
     assert_all(errors(&[E1], ""), &[0.010], 0.03);
     assert_all(errors(&[E1, E2], ""), &[0.034, 0.018], 0.03);
     assert_all(errors(&[E1, E2, H], ""), &[0.106, 0.096, 0.155], 0.01);
-    // Where nearly nothing is told, the grid's error in the derivatives counts.
+    // Where the data determine almost nothing, the grid error in the derivatives matters.
     let frame = "[nuisance]\nframe_compliance = \"free\"";
     assert_all(errors(&[E1, E2, H], frame), &[0.20, 4.26, 1.22], 0.08);
 }
@@ -123,7 +123,7 @@ fn a_small_and_a_large_ball_together_come_first_and_are_advised() {
         ("substrate.young_modulus", 0.008),
         ("thickness", 0.027),
     ] {
-        // The forces of these numbers are not known; 20 µN to 2 mN come near them.
+        // The forces behind these values are not known; 20 µN to 2 mN come close.
         assert_near(error(both, key), wanted, 0.1);
     }
     let advice = plan["advice"].as_str().unwrap();
@@ -131,7 +131,7 @@ fn a_small_and_a_large_ball_together_come_first_and_are_advised() {
     assert!(advice.starts_with(wanted), "{advice}");
 }
 
-/// Fits of simulated measurements scatter as the plan of the same measurement says, and give its intervals.
+/// Fits of simulated measurements scatter as their plan predicts, and give its intervals.
 #[test]
 fn fits_of_simulated_data_scatter_as_planned() {
     const SEEDS: u32 = 12;
@@ -177,11 +177,11 @@ intervals = "wald"
             let expected = error(planned, key);
             *squares += ((number(&one["value"]) / truth).ln() / expected).powi(2);
             let [low, high] = [0, 1].map(|end: usize| number(&one["wald"][end]));
-            // The derivatives at an estimate that is a standard error off, some 2 % of the modulus.
+            // The derivatives are taken at an estimate that is off by a standard error, about 2 % of the modulus.
             assert_near((high / low).ln(), 2.0 * 1.959_964 * expected, 0.05);
         }
     }
-    // χ² with 12 degrees of freedom lies here with a probability of 0.998.
+    // χ² with 12 degrees of freedom lies in this range with probability 0.998.
     assert!(
         squares.iter().all(|sum| (2.2..32.9).contains(sum)),
         "{squares:?}"
@@ -204,7 +204,7 @@ fn of_a_ball_of_unknown_radius_only_a_product_is_told_whatever_the_design() {
     let known = &unknown(own, "young_modulus")["known_combination"];
     let product = "foundation.substrate.young_modulus * indenter.radius^0.5";
     assert_eq!(known["expression"], product);
-    // D ~ E^(−2/3): 24 points of 1 %, all of the same relative change, the zero known by their spread.
+    // D ~ E^(−2/3): 24 points with 1 % noise, all with the same relative change; their spread determines the zero.
     let [low, high] = [0, 1].map(|end: usize| number(&known["interval"][end]));
     assert!(high / low > 1.0 && high / low < 1.05, "{known}");
     assert!(
@@ -214,7 +214,7 @@ fn of_a_ball_of_unknown_radius_only_a_product_is_told_whatever_the_design() {
             .contains("No data of this kind can tell")
     );
 
-    // With a ball of known radius beside it, both are told.
+    // With another ball of known radius, both are determined.
     let data = r#"
 [[data]]
 file = "none.csv"
@@ -237,7 +237,8 @@ set = { "indenter.radius" = "1 um" }
     }
 }
 
-/// Of a half-space, `D ~ E^(−2/3) R^(−1/3)`: the modulus is known as well as the product, plus half the radius.
+/// On a half-space `D ~ E^(−2/3) R^(−1/3)`: the error of the modulus is that of the product, plus half that of the
+/// radius.
 #[test]
 fn the_prior_of_a_radius_is_in_the_error_of_the_modulus() {
     let folder = TestFolder::new();
@@ -260,10 +261,10 @@ fn the_prior_of_a_radius_is_in_the_error_of_the_modulus() {
         let curves = [(radius, 1e-3)];
         let half = 0.5 * 1.05_f64.ln();
         let expected = modulus(&known, &curves).hypot(half);
-        // The grid's error in the derivatives.
+        // Grid error in the derivatives.
         assert_near(modulus(&unsure, &curves), expected, 1e-3);
     }
-    // Two balls, each with a radius of its own: 1/σ² adds.
+    // Two balls, each with its own radius: 1/σ² adds.
     let both = [(1e-6, 1e-3), (10e-6, 1e-3)];
     let sum: f64 = both
         .iter()
@@ -272,7 +273,7 @@ fn the_prior_of_a_radius_is_in_the_error_of_the_modulus() {
     assert_near(modulus(&unsure, &both), sum.sqrt().recip(), 1e-3);
 }
 
-/// The force at a depth is the same measurement: with noise of both axes neither way tells more.
+/// The force at a depth is the same measurement: with noise on both axes, neither form has more information.
 #[test]
 fn forces_at_depths_tell_what_depths_at_forces_do() {
     let folder = TestFolder::new();
@@ -288,7 +289,7 @@ fn forces_at_depths_tell_what_depths_at_forces_do() {
     };
     let (depths, forces) = (errors("depth at force"), errors("force at depth"));
     for (depth, force) in depths.into_iter().zip(forces) {
-        // Identical in exact numbers.
+        // Identical in exact arithmetic.
         assert_near(depth, force, 1e-9);
     }
 }

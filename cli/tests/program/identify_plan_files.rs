@@ -1,4 +1,4 @@
-//! The files of a plan, the input that it refuses, and the example of its page.
+//! The files of a plan, invalid input, and the example of its page.
 
 use std::fs;
 
@@ -40,7 +40,7 @@ fn a_plan_leaves_a_folder_of_its_own_that_is_whole() {
     let read = |name: &str| fs::read_to_string(results.join(name)).unwrap();
     let plan: Value = serde_json::from_str(&read("plan.json")).unwrap();
     assert_eq!(plan["schema"], "pellicle-plan/1");
-    // Two curves alone and both, two unknowns each.
+    // Each curve alone and both together, with two unknowns each.
     assert_eq!(read("plan.csv").lines().count(), 1 + 3 * 2);
     let page = read("report.html");
     assert!(page.contains("Coating &amp; ball") || page.contains("Coating &#38; ball"));
@@ -51,7 +51,7 @@ fn a_plan_leaves_a_folder_of_its_own_that_is_whole() {
             .replace("http://www.w3.org/2000/svg", "")
             .contains("://")
     );
-    // A second plan does not replace it, unless forced.
+    // A second plan does not replace the first, unless forced.
     let again = folder.run(&["identify", "fit.toml", "--plan", "--quiet"]);
     assert_eq!(again.code, Some(0), "{}", again.stderr);
     assert!(folder.path("results/fit-plan-2/plan.json").is_file());
@@ -67,7 +67,7 @@ fn a_plan_leaves_a_folder_of_its_own_that_is_whole() {
     let forced = folder.run(&[&out[..], &["--force"]].concat());
     assert_eq!(forced.code, Some(0), "{}", forced.stderr);
     assert_eq!(names(&results), files);
-    // With --json nothing is left.
+    // With --json, no files are left.
     let ran = folder.run(&["identify", "fit.toml", "--plan", "--json"]);
     assert!(ran.stdout.starts_with('{'));
     assert_eq!(names(&folder.path("results")).len(), 2);
@@ -139,7 +139,7 @@ fn a_bad_design_is_refused_in_one_sentence() {
     assert_eq!(ran.code, Some(2));
 }
 
-/// The page that tells how to plan.
+/// The page of the documentation about planning.
 const GUIDE: &str = include_str!("../../../docs/identification.md");
 
 #[test]
@@ -158,7 +158,7 @@ fn the_plan_of_the_page_is_what_the_page_says() {
     let ran = folder.run(&["identify", "coating-design.toml", "--plan"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let said = after("before any measurement: what to measure");
-    // All but the time: two digits of sums in a fixed order.
+    // All lines except that with the time: two digits of sums in a fixed order.
     for line in said
         .lines()
         .skip(1)

@@ -1,4 +1,4 @@
-//! The files of a fit: its pictures, its page, and nothing with `--json` alone.
+//! The files of a fit: its pictures and its page, and no files with `--json` alone.
 
 use std::fs;
 use std::path::Path;
@@ -23,7 +23,8 @@ const ALWAYS: [&str; 9] = [
     "report.html",
 ];
 
-/// A fit of Hertz's contact, `D = (9Q²/(16 R E*²))^⅓`, its depths raised to a power, with 0.2 nm of noise.
+/// Writes a fit file for Hertz's contact, `D = (9Q²/(16 R E*²))^⅓`, with the depths raised to a power and 0.2 nm of
+/// noise.
 fn hertz(folder: &TestFolder, unknowns: &str, power: f64) {
     let row = |i: i32| {
         let force = 2e-5 * f64::from(i);
@@ -57,7 +58,7 @@ const MODULUS: &str =
     r#""foundation.substrate.young_modulus" = { from = "5 GPa", to = "500 GPa" }"#;
 const RADIUS: &str = r#""indenter.radius" = { from = "1 um", to = "100 um" }"#;
 
-/// The result of a fit, and its page, which must name every unknown with its verdict and why.
+/// Returns the result of a fit and its page, which must name every unknown with its verdict and the reason.
 fn page(results: &Path) -> (Value, String) {
     let read = |name: &str| fs::read_to_string(results.join(name)).unwrap();
     let (fit, page) = (read("fit.json"), read("report.html"));
@@ -69,7 +70,7 @@ fn page(results: &Path) -> (Value, String) {
             assert!(page.contains(text), "{field}: {text}");
         }
     }
-    // Nothing is loaded from elsewhere.
+    // Nothing is loaded from another site.
     let addresses = page.replace("http://www.w3.org/2000/svg", "");
     assert!(!addresses.contains("://"), "an address in the page");
     (fit, page)
@@ -82,7 +83,7 @@ fn assert_is_png(path: &Path) {
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
     assert!(info.width > 500 && info.height > 300, "{info:?}");
-    // Ink on white.
+    // There is ink on white.
     assert!(pixels.contains(&255) && pixels.iter().any(|value| *value < 60));
 }
 
@@ -107,7 +108,7 @@ fn a_fit_of_one_unknown_leaves_curve_profile_and_page() {
 #[test]
 fn a_fit_of_two_unknowns_that_can_be_told_has_their_pair() {
     let folder = TestFolder::new();
-    // Alone the two could not be told; the radius is known to a tenth.
+    // The two are indistinguishable without the prior; the radius is known to a tenth.
     let radius = r#""indenter.radius" = { prior = "lognormal", median = "10 um", factor = 1.1 }"#;
     hertz(&folder, &format!("{MODULUS}\n{radius}"), 1.0);
     let output = folder.run(&["identify", "fit.toml", "--out", "results"]);
@@ -157,7 +158,7 @@ fn json_alone_leaves_nothing_and_force_replaces_all() {
     assert_eq!(folder.names(), before);
     let again = ["identify", "fit.toml", "--out", "results", "--force"];
     assert_eq!(folder.run(&again).code, Some(0));
-    // A picture of an older fit that this one has not.
+    // A picture of an older fit that this fit does not have.
     fs::write(folder.path("results").join("fit-repeats.png"), "old").unwrap();
     fs::write(folder.path("results").join("notes.txt"), "mine").unwrap();
     assert_eq!(folder.run(&again).code, Some(0));
@@ -204,7 +205,7 @@ segment = {{ from = "0.02 mN", to = "0.8 mN" }}
     }
 }
 
-/// The page that guides through a fit.
+/// The page of the documentation about fits.
 const GUIDE: &str = include_str!("../../../docs/identification.md");
 
 #[test]
@@ -230,7 +231,7 @@ fn the_worked_example_of_the_page_gives_what_the_page_says() {
         .filter(|line| line.contains(" = "))
         .collect();
     for (line, said) in values.into_iter().zip(said) {
-        // The last digits are those of the search; the intervals are 0.5 and 4 % wide to a side.
+        // The last digits depend on the search; the intervals are 0.5 and 4 % wide on each side.
         let numbers = |line: &str| -> Vec<f64> {
             let (_, numbers) = line.split_once(" = ").unwrap();
             let words = numbers.split([' ', '[', ']', ',']);

@@ -1,4 +1,4 @@
-//! A cantilever whose spring constant is not known exactly: the modulus is known no better than it.
+//! A cantilever whose spring constant is not known exactly: the modulus is known no better.
 
 use std::fs;
 
@@ -10,11 +10,11 @@ const MODULUS: f64 = 50e3;
 const RADIUS: f64 = 5e-6;
 const SPRING: f64 = 0.05;
 
-/// Approach, deflection and force of a ball on an elastic half-space by Hertz, with 0.2 nm of noise.
+/// Approach, deflection and force of a ball on an elastic half-space according to Hertz, with 0.2 nm of noise.
 fn measurement() -> String {
     let mut state = 12345_u64;
     let mut noise = || {
-        // The sum of twelve numbers in [0, 1), less six.
+        // The sum of twelve numbers in [0, 1), minus six.
         let mut next = || {
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
@@ -36,7 +36,7 @@ fn measurement() -> String {
     String::from("height [nm],deflection [nm],force [nN]\n") + &rows.collect::<String>()
 }
 
-/// The fit with this spring constant and this column for the force.
+/// Runs the fit with this spring constant and this column for the force.
 fn fitted(spring: &str, column: &str, intervals: &str) -> Value {
     let fit = format!(
         r#"
@@ -66,7 +66,7 @@ intervals = "{intervals}"
     serde_json::from_str(&ran.stdout).unwrap()
 }
 
-/// Value and ends of an estimate.
+/// Value and interval ends of an estimate.
 fn numbers(estimate: &Value, interval: &str) -> [f64; 3] {
     let number = |value: &Value| value.as_f64().unwrap();
     let ends = &estimate[interval];
@@ -89,18 +89,18 @@ fn the_modulus_is_known_no_better_than_the_spring_constant() {
     assert_eq!(exact["nuisances"], serde_json::json!([]));
     let uncertain = "{ mean = \"0.05 N/m\", sd = \"0.005 N/m\" }";
     let found = fitted(uncertain, "deflection", "profile");
-    // D ∝ (k/E*)^⅔ Q₀^⅔: variances of ln E* and ln k add, the second 0.1².
+    // D ∝ (k/E*)^⅔ Q₀^⅔: the variances of ln E* and ln k add; the second is 0.1².
     let own = half_width(&exact);
     let quantile = 1.959_963_985;
     let expected = own.hypot(quantile * 0.1);
     assert!(own < 0.02, "{own}");
-    // The prior's slope in ln k at the best fit, which is at its centre to a thousandth.
+    // The slope of the prior in ln k at the best fit, which is within a thousandth of its centre.
     assert!((half_width(&found) / expected - 1.0).abs() < 5e-3, "{own}");
     // The profile is that of k, normal: k (1 ± z/10) with z from χ².
     let [value, low, high] = numbers(&found["unknowns"][0], "interval");
     for (end, sign) in [(low, -1.0), (high, 1.0)] {
         let expected = 1.0 + sign * quantile * 0.1;
-        // The modulus' own half percent, and a hundredth of a standard error.
+        // The modulus' own half percent and a hundredth of a standard error.
         assert!((end / value / expected - 1.0).abs() < 3e-3, "{end} {value}");
     }
     let spring = &found["nuisances"][0];
@@ -124,7 +124,7 @@ fn a_force_that_was_computed_from_the_deflection_gives_the_same() {
     let (deflection, force) = (by("deflection"), by("force"));
     let pair = [&deflection, &force].map(|found| numbers(&found["unknowns"][0], "wald"));
     for (one, other) in pair[0].iter().zip(pair[1]) {
-        // Both are written to six decimals of a nanometre and a nanonewton.
+        // Both are written with six decimals of a nanometre and a nanonewton.
         assert!((one / other - 1.0).abs() < 1e-4, "{one} {other}");
     }
 }

@@ -1,4 +1,4 @@
-//! Ctrl-C in a fit: what is found by then is kept and marked.
+//! Ctrl-C in a fit: the results found so far are kept and marked.
 #![cfg(unix)]
 
 use std::fs;
@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::interrupt::interrupted;
 use crate::runner::TestFolder;
 
-/// Three numbers of a coating, with samples of their posterior.
+/// Three unknowns of a coating, with samples of their posterior.
 const COATING: &str = r#"
 [model]
 foundation = { substrate = { young_modulus = "10 GPa", poisson_ratio = 0.3 }, layer = [{ thickness = "0.5 um", young_modulus = "100 GPa", poisson_ratio = 0.25 }] }
@@ -31,7 +31,7 @@ segment = { from = "0.1 mN", to = "10 mN" }
 noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
 "#;
 
-/// The fit of so many tables, of a model each: more work than any test waits for, if there are six.
+/// A fit of `tables` tables, each with its own model; six of them are more work than a test waits for.
 fn fit(tables: usize) -> String {
     let radius = |table: usize| format!("set = {{ \"indenter.radius\" = \"10.00{table} um\" }}\n");
     let tables = (0..tables).map(|table| TABLE.to_owned() + &radius(table));
@@ -51,10 +51,10 @@ fn ctrl_c_in_a_fit_keeps_what_is_found_and_marks_it() {
     let line = ["identify", "fit.toml", "--out", "fit"];
     let (ran, time) = interrupted(&folder, &line, "-INT", later);
     assert_eq!(ran.code, Some(130), "{}", ran.stderr);
-    // A load of a prediction, the noise of what is there, and what a busy machine takes to write it.
+    // One load of a prediction, the noise of the existing data, and the time to write on a busy machine.
     assert!(time < Duration::from_secs(8), "{time:?}");
     if ran.stderr.contains("nothing is written") {
-        // So busy a machine that no curve was solved in six seconds.
+        // The machine was so busy that no curve was solved in six seconds.
         assert_eq!(folder.names(), ["coating.csv", "fit.toml"]);
         return;
     }

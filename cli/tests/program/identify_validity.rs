@@ -1,5 +1,5 @@
-//! Points at which the model of a fit does not hold: they are left out, counted, listed and told, or the fit says why
-//! it is none.
+//! Points at which the model of a fit does not hold are left out, counted, listed and reported, or the fit explains why
+//! it has no result.
 
 use std::f64::consts::PI;
 use std::fs;
@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::runner::{ProgramOutput, TestFolder};
 
-/// A ball on a film of 1 µm on what is rigid beside it, between a tenth and ten times the load that squeezes the film
+/// A ball on a 1 µm film on a practically rigid body, between a tenth of and ten times the load that squeezes the film
 /// by its thickness.
 const FILM: &str = r#"
 [model]
@@ -27,7 +27,7 @@ noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
 "surface.young_modulus" = { from = "0.1 MPa", to = "10 MPa" }
 "#;
 
-/// A small ball on a soft body, about the load at which its slope at the contact's edge is 0.3.
+/// A small ball on a soft body, around the load at which its slope at the contact's edge is 0.3.
 const STEEP: &str = r#"
 [model]
 foundation = { substrate = { young_modulus = "1 GPa", poisson_ratio = 0.2 } }
@@ -47,7 +47,7 @@ noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
 const SQUEEZED: &str = "springs squeezed by more than their height";
 const TOO_STEEP: &str = "indenter too steep where the contact ends";
 
-/// The fit of measurements that the same file gives, with another file's measurements and fit if they differ.
+/// Fits measurements simulated from the file `simulated` with the file `fit`.
 fn fitted(simulated: &str, fit: &str) -> (TestFolder, ProgramOutput, Value) {
     let folder = TestFolder::new();
     fs::write(folder.path("fit.toml"), simulated).unwrap();
@@ -61,7 +61,7 @@ fn fitted(simulated: &str, fit: &str) -> (TestFolder, ProgramOutput, Value) {
     (folder, ran, serde_json::from_str(&found).unwrap())
 }
 
-/// The forces of a simulated curve, N, as its fit file spreads them.
+/// The forces of a simulated curve, N, spaced as in its fit file.
 fn forces(least: f64) -> impl Iterator<Item = f64> {
     (0..100).map(move |i| least * 100_f64.powf(f64::from(i) / 99.0))
 }
@@ -80,7 +80,7 @@ fn assert_left_out(folder: &TestFolder, found: &Value, reason: &str, count: usiz
     let rows = |name: &str| fs::read_to_string(folder.path("fit").join(name)).unwrap();
     let listed = rows("excluded.csv");
     assert_eq!(listed.lines().count(), 1 + count, "{listed}");
-    // They are the last rows of the table: the largest forces.
+    // The points left out are the last rows of the table: the largest forces.
     for (line, row) in listed.lines().skip(1).zip(101 - count..) {
         assert!(line.starts_with(&format!("curve.csv,{row},")), "{line}");
         assert!(line.ends_with(reason), "{line}");
@@ -92,7 +92,7 @@ fn assert_left_out(folder: &TestFolder, found: &Value, reason: &str, count: usiz
 
 #[test]
 fn a_film_is_left_at_the_load_that_squeezes_it_by_its_thickness() {
-    // A paraboloid on springs alone: p = (D − r²/2R)/η, so Q = π R D²/η, and ηp = h at Q = π R h²/η = π R h E.
+    // A paraboloid on springs: p = (D − r²/2R)/η, so Q = π R D²/η, and ηp = h at Q = π R h²/η = π R h E.
     let limit = PI * 100e-6 * 1e-6 * 1e6;
     let count = forces(31.4159e-6).filter(|force| *force > limit).count();
     assert_eq!(count, 50);
@@ -111,7 +111,7 @@ fn a_film_is_left_at_the_load_that_squeezes_it_by_its_thickness() {
 
 #[test]
 fn logarithmic_springs_are_never_squeezed_to_nothing() {
-    // Beside a rigid body such springs would end at their height, in a knee that six loads to a decade do not follow.
+    // Beside a rigid body such springs would end at their height, in a knee that six loads per decade cannot follow.
     let softer = FILM.replace("\"1 TPa\"", "\"20 MPa\"");
     let logarithmic = softer.replace("\"1 MPa\" }", "\"1 MPa\", law = \"logarithmic\" }");
     assert_ne!(logarithmic, softer);
@@ -148,7 +148,7 @@ fn points_that_the_fit_file_keeps_are_fitted_and_told() {
 
 #[test]
 fn a_fit_that_would_keep_too_few_points_is_none_and_says_why() {
-    // All loads squeeze the film.
+    // Every load squeezes the film by more than its thickness.
     let higher = |fit: &str| {
         let fit = fit.replace("\"31.4159 uN\"", "\"400 uN\"");
         fit.replace("\"3141.59 uN\"", "\"4 mN\"")
@@ -167,7 +167,7 @@ fn a_fit_that_would_keep_too_few_points_is_none_and_says_why() {
         ran.stderr
     );
     assert!(ran.stderr.contains(SQUEEZED), "{}", ran.stderr);
-    // And none of a noise far below the error of the grid.
+    // There is no result either if the noise is far below the grid error.
     let exact = STEEP.replace("relative = 0.01, depth = \"0 nm\"", "depth = \"1e-7 nm\"");
     let (_, ran, found) = fitted(STEEP, &exact);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);

@@ -1,4 +1,4 @@
-//! Ctrl-C: the exit code, how long it takes, and what is left.
+//! Ctrl-C: the exit code, the time it takes, and the files left.
 #![cfg(unix)]
 
 use std::fs;
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use crate::runner::{CASE, ProgramOutput, TestFolder};
 
-/// More work than any test waits for.
+/// More work than a test waits for.
 const LONG: [&str; 4] = [
     "--set",
     "grid.elements=2048",
@@ -16,7 +16,7 @@ const LONG: [&str; 4] = [
     "solver.tolerance=1e-13",
 ];
 
-/// Starts the program, sends it a signal when `ready`, and waits for its end: what it did, and how long after the
+/// Starts the program, sends it a signal when `ready`, and waits for its end. Returns its output and the time since the
 /// signal.
 pub fn interrupted(
     folder: &TestFolder,
@@ -55,7 +55,7 @@ fn ctrl_c_ends_a_run_within_a_second_with_130_and_leaves_nothing_half_written() 
         let line = [&["run", "case.toml"][..], &LONG].concat();
         let (ran, time) = interrupted(&folder, &line, signal, || true);
         assert_eq!(ran.code, Some(130), "{}", ran.stderr);
-        // A second, and what a busy machine takes to start and end a process.
+        // A second, plus the time to start and end a process on a busy machine.
         assert!(time < Duration::from_secs(3), "{time:?}");
         assert!(ran.stderr.contains("stopp"), "{}", ran.stderr);
         assert_eq!(folder.names(), ["case.toml"]);
@@ -65,7 +65,7 @@ fn ctrl_c_ends_a_run_within_a_second_with_130_and_leaves_nothing_half_written() 
 #[test]
 fn ctrl_c_keeps_the_finished_steps_of_a_curve_and_says_that_it_is_not_whole() {
     let folder = TestFolder::with_case(CASE);
-    // Some tens of milliseconds a step: in a second some are done, and never all.
+    // A step takes some tens of milliseconds: in a second some are done, but never all.
     let start = Instant::now();
     let a_second = || start.elapsed() > Duration::from_secs(1);
     let curve = "load={forces={from=\"0.9 uN\", to=\"1 uN\", count=10000}}";
@@ -123,7 +123,7 @@ fn ctrl_c_keeps_the_finished_cases_of_a_study() {
 #[test]
 fn sigterm_finishes_the_cases_of_a_study_in_hand_and_begins_no_other() {
     let folder = TestFolder::with_case(CASE);
-    // The second case takes some seconds: it is in hand when the signal comes.
+    // The second case takes a second or more: it is being solved when the signal comes.
     let study = "[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 1024, 48]\n";
     fs::write(folder.path("study.toml"), study).unwrap();
     let table = folder.path("results/study/results.csv");
@@ -173,7 +173,7 @@ fn an_unfinished_curve_replaces_no_whole_one() {
 #[test]
 fn a_signal_is_heard_from_the_first_thing_a_command_does() {
     let folder = TestFolder::new();
-    // Reading from it, a command waits until it is ended.
+    // A command that reads from a pipe waits until the pipe is closed.
     let pipe = |name: &str| {
         let made = Command::new("mkfifo").arg(folder.path(name)).status();
         assert!(made.unwrap().success());
@@ -214,7 +214,7 @@ fn a_signal_is_heard_from_the_first_thing_a_command_does() {
 #[test]
 fn a_study_stopped_while_it_is_planned_leaves_nothing() {
     let folder = TestFolder::with_case(CASE);
-    // Not one of a million cases is valid, and one is looked for.
+    // None of a million cases is valid, and the program searches for one.
     let force = "load.force = { from = \"-2 uN\", to = \"-1 uN\", count = 100000 }";
     let grids = "grid.elements = { from = 10, to = 100, count = 10 }";
     let study = format!("[study]\ncase = \"case.toml\"\n[study.vary]\n{force}\n{grids}\n");
@@ -227,7 +227,7 @@ fn a_study_stopped_while_it_is_planned_leaves_nothing() {
 #[test]
 fn ctrl_c_while_stresses_are_looked_for_keeps_the_contact_and_says_what_is_missing() {
     let folder = TestFolder::with_case(CASE);
-    // The loads take a fraction of a second, their stresses minutes.
+    // The loads take a fraction of a second, their stresses take minutes.
     let start = Instant::now();
     let searching = || start.elapsed() > Duration::from_secs(3);
     let curve = "load={forces={from=\"0.9 uN\", to=\"1 uN\", count=300}}";
@@ -275,7 +275,7 @@ design = { forces = { from = "0.1 mN", to = "10 mN", count = 100 } }
         true
     });
     assert_eq!(ran.code, Some(130), "{}", ran.stderr);
-    // A second, and what a busy machine takes to start and end a process.
+    // A second, plus the time to start and end a process on a busy machine.
     assert!(time < Duration::from_secs(3), "{time:?}");
     assert_eq!(folder.names(), ["fit.toml"]);
 }

@@ -1,5 +1,5 @@
-//! Nothing lost, nothing overwritten: places claimed before the work, what others wrote kept, tables that read back as
-//! they were written.
+//! Nothing is lost or overwritten: folders are claimed before the work, files of others are kept, and tables read back
+//! as written.
 
 use std::fs;
 use std::process::{Child, Stdio};
@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::runner::{CASE, ProgramOutput, TestFolder, names};
 
-/// Three cases that take no time.
+/// Three cases that take almost no time.
 const STUDY: &str =
     "[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = [\"1 uN\", \"2 uN\", \"3 uN\"]\n";
 
@@ -179,7 +179,7 @@ fn line_ends_and_quotes_in_a_value_read_back() {
     let folder = with_study(&format!(
         "[study]\ncase = \"case.toml\"\n[study.vary]\ntitle = {list}\n"
     ));
-    // The second time the table is read, and nothing is left to do.
+    // The second time the table is read and nothing is left to do.
     for _ in 0..2 {
         let ran = folder.run(&["study", "many.toml", "--json"]);
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
@@ -209,7 +209,7 @@ fn gather_replaces_no_table_of_another_study_or_of_the_users_own() {
         refused(&folder.run(&line), "results.csv");
         assert_eq!(read(&folder, whole), "mine\n");
     }
-    // Another study, finished, whose folder the parts were put into.
+    // Another, finished study, whose folder received the parts.
     fs::write(folder.path("many.toml"), STUDY.replace("3 uN", "4 uN")).unwrap();
     assert_eq!(study(&folder, &["--out", "other"]).code, Some(0));
     for name in ["results.csv", "study.json"] {
@@ -237,7 +237,7 @@ fn parts_of_two_studies_are_not_put_into_one_folder() {
     assert_eq!(read(&folder, "results/many/results.csv"), whole);
     assert_eq!(study(&folder, &["--shard", "1/2", "--fresh"]).code, Some(0));
     let part = ["results-1-of-2.csv", "study-1-of-2.json"];
-    // The table that was there stays until the whole new one takes its place.
+    // The existing table stays until the complete new one replaces it.
     let before = ".pellicle-before-results.csv";
     let there = names(&folder.path("results/many"));
     assert_eq!(there, [&[before], &part[..]].concat());
@@ -322,7 +322,7 @@ fn links_in_a_folder_from_elsewhere_are_not_followed() {
     assert_eq!(read(&folder, "bashrc"), "mine");
 }
 
-/// Waits for something that a child has to do first.
+/// Waits until a condition holds that a child has to meet first.
 fn wait_for(child: &mut Child, is_so: impl Fn() -> bool) {
     let start = Instant::now();
     while !is_so() {
@@ -346,7 +346,7 @@ fn what_a_killed_run_leaves_says_so_and_is_removed_by_the_next() {
     let place = folder.path("results/case");
     let is_claimed = || place.is_dir() && names(&place).len() == 2;
     wait_for(&mut child, is_claimed);
-    // A place that is claimed is passed over by others.
+    // Other runs pass over a folder that is claimed.
     assert_eq!(folder.run(&["run", "case.toml", "--quiet"]).code, Some(0));
     assert_eq!(names(&folder.path("results")), ["case", "case-2"]);
     child.kill().unwrap();

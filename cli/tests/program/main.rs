@@ -1,4 +1,4 @@
-//! The program as a user meets it: its exit codes, what it prints where, and what it leaves behind.
+//! The program as seen by a user: its exit codes, its output, and the files that it leaves.
 
 #![expect(
     clippy::unwrap_used,

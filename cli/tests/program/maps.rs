@@ -1,4 +1,4 @@
-//! Height maps of `.npy`, `.csv` and `.gsf` as indenter and as surface.
+//! Height maps in `.npy`, `.csv` and `.gsf` as indenter and as surface.
 
 use std::fs;
 
@@ -12,7 +12,7 @@ use crate::runner::{CASE, ProgramOutput, TestFolder};
 const SHAPE: [usize; 2] = [40, 30];
 const SIDES: [f64; 2] = [600e-9, 450e-9];
 
-/// A paraboloid of radius 4 µm with a bump on its positive x and y, in m.
+/// A paraboloid of radius 4 µm with a bump at positive x and y, in m.
 fn height(i: usize, j: usize) -> f64 {
     let at = |axis: usize, i: usize| ((i as f64 + 0.5) / SHAPE[axis] as f64 - 0.5) * SIDES[axis];
     let (x, y) = (at(0, i), at(1, j));
@@ -71,9 +71,9 @@ fn the_three_formats_give_the_same_indenter() {
     let folder = folder();
     let [npy, csv, gsf] = INDENTERS.map(|set| run(&folder, set));
     assert!(npy["steps"][0]["max_pressure_at"][0].as_f64().unwrap() > 0.0);
-    // A rounding of the heights.
+    // Rounding of the heights.
     assert!((penetration(&csv) / penetration(&npy) - 1.0).abs() < 1e-9);
-    // Heights of four bytes: 6e-8 of the highest, 15 nm, in 1 nm of penetration.
+    // Heights in four bytes: 6e-8 of the highest, 15 nm, relative to 1 nm of penetration.
     let ratio = penetration(&gsf) / penetration(&npy);
     assert!((ratio - 1.0).abs() < 1e-6, "{ratio} {}", penetration(&npy));
     let at = |summary: &Value| summary["steps"][0]["max_pressure_at"].clone();
@@ -89,7 +89,7 @@ fn a_map_is_found_from_the_folder_of_the_case_and_its_resolved_case_is_a_case_ag
         "../case.toml",
         "--set",
         "surface={kind=\"map\", file=\"tip.gsf\", compliance=\"20 nm/GPa\"}",
-        // sharper than the hollow, so that the contact ends within the map
+        // sharper than the hollow, so the contact ends within the map
         "--set",
         "indenter.radius=1 um",
     ]);
@@ -113,7 +113,7 @@ fn a_map_is_found_from_the_folder_of_the_case_and_its_resolved_case_is_a_case_ag
 #[test]
 fn a_rigid_relief_pressed_by_a_paraboloid_is_a_paraboloid_pressed_by_the_relief_upside_down() {
     let folder = folder();
-    // f − f*: it does not matter which side has the height, but for the place of the lowest point.
+    // f − f*: it does not matter which body has the height, except for the position of the lowest point.
     let flat = "surface={kind=\"bare\"}";
     let bump = folder.run(&[
         "run",
@@ -135,11 +135,11 @@ fn a_rigid_relief_pressed_by_a_paraboloid_is_a_paraboloid_pressed_by_the_relief_
     ]);
     let [bump, on_relief] = [bump, on_relief].map(|ran| summary(&ran));
     let ratio = penetration(&bump) / penetration(&on_relief);
-    // The indenter is moved so that its lowest sample stands on the axis, by less than an element.
+    // The indenter is moved by less than an element to put its lowest sample on the axis.
     assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
 }
 
-/// A map of 24 × 24 samples of 35 nm of a surface in m, as a text in nm.
+/// A map of 24 × 24 samples, 35 nm apart, of a surface in m, as text in nm.
 fn text(mut surface: impl FnMut(f64, f64) -> f64) -> String {
     let at = |i: u32| (f64::from(i) - 11.5) * 35e-9;
     let mut row = |j: u32| {
@@ -151,7 +151,7 @@ fn text(mut surface: impl FnMut(f64, f64) -> f64) -> String {
 
 const PARABOLOID: fn(f64, f64) -> f64 = |x, y| (x * x + y * y) / 8e-6;
 
-/// The case with this surface or indenter of the file `map.csv`.
+/// Runs the case with this surface or indenter and the map in `map.csv`.
 fn with_map(text: &str, set: &str) -> (TestFolder, ProgramOutput) {
     let folder = TestFolder::with_case(CASE);
     fs::write(folder.path("map.csv"), text).unwrap();
@@ -177,7 +177,7 @@ fn a_smooth_map_has_the_pressure_of_the_surface_it_samples_and_a_linear_one_ridg
     let map = "kind=\"map\", file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"";
     let smooth = peak(&format!("{{{map}}}"));
     let linear = peak(&format!("{{{map}, interpolation=\"linear\"}}"));
-    // Heights of six decimals of a nanometre.
+    // The heights have six decimals of a nanometre.
     assert!((smooth / exact - 1.0).abs() < 1e-4, "{smooth:e} {exact:e}");
     assert!((linear / exact - 1.0).abs() > 0.03, "{linear:e} {exact:e}");
 }
@@ -246,7 +246,7 @@ fn points_and_decimal_commas_give_the_map_that_they_are() {
         z
     });
     assert!((of(&points.concat(), "") / expected - 1.0).abs() < 1e-9);
-    // Not all of them: no grid, and no strip of three samples either.
+    // Some of the points only: neither a grid nor a strip of three samples.
     let some = points[5..].concat();
     let (_folder, ran) = with_map(&some, &format!("{indenter}, side=\"840 nm\"}}"));
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);

@@ -1,13 +1,13 @@
-//! A reader of `NetCDF` files of the classic format with 64-bit offsets, which knows the format and not the program.
+//! A reader for `NetCDF` files of the classic format with 64-bit offsets, independent of the program.
 
 use std::collections::BTreeMap;
 
-/// Every variable by its name, those without records as a single one.
+/// Returns every variable by name; one without records counts as a single record.
 pub fn variables(bytes: Vec<u8>) -> BTreeMap<String, Records> {
     NetcdfReader { bytes, at: 0 }.variables()
 }
 
-/// Dimensions and variables of a `NetCDF` file of the classic format with 64-bit offsets.
+/// Dimensions and variables of such a `NetCDF` file.
 struct NetcdfReader {
     bytes: Vec<u8>,
     at: usize,
@@ -39,7 +39,7 @@ impl NetcdfReader {
         }
     }
 
-    /// Every variable by its name, those without records as a single one.
+    /// Returns every variable by name; one without records counts as a single record.
     fn variables(mut self) -> BTreeMap<String, Records> {
         assert_eq!(self.bytes[..4], *b"CDF\x02");
         self.at = 4;

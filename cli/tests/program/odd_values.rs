@@ -2,7 +2,7 @@
 
 use crate::runner::{CASE, TestFolder};
 
-/// A text of the case, its replacement, and the key, the value found and the value wanted in the sentence about it.
+/// A text of the case, its replacement, and the key, the value found and the value wanted as named in the message.
 const ODD: [(&str, &str, &str, &str, &str); 16] = [
     (
         "title = \"Test\"",

@@ -10,7 +10,7 @@ use crate::runner::{CASE, TestFolder};
 
 const SAMPLES: usize = 20;
 
-/// A rough rigid body on a coating, in a cell; `grid` and `load` are those lines.
+/// A rough rigid body on a coating, in a periodic cell, with the given lines `grid` and `load`.
 fn case(grid: &str, load: &str) -> String {
     format!(
         "[foundation]
@@ -38,7 +38,7 @@ elements = 32
 
 const CELL: &str = "boundary = \"periodic\"\nside = 1";
 
-/// A folder with a map of which the samples are moved around the cell.
+/// A folder with a map whose samples are shifted around the cell.
 fn folder(text: &str, moved: [usize; 2]) -> TestFolder {
     let folder = TestFolder::with_case(text);
     let map = Array2::from_shape_fn([SAMPLES; 2], |(i, j)| {
@@ -56,7 +56,7 @@ fn summary(folder: &TestFolder) -> Value {
     serde_json::from_str(&ran.stdout).unwrap()
 }
 
-/// Five samples are eight elements, so that the elements move with the samples, over the border of the cell too.
+/// Five samples are eight elements, so the elements shift with the samples, also across the border of the cell.
 #[test]
 fn a_cell_may_be_cut_anywhere() {
     let text = case(CELL, "force = 0.01");
@@ -74,7 +74,7 @@ fn a_cell_may_be_cut_anywhere() {
         .each_ref()
         .map(|summary| &summary["steps"][0]["rough_contact"]);
     assert_eq!(rough[0]["nominal_area"], 1.0);
-    // Islands go on over the border.
+    // Islands continue across the border.
     let islands = rough.map(|rough| &rough["islands"]);
     assert!(islands[0]["count"].as_u64().unwrap() > 1);
     assert_eq!([islands[1], islands[2]], [islands[0]; 2]);

@@ -1,4 +1,4 @@
-//! `plot`: pictures drawn again as they are, and to order.
+//! `plot`: pictures drawn again unchanged, and with options.
 
 use std::fs;
 use std::path::Path;
@@ -48,7 +48,7 @@ fn pictures_are_drawn_to_order_beside_those_that_are_there() {
         &map[..300]
     );
     let png = fs::read(folder.path("fig/pressure-000.png")).unwrap();
-    // The width stands in the header of a PNG.
+    // The header of a PNG contains the width.
     assert_eq!(png[16..20], 600_u32.to_be_bytes());
     let again = folder.run(&["plot", "one", "--out", "fig"]);
     assert_eq!(again.code, Some(2));
@@ -150,7 +150,7 @@ fn a_measured_surface_has_maps_of_its_heights_the_gap_and_the_displacement() {
         header.ends_with("contact fraction,mean gap [m],islands,corrected contact area [m^2]"),
         "{header}"
     );
-    // From the files alone.
+    // It is drawn from the files alone.
     fs::remove_file(folder.path("a/spectrum.svg")).unwrap();
     plot(&folder, "plot a");
     assert_eq!(svg(&folder.path("a/spectrum.svg")), spectrum);

@@ -1,5 +1,5 @@
-//! Every file of a results folder read back by the tool it is written for. The tools are Python packages, installed
-//! once into a folder of the build; where there is no Python or no network, the tests say so on standard error and
+//! Every file of a results folder read back with the tool for which it is written. The tools are Python packages,
+//! installed once into a folder of the build; without Python or a network, the tests report this on standard error and
 //! pass.
 
 use std::fs;
@@ -10,14 +10,14 @@ use std::sync::OnceLock;
 
 use crate::runner::{CASE, TestFolder};
 
-/// The packages that the scripts import; VTK is installed without its plotting libraries.
+/// Packages imported by the scripts; VTK is installed without its plotting libraries.
 const PACKAGES: [&str; 5] = ["numpy", "scipy", "xarray", "gsffile", "jsonschema"];
 const ALONE: &str = "vtk";
 
-/// Another number here makes another installation, for another list of packages.
+/// A different number makes a new installation, for a changed list of packages.
 const INSTALLATION: &str = "read-back-1";
 
-/// The interpreter that has the packages; none where they cannot be had.
+/// The interpreter with the packages; `None` if they are not available.
 fn python() -> Option<&'static Path> {
     static PYTHON: OnceLock<Option<PathBuf>> = OnceLock::new();
     let python = PYTHON.get_or_init(|| {
@@ -38,7 +38,7 @@ fn python() -> Option<&'static Path> {
     python.as_deref()
 }
 
-/// Written past the test harness, which keeps to itself what a test that passes prints.
+/// Writes past the test harness, which hides the output of a test that passes.
 pub fn say_skipped(line: &str) {
     let mut stderr = std::io::stderr();
     writeln!(stderr, "SKIPPED: {line}").unwrap();
@@ -52,7 +52,7 @@ fn interpreter(folder: &Path) -> PathBuf {
     })
 }
 
-/// Makes the installation beside its place and moves it there when it is complete.
+/// Makes the installation beside its final place and moves it there when it is complete.
 fn install(folder: &Path) -> Result<(), String> {
     let parent = folder.parent().unwrap();
     fs::create_dir_all(parent).unwrap();
@@ -81,7 +81,7 @@ fn install(folder: &Path) -> Result<(), String> {
     };
     pip(&PACKAGES)?;
     pip(&["--no-deps", ALONE])?;
-    // Another process may have been quicker: its installation serves as well.
+    // Another process may have been faster; its installation serves as well.
     match fs::rename(&place, folder) {
         Err(error) if !folder.is_dir() => Err(error.to_string()),
         _ => Ok(()),
@@ -101,7 +101,7 @@ fn succeed(command: &mut Command) -> Result<(), String> {
         .to_owned())
 }
 
-/// Runs a script of `tests/read_back`; it fails where the files are not what they should be.
+/// Runs a script of `tests/read_back`; it fails if the files are wrong.
 fn read_back(script: &str, arguments: &[PathBuf]) {
     let Some(python) = python() else { return };
     let scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/read_back");
@@ -115,7 +115,7 @@ fn read_back(script: &str, arguments: &[PathBuf]) {
     assert!(output.status.success(), "{script}: {stderr}");
 }
 
-/// A curve of two steps on two grids, and a punch, outside of which the gap is infinite.
+/// A curve of two steps on two grids, and one of a punch, outside which the gap is infinite.
 fn check_both_cases(script: &str) {
     let folder = TestFolder::with_case(CASE);
     let curve = [
@@ -155,8 +155,8 @@ fn xarray_reads_the_netcdf_in_the_layout_of_contact_engineering() {
     check_both_cases("xarray_netcdf.py");
 }
 
-/// Stresses of a curve: one layer with friction, and two layers, one of them graded, without. xarray reads those that
-/// the surface bears and interfaces pass, VTK those on their uneven planes.
+/// Stresses of a curve: one layer with friction, and two layers without, one of them graded. xarray reads the tractions
+/// on the surface and across interfaces, VTK those on unevenly spaced planes.
 #[test]
 fn stresses_are_read_as_written_by_xarray_and_vtk() {
     let folder = TestFolder::with_case(CASE);

@@ -1,4 +1,4 @@
-//! Runs the binary in a folder of its own.
+//! Runs the binary in its own folder.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use std::process::{Command, Output, Stdio};
 use serde_json::Value;
 use tempfile::TempDir;
 
-/// A small case that is right: every test of a wrong one changes one thing in it.
+/// A small valid case; every test of an invalid one changes one thing in it.
 pub const CASE: &str = r#"title = "Test"
 
 [foundation]
@@ -39,7 +39,7 @@ elements = 32
 /// A folder to run the program in.
 pub struct TestFolder(TempDir);
 
-/// Exit code and printed text of the program.
+/// Exit code and output of the program.
 pub struct ProgramOutput {
     pub code: Option<i32>,
     pub stdout: String,
@@ -66,7 +66,7 @@ impl TestFolder {
         Self(tempfile::tempdir().unwrap())
     }
 
-    /// A folder that holds `case.toml` with this text.
+    /// Returns a folder with this text as `case.toml`.
     pub fn with_case(text: impl AsRef<[u8]>) -> Self {
         let folder = Self::new();
         fs::write(folder.path("case.toml"), text).unwrap();
@@ -77,18 +77,18 @@ impl TestFolder {
         self.0.path().join(name)
     }
 
-    /// The summary of the run that this results folder is of.
+    /// Returns the summary of the run in this results folder.
     pub fn summary(&self, results: &str) -> Value {
         let text = fs::read_to_string(self.path(results).join("summary.json")).unwrap();
         serde_json::from_str(&text).unwrap()
     }
 
-    /// Names of everything in the folder, hidden or not.
+    /// Returns the names of everything in the folder, hidden or not.
     pub fn names(&self) -> Vec<String> {
         names(self.0.path())
     }
 
-    /// The program without a cache on disk, not yet started.
+    /// Returns a command for the program without a cache on disk.
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_pellicle"));
         command
@@ -107,7 +107,7 @@ impl TestFolder {
         command.output().unwrap().into()
     }
 
-    /// The same with standard output going elsewhere.
+    /// The same with standard output redirected.
     #[cfg(target_os = "linux")]
     pub fn ran_with_stdout(command: &mut Command, stdout: impl Into<Stdio>) -> ProgramOutput {
         let child = command.stdout(stdout).stderr(Stdio::piped()).spawn();

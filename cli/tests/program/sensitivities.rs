@@ -1,10 +1,10 @@
-//! Elastic indenters and derivatives of a run, in the summary and in the curve.
+//! Elastic indenters and derivatives of a run, in the summary and the curve.
 
 use serde_json::Value;
 
 use crate::runner::TestFolder;
 
-/// Hertz' contact of a diamond on steel, nine forces over a decade.
+/// Hertz's contact of a diamond on steel, nine forces over a decade.
 const HERTZ: &str = r#"
 [foundation]
 substrate = { young_modulus = "210 GPa", poisson_ratio = 0.3 }
@@ -43,7 +43,7 @@ fn an_elastic_indenter_makes_the_contact_softer_and_its_constants_count() {
     let number = |value: &Value| value.as_f64().unwrap();
     let [force, penetration] = ["force", "penetration"].map(|key| number(&step[key]));
     let exact = (9.0 * force * force / (16.0 * 10e-6 * modulus * modulus)).cbrt();
-    // The grid's error.
+    // Grid error.
     assert!((penetration / exact - 1.0).abs() < 1e-3);
     let shares = [
         (
@@ -58,7 +58,7 @@ fn an_elastic_indenter_makes_the_contact_softer_and_its_constants_count() {
         let found = found.find(|of| of["parameter"] == key).unwrap();
         let value = number(&found["value"]);
         let smooth = number(&found["smooth_penetration"]) * value / exact;
-        // Some 1000 elements in contact.
+        // About 1000 elements in contact.
         assert!((smooth / share - 1.0).abs() < 5e-3, "{key}: {smooth}");
         let of_elements = number(&found["penetration"]) * value / exact;
         assert!(

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::runner::{CASE, ProgramOutput, TestFolder};
 
-/// Writes a line at a time and reads its answer before the next: the exit code and the answers.
+/// Writes one line at a time and reads its answer before the next; returns the exit code and the answers.
 fn answers(folder: &TestFolder, lines: &[&str]) -> (Option<i32>, Vec<Value>) {
     let mut command = folder.command(&["solve", "case.toml", "--stream"]);
     let command = command.stdin(Stdio::piped()).stdout(Stdio::piped());
@@ -24,7 +24,7 @@ fn answers(folder: &TestFolder, lines: &[&str]) -> (Option<i32>, Vec<Value>) {
     (child.wait().unwrap().code(), answers)
 }
 
-/// The summary without its times.
+/// Returns the summary without its times.
 fn numbers(mut summary: Value) -> Value {
     summary["timing"].take();
     for step in summary["steps"].as_array_mut().unwrap() {

@@ -1,4 +1,4 @@
-//! `stress`: what it prints, against closed forms and the files of a run.
+//! `stress`: its output against closed forms and the files of a run.
 
 use std::f64::consts::PI;
 
@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::runner::{CASE, ProgramOutput, TestFolder};
 
-/// Hertz' contact with R = 1 and E/(1 − ν²) = 1.
+/// Hertz's contact with R = 1 and E/(1 − ν²) = 1.
 const HERTZ: &str = "[foundation]\nsubstrate = { young_modulus = 0.91, poisson_ratio = 0.3 }\n\
     [indenter]\nkind = \"paraboloid\"\nradius = 1\n[load]\nforces = [1e-4, 1e-3]\n[grid]\nelements = 64\n";
 
@@ -44,7 +44,7 @@ fn stresses_on_the_axis_are_those_of_hertz_under_the_load_of_the_step() {
             let along = -1.0 / (1.0 + z * z);
             let arc = if z > 0.0 { z * (1.0 / z).atan() } else { 0.0 };
             let across = -1.3 * (1.0 - arc) - 0.5 * along;
-            // Of 64 elements some 21 are in the radius: the grid's error is of its square.
+            // About 21 of the 64 elements lie in the radius; the grid error is of second order.
             let close = |found: f64, wanted: f64| {
                 assert!((found / peak - wanted).abs() < 5e-3, "{row}, {wanted}");
             };
@@ -86,7 +86,7 @@ fn rows_have_the_names_and_the_sides_of_the_interface() {
         assert_eq!(row["u"].as_array().unwrap().len(), 3);
     }
     assert_eq!(rows[0]["at"], serde_json::json!([-1e-8, 2e-8, 1e-8]));
-    // Tractions pass, the stress along the interface jumps by the ratio of moduli.
+    // Tractions are continuous; the stress along the interface jumps by the ratio of moduli.
     let of = |row: usize, place| number(&rows[row], place);
     assert!((of(0, "/sigma/zz") / of(1, "/sigma/zz") - 1.0).abs() < 1e-9);
     assert!(of(0, "/sigma/xx") > 2.0 * of(1, "/sigma/xx"));
@@ -116,7 +116,7 @@ fn a_point_is_what_the_files_of_a_run_hold_there() {
         "a",
     ]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    // One plane: the fields stand at the end of the file, the largest principal stress last.
+    // With one plane, the fields are at the end of the file, the largest principal stress last.
     let bytes = std::fs::read(folder.path("a/stress-000.nc")).unwrap();
     let from_end = bytes
         .rchunks(8)
@@ -221,6 +221,6 @@ fn what_is_no_point_or_step_is_refused_with_one_sentence() {
     ]);
     let rows = rows(&on_base);
     assert_eq!(rows.len(), 1);
-    // It does not move.
+    // The point does not move.
     assert!(number(&rows[0], "/u/2").abs() < 1e-20);
 }

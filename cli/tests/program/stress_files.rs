@@ -1,4 +1,4 @@
-//! `stress-NNN.nc` and `stress-NNN.vtr`, read back by readers of their own that know the formats and not the program.
+//! `stress-NNN.nc` and `stress-NNN.vtr`, read back by readers independent of the program.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,7 +9,7 @@ use ndarray_npy::NpzReader;
 use crate::netcdf_reader;
 use crate::runner::{CASE, TestFolder, names};
 
-/// The arrays of a VTK file by name, all as numbers.
+/// Returns the arrays of a VTK file by name, all as numbers.
 fn vtk_arrays(bytes: &[u8]) -> BTreeMap<String, Vec<f64>> {
     let marker = b"<AppendedData encoding=\"raw\">\n_";
     let start = bytes
@@ -75,7 +75,7 @@ fn both_files_hold_the_same_fields_and_the_surface_bears_the_pressure() {
     let bytes = fs::read(folder.path("a/stress-000.nc")).unwrap();
     let netcdf = netcdf_reader::variables(bytes);
     let vtk = vtk_arrays(&fs::read(folder.path("a/stress-000.vtr")).unwrap());
-    // The centres within 300 nm of a grid of 32 elements of 12.5 nm.
+    // The centres within 300 nm on a grid of 32 elements of 12.5 nm.
     let x: Vec<f64> = (0..24).map(|i| 12.5e-9 * (f64::from(i) - 11.5)).collect();
     for axis in ["x", "y"] {
         let found = &netcdf[axis][0];
@@ -154,7 +154,7 @@ fn stresses_are_written_of_the_steps_with_fields_in_the_formats_wanted() {
         written.retain(|name| name.starts_with("stress"));
         assert_eq!(written, wanted, "{out}");
     }
-    // They are files of a run: --force replaces them.
+    // They count as files of a run: --force replaces them.
     let again = folder.run(&[
         "run",
         "case.toml",

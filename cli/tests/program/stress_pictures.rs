@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::runner::{TestFolder, names};
 
-/// A hard coating on a base, R = 1, with sliding along a slanting direction.
+/// A hard coating on a base, R = 1, with sliding in an oblique direction.
 const COATED: &str = "title = \"Coating\"\n\
     [foundation]\nsubstrate = { young_modulus = 1, poisson_ratio = 0.3, yield_strength = 0.02 }\n\
     [[foundation.layer]]\nthickness = 0.05\nyoung_modulus = 3\npoisson_ratio = 0.25\ntensile_strength = 0.1\n\
@@ -57,7 +57,7 @@ fn a_run_draws_what_plot_draws_again_and_the_report_shows() {
     }
     let again = folder.run(&["plot", "a", "--out", "b"]);
     assert_eq!(again.code, Some(2));
-    // The names of the stresses alone are enough to refuse.
+    // The names of the stress files alone suffice for a refusal.
     for name in names(&folder.path("b")) {
         if !name.starts_with("stress") {
             fs::remove_file(folder.path("b").join(name)).unwrap();
@@ -118,7 +118,7 @@ fn the_section_is_that_of_the_stresses_at_its_points() {
             assert_eq!(ran.code, Some(0), "{}", ran.stderr);
             let states: Value = serde_json::from_str(&ran.stdout).unwrap();
             let states = states.as_array().unwrap().clone();
-            // On an interface the first is above.
+            // On an interface, the first is that above it.
             let state = if plane == below {
                 &states[1]
             } else {

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::runner::{CASE, TestFolder};
 
-/// Hertz' contact with R = 1, E/(1 − ν²) = 1 and a yield strength.
+/// Hertz's contact with R = 1, E/(1 − ν²) = 1 and a yield strength.
 fn hertz(yield_strength: f64) -> String {
     format!(
         "[foundation]\nsubstrate = {{ young_modulus = 0.91, poisson_ratio = 0.3, yield_strength = {yield_strength:e} }}\n\
@@ -50,7 +50,7 @@ fn a_half_space_yields_where_and_when_hertz_says() {
         assert_eq!(keys(found), ["value", "at", "resolved", "estimate"]);
         let [value, depth] =
             [&found["value"], &found["at"][2]].map(|value| value.as_f64().unwrap());
-        // The grid's error with some ten to twenty elements in the radius.
+        // Grid error with ten to twenty elements in the radius.
         assert!((value / (0.62 * peak(force)) - 1.0).abs() < 5e-3, "{value}");
         let radius = (0.75 * force).cbrt();
         assert!(
@@ -68,7 +68,7 @@ fn a_half_space_yields_where_and_when_hertz_says() {
         (&load["criterion"], &load["name"]),
         (&"yield".into(), &"substrate".into())
     );
-    // The strength goes with the cube root of the force, so its error counts three times.
+    // The strength is proportional to the cube root of the force, so its error counts three times.
     let found = load["force"].as_f64().unwrap();
     assert!((found / force - 1.0).abs() < 1.5e-2, "{found}");
     assert!((load["utilisation"].as_f64().unwrap() - 1.0).abs() < 1e-4);
@@ -185,9 +185,9 @@ fn a_study_varies_friction_and_strength_and_has_critical_loads_as_columns() {
     assert_eq!(rows.len(), 4);
     let of = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
     assert_eq!([0, 2].map(|row| rows[row][friction]), ["0e0", "4e-1"]);
-    // Three halves the strength take the cube of it in force.
+    // 3/2 of the strength takes the cube of that ratio in force.
     assert!((of(1, critical) / of(0, critical) / 1.5_f64.powi(3) - 1.0).abs() < 0.03);
-    // The strength is not in the stress, friction is, and takes from the critical load.
+    // The strength does not affect the stress; friction does, and lowers the critical load.
     assert!((of(0, mises) / of(1, mises) - 1.0).abs() < 1e-12);
     assert!(of(2, mises) > of(0, mises) && of(2, critical) < of(0, critical));
 }

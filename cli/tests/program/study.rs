@@ -1,4 +1,4 @@
-//! `study` and `gather`: killed at random moments, in parts, with cases that fail.
+//! `study` and `gather`: killed at random times, in parts, with failing cases.
 
 use std::fs;
 use std::process::Child;
@@ -43,7 +43,7 @@ fn undisturbed() -> String {
     table(&folder, "results.csv")
 }
 
-/// A sequence of numbers in [0, 1) that looks like chance and is the same every time.
+/// A reproducible sequence of pseudorandom numbers in [0, 1).
 struct Chance(u64);
 
 impl Chance {
@@ -70,7 +70,7 @@ fn a_study_killed_at_ten_moments_ends_with_the_table_of_one_left_alone() {
     let mut kills = 0;
     for _ in 0..10 {
         let mut child = start(&folder);
-        // Somewhere in the first fifth: so that work is left for the kills that follow.
+        // In the first fifth, so that work is left for later kills.
         sleep(whole.mul_f64(0.02 + 0.18 * chance.next()));
         if child.try_wait().unwrap().is_none() {
             kills += 1;
@@ -118,7 +118,7 @@ fn a_failed_case_is_recorded_and_does_not_stop_the_others() {
         lines[4]
     );
     assert!(lines[4].contains("overlap"), "{}", lines[4]);
-    // What is done is not done again.
+    // Finished cases are not solved again.
     let again = Instant::now();
     assert_eq!(study(&folder, &[]).code, Some(1));
     assert!(again.elapsed() < Duration::from_secs(5));
@@ -142,7 +142,7 @@ fn two_parts_gathered_are_the_whole_and_share_no_case() {
     let gathered = folder.run(&["gather", "results/many"]);
     assert_eq!(gathered.code, Some(1), "{}", gathered.stderr);
     assert_eq!(table(&folder, "results.csv"), expected);
-    // The whole study knows that it is done.
+    // The whole study counts as done.
     assert_eq!(study(&folder, &[]).code, Some(1));
     assert_eq!(table(&folder, "results.csv"), expected);
 }
@@ -174,7 +174,7 @@ fn a_fresh_study_that_is_killed_leaves_the_table_that_was_there() {
     fs::write(folder.path("many.toml"), study_of("[32, 48]")).unwrap();
     assert_eq!(study(&folder, &[]).code, Some(0));
     let first = table(&folder, "results.csv");
-    // The second case takes longer than anybody waits.
+    // The second case takes longer than the test waits.
     let long = [
         "--fresh",
         "--threads",
@@ -249,7 +249,7 @@ fn the_cases_can_be_listed_and_have_folders_of_their_own() {
     let ran = study(&folder, &["--folders"]);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     let cases = folder.path("results/many/cases");
-    // The fourth and the eighth fail.
+    // The fourth and the eighth case fail.
     assert_eq!(names(&cases).len(), 6);
     assert!(cases.join("case-0007/summary.json").exists());
 }
@@ -277,7 +277,7 @@ fn samples_of_a_file_give_the_table_of_the_same_values_zipped() {
     fs::write(folder.path("samples.csv"), samples).unwrap();
     assert_eq!(study(&folder, &["--fresh"]).code, Some(0));
     assert_eq!(table(&folder, "results.csv"), expected);
-    // Other samples are another study.
+    // Other samples make another study.
     fs::write(folder.path("samples.csv"), samples.replace("3,", "4,")).unwrap();
     let refused = study(&folder, &[]);
     assert_eq!(refused.code, Some(2), "{}", refused.stderr);
@@ -334,7 +334,7 @@ fn the_status_counts_the_cases_of_all_parts_while_they_are_solved() {
     let done = found["certified"].as_u64().unwrap() + found["failed"].as_u64().unwrap();
     assert_eq!((done, &found["cases"]), (20, &CASES.into()));
     assert_eq!(found["parts_at_work"], 0);
-    // The other part's cases take longer than anybody waits, but for the first.
+    // The other part's cases, except the first, take longer than the test waits.
     let text = "[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 2048]\n";
     fs::write(folder.path("many.toml"), text).unwrap();
     let long = ["--threads", "1", "--set", "solver.tolerance=1e-13"];

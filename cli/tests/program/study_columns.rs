@@ -1,4 +1,4 @@
-//! The columns of a study's table that only some of its cases have.
+//! The columns of a study's table present only for some of its cases.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -24,7 +24,7 @@ elements = 64
 side = "30 um"
 "#;
 
-/// The rows of a table, each the cells by the names of their columns.
+/// The rows of a table, each with its cells by column name.
 fn rows(text: &str) -> Vec<BTreeMap<String, String>> {
     let mut table = csv::Reader::from_reader(text.as_bytes());
     table.deserialize().map(Result::unwrap).collect()

@@ -1,5 +1,5 @@
-//! Faults around a study: the disk is full half way, a part is started twice, the clocks of two machines
-//! differ. Nothing is lost, nothing is there twice, and one sentence says what to do.
+//! Faults around a study: the disk becomes full, a part is started twice, the clocks of two machines differ. Nothing is
+//! lost or duplicated, and one sentence says what to do.
 
 use std::fs;
 use std::path::Path;
@@ -35,7 +35,7 @@ fn read(folder: &TestFolder, name: &str) -> Vec<u8> {
     fs::read(folder.path(name)).unwrap()
 }
 
-/// Files of the study that nobody has disturbed.
+/// Files of an undisturbed study.
 fn undisturbed(text: &str, names: &[&str]) -> Vec<Vec<u8>> {
     let folder = folder(text);
     assert_eq!(study(&folder, &[]).code, Some(1));
@@ -43,8 +43,8 @@ fn undisturbed(text: &str, names: &[&str]) -> Vec<Vec<u8>> {
     names.iter().map(path).collect()
 }
 
-/// Runs the study on a file system of so many kB, again once there is room, and copies its files; none where no file
-/// system can be mounted.
+/// Runs the study on a small file system of size `size`, again once there is room, and copies its files; `None` if no
+/// file system can be mounted.
 #[cfg(target_os = "linux")]
 fn ran_on_a_small_disk(folder: &TestFolder, size: &str) -> Option<[String; 3]> {
     let script = format!(
@@ -102,7 +102,7 @@ fn on_a_full_disk_a_study_says_so_and_goes_on_where_it_stopped_once_there_is_roo
     }
 }
 
-/// The same wherever a shell can limit the size of a file: the table reaches it.
+/// The same on any system whose shell can limit the size of a file: the table reaches the limit.
 #[cfg(unix)]
 #[test]
 fn a_table_that_can_grow_no_more_keeps_its_cases() {
@@ -150,7 +150,7 @@ fn of_a_part_started_many_times_at_once_one_works_and_the_others_say_so() {
     for child in children {
         let ran = ProgramOutput::from(child.wait_with_output().unwrap());
         if ran.code == Some(1) {
-            // Some of its cases fail. One that comes when it is done finds nothing to do.
+            // Some of its cases fail. A process that starts when the part is done finds nothing to do.
             worked += 1;
             assert_eq!(ran.stderr, "");
         } else {
@@ -170,7 +170,7 @@ fn of_a_part_started_many_times_at_once_one_works_and_the_others_say_so() {
     assert!(read(&folder, "results/many/results.csv") == expected);
 }
 
-/// The library that gives a program another clock; none where it is not installed.
+/// The library that changes a program's clock; `None` if it is not installed.
 fn other_clock() -> Option<&'static str> {
     const PLACES: [&str; 3] = [
         "/usr/lib/x86_64-linux-gnu/faketime/libfaketimeMT.so.1",
@@ -182,7 +182,7 @@ fn other_clock() -> Option<&'static str> {
 
 #[test]
 fn parts_on_machines_whose_clocks_are_an_hour_apart_give_the_table_of_one() {
-    // Long enough that both are at work when somebody asks.
+    // Long enough for both to be at work when the status is read.
     let text = STUDY
         .replace("\n\n", "\nkeep = [\"pressure\"]\n\n")
         .replace("count = 10", "count = 100");
@@ -209,7 +209,7 @@ fn parts_on_machines_whose_clocks_are_an_hour_apart_give_the_table_of_one() {
         command.spawn().unwrap()
     };
     let mut parts = [("1/2", "+1h"), ("2/2", "-1h")].map(|(part, hour)| start(part, hour));
-    // Until cases of both are on the disk; on a busy machine they may be done by then.
+    // Waits until cases of both parts are on disk; on a busy machine both may be done by then.
     let asked = Instant::now();
     let mut most_at_work = 0;
     loop {
@@ -226,7 +226,7 @@ fn parts_on_machines_whose_clocks_are_an_hour_apart_give_the_table_of_one() {
         part.kill().unwrap();
         part.wait().unwrap();
     }
-    // Files as another machine has written them, with its time.
+    // Files as written by another machine, with its time.
     let hour = Duration::from_hours(1);
     for (name, time) in [
         ("study-1-of-2.json", SystemTime::now() + hour),

@@ -1,4 +1,5 @@
-//! `study.keep`: fields of all cases in one file, as `run` gives them, however the study was interrupted or divided.
+//! `study.keep`: fields of all cases in one file, equal to those of `run`, however the study was interrupted or
+//! divided.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,7 +13,7 @@ use ndarray_npy::NpzReader;
 use crate::netcdf_reader::{self, Records};
 use crate::runner::{CASE, ProgramOutput, TestFolder, names};
 
-/// Two grids; the cylinders of the last radius overlap.
+/// Two grids; the cylinders with the last radius overlap.
 const STUDY: &str = r#"[study]
 case = "case.toml"
 keep = ["gap", "pressure"]
@@ -23,7 +24,7 @@ load.force = ["1 uN", "2 uN", "4 uN"]
 surface.radius = ["10 nm", "20 nm", "26 nm"]
 "#;
 
-/// Each case has a domain of its own.
+/// Each case has its own domain.
 fn folder(text: &str) -> TestFolder {
     let folder = TestFolder::with_case(CASE.replace("side = \"400 nm\"\n", ""));
     fs::write(folder.path("many.toml"), text).unwrap();
@@ -46,7 +47,7 @@ fn column(variable: &Records) -> Vec<f64> {
     variable.iter().map(|record| record[0]).collect()
 }
 
-/// Equal bits, whatever a NaN is.
+/// Whether the bits are equal, those of NaN included.
 fn are_bits(one: &[f64], other: &[f64]) -> bool {
     let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits();
     one.len() == other.len() && one.iter().zip(other).all(same)
@@ -95,7 +96,7 @@ fn the_kept_fields_are_those_of_a_run_of_each_case_to_the_bit() {
             (sides[0] / sides[3] - 1.0).abs() > 1e-3,
             "sides chosen from the load differ"
         );
-        // Elements of unit square, their centres.
+        // Centres of the elements of a unit square.
         let x = &found["x"][0];
         assert_eq!((x.len(), x[0]), (elements, 0.5 / elements as f64 - 0.5));
     }
@@ -103,14 +104,14 @@ fn the_kept_fields_are_those_of_a_run_of_each_case_to_the_bit() {
 
 const FILES: [&str; 3] = ["fields-n32.nc", "fields-n48.nc", "results.csv"];
 
-/// The files of a study that nobody has disturbed.
+/// The files of an undisturbed study.
 fn undisturbed(text: &str) -> Vec<Vec<u8>> {
     let folder = folder(text);
     assert_eq!(study(&folder, &[]).code, Some(1));
     FILES.map(|name| bytes(&folder, name)).to_vec()
 }
 
-/// More of the same, so that there is something to interrupt.
+/// A longer study, so that there is something to interrupt.
 fn long() -> String {
     let loads = "load.force = { from = \"1 uN\", to = \"4 uN\", count = 40 }";
     let text = STUDY.replace("load.force = [\"1 uN\", \"2 uN\", \"4 uN\"]", loads);
@@ -135,7 +136,7 @@ fn kept_fields_survive_kills_and_read_empty_until_all_are_there() {
             assert!(began.elapsed() < Duration::from_mins(1), "no field");
             sleep(Duration::from_millis(2));
         }
-        // Rows wait for their fields, which are forced to the disk once a second.
+        // Rows wait for their fields, which are forced to disk once a second.
         sleep(Duration::from_millis(150 * i));
         child.kill().unwrap();
         child.wait().unwrap();
@@ -157,7 +158,7 @@ fn kept_fields_survive_kills_and_read_empty_until_all_are_there() {
 fn parts_of_several_machines_are_gathered_into_the_files_of_one() {
     let expected = undisturbed(STUDY);
     let folder = folder(STUDY);
-    // Each machine has a folder of its own; all are copied into one.
+    // Each machine has its own folder; all are copied into one.
     for part in ["1/3", "2/3", "3/3"] {
         let out = format!("machine-{}", &part[..1]);
         let ran = study(&folder, &["--shard", part, "--out", &out]);
@@ -183,7 +184,7 @@ fn parts_of_several_machines_are_gathered_into_the_files_of_one() {
     assert_eq!(gathered.code, Some(1), "{}", gathered.stderr);
     let found = FILES.map(|name| bytes(&folder, name));
     assert!(found[..] == expected[..]);
-    // The whole study knows that it is done, and its fields are there.
+    // The whole study counts as done, and its fields are there.
     assert_eq!(study(&folder, &[]).code, Some(1));
     let found = FILES.map(|name| bytes(&folder, name));
     assert!(found[..] == expected[..]);
@@ -203,7 +204,7 @@ fn all_loading_steps_are_kept_where_the_case_asks_for_them() {
         panic!("two cases")
     };
     assert_eq!(first.len(), 3 * 32 * 32);
-    // The load of the second case is the second load of the first.
+    // The load of the second case is the second load of the first case.
     assert!(are_bits(&second[..1024], &first[1024..2048]));
     assert!(second[1024..].iter().all(|value| value.is_nan()));
     assert!(are_bits(
@@ -236,7 +237,7 @@ fn fields_of_something_else_are_not_touched_and_lost_ones_are_told() {
     fs::write(folder.path("many.toml"), STUDY).unwrap();
     assert_eq!(study(&folder, &[]).code, Some(1));
     let first = FILES.map(|name| bytes(&folder, name));
-    // Without its fields a table is of no use.
+    // A table without its fields is of no use.
     fs::remove_file(folder.path("results/many/fields-n48.nc")).unwrap();
     let lost = study(&folder, &[]);
     assert_eq!(lost.code, Some(2));
@@ -257,7 +258,7 @@ fn fields_of_something_else_are_not_touched_and_lost_ones_are_told() {
     fs::remove_file(folder.path("results/many/fields-n48.nc")).unwrap();
     assert_eq!(study(&folder, &["--fresh"]).code, Some(1));
     assert!(FILES.map(|name| bytes(&folder, name)) == first);
-    // Other fields are another study: the cases have to be solved for them.
+    // Other fields make another study: the cases have to be solved again.
     fs::write(folder.path("many.toml"), STUDY.replace("\"gap\", ", "")).unwrap();
     let refused = study(&folder, &[]);
     assert_eq!(refused.code, Some(2));

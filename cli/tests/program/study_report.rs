@@ -1,5 +1,5 @@
-//! `report.html` of a study: it holds every column and every reason, needs no network, and nothing in a case can become
-//! a part of the page.
+//! `report.html` of a study: it contains every column and every reason, needs no network, and cannot be altered by the
+//! contents of a case.
 
 use std::fs;
 
@@ -30,7 +30,7 @@ fn page(folder: &TestFolder) -> String {
     fs::read_to_string(folder.path("results/many/report.html")).unwrap()
 }
 
-/// The data that the page's script draws.
+/// The data drawn by the page's script.
 fn data(page: &str) -> Value {
     let (_, rest) = page.split_once("id=\"data\">").unwrap();
     serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()
@@ -52,7 +52,7 @@ fn the_page_of_a_study_holds_its_columns_and_the_reasons_of_its_failures() {
     ] {
         assert!(page.contains(text), "{text}");
     }
-    // Nothing is loaded, and nothing of a case is a part of the page.
+    // Nothing is loaded, and no text of a case becomes part of the page.
     assert!(page.contains("default-src 'none'"));
     for foreign in [
         "http:",
@@ -82,7 +82,7 @@ fn the_page_of_a_study_holds_its_columns_and_the_reasons_of_its_failures() {
         (&columns[force]["is_key"], &columns[depth]["is_key"]),
         (&true.into(), &false.into())
     );
-    // The numbers of the table, to six digits.
+    // The values of the table, to six digits.
     let table = fs::read_to_string(folder.path("results/many/results.csv")).unwrap();
     let mut table = csv::Reader::from_reader(table.as_bytes());
     let heads = table.headers().unwrap().clone();
@@ -120,7 +120,7 @@ fn the_page_can_be_had_while_parts_are_missing_and_replaces_nobody_elses() {
     assert_eq!(folder.run(&["gather", "results/many"]).code, Some(1));
     let gathered = page(&folder);
     assert!(gathered.contains("24 cases: 12 certified, 12 failed<"));
-    // The merged table and those of the parts are one.
+    // The merged table and those of the parts count once.
     assert_eq!(study(&folder, &["--report"]).code, Some(0));
     assert_eq!(page(&folder), gathered);
     fs::write(folder.path("results/many/report.html"), "mine").unwrap();

@@ -8,11 +8,11 @@ const LINE: [&str; 8] = [
     "--side", "1 um", "--rms", "0.2 nm", "--size", "64", "--seed", "5",
 ];
 
-/// The case, whose body has the surface of a file.
+/// The case with the surface of a file.
 fn case(keys: &str) -> String {
     let (before, after) = CASE.split_once("[surface]").unwrap();
     let (_, after) = after.split_once("[indenter]").unwrap();
-    // A key of the root stands before all tables.
+    // A key of the root comes before all tables.
     format!("surface = {{ kind = \"rough\", {keys} }}\n{before}[indenter]{after}")
 }
 
@@ -23,7 +23,7 @@ fn a_surface_is_written_in_both_formats_and_runs_in_a_case() {
     for name in ["rough.npy", "rough.gsf"] {
         let made = folder.run(&[&["surface", "--out", name][..], &LINE].concat());
         assert_eq!(made.code, Some(0), "{}", made.stderr);
-        // The table that it prints runs in a case.
+        // The printed table can be used in a case.
         let (_, keys) = made.stderr.split_once("kind = \"rough\", ").unwrap();
         let keys = keys.trim_end().trim_end_matches(" }");
         fs::write(folder.path("rough.toml"), case(keys)).unwrap();

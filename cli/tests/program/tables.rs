@@ -1,4 +1,4 @@
-//! `kernel`, `influence`, `check` and `init`: what they print.
+//! Output of `kernel`, `influence`, `check` and `init`.
 
 use std::fs;
 
@@ -101,7 +101,7 @@ fn influence_prints_the_fields_of_an_element_on_both_sides_of_an_interface() {
         .collect();
     assert_eq!(places, wanted);
     let value = |row: usize, load: &str, field: &str| rows[row][load][field].as_f64().unwrap();
-    // The surface under the element bears the loads, and sinks by the influence coefficient.
+    // The surface under the element carries the loads, and sinks by the influence coefficient.
     assert!((value(0, "normal", "szz") + 1.0).abs() < 1e-12);
     assert!((value(0, "tangential", "sxz") + 1.0).abs() < 1e-12);
     let coefficient = &json(
@@ -110,7 +110,7 @@ fn influence_prints_the_fields_of_an_element_on_both_sides_of_an_interface() {
     )[0];
     let sinks = value(0, "normal", "uz") / coefficient["coefficient"].as_f64().unwrap();
     assert!((sinks - 1.0).abs() < 1e-11, "{sinks}");
-    // Tractions pass the interface.
+    // Tractions are continuous across the interface.
     let passes = value(2, "normal", "szz") / value(4, "normal", "szz");
     assert!((passes - 1.0).abs() < 1e-10, "{passes}");
     let shown = folder.run(&[
@@ -268,7 +268,7 @@ fn check_warns_of_what_the_solution_would_warn_of() {
 
 #[test]
 fn check_and_run_choose_the_same_domain_on_every_grid() {
-    // Rough enough for one grid to find more contact than another.
+    // Rough enough that the contact found differs between grids.
     let heights = |i: usize| {
         let height = |j: usize| {
             let (x, y) = (i as f64, j as f64);

@@ -1,4 +1,4 @@
-//! The files that a run writes: their choice, size and time, and an interruption.
+//! The files written by a run: their choice, size and time, and interruption.
 
 use std::fs;
 use std::time::Instant;
@@ -16,7 +16,7 @@ fn run(folder: &TestFolder, out: &str, more: &[&str]) -> String {
     ran.stderr
 }
 
-/// The steps whose files begin and end so.
+/// The steps with a file whose name has this start and end.
 fn steps(folder: &TestFolder, out: &str, start: &str, end: &str) -> Vec<String> {
     let names = names(&folder.path(out)).into_iter();
     let step = |name: String| Some(name.strip_prefix(start)?.strip_suffix(end)?.to_owned());
@@ -71,7 +71,7 @@ fn the_total_time_contains_the_writing() {
     let passed = start.elapsed().as_secs_f64();
     let timing = &folder.summary("a")["timing"];
     let total = timing["total_seconds"].as_f64().unwrap();
-    // Nine pictures take many times as long as three loads on 32 × 32 elements, and most of the process's time.
+    // Nine pictures take many times as long as three loads on 32 × 32 elements: most of the time of the process.
     assert!(
         total <= passed && total > 0.5 * passed,
         "{total} of {passed}"
@@ -137,7 +137,7 @@ mod stopped {
 
     use super::*;
 
-    /// A run that takes seconds to write, when it has begun to.
+    /// Starts a run that takes seconds to write, and returns once it is writing.
     fn writing(folder: &TestFolder) -> Child {
         writing_on(folder, "96")
     }
@@ -190,7 +190,7 @@ mod stopped {
         let sent = Instant::now();
         interrupt(&child);
         let output = child.wait_with_output().unwrap();
-        // A second, and what a busy machine takes to end a process.
+        // A second, plus the time to end a process on a busy machine.
         assert!(
             sent.elapsed() < Duration::from_secs(3),
             "{:?}",
@@ -211,7 +211,7 @@ mod stopped {
     #[test]
     fn large_fields_are_left_out_within_a_second_as_well() {
         let folder = TestFolder::with_case(CASE);
-        // Half a minute of packing and drawing.
+        // Half a minute of compression and drawing.
         let child = writing_on(&folder, "512");
         sleep(Duration::from_millis(500));
         let sent = Instant::now();

@@ -1,4 +1,4 @@
-"""Reads the files of Gwyddion with gsffile.
+"""Reads the Gwyddion files with gsffile.
 
 Pressure, mask and contact in single precision, y falling from row to row, extent, units.
 """

@@ -16,7 +16,7 @@ for step, numbers in enumerate(summary["steps"]):
         assert fields[name].shape == (size, size), name
     assert np.array_equal(fields["contact"], fields["pressure"] > 0)
     force = fields["pressure"].sum() * (side / size) ** 2
-    # Summed in another order than in the program: size² roundings.
+    # Summed in a different order from the program: size² roundings.
     assert abs(force / numbers["force"] - 1) < 1e-11, (force, numbers["force"])
     i, j = np.unravel_index(fields["pressure"].argmax(), (size, size))
     assert [fields["x"][i], fields["y"][j]] == numbers["max_pressure_at"]

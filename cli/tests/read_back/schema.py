@@ -1,4 +1,4 @@
-"""Holds every summary given to the schema of docs/, and shows that the schema refuses a summary with a mistake."""
+"""Checks every given summary against the schema of docs/, and that the schema rejects a summary with a mistake."""
 
 import copy
 import json

@@ -32,13 +32,13 @@ for step, numbers in enumerate(summary["steps"]):
         assert np.array_equal(x, fields["x"][shown]) and np.array_equal(y, x)
         assert z[0] == 0 and np.isclose(z[-1], 2 * numbers["contact_radius"], rtol=1e-15, atol=0)
         assert (np.diff(z) >= 0).all() and len(set(z)) == len(z) - len(thickness)
-        # The surface bears the pressure and the friction; the fields are exact to 1e-11 of the largest.
+        # The surface carries the pressure and the friction; the fields are exact to 1e-11 of the largest.
         pressure = fields["pressure"][np.ix_(shown, shown)]
         bound = 1e-10 * pressure.max()
         surface = data.isel(z=0)
         for name, traction in [("szz", 1), ("sxz", friction[0]), ("syz", friction[1])]:
             assert np.abs(surface[name] + traction * pressure).max() <= bound, name
-        # Tractions and displacements pass a bonded interface, the stress along it jumps.
+        # Tractions and displacements are continuous across a bonded interface; the stress along it jumps.
         bottoms = np.cumsum(thickness)
         for i, bottom in enumerate(bottoms):
             above, below = np.flatnonzero(np.isclose(z, bottom, rtol=1e-12, atol=0))
@@ -49,7 +49,7 @@ for step, numbers in enumerate(summary["steps"]):
             assert np.abs(above["sxx"] - below["sxx"]).max() > 0.1 * np.abs(above["sxx"]).max()
         inside = z < bottoms[0]
         assert (data["body"][inside] == 0).all() and (data["body"][z > bottoms[-1]] == len(bottoms)).all()
-        # Von Mises and principal stresses, by another way.
+        # Von Mises and principal stresses, computed in another way.
         xx, yy, zz, xy, xz, yz = (data[name].values for name in stresses)
         tensor = np.stack([xx, xy, xz, xy, yy, yz, xz, yz, zz], axis=-1).reshape(*xx.shape, 3, 3)
         deviator = tensor - np.trace(tensor, axis1=-2, axis2=-1)[..., None, None] / 3 * np.eye(3)

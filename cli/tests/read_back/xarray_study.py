@@ -1,4 +1,4 @@
-"""Reads fields-nN.nc of a study with xarray: the case as a dimension, the forces of the table, what is missing."""
+"""Reads fields-nN.nc of a study with xarray: the case as a dimension, the forces of the table, missing values."""
 
 import csv
 import sys

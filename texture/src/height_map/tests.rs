@@ -1,4 +1,4 @@
-//! Height maps: heights between samples, derivatives, samples that are refused.
+//! Height maps: heights between samples, derivatives, invalid samples.
 
 use super::*;
 
@@ -70,8 +70,8 @@ fn heights_and_slopes_are_continuous_across_the_samples() {
     for k in 0..80_u32 {
         let y = f64::from(k) / 40.0 - 1.0;
         let [before, here, after] = [-h, 0.0, h].map(|dx| map.height([x + dx, y]));
-        // A ridge's second difference is of the order h, as a bilinear map has it; that of a smooth surface h² f″,
-        // f″ < 100.
+        // The second difference is of order h across a ridge, such as a bilinear map has, and h² f″ on a smooth
+        // surface, with f″ < 100.
         let bend = (after - 2.0 * here + before).abs();
         assert!(bend < 100.0 * h * h, "{y}: {bend:e}");
     }
@@ -105,7 +105,7 @@ fn a_linear_map_has_its_extremes_in_samples_and_the_bits_of_the_bilinear_formula
     let map = map.with_interpolation(Interpolation::Linear);
     let [least, greatest] = [map.least(), map.greatest()];
     assert_eq!([map.lowest(), map.highest()], [least, greatest]);
-    // Sample 2 of x and 3 of y stand at −1/6 and 1/6: u = ⅜ and v = ¼ of the way to the next.
+    // Sample 2 of x and 3 of y are at −1/6 and 1/6: u = ⅜ and v = ¼ of the way to the next.
     let f = |i: usize, j: usize| map.heights()[6 * i + j];
     let along_y = |i: usize| 0.75 * f(i, 3) + 0.25 * f(i, 4);
     let expected = 0.625 * along_y(2) + 0.375 * along_y(3);
@@ -153,7 +153,7 @@ fn maps_that_do_not_fit_their_shape_or_hold_no_numbers_are_refused() {
 #[test]
 fn heights_at_crossings_are_those_at_the_points_to_the_last_bit() {
     let map = sampled(9, |x, y| (7.0 * x + y).sin() + (5.0 * x * y).cos());
-    // Samples, places between them, and places beyond the rim.
+    // Samples, points between them, and points beyond the rim.
     let (x, y) = ([-0.7, -0.25, 0.0, 0.1, 0.31], [-0.6, 0.0, 1.0 / 9.0, 0.2]);
     for map in [map.clone(), map.with_interpolation(Interpolation::Linear)] {
         let heights = map.at_crossings([&x, &y]);

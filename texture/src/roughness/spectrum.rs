@@ -1,7 +1,7 @@
 //! The power spectrum of a map, averaged over directions.
 //!
 //! `C(q) = L_x L_y |ĥ(q)|²`, so that `∫ C d²q/(2π)² = Σ C/(L_x L_y) = ⟨h²⟩` (Jacobs, Junge, Pastewka 2017). Waves are
-//! gathered in bands that are equally wide in the logarithm of the wavenumber.
+//! collected in bands of equal width in the logarithm of the wavenumber.
 
 use std::f64::consts::TAU;
 
@@ -11,38 +11,37 @@ use rustfft::{FftPlanner, num_complex::Complex};
 
 use crate::HeightMap;
 
-/// Bands to a doubling of the wavenumber.
+/// Bands per octave of the wavenumber.
 const BANDS_PER_OCTAVE: f64 = 8.0;
-/// Columns that are transformed together, as many as fill a line of the memory four times.
+/// Columns transformed together: they fill four cache lines.
 const BLOCK: usize = 16;
-/// Fewest samples along an axis that Hann's window is laid on: of fewer its square has another mean.
+/// Fewest samples along an axis for Hann's window; with fewer, the mean of its square is not 1.
 const FEWEST_UNDER_WINDOW: usize = 3;
 
 /// How a map continues beyond its rim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapRim {
-    /// Nothing that is known: the mean plane is taken off the heights, and the spectrum is that of the heights under
-    /// Hann's window.
+    /// Unknown: the mean plane is subtracted, and the spectrum is that of the heights under Hann's window.
     Ends,
-    /// The map again: the mean is taken off.
+    /// Periodic: the mean is subtracted.
     Repeats,
 }
 
 /// The power spectral density in bands of the wavenumber.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PowerSpectrum {
-    /// From long waves to short ones, those with a wave that fits in the map.
+    /// The bands from long waves to short ones; bands without a wave that fits in the map are left out.
     pub bands: Vec<Band>,
 }
 
 /// The waves of a band.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Band {
-    /// Mean of their wavenumbers `|q|`, 1/m.
+    /// Mean wavenumber `|q|`, 1/m.
     pub wavenumber: f64,
-    /// Mean of their power spectral density `C`, m⁴.
+    /// Mean power spectral density `C`, m⁴.
     pub power: f64,
-    /// How many there are, of all directions: `q` and `−q` are two.
+    /// Number of waves in all directions; `q` and `−q` count as two.
     pub waves: usize,
 }
 
@@ -61,7 +60,7 @@ struct WaveSums {
 }
 
 impl PowerSpectrum {
-    /// The spectrum of levelled samples, with the sums over its waves of slopes and curvatures.
+    /// Computes the spectrum of levelled samples, and the sums over its waves for slopes and curvatures.
     pub(super) fn of(mut samples: Vec<f64>, map: &HeightMap, rim: MapRim) -> (Self, Moments) {
         let (shape, extent) = (map.shape(), map.extent());
         if rim == MapRim::Ends {
@@ -167,7 +166,7 @@ impl Bands {
         bands
     }
 
-    /// The band of a wavenumber, the longest wave's in the middle of the first.
+    /// The band of a wavenumber; the longest wave is in the middle of the first band.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -184,7 +183,8 @@ impl Bands {
         }
     }
 
-    /// Adds the waves of a column of the half that is computed; all but the first and the shortest stand for two.
+    /// Adds the waves of one column of the computed half. Every column but the first and that of the shortest wave
+    /// counts twice.
     fn add(&self, sums: &mut WaveSums, n: usize, waves: &[Complex<f64>]) {
         let [rows, columns] = self.shape;
         let images = if n == 0 || 2 * n == columns { 1 } else { 2 };

@@ -1,4 +1,4 @@
-//! Roughness of waves and of self-affine surfaces, whose numbers are known.
+//! Roughness of waves and of self-affine surfaces with known values.
 
 use std::f64::consts::TAU;
 
@@ -16,7 +16,7 @@ fn map(shape: [usize; 2], extent: [f64; 2], height: impl Fn([f64; 2]) -> f64) ->
     HeightMap::new(heights.collect(), shape, extent).unwrap()
 }
 
-/// Numbers from 0 to 1 without any order.
+/// Pseudo-random numbers from 0 to 1.
 fn noise(shape: [usize; 2], extent: [f64; 2]) -> HeightMap {
     let mut state = 12_345_u64;
     let heights = (0..shape[0] * shape[1]).map(|_| {
@@ -46,7 +46,7 @@ fn a_wave_has_its_height_slope_and_curvature_and_one_band() {
         rms * square / 2.0,
         max_relative = 1e-12
     );
-    // C = L_x L_y (a/2)² of q and −q, nothing of the others.
+    // C = L_x L_y (a/2)² for q and −q, zero for the others.
     let total = |band: &Band| band.power * band.waves as f64;
     let bands = &rough.spectrum.bands;
     let largest = bands
@@ -58,7 +58,7 @@ fn a_wave_has_its_height_slope_and_curvature_and_one_band() {
     assert_relative_eq!(all, largest, max_relative = 1e-12);
 }
 
-/// Parseval, and every wave once: the sum of `C/(L_x L_y)` is `⟨h²⟩`.
+/// Parseval's theorem, every wave counted once: the sum of `C/(L_x L_y)` is `⟨h²⟩`.
 #[test]
 fn the_power_of_all_bands_is_the_mean_square_height() {
     for shape in [
@@ -86,14 +86,14 @@ fn the_power_of_all_bands_is_the_mean_square_height() {
     }
 }
 
-/// Of white noise `C = ⟨h²⟩ w_x w_y` at all wavenumbers, under Hann's window too.
+/// White noise has `C = ⟨h²⟩ w_x w_y` at all wavenumbers, under Hann's window too.
 #[test]
 fn noise_has_the_same_power_everywhere_whether_the_map_ends_or_not() {
     let shape = [256, 256];
     for rim in [MapRim::Repeats, MapRim::Ends] {
         let rough = Roughness::of(&noise(shape, [1.0, 1.0]), rim);
         let level = rough.rms_height.powi(2) / 65536.0;
-        // The power of so many waves is known to one over the root of their number; under the window neighbours share.
+        // The relative scatter of a mean over n waves is 1/√n; under the window neighbouring waves are correlated.
         let many = rough
             .spectrum
             .bands
@@ -115,7 +115,7 @@ fn a_plane_is_not_rough_where_a_map_ends() {
     let plane = |[x, y]: [f64; 2]| 1e3 + 0.2 * x - 0.3 * y;
     for shape in [[20, 30], [1, 9], [9, 1], [1, 1], [2, 2]] {
         let rough = Roughness::of(&map(shape, [2.0, 1.0], plane), MapRim::Ends);
-        // Rounding of heights of 1000.
+        // Rounding error of heights of 1000.
         assert!(
             rough.rms_height < 1e-11 && rough.rms_slope < 1e-10,
             "{shape:?} {rough:?}"
@@ -123,8 +123,8 @@ fn a_plane_is_not_rough_where_a_map_ends() {
     }
 }
 
-/// A crest in the middle, so that the mean plane takes nothing off: differences see `2/w sin(qw/2)` in place of `q`,
-/// its square in place of `q²`, and the sums over the squares of sines and cosines lack the terms at the rim.
+/// A crest in the middle, so that the mean plane is zero. Differences give `2/w sin(qw/2)` in place of `q`, its square
+/// in place of `q²`, and the sums over the squares of sines and cosines lack the terms at the rim.
 #[test]
 fn differences_of_a_wave_are_those_of_its_samples() {
     let (n, waves) = (64, 5.0);

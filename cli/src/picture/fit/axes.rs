@@ -1,19 +1,19 @@
-//! The axis that suits measured numbers, on a scale with an SI prefix.
+//! Axes for measured values, with SI prefixes.
 
 use crate::display::DisplayUnit;
 use crate::picture::labels;
 use crate::picture::panel::Axis;
 
-/// Margin beyond the extreme values, as a part of their distance.
+/// Margin beyond the extreme values, as a fraction of their distance.
 const MARGIN: f64 = 0.05;
 
-/// Ratio of the largest to the smallest value from which an axis is logarithmic.
+/// Ratio of the largest to the smallest value above which an axis is logarithmic.
 const DECADES: f64 = 50.0;
 
-/// The same for what is sought by its logarithm, whose likelihood is crowded at small values on a linear axis.
+/// The same for an unknown fitted by its logarithm: on a linear axis its likelihood is crowded at small values.
 const FACTOR: f64 = 5.0;
 
-/// The least and the largest finite value; none if there is none.
+/// Returns the least and the largest finite value; `None` if there is none.
 #[must_use]
 pub fn ends(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     let finite = values.into_iter().filter(|value| value.is_finite());
@@ -29,7 +29,7 @@ pub fn suits_logarithms([low, high]: [f64; 2]) -> bool {
     low > 0.0 && high >= DECADES * low
 }
 
-/// An axis of values between these, in the unit of the scale, with a margin.
+/// Returns a linear axis for values in this range, in the unit of the scale, with a margin.
 #[must_use]
 pub fn linear([low, high]: [f64; 2], scale: &DisplayUnit, quantity: &str, count: usize) -> Axis {
     let [low, high] = [low, high].map(|value| value / scale.divisor);
@@ -42,14 +42,15 @@ pub fn linear([low, high]: [f64; 2], scale: &DisplayUnit, quantity: &str, count:
     Axis::new(from, to, title(quantity, scale), count)
 }
 
-/// A logarithmic axis of values between these, in the unit of the scale.
+/// Returns a logarithmic axis for values in this range, in the unit of the scale.
 #[must_use]
 pub fn logarithmic([low, high]: [f64; 2], scale: &DisplayUnit, quantity: &str) -> Axis {
     let [low, high] = [low, high].map(|value| value / scale.divisor);
     Axis::logarithmic(low, high, title(quantity, scale))
 }
 
-/// An axis of what is sought by its logarithm: a logarithmic one as soon as values differ by a factor.
+/// Returns an axis for an unknown fitted by its logarithm: logarithmic as soon as its values differ by a moderate
+/// factor.
 #[must_use]
 pub fn of_unknown(
     [low, high]: [f64; 2],
@@ -64,7 +65,7 @@ pub fn of_unknown(
     }
 }
 
-/// The quantity with its unit, if it has one.
+/// Returns the quantity with its unit, if it has one.
 #[must_use]
 pub fn title(quantity: &str, scale: &DisplayUnit) -> String {
     match scale.label.as_str() {

@@ -1,4 +1,5 @@
-//! All pairs of unknowns, each unknown on the diagonal: ellipses of the covariance, or samples where there are some.
+//! All pairs of unknowns, with the single unknowns on the diagonal: ellipses of the covariance, or samples if there are
+//! any.
 
 use super::unknown::FittedUnknown;
 use super::{FitHeading, axes};
@@ -8,7 +9,7 @@ use crate::picture::panel::{Axis, Panel};
 use crate::picture::style::{Heading, Style};
 use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
 
-/// Name of the picture, without ending.
+/// File name of the picture, without extension.
 pub const NAME: &str = "fit-corner";
 
 const LEFT: f64 = 112.0;
@@ -19,12 +20,12 @@ const STEP: f64 = SIDE + 34.0;
 /// `Δχ²` of two unknowns at 68 and 95 %: `−2 ln(1 − p)`.
 const LEVELS: [f64; 2] = [2.278_869, 5.991_465];
 
-/// A panel reaches to so many standard deviations.
+/// Half-width of a panel in standard deviations.
 const REACH: f64 = 2.9;
-/// And no farther than this factor, where the data tell little.
+/// Largest factor up to which a panel reaches, if the data determine little.
 const FARTHEST: f64 = 100.0;
 
-/// Points of an ellipse or a marginal, bars of a histogram, and dots of a pair.
+/// Points of an ellipse or a marginal; bars of a histogram; dots of a pair.
 const POINTS: usize = 400;
 const BARS: usize = 40;
 const DOTS: usize = 2000;
@@ -32,18 +33,18 @@ const DOTS: usize = 2000;
 /// The picture of the pairs of unknowns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CornerPlot {
-    /// The lines above.
+    /// The heading.
     pub head: FitHeading,
-    /// The unknowns, all with a covariance.
+    /// The unknowns, each with a covariance.
     pub unknowns: Vec<FittedUnknown>,
-    /// Correlation of their logarithms.
+    /// Correlation of the logarithms of the unknowns.
     pub correlation: Vec<Vec<f64>>,
-    /// Samples of the posterior, each with a value of every unknown; none yet drawn without.
+    /// Samples of the posterior, each with a value of every unknown; empty if none were drawn.
     pub samples: Vec<Vec<f64>>,
 }
 
 impl CornerPlot {
-    /// The picture as SVG; none for a single unknown.
+    /// Draws the picture as SVG; `None` for a single unknown.
     #[must_use]
     pub fn draw(&self, style: &Style) -> Option<String> {
         let count = self.unknowns.len();
@@ -98,7 +99,7 @@ impl CornerPlot {
         panel.draw_axes(svg);
     }
 
-    /// The ellipse of the covariance on which `Δχ²` has this value: straight in logarithms.
+    /// Returns the ellipse of the covariance on which `Δχ²` has this value; it is an ellipse in the logarithms.
     fn ellipse(&self, row: usize, column: usize, level: f64) -> Vec<(f64, f64)> {
         let [x, y] = [column, row].map(|i| &self.unknowns[i]);
         let [sx, sy] = [x, y].map(|of| of.deviation().unwrap_or(0.0));
@@ -113,7 +114,7 @@ impl CornerPlot {
         (0..=POINTS).map(point).collect()
     }
 
-    /// The density of one unknown over its greatest, with its name above.
+    /// Draws the density of one unknown over its maximum, with its name above.
     fn draw_marginal(&self, svg: &mut Svg, index: usize, axes: &[Axis]) {
         let unknown = &self.unknowns[index];
         let density = Axis {
@@ -182,7 +183,7 @@ impl CornerPlot {
     }
 }
 
-/// The values that are shown of an unknown: what its covariance and its profile allow.
+/// The range of an unknown that is shown: the values that its covariance and its profile allow.
 fn reach(unknown: &FittedUnknown) -> Option<[f64; 2]> {
     let deviation = unknown.deviation()?;
     let half = (REACH * deviation).min(FARTHEST.ln());
@@ -200,14 +201,14 @@ fn axis(unknown: &FittedUnknown) -> Option<Axis> {
     Some(axes::of_unknown(ends, &unknown.scale, &unknown.symbol, 5))
 }
 
-/// Values over the range that is shown.
+/// Values over the range shown.
 fn values(unknown: &FittedUnknown) -> impl Iterator<Item = f64> {
     let [low, high] = reach(unknown).unwrap_or([unknown.value; 2]);
     let ratio = high / low;
     (0..=POINTS).map(move |i| low * ratio.powf(i as f64 / POINTS as f64))
 }
 
-/// The panel of a pair; titles and labels stand at the left and at the bottom of the corner alone.
+/// Panel of a pair. Only the panels at the left and at the bottom of the corner have titles and labels.
 fn panel(row: usize, column: usize, count: usize, all: &[Axis]) -> Panel {
     let fitted = |axis: &Axis| Axis {
         title: heading::fitted(&axis.title, SIDE, 18.0),
@@ -259,7 +260,7 @@ mod tests {
             for (a, b) in corner.ellipse(1, 0, level) {
                 let (u, v) = ((a / 7e10).ln() / 0.02, (b / 7e10).ln() / 0.02);
                 let rho = 0.6;
-                // xᵀ C⁻¹ x of two unknowns with correlation ρ.
+                // xᵀ C⁻¹ x for two unknowns with correlation ρ.
                 let form = (u * u - 2.0 * rho * u * v + v * v) / (1.0 - rho * rho);
                 // Rounding of logarithms of numbers near 1.
                 assert_relative_eq!(form, level, max_relative = 1e-9);
@@ -270,7 +271,7 @@ mod tests {
     #[test]
     fn the_levels_hold_their_part_of_a_normal_distribution_of_two() {
         for (level, part) in LEVELS.into_iter().zip([0.68, 0.95]) {
-            // The digits of the levels.
+            // The levels have this many digits.
             assert_relative_eq!(1.0 - (-0.5 * level).exp(), part, max_relative = 1e-6);
         }
     }
@@ -283,7 +284,7 @@ mod tests {
         let [with, without] =
             [with, corner(&["one", "two"])].map(|of| of.draw(&Style::default()).unwrap());
         let bars = |svg: &str| svg.matches("<rect ").count();
-        // One sheet alone without samples.
+        // Only the sheet without samples.
         assert_eq!(bars(&without), 1);
         assert!(bars(&with) > 10, "{}", bars(&with));
     }

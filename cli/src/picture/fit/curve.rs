@@ -1,4 +1,4 @@
-//! Measured points with the curves of the model, and the whitened residuals below.
+//! Measured points with the model's curves, and the whitened residuals below.
 
 use super::{FitHeading, axes, colour};
 use crate::display::DisplayUnit;
@@ -8,7 +8,7 @@ use crate::picture::panel::{Axis, Panel};
 use crate::picture::style::{Heading, Style};
 use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
 
-/// Name of the picture, without ending.
+/// File name of the picture, without extension.
 pub const NAME: &str = "fit-curve";
 
 const LEFT: f64 = 112.0;
@@ -20,35 +20,35 @@ const LOW: f64 = 200.0;
 const WIDTH: f64 = LEFT + WIDE + 36.0;
 const HEIGHT: f64 = TOP + HIGH + BETWEEN + LOW + 84.0;
 
-/// Height of a line of the legend, its columns, and the files that it names.
+/// Height of a line of the legend, number of columns, and most curves named.
 const ENTRY: f64 = 26.0;
 const COLUMNS: usize = 2;
 const NAMED: usize = 12;
 
-/// Points that are drawn, of all curves and of one.
+/// Most points drawn in all; most and fewest per curve.
 const POINTS: usize = 3000;
 const MOST_OF_ONE: usize = 500;
 const FEWEST_OF_ONE: usize = 40;
 
-/// As many points of a curve are drawn above its line.
+/// A curve with at most this many points is drawn with its points above the line.
 const FEW: usize = 60;
 
-/// Light on the line of a model, relative to its points.
+/// Light of a model's line relative to its points.
 const DARK: f64 = 0.55;
 
-/// The band of whitened residuals that holds most of them, standard deviations.
+/// Half-width of the band that holds most whitened residuals, in standard deviations.
 const BAND: f64 = 2.0;
 
 /// One measured point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedPoint {
-    /// The abscissa at which it was measured.
+    /// The abscissa of the measurement.
     pub abscissa: f64,
     /// The measured value.
     pub observed: f64,
-    /// The value of the model, shift included.
+    /// The value of the model, including the shift.
     pub model: f64,
-    /// The residual, whitened by the covariance of the noise.
+    /// The residual whitened by the noise covariance.
     pub whitened: f64,
 }
 
@@ -63,12 +63,12 @@ pub struct FittedCurve {
     pub usage: CurveUse,
 }
 
-/// Whether a curve is part of a fit.
+/// Whether a curve was used in a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CurveUse {
-    /// It is.
+    /// It was used.
     Used,
-    /// It was left out, as it disagrees with the others.
+    /// It was left out because it disagrees with the others.
     LeftOut,
 }
 
@@ -81,10 +81,10 @@ pub struct AxisQuantity {
     pub scale: DisplayUnit,
 }
 
-/// The picture of the curves.
+/// The picture of the measured curves.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curves {
-    /// The lines above.
+    /// The heading.
     pub head: FitHeading,
     /// The quantity on the abscissa.
     pub x: AxisQuantity,
@@ -95,7 +95,7 @@ pub struct Curves {
 }
 
 impl Curves {
-    /// The picture as SVG; none without a point.
+    /// Draws the picture as SVG; `None` without a point.
     #[must_use]
     pub fn draw(&self, style: &Style) -> Option<String> {
         let [upper, lower] = self.panels()?;
@@ -157,7 +157,7 @@ impl Curves {
         Axis::new(-most, most, "residual / σ, whitened".into(), 5)
     }
 
-    /// The colour of a model's curve, darker than its points; ink for a single curve.
+    /// Colour of a model's curve, darker than its points; ink if there is only one curve.
     fn line_colour(&self, i: usize) -> Colour {
         match self.all.len() {
             1 => colours::INK,
@@ -174,7 +174,7 @@ impl Curves {
         panel.draw_mesh(svg);
         let scaled = |x: f64, y: f64| panel.at(x / self.x.scale.divisor, y / self.y.scale.divisor);
         svg.within(panel.place, |svg| {
-            // Curves that were left out lie below the rest.
+            // Curves that were left out are drawn below the rest.
             let mut order: Vec<_> = self.all.iter().enumerate().collect();
             order.sort_by_key(|(_, curve)| curve.usage == CurveUse::Used);
             for (i, curve) in order {
@@ -182,7 +182,7 @@ impl Curves {
                 let places: Vec<_> = shown
                     .map(|point| scaled(point.abscissa, point.observed))
                     .collect();
-                // A line below few points does not hide them; one below many would be hidden.
+                // Few points do not hide a line below them; many would.
                 let stroke = Stroke::new(self.line_colour(i), 1.6);
                 let line = line(curve, scaled);
                 if places.len() <= FEW {
@@ -240,7 +240,7 @@ impl Curves {
         }
     }
 
-    /// The note on curves without a name and points that are not drawn.
+    /// The note on unnamed curves and on points not drawn.
     fn note(&self) -> Option<String> {
         let more = self.all.len().saturating_sub(NAMED);
         let stride = self.all.iter().map(|curve| self.stride(curve)).max();
@@ -252,7 +252,7 @@ impl Curves {
         (!notes.is_empty()).then(|| notes.join("; "))
     }
 
-    /// Every so manieth point of a curve is drawn.
+    /// The stride n of a curve: every n-th point is drawn.
     fn stride(&self, curve: &FittedCurve) -> usize {
         let share = POINTS / self.all.len().max(1);
         let most = share.clamp(FEWEST_OF_ONE, MOST_OF_ONE);
@@ -260,7 +260,7 @@ impl Curves {
     }
 }
 
-/// One point in so many.
+/// Every `stride`-th point.
 fn shown(points: &[FittedPoint], stride: usize) -> impl Iterator<Item = &FittedPoint> {
     points.iter().step_by(stride)
 }
@@ -272,7 +272,7 @@ fn ink(i: usize, curve: &FittedCurve) -> Colour {
     }
 }
 
-/// The model's curve, in the order of its abscissae: a measurement may go back and forth. None of what was left out.
+/// The model's curve in the order of its abscissae, as a measurement may go back and forth; empty for a curve left out.
 fn line(curve: &FittedCurve, at: impl Fn(f64, f64) -> (f64, f64)) -> Vec<(f64, f64)> {
     if curve.usage == CurveUse::LeftOut {
         return Vec::new();

@@ -8,7 +8,7 @@ use crate::picture::panel::{Axis, Panel};
 use crate::picture::style::{Heading, Style};
 use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
 
-/// Name of the picture, without ending.
+/// File name of the picture, without extension.
 pub const NAME: &str = "plan-intervals";
 
 const LEFT: f64 = 112.0;
@@ -19,45 +19,46 @@ const ACROSS: f64 = PANEL_WIDTH + 80.0;
 const DOWN: f64 = PANEL_HEIGHT + 130.0;
 const COLUMNS: usize = 3;
 
-/// Height of a line of the legend, width of an entry, and of the sample of its line.
+/// Height of a line of the legend, width of an entry, and width of its line sample.
 const ENTRY: f64 = 28.0;
 const ENTRY_WIDTH: f64 = 210.0;
 const SAMPLE: f64 = 34.0;
 
-/// The widest interval that has a place, and the narrowest, percent; wider ones stand on the upper side.
+/// Widest and narrowest interval shown, percent; wider ones are drawn at the upper edge.
 const WIDEST: f64 = 1000.0;
 const NARROWEST: f64 = 0.01;
 
 /// The picture of the designs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Designs {
-    /// The lines above.
+    /// The heading.
     pub head: FitHeading,
     /// The note under the picture: noise and number of points.
     pub note: String,
     /// The unit of the forces.
     pub forces: DisplayUnit,
-    /// The indenters, a line each.
+    /// The indenters, each with its own line.
     pub indenters: Vec<String>,
-    /// The unknowns, a panel each.
+    /// The unknowns, each with its own panel.
     pub unknowns: Vec<DesignedUnknown>,
 }
 
-/// Half the interval of an unknown, in percent of its value.
+/// Half the interval of an unknown, in percent of the value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DesignedUnknown {
     /// Its name in words.
     pub name: String,
-    /// For each indenter the largest forces, N, with the width; none where it is lost.
+    /// For each indenter, the largest forces, N, with the half-width of the interval; `None` if the unknown is not
+    /// determined.
     pub lines: Vec<Vec<(f64, Option<f64>)>>,
-    /// With all curves together.
+    /// The half-width with all curves together.
     pub together: Option<f64>,
-    /// From what has been measured alone.
+    /// The half-width from the existing measurements alone.
     pub measured: Option<f64>,
 }
 
 impl Designs {
-    /// The picture as SVG; none without a curve.
+    /// Draws the picture as SVG; `None` without a curve.
     #[must_use]
     pub fn draw(&self, style: &Style) -> Option<String> {
         let forces = axes::ends(self.all_lines().flatten().map(|(force, _)| *force))?;
@@ -74,7 +75,7 @@ impl Designs {
             heading::draw(&mut svg, LEFT, width - LEFT, title, numbers);
             heading::draw_accuracy(&mut svg, LEFT, &self.note);
         }
-        // A single panel fills the width of the heading.
+        // A single panel is as wide as the heading.
         let alone = if columns == 1 { ACROSS } else { 0.0 };
         for (i, unknown) in self.unknowns.iter().enumerate() {
             let place = Rect {
@@ -145,7 +146,7 @@ impl Designs {
             .collect()
     }
 
-    /// The axis of the widths, the same in all panels.
+    /// Axis of the widths, the same in all panels.
     fn widths(&self) -> Axis {
         let lines = self.all_lines().flatten().filter_map(|(_, width)| *width);
         let levels = self.unknowns.iter();
@@ -156,7 +157,7 @@ impl Designs {
                 .map(|width| width.clamp(NARROWEST, WIDEST)),
         );
         let [low, high] = ends.unwrap_or([1.0, WIDEST]);
-        // Widths that are nearly the same lie in the middle.
+        // Widths that are nearly equal are put in the middle.
         let middle = (low * high).sqrt();
         let (low, high) = (low.min(middle / 2.0), high.max(middle * 2.0));
         Axis::logarithmic(low, high, "half the interval, %".into())
@@ -204,19 +205,19 @@ impl Designs {
     }
 }
 
-/// The line of what has been measured.
+/// Stroke for the existing measurements.
 const MEASURED: Stroke = Stroke {
     colour: colours::LEFT_OUT,
     width: 3.0,
 };
 
-/// The line of all curves together.
+/// Stroke for all curves together.
 const TOGETHER: Stroke = Stroke {
     colour: colours::INK,
     width: 1.8,
 };
 
-/// The sample before a name in the legend.
+/// The sample beside a name in the legend.
 enum LegendSample {
     Line(Stroke, Dash),
     Circle,

@@ -1,4 +1,4 @@
-//! One panel for each unknown: how much worse the fit is with another value of it.
+//! One panel for each unknown: how much worse the fit becomes as its value changes.
 
 use super::unknown::FittedUnknown;
 use super::{FitHeading, axes};
@@ -9,7 +9,7 @@ use crate::picture::panel::{Axis, Panel};
 use crate::picture::style::{Heading, Style};
 use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
 
-/// Name of the picture, without ending.
+/// File name of the picture, without extension.
 pub const NAME: &str = "fit-profiles";
 
 const LEFT: f64 = 100.0;
@@ -20,16 +20,16 @@ const ACROSS: f64 = PANEL_WIDTH + 110.0;
 const DOWN: f64 = PANEL_HEIGHT + 150.0;
 const COLUMNS: usize = 3;
 
-/// The panel reaches to this multiple of the interval's level.
+/// Height of a panel, as a multiple of the interval's level.
 const SHOWN: f64 = 2.2;
 
-/// Points of a parabola.
+/// Points on a parabola.
 const POINTS: usize = 120;
 
 /// The picture of the profiles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profiles {
-    /// The lines above.
+    /// The heading.
     pub head: FitHeading,
     /// Level of the intervals.
     pub level: f64,
@@ -38,7 +38,7 @@ pub struct Profiles {
 }
 
 impl Profiles {
-    /// The picture as SVG; none without an unknown to show.
+    /// Draws the picture as SVG; `None` without an unknown to show.
     #[must_use]
     pub fn draw(&self, style: &Style) -> Option<String> {
         let unknowns = self.unknowns.iter();
@@ -62,7 +62,7 @@ impl Profiles {
             );
             heading::draw_accuracy(&mut svg, LEFT, &self.legend());
         }
-        // A single panel fills the width of the heading.
+        // A single panel is as wide as the heading.
         let alone = if columns == 1 { ACROSS } else { 0.0 };
         for (i, (unknown, range)) in panels.into_iter().enumerate() {
             let place = Rect {
@@ -143,7 +143,7 @@ fn percent(level: f64) -> String {
     percent.trim_end_matches(".0").to_owned()
 }
 
-/// The unit of the panel; a combination is shown over its best value.
+/// The unit of the panel; a combination is shown relative to its best value.
 fn scale(unknown: &FittedUnknown) -> DisplayUnit {
     match &unknown.combination {
         Some(_) => DisplayUnit {
@@ -154,7 +154,7 @@ fn scale(unknown: &FittedUnknown) -> DisplayUnit {
     }
 }
 
-/// The interval of what the panel shows.
+/// The interval of the quantity shown.
 fn interval(unknown: &FittedUnknown) -> [Option<f64>; 2] {
     match &unknown.combination {
         Some(known) => known.interval.map(|end| Some(end? * unknown.value)),
@@ -162,7 +162,7 @@ fn interval(unknown: &FittedUnknown) -> [Option<f64>; 2] {
     }
 }
 
-/// Shades the interval, to the side of the panel where it is open.
+/// Shades the interval, up to the edge of the panel on an open side.
 fn draw_interval(svg: &mut Svg, panel: &Panel, unknown: &FittedUnknown) {
     let divisor = scale(unknown).divisor;
     let end = |end: Option<f64>, open: f64| end.map_or(open, |end| end / divisor);
@@ -177,7 +177,7 @@ fn draw_interval(svg: &mut Svg, panel: &Panel, unknown: &FittedUnknown) {
     svg.rectangle(place, colours::INTERVAL);
 }
 
-/// The values that a panel shows: its profile up to a little above the level, and its interval.
+/// The range of a panel: the profile up to a little above the level, and the interval.
 fn range(unknown: &FittedUnknown) -> Option<[f64; 2]> {
     let low_enough = |point: &&[f64; 2]| point[1] <= SHOWN * unknown.threshold;
     let profile = unknown.profile.iter().filter(low_enough);
@@ -208,12 +208,12 @@ fn panel(place: Rect, unknown: &FittedUnknown, range: [f64; 2]) -> Panel {
     }
 }
 
-/// The parabola of the covariance over the panel.
+/// The parabola of the covariance across the panel.
 fn parabola(unknown: &FittedUnknown, panel: &Panel) -> Vec<[f64; 2]> {
     let half = unknown.wald.unwrap_or(0.0) * (1.2 * SHOWN).sqrt();
     let [from, to] =
         [panel.x.from, panel.x.to].map(|end| (end * scale(unknown).divisor / unknown.value).ln());
-    // A value that is not positive has no logarithm.
+    // A nonpositive value has no logarithm.
     let from = if from.is_finite() {
         from.max(-half)
     } else {

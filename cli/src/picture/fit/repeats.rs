@@ -1,4 +1,4 @@
-//! Each repeat's own value of every unknown, with the common value, its interval and the scatter between repeats.
+//! The value of every unknown in each repeat, with the common value, its interval and the scatter between repeats.
 
 use super::unknown::FittedUnknown;
 use super::{FitHeading, axes, colour};
@@ -9,7 +9,7 @@ use crate::picture::panel::{Axis, Panel};
 use crate::picture::style::{Heading, Style};
 use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
 
-/// Name of the picture, without ending.
+/// File name of the picture, without extension.
 pub const NAME: &str = "fit-repeats";
 
 const LEFT: f64 = 300.0;
@@ -19,25 +19,25 @@ const ROW: f64 = 26.0;
 const BETWEEN: f64 = 150.0;
 const WIDTH: f64 = LEFT + PANEL_WIDTH + 50.0;
 
-/// Size of the names on the left, and their room.
+/// Font size of the names on the left, and the width reserved for them.
 const NAMES: f64 = 14.0;
 const ROOM: f64 = LEFT - 40.0;
 
-/// An unknown, and its value in each repeat.
+/// An unknown and its value in each repeat.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeated {
-    /// Its value common to all repeats.
+    /// The unknown with its value common to all repeats.
     pub unknown: FittedUnknown,
     /// Standard deviation between repeats.
     pub scatter: f64,
-    /// The value of each repeat alone, by its index.
+    /// The value in each repeat alone, with the repeat's index.
     pub values: Vec<(usize, f64)>,
 }
 
 /// The picture of the repeats.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RepeatsPlot {
-    /// The lines above.
+    /// The heading.
     pub head: FitHeading,
     /// The names of all curves.
     pub names: Vec<String>,
@@ -46,7 +46,7 @@ pub struct RepeatsPlot {
 }
 
 impl RepeatsPlot {
-    /// The picture as SVG; none without repeats.
+    /// Draws the picture as SVG; `None` without repeats.
     #[must_use]
     pub fn draw(&self, style: &Style) -> Option<String> {
         let panels: Option<Vec<_>> = self.unknowns.iter().map(axis).collect();
@@ -87,7 +87,7 @@ impl RepeatsPlot {
         Some(svg.finish())
     }
 
-    /// The rows of the curves, the first on top; their names are smaller than labels of numbers.
+    /// The rows of the curves, the first on top; their names are smaller than number labels.
     fn rows(&self) -> Axis {
         let count = self.names.len();
         Axis {

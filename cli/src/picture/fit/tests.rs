@@ -1,4 +1,4 @@
-//! Whatever numbers a fit has, its pictures can be drawn.
+//! The pictures of a fit can be drawn for any numbers.
 
 use super::FitHeading;
 use super::corner::CornerPlot;
@@ -40,7 +40,7 @@ fn unknown(value: f64, other: f64) -> FittedUnknown {
     }
 }
 
-/// All pictures of a fit with these numbers.
+/// Draws all pictures of a fit with these numbers.
 fn pictures(value: f64, other: f64) -> [Option<String>; 4] {
     let point = |abscissa, observed| FittedPoint {
         abscissa,
@@ -109,6 +109,6 @@ fn every_fit_can_be_drawn() {
             }
         }
     }
-    // Half of them and more have something to show.
+    // At least half of them have something to show.
     assert!(drawn > 2 * numbers.len().pow(2), "{drawn}");
 }

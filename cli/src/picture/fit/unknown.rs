@@ -1,45 +1,45 @@
-//! An unknown in the pictures of a fit.
+//! An unknown as shown in the pictures of a fit.
 
 use crate::display::{DisplayUnit, significant};
 
-/// An unknown as found.
+/// An unknown with its fitted value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FittedUnknown {
     /// Its name in words.
     pub name: String,
-    /// Its symbol and place.
+    /// Its symbol and location.
     pub symbol: String,
     /// The unit in which it is shown.
     pub scale: DisplayUnit,
-    /// Its value in the best fit.
+    /// Its best-fit value.
     pub value: f64,
-    /// Its interval; nothing on a side that is open.
+    /// Its interval; `None` on an open side.
     pub interval: [Option<f64>; 2],
-    /// The least and the largest value that the fit allows.
+    /// The least and the largest value allowed in the fit.
     pub bounds: [f64; 2],
-    /// Its verdict in a word.
+    /// Its verdict in one word.
     pub verdict: String,
-    /// Half the interval from the covariance over the value, as a difference of logarithms; none without covariance.
+    /// Half the width of the interval from the covariance, as a difference of logarithms; `None` without a covariance.
     pub wald: Option<f64>,
     /// The level of `Δχ²` at which the interval ends.
     pub threshold: f64,
-    /// Values with their `Δχ²`, in the order of the values; none without a profile.
+    /// Values with their `Δχ²`, in the order of the values; empty without a profile.
     pub profile: Vec<[f64; 2]>,
-    /// The product known in place of it; the profile is then that with the others held.
+    /// The product determined in its place; the profile is then that with the other unknowns held.
     pub combination: Option<Combination>,
 }
 
-/// A product of powers that is known.
+/// A product of powers that the data determine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Combination {
-    /// In symbols.
+    /// The product in symbols.
     pub words: String,
-    /// Its interval over its value.
+    /// Its interval relative to its value.
     pub interval: [Option<f64>; 2],
 }
 
 impl FittedUnknown {
-    /// Its value, interval and unit: `164.2 [163.1, open] nm`.
+    /// Writes value, interval and unit: `164.2 [163.1, open] nm`.
     #[must_use]
     pub fn numbers(&self) -> String {
         let number = |value: f64| significant(value / self.scale.divisor, 4);
@@ -52,21 +52,21 @@ impl FittedUnknown {
         text.trim_end().to_owned()
     }
 
-    /// `Δχ²` of the parabola of the covariance at a value.
+    /// Returns `Δχ²` of the covariance's parabola at a value.
     #[must_use]
     pub fn parabola(&self, value: f64) -> Option<f64> {
         let z = (value / self.value).ln() / self.wald?;
         Some(self.threshold * z * z)
     }
 
-    /// The standard deviation of its logarithm.
+    /// The standard deviation of the logarithm.
     #[must_use]
     pub fn deviation(&self) -> Option<f64> {
         self.wald.map(|half| half / self.threshold.sqrt())
     }
 
-    /// The profile as a smooth line, to the ends of the interval: its root, with a sign, is nearly linear in the
-    /// logarithm.
+    /// Returns the profile as a smooth line up to the ends of the interval. Its signed square root is nearly linear in
+    /// the logarithm.
     #[must_use]
     pub fn smooth_profile(&self) -> Vec<[f64; 2]> {
         let root = |[value, delta]: [f64; 2]| {
@@ -78,7 +78,7 @@ impl FittedUnknown {
         line.map(|[x, z]| [x.exp(), z * z]).collect()
     }
 
-    /// The points of the profile, and the ends of the interval that lie beyond them.
+    /// The points of the profile, and the ends of the interval outside them.
     fn nodes(&self) -> Vec<[f64; 2]> {
         let mut nodes = self.profile.clone();
         let (Some(first), Some(last)) = (nodes.first().copied(), nodes.last().copied()) else {
@@ -95,8 +95,8 @@ impl FittedUnknown {
     }
 }
 
-/// Points of a smooth line through nodes in order, which bends only as the nodes do: a cubic between two, its slope at
-/// a node the harmonic mean of those to its neighbours.
+/// Points of a smooth line through ordered nodes, without bends other than theirs: cubics between the nodes, where the
+/// slope at a node is the harmonic mean of those to its neighbours.
 fn smooth_line(nodes: &[[f64; 2]]) -> Vec<[f64; 2]> {
     const PARTS: usize = 16;
     let slopes: Vec<f64> = nodes
@@ -132,7 +132,7 @@ pub(super) mod tests {
 
     use super::*;
 
-    /// An unknown of this name whose logarithm has this standard deviation, at level 0.95.
+    /// Returns an unknown with this name, whose logarithm has this standard deviation, at level 0.95.
     pub fn unknown(name: &str, value: f64, deviation: f64) -> FittedUnknown {
         let half = 1.96 * deviation;
         let profile = |i: i32| {
@@ -194,7 +194,7 @@ pub(super) mod tests {
         found.profile.truncate(4);
         let end = found.interval[1].unwrap();
         let [value, delta] = *found.smooth_profile().last().unwrap();
-        // Rounding of an exponential and of a root.
+        // Rounding of an exponential and a root.
         assert_relative_eq!(value, end, max_relative = 1e-12);
         assert_relative_eq!(delta, found.threshold, max_relative = 1e-12);
     }

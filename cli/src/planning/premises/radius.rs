@@ -1,4 +1,4 @@
-//! The radii of the indenters of a plan: which are sought as that of the model is, and the model with another one.
+//! The indenter radii of a plan: which ones are unknown, and the model with another radius.
 
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, Prior, Unknown};
@@ -9,11 +9,11 @@ use crate::fit_file::model::ModelParameters;
 use crate::fit_file::unknown::UnknownCase;
 use crate::planning::candidate::{CandidateCurve, radius_words};
 
-/// Radii that differ by less are one.
+/// Relative difference below which two radii are the same.
 const SAME: f64 = 1e-9;
 
 impl Premises<'_> {
-    /// The radius of each other indenter becomes an unknown, if that of the model is one.
+    /// Makes the radius of each other indenter an unknown, if that of the model is one.
     pub(super) fn seek_radii(&mut self, candidates: &[CandidateCurve]) -> Result<(), Failure> {
         let Some(place) = self.place_of_radius() else {
             return Ok(());
@@ -42,7 +42,7 @@ impl Premises<'_> {
         Ok(())
     }
 
-    /// The knowledge of an indenter's radius; none given is that of the model.
+    /// Returns what is known about an indenter's radius; without a radius, it is that of the model.
     #[must_use]
     pub fn indenter(&self, radius: Option<f64>) -> IndenterRadius {
         let Some(radius) = radius else {
@@ -64,25 +64,25 @@ impl Premises<'_> {
         format!("{key} of {}", radius_words(radius))
     }
 
-    /// The radius of the model as the fit file has it.
+    /// Radius of the model as given in the fit file.
     fn own_radius(&self) -> Option<f64> {
         self.base.value(self.base.radius()?)
     }
 
-    /// The key of the radius of the indenter, if it has one.
+    /// The key of the indenter's radius, if it has one.
     #[must_use]
     pub fn radius_key(&self) -> Option<&str> {
         Some(self.base.radius()?.key.as_str())
     }
 
-    /// The place of the radius of the model among the unknowns, if it is sought.
+    /// Index of the model's radius among the unknowns, if it is one of them.
     #[must_use]
     pub fn place_of_radius(&self) -> Option<usize> {
         let of = self.base.radius()?;
         self.cases.iter().position(|case| case.key == of.key)
     }
 
-    /// The place of the radius of an indenter among the unknowns, if it is sought.
+    /// Index of an indenter's radius among the unknowns, if it is one of them.
     #[must_use]
     pub fn place(&self, indenter: &IndenterRadius) -> Option<usize> {
         match indenter {
@@ -92,7 +92,7 @@ impl Premises<'_> {
         }
     }
 
-    /// The model with an indenter of this radius.
+    /// Returns the model with an indenter of this radius.
     ///
     /// # Errors
     ///
@@ -108,7 +108,7 @@ impl Premises<'_> {
         })
     }
 
-    /// The numbers of the model that a curve of this indenter takes as its own: its radius, where it is known.
+    /// The parameters of the model that a curve of this indenter overrides: its radius, if it is known.
     #[must_use]
     pub fn own(&self, indenter: &IndenterRadius) -> Vec<ModelParameter> {
         match (indenter, self.base.radius()) {
@@ -122,7 +122,7 @@ fn is_same(one: f64, other: f64) -> bool {
     (one / other - 1.0).abs() < SAME
 }
 
-/// The unknown radius of another indenter: range and prior are those of the model's radius, scaled.
+/// Builds the unknown for another indenter's radius: range and prior are those of the model's radius, scaled.
 fn scaled(case: &UnknownCase, name: String, radius: f64) -> Result<Unknown, IdentifyError> {
     let part = radius / case.start;
     let unknown = Unknown::positive(name, case.range.map(|end| part * end))?.starting_at(radius)?;

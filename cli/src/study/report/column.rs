@@ -4,33 +4,33 @@ use serde::Serialize;
 
 use crate::display::significant;
 
-/// The most different words of a column; all others are drawn as one.
+/// Most distinct words of a column; all others are drawn as one.
 const MOST_WORDS: usize = 40;
 
 /// The word for all others.
 const OTHERS: &str = "others";
 
-/// A column, and what is known of all its cells.
+/// A column with a summary of all its cells.
 #[derive(Debug, Serialize)]
 pub struct StudyColumn {
     /// Its name, with the unit.
     pub name: String,
-    /// Whether it is a key that varies.
+    /// Whether it is a varied key.
     is_key: bool,
     values: ColumnValues,
     /// Cells that are not empty.
     cells: usize,
 }
 
-/// The values of a column, as its first cell tells.
+/// The values of a column; its first cell decides their kind.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 enum ColumnValues {
-    /// Nothing is known yet.
+    /// No cell yet.
     Unknown,
     /// The smallest and the largest number.
     Numbers([f64; 2]),
-    /// Different words, in the order in which they were found.
+    /// Distinct words, in the order of their first occurrence.
     Words(Vec<String>),
 }
 
@@ -38,16 +38,16 @@ enum ColumnValues {
 pub struct ColumnRow {
     /// Its name.
     pub name: String,
-    /// Whether it is a key that varies.
+    /// Whether it is a varied key.
     pub is_key: bool,
     /// Number of cells that are not empty.
     pub cells: usize,
-    /// Its range, or its words.
+    /// Its range or its words.
     pub values: String,
 }
 
 impl StudyColumn {
-    /// A column without cells.
+    /// Returns a column without cells.
     #[must_use]
     pub fn new(name: String, is_key: bool) -> Self {
         Self {
@@ -64,7 +64,8 @@ impl StudyColumn {
         self.cells == 0
     }
 
-    /// Adds a cell; returns its number, or the place of its word; none if it is empty, or no number among numbers.
+    /// Adds a cell. Returns its number or the index of its word; `None` if it is empty, or not a number in a column of
+    /// numbers.
     pub fn add(&mut self, cell: &str) -> Option<f64> {
         if cell.is_empty() {
             return None;
@@ -88,7 +89,7 @@ impl StudyColumn {
         }
     }
 
-    /// Its line of the page's list.
+    /// Returns its line in the page's list.
     #[must_use]
     pub fn row(&self) -> ColumnRow {
         ColumnRow {
@@ -109,7 +110,7 @@ impl StudyColumn {
     }
 }
 
-/// The place of a word, which is added if it is new.
+/// Returns the index of a word, adding it if it is new.
 fn place(words: &mut Vec<String>, word: &str) -> usize {
     if let Some(place) = words.iter().position(|known| known == word) {
         return place;
@@ -126,7 +127,7 @@ fn place(words: &mut Vec<String>, word: &str) -> usize {
     words.len() - 1
 }
 
-/// Six digits are more than a page can show, and take half the room.
+/// Rounds to six digits: more are not visible on a page and take twice the space.
 fn rounded(number: f64) -> f64 {
     format!("{number:.5e}").parse().unwrap_or(number)
 }

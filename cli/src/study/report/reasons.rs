@@ -1,30 +1,30 @@
-//! The reasons for which cases failed, those that differ in numbers alone together.
+//! The reasons for failed cases, grouped if they differ only in numbers.
 
 use std::collections::BTreeMap;
 
-/// The most reasons that are counted apart.
+/// Most reasons counted separately.
 const MOST_REASONS: usize = 200;
 
-/// The most that are listed.
+/// Most reasons listed.
 const MOST_LISTED: usize = 50;
 
-/// A reason, as its first case has it.
+/// A reason, with the message of its first case.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reason {
-    /// Number of cases that failed for it.
+    /// Number of cases that failed for this reason.
     pub cases: usize,
     /// The first of them in the table.
     pub first: usize,
-    /// The message of that one.
+    /// The message of the first case.
     pub message: String,
 }
 
-/// The reasons by their words without the numbers.
+/// The reasons, by their text without numbers.
 #[derive(Debug, Default)]
 pub struct Reasons(BTreeMap<String, Reason>);
 
 impl Reasons {
-    /// Adds the reason of a case; forgotten if there are too many different ones already.
+    /// Adds the reason of a case; it is dropped if there are too many different ones already.
     pub fn add(&mut self, case: usize, message: &str) {
         let words = without_numbers(message);
         if let Some(known) = self.0.get_mut(&words) {
@@ -39,7 +39,7 @@ impl Reasons {
         }
     }
 
-    /// The most frequent first.
+    /// Returns the reasons, the most frequent first.
     #[must_use]
     pub fn sorted(&self) -> Vec<&Reason> {
         let mut reasons: Vec<_> = self.0.values().collect();
@@ -49,7 +49,7 @@ impl Reasons {
     }
 }
 
-/// The words of a message, a mark in place of each that begins like a number.
+/// The words of a message, with a mark in place of each word that begins like a number.
 fn without_numbers(message: &str) -> String {
     let is_number = |word: &&str| {
         let word = word.trim_start_matches(['-', '+', '.', '[', '(', '"', '`']);

@@ -1,4 +1,4 @@
-//! The identity of studies: which changes make another study.
+//! The identity of studies: the changes that make a different study.
 
 use super::*;
 
@@ -17,7 +17,7 @@ fn other_values_make_another_study_and_other_words_do_not() {
     );
 }
 
-/// The fingerprint of a study of `keys` whose base case is `base`, beside a map with these heights.
+/// Returns the fingerprint of a study of `keys` with the base case `base`, beside a map with these heights.
 fn fingerprint_of(base: &str, keys: &str, heights: &str) -> String {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("study.toml");

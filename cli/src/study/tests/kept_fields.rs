@@ -1,4 +1,4 @@
-//! Fields of all cases in one file.
+//! Fields of all cases kept in one file.
 
 use super::*;
 use crate::study::kept_record;

@@ -1,4 +1,4 @@
-//! The file of a study, and its plan.
+//! Reading and planning of a study.
 
 use super::*;
 
@@ -50,7 +50,7 @@ fn the_columns_of_a_file_change_together_and_combine_with_other_keys() {
         (radius.heading().as_str(), &*radius.cell(1)),
         ("indenter.radius [m]", "4e-6")
     );
-    // As a list of the same values gives it.
+    // The same as from a list of these values.
     let listed = "[study]\ncase = \"base.toml\"\n[study.vary]\nindenter.radius = [\"3 um\", \"4 um\", \"5 um\"]\n";
     let listed = study(listed).unwrap();
     assert_eq!(case.indenter, listed.case(1).unwrap().indenter);
@@ -143,7 +143,7 @@ fn a_key_that_no_case_can_have_is_told_before_any_work() {
     );
 }
 
-/// A million cases.
+/// The study has a million cases.
 #[test]
 fn a_million_cases_are_planned_by_reading_as_many_as_there_are_values() {
     let plan = plan(MILLION, Shard { index: 3, count: 7 });
@@ -195,7 +195,7 @@ fn the_values_of_a_key_are_read_once() {
     let study = study(TWO_KEYS).unwrap();
     let thickness = &study.varied_keys()[0];
     assert_eq!([0, 1, 3].map(|i| thickness.cell(i)), ["1e-8", "2e-8", ""]);
-    // The same text, not one made anew from the values.
+    // The same string, not built again from the values.
     assert!(std::ptr::eq(
         &raw const *thickness.cell(1),
         &raw const *thickness.cell(1)

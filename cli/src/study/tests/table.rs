@@ -1,4 +1,4 @@
-//! The table of results: after a kill, under two processes, in parts.
+//! The results table: after a kill, under two processes, in parts.
 
 use super::*;
 
@@ -15,7 +15,7 @@ fn results_are_forced_to_the_disk_in_groups() {
             let rows = rows(columns, case, CaseStatus::Certified);
             table.add(case, CaseStatus::Certified, &rows).unwrap();
         }
-        // They have left the process all the same.
+        // The rows have left the process all the same.
         let text = fs::read(table.path()).unwrap();
         assert_eq!(blocks(&text, &identity).blocks.len(), 100 * (group + 1));
         while let Some(file) = table.unforced().unwrap() {
@@ -26,7 +26,7 @@ fn results_are_forced_to_the_disk_in_groups() {
     assert_eq!(forced, 3);
 }
 
-/// Two rows for a case, one for a failed one.
+/// Returns two rows for a solved case, one for a failed one.
 fn rows(columns: usize, case: usize, status: CaseStatus) -> String {
     let cells = ",x".repeat(columns - 2);
     let row = format!("{},{}{cells}\n", case + 1, status.word());
@@ -122,7 +122,7 @@ fn a_table_is_open_for_one_process() {
     assert!(second.unwrap_err().to_string().contains("another process"));
 }
 
-/// Writes the parts `done` of three.
+/// Writes the parts in `done`, of three.
 fn parts(folder: &TempDir, done: &[usize]) {
     for index in 1..=3 {
         let identity = plan(TWO_KEYS, Shard { index, count: 3 }).identity;
@@ -189,7 +189,7 @@ fn the_place_is_held_until_the_table_is_in_order() {
         let rows = rows(columns, case, CaseStatus::Certified);
         opened.add(case, CaseStatus::Certified, &rows).unwrap();
     }
-    // Whoever has the table's old file open does not have the place.
+    // A process that has the table's old file open does not hold the folder.
     let old = fs::File::open(identity.table(folder.path())).unwrap();
     assert!(StudyFolder::claim(folder.path(), &identity, false).is_err());
     opened.finish(&identity).unwrap();

@@ -7,7 +7,7 @@ use serde::Deserialize;
 
 use super::{Decimal, ValueList, decimal, optional_decimal};
 
-/// `Φ` of one layer of thickness 1 at one wavenumber, on the bases and interfaces that were computed.
+/// `Φ` of one layer of thickness 1 at one wavenumber, for the bases and interfaces that were computed.
 #[derive(Debug, Clone, Deserialize)]
 pub struct OneLayerResponse {
     /// `χ = E1/E2`.
@@ -25,7 +25,7 @@ pub struct OneLayerResponse {
     /// `Φ`, bonded to the half-space.
     #[serde(rename = "Phi", deserialize_with = "decimal")]
     pub bonded: f64,
-    /// `Φ − 1` of the same.
+    /// `Φ − 1` for the same.
     #[serde(rename = "Phi_minus_1", deserialize_with = "decimal")]
     pub bonded_minus_one: f64,
     /// `Φ`, sliding on the half-space.
@@ -48,10 +48,10 @@ pub struct OneLayerResponse {
 }
 
 impl OneLayerResponse {
-    /// The layer on its half-space, or on a rigid base.
+    /// Returns the layer on its half-space, or on a rigid base.
     ///
     /// # Errors
-    /// Numbers that no material has.
+    /// An error if no material has these numbers.
     pub fn foundation(&self, interface: Interface, rigid: bool) -> Result<Foundation, KernelError> {
         let layer = Layer::new(1.0, Material::new(self.chi, self.nu1)?, interface)?;
         let base = if rigid {
@@ -113,10 +113,10 @@ impl From<StackInterface> for Interface {
 }
 
 impl LayerStack {
-    /// The foundation.
+    /// Returns the foundation.
     ///
     /// # Errors
-    /// Numbers that no material has.
+    /// An error if no material has these numbers.
     pub fn foundation(&self) -> Result<Foundation, KernelError> {
         let layers = self.layers.iter().zip(&self.interfaces);
         let layers = layers.map(|(layer, interface)| {
@@ -150,19 +150,19 @@ pub struct StackValue {
     pub response: f64,
 }
 
-/// One layer.
+/// Reads the values for one layer.
 ///
 /// # Errors
-/// A file that is not what these types say.
+/// Errors if the file does not have this layout.
 pub fn one_layer() -> serde_json::Result<Vec<OneLayerResponse>> {
     let text = include_str!("../../../../tests/data/compliance_two_layer.json");
     Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }
 
-/// Stacks of two and three layers.
+/// Reads the values for stacks of two and three layers.
 ///
 /// # Errors
-/// A file that is not what these types say.
+/// Errors if the file does not have this layout.
 pub fn stacks() -> serde_json::Result<LayerStacks> {
     serde_json::from_str(include_str!(
         "../../../../tests/data/compliance_n_layers.json"

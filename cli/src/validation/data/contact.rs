@@ -1,4 +1,4 @@
-//! Contacts: `axisymmetric_contact.json` on the continuum, `discrete_contact.json` on small grids.
+//! Reference contacts: `axisymmetric_contact.json` for the continuum, `discrete_contact.json` for small grids.
 
 use serde::Deserialize;
 
@@ -41,7 +41,7 @@ pub enum AxisymmetricIndenter {
     Cone,
 }
 
-/// A contact on a small grid, the same problem solved by two independent programs that agree to 1e-12 of the peak.
+/// A contact on a small grid, solved by two independent programs that agree to 1e-12 of the peak.
 #[derive(Debug, Clone, Deserialize)]
 pub struct DiscreteContact {
     /// Young's modulus of the coating.
@@ -72,7 +72,7 @@ pub struct DiscreteContact {
     /// Load.
     #[serde(rename = "P", deserialize_with = "decimal")]
     pub force: f64,
-    /// The one of the two that was given.
+    /// Which of the two was given.
     pub given: Given,
     /// Elements in contact.
     #[serde(rename = "n_contact")]
@@ -80,13 +80,13 @@ pub struct DiscreteContact {
     /// Largest pressure.
     #[serde(rename = "pmax", deserialize_with = "decimal")]
     pub max_pressure: f64,
-    /// Pressures of the row `i = N/2`.
+    /// Pressures in the row `i = N/2`.
     #[serde(rename = "pressure_row_N_half")]
     pub pressure_row: Vec<Decimal>,
-    /// Pressures of the diagonal.
+    /// Pressures on the diagonal.
     #[serde(rename = "pressure_diag")]
     pub pressure_diagonal: Vec<Decimal>,
-    /// All pressures, on the smaller grids.
+    /// All pressures, for the smaller grids.
     #[serde(default)]
     pub pressure: Vec<Vec<Decimal>>,
 }
@@ -102,7 +102,7 @@ pub enum DiscreteProfile {
 }
 
 impl DiscreteProfile {
-    /// Height at a point.
+    /// Returns the height at a point.
     #[must_use]
     pub fn height(self, x: f64, y: f64) -> f64 {
         match self {
@@ -115,7 +115,7 @@ impl DiscreteProfile {
     }
 }
 
-/// The quantity given for a contact.
+/// Which quantity of a contact was given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 pub enum Given {
     /// The approach.
@@ -126,19 +126,19 @@ pub enum Given {
     Force,
 }
 
-/// The axisymmetric contacts.
+/// Reads the axisymmetric contacts.
 ///
 /// # Errors
-/// A file that is not what these types say.
+/// Errors if the file does not have this layout.
 pub fn axisymmetric() -> serde_json::Result<Vec<AxisymmetricContact>> {
     let text = include_str!("../../../../tests/data/axisymmetric_contact.json");
     Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }
 
-/// The contacts on small grids.
+/// Reads the contacts on small grids.
 ///
 /// # Errors
-/// A file that is not what these types say.
+/// Errors if the file does not have this layout.
 pub fn discrete() -> serde_json::Result<Vec<DiscreteContact>> {
     let text = include_str!("../../../../tests/data/discrete_contact.json");
     Ok(serde_json::from_str::<ValueList<_>>(text)?.values)

@@ -1,4 +1,4 @@
-//! Influence coefficients of 20 and 30 digits: `influence_two_layer.json`, and `influence_extreme.json` for the softest
+//! Influence coefficients to 20 and 30 digits: `influence_two_layer.json`, and `influence_extreme.json` for the softest
 //! and stiffest coatings.
 
 use std::collections::BTreeMap;
@@ -32,10 +32,10 @@ pub struct Coating {
 }
 
 impl Coating {
-    /// The coated half-space.
+    /// Returns the coated half-space.
     ///
     /// # Errors
-    /// Numbers that no material has.
+    /// An error if no material has these numbers.
     pub fn foundation(&self) -> Result<Foundation, KernelError> {
         let coating = Material::new(1.0, self.nu1)?;
         Foundation::coated(1.0, coating, Material::new(1.0 / self.chi, self.nu2)?)
@@ -57,19 +57,19 @@ pub struct ReferenceCoefficient {
     /// `k E1/a`.
     #[serde(rename = "U", deserialize_with = "decimal")]
     pub value: f64,
-    /// The same of a half-space of the coating's material.
+    /// The same for a half-space of the coating's material.
     #[serde(rename = "U_homogeneous", deserialize_with = "decimal")]
     pub homogeneous: f64,
 }
 
 impl ReferenceCoefficient {
-    /// Side of an element where the coating's thickness is 1.
+    /// Returns the side of an element for a coating of thickness 1.
     #[must_use]
     pub fn element_side(&self) -> f64 {
         2.0 / self.lambda
     }
 
-    /// The scale of errors, `max(|k|, min(1, Φ(0)) k_Love)`, with the response to the longest waves `Φ(0)`.
+    /// Returns the scale of errors, `max(|k|, min(1, Φ(0)) k_Love)`, with the response to the longest waves `Φ(0)`.
     #[must_use]
     pub fn scale(&self, response_at_zero: f64) -> f64 {
         self.value
@@ -78,19 +78,19 @@ impl ReferenceCoefficient {
     }
 }
 
-/// Coatings of 1/1000 to 10 times the substrate's modulus.
+/// Reads coatings with 1/1000 to 10 times the substrate's modulus.
 ///
 /// # Errors
-/// A file that is not what these types say.
+/// Errors if the file does not have this layout.
 pub fn two_layer() -> serde_json::Result<Coefficients> {
     let text = include_str!("../../../../tests/data/influence_two_layer.json");
     serde_json::from_str(text)
 }
 
-/// Coatings of a millionth and of a million times the substrate's modulus.
+/// Reads coatings with a millionth and a million times the substrate's modulus.
 ///
 /// # Errors
-/// A file that is not what these types say.
+/// Errors if the file does not have this layout.
 pub fn extreme() -> serde_json::Result<Coefficients> {
     let text = include_str!("../../../../tests/data/influence_extreme.json");
     serde_json::from_str(text)

@@ -1,15 +1,15 @@
-//! Axisymmetric contact by Fredholm's integral equation of the second kind, as W. C. Hayes and others (1972) solved it
+//! Axisymmetric contact by Fredholm's integral equation of the second kind, as solved by W. C. Hayes and others (1972)
 //! for a layer on a rigid base.
 //!
-//! The pressure is sought as waves whose transform is `p̅(k) = E*/2 ∫₀ᵃ g(t) cos kt dt`, with `E*` of the surface's
-//! material. On a half-space each `g(t)` leaves the surface outside the circle t alone; layers add a smooth kernel:
+//! The pressure is written as waves whose transform is `p̅(k) = E*/2 ∫₀ᵃ g(t) cos kt dt`, with `E*` of the surface's
+//! material. On a half-space each `g(t)` deforms the surface only within the circle t; layers add a smooth kernel:
 //!
 //! ```text
 //! g(x) + 1/π ∫₀ᵃ g(t) (M(x + t) + M(x − t)) dt = 2/π d/dx ∫₀ˣ r u(r)/√(x² − r²) dr      M(y) = ∫ (Φ(k) − 1) cos ky dk
 //! ```
 //!
 //! where u is the displacement that the indenter prescribes: `D` for a flat punch, `D − r²/2R` for a paraboloid,
-//! `D − r` for a cone, which make the right side `2D/π`, `2/π (D − x²/R)`, `2D/π − x`. The force is `π E* ∫ g dt`.
+//! `D − r` for a cone. The right-hand side is then `2D/π`, `2/π (D − x²/R)`, `2D/π − x`. The force is `π E* ∫ g dt`.
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
@@ -20,28 +20,28 @@ use super::super::run::ValidationError;
 use super::hankel::RadialPressure;
 use super::{composite, graded};
 
-/// Wavenumbers times the thickness beyond which `Φ − 1` is nothing.
+/// `Φ − 1` is negligible beyond this product of wavenumber and thickness.
 const DECAY: f64 = 25.0;
 
-/// Pieces of the contact radius, at least.
+/// Fewest pieces of the contact radius.
 const PIECES: f64 = 4.0;
 
-/// Length of a piece of the contact radius, in thicknesses of the top layer: `M` is analytic up to two of them beside
-/// the real axis, so that 16 points leave 1e-13.
+/// Length of a piece of the contact radius, in thicknesses of the top layer: `M` is analytic up to two thicknesses from
+/// the real axis, so 16 points leave an error of 1e-13.
 const PIECE: f64 = 2.0;
 
 /// A rigid indenter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum AxisymmetricProfile {
-    /// The flat end of a cylinder, which sinks by this (m).
+    /// The flat end of a cylinder, pressed in by this depth (m).
     FlatPunch(f64),
-    /// `r²/2R`, of this R (m).
+    /// `r²/2R`, with this R (m).
     Paraboloid(f64),
     /// `r`.
     Cone,
 }
 
-/// The contact of an indenter at a contact radius.
+/// Contact of an indenter at a given contact radius.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AxisymmetricSolution {
     /// Penetration, m.
@@ -51,15 +51,15 @@ pub struct AxisymmetricSolution {
     radius: f64,
     /// Half of `E*`, Pa.
     half_modulus: f64,
-    /// t, the weight of the rule and g there.
+    /// t, weight of the rule and g at each node.
     densities: Vec<(f64, f64, f64)>,
 }
 
 impl AxisymmetricSolution {
-    /// The contact of an indenter with layers at a contact radius (m).
+    /// Solves the contact of an indenter with layers at a contact radius (m).
     ///
     /// # Errors
-    /// A system without solution.
+    /// An error if the system has no solution.
     pub fn new(
         foundation: &Foundation,
         profile: AxisymmetricProfile,
@@ -72,7 +72,7 @@ impl AxisymmetricSolution {
         let matrix = DMatrix::from_fn(size, size, |i, j| {
             f64::from(u8::from(i == j)) + rule[j].1 * layers[(i, j)]
         });
-        // Two right sides: 2/π for a penetration of 1, and what the profile adds.
+        // Two right-hand sides: 2/π for a penetration of 1, and the contribution of the profile.
         let right = DMatrix::from_fn(size, 2, |i, column| match column {
             0 => FRAC_2_PI,
             _ => profile.right_side(rule[i].0),
@@ -109,7 +109,7 @@ impl AxisymmetricSolution {
         })
     }
 
-    /// The pressure.
+    /// Returns the pressure.
     #[must_use]
     pub fn pressure(&self) -> RadialPressure<impl Fn(f64) -> f64 + '_> {
         RadialPressure {
@@ -145,12 +145,12 @@ fn pieces(foundation: &Foundation, radius: f64) -> Vec<f64> {
         .collect()
 }
 
-/// `1/π (M(x + t) + M(x − t)) = 2/π ∫ (Φ − 1) cos kx cos kt dk` of all pairs of places.
+/// `1/π (M(x + t) + M(x − t)) = 2/π ∫ (Φ − 1) cos kx cos kt dk` for all pairs of points.
 fn kernel(foundation: &Foundation, radius: f64, places: &[f64]) -> DMatrix<f64> {
     let Some(top) = foundation.layers().first() else {
         return DMatrix::zeros(places.len(), places.len());
     };
-    // One piece for half a period of cos 2ka, and as fine as Φ is.
+    // One piece per half period of cos 2ka, and fine enough for Φ.
     let width = FRAC_PI_2 / radius.max(foundation.thickness() / 4.0);
     let waves = composite(&graded(DECAY / top.thickness(), width));
     let cosines = DMatrix::from_fn(waves.len(), places.len(), |i, j| {
@@ -184,7 +184,8 @@ mod tests {
                 found.penetration / case.penetration - 1.0,
                 found.force / case.force - 1.0,
             ];
-            // Rules exact to rounding; e^(−25) of the waves left out, times the cancellation of stiff coatings.
+            // The rules are exact to rounding; the waves left out contribute e^(−25), times the cancellation of stiff
+            // coatings.
             for error in errors {
                 assert!(error.abs() < 1e-11, "{case:?}: {errors:?}");
             }

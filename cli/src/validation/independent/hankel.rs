@@ -1,6 +1,6 @@
-//! Fields inside under an axisymmetric pressure by Hankel's integrals of the kernel's amplitudes.
+//! Fields inside a body under an axisymmetric pressure, by Hankel integrals of the kernel's amplitudes.
 //!
-//! With `p̅(k) = ∫ p J₀(kr) r dr` and the amplitudes of a wave of pressure,
+//! With `p̅(k) = ∫ p J₀(kr) r dr` and the amplitudes of a wave of pressure:
 //!
 //! ```text
 //! u_z  = ∫ p̅ u̅_z J₀ k dk     u_r  = ∫ p̅ u̅_x J₁ k dk     σ_zz = ∫ p̅ σ̅_zz J₀ k dk     σ_rz = ∫ p̅ σ̅_xz J₁ k dk
@@ -14,12 +14,12 @@ use pellicle_kernel::{Foundation, InPlane};
 use super::super::run::ValidationError;
 use super::{composite, graded};
 
-/// A pressure around the axis, by its transform.
+/// An axisymmetric pressure, given by its transform.
 #[derive(Debug, Clone)]
 pub struct RadialPressure<F> {
     /// `p̅(k) = ∫ p J₀(kr) r dr`, in N.
     pub transform: F,
-    /// The radius within which it acts, m.
+    /// Radius of the loaded area, m.
     pub radius: f64,
 }
 
@@ -41,7 +41,7 @@ pub struct RadialState {
 }
 
 impl RadialState {
-    /// Von Mises' stress, Pa.
+    /// Returns the von Mises stress, Pa.
     #[must_use]
     pub fn von_mises(&self) -> f64 {
         let Self {
@@ -56,7 +56,7 @@ impl RadialState {
     }
 }
 
-/// A uniform pressure (Pa) on a circle of this radius (m): `p̅ = q a J₁(ka)/k`.
+/// Returns a uniform pressure (Pa) on a circle of this radius (m): `p̅ = q a J₁(ka)/k`.
 #[must_use]
 pub fn circle(pressure: f64, radius: f64) -> RadialPressure<impl Fn(f64) -> f64> {
     RadialPressure {
@@ -65,15 +65,15 @@ pub fn circle(pressure: f64, radius: f64) -> RadialPressure<impl Fn(f64) -> f64>
     }
 }
 
-/// `e^{−kz}` is nothing from this `kz` on.
+/// `e^{−kz}` is negligible beyond this `kz`.
 const DECAY: f64 = 42.0;
 
-/// The fields at distances `radii` (m) from the axis at a depth below the surface.
+/// Computes the fields at distances `radii` (m) from the axis at a depth below the surface.
 ///
 /// Accuracy: 1e-11 of the largest stress, for depths above a hundredth of the pressure's radius.
 ///
 /// # Errors
-/// Amplitudes that the kernel cannot give.
+/// An error if the kernel cannot give the amplitudes.
 pub fn fields<F: Fn(f64) -> f64>(
     foundation: &Foundation,
     pressure: &RadialPressure<F>,
@@ -81,7 +81,7 @@ pub fn fields<F: Fn(f64) -> f64>(
     radii: &[f64],
 ) -> Result<Vec<RadialState>, ValidationError> {
     let farthest = radii.iter().copied().fold(0.0, f64::max);
-    // One piece for half a period of p̅ J.
+    // One piece per half period of p̅ J.
     let width = std::f64::consts::PI / (pressure.radius + farthest + depth.z);
     let mut states = vec![RadialState::default(); radii.len()];
     for (k, weight) in composite(&graded(DECAY / depth.z, width)) {

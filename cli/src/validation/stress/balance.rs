@@ -1,4 +1,4 @@
-//! Balance of forces on random stacks: a box around the load, tractions on both sides of interfaces.
+//! Balance of forces on random stacks: on a box around the load, and of tractions on both sides of interfaces.
 
 use pellicle_influence::{Depth, ElementFields, SubsurfaceState};
 use pellicle_kernel::{Base, Foundation, Interface, KernelError, Layer, Material, Side};
@@ -17,9 +17,9 @@ pub const SECTION: ValidationSection = ValidationSection {
     rows,
 };
 
-/// Accuracy of the fields and of the rule.
+/// Accuracy of the fields and of the quadrature rule.
 const ACCURACY: f64 = 1e-9;
-/// Stacks of this section; a test takes more of them.
+/// Number of stacks in this section; a test takes more.
 const STACKS: usize = 3;
 
 fn rows(_: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
@@ -41,21 +41,21 @@ fn rows(_: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     ])
 }
 
-/// One to four layers, thin and thick, stiff and soft, ν from 0 to ½, bonded, on springs or sliding, on half-spaces and
-/// rigid bases; the same in every run.
+/// Returns stacks of one to four layers, thin and thick, stiff and soft, ν from 0 to ½, bonded, on springs or sliding,
+/// on half-spaces and rigid bases; they are the same in every run.
 ///
 /// # Errors
 /// Never.
 pub fn random_stacks(count: usize) -> Result<Vec<Foundation>, KernelError> {
     let mut chaos = std::f64::consts::FRAC_1_SQRT_2;
-    // Every value is in (0, 1).
+    // All values are in (0, 1).
     let mut next = || {
         chaos = 3.99 * chaos * (1.0 - chaos);
         chaos
     };
     let material = |next: &mut dyn FnMut() -> f64| {
         let modulus = 10.0_f64.powf(3.0 * next() - 1.5);
-        // A quarter of them is incompressible.
+        // A quarter of them are incompressible.
         Material::new(modulus, (0.65 * next()).min(0.5))
     };
     let mut stack = || {
@@ -84,15 +84,15 @@ pub fn random_stacks(count: usize) -> Result<Vec<Foundation>, KernelError> {
     (0..count).map(|_| stack()).collect()
 }
 
-/// The sides of the box around an element of side 1, off its middle.
+/// Sides of the box around an element of side 1, not centred on it.
 const WEST_EAST: [f64; 2] = [-1.1, 1.7];
 const SOUTH_NORTH: [f64; 2] = [-0.9, 1.3];
 
-/// The forces on five sides of a box whose sixth is the loaded surface, which they balance: wanted, found, error. It
-/// ends in the base or in the middle of the last layer on a rigid one.
+/// Computes the forces on five sides of a box whose sixth side is the loaded surface, whose load they balance: wanted,
+/// found, error. The box ends in the base, or in the middle of the last layer on a rigid one.
 ///
 /// # Errors
-/// Amplitudes that the kernel cannot give.
+/// An error if the kernel cannot give the amplitudes.
 pub fn box_forces(body: &Foundation) -> Result<Vec<([f64; 2], f64)>, ValidationError> {
     let mut borders: Vec<f64> = (0..=body.layers().len())
         .map(|i| body.interface_depth(i))
@@ -143,7 +143,7 @@ pub fn box_forces(body: &Foundation) -> Result<Vec<([f64; 2], f64)>, ValidationE
         .collect())
 }
 
-/// `σ n`.
+/// The traction `σ n`.
 fn tractions(state: &SubsurfaceState, [x, y, z]: [f64; 3]) -> [f64; 3] {
     let [xx, yy, zz, xy, xz, yz] = state.stress;
     [
@@ -153,11 +153,11 @@ fn tractions(state: &SubsurfaceState, [x, y, z]: [f64; 3]) -> [f64; 3] {
     ]
 }
 
-/// For each interface between layers the largest difference of a traction above and below, over the largest traction
-/// there.
+/// Returns for each interface between layers the largest difference of a traction above and below, relative to the
+/// largest traction there.
 ///
 /// # Errors
-/// Amplitudes that the kernel cannot give.
+/// An error if the kernel cannot give the amplitudes.
 pub fn traction_jumps(body: &Foundation) -> Result<Vec<([f64; 2], f64)>, ValidationError> {
     let last = match body.base() {
         Base::Rigid => body.layers().len() - 1,

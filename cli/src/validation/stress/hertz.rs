@@ -26,14 +26,14 @@ pub const SECTION: ValidationSection = ValidationSection {
 const ELEMENTS: usize = 256;
 /// (1/85)² = 1.4e-4.
 const SECOND_ORDER: f64 = 2e-4;
-/// Three digits printed.
+/// Three printed digits.
 const THIRD_DIGIT: f64 = 5e-4;
-/// A maximum is flat: where it lies is known to the root of what its value is.
+/// A maximum is flat: its position is known to the square root of the accuracy of its value.
 const FLAT: f64 = 1e-2;
 /// Coefficient of friction under sliding.
 const FRICTION: f64 = 0.3;
 
-/// Places in contact radii.
+/// Points, in contact radii.
 const POINTS: [[f64; 3]; 12] = [
     [0.0, 0.0, 0.1],
     [0.0, 0.0, 0.25],
@@ -101,7 +101,7 @@ fn closed_form(
     Ok(Comparison::worst(check, pairs.into_iter(), SECOND_ORDER))
 }
 
-/// The largest von Mises stress, searched for.
+/// Compares the largest von Mises stress found by the search.
 fn largest(path: &LoadingPath, wanted: &HertzContact) -> Result<[Comparison; 2], ValidationError> {
     let model = StressModel {
         sliding: Sliding::default(),

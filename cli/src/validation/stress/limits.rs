@@ -1,4 +1,4 @@
-//! Limits in which the stress below a loaded element becomes that of another body.
+//! Limits in which the stress below a loaded element becomes that in another body.
 
 use pellicle_influence::{Depth, ElementFields, SubsurfaceState};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side};
@@ -17,7 +17,7 @@ pub const SECTION: ValidationSection = ValidationSection {
     rows,
 };
 
-/// Accuracy of the fields, of two bodies.
+/// Accuracy of the fields in two bodies.
 const ACCURACY: f64 = 1e-10;
 /// A millionth times ratios of moduli.
 const MILLIONTH: f64 = 1e-5;
@@ -26,11 +26,11 @@ const MILLIONTH: f64 = 1e-5;
 #[derive(Clone, Copy, PartialEq)]
 enum Loads {
     Both,
-    /// Above a frictionless interface a traction moves the surface without bound.
+    /// Only the pressure: above a frictionless interface a traction moves the surface without bound.
     Pressure,
 }
 
-/// Two bodies, wanted and found.
+/// The reference body and the body compared with it.
 type FoundationPair = fn() -> Result<[Foundation; 2], ValidationError>;
 
 const LIMITS: [(&str, f64, Loads, [f64; 2], FoundationPair); 6] = [
@@ -94,7 +94,7 @@ fn rows(_: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
         .collect()
 }
 
-/// States below an element of side 1, for each load and depth those of all points.
+/// States below an element of side 1, at all points, for each load and depth.
 fn states(
     body: &Foundation,
     depths: [f64; 2],
@@ -129,7 +129,7 @@ fn on(interface: Interface) -> Result<Foundation, ValidationError> {
 }
 
 fn equal() -> Result<[Foundation; 2], ValidationError> {
-    // If equal to the bit, it would be recognised as a half-space.
+    // Exactly equal materials would be recognised as a half-space.
     let almost = Material::new(1.0 + 1e-13, 0.4)?;
     let body = Foundation::half_space(base()?);
     Ok([body, Foundation::coated(0.5, almost, base()?)?])

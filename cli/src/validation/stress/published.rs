@@ -1,4 +1,4 @@
-//! Published numbers: a loaded square on a half-space, circles on three layers.
+//! Published values: a loaded square on a half-space, circles on three layers.
 
 use pellicle_influence::{Depth, ElementFields, SurfaceLoad};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side};
@@ -41,10 +41,10 @@ const LOADED_SQUARE: [[f64; 3]; 14] = [
     [2.5, -0.071_611, 0.004_458],
     [5.0, -0.018_785, 0.001_325],
 ];
-/// CONTACT's numbers have four digits: at depth 0.5 it gives −0.700842, the exact value is −0.700886.
+/// CONTACT's values have four correct digits: at depth 0.5 it gives −0.700842, the exact value is −0.700886.
 const CONTACTS_OWN: f64 = 2e-4;
 
-/// z, `σ_zz`, `σ_xx`, `u_z` below the centre: Boussinesq's point loads integrated over the square by mpmath, 15
+/// z, `σ_zz`, `σ_xx`, `u_z` below the centre: Boussinesq's point loads integrated over the square by mpmath, to 15
 /// digits.
 const BOUSSINESQ: [[f64; 4]; 4] = [
     [
@@ -133,7 +133,7 @@ const ELLEA_LOAD: LoadedCircle = LoadedCircle {
     radius: 150.0,
     pressure: 1.1,
 };
-/// Depth (mm), compression (`MPa`) across and along the axis, sinking (mm), on the axis of one circle.
+/// Depth (mm), compressive stress (`MPa`) across and along the axis, and sinking (mm), on the axis of one circle.
 #[expect(
     clippy::approx_constant,
     reason = "a displacement in mm happens to be near ln 2"
@@ -157,8 +157,8 @@ const ONE_CIRCLE: [[f64; 4]; 17] = [
     [750.0, -0.0600, 0.0220, 0.6931],
     [1000.0, -0.0005, 0.0146, 0.5777],
 ];
-/// Depth (mm), compression (`MPa`) across the line of the centres, along it and downwards, sinking (mm), in the middle
-/// between the centres of two circles that touch.
+/// Depth (mm), compressive stress (`MPa`) across the line of the centres, along it and downwards, and sinking (mm),
+/// midway between the centres of two touching circles.
 const TWO_CIRCLES: [[f64; 5]; 17] = [
     [10.0, 2.7463, 2.1929, 1.0708, 1.9191],
     [20.0, 2.2753, 1.9296, 1.0326, 1.9202],
@@ -178,7 +178,7 @@ const TWO_CIRCLES: [[f64; 5]; 17] = [
     [750.0, -0.1144, -0.1102, 0.0419, 1.3645],
     [1000.0, -0.0009, -0.0006, 0.0284, 1.1442],
 ];
-/// ELLEA1's numbers have three to four digits: by both ways here they are off by up to 4e-4.
+/// ELLEA1's values have three to four digits: both methods here differ from them by up to 4e-4.
 const ELLEAS_OWN: f64 = 5e-4;
 /// Elements along a circle's diameter.
 const ELEMENTS: usize = 128;
@@ -196,7 +196,7 @@ fn off(pair: [f64; 2]) -> ([f64; 2], f64) {
     (pair, (pair[1] - pair[0]).abs())
 }
 
-/// By Hankel's integrals, with what the kernel says of single waves.
+/// Compares with Hankel's integrals of the kernel's amplitudes.
 fn one_circle() -> Result<Vec<Comparison>, ValidationError> {
     let body = ELLEA.foundation(Interface::Bonded)?;
     let mut pairs = Vec::new();
@@ -220,7 +220,7 @@ fn one_circle() -> Result<Vec<Comparison>, ValidationError> {
     )])
 }
 
-/// By elements of a grid.
+/// Compares with the elements of a grid.
 fn two_circles() -> Result<Vec<Comparison>, ValidationError> {
     let body = ELLEA.foundation(Interface::Bonded)?;
     let mut pairs = Vec::new();
@@ -246,7 +246,7 @@ fn two_circles() -> Result<Vec<Comparison>, ValidationError> {
     ])
 }
 
-/// The circle by elements and by Hankel's integrals, under its rim.
+/// Compares the circle made of elements with Hankel's integrals under its rim.
 fn two_ways(body: &Foundation) -> Result<Comparison, ValidationError> {
     let LoadedCircle { radius, pressure } = ELLEA_LOAD;
     let mut pairs = Vec::new();
@@ -277,10 +277,10 @@ const AMADEUS_LOAD: LoadedCircle = LoadedCircle {
     pressure: 0.7,
 };
 /// Millionths of strain: horizontal at the bottom of the first layer, vertical at the top of the second and of the
-/// base, under the circle's centre and its rim; by BISAR. KENLAYER and GAMES differ by 0.3 at most.
+/// base, under the circle's centre and its rim, by BISAR. KENLAYER and GAMES differ by at most 0.3.
 const BONDED: [f64; 6] = [-100.5, 251.7, 185.0, -61.9, 192.2, 177.5];
-/// The same where the first layer slides, by BISAR; KENLAYER differs by 1. GAMES, whose interface was not quite without
-/// friction, has 11 and −1 for the second and fifth.
+/// The same if the first layer slides, by BISAR; KENLAYER differs by 1. GAMES, whose interface was not quite
+/// frictionless, has 11 and −1 for the second and fifth.
 const SLIDING: [f64; 6] = [-120.0, 1.0, 217.0, -78.0, -10.0, 205.0];
 
 fn strains() -> Result<Vec<Comparison>, ValidationError> {
@@ -299,7 +299,7 @@ fn strains() -> Result<Vec<Comparison>, ValidationError> {
     ])
 }
 
-/// In the order of [`BONDED`].
+/// The strains, in the order of [`BONDED`].
 fn strains_of(body: &Foundation) -> Result<Vec<f64>, ValidationError> {
     let (places, side) = (
         [0.0, AMADEUS_LOAD.radius],
@@ -337,7 +337,7 @@ fn strains_of(body: &Foundation) -> Result<Vec<f64>, ValidationError> {
             } else {
                 axial - ratio * (radial + hoop)
             };
-            // The programs count compression as positive.
+            // These programs count compression as positive.
             strains.push(-1e6 * strain / modulus);
         }
     }

@@ -1,4 +1,4 @@
-//! A uniformly loaded circle made of square elements, those on its rim loaded by the share that lies within.
+//! A uniformly loaded circle made of square elements; those on its rim carry the share within the circle.
 
 use pellicle_influence::{Depth, ElementFields, SubsurfaceState, SurfaceLoad};
 use pellicle_kernel::Foundation;
@@ -9,17 +9,18 @@ use super::super::run::ValidationError;
 /// A circle on the surface under a pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadedCircle {
-    /// m.
+    /// Radius, m.
     pub radius: f64,
-    /// Pa.
+    /// Pressure, Pa.
     pub pressure: f64,
 }
 
 impl LoadedCircle {
-    /// The states at places (x, y) (m) from its centre at a depth, of `count` elements along its diameter.
+    /// Returns the states at points (x, y) (m) relative to the centre at a depth, from `count` elements along the
+    /// diameter.
     ///
     /// # Errors
-    /// A depth outside the body, amplitudes that the kernel cannot give.
+    /// An error if the depth is outside the body, or if the kernel cannot give the amplitudes.
     pub fn states(
         &self,
         foundation: &Foundation,
@@ -43,7 +44,7 @@ impl LoadedCircle {
         Ok(places.iter().map(state).collect())
     }
 
-    /// The centres of the elements and the shares of them that lie within the circle.
+    /// The centres of the elements and the share of each within the circle.
     fn shares(&self, count: usize) -> Vec<([f64; 2], f64)> {
         let side = 2.0 * self.radius / count as f64;
         let centre = |i: usize| (i as f64 + 0.5) * side - self.radius;
@@ -55,7 +56,7 @@ impl LoadedCircle {
             .collect()
     }
 
-    /// Of an element: the length of the chord within it, integrated over its width.
+    /// Share of an element: the length of the chord within it, integrated over its width.
     fn share(&self, [x, y]: [f64; 2], side: f64) -> f64 {
         let half = side / 2.0;
         let (left, right) = ((x - half).max(-self.radius), (x + half).min(self.radius));
@@ -87,7 +88,7 @@ mod tests {
             let side = 6.0 / count as f64;
             let shares: f64 = circle.shares(count).iter().map(|(_, share)| share).sum();
             let area = std::f64::consts::PI * 9.0;
-            // Chords that leave an element through its side have a kink there.
+            // The chord length has a kink where the chord leaves the element through a side.
             assert!((shares * side * side / area - 1.0).abs() < 1e-3 / count as f64);
         }
     }
