@@ -21,7 +21,7 @@
 //! **Which to use.** These are the derivatives of the discrete problem with its elements in contact fixed, to rounding.
 //! As θ changes, elements enter and leave, and the true derivative of a curve lies within 1 % of them with 1400
 //! elements in contact and 7 % with 330, measured; `∂E/∂θ` has no such steps. [`ForceCurve`] differentiates it along
-//! the curve instead, and the penetration that it gives of `E` itself tells how well.
+//! the curve instead, and the penetration that it gives from `E` itself shows how accurate this is.
 
 mod change;
 mod force_curve;

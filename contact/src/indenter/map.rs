@@ -179,8 +179,8 @@ mod tests {
         let error = |n: u32| {
             let indenter = sampled(n, Interpolation::Linear);
             let [x, y] = indenter.lowest_point;
-            // A height halfway between samples along x, on one along y: h²/8 too high, h = 2/n, against the samples of
-            // the axis.
+            // A height halfway between samples along x and on a sample along y is too high by h²/8, h = 2/n, compared
+            // with the samples on the axis.
             let half = 1.0 / f64::from(n);
             let height = indenter.height(half, 0.0) + indenter.lowest;
             height - 0.5 * ((x + half - 0.03).powi(2) + y * y)

@@ -25,7 +25,7 @@ pub struct Step {
     /// The limit that cuts off the contact, if any; the step then solves a different problem from the one posed.
     pub cut_off: Option<CutOff>,
     /// The pressures of the next coarser grids, coarsest first; empty unless
-    /// [asked for](crate::SolverOptions::coarse_pressures).
+    /// [requested](crate::SolverOptions::coarse_pressures).
     pub coarser: Vec<CoarsePressure>,
 }
 

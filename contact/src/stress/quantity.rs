@@ -1,4 +1,4 @@
-//! The quantities whose extremes are searched for, each with the sign for which its largest value is wanted.
+//! The quantities whose extremes are searched for, each with its sign chosen so that the largest value is wanted.
 
 use pellicle_influence::SubsurfaceState;
 

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 /// Ratio of neighbouring radii.
 const RATIO: f64 = 1.1;
-/// Points on a circle, of which a part may lie beyond the map's end.
+/// Number of points on a circle, some of which may lie beyond the end of the map.
 const ANGLES: u32 = 360;
 
 /// Mean heights at radii in equal ratios, interpolated by a power of the radius.
@@ -19,7 +19,7 @@ pub struct MeanProfile {
 }
 
 impl MeanProfile {
-    /// The mean of `height` over circles with radii from `first` to `last`, m, infinite values aside.
+    /// The mean of `height` over circles with radii from `first` to `last`, m, without infinite values.
     pub fn new(height: impl Fn(f64, f64) -> f64, [first, last]: [f64; 2]) -> Self {
         let direction = |k: u32| ((f64::from(k) + 0.5) * TAU / f64::from(ANGLES)).sin_cos();
         let directions: Vec<(f64, f64)> = (0..ANGLES).map(direction).collect();

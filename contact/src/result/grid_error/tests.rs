@@ -1,4 +1,4 @@
-//! Intervals of sequences whose limit and order are known.
+//! Intervals for sequences with known limit and order.
 
 use approx::assert_relative_eq;
 

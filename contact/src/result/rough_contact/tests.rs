@@ -1,4 +1,4 @@
-//! Rough contacts whose islands, areas and gaps are known.
+//! Rough contacts with known islands, areas and gaps.
 
 use std::sync::Arc;
 

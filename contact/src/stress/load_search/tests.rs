@@ -1,4 +1,4 @@
-//! Searches whose forces are known.
+//! Searches for known forces.
 
 use std::sync::Arc;
 
