@@ -128,7 +128,7 @@ fn rivals_problems(criterion: &mut Criterion) {
     }
 }
 
-/// Times a scene with one thread and with two; the first run of a scene prints its work.
+/// Times a scene with one thread and with two; the first timed run of a scene prints its work.
 fn measure(criterion: &mut Criterion, group: &str, scene: &Scene, elements: usize) {
     let mut group = criterion.benchmark_group(group);
     group

@@ -148,8 +148,8 @@ fn the_answer_is_that_of_the_whole_grid_and_takes_few_of_its_products() {
     }
 }
 
-/// Three blunt tips, and between them a needle at the centre of one element of the finest grid, which no coarser grid
-/// resolves.
+/// Three blunt tips, and between them a needle at the centre of one element of the finest grid, unseen by coarser
+/// grids.
 #[derive(Debug)]
 struct TipsAndNeedle;
 

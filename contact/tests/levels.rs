@@ -210,7 +210,7 @@ fn a_small_contact_on_a_large_domain_is_that_on_a_small_one() {
     let model = model(1.0);
     let loads = [Load::Force(2e-4), Load::Force(1e-3)];
     let (small, _) = solve(&model, 0.3, 48, &loads);
-    // The same elements, on a square four times as wide: the centre starts at the 72nd of 192 elements.
+    // The same elements, on a square four times as wide: the centre begins at index 72 of 192 elements.
     let (large, _) = solve(&model, 1.2, 192, &loads);
     for (small, large) in small.steps.iter().zip(&large.steps) {
         let (p, q) = (&small.solution.pressure, &large.solution.pressure);

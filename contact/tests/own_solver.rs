@@ -1,5 +1,4 @@
-//! A solver written outside the crate: the procedure of the paper, which drops elements in tension and never takes any
-//! back.
+//! A solver written outside the crate: the paper's procedure, which drops elements in tension and takes none back.
 //!
 //! Stepanov and Torskaya (2022) solve the linear system of all elements that may touch, drop those with negative
 //! pressure, and repeat until there are none. The gaps are never checked. If the first systems put elements of the

@@ -139,7 +139,7 @@ fn crests_that_hardly_touch_are_paraboloids() {
     );
 }
 
-/// On a rigid base displacements decay within a few thicknesses, and the penetration is measured from the undeformed
+/// On a rigid base displacements decay within a few thicknesses; the penetration is measured from the undeformed
 /// surface.
 #[test]
 fn in_a_large_cell_on_a_rigid_base_a_contact_is_alone() {

@@ -1,5 +1,4 @@
-//! Random cases from nanometres to metres with a chosen domain: none is refused for its domain, and none is cut off by
-//! it.
+//! Random cases from nanometres to metres with a chosen domain: none is refused for it, and none is cut off by it.
 //!
 //! 20 by default; `PELLICLE_RANDOM_DOMAINS=2000 cargo test --release -p pellicle-contact --test random_domains` for
 //! more.

@@ -1,5 +1,4 @@
-//! Both solvers on problems small enough for a dense matrix: they agree, are certified, and are not misled by bad
-//! starts.
+//! Both solvers on problems small enough for a dense matrix: they agree, are certified and recover from bad starts.
 
 #![expect(
     clippy::unwrap_used,
@@ -16,8 +15,7 @@ use pellicle_influence::{CoefficientTable, RadialTables, SurfaceElasticity};
 use pellicle_kernel::{Foundation, Material};
 use proptest::prelude::*;
 
-/// Tolerance of the solutions compared here; the pressures then agree to about this times the condition number, about
-/// 1e2.
+/// Tolerance of the solutions compared here; the pressures then agree to about this times the condition number, 1e2.
 const TOLERANCE: f64 = 1e-12;
 
 /// A contact on `size`² elements of side `1/size` on a coated half-space.
@@ -259,7 +257,7 @@ fn every_solver_tells_its_working_set_and_what_moves() {
         assert!(told.iter().map(|told| told.iteration).eq(0..told.len()));
         assert_eq!(told.last().unwrap().working_set, pressing);
         // Initially the whole set is new. Then as many elements enter or leave as it grows or shrinks by, or an even
-        // number more.
+        // number more than that.
         assert_eq!(told[0].working_set_change, told[0].working_set);
         assert!(told[1].working_set_change > 0);
         for pair in told.windows(2) {

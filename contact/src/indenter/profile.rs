@@ -5,8 +5,8 @@ use std::{f64::consts::TAU, fmt::Debug};
 use pellicle_texture::Grid;
 use rayon::prelude::*;
 
-/// Number of midpoints for the average over a circle; a smooth profile needs far fewer, one with kinks has an error of
-/// about 1/360².
+/// Midpoints in the average over a circle; a smooth profile needs far fewer, one with kinks has an error of about
+/// 1/360².
 const ANGLES: u32 = 360;
 /// Smallest number of points per thread.
 const AT_ONCE: usize = 1024;

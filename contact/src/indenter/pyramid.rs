@@ -58,8 +58,7 @@ struct Slopes {
     stretch: f64,
     /// `v₁ = R cos α sin(π/n)`, the half-width of a round ridge, in m.
     rounded: f64,
-    /// `R (√(1 + m²) − 1)` and `R (√(1 + c²) − 1)`: the depths of face and ridge below those of the sharp pyramid, in
-    /// m.
+    /// `R (√(1 + m²) − 1)` and `R (√(1 + c²) − 1)`: depths (m) of face and ridge below those of the sharp pyramid.
     drops: [f64; 2],
 }
 

@@ -8,8 +8,8 @@
 //! ```
 //!
 //! and below the surface a wave causes fields that are polynomials in `kz` times `e^{−kz}`. Every field is therefore a
-//! sum of the integrals `∫ p̅ k kⁿ e^{−kz} J_m(kr) dk`, which are real or imaginary parts of integrals over `w = z +
-//! it` of
+//! sum of the integrals `∫ p̅ k kⁿ e^{−kz} J_m(kr) dk`, which are real or imaginary parts of integrals over
+//! `w = z + it` of
 //!
 //! ```text
 //! j_m = ∫ e^{−kw} J_m(kr) dk = ((ρ − w)/r)ᵐ/ρ      ρ² = r² + w²

@@ -1,7 +1,7 @@
 //! The proof that a pressure solves the contact problem, computed afresh from the pressure alone.
 //!
-//! Let `v = K p + w* + g0`, where `w*` is the shortening of the springs (`η p` if their law is linear), `D = Σ p v / Σ
-//! p` or the prescribed penetration, and `g = v − D`. The lines are dimensionless:
+//! Let `v = K p + w* + g0`, where `w*` is the shortening of the springs (`η p` if their law is linear),
+//! `D = Σ p v / Σ p` or the prescribed penetration, and `g = v − D`. The lines are dimensionless:
 //!
 //! ```text
 //! complementarity = Σ p |g| / (D Σ p)        gap_in_contact = max over p > 0 of |g| / D
@@ -69,7 +69,7 @@ impl Certificate {
         lines.into_iter().fold(0.0, largest)
     }
 
-    /// Whether every line is within the tolerance and the pressure is finite, nowhere negative and nowhere above the
+    /// Whether every line is within the tolerance and the pressure is finite, never negative and never above the
     /// hardness.
     #[must_use]
     pub fn is_satisfied(&self) -> bool {

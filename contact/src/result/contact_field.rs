@@ -1,5 +1,4 @@
-//! A pressure on its elements, with the gaps around it and the geometry that bounds it; they determine the shape of the
-//! contact.
+//! A pressure on its elements, with the gaps and the geometry around it, which determine the shape of the contact.
 
 use pellicle_texture::Grid;
 
@@ -32,8 +31,7 @@ pub struct ContactField<'a> {
 }
 
 impl ContactField<'_> {
-    /// Returns the element of the window at a place, directly, as its mirror image or from another periodic cell; none
-    /// elsewhere.
+    /// Returns the element of the window at a place, itself, its mirror image or its periodic image; none elsewhere.
     pub fn element(&self, place: Place) -> Option<usize> {
         match self.boundary {
             Boundary::Free => self.window.element(place),
@@ -148,8 +146,7 @@ mod tests {
 
     const SIZE: usize = 6;
 
-    /// Evaluates `ask` for a field on a square of side 6, on a film whose springs stiffen and whose relief covers x >
-    /// 0.
+    /// Evaluates `ask` for a field on a square of side 6, on a film of stiffening springs whose relief covers x > 0.
     fn with_field<T>(
         boundary: Boundary,
         pressure: &[f64],

@@ -1,5 +1,4 @@
-//! The discretisation error: from the changes of each number from grid to grid, an interval that contains the true
-//! value.
+//! The discretisation error of each number: an interval that contains the truth, from its changes between grids.
 //!
 //! Let a number with an error `c hᵒ` change by `Δ` from one grid to the next, `r` times as fine. The error on the finer
 //! grid is then `|Δ|/(rᵒ − 1)` (Richardson), and that on the finest grid is `(h/h_l)ᵒ` times as large. Every grid thus
@@ -13,8 +12,9 @@
 //! nor a change of sign makes the error small. F is a safety factor, as in Roache's grid convergence index (J. Fluids
 //! Eng. 116, 1994, 405–413); the order is the common slope of all changes, kept within theoretical bounds. The position
 //! of the contact's edge within the grid is random, so the errors scatter around every power law. Factor, weights and
-//! bounds were calibrated so that the interval contains the truth as often as `docs/grid-error.md` states. `cargo run
-//! --release -p pellicle-tests --bin coverage` prints how often it does, and how much wider it is than the error.
+//! bounds were calibrated so that the interval contains the truth as often as `docs/grid-error.md` states.
+//! `cargo run --release -p pellicle-tests --bin coverage` prints how often it does, and how much wider it is than the
+//! error.
 
 use serde::{Deserialize, Serialize};
 

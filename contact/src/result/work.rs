@@ -16,7 +16,7 @@ pub struct Work {
     /// Products on the finest grid for the contact stiffness, in addition to those for the solution; not stored.
     #[serde(skip)]
     pub stiffness_applications: usize,
-    /// Products among the candidates of a dilute contact on the finest grid, each a small part of a full product; not
+    /// Products among the candidates of a dilute contact on the finest grid, each a small part of a full one; not
     /// stored.
     #[serde(skip)]
     pub candidate_applications: usize,

@@ -13,7 +13,7 @@ use crate::{
     problem::model::initial_gap, vector::dot,
 };
 
-/// Relative step of the central difference for springs and heights: its square gives an error of 1e-10, and rounding as
+/// Relative step of the central difference for springs and heights: its square gives an error of 1e-10, rounding as
 /// much.
 const STEP: f64 = 1e-5;
 

@@ -43,8 +43,7 @@ struct Asked {
     known: Vec<Extreme<3>>,
 }
 
-/// Finds the critical load of every strength given, up to the largest load of a solved path whose steps have these
-/// extremes.
+/// Finds the critical load of every strength given, up to the largest load of a solved path with these extremes.
 ///
 /// A stress may first grow and then fall with the load. If it comes near its strength but reaches it under no load of
 /// the path, loads around the one with the largest stress are tried.

@@ -185,8 +185,7 @@ fn coarse_value(
         .value)
 }
 
-/// Selects the candidates, sorted by falling value, that come near the largest and do not belong to the peak of a
-/// larger one.
+/// Selects the candidates, sorted by falling value, that come near the largest and belong to no larger one's peak.
 fn distinct(candidates: &[Candidate], depths: &[f64], element: f64) -> Vec<Candidate> {
     let mut kept: Vec<Candidate> = Vec::new();
     for candidate in candidates {
@@ -233,8 +232,7 @@ mod tests {
             kept.iter().map(|kept| kept.value).collect::<Vec<_>>()
         };
         let first = (10.0, [0.0; 2], 1);
-        // At the next depth within an element, and within half the depth; farther away; at the same depth; two depths
-        // away.
+        // At the next depth within an element, and within half the depth; farther; at the same depth; two depths away.
         assert_eq!(kept(&[first, (9.9, [0.06, 0.06], 0)]), [10.0]);
         assert_eq!(kept(&[first, (9.9, [0.1, 0.15], 2)]), [10.0]);
         assert_eq!(kept(&[first, (9.9, [0.08, 0.08], 0)]), [10.0, 9.9]);

@@ -15,10 +15,10 @@ const ACCURACY: f64 = 5e-5;
 const MOST_SOLVED: usize = 24;
 /// Number of these found by secants before the bracket is halved.
 const MOST_SECANTS: usize = 8;
-/// Factor between loads below the smallest of the path, and the largest number tried.
+/// Factor between loads below the smallest of the path, and how many are tried at most.
 const SMALLER: f64 = 0.25;
 const MOST_SMALLER: usize = 8;
-/// If the largest stress is at least this part of a strength, other loads may reach it; the largest number tried.
+/// If the largest stress is at least this part of a strength, other loads may reach it; how many are tried at most.
 const NEARLY: f64 = 0.7;
 const MOST_PROBES: usize = 8;
 /// Loads whose logarithms differ by less than this are equivalent at a peak of the stress.

@@ -108,8 +108,7 @@ fn an_independent_method_finds_the_same_pressures_under_either_load() {
                     solve(&mut ActiveSetSolver::default(), &mut problem, load),
                 ] {
                     for (found, wanted) in found.pressure.iter().zip(&wanted) {
-                        // The certificate's 1e-8, relative to a penetration of several times the displacement at the
-                        // limit.
+                        // The certificate's 1e-8 of a penetration of several times the displacement at the limit.
                         assert!((found - wanted).abs() < 1e-6 * limit, "{found} {wanted}");
                     }
                     assert!((found.penetration - 0.03).abs() < 1e-8);

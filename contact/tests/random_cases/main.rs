@@ -41,7 +41,7 @@ fn extent() -> (u64, usize) {
         .map_or((SHORT, short), |count| (count.parse().unwrap(), long))
 }
 
-/// Tolerance so fine that the residual of a solution is smaller than the effect of other units.
+/// Tolerance so fine that the residuals do not mask the effect of other units.
 const FINE: f64 = 1e-12;
 /// The most products on the finest grid in the short form.
 const MOST_PRODUCTS: usize = 400;
@@ -247,8 +247,8 @@ fn random_cases_give_the_same_numbers_in_other_units() {
         count / 2
     );
     // *Measured* on 1,200 cases of the long form, 1,147 of them certified to this tolerance in both: all agree to 1e-10
-    // except one, whose largest pressure differs by up to 3e-9. Its coating is 1e8 times as stiff as its base, and
-    // rounding limits the accuracy of the pressure at the edges.
+    // except one, whose largest pressure differs by up to 3e-9. Its coating is 1e8 times as stiff as the material
+    // below, and rounding limits the accuracy of the pressure at the edges.
     assert!(median <= 1e-14 && largest <= 1e-8, "{differences:?}");
     assert!(100 * close >= 99 * pairs.len(), "{differences:?}");
     assert!(3 * pairs.len() as u64 > count / 2);

@@ -66,8 +66,8 @@ fn without_a_tip_radius_it_is_the_sharp_pyramid() {
 fn it_tends_to_the_sharp_pyramid_with_the_tip_radius() {
     for radius in [1e-1, 1e-3, 1e-6] {
         for pyramid in pyramids(radius) {
-            // The sharp pyramid through the same faces, R (1/sin α − 1) deeper, lies below the blunt one and nowhere
-            // inside it.
+            // The sharp pyramid through the same faces, R (1/sin α − 1) deeper, lies below the blunt one, nowhere
+            // inside.
             let depth = radius * (pyramid.face_angle().sin().recip() - 1.0);
             for [x, y] in points(500, 1.0) {
                 let above = pyramid.height(x, y) - (sharp(&pyramid, x, y) - depth);
@@ -120,8 +120,7 @@ fn it_is_the_envelope_of_the_planes_that_touch_the_tip() {
                 }
             }
             let missing = pyramid.height(x, y) - largest;
-            // The nearest sampled s is off by at most the edge length over 120, and the function's curvature is at most
-            // R.
+            // The nearest sampled s is off by at most the edge length over 120, and the curvature is at most R.
             let off = 1.8 * slope / f64::from(steps);
             assert!(
                 (-1e-14..0.5 * 0.7 * off * off + 1e-14).contains(&missing),

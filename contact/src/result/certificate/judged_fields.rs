@@ -21,8 +21,7 @@ pub fn highest(expected: f64) -> f64 {
 }
 
 /// Returns the window that holds `window` with a rim, and all elements that may overlap under a penetration of at most
-/// `highest` (m): those whose initial gap is less than `highest` plus the rise that pressures of this `total` can
-/// cause.
+/// `highest` (m): those whose initial gap is less than `highest` plus the largest rise under pressures of this `total`.
 pub fn around(problem: &DiscreteProblem, window: &Window, highest: f64, total: f64) -> Window {
     let everywhere = problem.everywhere();
     let rim = window.size() / RIM_PART;
@@ -40,7 +39,7 @@ pub fn around(problem: &DiscreteProblem, window: &Window, highest: f64, total: f
     everywhere.around(|[i, j]| gap[i * size + j] < width || around.place([i, j]).is_some())
 }
 
-/// The displacement by which a pressure is judged, on the examined part of the grid, the reach.
+/// The displacement by which a pressure is judged, on the reach, the examined part of the grid.
 pub struct JudgedFields {
     pub(super) reach: Window,
     pub(super) displacement: Vec<f64>,

@@ -125,8 +125,7 @@ impl Surface<'_> {
         found
     }
 
-    /// The elements with pressure in a row of the reach, with the shortening `w*(p)` of their springs (`η p` if
-    /// linear).
+    /// The elements with pressure in a row of the reach, with the shortening `w*(p)` of their springs.
     fn pressed(&self, line: usize) -> impl Iterator<Item = Pressed> {
         let [above, left] = self.window.origin();
         let [rows, size] = self.window.lengths();
@@ -149,7 +148,7 @@ struct Pressed {
     column: usize,
     /// Pressure, in Pa.
     p: f64,
-    /// `w*(p)`, in m.
+    /// `w*(p)`, in m; `η p` for linear springs.
     shortening: f64,
 }
 
@@ -188,8 +187,7 @@ impl Violations {
     }
 }
 
-/// Returns the larger of two numbers, NaN if either is NaN: `f64::max` drops NaN, which must not pass for a small
-/// number here.
+/// The larger of two numbers, NaN if either is NaN: `f64::max` drops NaN, which must not pass for a small number.
 pub fn largest(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
         f64::NAN

@@ -17,8 +17,8 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// Counts the numbers that `of_line` gives for each row of the pressure on a window; none may be negative or
-    /// infinite.
+    /// Counts the numbers that `of_line` gives for each row of the pressure on a window; all must be finite and not
+    /// negative.
     pub(super) fn of<'a, I: Iterator<Item = f64>>(
         window: &Window,
         pressure: &'a [f64],

@@ -1,4 +1,4 @@
-//! Searches for known forces.
+//! Load searches with known results.
 
 use std::sync::Arc;
 

@@ -141,7 +141,7 @@ fn a_bracket_is_divided_at_the_vertex_of_its_parabola_or_in_the_golden_section()
         };
         bracket.next()
     };
-    // A vertex is accepted if it lies a sixteenth of the width, 0.25, from the best and from either end.
+    // A vertex is accepted if it lies over a sixteenth of the width, 0.25, from the best and from either end.
     let parabola = |vertex: f64, at: [f64; 3]| at.map(|z| (z, 9.0 - (z - vertex).powi(2)));
     let vertices = [
         (1.3, [1.0, 2.0, 0.5]),

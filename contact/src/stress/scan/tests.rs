@@ -92,8 +92,7 @@ fn planes_under_blocks_have_the_stresses_of_the_field_at_the_middles_of_blocks()
         let point =
             |k: usize| [0, 1].map(|axis| blocks.first[axis] + place(k)[axis] as f64 * blocks.side);
         let points: Vec<_> = (0..states.len()).map(point).collect();
-        // On either side of the loaded square at least 0.3 of its side plus one and a half depths, and not a block
-        // more.
+        // On either side of the loaded square at least 0.3 of its side plus one and a half depths, not a block more.
         let [low, high] = [points[0], points[states.len() - 1]];
         for axis in 0..2 {
             let edges = [-low[axis], high[axis]].map(|middle| middle + blocks.side / 2.0);
