@@ -29,7 +29,7 @@ impl fmt::Display for IndenterQuantity {
     }
 }
 
-/// Why an indenter cannot be built.
+/// The reason why an indenter cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum IndenterError {

@@ -49,7 +49,7 @@ pub struct Certificate {
     pub gap_at_limit: f64,
     /// Smallest pressure of all elements, in Pa; must be ≥ 0.
     pub min_pressure: f64,
-    /// By how much the largest pressure exceeds the hardness, in Pa; must be 0.
+    /// Excess of the largest pressure over the hardness, in Pa; must be 0.
     pub over_limit: f64,
     /// The bound on every line.
     pub tolerance: f64,

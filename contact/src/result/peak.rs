@@ -18,7 +18,7 @@ const AT_AXIS: f64 = 1e-6;
 /// The place of the largest pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PeakPlace {
-    /// Inside the contact, away from everything sharp.
+    /// Inside the contact, away from sharp features.
     #[default]
     Inside,
     /// The outline of the relief.

@@ -1,11 +1,11 @@
-//! One load's solution with its numbers, and its status.
+//! The solution of one load with its numbers, and its status.
 
 use pellicle_texture::Grid;
 use serde::{Deserialize, Serialize};
 
 use crate::{GridError, RoughContact, Solution, Summary, Work, result::cut_off::CutOff};
 
-/// One load's solution. It is converged if its certificate is satisfied.
+/// The solution of one load. It is converged if its certificate is satisfied.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
     /// The pressure and its certificate.

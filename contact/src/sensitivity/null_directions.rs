@@ -4,7 +4,8 @@
 //!
 //! - **Materials**: see [`ElasticBodies::null_directions`](pellicle_influence::ElasticBodies::null_directions).
 //! - **Paraboloid**: with all lengths along the surface times b, `R → b² R`, `H → b H`, `E → E/b` and compliances of
-//!   springs times `b²`. **Sharp cone and pyramid**: their slope over b, `H → b H`, `E → E/b`, compliances times `b²`.
+//!   springs times `b²`. **Sharp cone and pyramid**: with their slope divided by b, `H → b H`, `E → E/b`, compliances
+//!   times `b²`.
 //! - **Springs of a film**: only `η = H_w/E_w` matters if their law is linear.
 
 use pellicle_texture::{Relief, ReliefParameter};

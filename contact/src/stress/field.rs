@@ -105,7 +105,7 @@ impl StressField {
             .collect())
     }
 
-    /// Planes under the elements within a square of side `extent` (m) about the axis, at most the grid's.
+    /// Planes under the elements within a square of side `extent` (m) about the axis, limited to the grid.
     #[must_use]
     pub fn planes(&self, extent: f64) -> StressPlanes {
         let size = self.grid.size();

@@ -36,7 +36,7 @@ fn points(count: u32, radius: f64) -> impl Iterator<Item = [f64; 2]> {
 
 #[test]
 fn the_standard_angles_have_their_area_ratios() {
-    // Areas over depth² of a sharp pyramid of n faces: projected n tan(π/n) tan² α, true surface that over sin α.
+    // Areas over depth² of a sharp pyramid of n faces: projected n tan(π/n) tan² α, true surface that divided by sin α.
     let projected = |n: f64, angle: f64| n * (PI / n).tan() * angle.tan().powi(2);
     let surface = |n: f64, angle: f64| projected(n, angle) / angle.sin();
     let vickers = Pyramid::VICKERS_FACE_ANGLE;

@@ -1,4 +1,4 @@
-//! The pattern of a contact: rows of elements in contact, the sides around them, and the islands that they make.
+//! The pattern of a contact: rows of elements in contact, the sides around them, and the islands that they form.
 //!
 //! An island is a set of elements connected by their sides. Two elements that share only a corner are two islands: the
 //! two open elements beside that corner share it as well, and no pressure acts across a point. In a periodic cell

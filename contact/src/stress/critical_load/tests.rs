@@ -1,4 +1,4 @@
-//! The stress that each strength is compared with, and the loads at which it is reached.
+//! The stress with which each strength is compared, and the loads at which it is reached.
 
 use std::sync::Arc;
 
