@@ -1,8 +1,8 @@
-//! Whole solutions to a certificate of 1e-8: the paper's four textured cases, and the rivals' two problems on a
-//! homogeneous body. The products with K on the finest grid are printed to standard error.
+//! Complete solutions to a certificate of 1e-8: the four textured cases of the paper, and two problems on a homogeneous
+//! body that other programs solve too. The products with K on the finest grid are printed to standard error.
 //!
-//! Coefficients, operators and plans of transforms are computed anew on every grid in every run; only the radial tables
-//! of the foundation, which no grid changes, are built before.
+//! Coefficients, operators and transform plans are recomputed on every grid in every run; only the radial tables of the
+//! foundation, which do not depend on the grid, are built beforehand.
 
 #![expect(
     clippy::print_stderr,
@@ -38,7 +38,7 @@ impl Scene {
     }
 }
 
-/// A paraboloid of radius 1 above `relief` on `foundation`, keeping nothing between runs.
+/// A paraboloid of radius 1 above `relief` on `foundation`, with nothing cached between runs.
 fn model(foundation: &Foundation, relief: Relief) -> Model {
     Model {
         tables: Arc::new(RadialTables::build(foundation).expect("tables")),
@@ -88,8 +88,9 @@ fn textured_scenes() -> [Scene; 4] {
     .map(|(name, [coating, base], side, force)| textured(name, coating, base, side, force))
 }
 
-/// The rivals' problems at `elements` per side: Hertz with contact radius 0.15 on the unit square, and the same above
-/// rigid pillars with a period of 16 elements (`xtask/compare/problem.py` holds the definition).
+/// The problems that other programs solve too, at `elements` per side: Hertz with contact radius 0.15 on the unit
+/// square, and the same above rigid pillars with a period of 16 elements (`xtask/compare/problem.py` holds the
+/// definition).
 fn rivals_scenes(elements: usize) -> [Scene; 2] {
     let (contact_radius, period) = (0.15_f64, 16.0 / elements as f64);
     let pillars = cylinders(CylinderSpec {
@@ -98,7 +99,7 @@ fn rivals_scenes(elements: usize) -> [Scene; 2] {
         height: 0.1 * contact_radius.powi(2),
         period,
         offset: [0.5 * (period - 1.0); 2],
-        // Shortening below the last bit of every displacement: rigid.
+        // Rigid: the shortening is below the last bit of every displacement.
         young_modulus: 1e30,
     });
     let foundation = Foundation::half_space(material(1.0, 0.0));
@@ -127,7 +128,7 @@ fn rivals_problems(criterion: &mut Criterion) {
     }
 }
 
-/// Times a scene with one thread and with two; the first run of a scene that is timed at all tells the work.
+/// Times a scene with one thread and with two; the first timed run of a scene prints its work.
 fn measure(criterion: &mut Criterion, group: &str, scene: &Scene, elements: usize) {
     let mut group = criterion.benchmark_group(group);
     group
@@ -155,7 +156,7 @@ fn pool(threads: usize) -> ThreadPool {
     builder.build().expect("a pool")
 }
 
-/// Products with K and the certificate's worst line, which no number of threads changes.
+/// Prints products with K and the certificate's worst line, which do not depend on the number of threads.
 fn tell(scene: &Scene, path: &LoadingPath) {
     for step in &path.steps {
         eprintln!(

@@ -1,5 +1,5 @@
-//! Extremes of the stresses under one load, beside the solution of the contact itself: a ball on a body of one
-//! material, and on a coating, still and sliding.
+//! Extremes of the stresses under one load, compared with the solution of the contact itself: a ball on a homogeneous
+//! body and on a coating, at rest and sliding.
 
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ fn material(young_modulus: f64, poisson_ratio: f64) -> Material {
     Material::new(young_modulus, poisson_ratio).expect("a material")
 }
 
-/// The bodies of a foundation whose coating has this thickness, if any.
+/// The bodies of a foundation, with a coating of this thickness, if any.
 fn stresses(coating: Option<f64>, friction: f64) -> StressModel {
     let ends = [Some(0.0), coating, Some(f64::INFINITY)];
     let ends: Vec<f64> = ends.into_iter().flatten().collect();

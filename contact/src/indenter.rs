@@ -61,11 +61,11 @@ pub enum Indenter {
     Pyramid(Pyramid),
     /// A measured surface.
     Map(IndenterMap),
-    /// A shape of a user's own.
+    /// A user-defined shape.
     Custom(CustomProfile),
 }
 
-/// A shape that the crate does not know, shared by all copies of an indenter; it equals its copies alone.
+/// A user-defined shape, shared by all copies of an indenter; it equals only its copies.
 #[derive(Clone, Debug)]
 pub struct CustomProfile(Arc<dyn Profile>);
 
@@ -105,7 +105,7 @@ impl Indenter {
         Self::Custom(CustomProfile(Arc::new(shape)))
     }
 
-    /// The shape behind the name.
+    /// The shape in this variant.
     fn shape(&self) -> &dyn Profile {
         match self {
             Self::Paraboloid(shape) => shape,
@@ -118,7 +118,7 @@ impl Indenter {
         }
     }
 
-    /// Whether the shape is symmetric in x and y; false of every map, and of pyramids with an odd number of faces.
+    /// Whether the shape is symmetric in x and y; false for every map and for pyramids with an odd number of faces.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         match self {
@@ -129,7 +129,7 @@ impl Indenter {
         }
     }
 
-    /// Whether `f(x, y) = f(x, −y)`: of every pyramid too, one ridge of which runs along x.
+    /// Whether `f(x, y) = f(x, −y)`; also true for every pyramid, since one of its ridges runs along x.
     #[must_use]
     pub fn is_mirrored_in_y(&self) -> bool {
         self.is_mirrored() || matches!(self, Self::Pyramid(_))

@@ -1,12 +1,12 @@
 //! Closed forms: contact of axisymmetric indenters with a homogeneous half-space, and with a Winkler foundation.
 //!
-//! Each module holds one struct with the numbers of a contact and one function for every way to fix it. The elastic
+//! Each module holds one struct with the numbers of a contact and one function for each way to specify it. The elastic
 //! half-space enters only through its plane-strain modulus `E* = E/(1 − ν²)` (Pa), because the indenter is rigid.
-//! Lengths, forces and pressures are in SI or any consistent system. The functions check nothing: for positive
-//! arguments they hold to rounding, for others they return what the formula gives.
+//! Lengths, forces and pressures are in SI or any consistent system. The functions do not check their arguments: for
+//! positive ones they are exact to rounding, for others they return what the formula gives.
 //!
 //! All contacts with the half-space obey `dQ/dD = 2 E* a`, all contacts `dU/dD = Q` and `U = ½ ∫ p (D − f) dA`, with
-//! force Q, penetration D, contact radius a and stored energy U; the tests hold every one of them to these.
+//! force Q, penetration D, contact radius a and stored energy U; the tests check all of them against these.
 //!
 //! Sources: I. N. Sneddon, Int. J. Eng. Sci. 3, 1965, 47–57 (cone, punch, sphere); K. L. Johnson, Contact Mechanics,
 //! 1985 (Hertz).

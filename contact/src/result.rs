@@ -1,4 +1,4 @@
-//! The result: certificate, the numbers that describe it, and their errors.
+//! The result of a solution: its certificate, its summary and its errors.
 
 pub mod certificate;
 pub mod contact_field;

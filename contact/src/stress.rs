@@ -1,5 +1,5 @@
 //! Stress inside the body under a solved pressure: at points, on planes, its extremes, and the loads at which a body
-//! yields or cracks or an interface comes off.
+//! yields or cracks or an interface debonds.
 
 pub mod body_extremes;
 pub mod critical_load;

@@ -1,5 +1,5 @@
-//! Dilute contact: where it is a small part of the grid, products are restricted to candidates, and the answer is that
-//! of the whole grid.
+//! Dilute contact: if the contact is a small part of the grid, products are restricted to candidates, and the solution
+//! is that of the whole grid.
 
 #![expect(
     clippy::unwrap_used,
@@ -17,7 +17,7 @@ use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{HeightMap, MapCompliance, Relief, ReliefMap};
 
 const ELEMENTS: usize = 512;
-/// Waves of the rough surface.
+/// Number of waves of the rough surface.
 const WAVES: u32 = 60;
 
 fn half_space() -> Foundation {
@@ -29,12 +29,12 @@ fn coated() -> Foundation {
     Foundation::coated(0.02, coating, base).unwrap()
 }
 
-/// A map of side 1: waves of 8 to 64 a side in all directions, of equal slope.
+/// A map of side 1: waves of equal slope in all directions, 8 to 64 per side.
 fn rough() -> ReliefMap {
     let height = |x: f64, y: f64| -> f64 {
         let waves = (0..WAVES).map(|wave| {
             let wave = f64::from(wave);
-            // The golden ratio and the root of two scatter directions and phases.
+            // The golden ratio and the square root of two scatter directions and phases.
             let (direction, phase) = (3.883_222 * wave, 8.885_766 * wave * wave);
             let number = 8.0 * 8.0_f64.powf(wave / f64::from(WAVES));
             let along = x * direction.cos() + y * direction.sin();
@@ -125,7 +125,7 @@ fn the_answer_is_that_of_the_whole_grid_and_takes_few_of_its_products() {
                 work.operator_applications == 1 && work.candidate_applications > 5,
                 "{work:?}"
             );
-            // So of every coarser grid that is solved on candidates.
+            // The same holds on every coarser grid that is solved on candidates.
             let levels = work.levels.iter();
             let dilute: Vec<_> = levels
                 .filter(|level| level.candidate_applications > 0)
@@ -139,7 +139,7 @@ fn the_answer_is_that_of_the_whole_grid_and_takes_few_of_its_products() {
             assert!(whole.certificate.is_satisfied());
             let apart = (step.solution.penetration - whole.penetration).abs();
             assert!(apart <= 2e-8 * whole.penetration, "{apart:e}");
-            // Gaps of 1e-8 of the penetration on single elements, which are far stiffer than the contact.
+            // Gaps are closed to 1e-8 of the penetration on single elements, which are far stiffer than the contact.
             let both = step.solution.pressure.iter().zip(&whole.pressure);
             let apart = largest(both.map(|(one, other)| one - other));
             let peak = largest(whole.pressure.iter().copied());
@@ -148,8 +148,8 @@ fn the_answer_is_that_of_the_whole_grid_and_takes_few_of_its_products() {
     }
 }
 
-/// Three blunt tips, and between them a needle at the centre of one element of the finest grid, of which no coarser
-/// grid sees anything.
+/// Three blunt tips, and between them a needle at the centre of one element of the finest grid, unseen by coarser
+/// grids.
 #[derive(Debug)]
 struct TipsAndNeedle;
 

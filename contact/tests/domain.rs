@@ -1,4 +1,4 @@
-//! The choice of the domain, and contacts that their domain or a map cuts off.
+//! The choice of the domain, and contacts cut off by their domain or a map.
 
 #![expect(
     clippy::unwrap_used,
@@ -17,7 +17,7 @@ use pellicle_texture::{
     CylinderSpec, Cylinders, Film, HeightMap, Lattice, MapCompliance, Relief, ReliefMap,
 };
 
-/// On a homogeneous body of plane-strain modulus `modulus`.
+/// A model on a homogeneous body of plane-strain modulus `modulus`.
 fn model(modulus: f64, relief: Relief, indenter: impl Into<Indenter>) -> Model {
     let body = Foundation::half_space(Material::new(modulus, 0.0).unwrap());
     Model {
@@ -53,7 +53,7 @@ fn map(samples: usize, side: f64, height: impl Fn(f64, f64) -> f64) -> HeightMap
     HeightMap::new(heights.collect(), [samples; 2], [side; 2]).unwrap()
 }
 
-/// Waves of three lengths and a part that looks like chance, of some `amplitude` in all.
+/// Two waves and a pseudo-random part, with a total of about `amplitude`.
 fn rough(amplitude: f64, side: f64) -> HeightMap {
     map(96, side, |x, y| {
         let (x, y) = (x / side, y / side);
@@ -65,7 +65,7 @@ fn rough(amplitude: f64, side: f64) -> HeightMap {
 
 #[test]
 fn a_ball_on_a_domain_smaller_than_its_contact_is_cut_off() {
-    // 1 mm, 1 mN, 1 µm: a contact of 1.5 µm and more in radius; elements in contact all over
+    // 1 mm, 1 mN, 1 µm: the contact radius is 1.5 µm or more, and all elements are in contact
     let model = model(
         200e9,
         Relief::Bare,
@@ -78,7 +78,7 @@ fn a_ball_on_a_domain_smaller_than_its_contact_is_cut_off() {
     assert_eq!(step.cut_off, Some(CutOff::Domain));
     assert_eq!(step.status(), Status::CutOff);
     assert!(codes(&path).contains(&"cut-off"), "{:?}", codes(&path));
-    // the domain chosen holds it
+    // the chosen domain holds the contact
     let path = solve(&model, Domain::Automatic, 32, load);
     assert_eq!(path.steps[0].status(), Status::Certified);
 }
@@ -86,21 +86,21 @@ fn a_ball_on_a_domain_smaller_than_its_contact_is_cut_off() {
 #[test]
 fn what_ends_inside_the_domain_or_just_before_its_edge_is_whole() {
     let punch = model(1.0, Relief::Bare, FlatPunch::new(0.1).unwrap());
-    // the outermost elements press, and behind them there is no punch
+    // the outermost elements carry pressure, and behind them there is no punch
     let path = solve(&punch, Domain::Side(0.2), 32, Load::Penetration(1e-3));
     assert_eq!(path.steps[0].summary.elements_to_edge, Some(0));
     assert_eq!(path.steps[0].status(), Status::Certified);
     assert!(codes(&path).contains(&"domain-edge"));
-    // one that goes on beyond the edge is cut off
+    // a punch that extends beyond the edge is cut off
     let path = solve(&punch, Domain::Side(0.18), 32, Load::Penetration(1e-3));
     assert_eq!(path.steps[0].status(), Status::CutOff);
-    // the gap behind the edge is less than the penetration, but the surface gives way
+    // the gap behind the edge is less than the penetration, but the surface is displaced
     let ball = model(1.0, Relief::Bare, paraboloid(1.0));
     let path = solve(&ball, Domain::Side(0.22), 64, hertz(0.1));
     assert_eq!(path.steps[0].status(), Status::Certified);
 }
 
-/// A square lattice of pillars so high that nothing else is touched, the four next to the axis at ± 0.05.
+/// A square lattice of pillars so high that only they are touched, the four next to the axis at ± 0.05.
 fn pillars() -> Model {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
@@ -116,7 +116,7 @@ fn pillars() -> Model {
 
 #[test]
 fn pillars_beyond_the_domain_that_would_be_touched_cut_the_contact_off() {
-    // 12 pillars and more are touched where there is room; the edge of the domain runs between them.
+    // At least 12 pillars are touched in a larger domain; here the edge of the domain runs between them.
     let load = Load::Penetration(0.03);
     let path = solve(&pillars(), Domain::Side(0.2), 64, load);
     let to_edge = path.steps[0].summary.elements_to_edge;
@@ -129,7 +129,7 @@ fn pillars_beyond_the_domain_that_would_be_touched_cut_the_contact_off() {
 
 #[test]
 fn a_domain_in_a_valley_between_pillars_is_not_chosen() {
-    // the first guess, for pillars that are everywhere alike, is far smaller than a period
+    // the first guess, for evenly spread pillars, is far smaller than a period
     let load = Load::Force(1e-7);
     let path = solve(&pillars(), Domain::Automatic, 64, load);
     assert_eq!(path.steps[0].status(), Status::Certified);
@@ -148,7 +148,7 @@ fn a_contact_at_the_end_of_a_map_is_cut_off_by_it() {
     );
     for (model, by) in [(on_map, CutOff::ReliefMap), (with_map, CutOff::IndenterMap)] {
         for (radius, cut_off) in [(0.06, None), (0.12, Some(by))] {
-            // on a domain larger than the map, and on the map's own
+            // on a domain larger than the map, on one of the map's size, and on a chosen one
             for domain in [Domain::Side(0.4), Domain::Side(0.2), Domain::Automatic] {
                 if cut_off.is_none() && domain == Domain::Side(0.4) {
                     continue;
@@ -176,7 +176,8 @@ fn the_domain_does_not_depend_on_the_grid() {
 
 #[test]
 fn a_first_guess_that_is_far_off_is_mended_either_way() {
-    // Springs of a map so soft that they spread the contact to ten times the body's own; a tip at the corner of a map.
+    // Springs of a map so soft that they spread the contact to ten times that on the bare body; a tip at the corner of
+    // a map.
     let soft = ReliefMap::new(rough(1e-3, 40.0), MapCompliance::Uniform(1e4)).unwrap();
     let on_springs = model(1.0, Relief::Map(soft), paraboloid(1.0));
     let tip = |x: f64, y: f64| 0.5 * ((x - 0.45).powi(2) + (y - 0.45).powi(2));
@@ -234,11 +235,11 @@ fn a_domain_far_larger_than_the_contact_is_told_as_that() {
         Err(ContactError::ElementsTooLarge { radius, wanted, .. })
             if radius > 1e-6 && radius < 2e-6 && wanted > 2.9 * radius && wanted < 3.1 * radius
     ));
-    // elements small enough for some to be under the ball, on the finest grid only
+    // only on the finest grid are elements small enough for some to be under the ball
     let path = solve(&ball, Domain::Side(0.1), 256, load);
     assert_eq!(codes(&path), ["domain-much-larger"]);
     assert!(path.warnings[0].to_string().contains("`grid.side`"));
-    // few elements on a coarse grid are no fault of the side
+    // few elements on a coarse grid do not mean that the side is wrong
     let path = solve(&ball, Domain::Automatic, 8, load);
     assert!(!codes(&path).contains(&"domain-much-larger"));
 }

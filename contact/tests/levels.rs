@@ -1,4 +1,4 @@
-//! From grid to grid and from load to load: how far each grid is solved, and what its start saves.
+//! From grid to grid and from load to load: the accuracy on each grid, and the products that its start saves.
 
 #![expect(
     clippy::unwrap_used,
@@ -15,8 +15,7 @@ use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 
-/// A paraboloid of radius 1 on cylinders of radius 0.02 that stand in a period of 0.05 on a coating of relative
-/// stiffness `stiffness`.
+/// A paraboloid of radius 1 on cylinders of radius 0.02 and period 0.05 on a coating of relative stiffness `stiffness`.
 fn model(stiffness: f64) -> Model {
     let coating = Material::new(stiffness, 0.3).unwrap();
     let foundation = Foundation::coated(0.01, coating, Material::new(1.0, 0.3).unwrap()).unwrap();
@@ -36,7 +35,7 @@ fn model(stiffness: f64) -> Model {
     }
 }
 
-/// Every residual told, with the grid's elements per side.
+/// Every residual reported, with the grid's elements per side.
 #[derive(Default)]
 struct Log(Vec<(usize, f64)>);
 
@@ -65,7 +64,7 @@ fn coarse_grids_are_solved_to_a_millionth_and_the_finest_to_the_tolerance() {
         let told = log.0.iter().filter(|told| told.0 == elements);
         let residuals: Vec<f64> = told.map(|told| told.1).collect();
         let (last, before) = residuals.split_last().unwrap();
-        // Steps end at 0.8 of the tolerance; none is begun below it.
+        // Steps end at 0.8 of the tolerance; none begins below it.
         assert!(*last <= tolerance, "{elements}: {last:e}");
         let least = before.iter().copied().fold(f64::INFINITY, f64::min);
         assert!(least > 0.8 * tolerance, "{elements}: {least:e}");
@@ -97,7 +96,7 @@ fn the_work_of_a_step_is_that_of_its_grids() {
             step.work.stiffness_applications,
             finest.stiffness_applications
         );
-        // Nobody asks for the stiffness of a coarse grid.
+        // The stiffness is not computed on a coarse grid.
         assert!(finest.stiffness_applications > 0);
         assert_eq!(step.work.levels[0].stiffness_applications, 0);
         let values: Vec<usize> = step.grid_error.levels.iter().map(|l| l.elements).collect();
@@ -179,7 +178,7 @@ fn no_load_depends_on_the_others() {
 
 #[test]
 fn a_coarser_grid_saves_products() {
-    // As measured, and two to spare.
+    // As measured, with two to spare.
     for (stiffness, most) in [(0.1, 9), (10.0, 21)] {
         let loads = [2e-3, 2.1e-3, 2.2e-3].map(Load::Force);
         let (path, _) = solve(&model(stiffness), 0.4, 128, &loads);
@@ -211,7 +210,7 @@ fn a_small_contact_on_a_large_domain_is_that_on_a_small_one() {
     let model = model(1.0);
     let loads = [Load::Force(2e-4), Load::Force(1e-3)];
     let (small, _) = solve(&model, 0.3, 48, &loads);
-    // The same elements, on a square four times as wide: the centre is cut out of 192 elements at 72.
+    // The same elements, on a square four times as wide: the centre begins at index 72 of 192 elements.
     let (large, _) = solve(&model, 1.2, 192, &loads);
     for (small, large) in small.steps.iter().zip(&large.steps) {
         let (p, q) = (&small.solution.pressure, &large.solution.pressure);
@@ -224,10 +223,10 @@ fn a_small_contact_on_a_large_domain_is_that_on_a_small_one() {
             } else {
                 0.0
             };
-            // two solutions to 1e-8, times a condition of 1e2
+            // two solutions to 1e-8, times a condition number of 1e2
             assert!((q - wanted).abs() < 1e-5 * peak, "{i} {j}");
         }
-        // as measured, and two to spare
+        // as measured, with two to spare
         assert!(small.work.operator_applications <= 21);
         assert!(large.work.operator_applications <= 19);
     }

@@ -1,4 +1,4 @@
-//! A quadrant or a half stands for the whole surface: the same solution, by another operator, another preconditioner
+//! A quadrant or a half stands for the whole surface: the same solution with another operator, another preconditioner
 //! and a quarter or half of the elements.
 
 #![expect(
@@ -56,14 +56,14 @@ fn solve(model: &Model, elements: usize, load: Load, mirror_symmetry: bool) -> L
     solve_path(model, domain, elements, &[load], &options, &mut ()).unwrap()
 }
 
-/// Demands that both ways give one solution, and that the quadrant's solves the whole problem.
+/// Asserts that both ways give the same solution, and that the solution of the sector solves the whole problem.
 fn compare(model: &Model, elements: usize, load: Load) {
     let [part, whole] = [true, false].map(|mirror| solve(model, elements, load, mirror));
     let what = format!("{:?}, {:?}, {elements}", model.indenter, model.relief);
     let [part, whole] = [&part.steps[0], &whole.steps[0]];
     let peak = whole.summary.max_pressure;
     for (one, other) in part.solution.pressure.iter().zip(&whole.solution.pressure) {
-        // Gaps are closed to 1e-10 of the penetration; single pressures follow to some 1e3 of that.
+        // Gaps are closed to 1e-10 of the penetration; single pressures agree to about 1e3 times that.
         assert!((one - other).abs() < 1e-6 * peak, "{what}: {one} {other}");
     }
     let numbers = |step: &Step| {
@@ -79,14 +79,14 @@ fn compare(model: &Model, elements: usize, load: Load) {
         ]
     };
     for (one, other) in numbers(part).into_iter().zip(numbers(whole)) {
-        // The stiffness is found to some 1e-6.
+        // The stiffness is accurate to about 1e-6.
         assert!((one - other).abs() <= 1e-5 * other, "{what}: {one} {other}");
     }
-    // Of equal peaks, each way may find another.
+    // Of several equal peaks, each way may find a different one.
     let grid = Grid::new(SIDE, elements).unwrap();
     let [u, v] = part.summary.max_pressure_at;
     let half = 0.5 * grid.element_side();
-    // An interpolated one may stand between four elements.
+    // An interpolated peak may lie between four elements.
     let is_peak = |[x, y]: [f64; 2]| (x - u).abs().max((y - v).abs()) < 1.001 * half;
     let place = grid.centres().position(is_peak).unwrap();
     assert!(whole.solution.pressure[place] > (1.0 - 1e-2) * peak);
@@ -100,7 +100,7 @@ fn compare(model: &Model, elements: usize, load: Load) {
     let mut problem = model.discretize(&sampled).unwrap().value;
     let judged = Solution::judge(&mut problem, load, part.solution.pressure.clone(), 1e-10);
     assert!(part.solution.certificate.is_satisfied(), "{what}");
-    // Two products differ by rounding, some 1e-15 of the penetration.
+    // Two products differ by rounding, about 1e-15 of the penetration.
     let worst = judged.certificate.worst();
     assert!(
         worst < 1.001e-10 && judged.certificate.min_pressure >= 0.0,
@@ -163,7 +163,7 @@ fn a_contact_that_fills_the_domain_or_is_one_element_on_each_side_is_found() {
     assert_eq!(nothing.steps[0].summary.contact_elements, 0);
 }
 
-/// Counts elements of grids, and those in contact at the end.
+/// Records the elements of each grid, and those in contact at the end.
 #[derive(Default)]
 struct Watcher {
     grids: Vec<usize>,

@@ -1,9 +1,9 @@
-//! A solver written outside the crate: the paper's own procedure, which drops what pulls and never takes anything back.
+//! A solver written outside the crate: the paper's procedure, which drops elements in tension and takes none back.
 //!
 //! Stepanov and Torskaya (2022) solve the linear system of all elements that may touch, drop those with negative
-//! pressure, and repeat until there are none. Nothing looks at the gaps. Where the first systems pull on elements that
-//! belong to the contact, as under a stiff coating or on a relief of islands, the procedure ends with an indenter that
-//! overlaps the surface, and the certificate says so.
+//! pressure, and repeat until there are none. The gaps are never checked. If the first systems put elements of the
+//! contact in tension, as under a stiff coating or on a relief of islands, the procedure ends with an indenter that
+//! overlaps the surface, and the certificate shows it.
 
 #![expect(
     clippy::unwrap_used,
@@ -25,7 +25,7 @@ const SIZE: usize = 16;
 const SIDE: f64 = 1.0 / SIZE as f64;
 const ELEMENTS: usize = SIZE * SIZE;
 
-/// The paper's procedure, by the public interface alone.
+/// The procedure of the paper, using only the public interface.
 struct DropOnly;
 
 impl Solver for DropOnly {
@@ -43,7 +43,7 @@ impl Solver for DropOnly {
         let (mut dropped, mut iteration) = (ELEMENTS, 0);
         loop {
             watch.tell(SIZE, iteration, f64::INFINITY, [members.len(), dropped])?;
-            // (K + η) a = 1, (K + η) b = g0 on the members; p = D a − b, under a force with D = (Σ p + Σ b)/Σ a
+            // (K + η) a = 1, (K + η) b = g0 on the members; p = D a − b, under a force D = (Σ p + Σ b)/Σ a
             let factor = matrix
                 .select_rows(&members)
                 .select_columns(&members)
@@ -75,7 +75,7 @@ impl Solver for DropOnly {
     }
 }
 
-/// `K + η`, a column for each unit pressure.
+/// The matrix `K + η`, one column for each unit pressure.
 fn matrix(problem: &mut DiscreteProblem) -> DMatrix<f64> {
     let mut matrix = DMatrix::zeros(ELEMENTS, ELEMENTS);
     for element in 0..ELEMENTS {

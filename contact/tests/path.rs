@@ -1,4 +1,4 @@
-//! Loading paths: domains that hold the contact, levels that help, warnings that are said.
+//! Loading paths: domains that hold the contact, levels that reduce the work, and warnings.
 
 #![expect(
     clippy::unwrap_used,
@@ -57,7 +57,7 @@ fn the_default_side_of_a_hertzian_contact_is_three_radii() {
             &model(Relief::Bare),
             &[hertz_force(a), hertz_force(0.5 * a)],
         );
-        // The search stops within a hundredth; the quadrature over 64 points adds little.
+        // The search stops within a hundredth; the error of the quadrature over 64 points is small.
         approx::assert_relative_eq!(side, 3.0 * a, max_relative = 0.02);
     }
 }
@@ -106,7 +106,7 @@ fn penetrations_without_contact_are_legal_and_have_no_force() {
             .all(|step| step.solution.certificate.is_satisfied())
     );
     assert_eq!(path.steps[0].summary.contact_elements, 0);
-    // Touching at a point presses on nothing.
+    // Touching at a point exerts no force.
     assert!(path.steps[1].solution.force.abs() < 1e-12);
     assert!(path.steps[2].solution.force > 0.0);
     approx::assert_relative_eq!(path.steps[2].solution.penetration, 0.01);
@@ -216,7 +216,7 @@ fn the_observer_sees_every_level_and_step() {
     let mut log = Log::default();
     let loads = [hertz_force(0.05), hertz_force(0.1)];
     watched_path(&loads, &mut log);
-    // Both are solved at the same time, each from coarse to fine.
+    // Both loads are solved at the same time, each from coarse to fine.
     let of_step = |step: usize| {
         let told = log.0.iter().filter(|told| told.0 == step);
         let mut grids: Vec<usize> = told.map(|told| told.1).collect();
@@ -226,7 +226,7 @@ fn the_observer_sees_every_level_and_step() {
     assert_eq!([of_step(0), of_step(1)], [[16, 32, 64], [16, 32, 64]]);
 }
 
-/// `f = ρ⁴/4` on both sides of the axes, by a user's own hand.
+/// A user-defined profile `f = ρ⁴/4`, symmetric in x and y.
 #[derive(Debug)]
 struct Quartic;
 
@@ -268,18 +268,18 @@ fn a_path_unloads_as_it_loads_and_its_stiffness_is_the_slope_of_its_curve() {
     let forces = [0.1, 0.1002, 0.1004, 0.14, 0.1002].map(hertz_force);
     let path = solve(&model(Relief::Bare), Domain::Side(0.5), 96, &forces);
     let step = |i: usize| &path.steps[i].solution;
-    // Elastic: the same load, the same state, to what the tolerance leaves.
+    // Elastic: the same load gives the same state, within the tolerance.
     approx::assert_relative_eq!(
         step(1).penetration,
         step(4).penetration,
         max_relative = 1e-7
     );
-    // The contact is one set of elements over this interval, so the curve is straight there.
+    // The contact set is constant over this interval, so the curve is straight there.
     let slope = (step(2).force - step(0).force) / (step(2).penetration - step(0).penetration);
     let stiffness = path.steps[1].contact_stiffness.unwrap();
-    // The set may change by a few of 1200 elements of least pressure.
+    // The set may change by a few of 1200 elements, those with the least pressure.
     approx::assert_relative_eq!(stiffness, slope, max_relative = 2e-3);
-    // Hertz: dQ/dD = 2 E* a, on a grid of 19 elements a radius.
+    // Hertz: dQ/dD = 2 E* a, on a grid of 19 elements per radius.
     approx::assert_relative_eq!(stiffness, 2.0 * 0.1002, max_relative = 5e-3);
 }
 
@@ -305,13 +305,13 @@ fn a_cancelled_path_keeps_the_steps_that_it_finished() {
     assert!(path.interrupted);
     assert_eq!(path.steps.len(), 1);
     assert!(path.steps[0].solution.certificate.is_satisfied());
-    // Where loads are solved at the same time, the first may be under way when the second is cancelled, and is
+    // If loads are solved at the same time, the first may still be running when the second is cancelled, and is then
     // cancelled too.
     let path = solved_by(3);
     assert!(path.interrupted && path.steps.len() <= 1);
 }
 
-/// The result of `task` on a pool of so many threads.
+/// The result of `task` on a pool of this many threads.
 fn with_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     pool.unwrap().install(task)
@@ -319,7 +319,7 @@ fn with_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T {
 
 #[test]
 fn a_finest_grid_made_beside_the_coarser_ones_is_the_same_grid() {
-    // A film that makes the first domain too small, so that the grid is made ahead more than once.
+    // The film makes the first domain too small, so that the grid is prepared in advance more than once.
     let film = || Relief::Film(Film::new(0.02, 0.01).unwrap());
     let solved = |threads| {
         with_threads(threads, || {
@@ -363,7 +363,7 @@ fn a_path_can_be_cancelled_while_its_finest_grid_is_made() {
     assert!(path.interrupted && path.steps.is_empty());
 }
 
-/// A shape that has no height far from its axis.
+/// A shape whose height is NaN far from its axis.
 #[derive(Debug)]
 struct Torn;
 

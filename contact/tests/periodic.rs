@@ -1,5 +1,5 @@
-//! Periodic cells: a wavy surface by Westergaard's and by Johnson, Greenwood and Higginson's formulas, a base that does
-//! not give way, and a cell so large that its neighbours do not matter.
+//! Periodic cells: a wavy surface by the formulas of Westergaard and of Johnson, Greenwood and Higginson, a rigid base,
+//! and a cell so large that its neighbours do not matter.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -91,8 +91,8 @@ fn a_wavy_surface_in_partial_contact_is_westergaards() {
             .sum();
         sum / elements as f64 / mean * (elements as f64).powf(1.5)
     });
-    // The pressure ends in a root: its mean error falls with the power 3/2, and depends on where the edge lies in its
-    // element.
+    // The pressure ends like a square root: its mean error falls with the power 3/2 and depends on where the edge lies
+    // in its element.
     assert!(errors.iter().all(|error| *error < 1.0), "{errors:?}");
 }
 
@@ -100,16 +100,16 @@ fn a_wavy_surface_in_partial_contact_is_westergaards() {
 fn a_surface_in_full_contact_takes_the_shape_of_the_waves() {
     for (in_both_directions, wavenumber) in [(false, TAU), (true, TAU * 2.0_f64.sqrt())] {
         let cell = model(&half_space(), waves(in_both_directions));
-        // p = p̄ + ½ E* k Δ cos …, which Johnson, Greenwood and Higginson 1985 have as √2 π E* Δ.
+        // p = p̄ + ½ E* k Δ cos …, which Johnson, Greenwood and Higginson 1985 give as √2 π E* Δ.
         let wave = wavenumber * AMPLITUDE / 2.0;
         let elements = 128;
         let path = solve(&cell, Domain::Periodic(1.0), elements, 1.5 * wave);
         let step = &path.steps[0];
-        // Of a smooth wave; the elements make its response smaller by a part (k h)²/24.
+        // Exact for a smooth wave; the elements reduce the response by a part (k h)²/24.
         assert_relative_eq!(step.summary.max_pressure, 2.5 * wave, max_relative = 1e-3);
         assert_relative_eq!(step.solution.penetration, AMPLITUDE, max_relative = 1e-9);
         assert_relative_eq!(step.summary.contact_area, 1.0);
-        // Nothing can be pressed any closer.
+        // The surfaces cannot be pressed any closer.
         assert!(
             step.contact_stiffness
                 .is_none_or(|stiffness| stiffness > 1e3)
@@ -117,7 +117,7 @@ fn a_surface_in_full_contact_takes_the_shape_of_the_waves() {
     }
 }
 
-/// Under a light load each crest is a paraboloid of `1/R = Δ (2π)²`, two crests a cell.
+/// Under a light load each crest is a paraboloid with `1/R = Δ (2π)²`; there are two crests per cell.
 #[test]
 fn crests_that_hardly_touch_are_paraboloids() {
     let cell = model(&half_space(), waves(true));
@@ -139,7 +139,7 @@ fn crests_that_hardly_touch_are_paraboloids() {
     );
 }
 
-/// On a rigid base displacements fall off within a few thicknesses, and the penetration is that from the undeformed
+/// On a rigid base displacements decay within a few thicknesses; the penetration is measured from the undeformed
 /// surface.
 #[test]
 fn in_a_large_cell_on_a_rigid_base_a_contact_is_alone() {
@@ -155,8 +155,8 @@ fn in_a_large_cell_on_a_rigid_base_a_contact_is_alone() {
     }
 }
 
-/// The neighbours of a cell press the surface down nearly evenly: what differs falls with the square of the contact
-/// over the cell at least.
+/// The neighbours of a cell press the surface down nearly evenly; the deviation falls at least with the square of the
+/// contact's size over the cell's.
 #[test]
 fn in_ever_larger_cells_a_contact_becomes_free() {
     let model = model(&half_space(), Paraboloid::new(1.0).unwrap().into());

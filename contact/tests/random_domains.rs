@@ -1,5 +1,4 @@
-//! Random cases from nanometres to metres whose domain is chosen: none is refused for its domain, none is cut off by
-//! it.
+//! Random cases from nanometres to metres with a chosen domain: none is refused for it, and none is cut off by it.
 //!
 //! 20 by default; `PELLICLE_RANDOM_DOMAINS=2000 cargo test --release -p pellicle-contact --test random_domains` for
 //! more.
@@ -33,7 +32,7 @@ const FOUNDATIONS: [Option<(f64, f64, bool)>; 6] = [
     Some((1e-3, 1e5, false)),
 ];
 
-/// How many cases.
+/// Number of cases.
 fn cases() -> u64 {
     std::env::var("PELLICLE_RANDOM_DOMAINS").map_or(20, |count| count.parse().unwrap())
 }
@@ -62,7 +61,7 @@ impl Random {
     }
 }
 
-/// The unit of length (m) of every foundation, whose modulus is the unit of stress.
+/// The unit of length (m) of a foundation, whose modulus is the unit of stress.
 fn length(foundation: usize) -> f64 {
     [1.0, 1e-6, 1e-3, 1e-8, 1e-5, 1.0][foundation]
 }
@@ -111,7 +110,7 @@ fn relief(random: &mut Random, length: f64) -> Relief {
             Relief::Cylinders(Cylinders::new(spec).unwrap())
         }
         kind => {
-            // so large that no contact reaches its end
+            // so large that no contact reaches the end of the map
             let map = heights(random, 1e3 * length, height);
             let compliance = match kind {
                 3 => MapCompliance::Uniform(0.0),
@@ -131,7 +130,7 @@ fn indenter(random: &mut Random, length: f64) -> Indenter {
         3 => Pyramid::berkovich(0.1 * radius).unwrap().into(),
         4 => FlatPunch::new(0.1 * radius).unwrap().into(),
         _ => {
-            // a paraboloid measured beside its tip
+            // a paraboloid measured off its tip
             let (samples, side) = (60, radius);
             let [x0, y0] = [0, 1].map(|_| 0.3 * side * (random.unit() - 0.5));
             let at = |i: usize| ((i as f64 + 0.5) / 60.0 - 0.5) * side;
@@ -170,7 +169,7 @@ fn every_random_case_has_a_domain_that_holds_its_contact() {
                     let step = &path.steps[0];
                     let part = step.summary.contact_radius / path.grid.side();
                     let holds = step.cut_off != Some(CutOff::Domain);
-                    // An unsolved step says nothing of its domain.
+                    // A step that did not converge does not test its domain.
                     let is_solved = step.solution.certificate.is_satisfied();
                     if !is_solved || (holds && part > 0.08 && part < 0.7) {
                         return None;

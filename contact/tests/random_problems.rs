@@ -1,6 +1,6 @@
 //! Random problems, from the soft extreme to the stiff: each is certified or refused with a reason.
 //!
-//! 1000 of each kind by default, 100 with a hardness, which take many times as long;
+//! 1000 of each kind by default, but 100 with a hardness, which take many times as long;
 //! `PELLICLE_RANDOM_PROBLEMS=10000 cargo test --release -p pellicle-contact --test random_problems` for more.
 
 #![expect(
@@ -31,14 +31,14 @@ use rayon::prelude::*;
 
 use self::random::Random;
 
-/// Foundations that the problems share: their tables take longer than a solution.
+/// Number of foundations that the problems share: their tables take longer than a solution.
 const FOUNDATIONS: u64 = 24;
 
-/// Problems with a hardness, free and on springs that stiffen, that a descent by single elements did not solve, or one
-/// that lets go few elements at once.
+/// Problems with a hardness, free and on stiffening springs, that were not solved by a descent by single elements, or
+/// by one that releases few elements at once.
 const STALLING: [u64; 4] = [144, 552, 721, 819];
 
-/// The tables of all foundations; most of them have some.
+/// The tables of all foundations; most foundations have valid ones.
 static TABLES: LazyLock<Vec<Arc<RadialTables>>> = LazyLock::new(|| {
     let tables: Vec<_> = (0..FOUNDATIONS)
         .into_par_iter()
@@ -48,12 +48,12 @@ static TABLES: LazyLock<Vec<Arc<RadialTables>>> = LazyLock::new(|| {
     tables
 });
 
-/// How many problems of each kind.
+/// Number of problems of each kind.
 fn problems() -> u64 {
     problems_or(1000)
 }
 
-/// The same where so many are enough for the suite.
+/// Number of problems of each kind, `usual` by default.
 fn problems_or(usual: u64) -> u64 {
     std::env::var("PELLICLE_RANDOM_PROBLEMS").map_or(usual, |count| count.parse().unwrap())
 }
@@ -79,8 +79,8 @@ fn foundation(seed: u64) -> Foundation {
     Foundation::new(layers, base).unwrap()
 }
 
-/// One problem on a foundation: a blunt or flat or rough indenter over springs of many kinds, under a load of one of
-/// eight decades.
+/// One problem on a foundation: a blunt, flat or rough indenter over springs of many kinds, under a load from eight
+/// decades.
 fn problem(random: &mut Random, tables: &RadialTables) -> (DiscreteProblem, Load) {
     let size = 8 + random.below(57);
     let side = random.decades(1e-2, 10.0) / size as f64;
@@ -145,7 +145,7 @@ fn outcome(problem: &mut DiscreteProblem, load: Load) -> Result<Solution, Contac
     counted_outcome(problem, load).map(|(solution, _)| solution)
 }
 
-/// The same, and the products that it took.
+/// The outcome of a problem, and its number of products.
 fn counted_outcome(
     problem: &mut DiscreteProblem,
     load: Load,
@@ -157,7 +157,7 @@ fn counted_outcome(
     Ok((solution, iterate.operator_applications))
 }
 
-/// A problem whose springs stiffen, of a height of one of six decades; none without springs.
+/// A problem with stiffening springs, with a height from six decades; none without springs.
 fn stiffening_problem(
     random: &mut Random,
     tables: &RadialTables,
@@ -172,7 +172,7 @@ fn stiffening_problem(
     Some((problem.with_spring_law(law), load))
 }
 
-/// The same relief with springs that stiffen.
+/// The same relief with stiffening springs.
 fn stiffening(relief: Relief) -> Relief {
     match relief {
         Relief::Film(film) => Relief::Film(film.stiffening()),
@@ -181,11 +181,11 @@ fn stiffening(relief: Relief) -> Relief {
     }
 }
 
-/// One model that is symmetric in y, mostly in x too, on a grid of an even number of elements per side, under a force
-/// of one of five decades.
+/// A model that is symmetric in y, and mostly in x too, on a grid with an even number of elements per side, under a
+/// force from five decades.
 fn mirrored_model(random: &mut Random, tables: &Arc<RadialTables>) -> (SampledModel, Model, Load) {
     let (side, elements) = (random.decades(1e-2, 10.0), 2 * (4 + random.below(29)));
-    // The compliance under a pressure on a patch of this size: the whole domain, or one element.
+    // The compliance under pressure on a patch of this size: the whole domain, or one element.
     let compliance = |length: f64| tables.foundation().compliance(1.0 / length);
     let height = side * random.decades(1e-4, 1e-1);
     let softness = compliance(side / elements as f64) * random.decades(1e-3, 1e3);
@@ -298,8 +298,8 @@ fn every_random_problem_with_a_hardness_on_springs_that_stiffen_is_certified_or_
     assert_certified_or_beyond_hardness(stiffening_problem);
 }
 
-/// The same with a hardness of up to two decades below the elastic peak: most are certified, and the others refused
-/// for a force that the hardness does not carry.
+/// Solves the problems with a hardness of up to two decades below the elastic peak: most are certified, and the others
+/// are refused for a force that the hardness does not carry.
 fn assert_certified_or_beyond_hardness(
     problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,
 ) {
@@ -331,7 +331,7 @@ fn assert_certified_or_beyond_hardness(
     );
 }
 
-/// Solves a problem of each seed, where there is one, and tells the products that they took.
+/// Solves the problem of each seed, if there is one, and prints the products taken.
 fn assert_certified(
     seeds: Vec<u64>,
     problem: impl Fn(&mut Random, &RadialTables) -> Option<(DiscreteProblem, Load)> + Sync,

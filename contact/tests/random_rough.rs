@@ -1,5 +1,5 @@
 //! Random rough surfaces, alone and in periodic cells, without and with a hardness: each is certified or refused with a
-//! reason, and none is stuck.
+//! reason, and none stalls.
 //!
 //! 12 of each kind by default; `PELLICLE_RANDOM_ROUGH=1000 cargo test --release -p pellicle-contact --test
 //! random_rough` for more.
@@ -33,26 +33,26 @@ use rayon::prelude::*;
 
 use self::random::Random;
 
-/// Foundations that the problems share.
+/// Number of foundations that the problems share.
 const FOUNDATIONS: u64 = 16;
 /// A problem whose first window does not carry the force at the hardness.
 const TOO_SMALL_A_WINDOW: u64 = 99;
-/// A problem whose elements at the hardness must be held and let go at once: one after the other they came and went.
+/// A problem whose elements at the hardness must be held and released together: one at a time, they cycled.
 const BY_TURNS: u64 = 814;
-/// Waves of a surface.
+/// Number of waves of a surface.
 const WAVES: usize = 40;
 
-/// The random part of a problem that is solved under many circumstances.
+/// The random part of a problem that is solved under various conditions.
 struct Problem {
     model: Model,
     side: f64,
     elements: usize,
     force: f64,
-    /// Whether the surface fits a cell.
+    /// Whether the surface is periodic.
     is_periodic: bool,
 }
 
-/// How many problems of each kind.
+/// Number of problems of each kind.
 fn problems() -> u64 {
     std::env::var("PELLICLE_RANDOM_ROUGH").map_or(12, |count| count.parse().unwrap())
 }
@@ -75,7 +75,7 @@ fn foundation(seed: u64) -> Foundation {
     Foundation::new(layers, base).unwrap()
 }
 
-/// Random tables, one of each foundation.
+/// The tables, one for each foundation.
 fn all_tables() -> Vec<Arc<RadialTables>> {
     let tables = (0..FOUNDATIONS).into_par_iter();
     tables
@@ -83,8 +83,8 @@ fn all_tables() -> Vec<Arc<RadialTables>> {
         .collect()
 }
 
-/// A self-affine map over a side of 1: waves of random directions and phases, from a few a side to two samples each,
-/// of amplitude as the wavenumber to the power −H.
+/// A self-affine map over a side of 1: waves of random directions and phases, from a few per side to two samples each,
+/// with amplitudes as the wavenumber to the power −H.
 fn map(random: &mut Random, samples: usize, is_periodic: bool) -> HeightMap {
     let hurst = 0.3 + 0.6 * random.unit();
     let (longest, shortest) = (1.0 + 4.0 * random.unit(), samples as f64 / 2.0);
@@ -116,8 +116,8 @@ fn map(random: &mut Random, samples: usize, is_periodic: bool) -> HeightMap {
     HeightMap::new(heights, [samples; 2], [1.0; 2]).unwrap()
 }
 
-/// A rough surface, rigid or of springs, on some foundation, under a plane or a paraboloid, on grids of 16 to 256
-/// elements a side, of which its samples are as many or others.
+/// A rough surface, rigid or with springs, on some foundation, under a plane or a paraboloid, on grids of 16 to 256
+/// elements per side, with as many samples or another number.
 fn problem(random: &mut Random, tables: &[Arc<RadialTables>], is_periodic: bool) -> Problem {
     let tables = tables[random.below(tables.len())].clone();
     let elements = [16, 32, 48, 64, 96, 100, 128, 256][random.below(8)];
@@ -144,7 +144,7 @@ fn problem(random: &mut Random, tables: &[Arc<RadialTables>], is_periodic: bool)
     } else {
         Paraboloid::new(random.decades(0.3, 100.0)).unwrap().into()
     };
-    // The displacement by a pressure of 1 over the whole side.
+    // The displacement under a pressure of 1 over the whole side.
     let yields = tables.foundation().compliance(TAU);
     let force = heights / yields * random.decades(1e-5, 3.0);
     Problem {
@@ -199,8 +199,8 @@ impl Problem {
     }
 }
 
-/// Solves a problem of every seed and tells the products; every one must be certified, or with a hardness that is too
-/// low be refused.
+/// Solves the problem of every seed and prints the products; each must be certified, or refused if its hardness is too
+/// low.
 fn assert_each_is_certified(is_periodic: bool, has_hardness: bool) {
     let (tables, beyond) = (all_tables(), AtomicU64::new(0));
     let products = Mutex::new(Vec::new());

@@ -1,4 +1,4 @@
-//! Derivatives of solved contacts against re-solved differences, closed forms and finer grids.
+//! Derivatives of solved contacts compared with differences between solutions, closed forms and finer grids.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
 
@@ -40,7 +40,7 @@ fn pillars(young_modulus: f64) -> Cylinders {
     Cylinders::new(spec).unwrap()
 }
 
-/// Ten models of every kind of parameter, each with a force and the side of a domain.
+/// Ten models that cover every kind of parameter, each with a force and the side of a domain.
 #[expect(clippy::too_many_lines, reason = "a list of cases")]
 fn cases() -> Vec<(Model, f64, f64)> {
     let film = |thickness, young| Relief::Film(Film::new(thickness, young).unwrap());
@@ -147,7 +147,7 @@ fn cases() -> Vec<(Model, f64, f64)> {
     ]
 }
 
-/// Two models with springs that stiffen.
+/// Two models with stiffening springs.
 fn stiffening_cases() -> Vec<(Model, f64, f64)> {
     let paraboloid = Paraboloid::new(1.0).unwrap();
     vec![
@@ -189,7 +189,7 @@ fn solved(model: &Model, side: f64, elements: usize, forces: &[f64]) -> LoadingP
     .unwrap()
 }
 
-/// Whether each element presses.
+/// Whether each element has pressure.
 fn contact(path: &LoadingPath) -> Vec<bool> {
     let pressure = &path.steps[0].solution.pressure;
     pressure.iter().map(|p| *p > 0.0).collect()
@@ -228,7 +228,7 @@ fn derivatives_agree_with_differences_between_solutions_of_the_same_contact_set(
                 )
             );
             let unit = if is_ratio { 1.0 } else { found.value };
-            // At an end of the range of Poisson's ratio there is no central difference.
+            // At the ends of the range of Poisson's ratio there is no central difference.
             if is_ratio && !(0.01..0.49).contains(&found.value) {
                 continue;
             }
@@ -272,7 +272,7 @@ fn along_null_directions_the_penetration_stands_still() {
         (model(&bodies, film.clone(), paraboloid), 3),
         (model(&bodies, film.clone(), sharp[0].clone()), 3),
         (model(&bodies, film.clone(), sharp[1].clone()), 3),
-        // A rounded tip has a length of its own.
+        // A rounded tip has a length scale of its own.
         (model(&bodies, film, Cone::new(1.4, 0.01).unwrap()), 2),
     ];
     for (index, (model, count)) in cases.iter().enumerate() {
@@ -284,7 +284,7 @@ fn along_null_directions_the_penetration_stands_still() {
             let derivatives = model.derivatives(&parameters).unwrap();
             let sensitivities = derivatives.of_path(&path).unwrap();
             let found = sensitivities.at(0);
-            // The energies alone are the same numbers.
+            // The energies computed alone are the same numbers.
             let energies = sensitivities.energies(0);
             assert!(
                 energies
@@ -297,7 +297,7 @@ fn along_null_directions_the_penetration_stands_still() {
                 .map(|((_, change), found)| change * found.penetration.unwrap())
                 .collect();
             let largest = changes.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
-            // Tables of derivatives are right to 2e-8; the gauge scales the elements too, which stay as they are here.
+            // Tables of derivatives are accurate to 2e-8; the gauge scales the elements too, which are not scaled here.
             let gauge = parameters
                 .iter()
                 .any(|of| matches!(of, ModelParameter::Indenter(_)));
@@ -308,19 +308,19 @@ fn along_null_directions_the_penetration_stands_still() {
     }
 }
 
-/// Loads a decade apart at both ends, at which the curves are sampled.
+/// Loads over one decade at which the curves are sampled.
 fn decade(largest: f64) -> Vec<f64> {
     (-12..=0)
         .map(|i| largest * 10_f64.powf(f64::from(i) / 12.0))
         .collect()
 }
 
-/// Penetrations at these forces, extrapolated from grids of 256 and 512 elements a side.
+/// Penetrations at these forces, extrapolated from grids of 256 and 512 elements per side.
 fn extrapolated(model: &Model, side: f64, forces: &[f64]) -> Vec<f64> {
     let [coarse, fine] = [256, 512].map(|size| solved_loosely(model, side, size, forces));
     let at = |path: &LoadingPath, step: usize| path.steps[step].solution.penetration;
     let steps = 0..forces.len();
-    // An error that falls with the square of the element's side.
+    // Assumes an error that falls with the square of the element's side.
     steps
         .map(|step| (4.0 * at(&fine, step) - at(&coarse, step)) / 3.0)
         .collect()
@@ -352,7 +352,7 @@ fn the_derivative_along_the_curve_is_the_true_one_where_that_of_the_elements_is_
         .map(|step| sensitivities.at(step))
         .collect();
     let enough = |step: &usize| path.steps[*step].summary.contact_elements >= 400;
-    // A spline knows less at its ends.
+    // A spline is less accurate at its ends.
     let measured: Vec<usize> = (0..forces.len() - 2).filter(enough).collect();
     assert!(measured.len() >= 5);
     let (mut of_elements, mut along) = (0.0_f64, 0.0_f64);
@@ -372,7 +372,8 @@ fn the_derivative_along_the_curve_is_the_true_one_where_that_of_the_elements_is_
             of_elements = of_elements.max(relative(steps[*i][index].penetration.unwrap()));
         }
     }
-    // Measured: 4.4e-3, of the film's compliance, which is a hundredth of D; of the set's own derivatives 5e-2.
+    // Measured: 4.4e-3 for the film's compliance, which is a hundredth of D; 5e-2 for the derivatives with the contact
+    // set fixed.
     assert!(along < 5e-3, "{along:e}");
     assert!(of_elements > 1e-2, "{of_elements:e}");
     let energies: Vec<f64> = (0..forces.len())
@@ -381,7 +382,7 @@ fn the_derivative_along_the_curve_is_the_true_one_where_that_of_the_elements_is_
     let curve = ForceCurve::through(&forces, &energies).unwrap();
     for i in measured {
         let penetration = path.steps[i].solution.penetration;
-        // The steps of D itself, as elements enter.
+        // The remaining error is that of the steps of D itself, as elements enter.
         assert!((curve.derivative(forces[i]) / penetration - 1.0).abs() < 2e-3);
     }
 }

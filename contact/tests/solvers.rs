@@ -1,4 +1,4 @@
-//! Both solvers on problems small enough for a dense matrix: they agree, certify, and refuse to be fooled.
+//! Both solvers on problems small enough for a dense matrix: they agree, are certified and recover from bad starts.
 
 #![expect(
     clippy::unwrap_used,
@@ -15,10 +15,10 @@ use pellicle_influence::{CoefficientTable, RadialTables, SurfaceElasticity};
 use pellicle_kernel::{Foundation, Material};
 use proptest::prelude::*;
 
-/// Tolerance of the solutions compared here; the pressures then agree to about this times the condition, some 1e2.
+/// Tolerance of the solutions compared here; the pressures then agree to about this times the condition number, 1e2.
 const TOLERANCE: f64 = 1e-12;
 
-/// A pressed surface of `size`² elements of side `1/size` on a coated half-space.
+/// A contact on `size`² elements of side `1/size` on a coated half-space.
 fn problem(
     size: usize,
     stiffness: f64,
@@ -101,7 +101,7 @@ fn both_solvers_find_the_same_pressure_under_force_and_under_penetration() {
                 "{:?}",
                 by_active_set.certificate
             );
-            // The tolerance times the condition of the systems, some 1e2.
+            // The tolerance times the condition number of the systems, about 1e2.
             assert!(largest_difference(&by_gradient, &by_active_set) < 1e-10);
         }
     }
@@ -118,7 +118,7 @@ fn penetration_control_returns_to_the_force_it_came_from() {
         Load::Penetration(by_force.penetration),
         &start,
     );
-    // Both certify gaps to 1e-12 of the penetration; the force follows with the contact stiffness.
+    // Both certify gaps to 1e-12 of the penetration; the error of the force follows with the contact stiffness.
     approx::assert_relative_eq!(by_penetration.force, 1e-3, max_relative = 1e-10);
     assert!(largest_difference(&by_force, &by_penetration) < 1e-9);
 }
@@ -159,7 +159,7 @@ fn without_contact_force_and_pressure_are_zero_and_the_certificate_is_satisfied(
 #[test]
 fn elements_beyond_the_indenters_rim_stay_out_of_contact() {
     let rim = |x: f64, y: f64| if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
-    // A soft coating: under a stiff one the punch's rim bends it away from the flat within.
+    // A soft coating: a stiff one would be bent away from the flat by the punch's rim.
     let mut problem = problem(24, 0.1, rim, |_, _| 0.0);
     let start = cold(&problem);
     let by_gradient = solve(&mut gradient(), &mut problem, Load::Force(1e-2), &start);
@@ -256,7 +256,8 @@ fn every_solver_tells_its_working_set_and_what_moves() {
         let told = log.0;
         assert!(told.iter().map(|told| told.iteration).eq(0..told.len()));
         assert_eq!(told.last().unwrap().working_set, pressing);
-        // All of it is new at first; then as many enter or leave as it grows or shrinks by, or an even number more.
+        // Initially the whole set is new. Then as many elements enter or leave as it grows or shrinks by, or an even
+        // number more than that.
         assert_eq!(told[0].working_set_change, told[0].working_set);
         assert!(told[1].working_set_change > 0);
         for pair in told.windows(2) {

@@ -1,4 +1,4 @@
-//! Springs of the logarithmic law: closed forms, the linear limit, the same solution from everywhere, and the work.
+//! Springs with the logarithmic law: closed forms, the linear limit, independence of the start, and the work.
 
 #![expect(
     clippy::unwrap_used,
@@ -15,7 +15,7 @@ use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
-/// Solutions that are differentiated, or compared with each other.
+/// Tolerance of solutions that are differentiated or compared with each other.
 const TIGHT: f64 = 1e-13;
 
 fn material(young: f64, poisson: f64) -> Material {
@@ -56,7 +56,7 @@ fn film(height: f64, young: f64) -> Film {
     Film::new(height, young).unwrap()
 }
 
-/// The pillars of the paper's Fig. 2, of this modulus.
+/// The pillars of the paper's Fig. 2, with this modulus.
 fn pillars(young_modulus: f64) -> Cylinders {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
@@ -75,7 +75,7 @@ fn fig_5(relief: Relief) -> Model {
     model(&coated, relief, Pyramid::berkovich(400e-9).unwrap())
 }
 
-/// Its force, and a side that holds the contact with a linear film.
+/// The force of Fig. 5, and a side that holds the contact with a linear film.
 const FIG_5: (Load, f64) = (Load::Force(2.3e-3), 3.8e-6);
 
 /// The coatings of the paper's Fig. 2 (c) and (d) under its indenter, each with its force and the side of a domain.
@@ -101,7 +101,7 @@ fn fig_2(relief: impl Fn() -> Relief) -> [(Model, Load, f64); 2] {
 
 #[test]
 fn on_springs_alone_pressure_and_force_are_the_closed_forms() {
-    // The body gives way by 1e-9 of what the film does.
+    // The body's displacement is 1e-9 of the film's shortening.
     let base = Foundation::half_space(material(1e9, 0.3));
     let (height, young) = (0.01, 1.0);
     let springs = film(height, young).stiffening();
@@ -115,14 +115,14 @@ fn on_springs_alone_pressure_and_force_are_the_closed_forms() {
                 let [x, y] = place;
                 let shortening = (depth - 0.5 * (x * x + y * y)).max(0.0);
                 let closed = -young * (-shortening / height).ln_1p();
-                // The certificate's 1e-8 of D, and what the body gives way by, over the compliance under pressure.
+                // The certificate's 1e-8 of D plus the body's displacement, over the compliance under pressure.
                 let slack = 2e-9 * young / (height - shortening);
                 assert!((p - closed).abs() < slack, "{place:?}: {p} {closed}");
             }
             (path.steps[0].solution.force / wanted - 1.0).abs()
         });
-        // Midpoints of a pressure with a kink at the edge of a contact of 11 elements' radius or more: second order,
-        // and the edge falls between elements by chance.
+        // The midpoint rule for a pressure with a kink at the edge, with 11 elements or more per contact radius: second
+        // order, with scatter from the position of the edge between elements.
         assert!(errors[0] < 2e-3 && errors[2] < 2e-4, "{depth}: {errors:?}");
     }
 }
@@ -132,7 +132,7 @@ fn it_tends_to_the_linear_law_with_the_cube_of_the_pressure_as_the_difference() 
     let base = Foundation::half_space(material(1.0, 0.3));
     let linear = model(&base, Relief::Bare, Paraboloid::new(1.0).unwrap());
     let (eta, load) = (0.02, Load::Force(1e-3));
-    // At the force of the linear film to first order the energy falls by A Σ η p³/6E, and dE/dQ = D.
+    // At the force of the linear film, the energy falls to first order by A Σ η p³/6E, and dE/dQ = D.
     let energy = |relief: Relief, force: f64| {
         let model = on(&linear, relief);
         let path = solve(&model, 0.5, 64, Load::Force(force), TIGHT);
@@ -240,7 +240,7 @@ fn the_contact_stiffness_is_the_slope_between_solutions_of_the_same_contact_set(
             let slope = (more.solution.force - less.solution.force) / (2.0 * part * depth);
             (all[0] == all[2] && all[1] == all[2]).then_some(slope)
         });
-        // The part squared, and 1e-13 of each solution over it.
+        // The square of the relative step, and 1e-13 of each solution over the step.
         let stiffness = step.contact_stiffness.unwrap();
         let slope = slope.expect("a contact set that stands still");
         assert!(
@@ -298,7 +298,7 @@ fn from_every_start_and_by_both_methods_it_is_the_same_solution() {
             let found = run(&mut gradient, start);
             assert!(found.certificate.is_satisfied(), "{:?}", found.certificate);
             for (p, wanted) in found.pressure.iter().zip(&wanted.pressure) {
-                // 1e-11 of D over the smallest stiffness, of one element next to others.
+                // 1e-11 of D over the smallest compliance, that of one element next to others.
                 assert!((p - wanted).abs() < 1e-7 * peak, "{p} {wanted} {peak}");
             }
         }

@@ -1,4 +1,4 @@
-//! Summary and warnings: the summary counted again from the pressure, warnings with their numbers.
+//! Summary and warnings: the summary recomputed from the pressure, and the warnings with their numbers.
 
 #![expect(
     clippy::unwrap_used,
@@ -19,7 +19,7 @@ use pellicle_texture::{CylinderSpec, Cylinders, Film, Grid, Lattice, Relief};
 /// A paraboloid of radius 1 on layers of the given thicknesses over a body of plane-strain modulus 1.
 fn model(thicknesses: &[f64], relief: Relief) -> Model {
     let body = Material::new(1.0, 0.0).unwrap();
-    // No two neighbours are alike.
+    // No two neighbours are equal.
     let material = |layer: usize| Material::new([1.0, 10.0][layer % 2], 0.0).unwrap();
     let layers = thicknesses
         .iter()
@@ -34,7 +34,7 @@ fn model(thicknesses: &[f64], relief: Relief) -> Model {
     }
 }
 
-/// Cylinders that stand on no axis of the grid, of the given radius in a period of 0.05.
+/// Cylinders off the axes of the grid, with the given radius and a period of 0.05.
 fn cylinders(radius: f64) -> Relief {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
@@ -66,13 +66,13 @@ fn last(path: &LoadingPath) -> &Step {
 }
 
 fn assert_close(found: f64, wanted: f64) {
-    // the same few operations, sums in another order
+    // the same few operations, with sums in another order
     approx::assert_relative_eq!(found, wanted, max_relative = 1e-12);
 }
 
 #[test]
 fn the_summary_is_what_the_pressure_says() {
-    // two parts of a field that is summed in parts
+    // the field is summed in two parts
     let path = solve(&model(&[], cylinders(0.02)), 0.4, 128, Load::Force(4e-4));
     let (grid, pressure) = (path.grid, &last(&path).solution.pressure);
     let found = last(&path).summary;
@@ -81,7 +81,7 @@ fn the_summary_is_what_the_pressure_says() {
     let peak = pressure.iter().copied().fold(0.0, f64::max);
     let peak_at = pressure.iter().position(|p| *p == peak).unwrap();
     assert_eq!(found.contact_elements, pressed.len());
-    // The count is off by some tenths of an element all around the contact's edge, here of some 300 elements.
+    // The count is off by some tenths of an element along the contact's edge, here of about 300 elements.
     let counted = grid.element_area() * pressed.len() as f64;
     assert!(
         (found.contact_area / counted - 1.0).abs() < 0.06,
@@ -133,7 +133,7 @@ fn without_contact_the_summary_is_empty() {
         found.contact_radius,
     ];
     assert_eq!(numbers, [0.0; 6]);
-    // and there is nothing to doubt
+    // and there is no warning
     assert!(
         path.warnings
             .iter()
@@ -194,13 +194,13 @@ fn coefficients_that_miss_their_goal_are_doubted_with_what_they_reach() {
         let found = warnings.iter().map(Warning::code).collect::<Vec<_>>();
         assert_eq!(found, vec!["coefficient-accuracy"; usize::from(doubted)]);
         if let [Warning::CoefficientAccuracy { found, wanted }] = warnings[..] {
-            // The rest is the tables' own.
+            // The rest is the error of the tables.
             assert!((found / wrong_by - 1.0).abs() < 1e-2 && wanted == RadialTables::GOAL);
         }
     }
 }
 
-/// The numbers of the warnings of one kind, with their steps.
+/// The steps and numbers of the warnings of one kind.
 fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
     let of_kind = path.warnings.iter().filter(|w| w.code() == code);
     of_kind

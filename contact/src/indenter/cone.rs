@@ -4,10 +4,11 @@ use super::Profile;
 use super::error::{IndenterError, IndenterQuantity, acute, not_negative};
 use super::sphere::cap_height;
 
-/// A cone whose tip is sharp or a sphere that touches its side.
+/// A cone whose tip is sharp or a sphere tangent to its side.
 ///
-/// With half-angle α between axis and side, slope `m = cot α` and tip radius R, the tip is the sphere of radius R that
-/// touches the side from inside; both have the slope m at `ρ = R cos α`, so height and slope are continuous there:
+/// Let α be the half-angle between axis and side, `m = cot α` the slope and R the tip radius. The tip is the sphere of
+/// radius R that touches the side from inside. Both have the slope m at `ρ = R cos α`, so height and slope are
+/// continuous there:
 ///
 /// ```text
 /// f = R − √(R² − ρ²)               ρ < R cos α
@@ -97,7 +98,7 @@ mod tests {
     fn a_sharp_cone_rises_by_the_cotangent() {
         let cone = Cone::new(60.0_f64.to_radians(), 0.0).unwrap();
         assert_eq!(cone.height(0.0, 0.0), 0.0);
-        // cot 60° = 1/√3; the angle and a height of 3 in a few roundings.
+        // cot 60° = 1/√3; the angle and a height of 3 take a few roundings.
         assert!((cone.height(3.0, 4.0) - 5.0 / 3.0_f64.sqrt()).abs() < 16.0 * f64::EPSILON);
     }
 
@@ -127,7 +128,7 @@ mod tests {
         // Heights of about 5: a few roundings.
         assert!((sharp.height(10.0, 0.0) - blunt.height(10.0, 0.0) - shift).abs() < 1e-14);
         let nearly_sharp = Cone::new(1.1, 1e-9).unwrap();
-        // The same shift, 1e-9 of it, below 0.13e-9.
+        // The same shift, scaled by 1e-9, is below 0.13e-9.
         assert!((sharp.height(1.0, 0.0) - nearly_sharp.height(1.0, 0.0)).abs() < 0.2e-9);
     }
 

@@ -1,4 +1,4 @@
-//! Errors of an indenter's numbers.
+//! Errors in the numbers of an indenter.
 
 use std::fmt;
 
@@ -29,7 +29,7 @@ impl fmt::Display for IndenterQuantity {
     }
 }
 
-/// Why an indenter cannot be built.
+/// The reason why an indenter cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum IndenterError {
@@ -60,19 +60,19 @@ pub enum IndenterError {
         /// Its value, rad.
         found: f64,
     },
-    /// A pyramid has too few faces to close, or more than a cone could tell.
+    /// A pyramid has too few faces to close, or so many that it is a cone.
     #[error("found {found} faces for a pyramid, wanted {least} to {most}")]
     FaceCount {
-        /// Number asked for.
+        /// Number of faces requested.
         found: usize,
-        /// The fewest.
+        /// Smallest number allowed.
         least: usize,
-        /// The most.
+        /// Largest number allowed.
         most: usize,
     },
 }
 
-/// The length itself, if it is positive and finite.
+/// Returns the length if it is positive and finite.
 pub(super) fn positive(quantity: IndenterQuantity, found: f64) -> Result<f64, IndenterError> {
     if found > 0.0 && found.is_finite() {
         Ok(found)
@@ -81,7 +81,7 @@ pub(super) fn positive(quantity: IndenterQuantity, found: f64) -> Result<f64, In
     }
 }
 
-/// The length itself, if it is zero or positive, and finite.
+/// Returns the length if it is zero or positive, and finite.
 pub(super) fn not_negative(quantity: IndenterQuantity, found: f64) -> Result<f64, IndenterError> {
     if found >= 0.0 && found.is_finite() {
         Ok(found)
@@ -90,7 +90,7 @@ pub(super) fn not_negative(quantity: IndenterQuantity, found: f64) -> Result<f64
     }
 }
 
-/// The angle itself, if it lies strictly between 0 and π/2.
+/// Returns the angle if it lies strictly between 0 and π/2.
 pub(super) fn acute(quantity: IndenterQuantity, found: f64) -> Result<f64, IndenterError> {
     if found > 0.0 && found < std::f64::consts::FRAC_PI_2 {
         Ok(found)

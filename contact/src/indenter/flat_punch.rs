@@ -9,7 +9,7 @@ pub struct FlatPunch {
     radius: f64,
 }
 
-/// Relative slack on the radius: a point on the rim up to rounding belongs to the punch.
+/// Relative slack on the radius: a point on the rim to rounding belongs to the punch.
 const RIM_SLACK: f64 = 1e-12;
 
 impl FlatPunch {

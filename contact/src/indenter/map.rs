@@ -9,20 +9,20 @@ use pellicle_texture::HeightMap;
 
 use super::Profile;
 
-/// The smallest circle that heights are averaged over, in distances between samples.
+/// Radius of the smallest circle over which heights are averaged, in distances between samples.
 const FINEST: f64 = 0.01;
 
-/// A measured indenter: a height map, placed so that its lowest point stands on the origin at height 0.
+/// A measured indenter: a height map, placed so that its lowest point is at the origin and at height 0.
 ///
 /// Between samples the height is that of the map's [interpolation](pellicle_texture::Interpolation). Beyond the map's
 /// rectangle the indenter ends, `f = +∞`: a contact that reaches the rim of the measurement is bounded by it as by the
-/// rim of a punch, and a [step](crate::Step) says that it is cut off.
+/// rim of a punch, and the [step](crate::Step) is marked as cut off.
 #[derive(Clone, Debug)]
 pub struct IndenterMap {
     map: HeightMap,
     lowest: f64,
     lowest_point: [f64; 2],
-    /// Made when it is first asked for, once for all clones.
+    /// Made on first use, once for all clones.
     mean_profile: Arc<OnceLock<MeanProfile>>,
 }
 
@@ -35,7 +35,7 @@ impl PartialEq for IndenterMap {
 impl IndenterMap {
     /// An indenter from heights (m, upwards, above any plane) of its lower surface.
     ///
-    /// Of several equally low points the one nearest to the middle of the map is put on the origin.
+    /// Of several equally low points, the one nearest to the middle of the map is placed at the origin.
     #[must_use]
     pub fn new(map: HeightMap) -> Self {
         let (lowest, lowest_point) = (map.lowest(), map.lowest_point());
@@ -78,7 +78,7 @@ impl Profile for IndenterMap {
         }
     }
 
-    /// Over as much of the circle as lies on the map; infinite where nothing does.
+    /// Averages over the part of the circle that lies on the map; infinite if none does.
     fn mean_profile(&self, radius: f64) -> f64 {
         let made = self.mean_profile.get_or_init(|| self.made_mean_profile());
         made.at(radius)
@@ -141,7 +141,7 @@ mod tests {
     fn a_sampled_paraboloid_returns_with_its_axis_between_the_samples() {
         let indenter = sampled(20, Interpolation::Bicubic);
         for (x, y) in [(0.0, 0.0), (0.1, 0.2), (-0.7, 0.3), (0.003, -0.001)] {
-            // Some roundings of heights up to 1, which place the axis.
+            // Some roundings of heights up to 1, which determine the axis.
             let error = indenter.height(x, y) - 0.5 * (x * x + y * y);
             assert!(error.abs() < 1e-14, "{x}, {y}: {error:e}");
         }
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn mean_heights_are_known_from_within_the_finest_spacing_on_along_either_axis() {
-        // A ridge of the slope 1 along the axis of few samples; it rises by 1 a sample along the other.
+        // A ridge along the axis with few samples; the height rises with slope 1 along the other.
         let ridge = |many: usize, along_x: bool| {
             let rise = |i: usize| (i as f64 - (many / 2) as f64).abs() * 1e-4;
             let (heights, shape, extent) = if along_x {
@@ -163,8 +163,8 @@ mod tests {
             IndenterMap::new(map.with_interpolation(Interpolation::Linear))
         };
         for along_x in [true, false] {
-            // The height |x| is 2/π of the radius in the mean over a circle within the ridge, and rises less than that
-            // where the circle is wider than the map.
+            // The mean of the height |x| over a circle within the ridge is 2/π of the radius; it rises less where the
+            // circle is wider than the map.
             let (indenter, radius) = (ridge(101, along_x), 0.002);
             let mean = indenter.mean_profile(radius);
             assert!(
@@ -179,8 +179,8 @@ mod tests {
         let error = |n: u32| {
             let indenter = sampled(n, Interpolation::Linear);
             let [x, y] = indenter.lowest_point;
-            // A height halfway between samples along x, on one along y: h²/8 too high, h = 2/n, against the samples of
-            // the axis.
+            // A height halfway between samples along x and on a sample along y is too high by h²/8, h = 2/n, compared
+            // with the samples on the axis.
             let half = 1.0 / f64::from(n);
             let height = indenter.height(half, 0.0) + indenter.lowest;
             height - 0.5 * ((x + half - 0.03).powi(2) + y * y)
@@ -203,7 +203,7 @@ mod tests {
         ] {
             approx::assert_relative_eq!(rim(place[0], place[1]), wanted, epsilon = 1e-15);
         }
-        // A rim is an edge as well, seen from either side.
+        // A rim is also an edge, from either side.
         assert!(indenter.distance_to_edge(0.7, 0.0, 1.0) <= 0.2 + 1e-15);
     }
 }

@@ -1,12 +1,12 @@
-//! The numbers of an indenter, one by one: read, or replaced by another.
+//! Reading and replacing single numbers of an indenter.
 
 use super::{
     Cone, FlatPunch, Indenter, IndenterError, IndenterQuantity, Paraboloid, Pyramid, Sphere,
 };
 
 impl Indenter {
-    /// Its numbers that the height depends on smoothly: none of a flat punch, a map or a custom shape, and no tip
-    /// radius of a sharp tip.
+    /// The numbers on which the height depends smoothly. A flat punch, a map and a custom shape have none, and a sharp
+    /// tip has no tip radius.
     #[must_use]
     pub fn parameters(&self) -> Vec<IndenterQuantity> {
         use IndenterQuantity::{FaceAngle, HalfAngle, Radius, TipRadius};
@@ -17,7 +17,7 @@ impl Indenter {
             .collect()
     }
 
-    /// The value of a number, in m or rad; none where the shape has no such number.
+    /// The value of a number, in m or rad; none if the shape has no such number.
     #[must_use]
     pub fn parameter(&self, quantity: IndenterQuantity) -> Option<f64> {
         use IndenterQuantity::{FaceAngle, HalfAngle, Radius, TipRadius};
@@ -33,7 +33,7 @@ impl Indenter {
         }
     }
 
-    /// The same shape with another value of one number; itself where it has no such number.
+    /// The same shape with another value of one number; unchanged if it has no such number.
     ///
     /// ```
     /// use pellicle_contact::{Cone, Indenter, IndenterQuantity};

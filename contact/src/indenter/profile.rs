@@ -5,20 +5,21 @@ use std::{f64::consts::TAU, fmt::Debug};
 use pellicle_texture::Grid;
 use rayon::prelude::*;
 
-/// Midpoints of the average over a circle; a smooth profile takes far fewer, one with kinks loses about 1/360².
+/// Midpoints in the average over a circle; a smooth profile needs far fewer, one with kinks has an error of about
+/// 1/360².
 const ANGLES: u32 = 360;
-/// Points that one thread asks for at least.
+/// Smallest number of points per thread.
 const AT_ONCE: usize = 1024;
 
-/// The lower surface of a rigid indenter; a shape of your own becomes an [`Indenter`](crate::Indenter) by
-/// [`custom`](crate::Indenter::custom).
+/// The lower surface of a rigid indenter; [`custom`](crate::Indenter::custom) makes an [`Indenter`](crate::Indenter) of
+/// a shape of your own.
 pub trait Profile: Debug + Send + Sync {
     /// Height f(x, y) of the surface above its lowest point, m: 0 at the origin, not negative, `+∞` where the indenter
     /// ends.
     fn height(&self, x: f64, y: f64) -> f64;
 
-    /// The heights at some points (m), as [`height`](Self::height) has each: for shapes that are quicker when they are
-    /// asked for many at once.
+    /// The heights at some points (m), the same as those of [`height`](Self::height). Override this for shapes that are
+    /// faster for many points at once.
     fn heights(&self, points: &[[f64; 2]]) -> Vec<f64> {
         let points = points.par_iter().with_min_len(AT_ONCE);
         points.map(|[x, y]| self.height(*x, *y)).collect()
@@ -27,7 +28,7 @@ pub trait Profile: Debug + Send + Sync {
     /// Average of the height over the circle of the given radius about the axis, m; infinite if the indenter ends on
     /// it.
     ///
-    /// By the midpoint rule in the angle: meant for estimates, and exact for axisymmetric shapes.
+    /// Uses the midpoint rule in the angle: meant for estimates, and exact for axisymmetric shapes.
     fn mean_profile(&self, radius: f64) -> f64 {
         let point = |k: u32| {
             let (sine, cosine) = ((f64::from(k) + 0.5) * TAU / f64::from(ANGLES)).sin_cos();
@@ -37,24 +38,24 @@ pub trait Profile: Debug + Send + Sync {
         self.heights(&points).iter().sum::<f64>() / f64::from(ANGLES)
     }
 
-    /// Slope of the [mean profile](Self::mean_profile); by a central difference if not known better.
+    /// Slope of the [mean profile](Self::mean_profile); by default a central difference.
     fn mean_slope(&self, radius: f64) -> f64 {
         let step = 1e-3 * radius;
         (self.mean_profile(radius + step) - self.mean_profile(radius - step)) / (2.0 * step)
     }
 
-    /// Whether `f(x, y) = f(−x, y) = f(x, −y)`, so that a quadrant is enough where relief and grid allow it.
+    /// Whether `f(x, y) = f(−x, y) = f(x, −y)`, so that a quadrant suffices where relief and grid allow it.
     fn is_mirrored(&self) -> bool {
         false
     }
 
-    /// Distance from the point to the rim at which the indenter ends, m: positive under it, negative beyond; infinite
-    /// where it ends nowhere.
+    /// Distance from the point to the rim at which the indenter ends, m: positive under the indenter, negative beyond;
+    /// infinite if it has no rim.
     fn distance_to_rim(&self, _x: f64, _y: f64) -> f64 {
         f64::INFINITY
     }
 
-    /// Distance from the point to the nearest rim, tip or ridge, m. What is rounded over fewer than two lengths of
+    /// Distance from the point to the nearest rim, tip or ridge, m. A feature rounded over less than two lengths of
     /// `scale` (m) counts as sharp.
     fn distance_to_edge(&self, x: f64, y: f64, _scale: f64) -> f64 {
         self.distance_to_rim(x, y).abs()

@@ -1,5 +1,4 @@
-//! Regular pyramids whose tip and ridges are rounded with one radius: the shape, its derivation and the standard face
-//! angles.
+//! Regular pyramids with one radius for tip and ridges: the shape, its derivation and the standard face angles.
 
 use std::f64::consts::PI;
 
@@ -13,11 +12,11 @@ use super::sphere::{cap_height, half_chord};
 /// # Shape
 ///
 /// With n faces at the angle α to the axis, the sharp pyramid is `f = m max_k n_k·x`, `m = cot α`, where `n_k` are the
-/// horizontal directions that the faces rise in. A sphere and a plane touch in one point only, so a cap and flat faces
-/// alone cannot meet smoothly: something must join them. Here it is the smallest convex body that contains the tip
-/// sphere, radius R, and opens like the pyramid: a sharp pyramid with a ball of radius R about each of its points (a
-/// Minkowski sum). Its lower surface is the upper envelope of all planes that touch the sphere and whose slope s the
-/// pyramid has among its supporting planes,
+/// horizontal directions in which the faces rise. A sphere and a plane touch in one point only, so a cap and flat faces
+/// alone cannot meet smoothly: another surface must join them. The body used here is the smallest convex one that
+/// contains the tip sphere, radius R, and opens like the pyramid: a sharp pyramid with a ball of radius R about each of
+/// its points (a Minkowski sum). Its lower surface is the upper envelope of all planes that touch the sphere and whose
+/// slope s is that of a supporting plane of the pyramid,
 ///
 /// ```text
 /// f(x) = max over s in P of  s·x − R (√(1 + |s|²) − 1),      P the polygon with the corners m n_k
@@ -36,7 +35,7 @@ use super::sphere::{cap_height, half_chord};
 ///
 /// A ridge is a cylinder of radius R whose axis runs parallel to it; the faces are those of the sharp pyramid with its
 /// apex at the depth `R (1/sin α − 1)` below the tip, the same as for a [`Cone`](super::Cone), to which the pyramid
-/// tends with n.
+/// tends with growing n.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pyramid {
     face_angle: f64,
@@ -46,7 +45,7 @@ pub struct Pyramid {
     slopes: Slopes,
 }
 
-/// Constants of the angles, computed once: recomputed for every height, they took four fifths of a solution's time.
+/// Constants of the angles, computed once: recomputing them for every height took four fifths of a solution's time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Slopes {
     /// `sin(π/n)` and `cos(π/n)`.
@@ -59,7 +58,7 @@ struct Slopes {
     stretch: f64,
     /// `v₁ = R cos α sin(π/n)`, the half-width of a round ridge, in m.
     rounded: f64,
-    /// `R (√(1 + m²) − 1)` and `R (√(1 + c²) − 1)`: how far face and ridge lie below those of the sharp pyramid, in m.
+    /// `R (√(1 + m²) − 1)` and `R (√(1 + c²) − 1)`: depths (m) of face and ridge below those of the sharp pyramid.
     drops: [f64; 2],
 }
 
@@ -79,7 +78,7 @@ impl Slopes {
     }
 }
 
-/// Places in the interval from 0 to 1 and weights of Gauss's rule of three points.
+/// Nodes in the interval from 0 to 1 and weights of the three-point Gauss rule.
 const GAUSS: [[f64; 2]; 3] = [
     [0.112_701_665_379_258_31, 5.0 / 18.0],
     [0.5, 8.0 / 18.0],
@@ -105,7 +104,7 @@ impl Pyramid {
     /// The fewest faces that enclose a body.
     pub const FEWEST_FACES: usize = 3;
 
-    /// The most faces: 360 differ from a cone by less than 4e-5 of its height.
+    /// The most faces: a pyramid of 360 differs from a cone by less than 4e-5 of its height.
     pub const MOST_FACES: usize = 360;
 
     /// A pyramid with `faces` equal faces at the angle `face_angle` (rad) to its axis, and the radius `tip_radius` (m)
@@ -261,17 +260,17 @@ impl Pyramid {
     }
 }
 
-/// Angles that parts of the surface take of a circle, from a ridge on.
+/// Angles of a circle that the parts of the surface occupy, starting from a ridge.
 struct Arcs {
     ridge: f64,
     sphere: f64,
     face: f64,
-    /// All of them.
+    /// Sum of the three.
     sector: f64,
 }
 
 impl Arcs {
-    /// `∫ f(sin θ) dθ` over the ridge: Gauss's rule, of three points.
+    /// `∫ f(sin θ) dθ` over the ridge: by the three-point Gauss rule.
     fn over_ridge(&self, function: impl Fn(f64) -> f64) -> f64 {
         if self.ridge == 0.0 {
             return 0.0;
@@ -280,7 +279,7 @@ impl Arcs {
         self.ridge * terms.iter().sum::<f64>()
     }
 
-    /// The mean of parts of an integral over the angle, each 0 where its arc is.
+    /// The mean from the parts of an integral over the angle; a part is 0 if its arc is.
     fn mean(&self, of_ridge: f64, of_sphere: impl Fn() -> f64, of_face: f64) -> f64 {
         let of_sphere = if self.sphere > 0.0 {
             self.sphere * of_sphere()
@@ -333,7 +332,7 @@ impl Profile for Pyramid {
     }
 
     fn distance_to_edge(&self, x: f64, y: f64, scale: f64) -> f64 {
-        // A ridge is rounded as far as v = R cos α sin(π/n), the tip farther.
+        // A ridge is rounded up to v = R cos α sin(π/n), the tip farther.
         let (_, across) = self.ridge_coordinates(x, y);
         if self.slopes.rounded < 2.0 * scale {
             across

@@ -1,4 +1,4 @@
-//! The sphere, and the spherical cap that other indenters have for a tip.
+//! The sphere, and the spherical cap that forms the tip of other indenters.
 
 use super::Profile;
 use super::error::{IndenterError, IndenterQuantity, positive};

@@ -45,8 +45,8 @@ fn the_mean_over_a_circle_is_the_mean_of_many_heights() {
             .map(|(sine, cosine)| indenter.height(0.9 * cosine, 0.9 * sine));
         let mean = heights.sum::<f64>() / 9001.0;
         let error = (indenter.mean_profile(0.9) - mean).abs();
-        // A profile of height about 1 with a few kinks on 360 angles: some 1/360² of it each. That of a map is looked
-        // up between radii a tenth apart.
+        // A profile of height about 1 with a few kinks on 360 angles: about 1/360² of it each. The mean of a map is
+        // interpolated between radii a tenth apart.
         let within = if matches!(indenter, Indenter::Map(_)) {
             2e-3
         } else {
@@ -57,7 +57,7 @@ fn the_mean_over_a_circle_is_the_mean_of_many_heights() {
             "{indenter:?}: {error:e}"
         );
         assert_eq!(mean.is_infinite(), indenter.mean_profile(0.9).is_infinite());
-        // The name hides nothing of the shape: the same numbers either way.
+        // The enum and the trait give the same numbers.
         let through_trait = Profile::mean_profile(&indenter, 0.9);
         assert_eq!(
             through_trait.to_bits(),
@@ -94,7 +94,7 @@ fn the_samples_lie_on_the_grid_x_first() {
     let indenter = Indenter::from(IndenterMap::new(
         HeightMap::new(vec![0.0, 1.0], [2, 1], [2.0, 2.0]).unwrap(),
     ));
-    // The lowest sample, at x = −½ of the map, stands on the origin, so the map spans x from −½ to 3/2.
+    // The lowest sample, at x = −½ of the map, is at the origin, so the map spans x from −½ to 3/2.
     let grid = Grid::new(2.0, 2).unwrap();
     assert_eq!(indenter.sample(&grid), [0.0, 0.0, 0.5, 0.5]);
 }
@@ -137,7 +137,7 @@ fn a_tip_is_sharp_where_it_is_rounded_over_less_than_two_elements() {
     assert_eq!(blunt.distance_to_edge(0.3, 0.4, 0.499 * end), f64::INFINITY);
 }
 
-/// A shape of the user's own that says nothing of itself but its height.
+/// A user-defined shape that implements only its height.
 #[derive(Debug)]
 struct Ramp;
 

@@ -9,7 +9,7 @@ pub struct FlatPunchContact {
     pub force: f64,
     /// Penetration D, m.
     pub penetration: f64,
-    /// Radius a of the punch, which is that of the contact, m.
+    /// Radius a of the punch and of the contact, m.
     pub contact_radius: f64,
     /// Pressure on the axis, the smallest, Pa; it is infinite on the rim.
     pub central_pressure: f64,

@@ -7,8 +7,9 @@
 //! p̅(k) = p₀/2a ∫₀ᵃ (a² − t²) cos kt dt
 //! ```
 //!
-//! and a wave leaves polynomials in `kz` times `e^{−kz}` inside. Every field is therefore a sum of the integrals
-//! `∫ p̅ k kⁿ e^{−kz} J_m(kr) dk`, which are real or imaginary parts of integrals over `w = z + it` of
+//! and below the surface a wave causes fields that are polynomials in `kz` times `e^{−kz}`. Every field is therefore a
+//! sum of the integrals `∫ p̅ k kⁿ e^{−kz} J_m(kr) dk`, which are real or imaginary parts of integrals over
+//! `w = z + it` of
 //!
 //! ```text
 //! j_m = ∫ e^{−kw} J_m(kr) dk = ((ρ − w)/r)ᵐ/ρ      ρ² = r² + w²
@@ -33,8 +34,8 @@ pub struct HalfSpace {
 /// Displacements (m) and stresses (Pa) under Hertz's pressure at `point`, (x, y, z) from the centre of the contact
 /// with z into the body, in m.
 ///
-/// Exact to rounding on the axis, elsewhere to `1e-15 (a/r)³` of the largest pressure. On the rim of the contact and on
-/// the surface the stress has no value.
+/// Exact to rounding on the axis, elsewhere to `1e-15 (a/r)³` of the largest pressure. On the rim of the contact, at
+/// the surface, the stress is undefined.
 ///
 /// ```
 /// use pellicle_contact::reference::hertz;
@@ -80,8 +81,8 @@ pub fn under_pressure(contact: &HertzContact, body: HalfSpace, point: [f64; 3]) 
     }
 }
 
-/// Displacements (m) and stresses (Pa) under a traction of the size of Hertz's pressure that drags the surface along
-/// +x, at `point` (m); accuracy as [`under_pressure`].
+/// Displacements (m) and stresses (Pa) under a traction equal to Hertz's pressure that drags the surface along +x, at
+/// `point` (m); accuracy as for [`under_pressure`].
 ///
 /// Under sliding with friction μ the stresses are those under the pressure and μ times these (Goodman's
 /// approximation: the traction does not change the pressure, which is exact for ν = ½).
@@ -150,7 +151,7 @@ impl CylindricalPoint {
 /// `∫ p̅ k kⁿ e^{−kz} J_m(kr) dk` for n = −1, 0 and 1, the last times z, by the order m.
 struct Waves([[f64; ORDERS]; 3]);
 
-/// Of Bessel functions.
+/// Orders of Bessel functions.
 const ORDERS: usize = 4;
 
 impl Waves {
@@ -200,7 +201,7 @@ struct Transform {
 }
 
 impl Transform {
-    /// The coefficients of P and Q over the powers of w.
+    /// The coefficients of P and Q by power of w.
     fn polynomials(&self) -> [[f64; 4]; 2] {
         let r = self.r;
         match self.order {
@@ -252,7 +253,7 @@ impl Transform {
     fn over_root(&self, w: Complex64) -> [Complex64; 6] {
         let root = self.root(w);
         let mut integrals = [Complex64::ZERO; 6];
-        // At the centre of the surface only its imaginary part counts, which is 0.
+        // At the centre of the surface only the imaginary part counts, which is 0.
         let from_root = w + root;
         integrals[0] = if from_root == Complex64::ZERO {
             from_root

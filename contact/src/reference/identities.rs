@@ -76,7 +76,7 @@ const FORMS: [Form; 4] = [
     },
 ];
 
-/// `∫ g dA` over the disc of radius a: midpoints in θ, ρ = a sin θ, which takes out root singularities on the rim.
+/// `∫ g dA` over the disc of radius a: midpoints in θ, ρ = a sin θ, which removes square-root singularities on the rim.
 fn integral(a: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     let (points, step) = (20_000, FRAC_PI_2 / 20_000.0);
     let ring = |k: i32| {
@@ -86,10 +86,10 @@ fn integral(a: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     (0..points).map(ring).sum()
 }
 
-/// The integral's step is 8e-5: squared, and times a logarithm at the cone's apex, 5e-8.
+/// The integral's step is 8e-5; its square times a logarithm at the cone's apex is 5e-8.
 const QUADRATURE: f64 = 1e-7;
 
-/// A central difference over 1e-4 of the argument: its square, 1e-8 times a factor of order one.
+/// A central difference over 1e-4 of the argument has an error of its square, 1e-8, times a factor of order one.
 const DIFFERENCE: f64 = 3e-8;
 
 fn derivative(function: impl Fn(f64) -> f64) -> f64 {
@@ -166,8 +166,8 @@ fn the_sphere_too_has_the_stiffness_of_its_radius() {
     for a in [0.02, 0.4, 0.7, 1.9] {
         let (less, more) = (at(a * (1.0 - 1e-4)), at(a * (1.0 + 1e-4)));
         let slope = (more.force - less.force) / (more.penetration - less.penetration);
-        // The step, 1e-4 of a, squared; the sphere's force grows steeply near a = R, where the factor is about (R/(R −
-        // a))².
+        // The error is the square of the step, 1e-4 of a. The sphere's force grows steeply near a = R, where the factor
+        // is about (R/(R − a))².
         assert!(
             (slope / (2.0 * MODULUS * a) - 1.0).abs() < 1e-8 * (RADIUS / (RADIUS - a)).powi(2),
             "{a}"

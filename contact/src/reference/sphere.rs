@@ -1,7 +1,6 @@
-//! Sneddon: a sphere on an elastic half-space, its exact shape in place of Hertz's paraboloid.
+//! Sneddon: a sphere on an elastic half-space, with its exact shape instead of Hertz's paraboloid.
 
-/// Below this a/R the series takes over from the closed form, which loses one digit to cancellation there and more
-/// below.
+/// Below this a/R the series replaces the closed form, which loses one digit to cancellation there and more below.
 const SERIES_BELOW: f64 = 0.3;
 
 /// The contact of a sphere `f = R − √(R² − ρ²)` with an elastic half-space.
@@ -53,7 +52,7 @@ mod tests {
     fn series_and_closed_form_agree_where_they_meet() {
         let t = SERIES_BELOW;
         let closed = (1.0 + t * t) * t.atanh() - t;
-        // The closed form cancels 0.3 against 0.3 to leave 0.037: some ten roundings.
+        // The closed form subtracts 0.3 from 0.3 and leaves 0.037: about ten roundings.
         assert!((reduced_force(t * (1.0 - 1e-16)) / closed - 1.0).abs() < 1e-14);
         assert!((reduced_force(0.299_999_999) / closed - 1.0).abs() < 2e-8);
     }

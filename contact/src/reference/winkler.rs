@@ -43,8 +43,8 @@ pub fn from_force(radius: f64, compliance: f64, force: f64) -> WinklerContact {
     }
 }
 
-/// Force (N) of the paraboloid `f = ρ²/2R` on springs of the logarithmic law, of height h (m) and Young's modulus E
-/// (Pa), at a penetration `D ≤ h` (m): `p = −E ln(1 − (D − f)/h)` integrated over the contact of radius `√(2RD)`,
+/// Force (N) of the paraboloid `f = ρ²/2R` on springs with the logarithmic law, height h (m) and Young's modulus E
+/// (Pa), at a penetration `D ≤ h` (m): the integral of `p = −E ln(1 − (D − f)/h)` over the contact of radius `√(2RD)`,
 ///
 /// ```text
 /// Q = 2π R h E (1 − u + u ln u),    u = 1 − D/h
@@ -95,7 +95,7 @@ mod tests {
     fn the_force_on_stiffening_springs_is_the_integral_of_their_pressure() {
         let [radius, height, modulus] = [2.0, 0.3, 5.0];
         for penetration in [0.03, 0.2, 0.29] {
-            // Q = 2π R ∫₀^D p df with p = −E ln(1 − (D − f)/h), by the midpoints of equal parts
+            // Q = 2π R ∫₀^D p df with p = −E ln(1 − (D − f)/h), by the midpoint rule
             let parts = 1000;
             let step = penetration / f64::from(parts);
             let pressure = |i: i32| -modulus * (1.0 - (f64::from(i) + 0.5) * step / height).ln();
@@ -107,7 +107,7 @@ mod tests {
                 "{penetration}: {found} {wanted}"
             );
         }
-        // A spring pressed flat takes any pressure, and the integral stays finite.
+        // A fully compressed spring bears any pressure, but the integral stays finite.
         let found = force_on_stiffening(radius, height, modulus, height);
         assert!((found - 2.0 * PI * radius * height * modulus).abs() < 1e-14);
     }

@@ -1,26 +1,26 @@
 //! The proof that a pressure solves the contact problem, computed afresh from the pressure alone.
 //!
-//! With `v = K p + w* + g0`, where `w*` is the springs' shortening by their own law, `η p` if it is linear, and
-//! `D = Σ p v / Σ p` (or the prescribed penetration), `g = v − D`, every line is a number without scale:
+//! Let `v = K p + w* + g0`, where `w*` is the shortening of the springs (`η p` if their law is linear),
+//! `D = Σ p v / Σ p` or the prescribed penetration, and `g = v − D`. The lines are dimensionless:
 //!
 //! ```text
 //! complementarity = Σ p |g| / (D Σ p)        gap_in_contact = max over p > 0 of |g| / D
 //! overlap = max(0, −min g) / D               load = |4a² Σ p − Q| / Q
 //! ```
 //!
-//! and the smallest pressure, which must not be negative. Where a hardness `p_max` cuts the pressure, elements at it
-//! may lack a gap but not have one:
+//! A further line is the smallest pressure, which must not be negative. Where a hardness `p_max` cuts the pressure,
+//! elements at the hardness may have a negative gap but not a positive one:
 //!
 //! ```text
 //! D = Σ p v / Σ p over p < p_max                 gap_in_contact, overlap: over p < p_max
 //! gap_at_limit = max over p = p_max of g⁺ / D    over_limit = max(0, max p − p_max) = 0
 //! ```
 //!
-//! and of them complementarity counts `p g⁺`. Where all pressures are 0 or `p_max`, `D` is the largest `v` of those at
-//! the limit: the least penetration that carries the force. In a periodic cell, whose penetration is told from the mean
-//! plane and may vanish, gaps are small beside `C(2π/L) p̄` if that is larger than `D`: how far the mean pressure would
-//! press a single cell in. Nothing is taken from an iteration's own residual. No gap is
-//! computed where the initial one alone is too wide for an overlap.
+//! Complementarity counts `p g⁺` of these elements. Where all pressures are 0 or `p_max`, `D` is the largest `v` of the
+//! elements at the limit: the least penetration that carries the force. In a periodic cell the penetration is measured
+//! from the mean plane and may vanish. Gaps there are relative to `C(2π/L) p̄`, the depth to which the mean pressure
+//! would press a single cell, if that is larger than `D`. Nothing is taken from an iteration's own residual. No gap is
+//! computed where the initial gap alone is too wide for an overlap.
 
 mod judged_fields;
 mod surface;
@@ -34,7 +34,7 @@ use crate::{
     vector::{smallest, sum},
 };
 
-/// Residuals of the complementarity problem at a pressure; all dimensionless but the smallest pressure.
+/// Residuals of the complementarity problem at a pressure; all dimensionless except those in Pa.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Certificate {
     /// `Σ p |g| / (D Σ p)`.
@@ -49,14 +49,14 @@ pub struct Certificate {
     pub gap_at_limit: f64,
     /// Smallest pressure of all elements, in Pa; must be ≥ 0.
     pub min_pressure: f64,
-    /// By how much the largest pressure exceeds the hardness, in Pa; must be 0.
+    /// Excess of the largest pressure over the hardness, in Pa; must be 0.
     pub over_limit: f64,
     /// The bound on every line.
     pub tolerance: f64,
 }
 
 impl Certificate {
-    /// The largest of the dimensionless lines; NaN where one of them is.
+    /// The largest of the dimensionless lines; NaN if one of them is NaN.
     #[must_use]
     pub fn worst(&self) -> f64 {
         let lines = [
@@ -69,7 +69,7 @@ impl Certificate {
         lines.into_iter().fold(0.0, largest)
     }
 
-    /// Whether every line keeps to the tolerance and the pressure is finite, nowhere negative and nowhere above the
+    /// Whether every line is within the tolerance and the pressure is finite, never negative and never above the
     /// hardness.
     #[must_use]
     pub fn is_satisfied(&self) -> bool {
@@ -80,17 +80,17 @@ impl Certificate {
     }
 }
 
-/// A pressure judged.
+/// A pressure with its penetration, force and certificate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solution {
     /// Penetration `D`, in m.
     pub penetration: f64,
-    /// Force `Q`, in N: as prescribed, to the bit, where it is, and the certificate's line `load` says how far the
-    /// pressures are from it; otherwise `4a² Σ p`.
+    /// Force `Q`, in N: the prescribed force, bit for bit, if there is one; otherwise `4a² Σ p`. The certificate's line
+    /// `load` is the deviation of the pressures from a prescribed force.
     pub force: f64,
     /// Pressure `p` of each element, in Pa; N² values.
     pub pressure: Vec<f64>,
-    /// How well this solves the problem.
+    /// The residuals of this solution.
     pub certificate: Certificate,
 }
 
@@ -106,7 +106,7 @@ impl Solution {
         Self::judge_with_surface(problem, load, pressure, tolerance).0
     }
 
-    /// The same, and the surface that was computed for it.
+    /// Judges `pressure` as [`Self::judge`] does, and also returns the deformed surface.
     #[must_use]
     pub fn judge_with_surface(
         problem: &mut DiscreteProblem,
@@ -133,11 +133,11 @@ impl Solution {
         (solution, surface)
     }
 
-    /// Judges a pressure on a window of the grid, nought outside, which makes the product cheaper; the solution's
-    /// pressure is that on the window. The displacement's memory is used again for a reach of the same size.
+    /// Judges a pressure that is zero outside a window of the grid, which makes the product cheaper. The solution's
+    /// pressure covers only the window. A reach of the same size reuses the memory of the displacement.
     ///
-    /// Displacements are computed on a [reach] around the window, chosen by the penetration expected; should the true
-    /// one be larger, everywhere.
+    /// Displacements are computed on a [reach] around the window, chosen from the expected penetration, or everywhere
+    /// if the true penetration is larger.
     pub(crate) fn judge_within(
         problem: &mut DiscreteProblem,
         trial: Trial<'_>,
@@ -170,7 +170,7 @@ impl Solution {
             Load::Penetration(penetration) => penetration,
             Load::Force(_) => surface.multiplier(total),
         };
-        // False where it is NaN.
+        // False for NaN.
         let is_as_expected = penetration <= highest;
         if !(is_as_expected || reach.is_whole()) {
             let expected = f64::INFINITY;
@@ -214,13 +214,13 @@ impl Solution {
     }
 }
 
-/// The conditions that a pressure is judged by.
+/// The conditions under which a pressure is judged.
 #[derive(Clone, Copy)]
 pub struct Trial<'a> {
-    /// Where it presses.
+    /// The window that holds all pressures.
     pub window: &'a Window,
     pub load: Load,
-    /// The penetration by the solver's own account, in m; infinite where it gives none.
+    /// The penetration that the solver expects, in m; infinite if it gives none.
     pub expected: f64,
     pub tolerance: f64,
 }

@@ -1,5 +1,4 @@
-//! A pressure on its elements, with the gaps around it and the geometry that bounds it: what the shape of a contact is
-//! read from.
+//! A pressure on its elements, with the gaps and the geometry around it, which determine the shape of the contact.
 
 use pellicle_texture::Grid;
 
@@ -17,7 +16,7 @@ pub struct ContactField<'a> {
     pub window: &'a Window,
     /// Pressure on the window, in Pa.
     pub pressure: &'a [f64],
-    /// Hardness at which it is cut, in Pa; infinite without one.
+    /// Hardness at which the pressure is cut, in Pa; infinite without one.
     pub hardness: f64,
     /// `g0` on the window's sector, in m.
     pub initial_gap: &'a [f64],
@@ -32,8 +31,7 @@ pub struct ContactField<'a> {
 }
 
 impl ContactField<'_> {
-    /// The element of the window at a place, itself, as the mirror image, or that of another cell; none outside the
-    /// window otherwise.
+    /// Returns the element of the window at a place, itself, its mirror image or its periodic image; none elsewhere.
     pub fn element(&self, place: Place) -> Option<usize> {
         match self.boundary {
             Boundary::Free => self.window.element(place),
@@ -44,8 +42,8 @@ impl ContactField<'_> {
         }
     }
 
-    /// The first line of places with an element beside the window's: one before it, and of a periodic cell its own
-    /// first, which its last is beside.
+    /// Returns the first line of places next to an element of the window: the line before it, or 0 in a periodic cell,
+    /// whose last line is next to its first.
     pub fn first_line(&self) -> isize {
         match self.boundary {
             Boundary::Free => -1,
@@ -76,7 +74,7 @@ impl ContactField<'_> {
         self.mask[i * self.window.grid().size() + j]
     }
 
-    /// `w*/p` of an element of the window, in m/Pa: `η` of linear springs.
+    /// `w*/p` of an element of the window, in m/Pa: `η` for linear springs.
     pub fn secant_of(&self, element: usize) -> f64 {
         let [i, j] = self.on_sector(element);
         let compliance = self.compliance[i * self.window.grid().size() + j];
@@ -92,13 +90,13 @@ impl ContactField<'_> {
         self.judged.gap_of([i, j], initial_gap) + shortening
     }
 
-    /// The gaps of those elements of a row of the window that do not press, in m, by column.
+    /// The gaps of the elements without pressure in a row of the window, in m, by column.
     pub fn gaps_of_line(&self, line: usize) -> impl Fn(usize) -> f64 {
         let initial_gap = self.window.line(self.initial_gap, line);
         self.judged.gaps_of_line(self.window, line, initial_gap)
     }
 
-    /// How many of the four elements from a place on are in contact.
+    /// Counts the elements in contact among the four of the cell at a place.
     pub fn in_contact_around(&self, [i, j]: Place) -> usize {
         let [rows, size] = self.window.lengths();
         let inside = |i: isize, lines| usize::try_from(i).ok().filter(|i| i + 1 < lines);
@@ -114,7 +112,7 @@ impl ContactField<'_> {
             .count()
     }
 
-    /// Whether the four elements from a place on lie on one side of the relief's outline.
+    /// Whether the four elements of the cell at a place lie on one side of the relief's outline.
     pub fn is_one_side(&self, [i, j]: Place) -> bool {
         let corners = [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]];
         let side = |place: Place| self.element(place).is_some_and(|e| self.is_on_relief(e));
@@ -148,7 +146,7 @@ mod tests {
 
     const SIZE: usize = 6;
 
-    /// Asks a field on a square of side 6, on a film whose springs stiffen and whose relief covers x > 0.
+    /// Evaluates `ask` for a field on a square of side 6, on a film of stiffening springs whose relief covers x > 0.
     fn with_field<T>(
         boundary: Boundary,
         pressure: &[f64],
@@ -196,7 +194,7 @@ mod tests {
             assert_eq!(found, [false, false, true, true, true, false]);
         });
         with_field(Boundary::Periodic, &pressure, |field| {
-            // The next cell begins as this one does.
+            // The next cell repeats this one.
             let ends = [[5, 2], [4, 5], [0, 5]].map(|place| field.is_one_side(place));
             assert_eq!(ends, [false, true, true]);
         });

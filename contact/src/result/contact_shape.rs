@@ -1,22 +1,22 @@
 //! Area and extent of a contact, with its edge placed within an element.
 //!
-//! Counting elements finds the area to first order, and with the scatter of a staircase. Along a smooth edge the field
+//! Counting elements gives the area to first order, with the scatter of a staircase. Along a smooth edge the field
 //!
 //! ```text
 //! s = (κ K₀₀ + η) p   in contact,      s = −g   beside it
 //! ```
 //!
-//! crosses zero between a centre in contact and one beside it, `δ` elements outside of the edge; with `K₀₀` the
-//! coefficient of an element on itself. Both numbers are those of a square-root pressure at a straight edge of a
-//! half-space, on the elements of this method: over all directions and places of the edge `δ` scatters by 0.02 for this
-//! κ, and over a circle by 0.0005. Springs that are soft beside an element's own elasticity make the field linear
-//! across the edge, and `δ` vanishes.
+//! crosses zero between a centre in contact and one beside it, `δ` elements outside the edge. `K₀₀` is the coefficient
+//! of an element on itself. `κ` and `δ` are those of a square-root pressure at a straight edge of a half-space, on the
+//! elements of this method: over all directions and positions of the edge `δ` scatters by 0.02 for this κ, and over a
+//! circle by 0.0005. Springs that are soft compared with an element's own elasticity make the field linear across the
+//! edge, and `δ` vanishes.
 //!
-//! An element whose pressure is cut at a hardness says nothing of the edge beside it, which is taken to be halfway, as
-//! between single elements.
+//! An element whose pressure is cut at a hardness does not locate the edge beside it. The edge is taken to be halfway,
+//! as between single elements.
 //!
-//! The zero line is drawn by marching squares over the centres. Where the contact ends with the indenter or at the
-//! outline of a relief, geometry says where. Checked against closed forms in `tests/tests/convergence`.
+//! The zero line is drawn by marching squares over the centres. Where the contact ends at the indenter's rim or the
+//! outline of a relief, the edge follows from geometry. Checked against closed forms in `tests/tests/convergence`.
 
 use crate::{grid::window::Place, result::contact_field::ContactField};
 
@@ -26,16 +26,16 @@ const OWN_PRESSURE: f64 = 1.2;
 const OFFSET: f64 = 0.1316;
 /// Scatter of `δ` averaged over an edge of many elements, in elements.
 const UNCERTAINTY: f64 = 0.001;
-/// A contact of single elements is mostly edge: no more than this part of its polygon is taken off.
+/// Largest fraction of a polygon that may be subtracted; a contact of single elements is mostly edge.
 const LARGEST_CUT: f64 = 0.5;
 
 /// Area and extent of a contact.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ContactShape {
-    /// Area in m², all of it and that on the relief.
+    /// Area in m², in total and on the relief.
     pub area: f64,
     pub area_on_relief: f64,
-    /// By how much the area is uncertain because of the edge's place within its elements, in m².
+    /// Uncertainty of the area from the position of the edge within its elements, in m².
     pub uncertainty: f64,
     /// Distance from the axis to the farthest point of the edge, in m.
     pub radius: f64,
@@ -43,7 +43,7 @@ pub struct ContactShape {
     pub meets_outline: bool,
 }
 
-/// The same of some cells, areas in elements.
+/// The shape within some cells; areas in elements.
 #[derive(Clone, Copy, Default)]
 struct CellSum {
     area: f64,
@@ -59,9 +59,9 @@ struct CellSum {
 struct Crossing {
     /// Distance from the first centre, in elements.
     from_first: f64,
-    /// Distance by which the edge lies inside, in elements.
+    /// Distance by which the edge lies inside the zero line, in elements.
     offset: f64,
-    /// Whether it ends at an outline or a rim, or steeply at an element whose pressure is cut.
+    /// Whether the contact ends at an outline or a rim, or steeply at an element whose pressure is cut.
     is_outline: bool,
 }
 
@@ -74,7 +74,7 @@ struct CellCorner {
     is_on_relief: bool,
 }
 
-/// Corners of a cell in turn, from the one that names it.
+/// Corners of a cell in order, from the one that identifies it.
 const TURN: [[isize; 2]; 4] = [[0, 0], [1, 0], [1, 1], [0, 1]];
 
 impl ContactShape {
@@ -102,7 +102,7 @@ impl ContactShape {
 }
 
 impl CellSum {
-    /// Of the cells whose first corner lies in a line.
+    /// Sums over the cells whose first corner lies in a line.
     fn of_line(field: &ContactField<'_>, line: isize, size: isize) -> Self {
         let mut part = Self::default();
         for column in field.first_line()..size {
@@ -174,12 +174,12 @@ fn corner(field: &ContactField<'_>, place: Place) -> CellCorner {
 /// The part of a cell that belongs to the contact.
 #[derive(Clone, Copy, Default)]
 struct Polygon {
-    /// In elements.
+    /// Area, in elements.
     area: f64,
     /// Distance from the zero line to the edge, in elements.
     cut: f64,
     radius: f64,
-    /// Whether geometry says where the contact ends.
+    /// Whether the end of the contact follows from geometry.
     meets_outline: bool,
 }
 
@@ -226,7 +226,7 @@ impl Polygon {
             }
         }
         polygon.area = shoelace(&points[..count]);
-        // The edge runs from where the turn leaves the contact to where it comes back.
+        // The edge runs from where the circuit leaves the contact to where it re-enters.
         let first = usize::from(!inside[0]);
         for pair in (first..first + crossed).step_by(2) {
             let [(from, offset), (to, other)] =
@@ -255,7 +255,7 @@ fn shoelace(points: &[[f64; 2]]) -> f64 {
     0.5 * twice.abs()
 }
 
-/// Where what belongs ends between a centre that does and one that does not.
+/// Locates the end of the contact between a centre that belongs to it and one that does not.
 fn crossing(field: &ContactField<'_>, inside: &CellCorner, outside: &CellCorner) -> Crossing {
     let at = |from_first: f64| Crossing {
         from_first,
@@ -288,7 +288,7 @@ fn crossing(field: &ContactField<'_>, inside: &CellCorner, outside: &CellCorner)
     let (own, eta) = (field.coefficient, field.secant_of(element));
     // s = (κ K₀₀ + η) p
     let level = (OWN_PRESSURE * own + eta) * field.pressure[element];
-    // Both are 0 where a pressure is too small for its level.
+    // Both are 0 if the pressure is too small to give a level.
     let from_first = if level + gap > 0.0 {
         level / (level + gap)
     } else {
@@ -301,8 +301,8 @@ fn crossing(field: &ContactField<'_>, inside: &CellCorner, outside: &CellCorner)
     }
 }
 
-/// Where a distance that is positive at the first of two places and negative at the second vanishes between them;
-/// halfway where it does neither.
+/// Returns where a distance vanishes between two places, positive at the first and negative at the second; halfway if
+/// it has no such zero.
 fn between([first, second]: [f64; 2]) -> f64 {
     let part = first / (first - second);
     if (0.0..=1.0).contains(&part) {

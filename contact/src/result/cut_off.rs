@@ -1,10 +1,10 @@
-//! Whether a contact goes on where its domain, or the map of a measured surface, ends.
+//! Whether a contact continues beyond its domain or the map of a measured surface.
 //!
 //! A solution on the square, extended by zero pressure, solves the contact problem on the whole plane if nothing
 //! overlaps outside the square, that is, if `u + g0 ≥ D` there. Next to the edge this holds where no element on the rim
-//! of the square presses, or the initial gap behind it is wider than `D`. Farther away `u` is computed from the
-//! pressure summed up in blocks, on ever larger squares as far as the indenter is lower than `D`. Under an indenter
-//! that rises from its axis the height alone mostly settles it, or a few blocks do.
+//! of the square has pressure, or the initial gap behind it is wider than `D`. Farther away `u` is computed from the
+//! pressure summed over blocks, on ever larger squares for as long as the indenter is lower than `D`. For an indenter
+//! that rises from its axis, the height alone or a few blocks usually suffice.
 
 use std::{cell::OnceCell, sync::Arc};
 
@@ -14,16 +14,16 @@ use pellicle_texture::{Grid, Relief};
 use crate::problem::model::initial_gap;
 use crate::{Indenter, Model, Profile, Solution};
 
-/// Blocks per side that the pressure is summed up in.
+/// Blocks per side over which the pressure is summed.
 const BLOCKS: usize = 64;
-/// Blocks per side of the first look.
+/// Blocks per side of the first, coarse check.
 const FEW_BLOCKS: usize = 16;
-/// Gap over penetration of the first look that leaves no doubt: it is good to some hundredths of the penetration.
+/// Gap over penetration at which the coarse check is conclusive: it is accurate to some hundredths of the penetration.
 const CLEAR: f64 = 0.1;
-/// Overlap over penetration beyond the domain that shows contact: the displacement of blocks is good to some
+/// Overlap over penetration beyond the domain that counts as contact: the displacement of blocks is accurate to some
 /// thousandths of the penetration.
 const OVERLAP: f64 = 0.01;
-/// Doublings of the square that are looked at: a thousand million times the domain.
+/// Most doublings of the square: a thousand million times the domain.
 const MOST_DOUBLINGS: usize = 30;
 
 /// The limit at which a contact is cut off.
@@ -31,19 +31,19 @@ const MOST_DOUBLINGS: usize = 30;
 pub enum CutOff {
     /// The edge of the domain.
     Domain,
-    /// The end of a measured relief, beyond which nothing is known of the surface.
+    /// The end of a measured relief, beyond which the surface is unknown.
     ReliefMap,
     /// The end of a measured indenter.
     IndenterMap,
 }
 
-/// Whether the indenter is above the middle of any element.
+/// Whether the indenter covers the centre of any element.
 pub(crate) fn can_touch(model: &Model, grid: &Grid) -> bool {
     lowest_height(model, grid).is_finite()
 }
 
-/// The indenter's smallest height at the elements next to its axis, m: infinite if it is nowhere above the middle of an
-/// element, since no indenter has a hole or a recess at its axis.
+/// The indenter's smallest height at the elements next to its axis, m. It is infinite if the indenter covers no
+/// element's centre, since no indenter has a hole or a recess at its axis.
 pub(crate) fn lowest_height(model: &Model, grid: &Grid) -> f64 {
     let middle = grid.size() / 2;
     let centres = [middle.saturating_sub(1), middle.min(grid.size() - 1)].map(|i| grid.centre(i));
@@ -59,17 +59,17 @@ pub(crate) struct Surroundings<'a> {
 
 /// The frame between a square and one of twice its side.
 struct SquareFrame {
-    /// Under the indenter alone, where it rises from its axis: no gap is smaller than its height.
+    /// A check of the indenter alone, if it rises from its axis: no gap is smaller than its height.
     outlook: Option<Outlook>,
-    /// Made when it is first looked at.
+    /// Made on first use.
     blocks: Option<Blocks>,
 }
 
-/// A first look at a frame.
+/// A coarse check of a frame.
 struct Outlook {
     /// The indenter's smallest height on the inner edge, m.
     lowest: f64,
-    /// Made when it is first looked at.
+    /// Made on first use.
     blocks: Option<Blocks>,
 }
 
@@ -78,11 +78,11 @@ struct Blocks {
     around: Around,
     /// `g0` (m) at the blocks of the larger square; infinite on those of the smaller.
     gaps: Vec<f64>,
-    /// The smallest of them.
+    /// The smallest gap, m.
     smallest_gap: f64,
-    /// The indenter's smallest height there, m.
+    /// The indenter's smallest height at the blocks of the frame, m.
     lowest: f64,
-    /// Made when it is first asked for; none where no coefficients can be had for blocks so large.
+    /// Made on first use; none if there are no coefficients for blocks this large.
     elasticity: OnceCell<Option<Arc<SurfaceElasticity>>>,
 }
 
@@ -95,7 +95,7 @@ impl<'a> Surroundings<'a> {
         }
     }
 
-    /// The limit that cuts the contact of a solution off, if any.
+    /// Returns the limit that cuts off the contact of a solution, if any.
     pub fn what_cuts_off(&mut self, solution: &Solution) -> Option<CutOff> {
         map_reached(self.model, &self.grid, &solution.pressure)
             .or_else(|| self.cut_off(solution).then_some(CutOff::Domain))
@@ -109,7 +109,7 @@ impl<'a> Surroundings<'a> {
             && (self.presses_at_the_rim(solution) || self.overlaps_farther_away(solution))
     }
 
-    /// Whether an element on the rim presses behind which the gap is less than the penetration.
+    /// Whether an element on the rim has pressure while the gap behind it is less than the penetration.
     fn presses_at_the_rim(&self, solution: &Solution) -> bool {
         let (size, last) = (self.grid.size(), self.grid.size() - 1);
         let outside = self.grid.centre(last) + self.grid.element_side();
@@ -126,7 +126,7 @@ impl<'a> Surroundings<'a> {
         })
     }
 
-    /// Whether the indenter overlaps a part of the surface around that moves as the pressure has it.
+    /// Whether the indenter overlaps the surrounding surface, as displaced by the pressure.
     fn overlaps_farther_away(&mut self, solution: &Solution) -> bool {
         for doublings in 0..MOST_DOUBLINGS {
             if self.frames.len() == doublings {
@@ -160,7 +160,7 @@ impl SquareFrame {
         }
     }
 
-    /// Whether anything overlaps here.
+    /// Whether anything overlaps within the frame.
     fn overlaps(&mut self, model: &Model, side: f64, grid: &Grid, solution: &Solution) -> bool {
         if let Some(outlook) = &mut self.outlook
             && outlook.is_clear(model, side, grid, solution)
@@ -174,8 +174,8 @@ impl SquareFrame {
         blocks.is_closer_than(touched, model, grid, solution)
     }
 
-    /// Whether beyond this the indenter is higher than the penetration: every shape rises from its axis but a map,
-    /// which ends somewhere.
+    /// Whether the indenter is higher than the penetration everywhere beyond this frame: every shape rises from its
+    /// axis except a map, which ends somewhere.
     fn is_the_last(&self, model: &Model, penetration: f64) -> bool {
         match (&self.outlook, &self.blocks) {
             (Some(outlook), _) => outlook.lowest >= penetration,
@@ -203,7 +203,7 @@ impl Outlook {
         }
     }
 
-    /// Whether nothing overlaps, without doubt.
+    /// Whether there is certainly no overlap.
     fn is_clear(&mut self, model: &Model, side: f64, grid: &Grid, solution: &Solution) -> bool {
         let depth = solution.penetration;
         if self.lowest >= depth {
@@ -218,7 +218,7 @@ impl Outlook {
 }
 
 impl Blocks {
-    /// The gaps above this relief.
+    /// Computes the gaps above this relief.
     fn of(model: &Model, relief: &Relief, around: Around) -> Self {
         let count = around.count();
         let blocks = (0..count * count).map(|block| [block / count, block % count]);
@@ -247,12 +247,12 @@ impl Blocks {
         made.as_ref()
     }
 
-    /// Whether there are coefficients for blocks so large.
+    /// Whether there are coefficients for blocks this large.
     fn can_move(&self, model: &Model) -> bool {
         self.elasticity(model).is_some()
     }
 
-    /// Whether the gap from the undeformed indenter to the moved surface is anywhere less than `limit` (m); false
+    /// Whether the gap from the undeformed indenter to the displaced surface is anywhere less than `limit` (m); false
     /// without coefficients.
     fn is_closer_than(&self, limit: f64, model: &Model, grid: &Grid, solution: &Solution) -> bool {
         if self.smallest_gap >= limit {
@@ -283,7 +283,7 @@ struct Around {
 }
 
 impl Around {
-    /// Of a smaller square of side `side` (m) in so many blocks per side.
+    /// Surrounds a smaller square of side `side` (m) with `within` blocks per side.
     fn new(side: f64, within: usize) -> Self {
         Self {
             block: side / within as f64,
@@ -315,7 +315,7 @@ impl Around {
         (i as f64 + 0.5 - self.within as f64) * self.block
     }
 
-    /// The pressure of a grid in the middle, summed up in the blocks of the smaller square.
+    /// The pressure of a grid in the middle, summed over the blocks of the smaller square.
     fn summed(self, grid: &Grid, pressure: &[f64]) -> Vec<f64> {
         let size = grid.size();
         let shares: Vec<_> = (0..size).map(|i| self.shares(grid, i)).collect();
@@ -333,7 +333,7 @@ impl Around {
         blocks
     }
 
-    /// The blocks that an element lies in along one axis, with its parts in them.
+    /// The blocks that an element covers along one axis, with its share in each.
     fn shares(self, grid: &Grid, i: usize) -> Vec<(usize, f64)> {
         let half = grid.element_side() / 2.0;
         let count = self.within as f64;
@@ -354,7 +354,7 @@ impl Around {
     }
 }
 
-/// The smallest of some lengths; infinite of none.
+/// The smallest of some lengths; infinite if there are none.
 fn smallest(lengths: &[f64]) -> f64 {
     lengths.iter().copied().fold(f64::INFINITY, f64::min)
 }
@@ -365,7 +365,7 @@ fn initial_gap_at(model: &Model, [x, y]: [f64; 2]) -> f64 {
     model.indenter.height(x, y) - profile[0]
 }
 
-/// The map of which the contact reaches the end: within an element of it.
+/// Returns the map whose end the contact reaches, to within an element.
 fn map_reached(model: &Model, grid: &Grid, pressure: &[f64]) -> Option<CutOff> {
     let (size, side) = (grid.size(), grid.element_side());
     let presses = |ends: &dyn Fn([f64; 2]) -> bool| {

@@ -4,18 +4,18 @@ use pellicle_texture::SpringLaw;
 
 use crate::vector::{add_scaled, update, update_with};
 
-/// The surface that a pressure deforms, and the gap that is left; N² values each.
+/// The surface deformed by a pressure, and the remaining gap; N² values each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DeformedSurface {
     /// Elastic displacement `u = K p` of each element's centre, in m, positive into the body.
     pub displacement: Vec<f64>,
-    /// Shortening `w*` of the relief, in m: `η p` (3.3) of linear springs.
+    /// Shortening `w*` of the relief, in m: `η p` (3.3) for linear springs.
     pub shortening: Vec<f64>,
     /// Gap `g = u + w* + g0 − D`, in m; +∞ where the indenter has no surface. Negative where the pressure is cut at a
     /// hardness.
     pub gap: Vec<f64>,
-    /// Plastic depth `max(0, −g)` where the pressure is at the hardness, in m, 0 elsewhere: what the elastic surface
-    /// lacks to lie under the indenter. Empty without a hardness.
+    /// Plastic depth `max(0, −g)` where the pressure is at the hardness, in m, 0 elsewhere: the depth by which the
+    /// elastic surface overlaps the indenter. Empty without a hardness.
     pub plastic_depth: Vec<f64>,
 }
 

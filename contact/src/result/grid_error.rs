@@ -1,27 +1,27 @@
-//! How far the grid can be trusted: the changes of each number from grid to grid, as an interval that contains the
-//! truth.
+//! The discretisation error of each number: an interval that contains the truth, from its changes between grids.
 //!
-//! A number with an error `c hᵒ` changes from one grid to the next, `r` times as fine, by `Δ`; the error of the finer
-//! is then `|Δ|/(rᵒ − 1)` (Richardson), and that of the finest grid `(h/h_l)ᵒ` of it. Every grid at hand so gives an
-//! estimate of the finest grid's error,
+//! Let a number with an error `c hᵒ` change by `Δ` from one grid to the next, `r` times as fine. The error on the finer
+//! grid is then `|Δ|/(rᵒ − 1)` (Richardson), and that on the finest grid is `(h/h_l)ᵒ` times as large. Every grid thus
+//! gives an estimate of the error on the finest grid,
 //!
 //! ```text
 //! e_l = |Δ_l|/(r_lᵒ − 1) (h/h_l)ᵒ,        ± = F max(e_L, 0.6 e_(L−1), 0.6² e_(L−2))
 //! ```
 //!
-//! and the largest of the last three counts, older ones for less: neither two grids that agree by luck nor a change of
-//! sign makes an error small. F is a safety factor, as in Roache's grid convergence index (J. Fluids Eng. 116, 1994,
-//! 405–413); the order is the slope of all changes together, kept within what theory allows. A grid meets the contact's
-//! edge by chance, so the errors scatter around every power law; factor, weights and bounds were calibrated so that the
-//! interval contains the truth as often as `docs/grid-error.md` states. `cargo run --release -p pellicle-tests --bin
-//! coverage` prints how often it does, and how much wider it is than the error.
+//! and the largest of the last three counts, older ones with less weight. Neither an accidental agreement of two grids
+//! nor a change of sign makes the error small. F is a safety factor, as in Roache's grid convergence index (J. Fluids
+//! Eng. 116, 1994, 405–413); the order is the common slope of all changes, kept within theoretical bounds. The position
+//! of the contact's edge within the grid is random, so the errors scatter around every power law. Factor, weights and
+//! bounds were calibrated so that the interval contains the truth as often as `docs/grid-error.md` states.
+//! `cargo run --release -p pellicle-tests --bin coverage` prints how often it does, and how much wider it is than the
+//! error.
 
 use serde::{Deserialize, Serialize};
 
 use crate::{PeakPlace, nan_from_null};
 
-/// The values on one grid level. What only the estimate of the error needs is not stored, and NaN, false or inside
-/// where values are read back.
+/// The values on one grid level. Values that only the error estimate needs are not stored; read back, they are NaN,
+/// false or inside.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct LevelValues {
     /// Elements per side.
@@ -35,7 +35,7 @@ pub struct LevelValues {
     /// Contact area, in m².
     #[serde(deserialize_with = "nan_from_null")]
     pub contact_area: f64,
-    /// By how much the area is uncertain because its edge is placed within an element, in m².
+    /// Uncertainty of the area from the position of its edge within an element, in m².
     #[serde(skip, default = "nan")]
     pub edge_uncertainty: f64,
     /// Largest pressure, in Pa.
@@ -56,35 +56,35 @@ fn nan() -> f64 {
 /// The error of one number on the finest grid.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ErrorEstimate {
-    /// Half the interval around the number that contains the truth, in the unit of the number itself.
+    /// Half-width of the interval around the number that contains the truth, in the unit of the number.
     #[serde(deserialize_with = "nan_from_null")]
     pub estimate: f64,
     /// Observed order of convergence in the element's side; none where the number does not change.
     pub order: Option<f64>,
-    /// Whether the changes shrink from level to level or are small, so that the estimate means something.
+    /// Whether the changes shrink from level to level or are small, so that the estimate is meaningful.
     pub resolved: bool,
 }
 
-/// The errors of a solution's numbers; none from one level.
+/// The errors of a solution's numbers; none with a single level.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct GridError {
-    /// Of the penetration, in m; 0 where it is prescribed.
+    /// Error of the penetration, in m; 0 where it is prescribed.
     pub penetration: Option<ErrorEstimate>,
-    /// Of the force, in N; 0 where it is prescribed. None in results stored before there was one.
+    /// Error of the force, in N; 0 where it is prescribed. None in results stored before this field existed.
     #[serde(default)]
     pub force: Option<ErrorEstimate>,
-    /// Of the contact area, in m².
+    /// Error of the contact area, in m².
     pub contact_area: Option<ErrorEstimate>,
-    /// Of the largest pressure, in Pa. Never resolved at an edge, where it grows with the grid.
+    /// Error of the largest pressure, in Pa. Never resolved at an edge, where it grows with the grid.
     pub max_pressure: Option<ErrorEstimate>,
     /// The values on each level, coarsest first.
     pub levels: Vec<LevelValues>,
 }
 
-/// The convergence that theory leads to expect.
+/// The convergence expected from theory.
 #[derive(Clone, Copy)]
 struct ExpectedConvergence {
-    /// The range in which an observed order is believed.
+    /// The range in which an observed order is accepted.
     lowest_order: f64,
     highest_order: f64,
     /// `F`.
@@ -103,7 +103,7 @@ const STAIRCASE: ExpectedConvergence = ExpectedConvergence {
     highest_order: 1.2,
     safety: 2.5,
 };
-/// The peak at an edge: the square root that a rigid edge has, which tends to nothing finite.
+/// The peak at an edge: the square-root singularity of a rigid edge, which has no finite limit.
 const EDGE: ExpectedConvergence = ExpectedConvergence {
     lowest_order: 0.5,
     highest_order: 0.5,
@@ -111,18 +111,18 @@ const EDGE: ExpectedConvergence = ExpectedConvergence {
 };
 /// Weight of a level's estimate relative to the next finer one's.
 const OLDER: f64 = 0.6;
-/// Estimates that count.
+/// Number of estimates that count.
 const ESTIMATES: usize = 3;
-/// Changes that the order is observed in.
+/// Number of changes from which the order is observed.
 const CHANGES: usize = 4;
-/// Below this part of the lowest order believed the changes do not shrink fast enough to call a number resolved …
+/// Below this part of the lowest accepted order the changes do not shrink fast enough to call a number resolved …
 const LOWEST_RESOLVED: f64 = 0.5;
-/// … unless its interval is no more than this part of it: small changes scatter, and need not shrink every time.
+/// … unless its interval is at most this part of the number: small changes scatter and need not always shrink.
 const NARROW: f64 = 0.05;
 
 impl GridError {
-    /// Estimates from the values on all levels, coarsest first; `accuracy` is the relative error that each value has
-    /// besides, of the solver's tolerance and of the coefficients.
+    /// Estimates the errors from the values on all levels, coarsest first. `accuracy` is the relative error of each
+    /// value from other causes: the solver's tolerance and the coefficients.
     #[must_use]
     pub fn new(levels: Vec<LevelValues>, accuracy: f64) -> Self {
         let [.., last] = levels.as_slice() else {
@@ -175,9 +175,9 @@ impl GridError {
 }
 
 impl ErrorEstimate {
-    /// The error of the last of the values on grids of so many elements per side, coarsest first; `accuracy` is the
-    /// relative error of each from other causes. None from one grid; never resolved at an edge, where values grow with
-    /// the grid.
+    /// Estimates the error of the last value. `values` are pairs of elements per side and value, coarsest grid first;
+    /// `accuracy` is the relative error of each value from other causes. None with a single grid; never resolved at an
+    /// edge, where values grow with the grid.
     pub(crate) fn of_values(
         values: &[(usize, f64)],
         meets_outline: bool,
@@ -206,13 +206,13 @@ impl ErrorEstimate {
 struct LevelChange {
     /// `|Δ|`.
     size: f64,
-    /// Elements per side of the finer.
+    /// Elements per side of the finer level.
     elements: f64,
-    /// By how much the finer is finer.
+    /// Ratio of the finer to the coarser elements per side.
     ratio: f64,
 }
 
-/// The estimate of one number from its values on grids of so many elements per side; none from a single one.
+/// Estimates the error of one number from pairs of elements per side and value; none with a single pair.
 fn estimate(values: &[(usize, f64)], convergence: ExpectedConvergence) -> Option<ErrorEstimate> {
     let (finest, last) = *values.last()?;
     let finest = finest as f64;
@@ -227,7 +227,7 @@ fn estimate(values: &[(usize, f64)], convergence: ExpectedConvergence) -> Option
     }
     let recent = &changes[changes.len().saturating_sub(CHANGES)..];
     if recent.iter().any(|change| !change.size.is_finite()) {
-        // A grid without a number says nothing of the others.
+        // Without a number on one grid there is no estimate.
         return None;
     }
     let observed = order(recent);
@@ -263,7 +263,7 @@ fn estimate(values: &[(usize, f64)], convergence: ExpectedConvergence) -> Option
     })
 }
 
-/// Minus the slope of ln |Δ| over ln N by least squares; none from fewer than two changes that are not 0.
+/// Minus the slope of ln |Δ| over ln N by least squares; none with fewer than two non-zero changes.
 fn order(changes: &[LevelChange]) -> Option<f64> {
     let points: Vec<[f64; 2]> = changes
         .iter()

@@ -2,23 +2,23 @@
 //!
 //! Inside smooth contact the paraboloid through the largest element and its eight neighbours has its vertex at the
 //! peak, `p = p₀ − ½ gᵀ H⁻¹ g` with the central differences `g` and `H`, to third order in the element's side. At an
-//! edge the element's own value is all there is, and where a hardness cuts the pressure the peak is the hardness.
+//! edge the peak is the element's own value; where a hardness cuts the pressure, it is the hardness.
 
 use pellicle_texture::Relief;
 
 use crate::{Indenter, Profile};
 use crate::{grid::window::Place, result::contact_field::ContactField};
 
-/// A peak within so many elements of an edge is the edge's.
+/// A peak within this many elements of an edge belongs to the edge.
 const ELEMENTS_FROM_EDGE: f64 = 2.0;
 
-/// A peak nearer to the axis than this part of an element is at it.
+/// A peak nearer to the axis than this part of an element lies on it.
 const AT_AXIS: f64 = 1e-6;
 
 /// The place of the largest pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PeakPlace {
-    /// Inside the contact, away from everything sharp.
+    /// Inside the contact, away from sharp features.
     #[default]
     Inside,
     /// The outline of the relief.
@@ -32,9 +32,9 @@ pub enum PeakPlace {
 /// The largest pressure.
 #[derive(Debug, Clone, Copy)]
 pub struct Peak {
-    /// In Pa.
+    /// Pressure, in Pa.
     pub pressure: f64,
-    /// In m.
+    /// Position, in m.
     pub at: [f64; 2],
     pub place: PeakPlace,
 }
@@ -67,7 +67,7 @@ impl Peak {
     }
 }
 
-/// Whether a point is at something sharp, by geometry alone, on a grid of elements of side `side` (m).
+/// Returns the sharp feature near a point, by geometry alone, on a grid of elements of side `side` (m).
 pub fn place_near(relief: &Relief, indenter: &Indenter, side: f64, point: [f64; 2]) -> PeakPlace {
     let is_near = |distance: f64| distance.abs() < ELEMENTS_FROM_EDGE * side;
     if relief.distance_to_outline(point).is_some_and(is_near) {
@@ -81,8 +81,8 @@ pub fn place_near(relief: &Relief, indenter: &Indenter, side: f64, point: [f64; 
     }
 }
 
-/// How much higher the vertex is than the middle, and where; none where a neighbour is not in contact, or the nine have
-/// no vertex within an element.
+/// Returns how much higher the vertex is than the middle, and where it lies; none if a neighbour is not in contact or
+/// no vertex lies within an element.
 fn vertex(around: &impl Fn(Place) -> f64) -> Option<(f64, [f64; 2])> {
     let mut least = f64::INFINITY;
     for i in -1..=1 {
@@ -106,7 +106,7 @@ fn vertex(around: &impl Fn(Place) -> f64) -> Option<(f64, [f64; 2])> {
         (hxy * gy - hyy * gx) / determinant,
         (hxy * gx - hxx * gy) / determinant,
     ];
-    // The largest of nine is no farther from the vertex of a peak than half an element, but for what is no paraboloid.
+    // The largest of nine lies within half an element of the vertex, except where the peak is not a paraboloid.
     let is_near = step.iter().all(|part| part.abs() <= 1.0);
     is_near.then(|| (0.5 * (gx * step[0] + gy * step[1]), step))
 }
@@ -174,7 +174,7 @@ mod tests {
             let apart = (found.at[0] - vertex[0]).hypot(found.at[1] - vertex[1]);
             assert!(apart < 1e-13, "{:?}", found.at);
             assert_eq!(found.place, PeakPlace::Inside);
-            // Exactly on the axis, if there but for rounding.
+            // Exactly on the axis, if the vertex lies there to rounding.
             assert_eq!(found.at[0] == 0.0, vertex[0] == 0.0);
         }
         let [x, y] = [0.5, -0.1];
@@ -188,7 +188,7 @@ mod tests {
         );
         let [x, y] = [x - 0.43, y + 0.17];
         assert!((found.pressure - (9.0 - 4.0 * x * x - 2.0 * x * y - 3.0 * y * y)).abs() < 1e-13);
-        // Cut, it is the hardness at an element; not cut at any, the vertex is no higher.
+        // If an element is cut, the peak is the hardness there; if none is, the vertex is no higher than the hardness.
         let cut = peak_of(ball.clone(), [0.23, -0.41], 8.0);
         assert_eq!(cut.pressure, 8.0);
         let below = peak_of(ball, [0.2, -0.4], 8.97);

@@ -4,16 +4,17 @@
 //! **Nominal area.** A periodic cell is in nominal contact all over. Where the surface ends, the nominal area is the
 //! convex hull of the elements in contact.
 //!
-//! **Area by the perimeter.** Elements of a boundary-element method are in contact wherever a part of them would be, so
-//! their number tells too large an area, by a part of the perimeter. Yastrebov, Anciaux and Molinari (2017) take off
+//! **Area by the perimeter.** An element of a boundary-element method is in contact wherever a part of it would be, so
+//! counting elements overestimates the area in proportion to the perimeter. Yastrebov, Anciaux and Molinari (2017)
+//! subtract this excess,
 //!
 //! ```text
 //! A = A_counted − (π − 1 + ln 2)/24 · S_d h,
 //! ```
 //!
-//! with `S_d` the length of all sides of elements in contact beside ones that are not, `h` the side of an element. The
-//! contact area of a [`Summary`](crate::Summary) places the edge within its element instead, by pressure and gap beside
-//! it; both are compared with refined grids in `tests/tests/convergence/rough.rs`.
+//! where `S_d` is the length of all sides between elements in contact and others, and `h` the side of an element. The
+//! contact area of a [`Summary`](crate::Summary) instead places the edge within its element, from the pressure and the
+//! gap beside it. Both are compared with refined grids in `tests/tests/convergence/rough.rs`.
 
 mod histogram;
 mod islands;
@@ -40,7 +41,7 @@ pub struct RoughContact {
     pub counted_area: f64,
     /// Length `S_d` of the sides between elements in contact and others, in m.
     pub perimeter: f64,
-    /// Counted area without the part of the perimeter, in m².
+    /// Counted area less the excess along the perimeter, in m².
     pub corrected_area: f64,
     /// Gap averaged over the nominal area, 0 where there is contact, in m.
     pub mean_gap: f64,
@@ -53,7 +54,7 @@ pub struct RoughContact {
 }
 
 impl RoughContact {
-    /// Of a contact between measured surfaces; none of others and without contact.
+    /// Evaluates a contact in which a measured map takes part; none for others or without contact.
     pub(crate) fn of(field: &ContactField<'_>) -> Option<Self> {
         if !is_rough(field.model) {
             return None;

@@ -1,11 +1,11 @@
-//! One load's solution with its numbers, and its status.
+//! The solution of one load with its numbers, and its status.
 
 use pellicle_texture::Grid;
 use serde::{Deserialize, Serialize};
 
 use crate::{GridError, RoughContact, Solution, Summary, Work, result::cut_off::CutOff};
 
-/// One load's solution. It is converged if its certificate is satisfied.
+/// The solution of one load. It is converged if its certificate is satisfied.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
     /// The pressure and its certificate.
@@ -14,18 +14,18 @@ pub struct Step {
     pub summary: Summary,
     /// The work.
     pub work: Work,
-    /// How far the grid can be trusted.
+    /// The discretisation error.
     pub grid_error: GridError,
-    /// Largest line of the certificate at each iteration on the finest grid, by the iteration's own residual.
+    /// Largest line of the certificate at each iteration on the finest grid, by the solver's running account.
     pub residuals: Vec<f64>,
-    /// Contact stiffness `dQ/dD`, in N/m; none without contact, or where it was not asked for or not found.
+    /// Contact stiffness `dQ/dD`, in N/m; none without contact, or if it was not requested or not found.
     pub contact_stiffness: Option<f64>,
-    /// Islands, gaps and pressures where a measured map takes part; none of others and without contact.
+    /// Islands, gaps and pressures if a measured map takes part; none otherwise or without contact.
     pub rough: Option<RoughContact>,
-    /// The limit that cuts the contact off, if any: then the step solves another problem than the one posed.
+    /// The limit that cuts off the contact, if any; the step then solves a different problem from the one posed.
     pub cut_off: Option<CutOff>,
     /// The pressures of the next coarser grids, coarsest first; empty unless
-    /// [asked for](crate::SolverOptions::coarse_pressures).
+    /// [requested](crate::SolverOptions::coarse_pressures).
     pub coarser: Vec<CoarsePressure>,
 }
 
@@ -52,14 +52,14 @@ impl Step {
     }
 }
 
-/// The use that a result may be put to, from good to bad.
+/// How a result may be used, from good to bad.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
     /// Its certificate is satisfied, and it solves the problem posed.
     #[default]
     Certified,
-    /// Its certificate is satisfied, but the contact would go on where the domain or a map ends: it solves another
+    /// Its certificate is satisfied, but the contact would continue beyond the domain or a map: it solves a different
     /// problem.
     CutOff,
     /// Its certificate is not satisfied.
@@ -67,7 +67,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// A word that does not change, for programs.
+    /// Returns a stable word for programs.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {

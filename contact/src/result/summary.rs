@@ -9,14 +9,14 @@ use crate::{
 };
 
 /// Largest and mean pressure, contact area and extent. An element is in contact where its pressure is positive; the
-/// contact's edge is placed within an element by pressure and gap beside it, and by geometry where the indenter ends or
-/// an outline of the relief bounds the contact.
+/// contact's edge is placed within an element from the pressure and the gap beside it, or from geometry where the
+/// indenter ends or an outline of the relief bounds the contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
     /// Largest pressure, in Pa: inside smooth contact the vertex of the paraboloid through the largest element and its
     /// neighbours, at an edge the largest element's.
     pub max_pressure: f64,
-    /// Where the pressure is largest, `[x, y]` in m; of several equal places the first.
+    /// Where the pressure is largest, `[x, y]` in m; the first of several equal places.
     pub max_pressure_at: [f64; 2],
     /// The place of the largest pressure.
     pub peak_place: PeakPlace,
@@ -24,7 +24,7 @@ pub struct Summary {
     pub mean_pressure: f64,
     /// True contact area, in m².
     pub contact_area: f64,
-    /// By how much the area is uncertain because its edge is placed within an element, in m².
+    /// Uncertainty of the area from the position of its edge within an element, in m².
     pub edge_uncertainty: f64,
     /// Whether the contact meets an outline of the relief or the indenter's rim, which elements follow as a staircase;
     /// or ends at a pressure that is cut at the hardness.
@@ -48,7 +48,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Summarises a solved contact of the force `force` (N).
+    /// Summarises a solved contact under the force `force` (N).
     pub(crate) fn of(field: &ContactField<'_>, force: f64) -> Self {
         let (window, grid) = (field.window, field.grid);
         let size = grid.size();
@@ -68,7 +68,7 @@ impl Summary {
                 }
                 found.shortening = found.shortening.max(law.shortening(compliance[column], *p));
             }
-            // Of one row, no element is nearer to an edge than the outermost two.
+            // In a row, no element is nearer to an edge than the outermost two.
             for (column, _) in [columns.next(), columns.next_back()].into_iter().flatten() {
                 found.reach_to(image(column), size);
             }
@@ -124,7 +124,7 @@ impl Summary {
     }
 }
 
-/// Counts over some elements.
+/// Counts and extremes over some elements.
 #[derive(Clone, Copy, Default)]
 struct Contact {
     /// The largest pressure and the first element that has it.
@@ -143,14 +143,14 @@ impl Contact {
         self.elements += 1;
     }
 
-    /// Counts an element's row and column of so many into the extent.
+    /// Updates the distance to the edge of the domain with an element's row and column, of `size` each.
     fn reach_to(&mut self, [row, column]: [usize; 2], size: usize) {
         let last = size - 1;
         let to_edge = row.min(column).min(last - row).min(last - column);
         self.to_edge = nearer(self.to_edge, Some(to_edge));
     }
 
-    /// Both.
+    /// Combines two parts.
     fn and(self, other: Self) -> Self {
         Self {
             largest: larger(self.largest, other.largest),
@@ -171,7 +171,7 @@ fn larger(one: (f64, usize), other: (f64, usize)) -> (f64, usize) {
     }
 }
 
-/// The smaller of two numbers that there may not be.
+/// The smaller of two optional numbers.
 fn nearer(one: Option<usize>, other: Option<usize>) -> Option<usize> {
     one.into_iter().chain(other).min()
 }
@@ -195,7 +195,7 @@ mod tests {
         let one = part(&[(5, 2.0), (3, 4.0), (8, 4.0)], Some([2, 6]));
         let other = part(&[(4, 4.0), (1, 3.0)], Some([8, 5]));
         for both in [one.and(other), other.and(one)] {
-            // Of equal pressures the first element's.
+            // Of equal pressures, that of the first element.
             assert_eq!((both.largest, both.elements), ((4.0, 3), 5));
             assert_eq!(both.to_edge, Some(1));
         }

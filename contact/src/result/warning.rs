@@ -17,18 +17,18 @@ pub enum Warning {
         /// Whole elements between the contact and the edge.
         elements: usize,
     },
-    /// The contact is cut off: it would go on where the domain or a map ends.
+    /// The contact is cut off: it would continue beyond the domain or a map.
     CutOff {
         /// Loading step, counted from 0.
         step: usize,
         /// The limit.
         by: CutOff,
     },
-    /// No contact of the path is more than a small part of the domain.
+    /// Every contact of the path is only a small part of the domain.
     DomainMuchLarger {
         /// Elements across the widest contact.
         elements: usize,
-        /// Its radius, in m: as found, or as estimated where it is too small for the grid to tell.
+        /// Its radius, in m: as found, or as estimated where it is too small for the grid.
         radius: f64,
         /// Side of the domain, in m.
         side: f64,
@@ -47,7 +47,7 @@ pub enum Warning {
         /// Elements per radius.
         elements_per_radius: f64,
     },
-    /// A layer much thinner than an element, whose own stiffness the grid cannot see.
+    /// A layer much thinner than an element, whose own stiffness the grid cannot resolve.
     LayerUnderResolved {
         /// Layer, counted from the surface, from 0.
         layer: usize,
@@ -61,12 +61,12 @@ pub enum Warning {
         /// Error wanted.
         wanted: f64,
     },
-    /// The largest pressure is not the continuum's: it sits at an edge, where it grows with the grid, or it still
+    /// The largest pressure is not that of the continuum: it is at an edge, where it grows with the grid, or it still
     /// changes.
     PeakNotResolved {
         /// Loading step, counted from 0.
         step: usize,
-        /// Relative change of the largest pressure from the grid before.
+        /// Relative change of the largest pressure from the previous grid.
         change: f64,
         /// The place of the largest pressure.
         place: PeakPlace,
@@ -90,7 +90,7 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// A short name that does not change, for programs.
+    /// Returns a short, stable name for programs.
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
@@ -107,7 +107,7 @@ impl Warning {
         }
     }
 
-    /// The loading step that it is about, counted from 0; none if it is about the whole path.
+    /// The loading step concerned, counted from 0; none if the warning concerns the whole path.
     #[must_use]
     pub fn step(&self) -> Option<usize> {
         match self {
@@ -131,7 +131,7 @@ fn counted(elements: usize) -> String {
     format!("{elements} element{ending}")
 }
 
-/// A number with so many decimals, or with two digits where it would be printed as zero: `0.4`, `3.2e-5`.
+/// Formats a number with `places` decimals, or with two digits if it would be printed as zero: `0.4`, `3.2e-5`.
 fn decimals(value: f64, places: i32) -> String {
     if value.abs() < 10_f64.powi(-places) {
         format!("{value:.1e}")

@@ -1,4 +1,4 @@
-//! The work that a solution took, counted in products with `K`.
+//! The work of a solution, counted in products with `K`.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,14 +9,15 @@ use crate::nan_from_null;
 pub struct Work {
     /// Iterations on the finest grid.
     pub iterations: usize,
-    /// Every product with `K` on the finest grid, the certificate's own included.
+    /// Products with `K` on the finest grid, including those of the certificate.
     ///
     /// A product on a window that holds the contact counts as one.
     pub operator_applications: usize,
-    /// Products on the finest grid for the contact stiffness, beside those for the solution; not stored.
+    /// Products on the finest grid for the contact stiffness, in addition to those for the solution; not stored.
     #[serde(skip)]
     pub stiffness_applications: usize,
-    /// Products among the candidates of a dilute contact on the finest grid, a small part of one each; not stored.
+    /// Products among the candidates of a dilute contact on the finest grid, each a small part of a full one; not
+    /// stored.
     #[serde(skip)]
     pub candidate_applications: usize,
     /// Wall-clock time of the step on all its grids, in s.

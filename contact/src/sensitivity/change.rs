@@ -1,4 +1,4 @@
-//! Derivatives of a model by one of its numbers: of coefficients, springs or heights, before any grid and on one.
+//! Derivatives of a model by its numbers: of coefficients, springs or heights, before a grid is chosen and on a grid.
 
 use std::sync::Arc;
 
@@ -13,24 +13,25 @@ use crate::{
     problem::model::initial_gap, vector::dot,
 };
 
-/// Relative step of the central difference by which springs and heights are differentiated: an error of 1e-10 by its
-/// square, and as much by rounding.
+/// Relative step of the central difference for springs and heights: its square gives an error of 1e-10, rounding as
+/// much.
 const STEP: f64 = 1e-5;
 
-/// Derivatives of a model by some of its numbers, with no grid yet.
+/// Derivatives of a model by some of its numbers, before a grid is chosen.
 #[derive(Debug, Clone)]
 pub struct ModelDerivatives {
     model: Model,
-    /// Each with its value.
+    /// Each number with its value.
     numbers: Vec<(ModelParameter, f64, Option<CoefficientDerivative>)>,
 }
 
 impl Model {
-    /// Its derivatives by `parameters`: radial tables for each number of the elastic bodies, which take as long
-    /// as some five loads on 64 × 64 elements.
+    /// Computes the derivatives by `parameters`. Each number of the elastic bodies needs radial tables, which take as
+    /// long as about five loads on 64 × 64 elements.
     ///
     /// # Errors
-    /// [`ContactError::NoParameter`] for a number that the model does not have; a number without values beside its own.
+    /// [`ContactError::NoParameter`] for a number that the model does not have; an error for a number without
+    /// neighbouring values.
     pub fn derivatives(
         &self,
         parameters: &[ModelParameter],
@@ -62,7 +63,7 @@ impl ModelDerivatives {
         &self.model
     }
 
-    /// Each number's value, and the derivatives by it on a grid.
+    /// Returns the value of each number, and the derivatives by it on a grid.
     pub(super) fn on(&self, grid: &Grid) -> Result<Vec<(f64, Change)>, ContactError> {
         let numbers = self.numbers.iter();
         let change = |(parameter, value, derivative): &(_, f64, Option<CoefficientDerivative>)| {
@@ -90,7 +91,7 @@ pub struct Changed {
 pub enum Change {
     /// `K_θ`.
     Coefficients(SurfaceElasticity),
-    /// Of the springs, and `g0_θ`, N² values.
+    /// Derivatives of the springs, and `g0_θ`, N² values.
     Geometry {
         springs: SpringChange,
         initial_gap: Vec<f64>,

@@ -2,14 +2,14 @@
 
 use super::spline::Spline;
 
-/// Exponent of the power of the force that is taken out before interpolating: that of the energy of a paraboloid on a
+/// Exponent of the power of the force that is divided out before interpolation: that of the energy of a paraboloid on a
 /// homogeneous body, `E ∝ Q^(5/3)`. The remainder changes slowly with `ln Q` under any indenter.
 const EXPONENT: f64 = 5.0 / 3.0;
 
 /// A function of the force `V(Q) = Q^(5/3) f(ln Q)` with a quintic spline `f` through given values.
 ///
-/// Of the energy `E` of a path it gives the penetration, `D = dE/dQ`, between loads and without the steps that elements
-/// make as they enter the contact; of `∂E/∂θ` it gives `∂D/∂θ`.
+/// From the energy `E` of a path it gives the penetration, `D = dE/dQ`, between loads and without the steps that occur
+/// as elements enter the contact. From `∂E/∂θ` it gives `∂D/∂θ`.
 ///
 /// Accuracy: 0.1 to 0.4 % of `∂D/∂θ` with 400 elements in contact and six loads a decade (`tests/sensitivities.rs`).
 ///
@@ -30,10 +30,10 @@ pub struct ForceCurve {
 }
 
 impl ForceCurve {
-    /// Points that a curve needs at least.
+    /// Smallest number of points for a curve.
     pub const FEWEST: usize = Spline::FEWEST;
 
-    /// The curve through values at forces (N), which are positive and ascend; none for fewer than six.
+    /// The curve through values at forces (N), which are positive and ascending; none for fewer than six.
     #[must_use]
     pub fn through(forces: &[f64], values: &[f64]) -> Option<Self> {
         let places: Vec<f64> = forces.iter().map(|force| force.ln()).collect();
@@ -95,7 +95,7 @@ mod tests {
                     curve.derivative(q) / first - 1.0,
                     curve.second_derivative(q) / second - 1.0,
                 ];
-                // An exponential of x/3 at places 0.38 apart; near an end a quintic leaves 0.13⁶/6! of it.
+                // An exponential of x/3 at places 0.38 apart; near an end a quintic has an error of 0.13⁶/6! of it.
                 for (error, bound) in errors.into_iter().zip([2e-7, 1e-6, 2e-5]) {
                     assert!(error.abs() < bound, "{power} {q}: {errors:?}");
                 }

@@ -1,11 +1,12 @@
-//! Null directions of contact curves: changes of a model that leave every penetration under every force.
+//! Null directions of contact curves: changes of a model that leave the penetration under every force unchanged.
 //!
 //! They follow from the equations, not from data:
 //!
 //! - **Materials**: see [`ElasticBodies::null_directions`](pellicle_influence::ElasticBodies::null_directions).
 //! - **Paraboloid**: with all lengths along the surface times b, `R → b² R`, `H → b H`, `E → E/b` and compliances of
-//!   springs times `b²`. **Sharp cone and pyramid**: their slope over b, `H → b H`, `E → E/b`, compliances times `b²`.
-//! - **Springs of a film**: `η = H_w/E_w` counts alone where their law is linear.
+//!   springs times `b²`. **Sharp cone and pyramid**: with their slope divided by b, `H → b H`, `E → E/b`, compliances
+//!   times `b²`.
+//! - **Springs of a film**: only `η = H_w/E_w` matters if their law is linear.
 
 use pellicle_texture::{Relief, ReliefParameter};
 
@@ -16,8 +17,8 @@ use crate::{Indenter, IndenterQuantity, Model};
 pub type ModelDirection = Vec<(ModelParameter, f64)>;
 
 impl Model {
-    /// Changes of the model that leave the penetration under every force, to first order; the directions are
-    /// independent of each other.
+    /// Returns the changes of the model that leave the penetration under every force unchanged, to first order; the
+    /// directions are linearly independent.
     #[must_use]
     pub fn null_directions(&self) -> Vec<ModelDirection> {
         let of_bodies = self.tables.bodies().null_directions().into_iter();
@@ -46,7 +47,7 @@ impl Model {
         ])
     }
 
-    /// Lengths along the surface in another scale; none where the indenter or the relief has one of its own.
+    /// A scaling of lengths along the surface; none if the indenter or the relief has a length scale of its own.
     fn gauge(&self) -> Option<ModelDirection> {
         let of_indenter = self.gauge_of_indenter()?;
         let of_relief = match &self.relief {
@@ -103,8 +104,8 @@ mod tests {
         }
     }
 
-    /// Of the direction that changes the indenter: the indenter's change, and those of the film's and of the body's
-    /// moduli as parts of them.
+    /// For the direction that changes the indenter: its change, and the relative changes of the film's and the body's
+    /// moduli.
     fn gauge(model: &Model) -> Option<[f64; 3]> {
         let directions = model.null_directions();
         let of_indenter = |direction: &&ModelDirection| {
@@ -140,12 +141,12 @@ mod tests {
         let step = 1e-6;
         let of_slope = (1.0 / (FRAC_PI_3 + step * change).tan() / slope).ln() / step;
         assert!((of_slope - modulus).abs() < 1e-5, "{of_slope} {modulus}");
-        // A film gives way by η = H/E, times b² as R.
+        // The compliance of a film, η = H/E, scales with b², as R does.
         let film = Film::new(0.01, 3.0).unwrap();
         let on_film = model(Relief::Film(film), Paraboloid::new(radius).unwrap());
         let [change, of_film, _] = gauge(&on_film).unwrap();
         assert!((of_film / 3.0 + change / radius).abs() < 1e-14);
-        // A length of its own leaves no scale.
+        // An indenter with a length scale of its own has no such direction.
         assert!(gauge(&model(Relief::Bare, FlatPunch::new(1.0).unwrap())).is_none());
         let berkovich = Pyramid::berkovich(0.01).unwrap();
         assert!(gauge(&model(Relief::Bare, berkovich)).is_none());

@@ -1,12 +1,12 @@
-//! The numbers of a model, one by one: read, or replaced by another.
+//! Reading and replacing single numbers of a model.
 
 use std::sync::Arc;
 
 use crate::{ContactError, Model, ModelParameter};
 
 impl Model {
-    /// All its numbers that a solution depends on smoothly: not the outline of a relief nor the radius of a flat punch,
-    /// which elements follow in steps.
+    /// All numbers of the model on which a solution depends smoothly. The outline of a relief and the radius of a flat
+    /// punch are excluded, since elements follow them in steps.
     #[must_use]
     pub fn parameters(&self) -> Vec<ModelParameter> {
         let elastic = self.tables.bodies().parameters();
@@ -18,7 +18,7 @@ impl Model {
         elastic.chain(relief).chain(indenter).collect()
     }
 
-    /// The value of a number, in SI units; none where the model has no such number.
+    /// The value of a number, in SI units; none if the model has no such number.
     #[must_use]
     pub fn parameter(&self, parameter: ModelParameter) -> Option<f64> {
         match parameter {
@@ -28,7 +28,7 @@ impl Model {
         }
     }
 
-    /// The same model with another value of one number; radial tables come from its cache, or are built anew.
+    /// The same model with another value of one number; radial tables come from the model's cache or are rebuilt.
     ///
     /// # Errors
     /// As [`Self::with_parameters`].
@@ -40,7 +40,7 @@ impl Model {
         self.with_parameters(&[(parameter, value)])
     }
 
-    /// The same model with other values of some numbers; radial tables come from its cache, or are built anew.
+    /// The same model with other values of some numbers; radial tables come from the model's cache or are rebuilt.
     ///
     /// # Errors
     /// A value that the body, the relief or the indenter cannot have; a body that the model does not have; radial

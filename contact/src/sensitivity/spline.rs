@@ -4,22 +4,22 @@
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spline {
     degree: usize,
-    /// One more than degree and coefficients together.
+    /// As many as degree plus coefficients plus one.
     knots: Vec<f64>,
     coefficients: Vec<f64>,
 }
 
-/// Degree of the splines that are made.
+/// Degree of interpolating splines.
 const DEGREE: usize = 5;
-/// Width of the band of their system.
+/// Bandwidth of their system.
 const WIDTH: usize = 2 * DEGREE + 1;
 
 impl Spline {
-    /// Points that a spline needs at least.
+    /// Smallest number of points for a spline.
     pub const FEWEST: usize = DEGREE + 1;
 
-    /// The quintic spline through the points, whose places ascend; its knots are the places but the second and third
-    /// and their like at the other end. None for fewer than six places, or places that do not ascend.
+    /// The quintic spline through points with ascending places. Its knots are the places except the second and third
+    /// from either end. None for fewer than six places, or places that do not ascend.
     pub fn through(places: &[f64], values: &[f64]) -> Option<Self> {
         let count = places.len();
         let ascends = places.windows(2).all(|pair| pair[0] < pair[1]);
@@ -38,8 +38,8 @@ impl Spline {
         Some(spline)
     }
 
-    /// Turns values at places into coefficients: elimination in a band, which needs no exchange of rows because the
-    /// matrix is totally positive.
+    /// Turns values at places into coefficients by banded elimination, which needs no pivoting because the matrix is
+    /// totally positive.
     fn interpolate(&mut self, places: &[f64]) {
         let count = places.len();
         // Row i holds B_j(x_i) for j = i − 5 … i + 5.
@@ -72,13 +72,13 @@ impl Spline {
         }
     }
 
-    /// The last knot that begins a piece with x, or the first or last piece outside.
+    /// The index of the knot that begins the piece with x; outside, that of the first or last piece.
     fn span(&self, x: f64) -> usize {
         let after = self.knots.partition_point(|knot| *knot <= x);
         after.clamp(self.degree + 1, self.coefficients.len()) - 1
     }
 
-    /// The splines of the piece that are not zero, from the first (Cox, de Boor).
+    /// The B-splines that are not zero on the piece, from the first (Cox, de Boor).
     fn basis(&self, span: usize, x: f64) -> [f64; DEGREE + 1] {
         let mut basis = [0.0; DEGREE + 1];
         basis[0] = 1.0;
@@ -95,7 +95,7 @@ impl Spline {
         basis
     }
 
-    /// The value at x; outside the points that of the outermost polynomial.
+    /// The value at x; outside the points, that of the outermost polynomial.
     pub fn value(&self, x: f64) -> f64 {
         let span = self.span(x);
         let basis = self.basis(span, x);
@@ -147,7 +147,7 @@ mod tests {
             let scale = values
                 .iter()
                 .fold(1.0, |most: f64, value| most.max(value.abs()));
-            // The outermost polynomials go on outside.
+            // The outermost polynomials continue outside.
             for i in -1..=51 {
                 let x = end * f64::from(i) / 50.0;
                 for (found, expected) in [
@@ -155,7 +155,7 @@ mod tests {
                     (first.value(x), slope(x)),
                     (second.value(x), bend(x)),
                 ] {
-                    // Rounding of the largest value, the system's condition of some 1e3 with it.
+                    // Rounding of the largest value, times the system's condition number of about 1e3.
                     assert!((found - expected).abs() < 1e-12 * scale, "{count} {x}");
                 }
             }

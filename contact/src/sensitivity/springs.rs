@@ -8,12 +8,12 @@ use crate::{grid::window::Window, vector::dot};
 pub enum SpringChange {
     /// `η_θ`.
     Linear(Vec<f64>),
-    /// Law and compliance at rest a step above and a step below.
+    /// Law and compliance at rest one step above and one step below θ.
     Stiffening([(SpringLaw, Vec<f64>); 2], f64),
 }
 
 impl SpringChange {
-    /// By springs a step above and below.
+    /// Forms the derivatives from springs one step above and one step below.
     pub fn of(more: (SpringLaw, Vec<f64>), less: (SpringLaw, Vec<f64>), step: f64) -> Self {
         if more.0.is_linear() {
             Self::Linear(difference(&more.1, &less.1, step))

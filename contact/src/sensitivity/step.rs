@@ -10,22 +10,21 @@ use crate::{
     vector::{dot, sum},
 };
 
-/// The answer of a step to one number θ of its model, per unit of θ.
+/// The derivatives of a step by one number θ of its model, per unit of θ.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Sensitivity {
     /// Value of θ, in SI units.
     pub value: f64,
     /// `∂E/∂θ` at constant force, in J per unit of θ; `E = ∫ D dQ`.
     pub energy: f64,
-    /// `∂D/∂θ` at constant force, in m per unit of θ; none without contact, or where the system for it does not
-    /// converge.
+    /// `∂D/∂θ` at constant force, in m per unit of θ; none without contact, or if its linear system does not converge.
     pub penetration: Option<f64>,
-    /// `∂Q/∂θ` at constant penetration, in N per unit of θ; none where [`Self::penetration`] is.
+    /// `∂Q/∂θ` at constant penetration, in N per unit of θ; none if [`Self::penetration`] is none.
     pub force: Option<f64>,
 }
 
-/// Derivatives of the steps of a path by some numbers of its model; what those change on the path's grid is computed
-/// once.
+/// Derivatives of the steps of a path by some numbers of its model; the derivatives of the model on the path's grid are
+/// computed once.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -61,12 +60,11 @@ pub struct Sensitivities<'a> {
 }
 
 impl ModelDerivatives {
-    /// The derivatives of the steps of `path`, which solved this model: their coefficients on its grid.
+    /// Computes on the grid of `path`, which solved this model, the coefficients for the derivatives of its steps.
     ///
     /// # Errors
-    /// [`ContactError::Periodic`] of a periodic cell, [`ContactError::WithHardness`] of a pressure that is cut;
-    /// coefficients that are not finite; as
-    /// [`Model::with_parameter`](crate::Model::with_parameter).
+    /// [`ContactError::Periodic`] for a periodic cell, [`ContactError::WithHardness`] for a path with a hardness; an
+    /// error for coefficients that are not finite; those of [`Model::with_parameter`](crate::Model::with_parameter).
     pub fn of_path<'a>(&self, path: &'a LoadingPath) -> Result<Sensitivities<'a>, ContactError> {
         if path.boundary == Boundary::Periodic {
             return Err(ContactError::Periodic {
@@ -87,8 +85,8 @@ impl ModelDerivatives {
 }
 
 impl Sensitivities<'_> {
-    /// The derivatives of a step, in the order of the parameters: one product with `K_θ` each, and one linear system on
-    /// the elements in contact for all of them.
+    /// Returns the derivatives of a step, in the order of the parameters. Each takes one product with `K_θ`; all share
+    /// one linear system on the elements in contact.
     ///
     /// # Panics
     /// If there is no such step.
@@ -118,7 +116,7 @@ impl Sensitivities<'_> {
         self.changes.iter().map(of_change).collect()
     }
 
-    /// `∂E/∂θ` of a step alone, in J per unit of each number: no linear system.
+    /// Returns only `∂E/∂θ` of a step, in J per unit of each number, without a linear system.
     ///
     /// # Panics
     /// If there is no such step.
@@ -132,8 +130,8 @@ impl Sensitivities<'_> {
         self.changes.iter().map(of_change).collect()
     }
 
-    /// The energy `E = ∫ D dQ` of a step, in J: `½ (D Q + A g0·p)`, since `(K + η) p + g0 = D` where p is not zero, and
-    /// `A Σ (∫ w* dp − ½ w* p)` of springs that are not linear.
+    /// The energy `E = ∫ D dQ` of a step, in J: `½ (D Q + A g0·p)`, since `(K + η) p + g0 = D` where p is not zero,
+    /// plus `A Σ (∫ w* dp − ½ w* p)` for non-linear springs.
     ///
     /// # Panics
     /// If there is no such step.

@@ -1,4 +1,4 @@
-//! Derivatives against those of scaling: a problem's response when all its moduli, or all its heights, are multiplied.
+//! Derivatives compared with scaling: a problem's response when all its moduli, or all its heights, are multiplied.
 //!
 //! On one grid with one set of elements in contact these hold to the tolerance of the solution, whatever the grid.
 
@@ -44,7 +44,7 @@ fn derivatives(
     let derivatives = model.derivatives(parameters).unwrap();
     let of_path = derivatives.of_path(path).unwrap();
     let found = of_path.at(0);
-    // The energies alone are the same numbers.
+    // The energies computed alone are the same numbers.
     let energies = of_path.energies(0);
     assert!(found.iter().map(|of| of.energy).eq(energies));
     (of_path.energy(0), found)
@@ -68,7 +68,7 @@ fn all_moduli_multiplied_multiply_the_force() {
     for relief in reliefs() {
         let model = model(relief.clone());
         let path = solved(&model);
-        // The body's is the first of all numbers.
+        // The body's modulus is the first of all numbers.
         let modulus = model.parameters()[0];
         let parameters = match relief {
             Relief::Bare => vec![modulus],
@@ -77,7 +77,7 @@ fn all_moduli_multiplied_multiply_the_force() {
         let (energy, found) = derivatives(&model, &path, &parameters);
         let step = &path.steps[0];
         let (depth, stiffness) = (step.solution.penetration, step.contact_stiffness.unwrap());
-        // Q(λE, D) = λ Q(E, D);  E(λQ, λE) = λ E(Q, E), of which ∂E/∂Q = D
+        // Q(λE, D) = λ Q(E, D); E(λQ, λE) = λ E(Q, E), where ∂E/∂Q = D
         let total =
             |of: fn(&Sensitivity) -> f64| found.iter().map(|s| s.value * of(s)).sum::<f64>();
         let force = total(|of| of.force.unwrap());
@@ -102,8 +102,8 @@ fn all_heights_multiplied_multiply_force_and_penetration() {
     for relief in reliefs() {
         let model = model(relief.clone());
         let path = solved(&model);
-        // The law of a film that stiffens knows p/E, so its modulus and its height are multiplied as well, which leaves
-        // a linear one what it is.
+        // The law of a stiffening film depends on p/E, so its modulus and its height are multiplied as well, which
+        // leaves a linear film unchanged.
         let parameters = match relief {
             Relief::Bare => vec![RADIUS],
             Relief::Film(film) if film.spring_law().is_linear() => vec![RADIUS],
@@ -112,7 +112,7 @@ fn all_heights_multiplied_multiply_force_and_penetration() {
         let (energy, found) = derivatives(&model, &path, &parameters);
         let step = &path.steps[0];
         let (depth, stiffness) = (step.solution.penetration, step.contact_stiffness.unwrap());
-        // Q(λD, R/λ) = λ Q(D, R), with h and E of a law to λ besides
+        // Q(λD, R/λ) = λ Q(D, R), with h and E of a law also scaled by λ
         let sign = |index: usize| if index == 0 { -1.0 } else { 1.0 };
         let total = |of: fn(&Sensitivity) -> f64| -> f64 {
             let terms = found.iter().enumerate();

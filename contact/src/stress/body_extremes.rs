@@ -9,7 +9,7 @@ use super::quantity::{OF_BODIES, OF_INTERFACES};
 use super::scan::Target;
 use crate::{Boundary, ContactError, LoadingPath};
 
-/// The largest ratios of stresses to the strengths of a body; none where no strength is given.
+/// The largest ratios of stresses to the strengths of a body; none if no strength is given.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct BodyUtilisation {
     /// Von Mises' stress to the yield strength.
@@ -36,7 +36,7 @@ pub struct BodyStress {
     pub utilisation: BodyUtilisation,
 }
 
-/// The largest ratios of tractions to the strengths of an interface; none where no strength is given.
+/// The largest ratios of tractions to the strengths of an interface; none if no strength is given.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct InterfaceUtilisation {
     /// Shear traction to the shear strength.
@@ -48,15 +48,15 @@ pub struct InterfaceUtilisation {
 /// The extremes of the tractions on one interface.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InterfaceStress {
-    /// Counted from 0 at the surface.
+    /// Index, counted from 0 at the surface.
     pub index: usize,
-    /// In m.
+    /// Depth, in m.
     pub depth: f64,
-    /// Of `τ = |(σ_xz, σ_yz)|`.
+    /// Largest `τ = |(σ_xz, σ_yz)|`.
     pub max_shear_traction: Extreme<2>,
-    /// Of `σ_zz`, 0 where nothing pulls.
+    /// Largest `σ_zz`, 0 without tension.
     pub max_tension: Extreme<2>,
-    /// Of `−σ_zz`.
+    /// Largest `−σ_zz`.
     pub max_compression: Extreme<2>,
     /// Ratios to the strengths given.
     pub utilisation: InterfaceUtilisation,
@@ -71,16 +71,16 @@ pub struct StressExtremes {
     pub interfaces: Vec<InterfaceStress>,
 }
 
-/// The extremes of the stresses in the bodies and on the interfaces under the pressure of a step.
+/// Finds the extremes of the stresses in the bodies and on the interfaces under the pressure of a step.
 ///
-/// Largest values are looked for on planes at depths that are denser near the surface and interfaces, then between the
+/// The search starts on planes at depths that are denser near the surface and interfaces, then proceeds between the
 /// planes and the element centres, to 1e-4. Within one element's side of the surface, where the stresses show the steps
-/// of the pressure, values under element centres alone count. Their estimates come from the pressures of the step's
+/// of the pressure, only values under element centres count. The error estimates come from the pressures of the step's
 /// [coarser grids](crate::SolverOptions::coarse_pressures).
 ///
 /// # Errors
-/// [`ContactError::Periodic`] of a periodic cell; a body or interface outside the foundation; amplitudes that the
-/// kernel cannot give.
+/// [`ContactError::Periodic`] for a periodic cell; an error for a body or interface outside the foundation, or for
+/// amplitudes that the kernel cannot compute.
 ///
 /// # Panics
 /// If the path has no such step.
@@ -219,7 +219,7 @@ mod tests {
         let [plane] = &found.interfaces[..] else {
             panic!("one plane")
         };
-        // Seven elements to the radius.
+        // Seven elements per radius.
         let near = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 0.04;
         assert!(near(body.max_von_mises.value, 0.62 * p0));
         assert!(near(body.max_shear.value, 0.31 * p0));

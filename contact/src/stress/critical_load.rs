@@ -1,4 +1,4 @@
-//! Critical loads: the smallest force at which a body yields or cracks, or an interface comes off.
+//! Critical loads: the smallest force at which a body yields or cracks, or an interface debonds.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,20 +13,20 @@ use crate::{ContactError, Domain, LoadingPath, Model, Observer, SolverOptions};
 /// The load at which one criterion is first met.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CriticalLoad {
-    /// How the coating fails.
+    /// The failure criterion.
     pub criterion: Criterion,
     /// The body or interface: `layer[0]`, `substrate`, `interface[0]`.
     pub name: String,
-    /// In Pa.
+    /// Strength, in Pa.
     pub strength: f64,
-    /// The smallest force at which the strength is reached, in N; none where it is not reached under the largest load,
-    /// or reached under the smallest load tried already.
+    /// The smallest force at which the strength is reached, in N; none if it is not reached under the largest load, or
+    /// already under the smallest load tried.
     pub force: Option<f64>,
-    /// The penetration under it, in m.
+    /// The penetration under this force, in m.
     pub penetration: Option<f64>,
-    /// Where, (x, y, z) in m.
+    /// The place of failure, (x, y, z) in m.
     pub at: Option<[f64; 3]>,
-    /// Half the interval around the force that contains the truth as far as the grid is concerned, in N.
+    /// Half-width of the interval around the force that contains the truth, for the error of the grid alone, in N.
     pub estimate: Option<f64>,
     /// Whether the stress settles as the grid is refined.
     pub resolved: bool,
@@ -34,7 +34,7 @@ pub struct CriticalLoad {
     pub utilisation: f64,
 }
 
-/// One criterion: the quantity, the depths that it is looked for in, and its extremes under the loads of the path.
+/// One criterion: the quantity, its depth range, and its extremes under the loads of the path.
 struct Asked {
     criterion: Criterion,
     name: String,
@@ -43,20 +43,17 @@ struct Asked {
     known: Vec<Extreme<3>>,
 }
 
-/// The critical load of every strength given, up to the largest load of a solved path, whose steps have these
-/// extremes.
+/// Finds the critical load of every strength given, up to the largest load of a solved path with these extremes.
 ///
-/// A stress may first grow and then fall with the load. Where it reaches its strength under no load of the path but
-/// comes near, loads around the largest are tried.
+/// A stress may first grow and then fall with the load. If it comes near its strength but reaches it under no load of
+/// the path, loads around the one with the largest stress are tried.
 ///
 /// # Errors
-/// [`ContactError::WithHardness`] where the pressure is cut; as [`solve_path`](crate::solve_path) and
-/// [`stress_extremes`](super::body_extremes::stress_extremes);
-/// [`ContactError::Cancelled`] by the
-/// observer.
+/// [`ContactError::WithHardness`] with a hardness; those of [`solve_path`](crate::solve_path) and
+/// [`stress_extremes`](super::body_extremes::stress_extremes); [`ContactError::Cancelled`] if the observer cancels.
 ///
 /// # Panics
-/// If a step has no extremes, or those of another model of stress.
+/// If a step has no extremes, or extremes of another stress model.
 pub fn critical_loads(
     model: &Model,
     path: &LoadingPath,
@@ -105,7 +102,7 @@ pub fn critical_loads(
     Ok(found)
 }
 
-/// The criteria that strengths ask for.
+/// Collects the criteria for which strengths are given.
 fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
     let mut asked = Vec::new();
     let mut ask = |criterion, name: &str, strength: Option<f64>, [top, bottom]: [f64; 2], known| {
@@ -180,7 +177,7 @@ fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
 }
 
 impl Asked {
-    /// The critical load that a search ended with.
+    /// Turns the result of a search into a critical load.
     fn answered(self, outcome: &LoadSearchResult) -> CriticalLoad {
         let (met, last) = match outcome {
             LoadSearchResult::Met { solved, exponent } => (Some((solved, exponent)), Some(solved)),

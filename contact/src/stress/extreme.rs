@@ -7,20 +7,20 @@ use crate::nan_from_null;
 /// An extreme of a stress: at a point (x, y, z) of a body, or (x, y) of an interface.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Extreme<const AXES: usize> {
-    /// In Pa.
+    /// Value, in Pa.
     #[serde(deserialize_with = "nan_from_null")]
     pub value: f64,
-    /// In m.
+    /// Place, in m.
     #[serde(with = "point")]
     pub at: [f64; AXES],
-    /// Whether it settles as the grid is refined.
+    /// Whether the value settles as the grid is refined.
     pub resolved: bool,
-    /// Half the interval around the value that contains the truth, in Pa; none from one grid.
+    /// Half-width of the interval around the value that contains the truth, in Pa; none with a single grid.
     pub estimate: Option<f64>,
 }
 
 impl Extreme<2> {
-    /// The extreme of an interface at this depth (m) as one in space.
+    /// Places the extreme of an interface at a depth (m) in space.
     pub(super) fn at_depth(self, depth: f64) -> Extreme<3> {
         let Self {
             value,
@@ -37,7 +37,7 @@ impl Extreme<2> {
     }
 }
 
-/// Points as lists: serde knows no arrays of any length.
+/// Points as lists: serde does not support arrays of generic length.
 mod point {
     use serde::de::{Deserialize, Deserializer, Error};
     use serde::ser::{SerializeSeq, Serializer};

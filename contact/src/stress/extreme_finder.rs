@@ -9,17 +9,17 @@ use super::scan::{Candidate, Target, candidates, is_nearly};
 use crate::result::peak::place_near;
 use crate::{ContactError, ErrorEstimate, LoadingPath, PeakPlace, Step};
 
-/// Peaks of one quantity that are followed, at most.
+/// Largest number of peaks followed for one quantity.
 const PEAKS: usize = 4;
-/// Peaks alike to this are one and its mirror images.
+/// Peaks that agree to this relative difference are mirror images of one peak.
 const ALIKE: f64 = 1e-9;
 /// Peaks below this part of the largest under the element centres cannot be the largest between them.
 const NEARLY_AT_CENTRES: f64 = 0.99;
-/// An extreme within so many elements of the surface and of something sharp grows with the grid.
+/// An extreme within this many elements of the surface and near something sharp grows with the grid.
 const ELEMENTS_FROM_SURFACE: f64 = 2.0;
-/// Part of an element within which a place is on an axis.
+/// Part of an element within which a place counts as on an axis.
 const ON_AXIS: f64 = 1e-3;
-/// By how much the depth of an extreme may differ on a coarser grid.
+/// Factor by which the depth of an extreme may differ on a coarser grid.
 const DEPTH_RATIO: f64 = 1.4;
 
 /// The search for the extremes under one step of a path.
@@ -46,7 +46,7 @@ impl<'a> ExtremeFinder<'a> {
         }
     }
 
-    /// The largest values of the quantities of each target.
+    /// Finds the largest values of the quantities of each target.
     pub fn find(&self, targets: &[Target]) -> Result<Vec<Vec<Extreme<3>>>, ContactError> {
         if self.field.loaded().size == 0 {
             let unloaded = |target: &Target| {
@@ -75,7 +75,7 @@ impl<'a> ExtremeFinder<'a> {
         targets.iter().enumerate().map(of_target).collect()
     }
 
-    /// The extreme among candidates, largest first.
+    /// Finds the extreme among candidates, which are sorted by falling value.
     fn extreme(
         &self,
         target: &Target,
@@ -135,7 +135,7 @@ impl<'a> ExtremeFinder<'a> {
         Ok(self.judged(best, &values))
     }
 
-    /// The extreme with its error, from its values on grids of so many elements.
+    /// Returns the extreme with its error, from pairs of elements per side and value.
     fn judged(&self, peak: StressPeak, values: &[(usize, f64)]) -> Extreme<3> {
         let Self { path, step, .. } = self;
         let [x, y, z] = peak.at;
@@ -149,7 +149,7 @@ impl<'a> ExtremeFinder<'a> {
             .any(|level| level.meets_outline);
         let accuracy = step.solution.certificate.worst() + path.tables.error_estimate();
         let error = ErrorEstimate::of_values(values, meets_outline, is_at_edge, accuracy);
-        // Nearer to the axis than rounding tells, it is on it.
+        // A peak nearer to the axis than rounding resolves lies on it.
         let snapped = |along: f64| {
             if along.abs() < ON_AXIS * side {
                 0.0
@@ -166,7 +166,7 @@ impl<'a> ExtremeFinder<'a> {
     }
 }
 
-/// The same peak on a coarser grid.
+/// Returns the value of the same peak on a coarser grid.
 fn coarse_value(
     field: &StressField,
     quantity: StressQuantity,
@@ -185,7 +185,7 @@ fn coarse_value(
         .value)
 }
 
-/// Of candidates, largest first, those that come near the largest and do not belong to the peak of a larger one.
+/// Selects the candidates, sorted by falling value, that come near the largest and belong to no larger one's peak.
 fn distinct(candidates: &[Candidate], depths: &[f64], element: f64) -> Vec<Candidate> {
     let mut kept: Vec<Candidate> = Vec::new();
     for candidate in candidates {
@@ -232,7 +232,7 @@ mod tests {
             kept.iter().map(|kept| kept.value).collect::<Vec<_>>()
         };
         let first = (10.0, [0.0; 2], 1);
-        // At the depth beside it within an element, and within half the depth; farther; at its own depth; two away.
+        // At the next depth within an element, and within half the depth; farther; at the same depth; two depths away.
         assert_eq!(kept(&[first, (9.9, [0.06, 0.06], 0)]), [10.0]);
         assert_eq!(kept(&[first, (9.9, [0.1, 0.15], 2)]), [10.0]);
         assert_eq!(kept(&[first, (9.9, [0.08, 0.08], 0)]), [10.0, 9.9]);
@@ -275,12 +275,12 @@ mod tests {
             let state = field.at([0.0; 2], Depth::below(z)).unwrap();
             -state.stress[2]
         };
-        // The compression falls with depth. At an end of the range it is that of the end; within, a bracket of a factor
-        // of 1.4 around the depth holds a larger one.
+        // The compression falls with depth. At an end of the range the value is that of the end; inside, a bracket of a
+        // factor of 1.4 around the depth holds a larger one.
         for end in [0.8, 2.0] {
             assert!((value([0.8, 2.0], end) / there(end) - 1.0).abs() < 1e-9);
         }
-        // The peak is interpolated up to an eighth of the bracket beyond it.
+        // The peak is interpolated up to an eighth of the bracket beyond the bracket.
         let top = 0.8 / DEPTH_RATIO;
         let beyond = top - 0.125 * (0.8 * DEPTH_RATIO - top);
         let found = value([0.3, 2.0], 0.8);
@@ -341,7 +341,7 @@ mod tests {
             (found[1][0], 0.8, depth),
             (found[2][0], 0.5, a),
         ] {
-            // Ten elements to the radius.
+            // Ten elements per radius.
             assert!(
                 (extreme.value / p0 / wanted - 1.0).abs() < 0.02,
                 "{extreme:?}"

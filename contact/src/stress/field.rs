@@ -22,16 +22,16 @@ pub struct StressField {
 /// The smallest square of a grid's elements that holds all pressures.
 #[derive(Debug, Clone)]
 pub(super) struct LoadedSquare {
-    /// Its first element on the grid.
+    /// First element of the square on the grid.
     pub origin: [usize; 2],
     /// Elements along a side.
     pub size: usize,
-    /// Row after row, in Pa.
+    /// Pressures row by row, in Pa.
     pub pressure: Vec<f64>,
 }
 
 impl StressField {
-    /// The field of a step of a path; none where there is no such step, or the path is that of a periodic cell.
+    /// The field of a step of a path; none if there is no such step or the path is that of a periodic cell.
     #[must_use]
     pub fn new(path: &LoadingPath, step: usize, sliding: Sliding) -> Option<Self> {
         let pressure = &path.steps.get(step)?.solution.pressure;
@@ -39,10 +39,10 @@ impl StressField {
             .then(|| Self::of(path.tables.clone(), path.grid, pressure, sliding))
     }
 
-    /// The field of the pressures on the elements of a grid, row after row, in Pa.
+    /// The field of the pressures on the elements of a grid, row by row, in Pa.
     ///
     /// # Panics
-    /// If there is not one pressure for each element.
+    /// If the number of pressures differs from that of the elements.
     #[must_use]
     pub fn of(tables: Arc<RadialTables>, grid: Grid, pressure: &[f64], sliding: Sliding) -> Self {
         assert_eq!(pressure.len(), grid.len(), "one pressure an element");
@@ -76,7 +76,7 @@ impl StressField {
     /// field at that depth.
     ///
     /// `u_x` and `u_y` are NaN under sliding where they are unbounded, above a frictionless interface. On the surface
-    /// itself some stresses jump or are unbounded at the borders of elements, and are ±∞ or NaN there.
+    /// itself some stresses jump or are unbounded at the borders of elements; they are ±∞ or NaN there.
     ///
     /// # Errors
     /// As [`ElementFields::new`].
@@ -85,7 +85,7 @@ impl StressField {
         Ok(states[0])
     }
 
-    /// The states at several points of one depth.
+    /// The states at several points at one depth.
     ///
     /// # Errors
     /// As [`ElementFields::new`].
@@ -105,14 +105,14 @@ impl StressField {
             .collect())
     }
 
-    /// Planes under the elements within a square of side `extent` (m) about the axis, at most the grid's.
+    /// Planes under the elements within a square of side `extent` (m) about the axis, limited to the grid.
     #[must_use]
     pub fn planes(&self, extent: f64) -> StressPlanes {
         let size = self.grid.size();
         let within = |i: &usize| self.grid.centre(*i).abs() <= extent / 2.0;
         let first = (0..size).find(within).unwrap_or(size / 2);
         let count = (first..size).take_while(within).count().max(1);
-        // Where nothing is loaded, an element without pressure stands for the square.
+        // Without a load, an element without pressure stands for the square.
         let unloaded = LoadedSquare {
             origin: [first; 2],
             size: 1,
@@ -181,7 +181,7 @@ impl LoadedSquare {
             .map(|axis| high[axis].saturating_sub(low[axis]))
             .max();
         let longest = longest.unwrap_or(0);
-        // The shorter direction is filled up, within the grid.
+        // The shorter side is extended to the longer one, within the grid.
         let origin = low.map(|low| low.min(size - longest));
         let rows = (origin[0]..origin[0] + longest).flat_map(|i| {
             let start = i * size + origin[1];
@@ -198,7 +198,7 @@ impl LoadedSquare {
 /// The fields on planes below a square of elements.
 pub struct StressPlanes {
     fields: PlaneFields,
-    /// Elements along a side of the square that is computed, and those of them before the first that is shown.
+    /// Elements along a side of the computed square, and the number of them before the first that is shown.
     computed: usize,
     before: usize,
     centres: Vec<f64>,
@@ -213,8 +213,7 @@ impl StressPlanes {
     }
 
     /// Calls `take` with the number of each of the nine fields, in the order of [`SubsurfaceState`], and its values on
-    /// the plane at a depth, row after row along x, displacements in m and stresses in Pa; NaN where they are
-    /// unbounded.
+    /// the plane at a depth, row by row along x. Displacements are in m, stresses in Pa; unbounded ones are NaN.
     ///
     /// # Errors
     /// As [`ElementFields::new`].
@@ -250,7 +249,7 @@ mod tests {
 
     use super::*;
 
-    /// A unit square of 5 × 5 elements, pressed on these.
+    /// A unit square of 5 × 5 elements with these pressures.
     fn pressed(on: &[([usize; 2], f64)]) -> StressField {
         let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
         let mut pressure = vec![0.0; 25];

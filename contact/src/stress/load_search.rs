@@ -1,7 +1,7 @@
 //! The search for the smallest force at which one stress reaches a strength.
 //!
-//! A stress grows about as a power of the load, so that the secant between two solved loads in logarithms meets a
-//! strength in a few steps; each is a contact solved on its own grids, and its stresses searched.
+//! A stress grows roughly as a power of the load, so the secant between two solved loads in logarithms finds a strength
+//! in a few steps. Each step solves a contact on its own grids and searches its stresses.
 
 use super::extreme::Extreme;
 use super::extreme_finder::ExtremeFinder;
@@ -11,27 +11,27 @@ use crate::{ContactError, Domain, Load, Model, Observer, SolverOptions, choose_s
 
 /// Relative accuracy of a critical load.
 const ACCURACY: f64 = 5e-5;
-/// Loads solved for one criterion, at most.
+/// Largest number of loads solved for one criterion.
 const MOST_SOLVED: usize = 24;
-/// Of these, as many by secants before the bracket is halved.
+/// Number of these found by secants before the bracket is halved.
 const MOST_SECANTS: usize = 8;
-/// Factor between loads below the smallest of the path, and how many of them are tried.
+/// Factor between loads below the smallest of the path, and how many are tried at most.
 const SMALLER: f64 = 0.25;
 const MOST_SMALLER: usize = 8;
-/// Where so much of a strength is reached at most, other loads may reach it; how many of them are tried.
+/// If the largest stress is at least this part of a strength, other loads may reach it; how many are tried at most.
 const NEARLY: f64 = 0.7;
 const MOST_PROBES: usize = 8;
-/// Loads apart by less than this in their logarithms are alike at a peak of the stress.
+/// Loads whose logarithms differ by less than this are equivalent at a peak of the stress.
 const FLAT: f64 = 0.1;
-/// A bracket this narrow is searched on one domain, so that no change of grid blurs the search.
+/// A bracket this narrow is searched on one domain, so that changes of the grid do not blur the search.
 const NARROW: f64 = 1.5;
 
 /// The extreme under a load.
 #[derive(Clone, Copy)]
 pub struct Solved {
-    /// In N.
+    /// Force, in N.
     pub force: f64,
-    /// In m.
+    /// Penetration, in m.
     pub penetration: f64,
     pub extreme: Extreme<3>,
 }
@@ -40,11 +40,11 @@ pub struct Solved {
 pub enum LoadSearchResult {
     /// The strength is met; the stress grows as the force to the power `exponent`.
     Met { solved: Solved, exponent: f64 },
-    /// It is met under no load, or under all; with the load that comes nearest.
+    /// The strength is met under no load, or under all loads; holds the load that comes nearest.
     Missed(Option<Solved>),
 }
 
-/// The loads solved so far for one criterion, and how to solve another.
+/// The loads solved so far for one criterion, and the means to solve another.
 pub struct LoadSearch<'a> {
     pub model: &'a Model,
     pub domain: Domain,
@@ -52,9 +52,9 @@ pub struct LoadSearch<'a> {
     pub options: SolverOptions,
     pub sliding: Sliding,
     pub target: &'a Target,
-    /// In Pa.
+    /// Strength, in Pa.
     pub strength: f64,
-    /// By rising force.
+    /// Solved loads, sorted by rising force.
     pub solved: Vec<Solved>,
     pub observer: &'a mut dyn Observer,
 }
@@ -101,7 +101,7 @@ impl LoadSearch<'_> {
             exponent = self.exponent(&solved, &latest).or(exponent);
             if let Some(exponent) = exponent {
                 let is_near = (utilisation.ln() / exponent).abs() <= ACCURACY;
-                // A stress that jumps with the load is bracketed.
+                // A stress that jumps with the load is only bracketed.
                 if is_near || (high / low).ln() <= ACCURACY {
                     return Ok(LoadSearchResult::Met { solved, exponent });
                 }
@@ -116,7 +116,7 @@ impl LoadSearch<'_> {
         Ok(LoadSearchResult::Missed(Some(upper)))
     }
 
-    /// The smallest load solved under which the strength is reached.
+    /// The smallest solved load under which the strength is reached.
     fn first_reached(&self) -> Option<Solved> {
         let mut solved = self.solved.iter();
         solved
@@ -124,8 +124,8 @@ impl LoadSearch<'_> {
             .copied()
     }
 
-    /// A load under which the strength is reached though it is not under those solved so far: a stiff coating that
-    /// takes the indenter's shape is bent no further, and under more load its stress falls.
+    /// Searches for a load under which the strength is reached although no load solved so far reaches it: a stiff
+    /// coating that has taken the indenter's shape bends no further, and under more load its stress falls.
     fn reached_between(&mut self) -> Result<Option<Solved>, ContactError> {
         let nearly = self
             .largest()
@@ -139,7 +139,7 @@ impl LoadSearch<'_> {
             self.first_after(best.force),
         ];
         for trial in 0..MOST_PROBES {
-            // In turn below the best and above it; the stress at a peak is flat.
+            // Alternately below and above the best; the stress is flat at a peak.
             let side = trial % 2;
             if (ends[side] / best.force).ln().abs() <= FLAT {
                 continue;
@@ -152,7 +152,7 @@ impl LoadSearch<'_> {
                 ends[1 - side] = best.force;
                 best = solved;
             } else if best.force >= ends[1] {
-                // It grows up to the largest load.
+                // The stress grows up to the largest load.
                 break;
             } else {
                 ends[side] = solved.force;
@@ -161,20 +161,20 @@ impl LoadSearch<'_> {
         Ok(None)
     }
 
-    /// The load solved with the largest stress.
+    /// The solved load with the largest stress.
     fn largest(&self) -> Option<&Solved> {
         let solved = self.solved.iter();
         solved.max_by(|one, other| self.utilisation(one).total_cmp(&self.utilisation(other)))
     }
 
-    /// The smallest force solved above another, or that one.
+    /// The smallest solved force above `force`, or `force` itself.
     fn first_after(&self, force: f64) -> f64 {
         let mut solved = self.solved.iter();
         let after = solved.find(|solved| solved.force > force);
         after.map_or(force, |solved| solved.force)
     }
 
-    /// The largest load solved below another.
+    /// The largest solved load below `force`.
     fn last_before(&self, force: f64) -> Option<Solved> {
         let is_before = |solved: &&Solved| solved.force < force && solved.force > 0.0;
         self.solved.iter().rfind(is_before).copied()
@@ -190,7 +190,7 @@ impl LoadSearch<'_> {
         }
     }
 
-    /// `n` of a utilisation that grows as `forceⁿ` between two loads; none where it does not grow.
+    /// `n` of a utilisation that grows as `forceⁿ` between two loads; none if it does not grow.
     fn exponent(&self, one: &Solved, other: &Solved) -> Option<f64> {
         let [first, second] = [one, other].map(|solved| self.utilisation(solved).ln());
         let exponent = (second - first) / (other.force / one.force).ln();
@@ -201,7 +201,7 @@ impl LoadSearch<'_> {
         solved.extreme.value.max(0.0) / self.strength
     }
 
-    /// One domain for loads up to this one: as given, or chosen for it.
+    /// One domain for loads up to `force`: the given one, or one chosen for this force.
     fn domain_for(&self, force: f64) -> Result<Domain, ContactError> {
         if let Domain::Side(_) | Domain::Periodic(_) = self.domain {
             return Ok(self.domain);

@@ -21,25 +21,25 @@ impl Sliding {
     }
 }
 
-/// Strengths of a body, in Pa; none where no critical load is asked for.
+/// Strengths of a body, in Pa; none if no critical load is wanted.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct BodyStrengths {
-    /// Von Mises' stress at which it yields.
+    /// Von Mises' stress at which the body yields.
     pub yield_strength: Option<f64>,
-    /// Largest principal stress that it bears.
+    /// Largest principal stress that the body bears.
     pub tensile_strength: Option<f64>,
 }
 
-/// Strengths of an interface, in Pa; none where no critical load is asked for.
+/// Strengths of an interface, in Pa; none if no critical load is wanted.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct InterfaceStrengths {
-    /// Shear traction at which it comes off.
+    /// Shear traction at which the interface debonds.
     pub shear_strength: Option<f64>,
-    /// Tension at which it comes off.
+    /// Tension at which the interface debonds.
     pub tensile_strength: Option<f64>,
 }
 
-/// A layer or the substrate: one or more layers of a foundation, a graded layer's for one.
+/// A layer or the substrate: one or more layers of a foundation (a graded layer has several).
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyPart {
     /// Its name in results, such as `layer[0]` or `substrate`.
@@ -55,7 +55,7 @@ pub struct BodyPart {
 /// The interface between two of the bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InterfacePart {
-    /// Counted from 0 at the surface.
+    /// Index, counted from 0 at the surface.
     pub index: usize,
     /// Depth, m.
     pub depth: f64,
@@ -63,14 +63,14 @@ pub struct InterfacePart {
     pub strengths: InterfaceStrengths,
 }
 
-/// The stresses asked for.
+/// The stresses to compute.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct StressModel {
     /// Sliding of the indenter.
     pub sliding: Sliding,
-    /// From the surface down; no rigid base among them.
+    /// Bodies from the surface down, without a rigid base.
     pub bodies: Vec<BodyPart>,
-    /// From the surface down; one with a rigid base included.
+    /// Interfaces from the surface down, including one with a rigid base.
     pub interfaces: Vec<InterfacePart>,
 }
 

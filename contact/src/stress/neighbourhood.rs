@@ -1,4 +1,4 @@
-//! Stresses around an element centre, interpolated from those under the centres next to it at up to three depths.
+//! Stresses around an element centre, interpolated from those under the neighbouring centres at up to three depths.
 
 use nalgebra::{Matrix3, Vector3};
 use pellicle_influence::SubsurfaceState;
@@ -6,7 +6,7 @@ use pellicle_influence::SubsurfaceState;
 /// Centres along a side, at whole offsets from −2 to 2 elements.
 const SIDE: usize = 5;
 const CENTRES: usize = SIDE * SIDE;
-/// Sides of the stencil of a quadratic, in elements and in distances of the depths, and of the smallest one.
+/// Side of the first stencil of a quadratic, in elements and in distances between the depths, and of the smallest one.
 const STENCIL: f64 = 0.25;
 const SMALLEST: f64 = 0.01;
 /// Farthest offset from the middle, in elements.
@@ -15,12 +15,12 @@ const FARTHEST: f64 = 1.0;
 /// The stresses around a centre.
 pub struct Neighbourhood {
     depths: Vec<f64>,
-    /// At each depth, row after row.
+    /// States at each depth, row by row.
     states: Vec<[SubsurfaceState; CENTRES]>,
 }
 
 impl Neighbourhood {
-    /// Room for the stresses at one depth or at three, evenly apart.
+    /// An empty neighbourhood at one depth or at three evenly spaced ones.
     pub fn new(depths: Vec<f64>) -> Self {
         Self {
             depths,
@@ -32,7 +32,7 @@ impl Neighbourhood {
         &self.depths
     }
 
-    /// The elements whose stresses are needed around one.
+    /// The elements whose stresses are needed around an element.
     pub fn places([i, j]: [isize; 2]) -> [[isize; 2]; CENTRES] {
         let reach = (SIDE / 2).cast_signed();
         std::array::from_fn(|index| {
@@ -41,12 +41,12 @@ impl Neighbourhood {
         })
     }
 
-    /// Takes the stresses at the next depth.
+    /// Adds the stresses at the next depth.
     pub fn take(&mut self, states: &[SubsurfaceState; CENTRES]) {
         self.states.push(*states);
     }
 
-    /// The place (x and y in elements from the middle, z in m) near `start` where a quantity is largest.
+    /// Finds the place (x and y in elements from the middle, z in m) near `start` where a quantity is largest.
     pub fn largest(&self, start: [f64; 3], quantity: impl Fn(&SubsurfaceState) -> f64) -> [f64; 3] {
         let [low, high] = [self.depths[0], self.depths[self.depths.len() - 1]];
         let value = |at: [f64; 3]| quantity(&self.state(at));
@@ -103,7 +103,7 @@ impl Neighbourhood {
     }
 }
 
-/// The weights of values at some nodes in the polynomial through them.
+/// The weights at `x` of the values at some nodes, in the polynomial through them.
 fn lagrange(nodes: &[f64], x: f64) -> Vec<f64> {
     let weight = |j: usize| {
         let others = nodes.iter().enumerate().filter(|(m, _)| *m != j);
@@ -114,7 +114,7 @@ fn lagrange(nodes: &[f64], x: f64) -> Vec<f64> {
     (0..nodes.len()).map(weight).collect()
 }
 
-/// Offsets of a stencil, in its sides: all but the corners of a cube, or a square.
+/// Offsets of a stencil, in units of its sides: a cube without its corners, or a square.
 fn stencil(is_cube: bool) -> impl Iterator<Item = [f64; 3]> {
     let side = [-1.0, 0.0, 1.0];
     let all = side
@@ -127,7 +127,7 @@ fn moved(from: [f64; 3], offset: [f64; 3], sides: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|axis| from[axis] + offset[axis] * sides[axis])
 }
 
-/// The step to the vertex of the quadratic through the values of a stencil; none where it has no peak.
+/// The step to the vertex of the quadratic through the values of a stencil; none if it has no peak.
 fn quadratic(values: &[([f64; 3], f64)]) -> Option<[f64; 3]> {
     let at = |offset: [f64; 3]| {
         let is_there =
@@ -157,7 +157,7 @@ fn quadratic(values: &[([f64; 3], f64)]) -> Option<[f64; 3]> {
             curvature[(j, i)] = curvature[(i, j)];
         }
     }
-    // −H s = g, for a peak −H is positive definite.
+    // −H s = g; at a peak −H is positive definite.
     Some(curvature.cholesky()?.solve(&gradient).into())
 }
 
@@ -206,14 +206,14 @@ mod tests {
 
     #[track_caller]
     fn assert_near(found: [f64; 3], wanted: [f64; 3]) {
-        // The last stencil is a hundredth wide, and what is no quadratic moves its vertex by less than a tenth of it.
+        // The last stencil is a hundredth wide, and terms beyond the quadratic move its vertex by less than a tenth.
         let is_near = (0..3).all(|i| (found[i] - wanted[i]).abs() < 1e-3);
         assert!(is_near, "{found:?} {wanted:?}");
     }
 
     #[test]
     fn the_peak_of_a_polynomial_is_found_between_centres_and_depths() {
-        // Of fourth degree along the plane and second in depth, which the interpolation holds exactly.
+        // Of fourth degree in the plane and second in depth, which the interpolation reproduces exactly.
         let wanted = [0.37, -0.81, 1.56];
         let stress = |at: [f64; 3]| {
             let [u, v, z] = std::array::from_fn(|axis| at[axis] - wanted[axis]);
@@ -223,7 +223,7 @@ mod tests {
         for start in [[0.0, 0.0, 1.5], [0.0, 0.0, 1.0], [-1.0, 1.0, 2.0]] {
             assert_near(found.largest(start, |state| state.stress[2]), wanted);
         }
-        // At one depth it is that of the plane.
+        // With one depth the peak is that of the plane.
         let found = around(&[1.56], stress).largest([0.0, 0.0, 1.56], |state| state.stress[2]);
         assert_near(found, wanted);
     }

@@ -1,4 +1,4 @@
-//! The quantities whose extremes are looked for, each so that its largest value is wanted.
+//! The quantities whose extremes are searched for, each with its sign chosen so that the largest value is wanted.
 
 use pellicle_influence::SubsurfaceState;
 
@@ -18,7 +18,7 @@ pub enum StressQuantity {
     Compression,
 }
 
-/// In a body.
+/// The quantities in a body.
 pub const OF_BODIES: [StressQuantity; 4] = [
     StressQuantity::VonMises,
     StressQuantity::MaxPrincipal,
@@ -26,7 +26,7 @@ pub const OF_BODIES: [StressQuantity; 4] = [
     StressQuantity::MaxShear,
 ];
 
-/// On an interface.
+/// The quantities on an interface.
 pub const OF_INTERFACES: [StressQuantity; 3] = [
     StressQuantity::ShearTraction,
     StressQuantity::Tension,
@@ -34,7 +34,7 @@ pub const OF_INTERFACES: [StressQuantity; 3] = [
 ];
 
 impl StressQuantity {
-    /// Its value, in Pa.
+    /// The value of the quantity, in Pa.
     pub fn of(self, state: &SubsurfaceState) -> f64 {
         let [_, _, zz, _, xz, yz] = state.stress;
         match self {
@@ -48,7 +48,7 @@ impl StressQuantity {
         }
     }
 
-    /// Its value to 1e-7 of von Mises' stress, in a third of the time.
+    /// The value to 1e-7 of von Mises' stress, in a third of the time.
     pub fn roughly(self, state: &SubsurfaceState) -> f64 {
         match self {
             Self::MaxPrincipal => outer_principal(state)[0],
@@ -63,10 +63,11 @@ impl StressQuantity {
         }
     }
 
-    /// A value that it does not exceed, without principal stresses.
+    /// An upper bound on the value, without principal stresses.
     pub fn bound(self, state: &SubsurfaceState) -> f64 {
         match self {
-            // Principal stresses lie within ⅔ of von Mises' stress of their mean, and within 2/√3 of it of one another.
+            // Principal stresses differ from their mean by at most ⅔ of von Mises' stress, and from one another by at
+            // most 2/√3 of it.
             Self::MaxPrincipal => state.hydrostatic() + 2.0 / 3.0 * state.von_mises(),
             Self::MinPrincipal => -state.hydrostatic() + 2.0 / 3.0 * state.von_mises(),
             Self::MaxShear => state.von_mises() / 3.0_f64.sqrt(),
@@ -78,7 +79,7 @@ impl StressQuantity {
 }
 
 /// The largest and the least principal stress by the cubic formula, which loses half of the digits where two of the
-/// three are alike.
+/// three nearly coincide.
 fn outer_principal(state: &SubsurfaceState) -> [f64; 2] {
     let mean = state.hydrostatic();
     let [xx, yy, zz, xy, xz, yz] = state.stress;

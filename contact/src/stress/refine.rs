@@ -1,8 +1,8 @@
-//! The largest value of a quantity near a point, in depth and plane.
+//! The search for the largest value of a quantity near a point, in depth and plane.
 //!
 //! From a start the search climbs from element centre to element centre and, between depths, by parabolas within a
-//! bracket. Interpolation then places the peak between them. Above one element's side the stresses show the steps of
-//! the pressure, and only those under the centres count.
+//! bracket. Interpolation then places the peak between them. At depths less than an element's side the stresses show
+//! the steps of the pressure, and only those under the centres count.
 
 use std::collections::HashMap;
 
@@ -13,16 +13,16 @@ use super::field::{LoadedSquare, StressField};
 use super::neighbourhood::Neighbourhood;
 use super::quantity::StressQuantity;
 
-/// Depths are bracketed to this part of the bracket's first width, by so many trials at most.
+/// Depths are bracketed to this part of the initial bracket, in at most this many trials.
 const NARROW: f64 = 0.25;
 const TRIALS: usize = 16;
-/// The depths of an interpolation are this part of the bracket's first width apart.
+/// Distance between the depths of an interpolation, as a part of the initial bracket.
 const DEPTH_PART: f64 = 0.125;
-/// Offsets tabulated beyond those needed at first, in elements.
+/// Offsets tabulated beyond those needed initially, in elements.
 const SLACK: usize = 16;
-/// A climb ends at a side of the loaded square and so many depths beside it.
+/// A climb ends at a distance of one side of the loaded square plus this many depths beside it.
 const FARTHEST_DEPTHS: f64 = 4.0;
-/// Moves after which the stride of a climb doubles, and the longest one, in elements.
+/// Number of moves after which the stride of a climb doubles, and the longest stride, in elements.
 const PATIENCE: usize = 4;
 const LONGEST_STRIDE: isize = 16;
 /// The golden section.
@@ -31,9 +31,9 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// A largest value and its place.
 #[derive(Debug, Clone, Copy)]
 pub struct StressPeak {
-    /// In Pa.
+    /// Value, in Pa.
     pub value: f64,
-    /// (x, y, z), in m.
+    /// Place (x, y, z), in m.
     pub at: [f64; 3],
 }
 
@@ -41,9 +41,9 @@ pub struct StressPeak {
 pub struct PeakSearch<'a> {
     field: &'a StressField,
     quantity: StressQuantity,
-    /// Depths that the search keeps to, in m.
+    /// Depth range of the search, in m.
     range: [f64; 2],
-    /// The depth looked at last.
+    /// The plane used last.
     plane: Option<Plane>,
 }
 
@@ -51,7 +51,7 @@ pub struct PeakSearch<'a> {
 struct Plane {
     depth: Option<Depth>,
     stresses: CentreStresses,
-    /// By the place of the element, counted from the first loaded one.
+    /// States by the place of the element, counted from the first loaded one.
     known: HashMap<[isize; 2], SubsurfaceState>,
 }
 
@@ -76,7 +76,7 @@ impl Plane {
 }
 
 impl<'a> PeakSearch<'a> {
-    /// A search between two depths, which lie in one body.
+    /// A search between two depths in one body.
     pub fn new(field: &'a StressField, quantity: StressQuantity, range: [f64; 2]) -> Self {
         Self {
             field,
@@ -86,7 +86,7 @@ impl<'a> PeakSearch<'a> {
         }
     }
 
-    /// The value under the best centre that climbing from (x, y) leads to.
+    /// Climbs from (x, y) and returns the value under the best centre reached.
     pub fn climb(&mut self, [x, y]: [f64; 2], z: f64) -> Result<StressPeak, InfluenceError> {
         let tried = self.tried(self.place([x, y]), z)?;
         Ok(StressPeak {
@@ -95,7 +95,7 @@ impl<'a> PeakSearch<'a> {
         })
     }
 
-    /// The largest value near (x, y) in the bracket of depths around `start`.
+    /// Finds the largest value near (x, y) in the bracket of depths around `start`.
     pub fn peak(
         &mut self,
         [x, y]: [f64; 2],
@@ -125,7 +125,7 @@ impl<'a> PeakSearch<'a> {
         self.between_centres(peak, place, after - before)
     }
 
-    /// The peak between the element centres and the depths looked at, from the best of them: its place by
+    /// Finds the peak between the element centres and the depths tried, starting from the best: its place by
     /// interpolation, its value by a sum over the loaded elements.
     fn between_centres(
         &mut self,
@@ -174,9 +174,9 @@ impl<'a> PeakSearch<'a> {
         }
     }
 
-    /// The best value that climbing at a depth leads to.
+    /// Climbs at a depth and returns the best value reached.
     fn tried(&mut self, start: [isize; 2], z: f64) -> Result<DepthTrial, InfluenceError> {
-        // A stress that fades away from the contact, a pressure everywhere, has no peak.
+        // A compressive stress that decays away from the contact has no peak in tension.
         let size = self.field.loaded().size.cast_signed();
         let depth = z / self.field.grid().element_side();
         let margin = size + super::nearest((FARTHEST_DEPTHS * depth).ceil());
@@ -192,7 +192,7 @@ impl<'a> PeakSearch<'a> {
             if best != place {
                 place = best;
                 moves += 1;
-                // Far from its start the climb makes longer steps.
+                // Far from its start the climb takes longer steps.
                 if moves % PATIENCE == 0 {
                     stride = (2 * stride).min(LONGEST_STRIDE);
                 }
@@ -204,7 +204,7 @@ impl<'a> PeakSearch<'a> {
         }
     }
 
-    /// The largest value under some centres; of equal ones the middle of them, then the first.
+    /// The largest value under some centres; among equal ones, the middle centre takes precedence, then the first.
     fn best_of(
         &mut self,
         places: Vec<[isize; 2]>,
@@ -224,7 +224,7 @@ impl<'a> PeakSearch<'a> {
         Ok(best)
     }
 
-    /// The plane at a depth, with the stresses under some centres among the known ones.
+    /// Returns the plane at a depth, with the stresses under these centres computed.
     fn plane_with(&mut self, places: Vec<[isize; 2]>, z: f64) -> Result<&Plane, InfluenceError> {
         let LoadedSquare { size, pressure, .. } = self.field.loaded();
         let last = size.cast_signed() - 1;
@@ -264,7 +264,7 @@ impl<'a> PeakSearch<'a> {
     }
 }
 
-/// A depth that was tried, with the best value there and its element.
+/// A trial depth, with the best value there and its element.
 #[derive(Clone, Copy)]
 struct DepthTrial {
     z: f64,
@@ -276,9 +276,9 @@ struct DepthTrial {
 struct Bracket {
     low: f64,
     high: f64,
-    /// Of the bracket at first.
+    /// Initial width.
     width: f64,
-    /// The best three, best first.
+    /// The best three trials, best first.
     best: [DepthTrial; 3],
 }
 
@@ -296,11 +296,11 @@ impl Bracket {
         self.high - self.low <= NARROW * self.width
     }
 
-    /// Takes a trial and narrows the bracket by it.
+    /// Adds a trial and narrows the bracket with it.
     fn take(&mut self, tried: DepthTrial) {
         let [first, second, _] = self.best;
         if tried.value > first.value {
-            // The best so far is an end now.
+            // The previous best becomes an end.
             let end = if tried.z > first.z {
                 &mut self.low
             } else {

@@ -1,7 +1,7 @@
-//! Where the extremes of stresses may lie: planes at depths that are denser near the surface and the interfaces.
+//! The scan for extremes of stresses, on planes at depths that are denser near the surface and the interfaces.
 //!
-//! A plane at depth z hardly sees pressures that change over less than z: on planes of many elements' depth the
-//! pressures of several elements are put together, as many as an eighth of the depth holds.
+//! Pressures that vary over less than z hardly affect a plane at depth z. On planes many elements deep, elements are
+//! therefore merged into blocks of up to an eighth of the depth.
 
 use pellicle_influence::{Depth, InfluenceError, PlaneFields, Squares, SubsurfaceState};
 use rayon::prelude::*;
@@ -13,28 +13,28 @@ use super::quantity::StressQuantity;
 const STRESSES: [usize; 6] = [3, 4, 5, 6, 7, 8];
 /// Blocks of elements are no larger than this part of the depth.
 const BLOCK_PART: f64 = 1.0 / 8.0;
-/// Blocks across the loaded square, at least.
+/// Smallest number of blocks across the loaded square.
 const FEWEST_BLOCKS: usize = 16;
-/// Ratio of the distances from an end of a body of one plane and the next.
+/// Ratio of the distances of successive planes from an end of a body.
 const RATIO: f64 = 1.4;
-/// The planes nearest to the middle of a body are this factor from it, at least.
+/// The planes nearest to the middle of a body are at least this factor away from it.
 const ROOM: f64 = 1.15;
-/// Planes reach down to so many sides of the loaded square below the top of a body.
+/// Planes reach down to this many sides of the loaded square below the top of a body.
 const REACH: f64 = 2.0;
-/// The planes are wider than the loaded square by this part of it and so many depths, on either side.
+/// The planes extend beyond the loaded square by this part of it plus this many depths, on either side.
 const MARGIN_PART: f64 = 0.3;
 const MARGIN_DEPTHS: f64 = 1.5;
-/// Peaks within this part of the largest are looked at more closely.
+/// Peaks above this part of the largest are examined more closely.
 const NEARLY: f64 = 0.98;
-/// Peaks of one plane that are looked at, at most.
+/// Largest number of peaks examined on one plane.
 const PEAKS_OF_A_PLANE: usize = 4;
 
-/// A depth range, and the quantities to find the extremes of there; an interface is a range without extent.
+/// A depth range and the quantities whose extremes are wanted there; an interface is a range without extent.
 #[derive(Debug, Clone)]
 pub struct Target {
-    /// Depth of its top, m.
+    /// Depth of the top, m.
     pub top: f64,
-    /// Depth of its bottom, m.
+    /// Depth of the bottom, m.
     pub bottom: f64,
     pub quantities: Vec<StressQuantity>,
 }
@@ -42,20 +42,20 @@ pub struct Target {
 /// A peak of a quantity on a plane.
 #[derive(Debug, Clone, Copy)]
 pub struct Candidate {
-    /// Among the targets.
+    /// Index among the targets.
     pub target: usize,
     pub quantity: StressQuantity,
-    /// In Pa.
+    /// Value, in Pa.
     pub value: f64,
-    /// (x, y), in m.
+    /// Place (x, y), in m.
     pub at: [f64; 2],
-    /// Among the depths of the target.
+    /// Index among the depths of the target.
     pub depth: usize,
 }
 
 impl Target {
-    /// The depths at which it is looked at, from the top down, under a loaded square of side `loaded` (m) made of
-    /// elements of side `element` (m).
+    /// The depths to examine, from the top down, under a loaded square of side `loaded` (m) with elements of side
+    /// `element` (m).
     pub fn depths(&self, loaded: f64, element: f64) -> Vec<Depth> {
         let (top, bottom) = (self.top, self.bottom.min(self.top + REACH * loaded));
         if top >= bottom {
@@ -70,7 +70,7 @@ impl Target {
         let first = (element / 2.0).max(half / 32.0);
         let first = first.max((top / 8.0).min(half / 2.0)).min(half);
         let steps = std::iter::successors(Some(first), |step| Some(step * RATIO));
-        // The last one leaves room before the middle.
+        // The last step stays clear of the middle.
         let steps: Vec<f64> = steps.take_while(|step| *step < half / ROOM).collect();
         let mut depths = vec![Depth::below(top)];
         depths.extend(steps.iter().map(|step| Depth::below(top + step)));
@@ -83,7 +83,7 @@ impl Target {
     }
 }
 
-/// Looks at all targets; the peaks of each quantity, largest first.
+/// Scans all targets and returns the peaks of each quantity, largest first.
 pub fn candidates(
     field: &StressField,
     targets: &[Target],
@@ -130,7 +130,7 @@ pub fn candidates(
     Ok(found)
 }
 
-/// Whether a value comes near the largest, so that it may be the largest after a closer look.
+/// Whether a value comes near the largest, so that it may be the largest after refinement.
 pub fn is_nearly(value: f64, largest: f64) -> bool {
     value >= largest - (1.0 - NEARLY) * largest.abs()
 }
@@ -184,7 +184,7 @@ impl BlockPlanes {
         }
     }
 
-    /// The states on a plane, without displacements, row after row.
+    /// The states on a plane, without displacements, row by row.
     fn states_on(&mut self, depth: Depth) -> Result<Vec<SubsurfaceState>, InfluenceError> {
         let mut states = vec![SubsurfaceState::default(); self.shown * self.shown];
         self.fields

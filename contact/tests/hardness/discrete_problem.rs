@@ -18,7 +18,7 @@ fn elasticity(foundation: Foundation, size: usize) -> Arc<SurfaceElasticity> {
     Arc::new(SurfaceElasticity::new(Arc::new(table), foundation))
 }
 
-/// A field by the places of the elements.
+/// A field sampled at the centres of the elements.
 fn sample(size: usize, of: impl Fn(f64, f64) -> f64) -> Vec<f64> {
     let centre = |i: usize| (i as f64 + 0.5) * SIDE / size as f64 - SIDE / 2.0;
     let elements = 0..size * size;
@@ -27,7 +27,7 @@ fn sample(size: usize, of: impl Fn(f64, f64) -> f64) -> Vec<f64> {
         .collect()
 }
 
-/// A paraboloid with grooves across.
+/// A paraboloid with grooves.
 fn grooved(x: f64, y: f64) -> f64 {
     f64::midpoint(x * x, y * y) + 0.004 * (23.0 * x + 5.0 * y).sin()
 }
@@ -43,7 +43,7 @@ fn solve(solver: &mut impl Solver, problem: &mut DiscreteProblem, load: Load) ->
     solution
 }
 
-/// The pressure under a penetration by Gauss–Seidel, each value cut to `0 ≤ p ≤ p_max`: slow, and nothing but the
+/// The pressure under a penetration by Gauss–Seidel, each value cut to `0 ≤ p ≤ p_max`: slow, but based only on the
 /// conditions themselves.
 fn cut_gauss_seidel(
     elasticity: &SurfaceElasticity,
@@ -108,7 +108,7 @@ fn an_independent_method_finds_the_same_pressures_under_either_load() {
                     solve(&mut ActiveSetSolver::default(), &mut problem, load),
                 ] {
                     for (found, wanted) in found.pressure.iter().zip(&wanted) {
-                        // The certificate's 1e-8 of a penetration of several limits' displacements.
+                        // The certificate's 1e-8 of a penetration of several times the displacement at the limit.
                         assert!((found - wanted).abs() < 1e-6 * limit, "{found} {wanted}");
                     }
                     assert!((found.penetration - 0.03).abs() < 1e-8);
@@ -119,7 +119,7 @@ fn an_independent_method_finds_the_same_pressures_under_either_load() {
     }
 }
 
-/// A body that does not move.
+/// A rigid body.
 struct Rigid(usize);
 
 impl ElasticOperator for Rigid {
@@ -164,7 +164,7 @@ fn on_springs_alone_the_penetration_is_a_straight_line_of_the_force() {
             errors.push((by_force.penetration / penetration - 1.0).abs());
         }
     }
-    // Sums over the centres of elements: second order but for the kinks at the edges.
+    // Sums over the centres of elements: second order except for the kinks at the edges.
     assert!(
         errors[0] < 3e-3 && errors[2] < 3e-4 && errors[3] < 3e-4,
         "{errors:?}"

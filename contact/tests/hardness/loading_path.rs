@@ -21,7 +21,7 @@ fn model(indenter: impl Into<Indenter>) -> Model {
     }
 }
 
-/// A contact of Hertz's of radius 0.2, cut at a part of its peak: force and peak.
+/// Force and peak pressure of a Hertz contact of radius 0.2.
 fn hertz() -> (f64, f64) {
     let hertz = reference::hertz::from_contact_radius(1.0, 1.0 / (1.0 - 0.3 * 0.3), 0.2);
     (hertz.force, hertz.peak_pressure)
@@ -96,11 +96,11 @@ fn far_beyond_the_limit_the_contact_area_is_force_over_hardness() {
     for (part, bound) in [(0.25, 1e-3), (0.15, 5e-4)] {
         let step = step(part, 256);
         let (summary, wanted) = (step.summary, force / (part * peak));
-        // The edge of the contact within half an element at the limit, scattered along a circle of 100 to 130 of them;
-        // beside it a rim of one element.
+        // The edge is known to within half an element at the limit, with scatter along a circle of 100 to 130 elements;
+        // beside it lies a rim of one element.
         assert!((summary.contact_area / wanted - 1.0).abs() < bound);
         assert!((0.995..1.0).contains(&(summary.area_at_limit / wanted)));
-        // Found 35 and 53.
+        // Measured: 35 and 53.
         let products = step.work.operator_applications;
         assert!(products <= 60, "{products}");
     }
@@ -148,7 +148,7 @@ fn quadrant_window_and_dense_method_agree_on_a_path() {
             assert!((one - other).abs() < 1e-5 * peak, "{one} {other}");
         }
         let stiffness = quadrant.contact_stiffness.unwrap() / other.contact_stiffness.unwrap();
-        // The sum's own accuracy, and a few elements within rounding of the limit.
+        // The accuracy of the sum itself, and a few elements within rounding of the limit.
         assert!((stiffness - 1.0).abs() < 1e-3, "{stiffness}");
     }
 }
@@ -156,7 +156,7 @@ fn quadrant_window_and_dense_method_agree_on_a_path() {
 #[test]
 fn a_chosen_domain_holds_the_plastic_contact() {
     let (force, peak) = hertz();
-    // A contact of √(Q/π p_max), 2.3 times Hertz's radius.
+    // A contact of radius √(Q/π p_max), 2.3 times Hertz's.
     let path = path(0.125, Domain::Automatic, 64, SolverOptions::default());
     let step = &path.steps[0];
     assert_eq!(step.status(), pellicle_contact::Status::Certified);

@@ -1,4 +1,4 @@
-//! Contact whose pressure is cut at a hardness: against closed forms, an independent method, and itself.
+//! Contact whose pressure is cut at a hardness, compared with closed forms, an independent method, and itself.
 
 #![expect(
     clippy::unwrap_used,
@@ -12,7 +12,7 @@ use pellicle_kernel::{Foundation, Material};
 
 const SIDE: f64 = 1.0;
 
-/// A coating of relative stiffness and thickness on a body of modulus 1, or the body alone.
+/// A coating of this relative stiffness and thickness on a body of modulus 1, or the body alone.
 fn body(coating: Option<[f64; 2]>) -> Foundation {
     let base = Material::new(1.0, 0.3).unwrap();
     match coating {

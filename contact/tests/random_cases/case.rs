@@ -54,7 +54,7 @@ impl Case {
         draw.case(most)
     }
 
-    /// Solves it.
+    /// Solves the case.
     pub fn solve(&self, options: &SolverOptions) -> Result<LoadingPath, ContactError> {
         let model = Model {
             tables: Arc::new(RadialTables::build(&self.foundation)?),
@@ -67,7 +67,7 @@ impl Case {
     }
 }
 
-/// A case that is being drawn: its side and the modulus of its deepest body in the units wanted.
+/// A case that is being drawn: its side and the modulus of its deepest body in the wanted units.
 struct Draw {
     random: Random,
     side: f64,
@@ -86,7 +86,7 @@ impl Draw {
         let load = if self.random.below(3) == 0 {
             Load::Penetration(depth)
         } else {
-            // This force presses the whole square that deep, or less.
+            // This force presses the whole square to this depth or less.
             let compliance = foundation.compliance(1.0 / self.side);
             Load::Force(self.side * self.side * depth / compliance)
         };
@@ -111,7 +111,7 @@ impl Draw {
         self.side * self.random.decades(low, high)
     }
 
-    /// A modulus within three decades of the base's, or any.
+    /// A modulus within three decades of the base's, or any in the range.
     fn any_modulus(&mut self) -> f64 {
         let [low, high] = MODULI.map(|modulus| modulus * self.units.modulus);
         if self.random.below(4) == 0 {
@@ -182,7 +182,7 @@ impl Draw {
         Cylinders::new(spec).unwrap()
     }
 
-    /// Heights of a map: a few waves of random phases.
+    /// Heights of a map: a few waves with random phases.
     fn roughness(&mut self, height: f64) -> Vec<f64> {
         let waves: Vec<[f64; 3]> = (0..6)
             .map(|_| [7.0, 7.0, 6.0].map(|most| most * self.random.unit()))

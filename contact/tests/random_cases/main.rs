@@ -1,5 +1,5 @@
 //! Random cases in SI units, from nanometres to metres and from kilopascals to terapascals: each is certified or
-//! refused with a reason, none is NaN, and none knows its units.
+//! refused with a reason, none is NaN, and none depends on its units.
 //!
 //! 24 by default;
 //! `PELLICLE_RANDOM_CASES=3000 cargo test --release -p pellicle-contact --test random_cases -- --nocapture` for more,
@@ -25,25 +25,25 @@ const SI: Units = Units {
     length: 1.0,
     modulus: 1.0,
 };
-/// Nanometres in place of metres.
+/// Nanometres instead of metres.
 const OTHER: Units = Units {
     length: 1e-9,
     modulus: 1e12,
 };
-/// Cases of the short form, and the most elements per side in the short and the long one.
+/// Number of cases in the short form, and the most elements per side in the short and the long form.
 const SHORT: u64 = 24;
 const MOST_ELEMENTS: [usize; 2] = [34, 160];
 
-/// How many cases, and on how many elements per side at most.
+/// Number of cases, and the most elements per side.
 fn extent() -> (u64, usize) {
     let [short, long] = MOST_ELEMENTS;
     std::env::var("PELLICLE_RANDOM_CASES")
         .map_or((SHORT, short), |count| (count.parse().unwrap(), long))
 }
 
-/// So fine that what is left of a solution does not show in what other units change.
+/// Tolerance so fine that the residuals do not mask the effect of other units.
 const FINE: f64 = 1e-12;
-/// Most products on the finest grid in the short form.
+/// The most products on the finest grid in the short form.
 const MOST_PRODUCTS: usize = 400;
 
 /// A skin of 0.3 mm, a thousand times as stiff as the gel below, with pillars under a flat punch of 60 mN.
@@ -119,12 +119,12 @@ fn rigid_pillars_on_a_very_stiff_coating_are_certified_in_hundreds_of_products()
     let path = case.solve(&SolverOptions::default()).unwrap();
     let step = &path.steps[0];
     assert_eq!(step.status(), Status::Certified);
-    // As measured, with a tenth to spare; before the descent from face to face it was given up after 4002.
+    // As measured, with a tenth to spare; without the descent from face to face the solver gave up after 4002.
     let products = step.work.operator_applications;
     assert!(products <= 330, "{products}");
 }
 
-/// Asserts that numbers without units are the same in other units.
+/// Asserts that dimensionless numbers are the same in other units.
 #[track_caller]
 fn assert_close(one: &[f64; 4], other: &[f64; 4]) {
     for (one, other) in one.iter().zip(other) {
@@ -137,11 +137,11 @@ fn assert_close(one: &[f64; 4], other: &[f64; 4]) {
 
 /// The outcome of a case.
 enum Outcome {
-    /// Its numbers without units, and products with `K` on the finest grid.
+    /// Its dimensionless numbers, and products with `K` on the finest grid.
     Certified([f64; 4], usize),
-    /// Cut off by the side that it was given.
+    /// Cut off by the given side.
     CutOff,
-    /// Why.
+    /// The reason.
     Refused(&'static str),
     Failed(String),
 }
@@ -225,7 +225,7 @@ fn random_cases_give_the_same_numbers_in_other_units() {
             Outcome::Certified(numbers, _) => Some(numbers),
             _ => None,
         };
-    // Where both are certified to so fine a tolerance, which rounding does not allow every stiff case.
+    // Only cases certified to this fine tolerance in both units; rounding prevents that in some stiff cases.
     let pairs: Vec<_> = (0..count / 2)
         .into_par_iter()
         .filter_map(|seed| Some((numbers(seed, SI)?, numbers(seed, OTHER)?)))
@@ -246,9 +246,9 @@ fn random_cases_give_the_same_numbers_in_other_units() {
         pairs.len(),
         count / 2
     );
-    // *Measured* on 1,200 cases of the long form, 1,147 of them certified so finely in both: all the same to 1e-10 but
-    // one, whose largest pressure differs by up to 3e-9: its coating is 1e8 times as stiff as what is below, and
-    // rounding leaves no more of the pressure at the edges.
+    // *Measured* on 1,200 cases of the long form, 1,147 of them certified to this tolerance in both: all agree to 1e-10
+    // except one, whose largest pressure differs by up to 3e-9. Its coating is 1e8 times as stiff as the material
+    // below, and rounding limits the accuracy of the pressure at the edges.
     assert!(median <= 1e-14 && largest <= 1e-8, "{differences:?}");
     assert!(100 * close >= 99 * pairs.len(), "{differences:?}");
     assert!(3 * pairs.len() as u64 > count / 2);

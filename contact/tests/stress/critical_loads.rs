@@ -1,4 +1,4 @@
-//! Critical loads against closed forms and solving again.
+//! Critical loads compared with closed forms and with new solutions.
 
 use super::*;
 
@@ -30,7 +30,7 @@ fn a_homogeneous_body_yields_at_the_force_of_hertz() {
     let plane_modulus = STEEL.0 / (1.0 - STEEL.1 * STEEL.1);
     let peak = yield_strength / on_the_axis()[0];
     let exact = (std::f64::consts::PI * peak).powi(3) / (6.0 * plane_modulus.powi(2));
-    // From above, and from far above.
+    // The search starts from above, and from far above.
     for force in [1.7 * exact, 90.0 * exact] {
         let found = critical(&model, 128, force, &stress);
         let [
@@ -74,14 +74,14 @@ fn each_strength_of_a_coated_body_is_reached_under_its_own_critical_load() {
         } else {
             extremes.interfaces[0].utilisation.shear
         };
-        // Another domain, another grid: not the accuracy of the search, but the grid's.
+        // Another domain and another grid: the bound is the discretisation error, not the accuracy of the search.
         assert_relative_eq!(utilisation.unwrap(), 1.0, max_relative = 2e-3);
     }
 }
 
 #[test]
 fn a_stress_that_falls_again_under_more_load_is_critical_where_it_first_reaches_its_strength() {
-    // A thin stiff coating takes the shape of the indenter, and is bent no further.
+    // A thin stiff coating takes the shape of the indenter and bends no further.
     let thickness = 0.02;
     let coating = Material::new(10.0, 0.3).unwrap();
     let base = Material::new(STEEL.0, STEEL.1).unwrap();

@@ -1,4 +1,4 @@
-//! Extremes of the stresses against closed forms and sampling.
+//! Extremes of the stresses compared with closed forms and sampling.
 
 use super::*;
 
@@ -15,7 +15,7 @@ fn von_mises_stress_under_hertz_is_found_in_value_and_depth() {
         let error = (mises.value / exact.peak_pressure - largest).abs();
         assert!(error < 6e-3 / elements as f64, "{elements}: {mises:?}");
         assert!(mises.resolved && error * exact.peak_pressure < mises.estimate.unwrap());
-        // At its peak a stress changes little: its depth is known to the root of its accuracy.
+        // At its peak a stress changes little, so the depth is known only to the square root of its accuracy.
         assert_relative_eq!(
             mises.at[2] / exact.contact_radius,
             depth,
@@ -119,7 +119,7 @@ fn planes_that_show_a_part_of_the_loaded_square_hold_the_states_at_their_centres
         let state = field.at([centres[i], centres[k]], depth).unwrap();
         let expected = [state.displacement.as_slice(), state.stress.as_slice()].concat();
         for (found, expected) in found.iter().zip(&expected) {
-            // A plane is a convolution, a state a sum: each is right to 1e-11 of the largest value of its field.
+            // A plane is a convolution, a state a sum: each is accurate to 1e-11 of the largest value of its field.
             assert_relative_eq!(found, expected, max_relative = 1e-8, epsilon = 1e-10);
         }
         assert_eq!(found.len(), 9);
@@ -148,7 +148,7 @@ fn tractions_of_an_interface_are_the_largest_on_its_plane() {
             ),
             (interface.max_compression, largest(&|i| -stresses[5][i])),
         ] {
-            // Between the centres it may be larger by what a parabola is over half an element.
+            // Between the centres the extreme may exceed the samples as a parabola does over half an element.
             assert!(
                 extreme.value >= (1.0 - 1e-6) * sampled,
                 "{extreme:?} {sampled}"

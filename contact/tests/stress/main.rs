@@ -1,4 +1,5 @@
-//! Stresses under solved pressures: extremes against closed forms and sampling, critical loads against solving again.
+//! Stresses under solved pressures: extremes compared with closed forms and sampling, critical loads with closed forms
+//! and new solutions.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
 
@@ -94,7 +95,7 @@ fn sliding_coating(thickness: f64) -> StressModel {
     }
 }
 
-/// The largest von Mises stress under Hertz's pressure and its depth, over the largest pressure and the radius: with
+/// The largest von Mises stress under Hertz's pressure and its depth, over the largest pressure and the radius: from
 /// Huber's stresses on the axis, `σ_z = −1/(1 + ζ²)` and `σ_r = −(1 + ν)(1 − ζ arctan 1/ζ) + ½/(1 + ζ²)`.
 fn on_the_axis() -> [f64; 2] {
     let difference = |zeta: f64| {

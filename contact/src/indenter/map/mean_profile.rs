@@ -1,16 +1,16 @@
-//! The mean height of a map over circles around its tip, looked up.
+//! The mean height of a map over circles around its tip, from a table.
 //!
-//! The first guess of a domain asks for it some thousand times a load: without a table that took 25 times as long as
+//! The first guess of a domain needs it about a thousand times per load: without a table that took 25 times as long as
 //! the solution on 64 × 64 elements.
 
 use std::f64::consts::TAU;
 
 /// Ratio of neighbouring radii.
 const RATIO: f64 = 1.1;
-/// Points on a circle, of which a part may lie beyond the map's end.
+/// Number of points on a circle, some of which may lie beyond the end of the map.
 const ANGLES: u32 = 360;
 
-/// Mean heights at radii in equal ratios; between two of them a power of the radius passes through both.
+/// Mean heights at radii in equal ratios, interpolated by a power of the radius.
 #[derive(Debug, Clone)]
 pub struct MeanProfile {
     /// The smallest radius, m.
@@ -19,7 +19,7 @@ pub struct MeanProfile {
 }
 
 impl MeanProfile {
-    /// The mean of `height` over circles with radii from `first` to `last`, m, infinite values aside.
+    /// The mean of `height` over circles with radii from `first` to `last`, m, without infinite values.
     pub fn new(height: impl Fn(f64, f64) -> f64, [first, last]: [f64; 2]) -> Self {
         let direction = |k: u32| ((f64::from(k) + 0.5) * TAU / f64::from(ANGLES)).sin_cos();
         let directions: Vec<(f64, f64)> = (0..ANGLES).map(direction).collect();
@@ -46,7 +46,7 @@ impl MeanProfile {
 
     /// The mean over a circle, m; infinite beyond the last one.
     pub fn at(&self, radius: f64) -> f64 {
-        // Below the first radius the power between the first two goes on.
+        // Below the first radius the power between the first two continues.
         let place = ((radius / self.first).ln() / RATIO.ln()).floor().max(0.0);
         if place + 2.0 > self.heights.len() as f64 {
             return f64::INFINITY;
@@ -111,13 +111,13 @@ mod tests {
     fn a_dent_at_the_tip_is_met_by_straight_lines() {
         let mean = MeanProfile::new(|x, y| x.hypot(y) - 1.0, [0.5, 4.0]);
         assert!((mean.at(0.52) + 0.48).abs() < 1e-12, "{}", mean.at(0.52));
-        // A power through both ends of a straight line with an offset.
+        // The error of a power through both ends of a straight line with an offset.
         assert!((mean.at(3.0) - 2.0).abs() < 2e-3, "{}", mean.at(3.0));
     }
 
     #[test]
     fn from_a_flat_tip_the_mean_rises_along_straight_lines() {
-        // The mean is 0 up to a radius of 1, and ρ − 1 beyond: a power of the radius would be infinite or none.
+        // The mean is 0 up to a radius of 1, and ρ − 1 beyond: a power of the radius would be infinite or undefined.
         let mean = MeanProfile::new(|x, y| (x.hypot(y) - 1.0).max(0.0), [0.5, 4.0]);
         // The radii around 1: 0.5 · 1.1⁷ and 0.5 · 1.1⁸.
         let [low, high] = [7, 8].map(|k| 0.5 * 1.1_f64.powi(k));

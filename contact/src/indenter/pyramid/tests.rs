@@ -1,4 +1,4 @@
-//! The rounded pyramid against its definition, its limits and its smoothness.
+//! The rounded pyramid compared with its definition and its limits, and its smoothness.
 
 use super::*;
 use crate::indenter::Cone;
@@ -36,11 +36,11 @@ fn points(count: u32, radius: f64) -> impl Iterator<Item = [f64; 2]> {
 
 #[test]
 fn the_standard_angles_have_their_area_ratios() {
-    // Areas over depth² of a sharp pyramid of n faces: projected n tan(π/n) tan² α, true surface that over sin α.
+    // Areas over depth² of a sharp pyramid of n faces: projected n tan(π/n) tan² α, true surface that divided by sin α.
     let projected = |n: f64, angle: f64| n * (PI / n).tan() * angle.tan().powi(2);
     let surface = |n: f64, angle: f64| projected(n, angle) / angle.sin();
     let vickers = Pyramid::VICKERS_FACE_ANGLE;
-    // An angle rounded to 0.005° moves tan² α by 2 · 0.005° / (sin α cos α) = 4.6e-4.
+    // An angle rounded to 0.005° changes tan² α by 2 · 0.005° / (sin α cos α) = 4.6e-4.
     let modified = projected(3.0, Pyramid::MODIFIED_BERKOVICH_FACE_ANGLE) / projected(4.0, vickers);
     assert!((modified - 1.0).abs() < 4.6e-4, "{modified}");
     let original = surface(3.0, Pyramid::BERKOVICH_FACE_ANGLE) / surface(4.0, vickers);
@@ -66,8 +66,8 @@ fn without_a_tip_radius_it_is_the_sharp_pyramid() {
 fn it_tends_to_the_sharp_pyramid_with_the_tip_radius() {
     for radius in [1e-1, 1e-3, 1e-6] {
         for pyramid in pyramids(radius) {
-            // The sharp pyramid through the same faces, R (1/sin α − 1) deeper, lies below the blunt one and inside it
-            // nowhere.
+            // The sharp pyramid through the same faces, R (1/sin α − 1) deeper, lies below the blunt one, nowhere
+            // inside.
             let depth = radius * (pyramid.face_angle().sin().recip() - 1.0);
             for [x, y] in points(500, 1.0) {
                 let above = pyramid.height(x, y) - (sharp(&pyramid, x, y) - depth);
@@ -120,7 +120,7 @@ fn it_is_the_envelope_of_the_planes_that_touch_the_tip() {
                 }
             }
             let missing = pyramid.height(x, y) - largest;
-            // The nearest sampled s is off by at most the edge length over 120, and the function curves by at most R.
+            // The nearest sampled s is off by at most the edge length over 120, and the curvature is at most R.
             let off = 1.8 * slope / f64::from(steps);
             assert!(
                 (-1e-14..0.5 * 0.7 * off * off + 1e-14).contains(&missing),
@@ -132,7 +132,7 @@ fn it_is_the_envelope_of_the_planes_that_touch_the_tip() {
 
 #[test]
 fn it_is_convex_and_its_slope_is_continuous() {
-    // Convexity: second differences ≥ 0. C¹: they are at most h² / (R sin³ α), where a kink would leave a multiple of
+    // Convexity: second differences ≥ 0. C¹: they are at most h² / (R sin³ α), whereas a kink would leave a multiple of
     // h.
     for pyramid in pyramids(0.3) {
         let bound = 1.0 / (0.3 * pyramid.face_angle().sin().powi(3));
@@ -245,13 +245,13 @@ fn the_mean_over_a_circle_of_a_rounded_pyramid_is_that_of_its_heights() {
             pyramid.height(radius * cosine, radius * sine)
         };
         let mean = (0..points).map(height).sum::<f64>() / f64::from(points);
-        // Three points of Gauss's rule over the ridge.
+        // The error of the three-point Gauss rule over the ridge.
         let error = pyramid.mean_profile(radius) / mean - 1.0;
         assert!(error.abs() < 2e-6, "{radius}: {error}");
         let step = 1e-4 * radius;
         let [more, less] = [step, -step].map(|step| pyramid.mean_profile(radius + step));
         let error = pyramid.mean_slope(radius) / ((more - less) / (2.0 * step)) - 1.0;
-        // The difference, where the curvature jumps.
+        // The error of the difference where the curvature jumps.
         assert!(error.abs() < 1e-4, "{radius}: {error}");
     }
 }

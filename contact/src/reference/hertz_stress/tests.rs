@@ -1,4 +1,4 @@
-//! Hamilton's stresses against the equations that they solve, and against Huber's on the axis.
+//! Hamilton's stresses compared with the equations that they solve, and with Huber's on the axis.
 
 use super::super::hertz;
 use super::*;
@@ -47,8 +47,8 @@ fn tensor(state: &SubsurfaceState) -> [[f64; 3]; 3] {
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
-/// The differences leave a thirtieth of h⁴ times the fifth derivative: near the rim, where stresses vary like the
-/// root of the distance d, some `6 h⁴/30 d^4.5`, 6e-9 at a tenth of a radius.
+/// The error of the differences is a thirtieth of h⁴ times the fifth derivative. Near the rim, where stresses vary like
+/// the square root of the distance d, it is about `6 h⁴/30 d^4.5`, 6e-9 at a tenth of a radius.
 const DIFFERENCE: f64 = 2e-8;
 
 #[test]

@@ -1,7 +1,7 @@
-//! The part of a grid that a certificate looks at: all elements that may overlap.
+//! The part of a grid that a certificate examines: all elements that may overlap.
 //!
-//! Where the initial gap alone is wider than the penetration and all by which the surface can rise beside the load,
-//! nothing overlaps, whatever the displacement:
+//! An element cannot overlap, whatever the displacement, if its initial gap is wider than the penetration plus the
+//! largest possible rise of the surface beside the load:
 //!
 //! ```text
 //! g = K p + η p + g0 − D ≥ min(0, min k) Σ p + g0 − D,    min k over the offsets from there to the pressures
@@ -9,24 +9,24 @@
 
 use crate::{DiscreteProblem, grid::window::Window};
 
-/// The part of the penetration expected by which the true one may be larger.
+/// Margin for the true penetration above the expected one, relative to the latter.
 const LEEWAY: f64 = 1e-6;
-/// A reach goes beyond the window by its side over this, at least: bulges are near the load, and need not be reckoned
-/// with further away.
+/// A reach extends beyond the window by at least the window's side over this number: bulges are near the load and do
+/// not matter farther away.
 const RIM_PART: usize = 4;
 
-/// The largest penetration (m) that a reach is to serve where this one is expected.
+/// Returns the largest penetration (m) that a reach must cover, given the expected one.
 pub fn highest(expected: f64) -> f64 {
     expected + LEEWAY * expected.abs()
 }
 
-/// The window that holds a rim around another, and all elements that may overlap there under a penetration of no more
-/// than `highest` (m): those whose initial gap is below it and by what pressures of this total can raise them.
+/// Returns the window that holds `window` with a rim, and all elements that may overlap under a penetration of at most
+/// `highest` (m): those whose initial gap is less than `highest` plus the largest rise under pressures of this `total`.
 pub fn around(problem: &DiscreteProblem, window: &Window, highest: f64, total: f64) -> Window {
     let everywhere = problem.everywhere();
     let rim = window.size() / RIM_PART;
     let width = highest - problem.least_displacement(total, rim + 1);
-    // False where it is NaN.
+    // False for NaN.
     let is_bounded = width < f64::INFINITY;
     if window.is_whole() || !is_bounded {
         return everywhere;
@@ -39,7 +39,7 @@ pub fn around(problem: &DiscreteProblem, window: &Window, highest: f64, total: f
     everywhere.around(|[i, j]| gap[i * size + j] < width || around.place([i, j]).is_some())
 }
 
-/// The displacement that a pressure is judged by, on the part of the grid that is looked at.
+/// The displacement by which a pressure is judged, on the reach, the examined part of the grid.
 pub struct JudgedFields {
     pub(super) reach: Window,
     pub(super) displacement: Vec<f64>,
@@ -49,7 +49,7 @@ pub struct JudgedFields {
 }
 
 impl JudgedFields {
-    /// Of nothing yet, on a grid.
+    /// Empty fields on a grid.
     pub fn on(everywhere: Window) -> Self {
         Self {
             reach: everywhere,
@@ -59,7 +59,7 @@ impl JudgedFields {
         }
     }
 
-    /// Products with `K` since this was asked last.
+    /// Returns the products with `K` since the last call.
     pub fn take_products(&mut self) -> usize {
         std::mem::take(&mut self.products)
     }
@@ -69,34 +69,34 @@ impl JudgedFields {
         self.reach = reach;
         let elements = reach.elements();
         if self.displacement.len() != elements {
-            // Memory that is first touched where it is written, by all threads.
+            // This memory is first touched where it is written, by all threads.
             self.displacement = vec![0.0; elements];
         }
     }
 
-    /// The part of the grid that was looked at.
+    /// The examined part of the grid.
     pub fn reach(&self) -> &Window {
         &self.reach
     }
 
-    /// `K p` there, in m.
+    /// `K p` on the reach, in m.
     pub fn displacement(&self) -> &[f64] {
         &self.displacement
     }
 
-    /// The same with its memory, after which nothing is known here.
+    /// Takes `K p` on the reach, in m, and leaves it empty here.
     pub fn take_displacement(&mut self) -> Vec<f64> {
         std::mem::take(&mut self.displacement)
     }
 
-    /// The gap (m) of an element that does not press, given its initial gap; infinite of one that was not looked at.
+    /// The gap (m) of an element without pressure, given its initial gap; infinite outside the reach.
     pub fn gap_of(&self, element: [usize; 2], initial_gap: f64) -> f64 {
         self.reach.place(element).map_or(f64::INFINITY, |place| {
             self.displacement[place] + initial_gap - self.penetration
         })
     }
 
-    /// The same of the columns of a row of a window within the part that was looked at, given their initial gaps.
+    /// The gaps (m), by column, of a row of a window within the reach, given their initial gaps.
     pub fn gaps_of_line<'a>(
         &'a self,
         window: &Window,
@@ -108,7 +108,7 @@ impl JudgedFields {
         move |column| displacement[column] + initial_gap[column] - penetration
     }
 
-    /// `K p` of an element that was looked at, in m; NaN of another.
+    /// `K p` of an element, in m; NaN outside the reach.
     pub fn displacement_of(&self, element: [usize; 2]) -> f64 {
         let place = self.reach.place(element);
         place.map_or(f64::NAN, |place| self.displacement[place])

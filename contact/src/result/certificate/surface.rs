@@ -1,9 +1,9 @@
-//! The surface under a pressure, row by row: gaps are computed where they are asked for and never kept.
+//! The surface under a pressure, row by row; gaps are computed on demand and never stored.
 
 use crate::{grid::window::Window, vector::smallest};
 use pellicle_texture::SpringLaw;
 
-/// The surface under a pressure, on the part of the grid that is looked at.
+/// The surface under a pressure, on the examined part of the grid.
 pub struct Surface<'a> {
     /// `g0` and `η` of the grid's elements, in m and m/Pa.
     pub initial_gap: &'a [f64],
@@ -11,20 +11,20 @@ pub struct Surface<'a> {
     pub spring_law: SpringLaw,
     /// Hardness, in Pa; infinite without one.
     pub limit: f64,
-    /// Where it presses, in the part that is looked at.
+    /// The window of the pressure, within the reach.
     pub window: Window,
-    /// The part that is looked at.
+    /// The examined part of the grid.
     pub reach: Window,
-    /// On the window, in Pa.
+    /// Pressure on the window, in Pa.
     pub pressure: &'a [f64],
     /// `K p` on the reach, in m.
     pub displacement: &'a [f64],
 }
 
 impl Surface<'_> {
-    /// `D = Σ p v / Σ p` with `v = K p + w* + g0`, over the elements with pressure below the limit (`g0` is infinite
-    /// where the indenter ends); where there is none, the largest `v` of those at the limit. `total` is the sum of all
-    /// pressures.
+    /// Returns `D = Σ p v / Σ p` with `v = K p + w* + g0`, over the elements with pressure below the limit (`g0` is
+    /// infinite where the indenter ends). If there are none, returns the largest `v` of those at the limit. `total` is
+    /// the sum of all pressures.
     pub fn multiplier(&self, total: f64) -> f64 {
         let limit = self.limit;
         let parts = self
@@ -64,7 +64,7 @@ impl Surface<'_> {
         if free > 0.0 { sum / free } else { highest }
     }
 
-    /// The lines of the certificate that need the gaps, which are relative to the length `reference` (m).
+    /// Returns the lines of the certificate that need the gaps, relative to the length `reference` (m).
     pub fn violations(&self, penetration: f64, reference: f64, total: f64) -> Violations {
         let parts = self
             .reach
@@ -74,7 +74,7 @@ impl Surface<'_> {
         let found = parts
             .into_iter()
             .fold(Violations::default(), Violations::and);
-        // Without pressure nothing is weighed; without penetration nothing sets a scale, and only zeros pass.
+        // Without pressure there are no weights. Without penetration there is no scale, and only zeros pass.
         let relative = |length: f64| {
             if length == 0.0 {
                 0.0
@@ -117,7 +117,7 @@ impl Surface<'_> {
             gaps[column] += shortening;
             found.add(p, limit, gaps[column]);
             if p >= limit {
-                // No overlap, but the plastic depth.
+                // This is the plastic depth, not an overlap.
                 gaps[column] = f64::INFINITY;
             }
         }
@@ -125,7 +125,7 @@ impl Surface<'_> {
         found
     }
 
-    /// The elements of a row of the reach that press, with `w*(p)` of their springs, `η p` of linear ones.
+    /// The elements with pressure in a row of the reach, with the shortening `w*(p)` of their springs.
     fn pressed(&self, line: usize) -> impl Iterator<Item = Pressed> {
         let [above, left] = self.window.origin();
         let [rows, size] = self.window.lengths();
@@ -144,28 +144,27 @@ impl Surface<'_> {
 
 /// An element with pressure.
 struct Pressed {
-    /// In the reach.
+    /// Column in the reach.
     column: usize,
-    /// In Pa.
+    /// Pressure, in Pa.
     p: f64,
-    /// `w*(p)`, in m.
+    /// `w*(p)`, in m; `η p` for linear springs.
     shortening: f64,
 }
 
-/// Sums and maxima of the gaps and pressures that break a condition, by the line of the certificate that tells them;
-/// NaN if one gap is.
+/// Sums and maxima of the gaps and pressures that violate a condition, by line of the certificate; NaN if a gap is NaN.
 #[derive(Clone, Copy, Default)]
 pub struct Violations {
     pub complementarity: f64,
     pub gap_in_contact: f64,
     pub gap_at_limit: f64,
     pub over_limit: f64,
-    /// Of elements below the limit.
+    /// Largest overlap of the elements below the limit.
     pub overlap: f64,
 }
 
 impl Violations {
-    /// Counts an element with pressure in.
+    /// Adds an element with pressure.
     fn add(&mut self, p: f64, limit: f64, gap: f64) {
         if p < limit {
             self.complementarity += p * gap.abs();
@@ -188,7 +187,7 @@ impl Violations {
     }
 }
 
-/// The larger of two, NaN if either is: `f64::max` drops NaN, which must not pass for a small number here.
+/// The larger of two numbers, NaN if either is NaN: `f64::max` drops NaN, which must not pass for a small number.
 pub fn largest(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() {
         f64::NAN

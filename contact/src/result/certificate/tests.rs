@@ -1,4 +1,4 @@
-//! The lines of the certificate on surfaces that are added up by hand.
+//! The lines of the certificate on surfaces computed by hand.
 
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ impl ElasticOperator for Springs {
     }
 }
 
-/// Two elements that press, one that overlaps, one that nothing reaches; elements of 0.25 m².
+/// Two elements with pressure, one that overlaps and one out of reach; elements of 0.25 m².
 fn judged(load: Load) -> (Solution, DeformedSurface) {
     let (eta, gap) = (vec![0.5, 0.0, 0.0, 0.0], vec![0.0, 0.5, 1.0, f64::INFINITY]);
     let problem = DiscreteProblem::new(Box::new(Springs(2)), eta, gap, 0.25);
@@ -56,7 +56,7 @@ fn under_a_force_every_line_is_what_its_formula_says() {
     assert_eq!(surface.displacement, [1.0, 2.0, 0.0, 0.0]);
     assert_eq!(surface.shortening, [1.0, 0.0, 0.0, 0.0]);
     assert!((solution.penetration - 7.0 / 3.0).abs() < 1e-15);
-    // as prescribed: the pressures' 1.5 is the certificate's to tell
+    // as prescribed; the certificate reports that the pressures carry 1.5
     assert!((solution.force - 2.0).abs() <= 0.0);
     assert!((surface.gap[0] + 1.0 / 3.0).abs() < 1e-15 && surface.gap[3].is_infinite());
     // (2/3 + 4/6)/(7/3 · 6), (1/3)/(7/3), (4/3)/(7/3), |1.5 − 2|/2
@@ -171,7 +171,7 @@ fn one_bad_line_is_enough_to_fail() {
             .is_satisfied()
         );
     }
-    // On the tolerance is within it.
+    // A line at the tolerance is within it.
     assert!(
         Certificate {
             load: 1e-8,
@@ -218,7 +218,7 @@ fn pressed_layer(grid: SectorGrid, poisson_ratio: f64) -> DiscreteProblem {
     DiscreteProblem::on(grid, source, eta, gap.collect(), side * side).unwrap()
 }
 
-/// The contact's part of a grid is judged as the whole is, and the rest does not overlap.
+/// The part of the grid around the contact has the certificate of the whole grid, and the rest does not overlap.
 #[test]
 fn where_nothing_can_overlap_nothing_is_missed() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
@@ -246,7 +246,7 @@ fn where_nothing_can_overlap_nothing_is_missed() {
                     Solution::judge_within(&mut problem, trial, pressure.collect(), &mut fields);
                 (solution, fields)
             };
-            // No number passes for a gap, and none ends.
+            // NaN and infinite pressures fail on the whole grid.
             for nonsense in [f64::NAN, f64::INFINITY] {
                 let (nowhere, fields) = judged(depth, nonsense);
                 assert!(fields.reach.is_whole() && !nowhere.certificate.is_satisfied());
@@ -255,7 +255,7 @@ fn where_nothing_can_overlap_nothing_is_missed() {
             assert!(of_whole.reach.is_whole());
             let (solution, mut fields) = judged(whole.penetration, 1.0);
             assert_eq!(fields.take_products(), 1);
-            // Too little was expected: everything is looked at.
+            // The expected penetration is too small: the whole grid is examined.
             let (_, mut of_all) = judged(0.9 * whole.penetration, 1.0);
             assert!(of_all.reach.is_whole() && of_all.take_products() == 2);
             let lines = |judged: &Solution| {
@@ -276,7 +276,7 @@ fn where_nothing_can_overlap_nothing_is_missed() {
             // The layer bulges, but not far from the load.
             let least = problem.elasticity().unwrap().least_coefficient_from(1);
             assert_eq!(least < 0.0, poisson_ratio == 0.5);
-            // Under one element of a sector and its images.
+            // Under a load on one element of a sector and its images.
             let images = match sector {
                 Sector::Whole => 1.0,
                 Sector::Half => 2.0,
@@ -310,7 +310,7 @@ fn the_penetration_under_a_force_is_the_mean_of_v_weighted_by_the_pressure_below
         };
         surface.multiplier(pressure.iter().sum())
     };
-    // v = 1.5 + p/2, 2.25 + p/4, 3.5 and what nothing touches; no weight where nothing presses.
+    // v = 1.5 + p/2, 2.25 + p/4, 3.5 and infinity; elements without pressure have no weight.
     assert_eq!(of([1.0, 3.0, 0.0, 0.0], f64::INFINITY), (2.0 + 9.0) / 4.0);
     assert_eq!(
         of([1.0, 1.0, 2.0, 0.0], f64::INFINITY),

@@ -17,7 +17,7 @@ const SIZE: usize = 64;
 const SIDE: f64 = 1.0 / 64.0;
 const RADIUS: f64 = 0.3;
 
-/// Elements that do not give way.
+/// Elements that are not displaced.
 struct Rigid;
 
 impl ElasticOperator for Rigid {
@@ -38,7 +38,7 @@ struct Fields {
     is_on_relief: fn(usize) -> bool,
 }
 
-/// The shape of a contact of such fields, with an element's coefficient on itself of 1.
+/// The shape of a contact with these fields; an element's coefficient on itself is 1.
 fn shape(
     fields: &Fields,
     relief: Relief,
@@ -105,7 +105,7 @@ const CIRCLE: Fields = Fields {
     is_on_relief: |_| false,
 };
 
-/// Area that straight pieces lose of a circle, at most: `c³/12R` each, of lengths c up to `√2 h`.
+/// Largest area that chords cut off a circle: `c³/12R` each, of lengths c up to `√2 h`.
 const BY_CHORDS: f64 = PI * SIDE * SIDE / 3.0;
 
 #[track_caller]
@@ -150,7 +150,7 @@ fn a_relief_under_half_of_the_contact_bears_half_of_its_area() {
         ..CIRCLE
     };
     let found = shape(&fields, Relief::Bare, paraboloid(), Boundary::Free);
-    // But for the two cells where the edge meets the outline.
+    // Except for the two cells where the edge meets the outline.
     assert_near(found.area_on_relief, found.area / 2.0, SIDE * SIDE / 2.0);
     assert!(found.meets_outline);
 }

@@ -1,4 +1,4 @@
-//! The blocks around a domain: their places, the pressures in them, and how far they move the surface.
+//! The blocks around a domain: their positions, their pressures, and the displacement that these cause.
 
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
@@ -46,7 +46,7 @@ fn pressures_are_summed_up_in_the_blocks_that_their_elements_lie_in() {
     let (grid, around) = (Grid::new(1.0, 10).unwrap(), Around::new(1.0, 4));
     let even = around.summed(&grid, &[3.0; 100]);
     assert!(even.len() == 16 && even.iter().all(|p| (p - 3.0).abs() < 1e-13));
-    // From 0.2 to 0.3, of which 0.25 is the end of a block; and from −0.3 to −0.2.
+    // The element extends from 0.2 to 0.3, where 0.25 is the end of a block, and from −0.3 to −0.2.
     let mut pressure = [0.0; 100];
     pressure[72] = 8.0;
     let found = around.summed(&grid, &pressure);
@@ -83,7 +83,7 @@ fn a_surface_farther_away_moves_as_under_the_force_alone() {
         pressure[e] = 0.03 * 256.0;
     }
     let solution = solution(0.15, 0.03, pressure);
-    // u = Q/(π E* r), which the blocks hold to a hundredth; the gap is least at the nearest block.
+    // u = Q/(π E* r), which the blocks reproduce to a hundredth; the gap is least at the nearest block.
     let moved = blocks.smallest_gap + 0.03 / (std::f64::consts::PI * nearest);
     let is_closer = |limit: f64| blocks.is_closer_than(limit, &model, &grid, &solution);
     assert!(!is_closer(moved - 3e-4) && is_closer(moved + 3e-4));
@@ -114,7 +114,7 @@ fn bowl([rows, columns]: [usize; 2]) -> HeightMap {
 
 #[test]
 fn a_map_is_reached_by_an_element_within_one_of_its_end_on_any_side() {
-    // Elements of side 1/20: the middle of the 16th beside the axis lies 0.775 from it.
+    // Elements of side 1/20: the centre of the 16th from the axis lies at 0.775.
     let (grid, size) = (Grid::new(2.0, 40).unwrap(), 40);
     let pressed = |place: [usize; 2]| {
         let mut pressure = vec![0.0; size * size];
@@ -132,8 +132,8 @@ fn a_map_is_reached_by_an_element_within_one_of_its_end_on_any_side() {
             (&of_indenter, CutOff::IndenterMap),
             (&of_relief, CutOff::ReliefMap),
         ] {
-            // The map ends at ±0.75 along one axis: the 15th element beside the axis, at 0.725, reaches beyond it with
-            // the next, the 14th, at 0.675, does not.
+            // The map ends at ±0.75 along one axis. The neighbour of the 15th element from the axis, at 0.725, lies
+            // beyond it; that of the 14th, at 0.675, does not.
             for [near, far] in [[20 + 13, 20 + 14], [19 - 13, 19 - 14]] {
                 let place = |i: usize| if along == 0 { [i, 18] } else { [18, i] };
                 let found = [near, far].map(|i| map_reached(model, &grid, &pressed(place(i))));
@@ -146,7 +146,7 @@ fn a_map_is_reached_by_an_element_within_one_of_its_end_on_any_side() {
 #[test]
 fn an_indenters_height_at_its_axis_is_that_of_the_four_elements_around_it() {
     let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
-    // Centres at 1/8 along both axes; of an odd number the middle one lies on the axis.
+    // Centres at 1/8 along both axes; with an odd number the middle one lies on the axis.
     let lowest = |size| lowest_height(&ball, &Grid::new(1.0, size).unwrap());
     assert_eq!([lowest(4), lowest(5)], [1.0 / 64.0, 0.0]);
     let pin = model(FlatPunch::new(0.1).unwrap().into(), Relief::Bare);
@@ -175,13 +175,13 @@ fn a_first_look_is_clear_where_the_gap_is_a_tenth_wider_than_the_penetration() {
         let solution = solution(penetration, force, pressure);
         outlook.is_clear(&ball, 1.0, &grid, &solution)
     };
-    // The height at the edge, 0.125, alone settles it; beyond that the gap at the nearest blocks, 0.1416, and what a
-    // force moves them by, Q/(π E* r) or 0.036 here, must be more than 1.1 times the penetration.
+    // Up to the height at the edge, 0.125, that alone suffices. Beyond it, the gap at the nearest blocks, 0.1416, plus
+    // their displacement by a force, Q/(π E* r) or 0.036 here, must be more than 1.1 times the penetration.
     assert!(is_clear(0.125, 0.0) && is_clear(0.128, 0.0) && !is_clear(0.13, 0.0));
     assert!(is_clear(0.157, 0.06) && !is_clear(0.166, 0.06));
 }
 
-/// The elements of a square of 10 × 10 that press, under a ball of radius 1, at a penetration.
+/// A solution at a penetration with pressure on some elements of a square of 10 × 10.
 fn pressed_by_ball(on: &[[usize; 2]], penetration: f64) -> Solution {
     let mut pressure = vec![0.0; 100];
     on.iter().for_each(|[i, j]| pressure[i * 10 + j] = 1e-9);
@@ -211,7 +211,7 @@ fn what_presses_at_the_rim_goes_on_where_the_gap_behind_it_is_less_than_the_pene
             "{rim:?}"
         );
     }
-    // At a corner it is farther to what is behind; within, nothing is at the rim.
+    // The place behind a corner is farther away; an element inside is not on the rim.
     let corner = f64::midpoint(0.11 * 0.11, 0.09 * 0.09);
     for rim in [[0, 0], [0, 9], [9, 0], [9, 9]] {
         let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
@@ -224,7 +224,7 @@ fn what_presses_at_the_rim_goes_on_where_the_gap_behind_it_is_less_than_the_pene
     assert!(!around.presses_at_the_rim(&pressed_by_ball(&inner, 1.0)));
 }
 
-/// A ball of radius 0.1, and beside it at 0.15 along x one of radius 1 whose tip is higher by 0.01.
+/// A ball of radius 0.1 and, at 0.15 along x, one of radius 1 whose tip is higher by 0.01.
 #[derive(Debug)]
 struct Tips;
 
@@ -246,11 +246,11 @@ fn what_would_touch_farther_away_cuts_a_contact_off() {
         assert!(found.is_none_or(|found| found == CutOff::Domain));
         found.is_some()
     };
-    // The surface hardly moves: the other tip, beyond the domain's edge, touches from a depth of 0.01 on, by the blocks
-    // that it is seen with and what counts as overlap.
+    // The surface hardly moves: the other tip, beyond the domain's edge, touches from a depth of 0.01, give or take the
+    // size of the blocks and the overlap that counts.
     assert!(!cuts(&tips, 0.004) && !cuts(&tips, 0.009));
     assert!(cuts(&tips, 0.013) && cuts(&tips, 0.02));
-    // Under one ball alone nothing but what is beside the domain's edge, from 0.005 on.
+    // A single ball touches only beside the domain's edge, from 0.005.
     assert!(!cuts(&ball, 0.004) && cuts(&ball, 0.02));
     // Without contact, or without a penetration, nothing is cut off.
     let mut around = Surroundings::of(&tips, grid);
@@ -265,13 +265,13 @@ fn a_first_square_is_the_last_where_the_indenter_is_higher_around_it() {
     let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
     let frame = SquareFrame::of(&ball, 1.0);
     assert!(frame.is_the_last(&ball, 0.12) && !frame.is_the_last(&ball, 0.13));
-    // Nothing is known of a shape of the user's own before its blocks are looked at.
+    // Nothing is known of a user-defined shape before its blocks are made.
     let tips = model(Indenter::custom(Tips), Relief::Bare);
     let frame = SquareFrame::of(&tips, 1.0);
     assert!(!frame.is_the_last(&tips, -1.0));
 }
 
-/// A plane that leans towards −x and, twice as much, towards −y.
+/// A plane that slopes down towards −x and, twice as steeply, towards −y.
 #[derive(Debug)]
 struct Slant;
 

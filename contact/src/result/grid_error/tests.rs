@@ -1,4 +1,4 @@
-//! Intervals of sequences whose limit and order are known.
+//! Intervals for sequences with known limit and order.
 
 use approx::assert_relative_eq;
 
@@ -53,7 +53,7 @@ fn the_accuracy_of_the_solution_is_added_to_the_estimate() {
 
 #[test]
 fn a_change_that_vanishes_by_luck_is_not_taken_for_an_error_that_vanishes() {
-    // The change before, at second order: 3 · 0.6 · 0.4/3/4.
+    // The previous change, at second order: 3 · 0.6 · 0.4/3/4.
     let found = penetration(&[1.0, 1.4, 1.4]);
     assert_relative_eq!(found.estimate, 1.8 * 0.4 / 12.0, max_relative = 1e-12);
 }
@@ -147,7 +147,7 @@ fn values_beside_a_solution_have_the_same_interval_and_the_accuracy_that_each_ha
     assert!(staircase.resolved && staircase.estimate > smooth.estimate);
     assert!(!edge.resolved);
     let ratio = 2_f64.sqrt();
-    // √h: the change before counts by 0.6, and is a further factor of √2 away.
+    // √h: the previous change has weight 0.6 and is a further factor of √2 away.
     assert_relative_eq!(
         edge.estimate,
         0.6 * 0.75 / (ratio - 1.0) / ratio,
@@ -165,13 +165,13 @@ fn values_beside_a_solution_have_the_same_interval_and_the_accuracy_that_each_ha
 
 #[test]
 fn changes_that_hardly_shrink_are_resolved_where_they_are_small_beside_the_number() {
-    // Of the order 0.4 and 0.7 in the side, beside half of the least order believed, 0.65.
+    // Orders of 0.4 and 0.7 in the side, compared with half of the lowest accepted order, 0.65.
     let with = |order: f64, offset: f64| {
         let ratio = 2_f64.powf(-order);
         penetration(&[offset, offset + 1.0, offset + 1.0 + ratio])
     };
     assert_relative_eq!(with(0.4, 0.0).order.unwrap(), 0.4, max_relative = 1e-9);
     assert!(!with(0.4, 0.0).resolved && with(0.7, 0.0).resolved);
-    // The interval, some 3 · 0.76/1.46, is a twentieth of 31.
+    // The interval, about 3 · 0.76/1.46, is a twentieth of 31.
     assert!(with(0.4, 40.0).resolved && !with(0.4, 20.0).resolved);
 }

@@ -1,14 +1,14 @@
-//! How often a positive number lies where.
+//! The distribution of positive numbers.
 
 use crate::grid::window::Window;
 
-/// Classes of a histogram: the tail of some hundred islands' pressures is still smooth.
+/// Classes of a histogram: with this many, the tail of the pressures of some hundred islands is still smooth.
 const CLASSES: usize = 64;
 
 /// Numbers counted in equal classes from 0 to the largest.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Histogram {
-    /// The largest, where the last class ends; 0 of no numbers.
+    /// The largest number, where the last class ends; 0 if there are none.
     pub largest: f64,
     /// Mean of the numbers.
     pub mean: f64,
@@ -17,7 +17,8 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// Of the numbers that `of_line` gives for each row of the pressure on a window; none may be negative or infinite.
+    /// Counts the numbers that `of_line` gives for each row of the pressure on a window; all must be finite and not
+    /// negative.
     pub(super) fn of<'a, I: Iterator<Item = f64>>(
         window: &Window,
         pressure: &'a [f64],
@@ -57,7 +58,7 @@ impl Histogram {
         }
     }
 
-    /// How many numbers there are.
+    /// Returns how many numbers were counted.
     #[must_use]
     pub fn total(&self) -> usize {
         self.counts.iter().sum()
@@ -70,7 +71,7 @@ mod tests {
 
     #[test]
     fn numbers_are_counted_in_equal_classes_up_to_the_largest() {
-        // Of the largest, 64: its class and its own number are alike, but for the largest itself.
+        // The largest is 64, so each number lies in the class of its integer part, except for the largest itself.
         let field = [0.5, 64.0, 7.9, 8.0, 63.5, 32.0, 32.9, 0.0, 16.0];
         let window = Window::whole(3);
         let found = Histogram::of(&window, &field, |_, row| {

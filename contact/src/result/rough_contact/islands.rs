@@ -1,8 +1,8 @@
-//! The pattern of a contact: rows of elements in contact, the sides around them, and the islands that they make.
+//! The pattern of a contact: rows of elements in contact, the sides around them, and the islands that they form.
 //!
-//! An island is a set of elements connected by their sides. Two elements with only a corner in common are two islands:
-//! the two elements beside that corner are open and have it in common as well, and no pressure acts across a point. In
-//! a periodic cell islands go on at the opposite rim.
+//! An island is a set of elements connected by their sides. Two elements that share only a corner are two islands: the
+//! two open elements beside that corner share it as well, and no pressure acts across a point. In a periodic cell
+//! islands continue at the opposite rim.
 
 use std::ops::Range;
 
@@ -29,19 +29,19 @@ impl Islands {
         self.sizes.len()
     }
 
-    /// Elements of all together.
+    /// Elements of all islands together.
     #[must_use]
     pub fn elements(&self) -> usize {
         self.sizes.iter().sum()
     }
 
-    /// Elements of the largest; 0 of none.
+    /// Elements of the largest island; 0 if there are none.
     #[must_use]
     pub fn largest(&self) -> usize {
         self.sizes.first().copied().unwrap_or_default()
     }
 
-    /// How many have 1 element, 2 or 3, 4 to 7, and so on to the largest.
+    /// Numbers of islands with 1 element, 2 or 3, 4 to 7, and so on up to the largest.
     #[must_use]
     pub fn counts_by_octave(&self) -> Vec<usize> {
         let octave = |size: usize| size.ilog2() as usize;
@@ -68,21 +68,21 @@ impl ContactPattern {
         rows.filter_map(|(i, row)| Some((i, row.first()?.start..row.last()?.end)))
     }
 
-    /// Pairs of rows side by side, the last and the first of a cell among them.
+    /// Pairs of adjacent rows, including the last and the first of a periodic cell.
     fn neighbours(&self) -> impl Iterator<Item = [usize; 2]> {
         let last = self.rows.len() - 1;
         let around = (self.repeats && last > 0).then_some([last, 0]);
         (0..last).map(|i| [i, i + 1]).chain(around)
     }
 
-    /// Whether a row's last run goes on with its first in the next cell.
+    /// Whether a row's last run continues with its first in the next cell.
     fn is_joined(&self, row: &[Range<usize>]) -> bool {
         let touches =
             |run: &Range<usize>, next: &Range<usize>| run.end == self.size && next.start == 0;
         self.repeats && (row.last().zip(row.first())).is_some_and(|(run, next)| touches(run, next))
     }
 
-    /// Sides of elements in contact beside one that is not, or beside the rim of a domain.
+    /// Counts the sides between elements in contact and others, or the rim of a domain.
     pub fn sides(&self) -> usize {
         let ends = self
             .rows
@@ -103,7 +103,7 @@ impl ContactPattern {
         ends.sum::<usize>() + between.sum::<usize>() + rim
     }
 
-    /// The islands.
+    /// Finds the islands.
     pub fn islands(&self) -> Islands {
         let firsts: Vec<usize> = (self.rows.iter())
             .scan(0, |first, row| {
@@ -132,7 +132,7 @@ impl ContactPattern {
     }
 }
 
-/// The runs of a row.
+/// Finds the runs of elements in contact in a row.
 fn runs(row: &[f64]) -> Vec<Range<usize>> {
     let mut runs: Vec<Range<usize>> = Vec::new();
     for (j, _) in row.iter().enumerate().filter(|(_, p)| **p > 0.0) {
@@ -144,7 +144,7 @@ fn runs(row: &[f64]) -> Vec<Range<usize>> {
     runs
 }
 
-/// The runs of two rows that have columns in common: the one's number, the other's, and how many columns.
+/// Returns the pairs of runs of two rows that share columns: the index of either run, and the number of shared columns.
 fn overlaps<'a>(
     one: &'a [Range<usize>],
     other: &'a [Range<usize>],
@@ -167,7 +167,7 @@ fn overlaps<'a>(
     })
 }
 
-/// Sets that are joined one pair after the other; each is named by one of its members.
+/// Sets that are joined pair by pair; each is identified by one of its members.
 struct DisjointSets {
     parents: Vec<usize>,
 }
@@ -181,7 +181,7 @@ impl DisjointSets {
 
     fn root(&mut self, mut member: usize) -> usize {
         while self.parents[member] != member {
-            // Halves the path for whoever comes next.
+            // Halves the path for later searches.
             self.parents[member] = self.parents[self.parents[member]];
             member = self.parents[member];
         }

@@ -10,15 +10,15 @@ use crate::{Boundary, result::contact_field::ContactField};
 pub(super) struct Nominal {
     /// Columns of each row of the window.
     spans: Vec<Range<usize>>,
-    /// Its area in elements, which need not be whole.
+    /// Area in elements, which need not be a whole number.
     pub elements: f64,
 }
 
 /// The gaps on the nominal area.
 pub(super) struct Gaps {
-    /// Over all elements, those in contact with 0.
+    /// Mean over all elements, 0 for those in contact.
     pub mean: f64,
-    /// Of the elements that are not in contact.
+    /// Gaps of the elements that are not in contact.
     pub histogram: Histogram,
 }
 
@@ -33,7 +33,7 @@ impl Nominal {
                 elements: (size * size) as f64,
             });
         }
-        // The corners of the outermost elements, by the line between rows that they lie on.
+        // The corners of the outermost elements, by the line between rows on which they lie.
         let corners = |end: fn(&Range<usize>) -> f64| {
             let rows = pattern.extents();
             rows.flat_map(move |(i, extent)| [i, i + 1].map(|x| [x as f64, end(&extent)]))
@@ -43,7 +43,7 @@ impl Nominal {
         let rows = first..pattern.extents().last()?.0 + 1;
         let span = |i: usize| {
             let middle = i as f64 + 0.5;
-            // Of an element the centre counts.
+            // An element belongs where its centre lies.
             columns(at(&left, middle), -at(&right, middle))
         };
         Some(Self {
@@ -81,11 +81,11 @@ fn columns(left: f64, right: f64) -> Range<usize> {
     (left - 0.5).ceil() as usize..(right + 0.5).floor() as usize
 }
 
-/// The convex chain below some points in the order of their first coordinate.
+/// Returns the convex chain below some points, which are ordered by their first coordinate.
 fn convex(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
     let mut chain: Vec<[f64; 2]> = Vec::new();
     for point in points {
-        // Of two points on one line the lower.
+        // Of two points on one line, keeps the lower.
         match chain.last() {
             Some(last) if last[0] >= point[0] && last[1] <= point[1] => continue,
             Some(last) if last[0] >= point[0] => _ = chain.pop(),
@@ -136,11 +136,11 @@ mod tests {
             [5.0, 5.0],
         ];
         let chain = convex(points.into_iter());
-        // Points on a straight line between others are none of its own.
+        // Points on a straight line between others are left out.
         assert_eq!(chain, [[0.0, 1.0], [1.0, 0.0], [3.0, 0.0], [5.0, 2.0]]);
         let heights = [0.0, 0.25, 1.0, 2.5, 4.5, 5.0].map(|x| at(&chain, x));
         assert_eq!(heights, [1.0, 0.75, 0.0, 0.0, 1.5, 2.0]);
-        // Half of 1, nothing, and half of 2 × 2
+        // Half of 1, zero, and half of 2 × 2
         assert!((under(&chain) - 2.5).abs() < 1e-15);
         assert!(points.iter().all(|[x, y]| at(&chain, *x) <= *y));
     }

@@ -1,4 +1,4 @@
-//! Rough contacts whose islands, areas and gaps are known.
+//! Rough contacts with known islands, areas and gaps.
 
 use std::sync::Arc;
 
@@ -66,7 +66,7 @@ fn two_bumps_are_two_islands_with_a_hull_around_them() {
         found.counted_area - cut,
         max_relative = 1e-8
     );
-    // Around two discs of radius a: π a² + 2a · distance. A polygon of elements keeps to it within an element.
+    // The hull of two discs of radius a: π a² + 2a · distance. The polygon of elements matches it to within an element.
     let radius = (step.summary.contact_area / 2.0 / std::f64::consts::PI).sqrt();
     let hull = |a: f64, from: f64| std::f64::consts::PI * a * a + 2.0 * a * from;
     let [inner, outer] = [-0.5, 0.5].map(|more| hull(radius + more * grid.element_side(), 0.8));
@@ -78,7 +78,7 @@ fn two_bumps_are_two_islands_with_a_hull_around_them() {
         total / pressed.len() as f64,
         max_relative = 1e-12
     );
-    // The mean gap by the whole surface: between the outermost tangents |y| < a, from disc to disc.
+    // The mean gap from the whole surface: between the outermost tangents |y| < a, from disc to disc.
     let surface = path.surface(&path.geometry(), 0).unwrap();
     let within = |e: &usize| {
         let [x, y] = [grid.centre(e / grid.size()), grid.centre(e % grid.size())];
@@ -90,14 +90,14 @@ fn two_bumps_are_two_islands_with_a_hull_around_them() {
         .map(|e| surface.gap[e].max(0.0))
         .collect();
     let mean = gaps.iter().sum::<f64>() / gaps.len() as f64;
-    // The hull holds a rim of an element more, where gaps are small.
+    // The hull includes a further rim of one element, where gaps are small.
     assert_relative_eq!(found.mean_gap, mean, max_relative = 0.03);
 }
 
 #[test]
 fn a_cell_is_in_nominal_contact_all_over() {
     let q = std::f64::consts::PI;
-    // With its own neighbours around it, as far as its lowest point may be moved.
+    // The map extends beyond the cell, as far as its lowest point may be moved.
     let waves = map(192, 6.0, |[x, y]| {
         0.01 * (1.0 - (q * x).cos() * (q * y).cos())
     });
@@ -106,11 +106,11 @@ fn a_cell_is_in_nominal_contact_all_over() {
     assert_eq!(path.boundary, Boundary::Periodic);
     let found = rough(&path.steps[0]);
     assert_relative_eq!(found.nominal_area, 4.0, max_relative = 1e-12);
-    // A crest in the middle, and one round the corners of the cell.
+    // One crest in the middle, and one around the corners of the cell.
     assert_eq!(found.islands.count(), 2);
     let surface = path.surface(&path.geometry(), 0).unwrap();
     let mean = surface.gap.iter().sum::<f64>() / surface.gap.len() as f64;
-    // Gaps in contact are nought to the certificate's tolerance.
+    // Gaps in contact are zero to the certificate's tolerance.
     assert_relative_eq!(found.mean_gap, mean, max_relative = 1e-7);
     let open = surface.gap.len() - found.pressures.total();
     assert_eq!(found.gaps.total(), open);

@@ -1,4 +1,4 @@
-//! The stress that each strength is compared with, and the loads at which it is reached.
+//! The stress with which each strength is compared, and the loads at which it is reached.
 
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ fn extreme<const AXES: usize>(value: f64) -> Extreme<AXES> {
     }
 }
 
-/// A coating with all strengths on a substrate with one, and the interface between.
+/// A coating with all strengths on a substrate with one, and the interface between them.
 fn stress() -> StressModel {
     let body = |name: &str, [top, bottom]: [f64; 2], strengths| BodyPart {
         name: name.to_owned(),
@@ -105,7 +105,7 @@ fn every_strength_asks_for_its_own_stress_in_its_own_range() {
         ("interface[0]", 7.0, [0.2; 2], Tension, 31.0),
     ];
     assert_eq!(found.collect::<Vec<_>>(), wanted);
-    // On an interface the depth is its own.
+    // On an interface the depth is that of the interface.
     assert_eq!(asked[3].known[0].at, [0.5, 0.5, 0.2]);
 }
 
@@ -154,7 +154,7 @@ fn a_body_yields_under_a_ball_at_the_force_of_hertz() {
         indenter: Paraboloid::new(1.0).unwrap().into(),
         cache: Cache::none(),
     };
-    // 0.62 p0 with p0³ = 6 Q E*²/(π³ R²); 0.2 of it is more than any load reaches.
+    // 0.62 p0 with p0³ = 6 Q E*²/(π³ R²); no load reaches a tension of 0.2.
     let strength = 0.05;
     let modulus = 1.0 / 0.91;
     let exact = (std::f64::consts::PI * strength / 0.62).powi(3) / (6.0 * modulus * modulus);
@@ -183,13 +183,13 @@ fn a_body_yields_under_a_ball_at_the_force_of_hertz() {
     let [yielding, tension] = &found[..] else {
         panic!("{found:?}")
     };
-    // Seven elements to the radius.
+    // Seven elements per radius.
     assert!(
         (yielding.force.unwrap() / exact - 1.0).abs() < 0.1,
         "{yielding:?}"
     );
     assert!((yielding.utilisation - 1.0).abs() < 1e-3);
-    // Three times the error of the stress, which coarser grids tell.
+    // Three times the error of the stress, which is estimated from coarser grids.
     assert!(yielding.estimate.unwrap() > 0.0 && yielding.estimate.unwrap() < 0.5 * exact);
     assert!(tension.force.is_none() && tension.utilisation < 0.7);
     let cut = SolverOptions {

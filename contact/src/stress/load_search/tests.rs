@@ -1,4 +1,4 @@
-//! Searches whose forces are known.
+//! Load searches with known results.
 
 use std::sync::Arc;
 
@@ -77,7 +77,7 @@ fn secants_from_either_side_find_where_a_ball_makes_a_body_yield_in_a_few_loads(
         let LoadSearchResult::Met { solved, exponent } = search.search().unwrap() else {
             panic!("the strength is reached")
         };
-        // The grid's error of the stress, three times in the force.
+        // The discretisation error of the stress, tripled in the force.
         assert!(
             (solved.force / exact - 1.0).abs() < 0.01,
             "{} {exact}",
@@ -101,7 +101,7 @@ fn secants_from_either_side_find_where_a_ball_makes_a_body_yield_in_a_few_loads(
 #[test]
 fn loads_solved_before_say_between_which_the_strength_is_reached_and_how_steeply() {
     let (model, target) = (model(), target());
-    // σ = 2 √Q, and no less than 0 of what pulls
+    // σ = 2 √Q, and no utilisation below 0
     let loads = [(0.0, -1.0), (1.0, 2.0), (4.0, 4.0), (9.0, 6.0)];
     let known = loads.map(|(force, value)| solved(force, value)).to_vec();
     let observer = &mut ();
@@ -129,7 +129,7 @@ fn loads_solved_before_say_between_which_the_strength_is_reached_and_how_steeply
     assert_eq!(search.exponent(&one, &solved(4.0, 2.0)), None);
     assert_eq!(search.nearer(one, nine).force, 9.0);
     assert_eq!(search.nearer(four, nine).force, 4.0);
-    // A side that is given stays; one that is chosen holds the contact of the load.
+    // A given side stays; a chosen one holds the contact of the load.
     search.domain = Domain::Side(3.0);
     assert_eq!(search.domain_for(1e-3).unwrap(), Domain::Side(3.0));
     search.domain = Domain::Automatic;
@@ -146,7 +146,7 @@ fn a_strength_hardly_missed_is_looked_for_between_the_loads_on_either_side() {
     let (model, target) = (model(), target());
     let strength = 0.03;
     let exact = (std::f64::consts::PI * strength / 0.6205).powi(3) * 0.91_f64.powi(2) / 6.0;
-    // Loads whose stresses are said to be too low, but between the second and the third it is reached.
+    // The given stresses are too low, but between the second and the third load the strength is reached.
     let loads = [(0.3, 0.2), (0.9, 0.95), (2.0, 0.3)];
     let known = |factor: f64| {
         let of = |(part, value): (f64, f64)| solved(part * exact, factor * value * strength);
@@ -155,7 +155,7 @@ fn a_strength_hardly_missed_is_looked_for_between_the_loads_on_either_side() {
     let observer = &mut ();
     let mut one = search((&model, &target), strength, known(1.0), observer);
     let found = one.reached_between().unwrap().unwrap();
-    // First halfway to the load before, √(0.3 · 0.9), where it is not; then halfway to the one after.
+    // First halfway to the previous load, √(0.3 · 0.9), where it is not reached; then halfway to the next.
     let places: Vec<f64> = one.solved.iter().map(|at| at.force / exact).collect();
     let wanted = [0.3, 0.27_f64.sqrt(), 0.9, 2.0];
     assert_eq!(places.len(), 5, "{places:?}");
@@ -166,7 +166,7 @@ fn a_strength_hardly_missed_is_looked_for_between_the_loads_on_either_side() {
     );
     assert!(found.force > 0.9 * exact && found.force < 2.0 * exact);
     assert!(found.extreme.value >= strength);
-    // Where less than seven tenths of it is seen nothing is looked for.
+    // With less than seven tenths of the strength there is no search.
     let observer = &mut ();
     let mut far = search((&model, &target), strength, known(0.7), observer);
     assert!(far.reached_between().unwrap().is_none() && far.solved.len() == 3);

@@ -1,4 +1,4 @@
-//! Peaks that are known by a closed form or by looking all around them.
+//! Peaks that are known from a closed form or from values all around them.
 
 use std::sync::Arc;
 
@@ -96,7 +96,7 @@ fn no_point_around_a_peak_has_more_than_it_and_the_peak_is_where_it_is_said_to_b
         let points = offsets.map(|u| offsets.map(|v| [x + u, y + v])).concat();
         for depth in offsets.map(|w| Depth::below((z + w).max(0.25))) {
             for state in field.at_points(&points, depth).unwrap() {
-                // The peak is flat: a place right to a hundredth of the radius.
+                // The peak is flat; its place is accurate to a hundredth of the radius.
                 assert!(state.von_mises() < (1.0 + 1e-5) * found.value, "{found:?}");
             }
         }
@@ -121,7 +121,7 @@ fn an_element_is_the_nearest_to_its_own_centre() {
         let [x, y, z] = search.point(place, 0.3);
         assert_eq!((search.place([x + 0.09, y - 0.09]), z), (place, 0.3));
     }
-    // The first loaded element's row and the middle of its column's five before the axis.
+    // The row of the first loaded elements lies at x = −0.8.
     assert!((search.point([0, 5], 0.0)[0] + 0.8).abs() < 1e-12);
 }
 
@@ -141,7 +141,7 @@ fn a_bracket_is_divided_at_the_vertex_of_its_parabola_or_in_the_golden_section()
         };
         bracket.next()
     };
-    // A vertex is taken that lies a sixteenth of the width, 0.25, from the best and from either end.
+    // A vertex is accepted if it lies over a sixteenth of the width, 0.25, from the best and from either end.
     let parabola = |vertex: f64, at: [f64; 3]| at.map(|z| (z, 9.0 - (z - vertex).powi(2)));
     let vertices = [
         (1.3, [1.0, 2.0, 0.5]),
@@ -179,7 +179,7 @@ fn a_depth_lies_in_the_body_of_the_range_at_either_end() {
 
 #[test]
 fn a_climb_that_never_ends_stops_a_few_depths_beside_the_loaded_square() {
-    // Eleven elements of side 0.2 press, from −1.1 on; nothing that fades away is a peak before the limit.
+    // Eleven elements of side 0.2 have pressure, from −1.1 on; a decaying stress has no peak before the limit.
     let field = hertz(0.0);
     let mut search = PeakSearch::new(&field, StressQuantity::Tension, [0.0, f64::INFINITY]);
     for depth in [0.2, 0.6] {
@@ -210,7 +210,7 @@ fn a_peak_between_depths_is_interpolated_within_the_range_however_narrow() {
             "{range:?}: {found:?}"
         );
         assert!(found.value > first.value, "{range:?}: {found:?}");
-        // No depth around has more than a thousandth more.
+        // No neighbouring depth exceeds it by more than a thousandth.
         let around = [-0.02, 0.02].map(|z| depth + z);
         for z in around
             .into_iter()

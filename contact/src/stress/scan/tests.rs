@@ -67,7 +67,7 @@ fn a_value_within_two_hundredths_of_the_largest_comes_near_it() {
     }
 }
 
-/// Pressures that are alike in 2 × 2 elements, on a unit square of 8 × 8.
+/// Pressures that are equal over blocks of 2 × 2 elements, on a unit square of 8 × 8.
 fn field() -> StressField {
     let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
     let pressed = |e: usize| match [e / 16, e % 8 / 2] {
@@ -92,7 +92,7 @@ fn planes_under_blocks_have_the_stresses_of_the_field_at_the_middles_of_blocks()
         let point =
             |k: usize| [0, 1].map(|axis| blocks.first[axis] + place(k)[axis] as f64 * blocks.side);
         let points: Vec<_> = (0..states.len()).map(point).collect();
-        // Beside the loaded square, 0.3 of its side and one and a half depths at least, and no block more.
+        // On either side of the loaded square at least 0.3 of its side plus one and a half depths, not a block more.
         let [low, high] = [points[0], points[states.len() - 1]];
         for axis in 0..2 {
             let edges = [-low[axis], high[axis]].map(|middle| middle + blocks.side / 2.0);
@@ -175,12 +175,12 @@ fn peaks_of_every_plane_are_the_stresses_there_under_elements_and_under_blocks()
                     depth.z
                 );
                 if quantity == StressQuantity::Compression {
-                    // p0/(1 + z²/a²) on the axis, beside which a block's middle lies.
+                    // p0/(1 + z²/a²) on the axis, which is next to the middle of a block.
                     let ratio = largest.value * (1.0 + depth.z * depth.z);
                     assert!((ratio - 1.0).abs() < 0.02, "{}: {ratio}", depth.z);
                     let apart = largest.at[0].hypot(largest.at[1]);
                     assert!(apart <= element.max(depth.z / 8.0), "{}: {apart}", depth.z);
-                    // Blocks no wider than an eighth of the depth: their middles are whole blocks apart.
+                    // Blocks are no wider than an eighth of the depth, and their middles are whole blocks apart.
                     let block = if depth.z >= 16.0 * element { 2.0 } else { 1.0 };
                     let first = grid.centre(field.loaded().origin[0]) - element / 2.0;
                     let middle = (largest.at[0] - first) / (block * element) - 0.5;

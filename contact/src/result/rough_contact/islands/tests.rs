@@ -24,7 +24,7 @@ fn an_island_hangs_together_by_sides_and_goes_on_in_the_next_cell() {
         "..##.", "#....", "#.#.#",
     ];
     assert_eq!(sizes(&lines, false), [3, 2, 2, 1, 1, 1]);
-    // Round the corner of the cell: the first row's ends, with the last row's and the column above them.
+    // Around the corner of the cell: the ends of the first and the last row, and the column above them.
     assert_eq!(sizes(&lines, true), [6, 3, 1]);
 }
 
@@ -32,7 +32,7 @@ fn an_island_hangs_together_by_sides_and_goes_on_in_the_next_cell() {
 fn a_corner_in_common_joins_nothing() {
     assert_eq!(sizes(&["#.", ".#"], false), [1, 1]);
     assert_eq!(pattern(&["#.", ".#"], false).sides(), 8);
-    // Of a cell each has the other on all sides.
+    // In a periodic cell the elements in contact have open ones on all sides.
     assert_eq!(sizes(&["#.", ".#"], true), [1, 1]);
 }
 
@@ -64,7 +64,7 @@ fn sides_are_counted_once() {
     }
 }
 
-/// Every element by its neighbours, one at a time.
+/// Sizes and sides found by flooding, one element at a time.
 fn by_flooding(lines: &[String], repeats: bool) -> (Vec<usize>, usize) {
     let n = lines.len().cast_signed();
     let is_contact = |[i, j]: [isize; 2]| {
