@@ -110,7 +110,7 @@ impl BaseCase {
         })
     }
 
-    /// Resolves the case of a tree: the tree of this case with other values.
+    /// Resolves the case of `root`, which is the tree of this case with other values.
     ///
     /// # Errors
     ///
