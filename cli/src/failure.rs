@@ -221,7 +221,7 @@ pub enum Failure {
         line: usize,
         /// The fault.
         found: String,
-        /// The form wanted.
+        /// The expected form.
         wanted: &'static str,
     },
     /// Standard output cannot be written to.

@@ -81,7 +81,7 @@ pub enum MapError {
         /// The values wanted.
         wanted: &'static str,
     },
-    /// Fewer data than the header says.
+    /// Fewer data than the header states.
     #[error("which holds {found} bytes of data, but its header says {wanted}")]
     Short {
         /// Bytes found.

@@ -39,7 +39,7 @@ pub enum CurveError {
     /// There is no table with this number.
     #[error("found {found} tables, wanted the number of one of them, not {wanted}")]
     NoSuchTable {
-        /// The number asked for.
+        /// The requested number.
         wanted: usize,
         /// Number of tables in the file.
         found: usize,
@@ -55,7 +55,7 @@ pub enum CurveError {
     NoSuchColumn {
         /// The key of the column.
         key: &'static str,
-        /// The name asked for.
+        /// The requested name.
         name: String,
         /// The existing names.
         columns: String,
@@ -67,7 +67,7 @@ pub enum CurveError {
     NameTwice {
         /// The key of the column.
         key: &'static str,
-        /// The name asked for.
+        /// The requested name.
         name: String,
         /// The numbers of the columns with that name.
         numbers: String,
@@ -79,7 +79,7 @@ pub enum CurveError {
     ColumnRange {
         /// The key of the column.
         key: &'static str,
-        /// The number asked for.
+        /// The requested number.
         number: usize,
         /// Number of columns of the table.
         columns: usize,
@@ -116,7 +116,7 @@ pub enum CurveError {
         column: String,
         /// The quantity that the header names.
         found: String,
-        /// The dimension wanted.
+        /// The expected dimension.
         wanted: &'static str,
     },
     /// No row has a valid number in every requested column.
@@ -130,7 +130,7 @@ pub enum CurveError {
     NoSuchMarker {
         /// The end of the segment that refers to it.
         end: &'static str,
-        /// The marker asked for.
+        /// The requested marker.
         marker: String,
         /// The existing markers.
         markers: String,
@@ -138,7 +138,7 @@ pub enum CurveError {
     /// No row has this value in the column of segments.
     #[error("found no row of the segment {value} among {values}, wanted one of them")]
     NoSuchSegment {
-        /// The value asked for.
+        /// The requested value.
         value: String,
         /// The existing values.
         values: String,
