@@ -109,7 +109,7 @@ pub enum Failure {
     Samples {
         /// The file.
         path: PathBuf,
-        /// The place in it, in words.
+        /// The position in the file, in words.
         place: String,
         /// The fault.
         found: String,

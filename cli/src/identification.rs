@@ -147,7 +147,7 @@ impl FitFile {
         self.unknowns.iter().chain(nuisances).cloned().collect()
     }
 
-    /// The SI unit of an estimate of a fit: first of all unknowns, then of the spring constants.
+    /// The SI unit of an estimate of a fit; `index` counts all unknowns, then the spring constants.
     #[must_use]
     pub fn unit(&self, index: usize) -> &'static str {
         let all = self.all_unknowns();

@@ -1,4 +1,4 @@
-//! The derivatives of a solved path with respect to the numbers of its case, as a summary gives them.
+//! The derivatives of a solved path with respect to the parameters of its case, as a summary gives them.
 
 use pellicle_contact::{ForceCurve, Load, LoadingPath, Model};
 

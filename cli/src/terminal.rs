@@ -7,7 +7,8 @@ use std::io::{self, Write};
 #[error("standard output: cannot be written: {0}")]
 pub struct NoOutput(pub io::Error);
 
-/// Writes a text to standard output, [cleaned](clean()). A reader that closes the pipe (`| head -1`) is no error.
+/// Writes a text to standard output, [cleaned](clean()). It is not an error if the reader closes the pipe (`| head
+/// -1`).
 ///
 /// # Errors
 ///

@@ -38,11 +38,11 @@ pub enum SurfaceCase {
     Map(ReliefMapCase),
     /// The elastic body's own measured surface.
     Rough(MapCase),
-    /// A relief of a caller's own functions.
+    /// A relief given by the caller's functions.
     Function(ReliefFunctionCase),
 }
 
-/// A relief of a caller's own functions.
+/// A relief given by the caller's functions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ReliefFunctionCase {
     /// The functions.
@@ -72,7 +72,7 @@ pub struct ReliefMapCase {
 pub enum ComplianceCase {
     /// `η`, m/Pa, the same everywhere; 0 is rigid.
     Compliance(f64),
-    /// Young's modulus, Pa: `η` is the height above the deepest sample over it.
+    /// Young's modulus, Pa: `η` is the height above the deepest sample divided by it.
     YoungModulus(f64),
 }
 

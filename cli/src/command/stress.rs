@@ -91,7 +91,7 @@ fn step(case: &Case, asked: Option<usize>) -> Result<usize, Failure> {
     }
 }
 
-/// Refuses a point inside a rigid base before anything is solved.
+/// Rejects a point inside a rigid base before anything is solved.
 fn check_depths(case: &Case, points: &[[f64; 3]]) -> Result<(), Failure> {
     let bottom = case.foundation.bottom();
     let is_outside = |point: &&[f64; 3]| {

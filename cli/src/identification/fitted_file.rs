@@ -1,11 +1,11 @@
-//! A fit file fitted: the problem, the fit and its result.
+//! The fit of a fit file: the problem, the fit and its result.
 
 use pellicle_identify::Fit;
 
 use super::result::FitResult;
 use super::{Identification, tables};
 
-/// A fit file fitted.
+/// The fit of a fit file.
 #[derive(Debug)]
 pub struct FittedFile {
     /// The problem.

@@ -1,9 +1,9 @@
 //! Spring constants of cantilevers that are not known exactly.
 //!
 //! A force microscope measures the approach z of its piezo and the deflection d of its cantilever. The penetration `δ =
-//! z − d` does not depend on the spring constant. The force is `F = k d`, or was so computed with a nominal constant
-//! k₀. An error of k therefore multiplies all forces of a table, `F = (k/k₀) F₀`, and nothing else. It is a parameter
-//! with a normal prior that no curve can separate from the moduli, as penetrations depend on `F/E`.
+//! z − d` does not depend on the spring constant. The force is `F = k d`, or was computed in this way with a nominal
+//! constant k₀. An error of k therefore multiplies all forces of a table, `F = (k/k₀) F₀`, and nothing else. It is a
+//! parameter with a normal prior that no curve can separate from the moduli, as penetrations depend on `F/E`.
 
 use pellicle_identify::{ForceScale, IdentifyError, Prior, Unknown};
 

@@ -157,11 +157,11 @@ impl<'a> ValueReader<'a> {
         })
     }
 
-    /// Reads an integer in `range`; in the diagnosis `why` follows the range.
+    /// Reads an integer in `range`; `why` follows the range in the diagnosis.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if the value has another type.
+    /// A [`Diagnosis`] if the value is not such an integer.
     pub fn count(&self, range: RangeInclusive<usize>, why: &str) -> Result<usize, Diagnosis> {
         let count = match self.node.value {
             TomlValue::Integer(count) => usize::try_from(count).ok(),

@@ -6,8 +6,8 @@
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
-/// Share of the mean square slope that waves longer than the shortest one have. A surface of Hurst exponent 0.8 reaches
-/// it within 3 % of its cutoff wavelength.
+/// Share of the mean square slope in waves longer than the shortest one. A surface of Hurst exponent 0.8 reaches it
+/// within 3 % of its cutoff wavelength.
 const SHARE: f64 = 0.99;
 
 /// The smallest number of samples of a line with a useful spectrum.

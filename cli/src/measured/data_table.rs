@@ -182,7 +182,7 @@ impl DataTable {
 /// Description of the expected files.
 const FILES: &str = "the path of a text file from the folder of the fit file, or a pattern with * and ? for several";
 
-/// Returns the files that match; an empty list is no error until they are read.
+/// Returns the files that match; an empty list is not an error until they are read.
 fn matching(
     table: &TableReader<'_>,
     sources: &MeasurementSources,

@@ -14,11 +14,11 @@ pub struct MeasuredNoise {
     pub force: Option<f64>,
     /// Standard deviation of the observable relative to its value.
     pub relative: Option<f64>,
-    /// Whether neighbouring points have noise in common.
+    /// Whether the noise of neighbouring points is correlated.
     pub correlation: NoiseCorrelation,
 }
 
-/// Whether neighbouring points have noise in common.
+/// Whether the noise of neighbouring points is correlated.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum NoiseCorrelation {
     /// Noise is independent.

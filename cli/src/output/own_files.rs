@@ -122,7 +122,7 @@ fn is_written(entry: &DirEntry, steps: usize) -> bool {
 ///
 /// # Errors
 ///
-/// Those of the system if one cannot be removed.
+/// An error of the system if a file cannot be removed.
 pub fn remove(folder: &Path) -> io::Result<()> {
     remove_files(folder)?;
     if fs::read_dir(folder)?.next().is_none() {
@@ -135,7 +135,7 @@ pub fn remove(folder: &Path) -> io::Result<()> {
 ///
 /// # Errors
 ///
-/// Those of the system if one cannot be removed.
+/// An error of the system if a file cannot be removed.
 pub fn remove_files(folder: &Path) -> io::Result<()> {
     let summary = folder.join(summary::FILE);
     if fs::symlink_metadata(&summary).is_ok() {

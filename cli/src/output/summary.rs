@@ -100,7 +100,7 @@ pub struct Timing {
     pub threads: usize,
 }
 
-/// The times of a run that the solver does not see.
+/// The times of a run that the solver does not measure.
 #[derive(Debug, Clone, Copy)]
 pub struct Clock {
     /// The moment at which reading the case began.

@@ -1,7 +1,7 @@
 //! `fields-NNN.vti`: the fields of one loading step, for `ParaView` and everything else that reads VTK's XML.
 //!
-//! An image of N × N cells; the numbers follow the text in binary, each array after its length in bytes. They have
-//! single precision, which no picture shows and which halves the file; `fields-NNN.npz` has full precision.
+//! An image of N × N cells; the numbers follow the text in binary, each array after its length in bytes. Single
+//! precision is enough for any picture and halves the file; `fields-NNN.npz` has full precision.
 
 use std::io::{self, Write};
 use std::path::Path;

@@ -87,7 +87,7 @@ impl Header {
     ///
     /// # Errors
     ///
-    /// If a number does not fit into the format.
+    /// An error if a number does not fit into the format.
     pub fn bytes(&self) -> io::Result<Vec<u8>> {
         // The offsets follow from the length of the header, which does not depend on them.
         let length = self.bytes_with_values_at(0)?.len();
