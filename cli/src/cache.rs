@@ -1,5 +1,5 @@
-//! The cache of radial tables and coefficients: in the folder that `PELLICLE_CACHE` names, or else in the platform's
-//! cache folder.
+//! The cache of radial tables and coefficients, in the folder named by `PELLICLE_CACHE` or else in the platform's cache
+//! folder.
 
 use std::env;
 use std::ffi::OsString;
@@ -19,9 +19,9 @@ pub fn open() -> Cache {
     folder(env::var_os(VARIABLE), platform_folder).map_or_else(Cache::in_memory, Cache::at)
 }
 
-/// The cache of a study: as [`open`], but tables of coefficients are kept on disk only from N = 128 on. Every case
-/// whose load or radius differs has an element of its own size: 20,000 cases of N = 32 would leave 39,000 files that
-/// take as long to write and read as to compute. Foundations' radial tables, which cases share, are kept as always.
+/// The cache of a study: like [`open`], but tables of coefficients are kept on disk only for N ≥ 128. Cases that differ
+/// in load or radius differ in element size: 20,000 cases of N = 32 would leave 39,000 files that take as long to write
+/// and read as to compute. Radial tables of foundations, which cases share, are always kept.
 #[must_use]
 pub fn open_for_many() -> Cache {
     const SMALLEST: usize = 128;
@@ -35,7 +35,7 @@ pub fn tell_warnings(cache: &Cache) {
     cache.take_warnings().into_iter().for_each(tell);
 }
 
-/// The folder named, none if the name is empty, the platform's if there is no name.
+/// The named folder; none if the name is empty, the platform's folder if there is no name.
 fn folder(
     named: Option<OsString>,
     platform_folder: impl FnOnce() -> Option<PathBuf>,

@@ -50,7 +50,7 @@ use crate::source_file;
 /// Written as TOML it is a case file again.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Case {
-    /// Title; the name of the file unless given.
+    /// Title; by default the name of the file.
     pub title: String,
     /// The elastic body.
     pub foundation: FoundationCase,
@@ -66,7 +66,7 @@ pub struct Case {
     pub solver: SolverCase,
     /// The fields and pictures to write.
     pub output: OutputCase,
-    /// The stresses asked for; none without.
+    /// The requested stresses, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stress: Option<StressCase>,
     /// The system of units.
@@ -82,7 +82,7 @@ pub struct Case {
 pub struct BaseCase {
     /// The tree of its text.
     pub root: TomlNode,
-    /// Title of a case without one.
+    /// Title of a case that has none of its own.
     name: String,
     /// Folder to which its file names are relative.
     folder: PathBuf,
@@ -110,7 +110,7 @@ impl BaseCase {
         })
     }
 
-    /// The case of a tree, this one's with other values.
+    /// Resolves the case of `root`, which is the tree of this case with other values.
     ///
     /// # Errors
     ///
@@ -151,7 +151,7 @@ impl Case {
         Self::resolve(&root, name, folder)
     }
 
-    /// Reads a case from the tree of its text; `name` is its title unless it has one.
+    /// Reads a case from the tree of its text; `name` is its title if it has none of its own.
     ///
     /// # Errors
     ///
@@ -241,7 +241,7 @@ impl Case {
         })
     }
 
-    /// The failure of a solution, with the key to change if the case is to blame.
+    /// Returns the failure of a solution, with the key to change if the case is at fault.
     #[must_use]
     pub fn blame(&self, error: ContactError) -> Failure {
         let keys: &[&str] = match &error {
@@ -271,7 +271,7 @@ impl Case {
         self.document.refused(keys, &error).into()
     }
 
-    /// The domain to solve on: as given, or chosen for the loads.
+    /// Returns the domain of the solution, as given or chosen for the loads.
     ///
     /// # Errors
     ///
@@ -287,7 +287,7 @@ impl Case {
         Ok(domain(side))
     }
 
-    /// Looks whether the square on which stresses are wanted fits in a domain of this side.
+    /// Checks that the square of the requested stresses fits in a domain of this side.
     ///
     /// # Errors
     ///
@@ -319,7 +319,8 @@ impl Case {
         self.solver.hardness.or(self.foundation.hardness())
     }
 
-    /// The options of the solver: coarse pressures are kept where stresses are asked for, whose errors they tell.
+    /// The options of the solver. If stresses are requested, coarse pressures are kept: they give the errors of the
+    /// stresses.
     #[must_use]
     pub fn solver_options(&self) -> SolverOptions {
         SolverOptions {

@@ -1,4 +1,4 @@
-//! The commands, one a file, and how one ends that does not fail.
+//! The commands, one per file, and the outcomes of a command that does not fail.
 
 pub mod cache;
 pub mod check;
@@ -25,7 +25,7 @@ pub enum Outcome {
     NotConverged,
     /// The program disagrees with a reference: a row of its validation fails.
     Refuted,
-    /// The model does not follow the measurements: the best fit is written, but marked.
+    /// The model does not fit the measurements: the best fit is written, but marked.
     Misfit,
     /// The user asked to stop; finished results are written.
     Stopped,

@@ -1,4 +1,4 @@
-//! Numbers for people: a few digits and an SI prefix.
+//! Numbers for human readers: a few digits and an SI prefix.
 
 use crate::input::units::Units;
 
@@ -148,7 +148,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     if !(1e-3..1e6).contains(&size) {
         return format!("{value:.*e}", digits - 1);
     }
-    // The exponent after rounding: 9.99999 has that of 10.
+    // The exponent after rounding: 9.99999 rounds to 10.
     let rounded = format!("{value:.*e}", digits - 1);
     let exponent = rounded
         .rsplit('e')

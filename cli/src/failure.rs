@@ -1,4 +1,4 @@
-//! The reasons for which a command ends early, and their exit codes.
+//! The reasons why a command ends early, and their exit codes.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -27,13 +27,13 @@ pub enum Failure {
         /// The system's error.
         cause: io::Error,
     },
-    /// The kernel refuses the foundation.
+    /// The kernel rejects the foundation.
     #[error("foundation: {0}")]
     Kernel(#[from] KernelError),
     /// The influence coefficients cannot be computed.
     #[error("influence coefficients: {0}")]
     Influence(#[from] InfluenceError),
-    /// The fields inside the body cannot be computed, or not at that depth.
+    /// The fields inside the body cannot be computed, at all or at that depth.
     #[error("fields inside the body: {0}")]
     Inside(InfluenceError),
     /// A point inside the rigid base.
@@ -52,10 +52,10 @@ pub enum Failure {
         /// The last step of the case.
         last: usize,
     },
-    /// The relief is refused.
+    /// The relief is invalid.
     #[error("surface: {0}")]
     Texture(#[from] TextureError),
-    /// The indenter is refused.
+    /// The indenter is invalid.
     #[error("indenter: {0}")]
     Indenter(#[from] IndenterError),
     /// The contact problem cannot be posed or was cancelled.
@@ -73,7 +73,7 @@ pub enum Failure {
         /// The existing file or folder.
         path: PathBuf,
     },
-    /// Beside a run's summary is a file that bears one of its names but was not written by it.
+    /// A file beside a run's summary has the name of one of the run's files but was not written by the run.
     #[error("{}: found a file that the run of the summary beside it did not write: move it away, or give another --out", path.display())]
     NotWritten {
         /// The file.
@@ -109,7 +109,7 @@ pub enum Failure {
     Samples {
         /// The file.
         path: PathBuf,
-        /// The place in it, in words.
+        /// The position in the file, in words.
         place: String,
         /// The fault.
         found: String,
@@ -125,31 +125,31 @@ pub enum Failure {
     /// A study has no cases.
     #[error("found no cases in the study, wanted at least one")]
     NoCases,
-    /// The table is that of a study with other values or of another version of the program.
+    /// The table belongs to a study with other values, or was written by another version of the program.
     #[error("{}: found results of another study or of another version: give --fresh to begin again, or another --out", path.display())]
     OtherStudy {
         /// The table.
         path: PathBuf,
     },
-    /// The table of another study stands in the place of the merged one.
+    /// The table of another study is where the merged one should be.
     #[error("{}: found the table of another study: give --force to replace it", path.display())]
     OtherTable {
         /// The table.
         path: PathBuf,
     },
-    /// The results of another case stand in the place of those of a study's case.
+    /// The results of another case are where those of a study's case should be.
     #[error("{}: found results of another case: give --fresh to begin again, or another --out", path.display())]
     OtherCase {
         /// The folder.
         path: PathBuf,
     },
-    /// Something else stands in the place of the kept fields of a study.
+    /// Something else is where the kept fields of a study should be.
     #[error("{}: found other fields than this study keeps: give --fresh to begin again, or move the file away", path.display())]
     NotKept {
         /// The file.
         path: PathBuf,
     },
-    /// A field of one case is larger than the format has room for.
+    /// A field of one case is too large for the format.
     #[error(
         "study.keep: found {steps} loading steps of {elements} x {elements} elements, wanted at most 4 GiB of a field in a case: set output.fields = \"last\" to keep the last step alone"
     )]
@@ -214,14 +214,14 @@ pub enum Failure {
         /// The system's error.
         cause: io::Error,
     },
-    /// A line of standard input is not what `solve --stream` reads.
+    /// A line of standard input does not have the form that `solve --stream` reads.
     #[error("standard input, line {line}: found {found}, wanted {wanted}")]
     Line {
         /// The line, counted from 1.
         line: usize,
         /// The fault.
         found: String,
-        /// The form wanted.
+        /// The expected form.
         wanted: &'static str,
     },
     /// Standard output cannot be written to.
@@ -245,14 +245,14 @@ impl From<Diagnosis> for Failure {
 }
 
 impl Failure {
-    /// The failure to write a file or folder.
+    /// Returns the failure to write a file or folder.
     #[must_use]
     pub fn write(path: &Path, cause: io::Error) -> Self {
         let path = path.to_owned();
         Self::Write { path, cause }
     }
 
-    /// The failure that this file of a results folder is missing or was not written by a run.
+    /// Returns the failure of a results folder's file that is missing or was not written by a run.
     pub fn damaged(path: &Path, reason: &dyn std::fmt::Display) -> Self {
         Self::Damaged {
             path: path.to_owned(),
@@ -260,7 +260,7 @@ impl Failure {
         }
     }
 
-    /// The exit code: 1 if a valid case could not be solved, 2 if something has to be corrected first.
+    /// The exit code: 1 if a valid case could not be solved, 2 if something must be corrected first.
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
@@ -273,7 +273,7 @@ impl Failure {
         }
     }
 
-    /// The failure as shown on standard error: a diagnosis is drawn with its line of the case.
+    /// The failure as shown on standard error; a diagnosis shows its line of the case.
     #[must_use]
     pub fn render(&self) -> String {
         match self {
@@ -286,7 +286,7 @@ impl Failure {
     }
 }
 
-/// The change that would make a case fit in the memory, in words.
+/// Describes the change that would make a case fit in memory.
 fn fitting_in_words(fitting: usize) -> String {
     match fitting {
         0 => "more memory".into(),

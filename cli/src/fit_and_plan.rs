@@ -1,4 +1,4 @@
-//! A fit file fitted, and its design planned, as the command and the Python package do it.
+//! Fitting and planning of a fit file, shared by the command and the Python package.
 
 use std::time::Instant;
 
@@ -18,18 +18,18 @@ use crate::planning::{Planning, table};
 /// The progress of a fit or a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
-    /// So many predictions of all curves are made.
+    /// The number of predictions of all curves made so far.
     Solved(usize),
-    /// So many curves of the design are judged.
+    /// The number of curves of the design assessed so far.
     Planned(usize),
 }
 
-/// Makes the fit of a file that was begun to be read at `start`, and plans its design.
+/// Fits a file whose reading began at `start`, and plans its design.
 ///
 /// # Errors
 ///
 /// [`Failure`] if a measurement gives no curve, the model has no prediction at any start, or the user stops before the
-/// first.
+/// first prediction.
 pub fn fit(
     file: FitFile,
     start: Instant,
@@ -48,7 +48,7 @@ pub fn fit(
     })
 }
 
-/// Judges the design of a file whose reading began at `start`; `tell` is called for each curve.
+/// Assesses the design of a file whose reading began at `start`; `tell` is called for each curve.
 ///
 /// # Errors
 ///

@@ -27,7 +27,7 @@ use crate::source_file;
 /// A fit file.
 #[derive(Debug)]
 pub struct FitFile {
-    /// Title; the name of the file unless given.
+    /// Title; by default the name of the file.
     pub title: String,
     /// The model.
     pub model: FitModel,
@@ -35,7 +35,7 @@ pub struct FitFile {
     pub data: Vec<DataTable>,
     /// The unknowns.
     pub unknowns: Vec<UnknownCase>,
-    /// Frame, drift and zero of the curves, and numbers of the model that are not known exactly.
+    /// Frame compliance, drift and zero of the curves, and parameters of the model that are not known exactly.
     pub nuisances: NuisanceTable,
     /// The table `[report]`.
     pub report: ReportTable,
@@ -66,9 +66,9 @@ impl FitSources {
 /// Whether a fit file must name measurements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measurements {
-    /// It must.
+    /// Measurements are required.
     Required,
-    /// It need not: they are to be planned.
+    /// Measurements are optional: they are to be planned.
     Optional,
 }
 
@@ -85,7 +85,7 @@ impl FitFile {
         Self::parse(&source, &stem, &FitSources::in_folder(folder), measurements)
     }
 
-    /// Reads the text of a fit file, whose files and arrays are those of `sources`.
+    /// Reads the text of a fit file; `sources` supplies its files and arrays.
     ///
     /// # Errors
     ///

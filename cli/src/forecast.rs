@@ -1,7 +1,7 @@
 //! A forecast of the work, memory and warnings of a case, from a trial on a coarse grid.
 //!
 //! The trial solves for the smallest and the largest load on at most 64 × 64 elements. It gives the size of the contact
-//! and the warnings about the model. The domain is that of the solution.
+//! and the warnings about the model. Its domain is that of the solution.
 
 pub mod need;
 mod trial;
@@ -16,8 +16,9 @@ use self::trial::{TRIAL, contact_share};
 use crate::case::{Case, grid::BoundaryCase};
 use crate::display::significant;
 
-/// Growth of the products of a hard case when the elements are halved; those of an easy case hardly grow. *Measured* on
-/// the cases of Fig. 2 of the paper, N = 128 to 1024: 1.0 to 1.1 on soft coatings, 1.2 to 1.6 on stiff ones.
+/// Growth of the number of products of a hard case when the elements are halved; in an easy case it hardly grows.
+/// *Measured* on the cases of Fig. 2 of the paper, N = 128 to 1024: 1.0 to 1.1 on soft coatings, 1.2 to 1.6 on stiff
+/// ones.
 const GROWTH: f64 = 1.5;
 
 /// With fewer elements than this from the centre of a contact to its edge, the area is uncertain by a tenth or more: a
@@ -35,7 +36,7 @@ pub struct Forecast {
     pub need: Need,
     /// The solution of the largest load on that grid; none if the trial failed.
     pub step: Option<Step>,
-    /// The warnings to expect of the solution, as far as the trial can tell.
+    /// The warnings to expect from the solution, as far as the trial shows.
     pub warnings: Vec<String>,
 }
 
@@ -79,7 +80,7 @@ impl Forecast {
         }
     }
 
-    /// Lower and upper estimate of the products with `K` of a step on a finest grid of this many elements per side.
+    /// Lower and upper estimates of the products with `K` of a step whose finest grid has this many elements per side.
     #[must_use]
     pub fn products(&self, elements: usize) -> Option<[f64; 2]> {
         let step = self.step.as_ref()?;
@@ -89,8 +90,8 @@ impl Forecast {
     }
 }
 
-/// The warning that the domain is far too large for the contact of the largest load, which the trial found, or which is
-/// estimated where the trial is too coarse.
+/// The warning that the domain is far too large for the contact of the largest load. The contact is that of the trial;
+/// where the trial is too coarse, an estimate if that is smaller.
 fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
     let loads = case.load.loads();
     let found = path.steps.last()?.summary.contact_radius;
@@ -119,8 +120,8 @@ fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
     })
 }
 
-/// A warning of the trial's last step about the model, in words, and none about its coarse grid. A chosen domain is
-/// large enough: a warning that the contact is near its edge comes from the coarse grid alone.
+/// A warning of the trial's last step in words, if it is about the model and not about the coarse grid. A chosen domain
+/// is large enough: a warning that the contact is near its edge comes from the coarse grid alone.
 fn of_the_model(warning: &Warning, last: usize, is_given: bool) -> Option<String> {
     if matches!(warning, Warning::DomainEdge { .. }) && !is_given {
         return None;
@@ -139,7 +140,7 @@ fn of_the_model(warning: &Warning, last: usize, is_given: bool) -> Option<String
     (step == last).then(|| format!("at the largest load, {words}"))
 }
 
-/// The warnings about what the elements do not resolve on a domain of this side; none if the side is invalid.
+/// The warnings about features that the elements do not resolve on a domain of this side; none if the side is invalid.
 fn resolution(model: &Model, side: f64, elements: usize) -> Vec<String> {
     let grid = Grid::new(side, elements);
     let warnings = grid.map(|grid| model_warnings(model, &grid));
@@ -189,7 +190,7 @@ mod tests {
             step.solution.penetration,
             penetration(Domain::Periodic(side))
         );
-        // Measured from the mean plane, it is less.
+        // The penetration from the mean plane is smaller.
         assert!(step.solution.penetration < 0.9 * penetration(Domain::Side(side)));
     }
 }

@@ -1,4 +1,4 @@
-//! The fit of a fit file: its measurements and its model, made into a problem, solved, and told.
+//! The fit of a fit file: its measurements and model are posed as a problem, solved, and reported.
 
 pub mod curve_source;
 pub mod files;
@@ -34,10 +34,10 @@ use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::fit_file::unknown::UnknownCase;
 
-/// As many repeats as tell a scatter between them.
+/// The fewest repeats that determine the scatter between curves.
 const FEWEST_REPEATS: usize = 3;
 
-/// A fit to be made.
+/// A fit ready to be run.
 #[derive(Debug)]
 pub struct Identification {
     /// The fit file.
@@ -46,17 +46,17 @@ pub struct Identification {
     pub sources: Vec<CurveSource>,
     /// The table of each curve, by its index.
     pub tables: Vec<usize>,
-    /// Their models.
+    /// The models of the curves.
     pub model: ContactCurves,
     /// The problem: unknowns, nuisances, data and noise.
     pub problem: Problem,
-    /// Directions in which no curve changes.
+    /// Directions in parameter space along which no curve changes.
     pub directions: NullDirections,
     /// Points at which the model does not hold.
     pub outside: Outside,
-    /// The work of earlier fits, after which points had to be left out.
+    /// The work of earlier fits, repeated because points had to be left out.
     pub spent: Spent,
-    /// The user's wish that it ends.
+    /// The user's request to stop.
     pub stop: StopFlag,
 }
 
@@ -88,7 +88,8 @@ impl Identification {
         Self::posed(file.into(), sources, None, stop)
     }
 
-    /// The problem of these curves, each with the index of its table, from the starts of the fit file or from others.
+    /// The problem of these curves, each with the index of its table. The starts are those of the fit file unless
+    /// others are given.
     fn posed(
         file: Arc<FitFile>,
         sources: Vec<(usize, CurveSource)>,
@@ -139,14 +140,14 @@ impl Identification {
 }
 
 impl FitFile {
-    /// The unknowns, then the numbers of the model that are not known exactly.
+    /// The unknowns, then the parameters of the model that are not known exactly.
     #[must_use]
     pub fn all_unknowns(&self) -> Vec<UnknownCase> {
         let nuisances = self.nuisances.parameters.iter();
         self.unknowns.iter().chain(nuisances).cloned().collect()
     }
 
-    /// The SI unit of one of the estimates of a fit: those, then the spring constants.
+    /// The SI unit of an estimate of a fit; `index` counts all unknowns, then the spring constants.
     #[must_use]
     pub fn unit(&self, index: usize) -> &'static str {
         let all = self.all_unknowns();
@@ -155,7 +156,7 @@ impl FitFile {
     }
 }
 
-/// The problem without what no data can tell.
+/// The problem without its null directions and the scatter between curves.
 fn problem(
     file: &FitFile,
     sources: &[CurveSource],
@@ -183,7 +184,7 @@ fn problem(
     )?)
 }
 
-/// Repeats of one table scatter; curves of several tables are of the same parameters.
+/// Repeats of one table may scatter; the curves of several tables share their parameters.
 fn scatter(file: &FitFile) -> Scatter {
     match &file.data[..] {
         [table] if table.files.len() >= FEWEST_REPEATS => Scatter::BetweenCurves,

@@ -1,5 +1,5 @@
-//! The TOML of a case, a study or a fit file: its text and the places in it, its tree, quantities with
-//! units, and the readers of tables and values, which diagnose the first fault.
+//! The TOML of a case, a study or a fit file: its text and positions in it, its tree, quantities with units, and
+//! readers of tables and values that diagnose the first fault.
 
 pub mod diagnosis;
 pub mod dimension;

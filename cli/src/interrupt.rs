@@ -1,10 +1,11 @@
-//! Ctrl-C: work under way stops within a second, what is finished is written, and the exit code is 130.
+//! Ctrl-C: the work stops within a second, finished results are written, and the exit code is 130.
 //!
-//! The first signal sets a flag that every observer of a solution checks. Where no observer is called for a second
-//! (coefficients of a large grid), the program ends itself, unless [`hold`] has said that finished results are still to
-//! be written. A second signal ends it at once and removes half-written files. Results that are not written within
-//! [`GRACE`] of the first signal are left out. SIGTERM, which batch systems send before they kill, counts as Ctrl-C;
-//! but while the cases of a study are solved, the first one lets those in hand be finished and no other begun.
+//! The first signal sets a flag that every observer of a solution checks. If no observer is called for a second
+//! (coefficients of a large grid), the program ends itself, unless [`hold`] was called because finished results are
+//! still to be written. A second signal ends the program at once and removes half-written files. Results that are not
+//! written within [`GRACE`] of the first signal are left out. SIGTERM, which batch systems send before they kill a job,
+//! counts as Ctrl-C. But while the cases of a study are solved, the first SIGTERM lets the running cases finish and
+//! starts no others.
 
 use std::process;
 use std::sync::LazyLock;
@@ -20,16 +21,16 @@ use crate::{terminal, unfinished};
 /// The exit code that a shell reports for a program ended by SIGINT: 128 + 2.
 pub const EXIT_CODE: u8 = 130;
 
-/// Time for an observer to notice: a second, less the time to end.
+/// Time for an observer to notice the request: a second, less the time to end.
 const PATIENCE: Duration = Duration::from_millis(900);
 
-/// Time for which results are still written: the rest of the second is for the numbers, which come last.
+/// Time for which large results are still written; the rest of the second is for the numbers, which are written last.
 pub const GRACE: Duration = Duration::from_millis(100);
 
 static REQUESTED: LazyLock<StopFlag> = LazyLock::new(StopFlag::default);
 static OVERDUE: AtomicBool = AtomicBool::new(false);
 static HELD: AtomicBool = AtomicBool::new(false);
-/// Whether the first SIGTERM lets the work in hand be finished.
+/// Whether the first SIGTERM lets the running parts finish.
 static PATIENT: AtomicBool = AtomicBool::new(false);
 static LEAVING: AtomicBool = AtomicBool::new(false);
 
@@ -59,8 +60,7 @@ pub fn listen() {
     drop(ctrlc::set_handler(received));
 }
 
-/// Does work of many parts; a SIGTERM meanwhile lets those in hand be finished, and [`is_leaving`] is true from then
-/// on.
+/// Runs work of many parts. A SIGTERM meanwhile lets the running parts finish; [`is_leaving`] is true from then on.
 pub fn finishing_what_is_in_hand<T>(work: impl FnOnce() -> T) -> T {
     PATIENT.store(true, Ordering::SeqCst);
     let done = work();
@@ -68,7 +68,7 @@ pub fn finishing_what_is_in_hand<T>(work: impl FnOnce() -> T) -> T {
     done
 }
 
-/// Whether no more parts of the work are to be begun.
+/// Whether no more parts of the work may begin.
 #[must_use]
 pub fn is_leaving() -> bool {
     LEAVING.load(Ordering::SeqCst) || is_requested()
@@ -80,13 +80,13 @@ pub fn is_requested() -> bool {
     REQUESTED.is_raised()
 }
 
-/// The user's wish to stop.
+/// The flag raised when the user asks to stop.
 #[must_use]
 pub fn flag() -> StopFlag {
     REQUESTED.clone()
 }
 
-/// The signal that an observer returns.
+/// The signal for an observer to return.
 #[must_use]
 pub fn signal() -> Signal {
     if is_requested() {
@@ -107,7 +107,7 @@ pub fn hold() {
     HELD.store(true, Ordering::SeqCst);
 }
 
-/// Handles a SIGTERM, on a thread of its own and not in the signal handler.
+/// Handles a SIGTERM, on its own thread rather than in the signal handler.
 #[cfg(unix)]
 fn terminated() {
     if PATIENT.load(Ordering::SeqCst) && !LEAVING.swap(true, Ordering::SeqCst) {
@@ -117,7 +117,7 @@ fn terminated() {
     }
 }
 
-/// Handles a signal, on a thread of its own and not in the signal handler.
+/// Handles a signal, on its own thread rather than in the signal handler.
 fn received() {
     if !REQUESTED.raise() {
         end();

@@ -1,8 +1,8 @@
 //! The program `pellicle`: a case file in, a certified contact solution out.
 //!
-//! [`main`] goes from the command line to the exit code. The rest is for the figures of the paper and the tests: a
-//! [`Case`] as read from its file, the [results](mod@results) that a run leaves, the means of [drawing](mod@drawing)
-//! them, and the [evidence](mod@evidence) that the program has for itself.
+//! [`main`] runs the program from the command line to the exit code. The rest serves the figures of the paper and the
+//! tests: a [`Case`] as read from its file, the [results](mod@results) that a run leaves, the tools for
+//! [drawing](mod@drawing) them, and the [evidence](mod@evidence) that the program is right.
 
 #![cfg_attr(
     test,
@@ -128,7 +128,7 @@ pub mod drawing {
     };
 }
 
-/// Measured indentation curves, read from the text of instruments as a table `[[data]]` says.
+/// Measured indentation curves, read from the text files of instruments as a `[[data]]` table specifies.
 pub mod measurements {
     pub use crate::measured::channel::Channel;
     pub use crate::measured::columns::{ColumnName, ColumnUnit, CurveColumns};
@@ -160,7 +160,7 @@ pub mod evidence {
     };
 }
 
-/// The guide, whose example in Rust is a documentation test of this crate.
+/// The guide; its Rust example is a documentation test of this crate.
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/guide.md")]
 mod guide {}

@@ -3,7 +3,7 @@
 //! All three are read into a [`MapFile`], whose heights have the layout of a [`Grid`](pellicle_texture::Grid): first
 //! index along x, second along y, both increasing. NumPy arrays have that layout already, as do the arrays in a results
 //! folder. Text and `.gsf` are pictures: a line is a row of pixels from left to right, x increasing, and the first line
-//! is the top, where y is largest. Three numbers per line that are the points x, y, z of a grid are read as such.
+//! is the top, where y is largest. Lines of three numbers that are the points x, y, z of a grid are read as points.
 
 mod error;
 mod grid_points;
@@ -28,11 +28,11 @@ const LARGEST_FILE: u64 = 512 << 20;
 type Parser = fn(&[u8]) -> Result<MapFile, MapError>;
 
 impl MapFile {
-    /// Reads the file, by the ending of its name.
+    /// Reads the file in the format given by its extension.
     ///
     /// # Errors
     ///
-    /// A [`MapError`] if the file cannot be read or is not of the format that its name says.
+    /// A [`MapError`] if the file cannot be read or its content does not match its extension.
     pub fn read(path: &Path) -> Result<Self, MapError> {
         let ending = path.extension().unwrap_or_default().to_string_lossy();
         let parse: Parser = match ending.to_lowercase().as_str() {

@@ -1,8 +1,8 @@
 //! Measured indentation curves: text of any instrument read into depths and forces in SI units.
 //!
-//! A [`DataTable`](data_table::DataTable) is one `[[data]]` table of a fit file. It names files and says how they are
-//! read; each gives a [`MeasuredCurve`](curve::MeasuredCurve): the points of the segment that is used, and a count of
-//! what was left out and why. `docs/measured-curves.md` describes the keys.
+//! A [`DataTable`](data_table::DataTable) is one `[[data]]` table of a fit file. It names files and says how to read
+//! them. Each file gives a [`MeasuredCurve`](curve::MeasuredCurve): the points of the segment in use, and the number of
+//! points left out, with the reason. `docs/measured-curves.md` describes the keys.
 
 mod binary;
 pub mod channel;

@@ -1,8 +1,8 @@
-//! The memory available to a case. The system kills a program that takes more than there is, and its results with it:
-//! a case therefore asks here first, and fails by itself.
+//! The memory available to a case. The system kills a program that takes too much memory, and its results are lost:
+//! each case therefore reserves its memory here first, and fails cleanly if there is too little.
 //!
-//! On Linux this is the least of the free memory and of what the control group and the limits of the process
-//! (`ulimit -v`, `-d`) leave. Elsewhere it is unknown, and no case is refused.
+//! On Linux the available memory is the least of the free memory and the amounts that the control group and the limits
+//! of the process (`ulimit -v`, `-d`) leave. Elsewhere it is unknown, and no case is refused.
 
 use std::fs;
 use std::path::Path;
@@ -16,7 +16,7 @@ use crate::interrupt;
 /// Time after which a case that waits for memory checks whether the user wants to stop.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Time for which a known amount stays valid for a case that needs a small part of it.
+/// Time for which a measured amount stays valid for a case that needs a small part of it.
 const KNOWN: Duration = Duration::from_secs(1);
 /// The inverse of a small part.
 const SMALL_PART: u64 = 64;
@@ -41,7 +41,7 @@ fn free(meminfo: &str) -> Option<u64> {
     Some(kibibytes("MemAvailable:")? + kibibytes("SwapFree:").unwrap_or(0))
 }
 
-/// Bytes that the limits of the process leave of its address space and its data.
+/// Bytes left within the limits on the process's address space and data.
 fn left_by_limits(limits: &str, status: &str) -> Option<u64> {
     let left = |limit, used| {
         let used = number(status, used)? * 1024;
@@ -58,7 +58,7 @@ fn number(text: &str, name: &str) -> Option<u64> {
     line.split_whitespace().next()?.parse().ok()
 }
 
-/// Bytes that the control groups of the process leave: its own and all above it.
+/// Bytes left by the control groups of the process: its own and all above it.
 fn left_by_groups(memberships: &str) -> Option<u64> {
     let folders = memberships.lines().filter_map(|line| {
         let (_, rest) = line.split_once(':')?;
@@ -80,7 +80,7 @@ fn left_by_groups(memberships: &str) -> Option<u64> {
     folders.filter_map(left).min()
 }
 
-/// Bytes that a control group of either version leaves; memory that it could drop counts as free.
+/// Bytes left by a control group of either version; memory that it could drop counts as free.
 fn left_by_group(group: &Path) -> Option<u64> {
     let read = |name: &str| fs::read_to_string(group.join(name)).ok();
     let value = |name: &str| read(name)?.trim().parse::<u64>().ok();
@@ -109,7 +109,7 @@ pub struct MemoryBudget {
 #[derive(Debug, Default)]
 struct Taken {
     bytes: u64,
-    /// Bytes available when nothing was taken, and the time they were measured.
+    /// Bytes available when nothing was taken, and the time of the measurement.
     of: Option<(Option<u64>, Instant)>,
 }
 
@@ -140,11 +140,11 @@ impl MemoryBudget {
         }
     }
 
-    /// Takes the memory of a case, and waits while other cases have it; none if the user stops meanwhile.
+    /// Takes the memory of a case, waiting while other cases hold it; none if the user stops meanwhile.
     ///
     /// # Errors
     ///
-    /// [`Failure::Memory`] if it needs more than there is.
+    /// [`Failure::Memory`] if the case needs more than is available.
     pub fn take(&self, need: Need) -> Result<Option<MemoryShare<'_>>, Failure> {
         let mut taken = self.lock();
         loop {

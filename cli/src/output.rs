@@ -28,7 +28,8 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 
-/// The value as JSON with a line end, numbers in their shortest exact form; what is not finite is `null`.
+/// Returns the value as JSON with a final newline; numbers have their shortest exact form, and non-finite ones are
+/// `null`.
 ///
 /// # Errors
 ///

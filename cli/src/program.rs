@@ -34,8 +34,8 @@ pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
     }
 }
 
-/// A negative number such as `-1,2` with a space before it, which parsers of values ignore: no option begins with a
-/// digit, but clap would take it for one.
+/// Puts a space before a negative number such as `-1,2`, which clap would take for an option. The parsers of values
+/// ignore the space, and no option begins with a digit.
 fn marked_as_value(argument: OsString) -> OsString {
     let text = argument.to_string_lossy();
     let is_number =
@@ -69,9 +69,9 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
     }
 }
 
-/// Help and version go to standard output, a wrong command line to standard error.
+/// Prints help and version to standard output, a wrong command line to standard error.
 fn usage(error: &clap::Error) -> ExitCode {
-    // If the terminal is gone, there is nobody to tell.
+    // If the terminal is gone, the failure cannot be reported.
     drop(error.print());
     ExitCode::from(if error.use_stderr() { 2 } else { 0 })
 }

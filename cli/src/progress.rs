@@ -13,20 +13,20 @@ use crate::stress_search::StressSearch;
 pub struct ProgressLine {
     /// None if nothing is shown.
     line: Option<ProgressBar>,
-    /// The texts before and after the progress.
+    /// Texts shown before and after the progress.
     around: [String; 2],
     clock: TimeLeft,
     keeps_steps: bool,
 }
 
 impl ProgressLine {
-    /// A line that is shown until it is dropped; it begins with the coefficients.
+    /// Returns a line that is shown until dropped; it begins with the coefficients.
     #[must_use]
     pub fn new(tolerance: f64) -> Self {
         Self::on(ProgressBar::new_spinner(), Default::default(), tolerance)
     }
 
-    /// No line at all.
+    /// Returns a line that is never shown.
     #[must_use]
     pub fn hidden() -> Self {
         Self {
@@ -37,14 +37,14 @@ impl ProgressLine {
         }
     }
 
-    /// The same line for a path whose finished steps are written even if the user stops it.
+    /// Returns the line for a path whose finished steps are written even if the user stops it.
     #[must_use]
     pub fn keeping_steps(mut self) -> Self {
         self.keeps_steps = true;
         self
     }
 
-    /// A function that shows how many files of the results are written.
+    /// Returns a function that shows how many files of the results are written.
     pub fn writing(&self) -> impl Fn(usize, usize) + Sync {
         let line = self.line.clone();
         move |done, total| {
@@ -54,13 +54,13 @@ impl ProgressLine {
         }
     }
 
-    /// The same line while stresses are looked for.
+    /// Returns the line for the search for stresses.
     #[must_use]
     pub fn searching(&self) -> SearchLine {
         SearchLine(self.line.clone())
     }
 
-    /// The given line, with these texts before and after the progress.
+    /// Returns a progress line drawn on `line`, with these texts before and after the progress.
     #[must_use]
     pub fn on(line: ProgressBar, around: [String; 2], tolerance: f64) -> Self {
         let [before, behind] = &around;
@@ -79,12 +79,12 @@ impl ProgressLine {
     }
 }
 
-/// A progress line while stresses are looked for.
+/// A progress line for the search for stresses.
 #[derive(Debug, Clone)]
 pub struct SearchLine(Option<ProgressBar>);
 
 impl SearchLine {
-    /// Shows what is being looked for.
+    /// Shows the current search.
     pub fn tell(&self, search: StressSearch) {
         if let Some(line) = &self.0 {
             line.set_message(searching(search));
@@ -125,7 +125,7 @@ impl Observer for ProgressLine {
     }
 }
 
-/// The line, if somebody can see it.
+/// The line, if it is visible.
 fn shown(line: Option<&ProgressBar>) -> Option<&ProgressBar> {
     line.filter(|line| !line.is_hidden())
 }
@@ -171,16 +171,16 @@ pub fn in_words(time: Duration) -> String {
     }
 }
 
-/// An estimate of the time left, from the work done so far.
+/// Estimates the time left from the work done so far.
 ///
-/// Each remaining step is taken to last as long as the finished ones on average. Within a step only the finest grid
-/// counts, which takes nearly all the time: its residual is taken to fall by the same factor in every iteration.
+/// Each remaining step is assumed to take as long as the finished ones on average. Within a step only the finest grid
+/// counts, which takes nearly all the time; its residual is assumed to fall by the same factor in every iteration.
 #[derive(Debug, Clone, Copy)]
 struct TimeLeft {
     tolerance: f64,
     /// The start of the first step.
     start: Option<Instant>,
-    /// The start of the present step, and the number finished by then; steps solved together count as one.
+    /// Start of the present step, and the number of steps finished by then; steps solved together count as one.
     step: (Instant, usize),
     /// The first iteration on the present grid.
     level: Mark,
@@ -211,7 +211,7 @@ impl TimeLeft {
         }
     }
 
-    /// The time left at this progress; none while there is nothing to estimate it from.
+    /// Returns the time left at this progress; none while it cannot be estimated.
     fn remaining(&mut self, progress: &Progress, now: Instant) -> Option<Duration> {
         let start = *self.start.get_or_insert(now);
         let finished = progress.finished;
@@ -237,7 +237,7 @@ impl TimeLeft {
     }
 
     fn of_this_grid(&self, progress: &Progress, now: Instant) -> Option<Duration> {
-        // ln r₀/r in so many iterations, ln r/tolerance still to come
+        // ln r₀/r gained in the iterations so far, ln r/tolerance still to go
         let fallen = (self.level.residual / progress.residual).ln();
         let to_fall = (progress.residual / self.tolerance).ln().max(0.0);
         let share = to_fall / fallen;

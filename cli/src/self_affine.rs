@@ -1,4 +1,4 @@
-//! Self-affine rough surfaces, made of waves of random phases.
+//! Self-affine rough surfaces, sums of waves with random phases.
 //!
 //! A periodic surface of side `L` is a sum over the waves that fit in it, `q = 2π (m, n)/L`, whose amplitudes fall as a
 //! power of the wavenumber between a longest and a shortest wave:
@@ -20,8 +20,8 @@ use rustfft::{FftPlanner, num_complex::Complex};
 pub struct SelfAffine {
     /// Samples along each side, at least 2.
     pub size: usize,
-    /// Waves a side that the longest and the shortest wave have, the first not above the second and that not above
-    /// half of the samples.
+    /// Number of periods per side of the longest and of the shortest wave: the first at most the second, the second at
+    /// most half of the samples.
     pub waves: [f64; 2],
     /// Hurst exponent `H`.
     pub hurst: f64,
@@ -48,7 +48,8 @@ impl SelfAffine {
         factor.is_finite().then_some(heights)
     }
 
-    /// The complex amplitude of each wave, with a phase of its own for `q` and `−q`: their real part is one wave.
+    /// Returns the complex amplitude of each wave. `q` and `−q` have independent phases; the real part of their sum is
+    /// one wave.
     fn spectrum(&self) -> Vec<Complex<f64>> {
         let size = self.size;
         // The frequency of an index, from −size/2 to size/2.
@@ -74,7 +75,6 @@ impl SelfAffine {
     }
 }
 
-/// Transforms every line.
 fn transform_lines(field: &mut [Complex<f64>], size: usize) {
     let transform = FftPlanner::new().plan_fft_inverse(size);
     let lines = field.par_chunks_mut(size);
@@ -102,7 +102,7 @@ mod tests {
         seed: 3,
     };
 
-    /// The complex amplitude of a wave in the heights, by its sum.
+    /// The amplitude of a wave in the heights, by direct summation.
     fn amplitude(heights: &[f64], size: usize, [m, n]: [usize; 2]) -> f64 {
         let terms = heights.iter().enumerate().map(|(e, h)| {
             let turns = (m * (e / size) + n * (e % size)) as f64 / size as f64;
@@ -131,7 +131,7 @@ mod tests {
         assert!(amplitude(0, 4) > inside && amplitude(20, 0) > 1e-2 * inside);
     }
 
-    /// Each wave is two of random phases: `E |z + z̄'|² = 2 a²`.
+    /// Each wave is the sum of two of random phases: `E |z + z̄'|² = 2 a²`.
     #[test]
     fn the_spectrum_falls_with_the_power_of_the_hurst_exponent() {
         let at = |q: usize| {
@@ -147,7 +147,7 @@ mod tests {
         assert!((exponent + 3.4).abs() < 0.25, "{exponent}");
     }
 
-    /// `C ~ q^−2(1 + H)` of the spectrum that a summary holds, between the band's ends.
+    /// The spectrum in a summary follows `C ~ q^−2(1 + H)` between the ends of the band.
     #[test]
     fn the_spectrum_of_the_map_has_the_slope_of_the_hurst_exponent() {
         for (seed, hurst) in [(1, 0.8), (2, 0.3), (3, 1.0)] {
@@ -165,7 +165,7 @@ mod tests {
             let inside = bands
                 .iter()
                 .filter(|band| band.wavenumber > ends[0] && band.wavenumber < ends[1]);
-            // The least squares of ln C over ln q, each band by its number of waves.
+            // Least squares of ln C over ln q; the weight of a band is its number of waves.
             let points =
                 inside.map(|band| (band.wavenumber.ln(), band.power.ln(), band.waves as f64));
             let mut sums = [0.0; 5];
@@ -176,7 +176,7 @@ mod tests {
             }
             let [n, x, y, xx, xy] = sums;
             let exponent = (n * xy - x * y) / (n * xx - x * x);
-            // |z + z̄'|² scatters as much as it is large, over some 60,000 pairs of waves spread over ln q by 0.5: 0.01.
+            // |z + z̄'|² scatters by its own size, over some 60,000 pairs of waves spread over ln q by 0.5: 0.01.
             assert!(
                 (exponent + 2.0 * (1.0 + hurst)).abs() < 0.04,
                 "{hurst}: {exponent}"

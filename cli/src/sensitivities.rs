@@ -1,4 +1,4 @@
-//! The derivatives of a solved path by the numbers of its case, as a summary tells them.
+//! The derivatives of a solved path with respect to the parameters of its case, as a summary gives them.
 
 use pellicle_contact::{ForceCurve, Load, LoadingPath, Model};
 
@@ -7,11 +7,11 @@ use crate::case::parameter::CaseParameter;
 use crate::failure::Failure;
 use crate::output::summary::SensitivitySummary;
 
-/// The derivatives of every step; none if the case does not ask for them.
+/// Returns the derivatives of every step; none if the case does not request them.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the coefficients of a derivative cannot be had.
+/// [`Failure`] if the coefficients of a derivative cannot be computed.
 pub fn find(
     case: &Case,
     model: &Model,

@@ -1,4 +1,4 @@
-//! A case solved: its loading path, and the summary of it with the stresses and derivatives that the case asks for.
+//! Solves a case: its loading path, and a summary with the stresses and derivatives that the case requests.
 
 use std::time::Instant;
 
@@ -25,21 +25,21 @@ pub struct Resources<'a> {
     pub writers: usize,
 }
 
-/// A case solved.
+/// A solved case.
 #[derive(Debug)]
 pub struct SolvedCase {
     /// The path of its loads.
     pub path: LoadingPath,
     /// Its numbers, without the case itself and the warnings of the cache.
     pub summary: RunSummary,
-    /// Whether all that the case asks for is there: otherwise the observer has stopped it, and a warning says so.
+    /// Whether every requested result is there; if not, the observer stopped the work, and a warning says so.
     pub completeness: Completeness,
 }
 
-/// Solves a case that was begun to be read at `start`; none if the observer stops it before it begins.
+/// Solves a case whose reading began at `start`; none if the observer stops it before it begins.
 ///
-/// The observer hears of every iteration; `search` hears of every search for stresses, which the observer cannot see,
-/// and may stop the work before it.
+/// The observer is called in every iteration. `search` is called before each search for stresses, which the observer
+/// does not see, and may stop the work.
 ///
 /// # Errors
 ///
@@ -72,7 +72,7 @@ pub fn solve(
             case, &model, domain, &path, search, observer,
         ))?
     };
-    // Warnings of the cache concern all cases.
+    // Warnings of the cache concern all cases, so they are not part of one summary.
     let mut summary = RunSummary::of_results(case, &path, clock, &[]);
     let completeness = complete(case, &model, &path, stresses, &mut summary)?;
     Ok(Some(SolvedCase {
@@ -99,7 +99,7 @@ pub fn path(
         .map_err(|error| case.blame(error))
 }
 
-/// Nothing where the user has stopped the search for stresses, which is no failure.
+/// Turns a search for stresses that the user stopped into none; it is not a failure.
 ///
 /// # Errors
 ///
@@ -113,11 +113,11 @@ pub fn unless_stopped(
     }
 }
 
-/// Adds to a summary the derivatives, the stresses found, and the warnings about what is missing.
+/// Adds the derivatives, the stresses found, and warnings about missing results to a summary.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the coefficients of a derivative cannot be had.
+/// [`Failure`] if the coefficients of a derivative cannot be computed.
 pub fn complete(
     case: &Case,
     model: &Model,

@@ -9,17 +9,17 @@ use crate::failure::Failure;
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::span::{Source, Span};
 
-/// A case file is some lines of text; a file of more bytes than this is not one.
+/// The largest file that is read, bytes; a case file is far smaller.
 const LARGEST_FILE: u64 = 16 << 20;
 
-/// Some editors write it before the first character of UTF-8.
+/// The mark that some editors write at the beginning of UTF-8 text.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// The text of the file without a byte-order mark, and its path as its name.
+/// Reads the text of the file without a byte-order mark; the path becomes the name of the source.
 ///
 /// # Errors
 ///
-/// [`Failure::Unreadable`] if there is no such file to be read; [`Failure::Case`] if it is not UTF-8 text.
+/// [`Failure::Unreadable`] if the file does not exist or cannot be read; [`Failure::Case`] if it is not UTF-8 text.
 pub fn read(path: &Path) -> Result<Source, Failure> {
     let bytes = bytes(path).map_err(|cause| Failure::Unreadable {
         path: path.to_owned(),
@@ -52,7 +52,7 @@ fn bytes(path: &Path) -> io::Result<Vec<u8>> {
 fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Diagnosis {
     let valid = error.utf8_error().valid_up_to();
     let byte = error.as_bytes().get(valid).copied().unwrap_or_default();
-    // Only the text before the byte is drawn.
+    // The diagnosis shows only the text before the byte.
     let before = String::from_utf8_lossy(&error.as_bytes()[..valid]).into_owned();
     let source = Arc::new(Source::new(name, before));
     let fault = Fault::Wrong {

@@ -1,4 +1,4 @@
-//! The stresses that a summary tells: the extremes of each step, and the critical loads.
+//! The stresses in a summary: the extremes of each step, and the critical loads.
 
 use pellicle_contact::{
     ContactError, CriticalLoad, Domain, LoadingPath, Model, Observer, Signal, StressExtremes,
@@ -11,28 +11,27 @@ use crate::failure::Failure;
 /// The extremes of the steps, and the critical loads.
 #[derive(Debug, Clone)]
 pub struct Stresses {
-    /// Of the steps in their order.
+    /// Extremes of the steps, in their order.
     pub steps: Vec<StressExtremes>,
-    /// Of every strength given; none if no strength is.
+    /// The critical load of each given strength; none if no strength is given.
     pub critical: Option<Vec<CriticalLoad>>,
 }
 
-/// The search in progress, as the user is shown it.
+/// The search in progress, as shown to the user.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StressSearch {
-    /// The extremes of a step, counted from 0, of so many.
+    /// The extremes of a step: its index, from 0, and the number of steps.
     Step(usize, usize),
     /// The critical loads.
     Critical,
 }
 
-/// Finds the stresses of a solved path, unless the case asks for none; `tell` is called before each search and may
-/// cancel it.
+/// Finds the stresses of a solved path if the case requests any; `tell` is called before each search and may cancel it.
 ///
 /// # Errors
 ///
-/// [`ContactError::Cancelled`] if `tell` or the observer stops it; [`Failure`] if a stress cannot be computed or a
-/// critical load not be solved for.
+/// [`ContactError::Cancelled`] if `tell` or the observer stops it; [`Failure`] if a stress or a critical load cannot be
+/// computed.
 pub fn find(
     case: &Case,
     model: &Model,

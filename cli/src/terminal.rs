@@ -7,7 +7,8 @@ use std::io::{self, Write};
 #[error("standard output: cannot be written: {0}")]
 pub struct NoOutput(pub io::Error);
 
-/// Writes a text to standard output, [cleaned](clean()). A reader that closes the pipe (`| head -1`) is no error.
+/// Writes a text to standard output, [cleaned](clean()). It is not an error if the reader closes the pipe (`| head
+/// -1`).
 ///
 /// # Errors
 ///
@@ -28,14 +29,14 @@ pub fn tell(line: &str) {
     tell_drawn(&clean(line));
 }
 
-/// Writes a line of the program's own, which may be coloured, to standard error; a failure is ignored.
+/// Writes the program's own line, which may be coloured, to standard error; a failure is ignored.
 pub fn tell_drawn(line: &str) {
     let mut stderr = io::stderr().lock();
     drop(writeln!(stderr, "{line}"));
 }
 
-/// The text with every control character except line breaks and tabs escaped (`\\u001b`), so that a terminal shows it
-/// and does not obey it. Inside a string of JSON or TOML the escaped text means the same.
+/// The text with every control character except line breaks and tabs escaped (`\\u001b`), so that a terminal shows them
+/// instead of obeying them. Inside a JSON or TOML string the escaped text means the same.
 #[must_use]
 pub fn clean(text: &str) -> String {
     let is_obeyed = |c: char| c.is_control() && !matches!(c, '\n' | '\t');

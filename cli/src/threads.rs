@@ -1,8 +1,8 @@
-//! The threads that the program computes on.
+//! The threads of the computation.
 
 use crate::failure::Failure;
 
-/// Sets their number for the rest of the run; one per core if none is given.
+/// Sets the number of threads for the rest of the run; one per core if none is given.
 ///
 /// # Errors
 ///
@@ -15,7 +15,7 @@ pub fn set(threads: Option<u16>) -> Result<(), Failure> {
     Ok(pool.build_global()?)
 }
 
-/// Starts every thread of the current pool, so that the address space reserved for each is taken when this returns.
+/// Starts every thread of the current pool, so that the address space of each is reserved when this returns.
 pub fn begin() {
     rayon::broadcast(|_| drop(std::hint::black_box(vec![0_u8; 64])));
 }

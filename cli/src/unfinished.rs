@@ -1,11 +1,11 @@
-//! Unfinished files and folders, which must not stay behind: removed when dropped, and when the program exits without
-//! dropping anything.
+//! Unfinished files and folders, which must not be left behind: they are removed when dropped, and when the program
+//! exits without dropping them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Everything unfinished of this process, in the order in which it was begun.
+/// All unfinished files and folders of this process, in the order in which they were begun.
 static ALL: Mutex<Vec<(PathBuf, Leftover)>> = Mutex::new(Vec::new());
 
 /// An unfinished file or folder.
@@ -18,7 +18,7 @@ enum Leftover {
     Tree,
 }
 
-/// Something on disk that is removed when this is dropped, if it is still there.
+/// A file or folder on disk that is removed, if still there, when this is dropped.
 #[derive(Debug)]
 pub struct Unfinished {
     path: PathBuf,
@@ -71,12 +71,12 @@ impl Drop for Unfinished {
     }
 }
 
-/// Removes everything unfinished, the last begun first. Whoever begins or finishes something after this waits for the
-/// end of the program.
+/// Removes everything unfinished, the last begun first. A thread that begins or finishes something after this blocks
+/// until the program ends.
 pub fn remove_all() {
     let all = all();
     all.iter().rev().for_each(|(path, kind)| match kind {
-        // Renamed first, so that nobody can begin another file in it.
+        // Renamed first, so that no other file can be begun in it.
         Leftover::Tree => {
             let aside = path.with_extension("ended");
             let path = fs::rename(path, &aside).map_or(path, |()| &aside);
@@ -84,11 +84,11 @@ pub fn remove_all() {
         }
         kind => remove(path, *kind),
     });
-    // Held for ever: a thread that finishes something now would take it to be there.
+    // Locked for ever: a thread that finishes something now would assume that it exists.
     std::mem::forget(all);
 }
 
-/// Does work that [`remove_all`] waits for.
+/// Runs work that [`remove_all`] waits for.
 pub fn undisturbed<T>(work: impl FnOnce() -> T) -> T {
     let _held = all();
     work()
@@ -98,7 +98,7 @@ fn all() -> MutexGuard<'static, Vec<(PathBuf, Leftover)>> {
     ALL.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Best effort: the next run removes what cannot be removed now.
+/// Removes a file or folder as far as possible; the next run removes the rest.
 fn remove(path: &Path, kind: Leftover) {
     drop(match kind {
         Leftover::File => fs::remove_file(path),

@@ -21,7 +21,8 @@ pub struct IdentifyArguments {
     /// Replace the results in an existing folder
     #[arg(long)]
     pub force: bool,
-    /// Tell what to measure, in place of a fit: the intervals that the design of the fit file would give; needs no data
+    /// Advise what to measure, in place of a fit: the intervals that the design of the fit file would give; needs no
+    /// data
     #[arg(long, conflicts_with_all = ["simulate", "accept_misfit"])]
     pub plan: bool,
     /// Write measurements that the fit file would give, from the values of its model and its noise, in place of a fit
@@ -30,7 +31,7 @@ pub struct IdentifyArguments {
     /// Seed of the noise of --simulate [default: that of the fit file]
     #[arg(long, value_name = "N", requires = "simulate")]
     pub seed: Option<u64>,
-    /// Take a misfit for a result: exit code 0 in place of 3
+    /// Accept a misfit as a result: exit code 0 in place of 3
     #[arg(long)]
     pub accept_misfit: bool,
     /// Print the result as JSON to standard output and nothing else; write a folder only with --out

@@ -42,7 +42,7 @@ pub struct StudyArguments {
     /// Print the cases and solve none
     #[arg(long)]
     pub list: bool,
-    /// Print how far the study is, over all its parts, with the rate and the time left, and solve nothing
+    /// Print the progress of the study over all its parts, with the rate and the time left, and solve nothing
     #[arg(long, conflicts_with_all = ["list", "fresh", "folders"])]
     pub status: bool,
     /// Write report.html of the cases done so far, over all parts, and solve nothing

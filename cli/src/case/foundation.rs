@@ -21,7 +21,7 @@ use crate::input::table_reader::TableReader;
 use crate::input::toml_tree;
 use crate::input::value_reader::ValueReader;
 
-/// The foundation of a case, every value in SI units or the case's own.
+/// The foundation of a case; every value is in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FoundationCase {
     /// The base of the layers.
@@ -50,7 +50,7 @@ pub struct Split {
     pub error: f64,
 }
 
-/// The error of a foundation, and the layer of the case that causes it.
+/// The error of a foundation, with the layer of the case that causes it.
 struct RefusedLayer {
     layer: usize,
     error: KernelError,
@@ -81,7 +81,7 @@ impl FoundationCase {
         }
     }
 
-    /// Reads the text of a case of which only `[foundation]` matters.
+    /// Reads only the `[foundation]` of the text of a case.
     ///
     /// # Errors
     ///
@@ -97,17 +97,17 @@ impl FoundationCase {
     ///
     /// # Errors
     ///
-    /// [`KernelError`] if the kernel refuses a value.
+    /// [`KernelError`] if the kernel rejects a value.
     pub fn split(&self) -> Result<SplitFoundation, KernelError> {
         self.try_split().map_err(|refusal| refusal.error)
     }
 
-    /// Splits from the bottom up, since the split of a layer depends on what lies below it.
+    /// Splits from the bottom up, since the split of a layer depends on the layers below it.
     fn try_split(&self) -> Result<SplitFoundation, RefusedLayer> {
         let refused = |layer| move |error| RefusedLayer { layer, error };
         let base = self.substrate.build().map_err(refused(0))?;
         let (mut below, mut splits) = (Vec::new(), Vec::new());
-        // The layer of the case that each layer belongs to.
+        // For each layer of the foundation, the layer of the case to which it belongs.
         let mut origins = Vec::new();
         for (i, layer) in self.layer.iter().enumerate().rev() {
             let (layers, error) = layer.split(&below, base).map_err(refused(i))?;
@@ -133,7 +133,7 @@ impl FoundationCase {
         Ok(SplitFoundation { foundation, splits })
     }
 
-    /// Young's modulus at the surface, Pa; none on a bare rigid base, which is no foundation.
+    /// Young's modulus at the surface, Pa; none for a bare rigid base, which is not a foundation.
     #[must_use]
     pub fn surface_young_modulus(&self) -> Option<f64> {
         match (self.layer.first(), self.substrate) {
@@ -153,7 +153,7 @@ impl FoundationCase {
         }
     }
 
-    /// The names of the bodies, as results call them.
+    /// The names of the bodies in results.
     #[must_use]
     pub fn body_names(&self) -> Vec<String> {
         let layers = (0..self.layer.len()).map(|i| format!("layer[{i}]"));
@@ -170,7 +170,7 @@ impl FoundationCase {
         !self.criteria().is_empty()
     }
 
-    /// The criteria of the strengths given, each with the body or interface that it is of, as results name it.
+    /// The criteria of the given strengths, each with the name of its body or interface in results.
     #[must_use]
     pub fn criteria(&self) -> Vec<(String, Criterion)> {
         let substrate = match self.substrate {
@@ -205,7 +205,7 @@ impl FoundationCase {
     }
 }
 
-/// The value to change if the layers and the substrate are valid but do not go together.
+/// The value to change if the layers and the substrate are valid but incompatible.
 fn blamed<'a>(
     table: &TableReader<'a>,
     refusal: &RefusedLayer,

@@ -8,11 +8,12 @@ use crate::input::dimension::Dimension;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::Sign;
 
-/// Elements per side unless given.
+/// Default number of elements per side.
 const DEFAULT_ELEMENTS: usize = 256;
 
-/// More than 16,384² elements are beyond the memory of a workstation: where symmetry leaves a quadrant to be solved, at
-/// some 50 bytes each, these take 14 GB. What there is decides before anything is solved (`forecast/need.rs`).
+/// More than 16,384² elements do not fit in the memory of a workstation: this many take 14 GB where symmetry reduces
+/// the solution to a quadrant, at some 50 bytes each. The available memory is checked before the solution begins
+/// (`forecast/need.rs`).
 const ELEMENTS: std::ops::RangeInclusive<usize> = 1..=16_384;
 
 /// The grid of a case.
@@ -31,15 +32,15 @@ pub struct GridCase {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum BoundaryCase {
-    /// The surface goes on without load.
+    /// Beyond the square the surface continues without load.
     #[default]
     Free,
-    /// The square repeats itself.
+    /// The square is a periodic cell.
     Periodic,
 }
 
 impl BoundaryCase {
-    /// Whether nothing repeats itself.
+    /// Whether the square is not periodic.
     #[must_use]
     pub fn is_free(&self) -> bool {
         *self == Self::Free
@@ -93,11 +94,11 @@ impl GridCase {
         })
     }
 
-    /// Reads the elements per side alone.
+    /// Reads only the elements per side.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if there may not be so many.
+    /// A [`Diagnosis`] if the number is out of range.
     pub fn read_elements(table: &TableReader<'_>) -> Result<usize, Diagnosis> {
         let why = " per side (more do not fit in the memory of a workstation)";
         let elements = table.optional("elements");

@@ -5,11 +5,11 @@ use serde::Serialize;
 use crate::input::toml_tree::TomlValue;
 use crate::input::value_reader::ValueReader;
 
-/// The word for it in a case.
+/// The word for such a shape in a case.
 const KIND: &str = "function";
 
-/// A shape of a caller's own; nothing of it is written but its kind. It is no part of the case: all are equal here, and
-/// who hands shapes over can tell them apart.
+/// A shape defined by the caller; only its kind is written. It is not part of the case: all shapes compare equal here,
+/// and the caller must tell them apart.
 #[derive(Debug, Clone, Serialize)]
 pub struct HandedOver<T> {
     /// The shape itself.
@@ -23,7 +23,7 @@ impl<T> PartialEq for HandedOver<T> {
     }
 }
 
-/// The shape, if the kind asks for one and there is one.
+/// The shape, if the kind requires one and one was handed over.
 pub fn behind<T: Clone>(kind: &ValueReader<'_>, handed: Option<&T>) -> Option<HandedOver<T>> {
     let is_asked_for = matches!(kind.value(), TomlValue::Text(text) if text == KIND);
     let shape = handed.filter(|_| is_asked_for).cloned()?;

@@ -1,4 +1,4 @@
-//! The check that the other tables of a case go with a hardness.
+//! The check that the other tables of a case are compatible with a hardness.
 
 use super::foundation::FoundationCase;
 use super::load::LoadCase;
@@ -6,11 +6,11 @@ use super::solver::SolverCase;
 use crate::input::diagnosis::Diagnosis;
 use crate::input::table_reader::TableReader;
 
-/// Refuses a hardness given twice and differently, and what is not computed with one.
+/// Rejects two different hardnesses, and requests that are not available with a hardness.
 ///
 /// # Errors
 ///
-/// A [`Diagnosis`] of the key that does not go with it.
+/// A [`Diagnosis`] of the incompatible key.
 pub fn check(
     root: &TableReader<'_>,
     (foundation, solver): (&FoundationCase, &SolverCase),

@@ -1,4 +1,4 @@
-//! Limits on the heights of a map: in the wrong unit it is a thousand times and more steeper than any surface.
+//! Limits on the heights of a map: in the wrong unit, a map is at least a thousand times steeper than any surface.
 
 use std::fmt;
 
@@ -41,7 +41,7 @@ impl HeightLimits {
     ///
     /// # Errors
     ///
-    /// [`TooSteep`] if they are too steep or range too far for the map's sides.
+    /// [`TooSteep`] if the heights are too steep or their range is too large for the map's sides.
     pub fn check(self, map: &HeightMap) -> Result<(), TooSteep> {
         let too_steep = TooSteep {
             slope: rms_slope(map),
@@ -55,12 +55,12 @@ impl HeightLimits {
         }
     }
 
-    /// Whether heights that many times as large are within the limits.
+    /// Whether heights `times` as large are within the limits.
     fn allows(self, found: TooSteep, times: f64) -> bool {
         found.slope * times <= self.slope && found.range * times <= self.range * found.side
     }
 
-    /// The limits in words, with the likely unit of the heights: the largest that brings them within the limits.
+    /// Describes the limits, with the likely unit of the heights: the largest that brings them within the limits.
     #[must_use]
     pub fn wanted(self, map: &HeightMap, height_unit: f64, has_unit: bool) -> String {
         let most = format!(
@@ -99,7 +99,7 @@ fn range(map: &HeightMap) -> f64 {
     heights.fold(f64::NEG_INFINITY, f64::max) - least
 }
 
-/// √⟨|∇z|²⟩ by the differences of neighbouring samples along both axes.
+/// √⟨|∇z|²⟩ from the differences of neighbouring samples along both axes.
 fn rms_slope(map: &HeightMap) -> f64 {
     let ([rows, columns], [along_x, along_y]) = (map.shape(), map.extent());
     let heights = map.heights();
@@ -123,7 +123,7 @@ fn rms_slope(map: &HeightMap) -> f64 {
 mod tests {
     use super::*;
 
-    /// 20 × 20 samples of a wave over 20 µm, of an amplitude of `height`.
+    /// 20 × 20 samples over 20 µm of a wave of amplitude `height`.
     fn map(height: f64) -> HeightMap {
         let heights = (0..400_u32).map(|n| height * (f64::from(n % 20) / 3.0).sin());
         HeightMap::new(heights.collect(), [20, 20], [20e-6, 20e-6]).unwrap()
@@ -141,7 +141,7 @@ mod tests {
             wanted(true)
         );
         assert!(wanted(false).ends_with("as with height_unit = 1e-9"));
-        // Micrometres given, nanometres meant.
+        // Given in micrometres, meant in nanometres.
         assert!(
             HeightLimits::SURFACE
                 .wanted(&map(50e-6), 1e-6, true)

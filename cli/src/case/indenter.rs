@@ -18,13 +18,13 @@ use crate::input::dimension::Dimension;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::{Sign, ValueReader};
 
-/// The indenter of a case, every value in SI units or the case's own.
+/// The indenter of a case; every value is in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct IndenterCase {
     /// Its shape.
     #[serde(flatten)]
     pub shape: IndenterShape,
-    /// Its material; none of a rigid one.
+    /// Its material; none if it is rigid.
     #[serde(flatten)]
     pub material: Option<ElasticConstants>,
 }
@@ -42,7 +42,7 @@ pub struct ElasticConstants {
 const ELASTIC: [&str; 2] = ["young_modulus", "poisson_ratio"];
 
 impl IndenterCase {
-    /// Reads the table, and the map that it names.
+    /// Reads the table and the map that it names.
     ///
     /// # Errors
     ///
@@ -73,13 +73,13 @@ impl IndenterCase {
         self.material.map(build).transpose()
     }
 
-    /// The measured map, if the indenter is one.
+    /// The measured map, if the indenter is given by one.
     #[must_use]
     pub fn map(&self) -> Option<&MapCase> {
         self.shape.map()
     }
 
-    /// The same, to change.
+    /// Mutable access to [`Self::map`].
     pub fn map_mut(&mut self) -> Option<&mut MapCase> {
         match &mut self.shape {
             IndenterShape::Map(map) => Some(map),
@@ -89,7 +89,7 @@ impl IndenterCase {
 }
 
 impl ElasticConstants {
-    /// Both or none.
+    /// Reads both constants or neither.
     fn read(table: &TableReader<'_>) -> Result<Option<Self>, Diagnosis> {
         if table.given(&ELASTIC).is_empty() {
             return Ok(None);
@@ -99,7 +99,7 @@ impl ElasticConstants {
             young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
             poisson_ratio: ratio.number(POISSON_RATIO)?,
         };
-        // The modulus is positive by now: only the ratio can still be refused.
+        // The modulus is known to be positive here, so only the ratio can be rejected.
         Material::new(constants.young_modulus, constants.poisson_ratio)
             .map_err(|error| ratio.refused(&error))?;
         Ok(Some(constants))
@@ -140,11 +140,11 @@ pub enum IndenterShape {
     },
     /// A measured surface.
     Map(MapCase),
-    /// A function of a caller's own.
+    /// A function defined by the caller.
     Function(HandedOver<Indenter>),
 }
 
-/// The numbers of a pyramid.
+/// The dimensions of a pyramid.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PyramidCase {
     /// Radius of the tip, m; 0 is sharp.
@@ -179,7 +179,7 @@ const KINDS: [(&str, IndenterKind); 8] = [
 const WANTED: &str = "\"paraboloid\", \"sphere\", \"cone\", \"berkovich\", \"vickers\", \"cube-corner\", \"flat-punch\" or \"map\"";
 
 impl IndenterShape {
-    /// Reads the table, and the map that it names.
+    /// Reads the table and the map that it names.
     ///
     /// # Errors
     ///
@@ -241,7 +241,7 @@ impl IndenterShape {
         }
     }
 
-    /// The measured map, if the indenter is one.
+    /// The measured map, if the indenter is given by one.
     #[must_use]
     pub fn map(&self) -> Option<&MapCase> {
         match self {
@@ -251,7 +251,7 @@ impl IndenterShape {
     }
 }
 
-/// Refuses keys that are neither of the shape nor of a material.
+/// Rejects keys that belong neither to the shape nor to a material.
 fn only(table: &TableReader<'_>, keys: &[&str]) -> Result<(), Diagnosis> {
     table.only(&[keys, &ELASTIC].concat())
 }
@@ -288,11 +288,11 @@ fn tip_radius(table: &TableReader<'_>) -> Result<f64, Diagnosis> {
     table.optional("tip_radius").map_or(Ok(0.0), read)
 }
 
-/// Angles from the axis. A needle sharper than the first (0.1 degrees) is far beyond small slopes and any picture; a
-/// cone blunter than the last (10⁻⁴ degrees from flat) is flat.
+/// Angles from the axis. A needle sharper than the lower limit (0.1 degrees) is far beyond small slopes and cannot be
+/// drawn; a cone blunter than the upper limit (10⁻⁴ degrees from flat) is flat.
 const ANGLES: std::ops::RangeInclusive<f64> = 1.745e-3..=FRAC_PI_2 - 1.745e-6;
 
-/// An angle from the axis, between 0 and 90 degrees.
+/// Reads an angle from the axis, between 0 and 90 degrees.
 fn angle(table: &TableReader<'_>, key: &str, default: Option<f64>) -> Result<f64, Diagnosis> {
     const WANTED: &str = "an angle from the axis between 0 and 90 degrees (0.1 to 89.9999), such as \"65.03 deg\", or a bare number in radians";
     let field = match (table.optional(key), default) {
@@ -357,7 +357,7 @@ mod tests {
             Ok(IndenterShape::Cone { half_angle, .. }) => half_angle,
             other => panic!("{other:?}"),
         };
-        // One rounding in the factor of a degree.
+        // The factor of a degree has one rounding error.
         assert!((cone("\"60 deg\"") - cone("1.0471975511965976")).abs() < 1e-15);
     }
 

@@ -11,7 +11,7 @@ use crate::input::value_reader::Sign;
 /// The four keys of which exactly one is given.
 const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];
 
-/// The key that asks for derivatives.
+/// The key that requests derivatives.
 const SENSITIVITIES: &str = "sensitivities";
 
 const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
@@ -19,16 +19,16 @@ const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
 /// The hint if one load comes from the file and the other from the command line or a study.
 const HELP: &str = "to replace one by the other, replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
 
-/// The most steps of a curve; more are a mistake.
+/// The largest number of steps of a curve; more is a mistake.
 const MOST_STEPS: usize = 10_000;
 
-/// The load of a case, and whether derivatives are wanted under it.
+/// The load of a case, and whether derivatives are requested.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LoadCase {
     /// Force or penetration, or a list of either.
     #[serde(flatten)]
     pub values: LoadValues,
-    /// Whether the derivatives by the numbers of the case are wanted.
+    /// Whether derivatives with respect to the parameters of the case are requested.
     #[serde(skip_serializing_if = "is_false")]
     pub sensitivities: bool,
 }

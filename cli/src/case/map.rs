@@ -1,9 +1,10 @@
-//! A height map named by a case: `file`, and the keys for what the file does not say.
+//! A height map named by a case: `file`, and keys for properties that the file does not give.
 //!
-//! `side` is its length along x, with square pixels; `sides` are its lengths along x and y. A `.gsf` file has them
-//! itself, but the case takes precedence. `height_unit` is the length of a 1 in the file: `"nm"`, `"0.5 um"` or a bare
-//! number, negative to turn heights into depths. Without it heights are in the unit that the file names, or in metres,
-//! or in the case's own unit of length. `interpolation` gives the heights between the samples.
+//! `side` is its length along x, with square pixels; `sides` are its lengths along x and y. A `.gsf` file contains its
+//! sides, but the case takes precedence. `height_unit` is the length that a value of 1 in the file stands for: `"nm"`,
+//! `"0.5 um"` or a bare number, negative to turn heights into depths. Without it, heights are in the unit that the file
+//! names, or in metres, or in the case's own unit of length. `interpolation` sets how heights between the samples are
+//! found.
 
 use std::sync::Arc;
 
@@ -24,36 +25,36 @@ use crate::map::MapFile;
 const FILE: &str =
     "a height map (.npy, .csv, .txt or .gsf) by its path from the folder of the case file";
 
-/// At least this many lines of three numbers are points x, y, z and not a strip of a surface.
+/// At least this many lines of three numbers are taken for points x, y, z rather than a strip of a surface.
 const MANY_LINES: usize = 30;
 
-/// A height map of a case. It is written as the keys that it was read from; the heights stay in the file.
+/// A height map of a case. It is written as the keys from which it was read; the heights stay in the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MapCase {
     /// Path of the file, from the folder of the case.
     pub file: String,
     /// Sides along x and along y, m.
     pub sides: [f64; 2],
-    /// The length of a 1 in the file, m.
+    /// The length that a value of 1 in the file stands for, m.
     pub height_unit: f64,
     /// The interpolation between the samples.
     pub interpolation: InterpolationCase,
-    /// SI if the file names a unit.
+    /// The units; SI if the file names one.
     #[serde(skip)]
     pub units: Units,
     #[serde(skip)]
     heights: Arc<HeightMap>,
-    /// Its repetition, if it has one.
+    /// The repetition, if the map is periodic.
     #[serde(skip)]
     repeats: Option<Repetition>,
 }
 
-/// The range over which a map that repeats itself is needed.
+/// The range over which a periodic map is needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Repetition {
-    /// The square and the reach of the interpolation: the map lies on the cell.
+    /// The square and the reach of the interpolation; the map lies on the cell.
     InPlace,
-    /// Half a side more: its lowest point is put on the axis.
+    /// Half a side more, since the lowest point of the map is put on the axis.
     Centred,
 }
 
@@ -63,7 +64,7 @@ pub enum Repetition {
 pub enum InterpolationCase {
     /// Bicubic, smooth.
     Bicubic,
-    /// Linear, with a ridge along every line of samples.
+    /// Linear, with kinks along every line of samples.
     Linear,
 }
 
@@ -135,12 +136,12 @@ impl MapCase {
         })
     }
 
-    /// Makes it repeat itself: its neighbours' first samples follow its last.
+    /// Makes the map periodic: after its last samples come the first samples of its neighbour.
     pub fn repeat(&mut self, how: Repetition) {
         self.repeats = Some(how);
     }
 
-    /// The map itself, with a rim of its neighbours' samples if it repeats itself.
+    /// The map, with a rim of its neighbours' samples if it is periodic.
     #[must_use]
     pub fn heights(&self) -> HeightMap {
         let own = self.heights.as_ref();
@@ -148,7 +149,7 @@ impl MapCase {
         rimmed.unwrap_or_else(|| own.clone())
     }
 
-    /// The map itself.
+    /// The map without a rim.
     #[must_use]
     pub fn own(&self) -> &HeightMap {
         &self.heights
@@ -174,9 +175,9 @@ impl MapCase {
     }
 }
 
-/// A map with samples of its neighbours on all sides.
+/// Surrounds a periodic map with samples of its neighbours on all sides.
 fn with_rim(map: &HeightMap, how: Repetition) -> Result<HeightMap, TextureError> {
-    /// As many as an interpolation looks at, and one more.
+    /// The number of samples that an interpolation uses, and one more.
     const REACH: usize = 5;
     let (shape, extent) = (map.shape(), map.extent());
     let rim = shape.map(|samples| match how {
@@ -194,7 +195,7 @@ fn with_rim(map: &HeightMap, how: Repetition) -> Result<HeightMap, TextureError>
     Ok(rimmed.with_interpolation(map.interpolation()))
 }
 
-/// Whether the given sides or the file have a unit: then heights have one too.
+/// Whether the given sides or the file have a unit, so that heights have one too.
 fn names_a_unit(table: &TableReader<'_>, file: &MapFile) -> bool {
     let is_text = |value: &TomlValue| matches!(value, TomlValue::Text(_));
     let has_unit = |field: ValueReader<'_>| match field.value() {
@@ -207,7 +208,7 @@ fn names_a_unit(table: &TableReader<'_>, file: &MapFile) -> bool {
     sides.any(has_unit) || units(file) == Units::Si
 }
 
-/// Refuses many lines of three numbers that are not the points of a grid, unless the sides of a strip are given.
+/// Rejects many lines of three numbers that are not the points of a grid, unless the sides of a strip are given.
 fn refuse_points(
     table: &TableReader<'_>,
     field: &ValueReader<'_>,
@@ -273,7 +274,7 @@ fn sides(
     }
 }
 
-/// The length of a 1 in the file, from the case or else from the file.
+/// The length that a value of 1 in the file stands for, from the case or else from the file.
 fn height_unit(
     table: &TableReader<'_>,
     field: &ValueReader<'_>,
@@ -344,7 +345,7 @@ mod tests {
         assert_eq!((map.shape(), map.sides), ([3, 2], [3e-6, 2e-6]));
         assert_eq!((map.height_unit, map.units), (1e-9, Units::Consistent));
         let heights = map.heights();
-        // One rounding each.
+        // Each value has one rounding error.
         let [lowest, highest] = [heights.lowest() - 1e-9, heights.highest() - 6e-9];
         assert!(lowest.abs() < 1e-24 && highest.abs() < 1e-24);
     }

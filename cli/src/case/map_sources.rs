@@ -1,5 +1,5 @@
-//! The data that a case names but does not hold: maps in the files of a folder, and those that a caller passes along,
-//! arrays instead of files, and shapes of its own.
+//! The data that a case names but does not contain: maps in the files of a folder, and arrays and shapes supplied by
+//! the caller.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -35,8 +35,8 @@ impl MapSources {
         &self.folder
     }
 
-    /// The same, and under this name an array instead of a file, read as if it stood in a NumPy file:
-    /// `heights[i * shape[1] + j]` is sample `(i, j)`, first index along x.
+    /// Adds an array under this name, read instead of a file as if it were in a NumPy file: `heights[i * shape[1] + j]`
+    /// is sample `(i, j)`, first index along x.
     #[must_use]
     pub fn with_array(mut self, name: &str, shape: [usize; 2], heights: Vec<f64>) -> Self {
         let array = MapFile::of_array(shape, heights);
@@ -44,33 +44,33 @@ impl MapSources {
         self
     }
 
-    /// The same, and an indenter for `[indenter]` with `kind = "function"`.
+    /// Adds an indenter for `[indenter]` with `kind = "function"`.
     #[must_use]
     pub fn with_indenter(mut self, indenter: Indenter) -> Self {
         self.indenter = Some(indenter);
         self
     }
 
-    /// The same, and a relief for `[surface]` with `kind = "function"`.
+    /// Adds a relief for `[surface]` with `kind = "function"`.
     #[must_use]
     pub fn with_relief(mut self, relief: CustomRelief) -> Self {
         self.relief = Some(relief);
         self
     }
 
-    /// The indenter that was handed over.
+    /// The supplied indenter, if any.
     #[must_use]
     pub fn indenter(&self) -> Option<&Indenter> {
         self.indenter.as_ref()
     }
 
-    /// The relief that was handed over.
+    /// The supplied relief, if any.
     #[must_use]
     pub fn relief(&self) -> Option<&CustomRelief> {
         self.relief.as_ref()
     }
 
-    /// The map of this name: an array if there is one, or else the file.
+    /// Returns the map of this name: the array if there is one, or else the file.
     ///
     /// # Errors
     ///

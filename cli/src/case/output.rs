@@ -12,9 +12,9 @@ use crate::input::value_reader::ValueReader;
 pub struct OutputCase {
     /// The loading steps whose fields are written.
     pub fields: Steps,
-    /// The loading steps whose pictures are drawn; with `none`, pictures of the whole run are left out too.
+    /// The loading steps whose pictures are drawn; with `none`, the pictures of the whole run are also omitted.
     pub pictures: Steps,
-    /// The formats of the fields, each once.
+    /// The formats of the fields, without duplicates.
     pub formats: Vec<Format>,
 }
 
@@ -58,7 +58,7 @@ const FORMATS: [(&str, Format); 4] = [
 ];
 
 impl Steps {
-    /// Whether step `step` of `steps`, counted from 0, is among them.
+    /// Whether step `step` of `steps`, counted from 0, is included.
     #[must_use]
     pub fn contains(self, step: usize, steps: usize) -> bool {
         match self {
@@ -68,7 +68,7 @@ impl Steps {
         }
     }
 
-    /// Their number, of `steps` in all.
+    /// The number of included steps, of `steps` in all.
     #[must_use]
     pub fn count(self, steps: usize) -> usize {
         match self {
@@ -107,7 +107,7 @@ impl OutputCase {
         })
     }
 
-    /// Sets the formats, each once.
+    /// Sets the formats, dropping duplicates.
     pub fn set_formats(&mut self, formats: &[Format]) {
         self.formats = formats.to_vec();
         self.formats.sort_unstable();

@@ -1,4 +1,4 @@
-//! The numbers of a case that a solution depends on smoothly, by their keys.
+//! The parameters of a case on which a solution depends smoothly, by their keys.
 
 use pellicle_contact::{IndenterQuantity, Model, ModelParameter};
 use pellicle_influence::ElasticParameter;
@@ -8,14 +8,14 @@ use pellicle_texture::{Relief, ReliefParameter};
 use super::Case;
 use crate::input::dimension::Dimension;
 
-/// A number of a case and of its model.
+/// A parameter of a case and of its model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseParameter {
     /// Its key in the case, such as `foundation.layer[0].young_modulus`.
     pub key: String,
-    /// The number in the model.
+    /// The parameter of the model.
     pub parameter: ModelParameter,
-    /// Its dimension; none of Poisson's ratio.
+    /// Its dimension; none for Poisson's ratio.
     pub dimension: Option<Dimension>,
 }
 
@@ -27,15 +27,15 @@ impl CaseParameter {
     }
 }
 
-/// The SI unit of a number of this dimension; `1` without one.
+/// The SI unit of a quantity of this dimension; `1` without a dimension.
 #[must_use]
 pub fn unit(dimension: Option<Dimension>) -> &'static str {
     dimension.map_or("1", Dimension::si_unit)
 }
 
 impl Case {
-    /// All numbers of the case's model that a solution depends on smoothly: not those of graded layers, which stand for
-    /// many layers of the model.
+    /// Returns all parameters of the case's model on which a solution depends smoothly. Those of graded layers are left
+    /// out: each stands for many layers of the model.
     ///
     /// # Errors
     ///
@@ -58,7 +58,7 @@ impl Case {
         Ok(named.collect())
     }
 
-    /// The keys of the model's layers and its substrate; none of those that a graded layer is split into.
+    /// The keys of the model's layers and its substrate; none for the sublayers of a graded layer.
     fn layer_keys(&self) -> Result<Vec<Option<String>>, KernelError> {
         let splits = self.foundation.split()?.splits;
         let of_layer = |i: usize| match splits.iter().find(|split| split.layer == i) {

@@ -1,4 +1,4 @@
-//! The check that the other tables of a case go with a periodic cell.
+//! The check that the other tables of a case are compatible with a periodic cell.
 
 use super::indenter::IndenterCase;
 use super::map::Repetition;
@@ -6,16 +6,16 @@ use super::surface::{LatticeCase, SurfaceCase};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::table_reader::TableReader;
 
-/// The reason for which a key is refused.
+/// The reason why a key is rejected.
 const BECAUSE: &str = "with grid.boundary = \"periodic\"";
-/// Part of a side by which lengths may differ: rounding of what a user divided.
+/// Relative difference allowed between lengths, for rounding in the user's numbers.
 const LEEWAY: f64 = 1e-6;
 
-/// Makes maps repeat themselves, and refuses what a cell of this side (m) does not have.
+/// Makes maps periodic, and rejects keys that are incompatible with a cell of this side (m).
 ///
 /// # Errors
 ///
-/// A [`Diagnosis`] of the first key that does not go with a periodic cell.
+/// A [`Diagnosis`] of the first incompatible key.
 pub fn fit(
     root: &TableReader<'_>,
     side: f64,
@@ -73,7 +73,7 @@ fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> 
     }
 }
 
-/// The diagnosis of the first of these keys that the table has.
+/// Returns the diagnosis of the last of these keys that the table has.
 fn unusable(root: &TableReader<'_>, table: &str, keys: &[&str], wanted: &str) -> Diagnosis {
     let inside = root.optional(table).and_then(|field| field.table().ok());
     let key = inside.as_ref().and_then(|table| {

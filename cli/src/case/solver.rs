@@ -8,7 +8,7 @@ use crate::input::dimension::Dimension;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::Sign;
 
-/// Below the lower end rounding errors dominate; above the upper one the answer is useless.
+/// Below the lower limit rounding errors dominate; above the upper limit the solution is useless.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-13..=1e-2;
 
 /// Tolerance and method of a case.
@@ -44,7 +44,7 @@ impl Default for SolverCase {
 }
 
 impl SolverCase {
-    /// Reads the table for a grid of so many elements per side.
+    /// Reads the table for a grid of this many elements per side.
     ///
     /// # Errors
     ///

@@ -20,11 +20,11 @@ impl LawCase {
     /// The key in `[surface]`.
     pub const KEY: &'static str = "law";
 
-    /// Reads the key; linear without it.
+    /// Reads the key; the default is linear.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if it names no law.
+    /// A [`Diagnosis`] if the value is not a law.
     pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         let choices = [("linear", Self::Linear), ("logarithmic", Self::Logarithmic)];
         let field = table.optional(Self::KEY);

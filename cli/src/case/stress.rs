@@ -1,4 +1,4 @@
-//! `[stress]`: asks for the stresses inside the body.
+//! `[stress]`: requests the stresses inside the body.
 
 mod depths;
 
@@ -23,33 +23,33 @@ use crate::input::table_reader::TableReader;
 use crate::input::toml_tree;
 use crate::input::value_reader::{Sign, ValueReader};
 
-/// The stresses asked for, every value in SI units or the case's own.
+/// The requested stresses; every value is in SI units or the case's own.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct StressCase {
-    /// The depths of the planes that are written, m, rising; none if they are to be chosen.
+    /// The depths of the planes that are written, m, in increasing order; none if they are to be chosen.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub depths: Option<Vec<f64>>,
     /// Side of the square that is written, m; none for 1.5 contact diameters.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub extent: Option<f64>,
-    /// Coefficient of friction `μ` of the indenter that slides.
+    /// Coefficient of friction `μ` of the sliding indenter.
     pub friction: f64,
     /// Direction of sliding, rad, from +x to +y.
     pub direction: f64,
 }
 
-/// More depths are a mistake.
+/// More depths than this are a mistake.
 const DEPTHS: QuantityList = QuantityList {
     dimension: Dimension::Length,
     sign: Sign::Any,
     most: 1000,
 };
 
-/// No two materials slide with more.
+/// No two materials have a larger coefficient of friction.
 const MOST_FRICTION: f64 = 10.0;
 
 impl StressCase {
-    /// Reads the table for a body on a domain of this side, if one is given.
+    /// Reads the table for a body on a domain of this side, if given.
     ///
     /// # Errors
     ///
@@ -92,7 +92,7 @@ impl StressCase {
         Self::read(&stress.table()?, foundation, Some(side))
     }
 
-    /// The sliding asked for.
+    /// The requested sliding.
     #[must_use]
     pub fn sliding(&self) -> Sliding {
         Sliding {
@@ -141,8 +141,8 @@ impl StressCase {
         }
     }
 
-    /// The planes on which stresses are written under a contact of this radius (m): those given, or chosen down to two
-    /// radii. On an interface there are two.
+    /// The planes on which stresses are written under a contact of this radius (m): as given, or chosen down to two
+    /// radii. An interface has two.
     #[must_use]
     pub fn planes(
         &self,
@@ -157,7 +157,7 @@ impl StressCase {
     }
 
     /// The planes between which a section under a contact of this radius (m) is drawn: through all bodies down to the
-    /// deepest plane given, or to two radii.
+    /// deepest given plane, or to two radii.
     #[must_use]
     pub fn drawn_planes(
         &self,
@@ -178,14 +178,15 @@ impl StressCase {
         )
     }
 
-    /// Side of the square on which they are written, m: as given, or 1.5 contact diameters, at most the domain's.
+    /// Side of the square on which stresses are written, m: as given, or 1.5 contact diameters, at most the side of the
+    /// domain.
     #[must_use]
     pub fn side(&self, contact_radius: f64, domain: f64) -> f64 {
         self.extent.unwrap_or(3.0 * contact_radius).min(domain)
     }
 }
 
-/// Depth of the rigid base, m, to the bit that of the foundation; infinite where there is none.
+/// Depth of the rigid base, m, bit-identical to that of the foundation; infinite if there is none.
 fn foundation_bottom(case: &FoundationCase, foundation: &Foundation) -> f64 {
     match (case.substrate, case.bottoms(foundation).last()) {
         (SubstrateCase::Rigid, Some(bottom)) => *bottom,
@@ -211,7 +212,7 @@ impl From<InterfaceStrengthCase> for InterfaceStrengths {
     }
 }
 
-/// The depths, rising and each once.
+/// Reads the depths, sorted and without duplicates.
 fn depths(field: &ValueReader<'_>, foundation: &FoundationCase) -> Result<Vec<f64>, Diagnosis> {
     let bottom = foundation.bottom();
     let mut depths = DEPTHS.read_checked(field, |item, depth| {
@@ -237,7 +238,7 @@ fn extent(field: &ValueReader<'_>, side: Option<f64>) -> Result<f64, Diagnosis> 
     }
 }
 
-/// The description of an extent that lies within a domain of this side.
+/// Describes an extent that lies within a domain of this side.
 #[must_use]
 pub fn extent_wanted(side: f64) -> String {
     format!("at most the side of the domain, {side:e}")

@@ -17,11 +17,11 @@ use crate::input::dimension::Dimension;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::{Sign, ValueReader};
 
-/// The surface of a case, every value in SI units or the case's own.
+/// The surface of a case; every value is in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum SurfaceCase {
-    /// The foundation's own plane surface.
+    /// The foundation's plane surface, without relief.
     Bare,
     /// Periodic elastic cylinders.
     Cylinders(CylindersCase),
@@ -38,17 +38,17 @@ pub enum SurfaceCase {
     Map(ReliefMapCase),
     /// The elastic body's own measured surface.
     Rough(MapCase),
-    /// A relief of a caller's own functions.
+    /// A relief given by the caller's functions.
     Function(ReliefFunctionCase),
 }
 
-/// A relief of a caller's own functions.
+/// A relief given by the caller's functions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ReliefFunctionCase {
     /// The functions.
     #[serde(skip)]
     pub relief: HandedOver<CustomRelief>,
-    /// The compliance everywhere, m/Pa; none where it is one of the functions.
+    /// The uniform compliance, m/Pa; none if the compliance is one of the functions.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compliance: Option<f64>,
 }
@@ -72,7 +72,7 @@ pub struct ReliefMapCase {
 pub enum ComplianceCase {
     /// `η`, m/Pa, the same everywhere; 0 is rigid.
     Compliance(f64),
-    /// Young's modulus, Pa: `η` is the height above the deepest sample over it.
+    /// Young's modulus, Pa: `η` is the height above the deepest sample divided by it.
     YoungModulus(f64),
 }
 
@@ -89,13 +89,13 @@ pub struct CylindersCase {
     pub period: f64,
     /// Position of one axis relative to the indenter's, m.
     pub offset: [f64; 2],
-    /// Young's modulus `E_a`, Pa; that of the surface unless given.
+    /// Young's modulus `E_a`, Pa; by default that of the surface.
     pub young_modulus: f64,
     /// The law of their springs.
     pub law: LawCase,
 }
 
-/// Arrangement of the cylinders.
+/// The lattice of the cylinders.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LatticeCase {
@@ -105,7 +105,7 @@ pub enum LatticeCase {
     Hexagonal,
 }
 
-/// Wanted of a map whose springs are to stiffen.
+/// The requirement on a map whose springs stiffen.
 const NO_HEIGHT: &str =
     "\"linear\", or young_modulus in place of compliance, with which springs have a height";
 
@@ -127,7 +127,8 @@ const KINDS: [(&str, SurfaceKind); 5] = [
 ];
 
 impl SurfaceCase {
-    /// Reads the table, and the map that it names; the foundation gives the cylinders' modulus if the table does not.
+    /// Reads the table and the map that it names; the foundation supplies the modulus of the cylinders if the table
+    /// does not.
     ///
     /// # Errors
     ///
@@ -203,7 +204,7 @@ impl SurfaceCase {
         }
     }
 
-    /// The measured map, if there is one.
+    /// The measured map, if any.
     #[must_use]
     pub fn map(&self) -> Option<&MapCase> {
         match self {
@@ -213,7 +214,7 @@ impl SurfaceCase {
         }
     }
 
-    /// The same, to change.
+    /// Mutable access to [`Self::map`].
     pub fn map_mut(&mut self) -> Option<&mut MapCase> {
         match self {
             Self::Map(map) => Some(&mut map.map),
@@ -315,7 +316,7 @@ impl CylindersCase {
             young_modulus: young_modulus(table, foundation)?,
             law: LawCase::read(table)?,
         };
-        // Every number is in range by now: only an overlap can still be refused.
+        // Every number is in range here, so only an overlap can be rejected.
         let radius = table.required("radius", "")?;
         cylinders.build().map_err(|error| radius.refused(&error))?;
         Ok(cylinders)

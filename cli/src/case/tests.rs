@@ -1,4 +1,4 @@
-//! Cases as texts, and read again as they are written.
+//! Cases read from text, and read again after being written.
 
 use super::*;
 
@@ -36,11 +36,11 @@ tip_radius = "400 nm"
 forces = { from = "1 uN", to = "1 mN", count = 4, spacing = "log" }
 "#;
 
-/// A case as written is a case file again.
+/// Checks that a written case is again a case file.
 fn check_written(case: &Case) {
     let written = toml::to_string(case).unwrap();
     let again = read(&written, &[]).unwrap();
-    // The numbers are the same; the units they were written in are gone.
+    // The numbers are the same; the units in which they were written are lost.
     let again = Case {
         units: case.units,
         ..again
@@ -79,7 +79,7 @@ fn strengths_and_stresses_are_among_what_is_written() {
         assert_eq!(strengths.pointer(place).unwrap(), strength, "{place}");
     }
     assert_eq!(case.stress.unwrap().depths.unwrap(), [0.0, 5e-9]);
-    // Nothing is written of what is not given, an empty table of stresses is.
+    // Values that are not given are not written; an empty table of stresses is.
     let plain = toml::to_string(&read(&format!("{CASE}\n[stress]"), &[]).unwrap()).unwrap();
     assert!(
         !plain.contains("strength") && plain.contains("[stress]"),

@@ -1,4 +1,4 @@
-//! Warnings about a case that can be solved but may not be meant as it is written.
+//! Warnings about a case that can be solved but may not be what its user meant.
 
 use super::Case;
 use super::foundation::layer::LayerCase;
@@ -13,7 +13,7 @@ use crate::input::units::Units;
 pub struct CaseWarning {
     /// A short name, for programs.
     pub code: &'static str,
-    /// A sentence, for people.
+    /// A sentence, for human readers.
     pub message: String,
 }
 
@@ -44,7 +44,7 @@ const QUANTITIES: [(&str, &str); 23] = [
     ("extent", "m"),
 ];
 
-/// A tenth of a nanometre on a side of a centimetre: the heights of every measured surface range over more.
+/// A tenth of a nanometre on a side of a centimetre; the heights of every measured surface have a larger range.
 const FLAT: f64 = 1e-8;
 
 impl Case {
@@ -93,11 +93,12 @@ impl Case {
     }
 }
 
-/// The warning about a map whose pixels are larger than the elements: more elements resolve no more of the surface.
+/// The warning about a map whose pixels are larger than the elements, so that more elements resolve no more of the
+/// surface.
 fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option<CaseWarning> {
     let pixel = map.pixel();
     let metres = |value| quantity(value, Unit::Metre, units);
-    // A map on its own grid has the pixels of its elements up to rounding.
+    // A map sampled on the grid itself has pixels as large as the elements, up to rounding.
     (pixel > element_side * (1.0 + 1e-9)).then(|| CaseWarning {
         code: "coarse-map",
         message: format!(
@@ -109,7 +110,7 @@ fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option
     })
 }
 
-/// The warning about an almost flat map, whose unit is probably a thousand times too small.
+/// The warning about an almost flat map; its unit is probably a thousand times too small.
 fn flat(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
     let samples = map.samples().iter().copied();
     let least = samples.clone().fold(f64::INFINITY, f64::min);
@@ -125,7 +126,7 @@ fn flat(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
     })
 }
 
-/// Warns of the bare numbers of a case that has units elsewhere, once per key.
+/// Warns about bare numbers in a case that has units elsewhere, once per key.
 fn bare_numbers(root: &TomlNode, warnings: &mut Vec<CaseWarning>) {
     if let TomlValue::Table(table) = &root.value {
         in_table("", table, warnings);
@@ -153,7 +154,7 @@ fn in_table(path: &str, table: &TomlTable, warnings: &mut Vec<CaseWarning>) {
     }
 }
 
-/// The first bare number of a value, of a list, or of the ends of a range; zero needs no unit.
+/// Returns the first bare number of a value, a list, or the ends of a range; zero needs no unit.
 fn bare(node: &TomlNode) -> Option<&TomlNode> {
     match &node.value {
         TomlValue::Integer(number) => (*number != 0).then_some(node),

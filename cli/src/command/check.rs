@@ -15,7 +15,7 @@ use crate::map::shortest_wave;
 use crate::output::disk_space;
 use crate::{cache, terminal};
 
-/// Prints the case with every default filled in, the estimates below it, and the warnings to expect.
+/// Prints the case with every default filled in, then the estimates and the warnings to expect.
 ///
 /// # Errors
 ///
@@ -44,7 +44,7 @@ fn heading(units: Units) -> &'static str {
     }
 }
 
-/// Resolution, work and memory, as comments, so that the output is a case file again.
+/// Formats resolution, work and memory as comments, so that the output is again a case file.
 fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, Failure> {
     let element_side = forecast.side / case.grid.elements as f64;
     let metres = |value| quantity(value, Unit::Metre, case.units);
@@ -86,7 +86,7 @@ fn megabytes(bytes: f64) -> String {
     format!("{} MB", significant(bytes / 1e6, 2))
 }
 
-/// Comments of names and values, in columns.
+/// Comment lines of names and values, in columns.
 #[derive(Default)]
 struct Estimates {
     lines: Vec<String>,
@@ -97,7 +97,7 @@ impl Estimates {
         self.lines.push(format!("# {name:<38}{value}\n"));
     }
 
-    /// The number of homogeneous layers into which each graded layer is split.
+    /// Adds the number of homogeneous layers into which each graded layer is split.
     fn graded(&mut self, case: &Case) -> Result<(), Failure> {
         for split in case.foundation.split()?.splits {
             let (sublayers, error) = (split.sublayers, significant(split.error, 2));
@@ -110,7 +110,7 @@ impl Estimates {
         Ok(())
     }
 
-    /// The planes of stresses of the largest load, and the work on them; returns their number and points along a side.
+    /// Adds the stress planes of the largest load and their work; returns their number and the points along a side.
     fn stresses(&mut self, case: &Case, forecast: &Forecast) -> Result<[usize; 2], Failure> {
         let Some(stress) = &case.stress else {
             return Ok([0; 2]);
@@ -146,7 +146,7 @@ impl Estimates {
         Ok([count, size])
     }
 
-    /// The sampling of the maps: samples per element and per shortest wave.
+    /// Adds the sampling of the maps: samples per element and per shortest wave.
     fn maps(&mut self, case: &Case, element_side: f64) {
         let maps = [
             ("surface", case.surface.map()),
@@ -164,7 +164,7 @@ impl Estimates {
         }
     }
 
-    /// The contact of the largest load on a coarse grid.
+    /// Adds the contact of the largest load on the coarse grid.
     fn trial(&mut self, step: &Step, elements: usize, element_side: f64, units: Units) {
         let (solution, summary) = (&step.solution, &step.summary);
         let of = |value, unit| quantity(value, unit, units);

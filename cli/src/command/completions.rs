@@ -31,7 +31,7 @@ pub fn man() -> Result<Outcome, Failure> {
     print(&text)
 }
 
-/// One page for everything: the sections of the program, then those of each command under its own name.
+/// Writes one page for everything: the sections of the program, then those of each command under its own name.
 fn page(command: &clap::Command, text: &mut Vec<u8>) -> std::io::Result<()> {
     let man = clap_mangen::Man::new(command.clone());
     man.render(text)?;

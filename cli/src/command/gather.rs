@@ -6,14 +6,14 @@ use crate::failure::Failure;
 use crate::study::gather::{self, OtherTable};
 use crate::terminal;
 
-/// The most missing cases that are named.
+/// The largest number of missing cases that are named.
 const MOST_NAMED: usize = 10;
 
 /// Writes the merged table if every case is there; otherwise names the missing ones.
 ///
 /// # Errors
 ///
-/// [`Failure`] if there are no parts or they do not go together.
+/// [`Failure`] if there are no parts or they do not belong together.
 pub fn gather(arguments: &GatherArguments) -> Result<Outcome, Failure> {
     let other = if arguments.force {
         OtherTable::Replace

@@ -1,4 +1,4 @@
-//! `pellicle identify`: fits a model to measured curves and tells what they say of it.
+//! `pellicle identify`: fits a model to measured curves and reports the result.
 
 pub mod plan;
 
@@ -20,7 +20,7 @@ use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
 use crate::{interrupt, terminal, threads};
 
-/// Fits the model, writes the results and tells them.
+/// Fits the model, writes the results and reports them.
 ///
 /// # Errors
 ///
@@ -81,7 +81,7 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     Ok(outcome(arguments, &fit))
 }
 
-/// Writes measurements that the fit file would give; of several tables, one file each, numbered.
+/// Writes measurements simulated from the fit file; for several tables, one numbered file each.
 fn simulate(arguments: &IdentifyArguments, file: &FitFile, out: &Path) -> Result<Outcome, Failure> {
     threads::set(arguments.threads)?;
     let seed = arguments.seed.unwrap_or(file.report.seed);
@@ -101,7 +101,7 @@ fn simulate(arguments: &IdentifyArguments, file: &FitFile, out: &Path) -> Result
     Ok(Outcome::Done)
 }
 
-/// The line that tells how far the work is.
+/// The progress line.
 fn progress(arguments: &IdentifyArguments) -> ProgressBar {
     if arguments.quiet || arguments.json {
         ProgressBar::hidden()
@@ -110,7 +110,7 @@ fn progress(arguments: &IdentifyArguments) -> ProgressBar {
     }
 }
 
-/// Claims the folder of the results, by default that of the fit file's name and this ending; none with `--json` alone.
+/// Claims the results folder, by default named after the fit file with this suffix; none with `--json` alone.
 fn claim(arguments: &IdentifyArguments, ending: &str) -> Result<Option<ResultsFolder>, Failure> {
     let existing = if arguments.force {
         Existing::Replace

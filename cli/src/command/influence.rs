@@ -18,7 +18,7 @@ use crate::{cache, output, terminal};
 struct CoefficientRow {
     /// Distance in elements along x and y.
     offset: [isize; 2],
-    /// Displacement there for unit pressure on one element, m/Pa.
+    /// Displacement there under unit pressure on one element, m/Pa.
     coefficient: f64,
 }
 
@@ -60,7 +60,7 @@ fn coefficients(
     arguments: &InfluenceArguments,
 ) -> Result<Vec<CoefficientRow>, Failure> {
     let row = |&offset: &[isize; 2]| {
-        // The same on all sides of the element.
+        // Coefficients are the same on all sides of the element.
         let distance = offset.map(isize::unsigned_abs);
         let coefficient = if arguments.direct {
             direct::coefficient(model.tables.foundation(), element_side, distance)?

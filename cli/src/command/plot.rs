@@ -1,4 +1,5 @@
-//! `pellicle plot`: draws the pictures of results again, in any style, or the curves of several results in one.
+//! `pellicle plot`: redraws the pictures of results, in any style, or draws the curves of several results in one
+//! picture.
 
 use std::fs;
 use std::path::Path;
@@ -12,7 +13,7 @@ use crate::picture::style::{Heading, Style};
 use crate::progress::ProgressLine;
 use crate::terminal;
 
-/// Draws the pictures from the files of the folders alone.
+/// Draws the pictures, using only the files of the folders.
 ///
 /// # Errors
 ///

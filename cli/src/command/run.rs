@@ -23,14 +23,14 @@ use crate::progress::{ProgressLine, SearchLine};
 use crate::stress_search::{self, Stresses};
 use crate::{cache, interrupt, solving, terminal, threads};
 
-/// Time between two looks at the user while stresses are looked for.
+/// Interval at which a request to stop is checked during the search for stresses.
 const LOOK: Duration = Duration::from_millis(20);
 
 /// Solves the case, writes its results folder and reports the result.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the case is wrong, the results cannot be written, or the contact cannot be computed at all.
+/// [`Failure`] if the case is wrong, the results cannot be written, or the contact cannot be computed.
 pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
     let mut case = Case::read(&arguments.case.path, &arguments.case.sets)?;
@@ -81,7 +81,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     Ok(outcome(&summary))
 }
 
-/// The stresses of a path; none if the case asks for none or the user stops.
+/// Finds the stresses of a path; none if the case requests none or the user stops.
 fn find_stresses(
     case: &Case,
     model: &Model,
@@ -95,8 +95,8 @@ fn find_stresses(
     solving::unless_stopped(find_beside(case, model, domain, path, line.searching()))
 }
 
-/// The stresses, found on threads of their own, which are left behind when the user asks to stop: the extremes of one
-/// step may take longer than anybody wants to wait then, and the results that are there are still to be written.
+/// Finds the stresses on separate threads, which are abandoned when the user asks to stop: the extremes of one step may
+/// take too long to wait for, and the finished results are still to be written.
 fn find_beside(
     case: &Case,
     model: &Model,
@@ -113,7 +113,7 @@ fn find_beside(
     let (case, model, path) = (case.clone(), model.clone(), Arc::clone(path));
     let (alive, watched) = mpsc::channel::<()>();
     let search = thread::spawn(move || {
-        // Dropped when the search has ended, in whatever way.
+        // Dropped when the search ends, in whatever way.
         let _alive = alive;
         let mut observer = line.clone();
         let tell = |search| {
@@ -165,7 +165,7 @@ fn is_watched(arguments: &RunArguments) -> bool {
     !arguments.quiet && !arguments.json
 }
 
-/// Tells the user the summary in words, the warnings, and the path of the results.
+/// Prints the summary in words, the warnings, and the path of the results.
 fn tell(arguments: &RunArguments, summary: &RunSummary, folder: Option<&Path>) {
     if is_watched(arguments) {
         terminal::tell(summary_text::text(summary).trim_end());
@@ -189,7 +189,7 @@ fn tell(arguments: &RunArguments, summary: &RunSummary, folder: Option<&Path>) {
     }
 }
 
-/// The outcome: also stopped if the user asked to stop when only the writing was left.
+/// The outcome; also `Stopped` if the user asked to stop when only the writing was left.
 fn outcome(summary: &RunSummary) -> Outcome {
     if interrupt::is_requested() {
         Outcome::Stopped

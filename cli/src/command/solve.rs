@@ -1,5 +1,4 @@
-//! `pellicle solve --stream`: solves a case again and again with other values, as a program at the other end of a pipe
-//! asks for them.
+//! `pellicle solve --stream`: solves a case repeatedly with values that another program sends through a pipe.
 
 use std::io::{self, BufRead};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -25,8 +24,8 @@ use crate::progress::ProgressLine;
 use crate::solving::{self, Resources, SolvedCase};
 use crate::{cache, interrupt, terminal, threads};
 
-/// Reads objects of keys and values from standard input, one a line, and prints the summary of the case with each, or
-/// what is wrong with it, as one line, before it reads the next. Ends with its input.
+/// Reads objects of keys and values from standard input, one per line. For each it prints the summary of the case, or
+/// the error, as one line before reading the next. Ends with its input.
 ///
 /// # Errors
 ///
@@ -85,7 +84,7 @@ impl Answer {
 }
 
 impl Stream {
-    /// The answer to a line; none if the user stops it.
+    /// Returns the answer to a line; none if the user stops it.
     fn answer(&self, line: usize, text: &str) -> Option<Answer> {
         let solved = catch_unwind(AssertUnwindSafe(|| self.summary(line, text)));
         let failed = |error| Answer::Failed {
@@ -124,7 +123,7 @@ impl Stream {
     }
 }
 
-/// The keys of a line, each with its value and its place: `{"load.force": "3 mN", "grid.elements": 64}`.
+/// Reads the keys of a line, each with its value and its position: `{"load.force": "3 mN", "grid.elements": 64}`.
 fn values(line: usize, text: &str) -> Result<Vec<(String, TomlNode, Span)>, Failure> {
     let name = format!("{STREAM}, line {line}");
     let read = serde_json::from_str::<Value>(text);
@@ -145,7 +144,7 @@ fn values(line: usize, text: &str) -> Result<Vec<(String, TomlNode, Span)>, Fail
     }
 }
 
-/// A value of JSON as one of TOML. TOML has no null: it becomes a date, which no key takes.
+/// Converts a JSON value to TOML. TOML has no null: it becomes a date, which no key accepts.
 fn node(value: Value, name: &str) -> TomlNode {
     let span = span(name, value.to_string());
     let value = match value {
@@ -173,7 +172,7 @@ fn node(value: Value, name: &str) -> TomlNode {
     TomlNode { value, span }
 }
 
-/// The place of a value, which messages quote: a text of its own.
+/// The position of a value, which messages quote, in a text of its own.
 fn span(name: &str, text: String) -> Span {
     let source = Arc::new(Source::new(name, text));
     Span::new(&source, 0..source.inner().len())

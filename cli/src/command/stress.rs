@@ -17,7 +17,7 @@ use crate::output::stress::FIELDS;
 use crate::progress::ProgressLine;
 use crate::{cache, output, terminal, threads};
 
-/// Parts of an element within which a point is on its border.
+/// Distance, in elements, within which a point counts as on the border of an element.
 const ON_BORDER: f64 = 1e-6;
 
 /// The state at one point, in m and Pa; null where unbounded.
@@ -25,7 +25,7 @@ const ON_BORDER: f64 = 1e-6;
 struct PointRow {
     /// x, y and z, m.
     at: [f64; 3],
-    /// The body that the point belongs to where it lies on an interface.
+    /// The body to which a point on an interface belongs.
     side: &'static str,
     /// Displacements along x, y and z, m.
     u: [f64; 3],
@@ -37,7 +37,6 @@ struct PointRow {
     principal: [f64; 3],
 }
 
-/// The stresses by their names.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct SigmaRow {
     xx: f64,
@@ -48,11 +47,11 @@ struct SigmaRow {
     yz: f64,
 }
 
-/// Solves one load of the case, and prints a row for each point, on an interface two.
+/// Solves one load of the case and prints one row per point, two for a point on an interface.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the case is wrong, has no such step, a point lies outside the body, or the contact cannot be
+/// [`Failure`] if the case is wrong or has no such step, a point lies outside the body, or the contact cannot be
 /// computed.
 pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
@@ -83,7 +82,7 @@ pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
     Ok(outcome(status))
 }
 
-/// The step asked for, the last unless one is.
+/// The requested step, by default the last.
 fn step(case: &Case, asked: Option<usize>) -> Result<usize, Failure> {
     let last = case.load.loads().len().saturating_sub(1);
     match asked {
@@ -92,7 +91,7 @@ fn step(case: &Case, asked: Option<usize>) -> Result<usize, Failure> {
     }
 }
 
-/// Refuses a point inside a rigid base before anything is solved.
+/// Rejects a point inside a rigid base before anything is solved.
 fn check_depths(case: &Case, points: &[[f64; 3]]) -> Result<(), Failure> {
     let bottom = case.foundation.bottom();
     let is_outside = |point: &&[f64; 3]| {
@@ -110,7 +109,8 @@ fn check_depths(case: &Case, points: &[[f64; 3]]) -> Result<(), Failure> {
         })
 }
 
-/// The field under one load of the case, on the domain of all; its status, and the side of the domain.
+/// Solves one load of the case on the domain of all loads. Returns its stress field and status, and the side of the
+/// domain.
 fn solve(
     case: &Case,
     model: &Model,
@@ -134,13 +134,13 @@ fn solve(
     let field = StressField::new(&path, 0, sliding.unwrap_or_default());
     match (field, path.steps.first()) {
         (Some(field), Some(step)) => Ok((field, step.status(), path.grid.side())),
-        // No step where the user has stopped.
+        // There is no step if the user stopped.
         _ => Err(pellicle_contact::ContactError::Cancelled { step }.into()),
     }
 }
 
-/// The state at a point. On the surface pressure and stresses jump from element to element: a point on the border of
-/// two or four gets the mean of half an element to both sides.
+/// The state at a point. On the surface, pressure and stresses jump between elements: a point on the border of two or
+/// four elements gets the mean of the values half an element to either side.
 fn state(field: &StressField, point: [f64; 2], depth: Depth) -> Result<SubsurfaceState, Failure> {
     let grid = field.grid();
     let beside = |x: f64| {

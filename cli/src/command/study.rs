@@ -25,7 +25,7 @@ use crate::study::status::StudyStatus;
 use crate::study::{runner, study_file};
 use crate::{cache, interrupt, output, terminal};
 
-/// Bytes of the list of cases that are printed at once.
+/// Number of bytes of the list of cases printed at once.
 const LISTED_AT_ONCE: usize = 1 << 16;
 
 /// Solves the remaining cases and prints the number of cases by status.
@@ -103,7 +103,7 @@ struct StatusReport {
     seconds_left: Option<f64>,
 }
 
-/// Prints how far the study is.
+/// Prints the progress of the study.
 fn tell_status(
     arguments: &StudyArguments,
     folder: &Path,
@@ -137,11 +137,11 @@ fn tell_status(
     Ok(Outcome::Done)
 }
 
-/// Writes the page of the cases done so far, in all parts of the study, and prints where it is.
+/// Writes the report of the cases done so far in all parts of the study, and prints its path.
 fn write_report(folder: &Path, identity: &StudyIdentity) -> Result<Outcome, Failure> {
     let mut parts = study_folder::identities(folder)?;
     parts.retain(|part| part.fingerprint == identity.fingerprint);
-    // A merged table has the cases of all parts once more.
+    // A merged table repeats the cases of all parts.
     if let Some(whole) = parts.iter().position(|part| part.shard == Shard::WHOLE) {
         parts.swap(0, whole);
         if StudyStatus::read(folder, identity)?.to_do() == 0 {
@@ -161,7 +161,7 @@ fn write_report(folder: &Path, identity: &StudyIdentity) -> Result<Outcome, Fail
     Ok(Outcome::Done)
 }
 
-/// The folder named, or `results/NAME` after the study.
+/// The given folder, or `results/NAME` after the study.
 fn folder(arguments: &StudyArguments, study: &Study) -> PathBuf {
     let default = || Path::new("results").join(&study.name);
     arguments.out.clone().unwrap_or_else(default)
@@ -200,7 +200,7 @@ fn report(
     })
 }
 
-/// Prints the cases of a part, some at a time.
+/// Prints the cases of a part, in blocks.
 fn list(study: &Study, identity: &StudyIdentity) -> Result<Outcome, Failure> {
     let mut text = String::new();
     for case in identity.cases() {

@@ -12,14 +12,14 @@ use crate::output::{file, gsf};
 use crate::self_affine::SelfAffine;
 use crate::terminal;
 
-/// Part of two samples by which the shortest wave may be shorter: rounding of what the user divided.
+/// Relative amount by which the shortest wave may be shorter than two samples, for rounding in the user's numbers.
 const LEEWAY: f64 = 1e-9;
 
 /// Writes the map.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the name's ending is neither format's, the waves do not fit the square or its samples, or the file
+/// [`Failure`] if the extension belongs to neither format, the waves do not fit the square or its samples, or the file
 /// exists or cannot be written.
 pub fn surface(arguments: &SurfaceArguments) -> Result<Outcome, Failure> {
     let path = &arguments.out;

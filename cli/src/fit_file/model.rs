@@ -1,4 +1,4 @@
-//! `[model]` of a fit file: a case, whose values are the fixed ones and the starts.
+//! `[model]` of a fit file: a case, which supplies the fixed values and the starts.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -26,22 +26,22 @@ pub struct FitModel {
     cache: Cache,
 }
 
-/// The model of a case, and its numbers that can be sought.
+/// The model of a case, and the parameters that can be fitted.
 #[derive(Debug)]
 pub struct ModelParameters {
     /// The model.
     pub model: Model,
-    /// Its numbers.
+    /// The parameters.
     pub parameters: Vec<CaseParameter>,
 }
 
 impl FitModel {
-    /// Reads the table: the path of a case, from the folder of the fit file, or the tables of one, whose maps come from
-    /// `maps`.
+    /// Reads the table: the path of a case, relative to the folder of the fit file, or the tables of a case, whose maps
+    /// come from `maps`.
     ///
     /// # Errors
     ///
-    /// [`Failure`] if there is no such case or it is not valid.
+    /// [`Failure`] if the case does not exist or is invalid.
     pub fn read(field: &ValueReader<'_>, maps: &MapSources) -> Result<Self, Failure> {
         let table = field.clone().table()?;
         let cache = Cache::of_shapes();
@@ -64,11 +64,11 @@ impl FitModel {
         })
     }
 
-    /// The case with the values of some keys replaced.
+    /// Returns the model of the case with the values of some keys replaced.
     ///
     /// # Errors
     ///
-    /// [`Failure`] if it is not valid then.
+    /// [`Failure`] if the resulting case is invalid.
     pub fn with(&self, set: &TomlTable) -> Result<ModelParameters, Failure> {
         let mut root = self.root.clone();
         for TomlEntry {
@@ -88,7 +88,7 @@ impl FitModel {
         Ok(ModelParameters { model, parameters })
     }
 
-    /// The case as it is.
+    /// Returns the model of the unchanged case.
     ///
     /// # Errors
     ///
@@ -99,7 +99,7 @@ impl FitModel {
 }
 
 impl ModelParameters {
-    /// The number of a key, in whatever spelling.
+    /// Finds the parameter of a key, in any spelling.
     #[must_use]
     pub fn find(&self, key: &str) -> Option<&CaseParameter> {
         let path = key_path::parts(key)?;
@@ -107,18 +107,18 @@ impl ModelParameters {
         self.parameters.iter().find(is_wanted)
     }
 
-    /// The numbers of these keys.
+    /// The parameters of these keys.
     #[must_use]
     pub fn given_in(&self, set: &TomlTable) -> Vec<ModelParameter> {
         let found = set.entries.iter().filter_map(|entry| self.find(&entry.key));
         found.map(|of| of.parameter).collect()
     }
 
-    /// The number of a key that a fit file names.
+    /// Finds the parameter of a key that a fit file names.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] with the numbers that there are.
+    /// A [`Diagnosis`] that lists the available parameters.
     pub fn required(
         &self,
         field: &ValueReader<'_>,
@@ -137,14 +137,14 @@ impl ModelParameters {
         keys.iter().find_map(|key| self.find(key))
     }
 
-    /// The value of a number in the case.
+    /// The value of a parameter in the case.
     #[must_use]
     pub fn value(&self, of: &CaseParameter) -> Option<f64> {
         self.model.parameter(of.parameter)
     }
 }
 
-/// Gives a case without a load one, which a fit does not use.
+/// Adds a load to a case that has none; a fit does not use it.
 fn give_load(root: &mut TomlNode) {
     let span = root.span.clone();
     let TomlValue::Table(table) = &mut root.value else {

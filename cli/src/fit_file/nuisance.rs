@@ -1,5 +1,5 @@
-//! `[nuisance]` of a fit file: zero, frame and drift of the curves, and numbers of the model that are not known
-//! exactly.
+//! `[nuisance]` of a fit file: zero, frame compliance and drift of the curves, and parameters of the model that are not
+//! known exactly.
 
 use pellicle_identify::{IdentifyError, LinearNuisance, Prior};
 
@@ -14,33 +14,33 @@ use crate::input::value_reader::ValueReader;
 /// The nuisances of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NuisanceTable {
-    /// Whether each curve has a zero of its own.
+    /// Whether each curve has its own zero.
     pub shift: Switch,
     /// Compliance of the frame.
     pub frame_compliance: Freedom,
     /// Whether each curve drifts.
     pub drift: Switch,
-    /// Numbers of the model that are not known exactly.
+    /// Parameters of the model that are not known exactly.
     pub parameters: Vec<UnknownCase>,
 }
 
-/// Whether a nuisance is there, for each curve its own.
+/// Whether a nuisance is present, separate for each curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Switch {
-    /// It is not.
+    /// The nuisance is absent.
     Off,
-    /// Each curve has one.
+    /// Each curve has its own nuisance.
     PerCurve,
 }
 
 /// The prior knowledge of a nuisance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Freedom {
-    /// It is not there.
+    /// The nuisance is absent.
     Off,
-    /// It has no prior.
+    /// The nuisance has no prior.
     Free,
-    /// Mean and standard deviation.
+    /// A normal prior.
     Normal {
         /// Mean.
         mean: f64,
@@ -81,11 +81,11 @@ impl NuisanceTable {
         Ok(table)
     }
 
-    /// Those that enter linearly.
+    /// The nuisances that enter linearly.
     ///
     /// # Errors
     ///
-    /// [`IdentifyError`] if a prior is none.
+    /// [`IdentifyError`] if a prior is invalid.
     pub fn linear(&self) -> Result<Vec<LinearNuisance>, IdentifyError> {
         let mut nuisances = Vec::new();
         if self.shift == Switch::PerCurve {
@@ -106,7 +106,7 @@ impl NuisanceTable {
     }
 }
 
-/// `"off"` or `{ per = "curve" }`.
+/// Reads `"off"` or `{ per = "curve" }`.
 fn switch(field: &ValueReader<'_>) -> Result<Switch, Diagnosis> {
     const WANTED: &str = "\"off\" or { per = \"curve\" }";
     if !field.is_table() {
@@ -121,7 +121,7 @@ fn switch(field: &ValueReader<'_>) -> Result<Switch, Diagnosis> {
     per.choice(&[("curve", Switch::PerCurve)])
 }
 
-/// `"off"`, `"free"` or a normal prior.
+/// Reads `"off"`, `"free"` or a normal prior.
 fn freedom(field: &ValueReader<'_>) -> Result<Freedom, Diagnosis> {
     const WANTED: &str =
         "\"off\", \"free\" or { prior = \"normal\", mean = \"0 nm/mN\", sd = \"0.2 nm/mN\" }";

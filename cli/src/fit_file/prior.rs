@@ -1,4 +1,4 @@
-//! The prior of a number: the knowledge of it before the measurement.
+//! The prior of a parameter: the knowledge of its value before the measurement.
 
 use pellicle_identify::Prior;
 
@@ -19,7 +19,8 @@ enum PriorKind {
     Normal,
 }
 
-/// Reads the prior of a positive number of this dimension, none for a plain number; nothing if the table has none.
+/// Reads the prior of a positive parameter of this dimension (`None` for a plain number). Returns none if the table has
+/// no prior.
 ///
 /// # Errors
 ///
@@ -54,7 +55,7 @@ pub fn read(
     }))
 }
 
-/// The value of a key, a quantity or a plain number.
+/// Reads the value of a key, a quantity or a plain number.
 ///
 /// # Errors
 ///

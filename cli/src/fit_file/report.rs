@@ -1,4 +1,4 @@
-//! `[report]` of a fit file: how the result is told.
+//! `[report]` of a fit file: the form of the result.
 
 use pellicle_identify::{FitOptions, Intervals};
 
@@ -9,13 +9,13 @@ use crate::input::quantity_list::QuantityList;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::{Sign, ValueReader};
 
-/// The most samples of a posterior.
+/// The largest number of samples of a posterior.
 const MOST_SAMPLES: usize = 1_000_000;
-/// The most curves of a design: largest forces times radii.
+/// The largest number of curves of a design: maximum forces times radii.
 const MOST_OF_DESIGN: usize = 100;
-/// The most points of a curve of a design.
+/// The largest number of points of a curve of a design.
 const MOST_POINTS: usize = 10_000;
-/// The fewest.
+/// The smallest number of points of a curve of a design.
 const FEWEST_POINTS: usize = 3;
 
 /// The table `[report]`: the intervals, the posterior, the designs, and the points left out.
@@ -25,11 +25,11 @@ pub struct ReportTable {
     pub level: f64,
     /// The method that finds them.
     pub intervals: Intervals,
-    /// Samples of the posterior; 0 for none.
+    /// Number of samples of the posterior; 0 for none.
     pub posterior: usize,
     /// Seed of all random numbers.
     pub seed: u64,
-    /// Measurements to judge in advance.
+    /// Measurements to assess in advance.
     pub design: Design,
     /// The treatment of points at which the model does not hold.
     pub outside: OutsidePoints,
@@ -38,20 +38,20 @@ pub struct ReportTable {
 /// The treatment of points at which the model does not hold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OutsidePoints {
-    /// The fit is made without them.
+    /// The points are left out of the fit.
     LeaveOut,
-    /// They stay, and a warning counts them.
+    /// The points are kept, and a warning gives their number.
     Keep,
 }
 
-/// Measurements to judge in advance: a curve for each radius and each range of forces up to one of these.
+/// Measurements to assess in advance: one curve for each radius and each maximum force.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Design {
-    /// Largest forces, N.
+    /// Maximum forces, N.
     pub forces: Vec<f64>,
     /// Radii of indenters, m.
     pub radii: Vec<f64>,
-    /// Points of a curve.
+    /// Number of points of a curve.
     pub points: Option<usize>,
 }
 
@@ -126,7 +126,7 @@ impl ReportTable {
 }
 
 impl Design {
-    /// Whether nothing is to be judged.
+    /// Whether there is nothing to assess.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         *self == Self::default()
@@ -163,7 +163,7 @@ impl Design {
     }
 }
 
-/// The values without repetitions, in their order.
+/// The values without duplicates, in their order.
 fn distinct(values: Vec<f64>) -> Vec<f64> {
     let mut found: Vec<f64> = Vec::new();
     for value in values {

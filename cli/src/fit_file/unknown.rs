@@ -1,4 +1,4 @@
-//! `[unknown]` of a fit file: the numbers that are sought, each between bounds or with a prior.
+//! `[unknown]` of a fit file: the parameters to be fitted, each between bounds or with a prior.
 
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, Prior, Unknown};
@@ -13,23 +13,23 @@ use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::{TomlEntry, TomlTable, TomlValue};
 use crate::input::value_reader::{Sign, ValueReader};
 
-/// Without bounds a number is sought within so many standard deviations of its prior.
+/// Without bounds, a parameter is sought within this many standard deviations of its prior.
 const DEVIATIONS: f64 = 8.0;
-/// The least Poisson's ratio and the largest that are sought: their logarithm is sought, and at ½ nothing lies beyond.
+/// Smallest and largest Poisson's ratio that are sought: the fit works with its logarithm, and no ratio exceeds ½.
 const RATIOS: [f64; 2] = [1e-3, 0.499];
-/// The least part of a prior's mean that is sought.
+/// The smallest value that is sought, as a fraction of the prior's mean.
 const LEAST_PART: f64 = 1e-3;
 
-/// A number that is sought.
+/// A parameter to be fitted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UnknownCase {
     /// Its key in the case.
     pub key: String,
-    /// The number of the model.
+    /// The parameter of the model.
     pub parameter: ModelParameter,
-    /// Its dimension; none of Poisson's ratio.
+    /// Its dimension; none for Poisson's ratio.
     pub dimension: Option<Dimension>,
-    /// Least and largest value, in SI units.
+    /// Smallest and largest value, in SI units.
     pub range: [f64; 2],
     /// Its prior, if any.
     pub prior: Option<Prior>,
@@ -38,7 +38,7 @@ pub struct UnknownCase {
 }
 
 impl UnknownCase {
-    /// The unknown of the fit.
+    /// Returns the unknown of the fit.
     ///
     /// # Errors
     ///
@@ -58,7 +58,7 @@ impl UnknownCase {
     }
 }
 
-/// Reads the table of a key each.
+/// Reads the table, one unknown per key.
 ///
 /// # Errors
 ///
@@ -112,7 +112,7 @@ pub fn read_unknown(
     Ok(case)
 }
 
-/// The bounds given, or those of the prior.
+/// Returns the given bounds, or those of the prior.
 fn range(
     table: &TableReader<'_>,
     of: &CaseParameter,
@@ -140,11 +140,11 @@ fn range(
     })
 }
 
-/// The entries of a table with their dotted keys, whether a key is quoted or not.
+/// Returns the entries of a table with their dotted keys, whether quoted or not.
 ///
 /// # Errors
 ///
-/// A [`Diagnosis`] if no table stands here.
+/// A [`Diagnosis`] if the value is not a table.
 pub fn flattened<'a>(field: &ValueReader<'a>) -> Result<Vec<(String, ValueReader<'a>)>, Diagnosis> {
     let TomlValue::Table(table) = field.value() else {
         return Err(field.wanted("a table"));
@@ -171,7 +171,7 @@ fn collect<'a>(
     }
 }
 
-/// Whether an entry leads to a number of the model rather than describing one.
+/// Whether an entry is part of the key of a parameter rather than part of its description.
 fn leads_on(entry: &TomlEntry) -> bool {
     let describes = ["from", "to", "per"];
     let key = entry.key.as_str();

@@ -5,33 +5,34 @@ use pellicle_contact::{Domain, Method, Model, loads_at_once, solved_grid};
 use super::trial::{self, TRIAL, contact_share};
 use crate::case::Case;
 
-/// Memory of any run, bytes: the program, its fonts and tables.
+/// Base memory of any run, bytes: the program, its fonts and tables.
 const BYTES: f64 = 40e6;
 
-/// Memory of a solution per element, in bytes, on a quadrant, on a half and on the whole grid: of any element, and of
-/// one in the square around the contact. *Measured* as the largest resident set at N = 2048 on Hertz' contact, pillars,
-/// films, punches and pyramids, the contact filling 16 to 100 % of the domain's side squared: 14 to 54 on a quadrant,
-/// where these give 30 to 80; 61 to 220, where these give 61 to 220, on the whole grid. Hertz' contact at N = 8192
-/// takes 2.93 GB, forecast 3.17; pillars 2.12, forecast 2.22. A Berkovich pyramid on a half at N = 2048, its contact 18
-/// and 72 % of the domain: 28 and 78, where these give 36 and 85.
+/// Memory of a solution per element, in bytes, on a quadrant, on a half and on the whole grid: for any element, and in
+/// addition for one in the square around the contact. *Measured* as the largest resident set at N = 2048 on Hertz'
+/// contact, pillars, films, punches and pyramids, the contact filling 16 to 100 % of the domain's side squared: 14 to
+/// 54 on a quadrant, where these constants give 30 to 80; 61 to 220 on the whole grid, where they give 61 to 220.
+/// Hertz' contact at N = 8192 takes 2.93 GB, forecast 3.17; pillars 2.12, forecast 2.22. A Berkovich pyramid on a half
+/// at N = 2048, its contact 18 and 72 % of the domain: 28 and 78, where the constants give 36 and 85.
 const BYTES_PER_ELEMENT_SOLVED: [[f64; 2]; 3] = [[20.0, 60.0], [20.0, 90.0], [20.0, 200.0]];
 
 /// Memory of a loading step per element, in bytes: its pressure.
 const BYTES_PER_ELEMENT_AND_STEP: f64 = 8.0;
 
-/// Memory of writing per element, in bytes, on a quadrant, on a half and on the whole grid: of one loading step, and of
-/// each that is written beside it. *Measured* as above: 67 to 87 for one step on a quadrant, 120 on the half of the
-/// pyramid, 108 on the whole grid; 113 to 132, 208 and 167 to 229 for two at a time and a third kept.
+/// Memory of writing per element, in bytes, on a quadrant, on a half and on the whole grid: for one loading step, and
+/// for each further one written at the same time. *Measured* as above: 67 to 87 for one step on a quadrant, 120 on the
+/// half of the pyramid, 108 on the whole grid; 113 to 132, 208 and 167 to 229 for two at a time with a third kept.
 const BYTES_PER_ELEMENT_WRITTEN: [[f64; 2]; 3] = [[88.0, 42.0], [125.0, 75.0], [110.0, 100.0]];
 
-/// Memory of stresses inside per element, in bytes, without friction and with it. *Measured* as above on Hertz' contact
+/// Memory of internal stresses per element, in bytes, without and with friction. *Measured* as above on Hertz' contact
 /// at N = 512 and 1024, the planes as wide as the domain: 195 to 253 and 325 to 403.
 const BYTES_PER_ELEMENT_STRESSED: [f64; 2] = [270.0, 410.0];
 
-/// Memory of a sample of a map, in bytes: in the case, in the model and beside the solution.
+/// Memory per sample of a map, in bytes: in the case, in the model and beside the solution.
 const BYTES_PER_SAMPLE: f64 = 24.0;
 
-/// Grids of fewer elements per side need so little memory that the size of the contact does not matter.
+/// Elements per side above which a trial is solved: smaller grids need so little memory that the size of the contact
+/// does not matter.
 const LEAST_TRIED: usize = 512;
 
 /// The memory that a case needs.
@@ -44,7 +45,7 @@ pub struct Need {
 }
 
 impl Need {
-    /// The memory of a case on a domain whose results are written by `writers` threads, 0 if they are not written. A
+    /// Estimates the memory of a case on a domain; `writers` threads write its results, 0 if they are not written. A
     /// trial gives the size of the contact.
     #[must_use]
     pub fn new(case: &Case, model: &Model, domain: Domain, writers: usize) -> Self {
@@ -57,7 +58,7 @@ impl Need {
         Self::of(case, model, writers, share)
     }
 
-    /// The same, where the square around the contact takes this share of the domain.
+    /// Estimates the memory if the square around the contact takes this share of the domain.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -104,7 +105,7 @@ impl Need {
         }
     }
 
-    /// Elements per side with which the case would fit, a multiple of 16; 0 if none would.
+    /// Elements per side with which the case would fit, a multiple of 16; 0 if no number would.
     #[must_use]
     #[expect(
         clippy::cast_possible_truncation,
@@ -148,7 +149,7 @@ pub mod tests {
 
     #[test]
     fn the_memory_of_a_large_grid_is_forecast_and_at_most_two_fifths_more() {
-        // The largest resident sets, measured: solved alone, and written too.
+        // Largest resident sets, measured for the solution alone and with writing.
         let berkovich = || pressed("kind = \"berkovich\"\ntip_radius = 0.0", "10 mN", 2048);
         for (case, writers, measured) in [
             (hertz(2048), 0, 174e6),

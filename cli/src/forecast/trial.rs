@@ -9,10 +9,10 @@ use crate::case::Case;
 /// Elements per side of the trial.
 pub const TRIAL: usize = 64;
 
-/// Products after which the trial gives up, to stay quick.
+/// Number of products after which the trial gives up, to stay quick.
 const MOST_PRODUCTS: usize = 150;
 
-/// Solves the smallest load and the largest on a domain.
+/// Solves the smallest and the largest load on a domain.
 ///
 /// # Errors
 ///
@@ -40,7 +40,7 @@ pub fn contact_share(path: &LoadingPath) -> f64 {
     share.powi(2).min(1.0)
 }
 
-/// The smallest load and the largest; one load if there is only one.
+/// The smallest and the largest load; one load if there is only one.
 fn extremes(loads: &[Load]) -> Vec<Load> {
     let size = |load: &Load| match load {
         Load::Force(value) | Load::Penetration(value) => *value,

@@ -1,4 +1,4 @@
-//! A measured curve as a fit takes it: abscissae, observed values and noise.
+//! A measured curve as used in a fit: abscissae, observed values and noise.
 
 use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable};
 
@@ -11,10 +11,10 @@ use crate::measured::data_table::{DataTable, Observe};
 use crate::measured::error::CurveError;
 use crate::measured::noise::{MeasuredNoise, NoiseCorrelation};
 
-/// Points without which a curve is none.
+/// The smallest number of points of a curve.
 pub const FEWEST_POINTS: usize = 3;
 
-/// A curve, and where it came from.
+/// A curve and its origin.
 #[derive(Debug, Clone)]
 pub struct CurveSource {
     /// The measurement.
@@ -23,11 +23,11 @@ pub struct CurveSource {
     pub abscissa: Vec<f64>,
     /// The values observed there.
     pub observed: Vec<f64>,
-    /// When, s, where known.
+    /// The times, s, if known.
     pub time: Option<Vec<f64>>,
-    /// Points left out because their abscissa is not positive: there is no contact.
+    /// Number of points left out because their abscissa is not positive, where there is no contact.
     pub without_contact: usize,
-    /// The place of each point that is fitted among those of the measurement.
+    /// The index of each fitted point among those of the measurement.
     points: Vec<usize>,
 }
 
@@ -40,12 +40,12 @@ pub struct OutsidePoint {
     pub abscissa: f64,
     /// The value observed there.
     pub observed: f64,
-    /// The reason.
+    /// The reason why the model does not hold.
     pub reason: Invalidity,
 }
 
 impl CurveSource {
-    /// The curves of the files of a table.
+    /// Reads the curves of the files of a table.
     ///
     /// # Errors
     ///
@@ -90,7 +90,8 @@ impl CurveSource {
         Ok(source)
     }
 
-    /// The curve without the points at which the model does not hold; of each point why, if so.
+    /// Returns the curve without the points at which the model does not hold; `invalid` gives the reason for each of
+    /// them.
     #[must_use]
     pub fn without(&self, invalid: &[Option<Invalidity>]) -> Self {
         let kept: Vec<usize> = (0..self.points.len())
@@ -106,7 +107,7 @@ impl CurveSource {
         }
     }
 
-    /// The points at which the model does not hold.
+    /// Returns the points at which the model does not hold.
     #[must_use]
     pub fn outside(&self, invalid: &[Option<Invalidity>]) -> Vec<OutsidePoint> {
         let points = self.points.iter().zip(invalid).enumerate();
@@ -121,7 +122,7 @@ impl CurveSource {
         outside.collect()
     }
 
-    /// The curve for a fit; times only where they ascend.
+    /// Returns the curve for a fit; it has times only if they increase.
     ///
     /// # Errors
     ///
@@ -137,7 +138,7 @@ impl CurveSource {
     }
 }
 
-/// The observable of a table as the fit has it.
+/// The observable of the fit for that of a table.
 #[must_use]
 pub fn observable(observe: Observe) -> Observable {
     match observe {
@@ -147,9 +148,9 @@ pub fn observable(observe: Observe) -> Observable {
     }
 }
 
-/// The noise of all tables, which must agree.
+/// Returns the noise of all tables, which must agree.
 ///
-/// A noise not given is estimated for the observed quantity and zero for the abscissa.
+/// If not given, the noise of the observed quantity is estimated, and that of the abscissa is zero.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! The files of a fit: pictures, tables, the page, and `fit.json` last.
+//! The files of a fit: pictures, tables, the report, and `fit.json` last.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ const SAMPLES: &str = "posterior.npz";
 /// The tables of a fit.
 const TABLES: [&str; 3] = ["fit.csv", "covariance.csv", "profiles.csv"];
 
-/// Whether a fit writes a file of this name, the page apart.
+/// Whether a fit writes a file of this name, other than the report.
 #[must_use]
 pub fn is_name(name: &str) -> bool {
     let is_picture = |picture: &FitPicture| {

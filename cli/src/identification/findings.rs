@@ -3,7 +3,7 @@
 use pellicle_identify::KnownCombination;
 use serde::Serialize;
 
-/// A number as found.
+/// An estimated parameter.
 #[derive(Debug, Clone, Serialize)]
 pub struct EstimateResult {
     /// Its key.
@@ -12,7 +12,7 @@ pub struct EstimateResult {
     pub unit: String,
     /// Its value in the best fit.
     pub value: f64,
-    /// The interval; null on a side that is open.
+    /// The interval; null at an open end.
     pub interval: [Option<f64>; 2],
     /// Level of the interval.
     pub level: f64,
@@ -20,23 +20,23 @@ pub struct EstimateResult {
     pub wald: [Option<f64>; 2],
     /// Its verdict: how well the data determine it.
     pub verdict: String,
-    /// Why, in a sentence.
+    /// The reason for the verdict, in a sentence.
     pub why: String,
     /// Its standard deviation between repeats; missing without repeats.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub scatter: Option<f64>,
-    /// The product of powers that is known instead, if any.
+    /// The product of powers that the data determine instead, if any.
     pub known_combination: Option<CombinationResult>,
 }
 
 /// A product of powers that the data determine.
 #[derive(Debug, Clone, Serialize)]
 pub struct CombinationResult {
-    /// Such as `foundation.substrate.young_modulus * indenter.radius^0.5`.
+    /// The product, such as `foundation.substrate.young_modulus * indenter.radius^0.5`.
     pub expression: String,
     /// Its value in SI units.
     pub value: f64,
-    /// Its interval; null on a side that is open.
+    /// Its interval; null at an open end.
     pub interval: [Option<f64>; 2],
 }
 
@@ -62,13 +62,13 @@ pub struct ExcludedResult {
 /// The noise.
 #[derive(Debug, Clone, Serialize)]
 pub struct NoiseResult {
-    /// Standard deviation of the depth, m; null where it is not among what was measured.
+    /// Standard deviation of the depth, m; null if the depth was not measured.
     pub depth: Option<f64>,
     /// Standard deviation of the force, N.
     pub force: Option<f64>,
-    /// Standard deviation over the value of what was observed.
+    /// Standard deviation relative to the observed value.
     pub relative: f64,
-    /// Correlation from one point to the next.
+    /// Correlation between successive points.
     pub correlation: f64,
 }
 
@@ -77,6 +77,6 @@ pub struct NoiseResult {
 pub struct WarningResult {
     /// A word for programs.
     pub code: String,
-    /// A sentence for people.
+    /// A sentence for human readers.
     pub message: String,
 }

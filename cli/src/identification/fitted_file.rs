@@ -1,11 +1,11 @@
-//! A fit file fitted: the problem, the fit and its result.
+//! The fit of a fit file: the problem, the fit and its result.
 
 use pellicle_identify::Fit;
 
 use super::result::FitResult;
 use super::{Identification, tables};
 
-/// A fit file fitted.
+/// The fit of a fit file.
 #[derive(Debug)]
 pub struct FittedFile {
     /// The problem.
@@ -17,13 +17,13 @@ pub struct FittedFile {
 }
 
 impl FittedFile {
-    /// Whether the user has stopped the fit, so that a part of it is missing.
+    /// Whether the user stopped the fit, so that part of it is missing.
     #[must_use]
     pub fn is_stopped(&self) -> bool {
         self.fit.stopped.is_some()
     }
 
-    /// The tables of the fit with the names of their files: the points left out among them, if there are any.
+    /// The tables of the fit with the names of their files, including the points left out, if any.
     #[must_use]
     pub fn tables(&self) -> Vec<(&'static str, String)> {
         let excluded = tables::excluded(&self.identification);

@@ -1,4 +1,4 @@
-//! The fit of a fit file, and again without the points at which the model does not hold:
+//! Fits a fit file, and again without the points at which the model does not hold:
 //!
 //! ```text
 //! best fit of all points
@@ -18,12 +18,13 @@ use super::{Identification, Spent, validity};
 use crate::failure::Failure;
 use crate::fit_file::report::OutsidePoints;
 
-/// Fits after the first, each without the points at which the model does not hold by the one before.
+/// Largest number of fits after the first. Each leaves out the points at which the model does not hold according to the
+/// previous fit.
 const MOST_REPETITIONS: usize = 3;
 
 impl Identification {
-    /// Makes the fit; `tell` gets the number of predictions after each. The points of the fit come with it: those
-    /// of `self`, unless some had to be left out.
+    /// Runs the fit; `tell` receives the number of predictions after each. The returned identification has the points
+    /// of the fit: those of `self` unless some had to be left out.
     ///
     /// # Errors
     ///
@@ -47,7 +48,7 @@ impl Identification {
             let handling = match self.file.report.outside {
                 _ if outside.points == now.outside.points => Some(Handling::LeftOut),
                 OutsidePoints::Keep => Some(Handling::Kept),
-                // Values that are no fit give no reason to leave out the points that lie outside at them.
+                // Values that are not a fit do not justify leaving out the points that lie outside the model there.
                 OutsidePoints::LeaveOut if !is_fit && narrowed.is_none() => {
                     Some(Handling::NotConverged)
                 }
@@ -79,7 +80,6 @@ impl Identification {
         Ok((found, fit))
     }
 
-    /// One fit.
     fn fit(&self, model: &Remembered<'_>, intervals: Intervals) -> Result<Fit, Failure> {
         let options = FitOptions {
             intervals,
@@ -92,7 +92,7 @@ impl Identification {
         self.file.report.intervals
     }
 
-    /// The fit without these points, from the best values so far; none if too few points are left.
+    /// Poses the fit without these points, starting from the best values so far; none if too few points are left.
     fn without(
         &self,
         outside: &Outside,

@@ -1,6 +1,6 @@
-//! The numbers of a model in words.
+//! The parameters of a model in words.
 
-/// A number of the model by its key: `Young's modulus of layer 0`; the key itself if it is none.
+/// Names the parameter of a key: `Young's modulus of layer 0`; returns the key itself if it is not that of a parameter.
 #[must_use]
 pub fn of_key(key: &str) -> String {
     let Some((place, quantity)) = key.rsplit_once('.') else {
@@ -32,7 +32,7 @@ fn of_place(place: &str) -> Option<String> {
         "foundation.substrate" => "the substrate",
         "indenter" => "the indenter",
         "surface" => "the surface",
-        // A table of measurements.
+        // The place is a table of measurements.
         _ if place.starts_with("data[") => place,
         _ => {
             let (index, rest) = place.strip_prefix("foundation.layer[")?.split_once(']')?;
@@ -46,7 +46,7 @@ fn of_place(place: &str) -> Option<String> {
     Some(found.to_owned())
 }
 
-/// The same in symbols: `E, layer 0`.
+/// Names the parameter of a key in symbols: `E, layer 0`.
 #[must_use]
 pub fn symbol(key: &str) -> String {
     let (place, quantity) = key.rsplit_once('.').unwrap_or(("", key));
@@ -71,7 +71,7 @@ pub fn symbol(key: &str) -> String {
     }
 }
 
-/// A product of powers of keys in symbols: `E (substrate) · R^0.5`.
+/// Writes a product of powers of keys in symbols: `E (substrate) · R^0.5`.
 #[must_use]
 pub fn combination(expression: &str) -> String {
     let factor = |factor: &str| {

@@ -1,4 +1,4 @@
-//! The directions of the unknowns in which no predicted curve changes, by the keys of the case.
+//! The directions in parameter space along which no predicted curve changes, by the keys of the case.
 
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, NullDirections};
@@ -6,7 +6,8 @@ use pellicle_identify::{IdentifyError, NullDirections};
 use crate::case::parameter::CaseParameter;
 use crate::fit_file::model::ModelParameters;
 
-/// The directions of the model of one table, in logarithms of its numbers; those of its own have names of their own.
+/// Returns the null directions of the model of one table, in logarithms of its parameters; parameters specific to the
+/// table have their own names.
 ///
 /// # Errors
 ///
@@ -22,7 +23,7 @@ pub fn of(
     })
 }
 
-/// The same, with the names of some numbers in place of their keys.
+/// Returns the null directions, with the names of some parameters in place of their keys.
 ///
 /// # Errors
 ///
@@ -40,7 +41,7 @@ pub fn named(
         let entry = |parameter: ModelParameter| {
             let found = direction.iter().find(|(of, _)| *of == parameter);
             let value = parameters.model.parameter(parameter).unwrap_or(1.0);
-            // d ln θ; a number that is zero is not sought by its logarithm.
+            // d ln θ; a parameter that is zero is not fitted by its logarithm.
             found.map_or(0.0, |(_, change)| {
                 if value == 0.0 {
                     *change
@@ -56,11 +57,11 @@ pub fn named(
     NullDirections::new(names.collect(), vectors.collect())
 }
 
-/// The directions that all tables have in common.
+/// Returns the null directions common to all tables.
 ///
 /// # Errors
 ///
-/// [`IdentifyError::Decomposition`] where a number is not finite.
+/// [`IdentifyError::Decomposition`] if a number is not finite.
 pub fn common(
     tables: Vec<Result<NullDirections, IdentifyError>>,
 ) -> Result<NullDirections, IdentifyError> {

@@ -10,40 +10,41 @@ use super::findings::ExcludedResult;
 /// Points at which the model does not hold.
 #[derive(Debug, Clone, Default)]
 pub struct Outside {
-    /// Of each point that was measured in contact, why, if so; empty if there are none.
+    /// For each point measured in contact, the reason why the model does not hold, if so; empty if there are no such
+    /// points.
     pub invalid: Vec<Option<Invalidity>>,
-    /// The points, for each curve; empty if there are none.
+    /// The points of each curve; empty if there are none.
     pub points: Vec<Vec<OutsidePoint>>,
     /// Their handling.
     pub handling: Handling,
-    /// The reason why they could not be looked for, if any.
+    /// The reason why the points could not be determined, if any.
     pub failure: Option<String>,
 }
 
 /// The handling of the points at which the model does not hold.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Handling {
-    /// They are not in the fit.
+    /// The points are not in the fit.
     #[default]
     LeftOut,
-    /// They are in the fit, because the fit file says so.
+    /// The points are in the fit, as the fit file requests.
     Kept,
-    /// They are not in the fit, but by the fit without them they would be others.
+    /// The points are not in the fit, but the fit without them gives other points.
     Unsettled,
-    /// They are in the fit, because too few would be left without them.
+    /// The points are in the fit because too few would be left without them.
     TooFewLeft,
-    /// They are in the fit, which did not converge.
+    /// The points are in the fit, which did not converge.
     NotConverged,
 }
 
 impl Outside {
-    /// Whether they are missing in the fit.
+    /// Whether the points are left out of the fit.
     #[must_use]
     pub fn are_left_out(&self) -> bool {
         matches!(self.handling, Handling::LeftOut | Handling::Unsettled)
     }
 
-    /// The points left out of the fit, by reason.
+    /// Counts the points left out of the fit, by reason.
     #[must_use]
     pub fn excluded(&self) -> Vec<ExcludedResult> {
         if !self.are_left_out() {

@@ -1,4 +1,4 @@
-//! The pictures of a fit, each as SVG and as PNG, and the drawings that its page shows.
+//! The pictures of a fit, each as SVG and as PNG, and the drawings in its report.
 
 use std::path::Path;
 
@@ -36,7 +36,7 @@ pub enum FitPicture {
 }
 
 impl FitPicture {
-    /// All of them, in the order of the page.
+    /// All pictures, in the order of the report.
     pub const ALL: [Self; 5] = [
         Self::Curve,
         Self::Profiles,
@@ -45,7 +45,7 @@ impl FitPicture {
         Self::Designs,
     ];
 
-    /// Its name, without ending.
+    /// Its name, without extension.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -58,10 +58,10 @@ impl FitPicture {
     }
 }
 
-/// The pictures that there are, as SVG.
+/// The drawn pictures, as SVG.
 pub type FitDrawings = Vec<(FitPicture, String)>;
 
-/// Draws and writes the pictures that the fit has.
+/// Draws and writes the pictures of the fit.
 ///
 /// # Errors
 ///
@@ -132,7 +132,7 @@ impl FitSubject<'_> {
         }
     }
 
-    /// The files by their names without folders.
+    /// The names of the files, without folders.
     fn names(&self) -> Vec<String> {
         let name = |path: &Path| {
             path.file_name()
@@ -250,7 +250,7 @@ impl FitSubject<'_> {
         planning::picture::designs(&self.found.title, level, noise, &self.found.design)
     }
 
-    /// The unknowns that are answers.
+    /// The unknowns of the fit without the nuisances.
     fn sought(&self) -> impl Iterator<Item = (usize, &Estimate)> {
         let all = self.fit.estimates.iter().enumerate();
         all.filter(|(_, estimate)| estimate.role == Role::Sought)
@@ -258,7 +258,7 @@ impl FitSubject<'_> {
 
     fn unknown(&self, index: usize, estimate: &Estimate) -> FittedUnknown {
         let case = &self.of.file.all_unknowns()[index];
-        // The unknowns of a fit file are positive, and sought by their logarithms.
+        // The unknowns of a fit file are positive and fitted by their logarithms.
         let wald = estimate.wald.map(|[low, high]| 0.5 * (high / low).ln());
         let profile = estimate.profile.iter();
         let combination = estimate.known_combination.as_ref();

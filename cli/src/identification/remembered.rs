@@ -1,4 +1,4 @@
-//! A model that remembers its predictions, tells how many there were, and stops when the user wants.
+//! A model that remembers its predictions, reports each, and stops on request.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -6,7 +6,8 @@ use pellicle_identify::{ContactCurves, ForwardError, ForwardModel, Prediction, S
 
 use crate::interrupt;
 
-/// A model with a memory: a fit that repeats the search of another, from the same start, pays for what is new in it.
+/// A model that remembers its predictions: a fit that repeats the search of another from the same start computes only
+/// the new ones.
 pub struct Remembered<'a> {
     model: &'a ContactCurves,
     memory: Mutex<Vec<(Vec<f64>, Prediction)>>,
@@ -15,7 +16,7 @@ pub struct Remembered<'a> {
 }
 
 impl<'a> Remembered<'a> {
-    /// A model that remembers nothing yet and calls `tell` after each prediction.
+    /// Creates a model without remembered predictions that calls `tell` after each prediction.
     pub fn new(model: &'a ContactCurves, stop: &'a StopFlag, tell: &'a (dyn Fn() + Sync)) -> Self {
         Self {
             model,
@@ -47,7 +48,7 @@ impl ForwardModel for Remembered<'_> {
         let prediction = prediction?;
         let mut memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
         if memory.is_empty() {
-            // From here on there is something to be written when the user stops.
+            // From here on there is a result to write if the user stops.
             interrupt::hold();
         }
         memory.push((parameters.to_vec(), prediction.clone()));

@@ -1,5 +1,5 @@
-//! `report.html` of a fit: what was found, on one page that needs no network. The page itself is
-//! `cli/templates/fit_report.html`; here is the text that stands in it.
+//! `report.html` of a fit: the findings on one page that needs no network. The page is `cli/templates/fit_report.html`;
+//! this module supplies its text.
 
 use askama::Template;
 use pellicle_identify::{Fit, FitVerdict, Observable, REFUSAL};
@@ -12,22 +12,22 @@ use super::{Identification, names, units};
 use crate::display::significant;
 use crate::planning::page::DesignTable;
 
-/// The page, its numbers in words.
+/// The contents of the page, with numbers in words.
 #[derive(Template)]
 #[template(path = "fit_report.html")]
 struct FitPage<'a> {
     found: &'a FitResult,
     verdict: FitVerdict,
     misfit_p: String,
-    /// The test that speaks most against the model.
+    /// The test that counts most against the model.
     worst: &'static str,
     refusal: String,
     level: String,
     tables: [(&'static str, Vec<EstimateRow>); 2],
-    /// Names of the unknowns, and the numbers taken as exact.
+    /// Names of the unknowns, and the parameters taken as exact.
     exact: (Vec<String>, Vec<ExactRow>),
     drawings: &'a FitDrawings,
-    /// Names, values and what they mean.
+    /// Names, values and meanings of the tests.
     tests: Vec<(&'static str, String, &'static str)>,
     /// Files, points and shifts.
     curves: Vec<(String, usize, String)>,
@@ -50,18 +50,18 @@ struct EstimateRow {
     known: Option<String>,
 }
 
-/// A number taken as exact, in words.
+/// A parameter taken as exact, in words.
 struct ExactRow {
     name: String,
     key: String,
     value: String,
-    /// The change of each unknown for 1 % more of it.
+    /// The change of each unknown for an increase of the parameter by 1 %.
     changes: Vec<String>,
-    /// The error that moves an unknown as far as its interval reaches.
+    /// The error that moves an unknown to the end of its interval.
     tolerance: String,
 }
 
-/// The page as HTML.
+/// Renders the page as HTML.
 #[must_use]
 pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDrawings) -> String {
     let rows = |all: &[EstimateResult]| all.iter().map(row).collect();
@@ -90,11 +90,11 @@ pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDra
     page.to_string()
 }
 
-/// The first step after a fit that is none, before anything else is measured.
+/// The first step after a misfit, before any further measurement.
 const FIRST: &str = "First find out why the model does not follow the measurements: no interval holds what it says, and \
                      nothing below does.";
 
-/// The measurement that would determine an unknown better; none where it is well determined.
+/// The measurement that would determine an unknown better; none if it is well determined.
 fn help(of: &EstimateResult) -> Option<String> {
     let what = match of.verdict.as_str() {
         "weak" => "less noise, more loads, or an indenter of another radius",
@@ -111,7 +111,7 @@ fn help(of: &EstimateResult) -> Option<String> {
     Some(format!("{}: {what}.", names::of_key(&of.key)))
 }
 
-/// A part of one in percent.
+/// A fraction as a percentage.
 fn percent(part: f64) -> String {
     let percent = format!("{:.1}", 100.0 * part);
     format!("{} %", percent.trim_end_matches(".0"))
@@ -136,7 +136,7 @@ fn row(of: &EstimateResult) -> EstimateRow {
     }
 }
 
-/// The numbers taken as exact, in words.
+/// Describes the parameters taken as exact.
 fn exact(found: &FitResult) -> (Vec<String>, Vec<ExactRow>) {
     let row = |of: &ExactNumber| {
         let scale = units::scale(of.value, &of.unit);
@@ -165,7 +165,7 @@ fn exact(found: &FitResult) -> (Vec<String>, Vec<ExactRow>) {
     (unknowns.collect(), rows.collect())
 }
 
-/// An interval in words; one end or both may be open.
+/// An interval in words; one or both ends may be open.
 fn ends(interval: [Option<f64>; 2], number: impl Fn(f64) -> String) -> String {
     match interval {
         [Some(low), Some(high)] => format!("{} to {}", number(low), number(high)),
@@ -185,7 +185,7 @@ fn known(of: &CombinationResult) -> String {
     )
 }
 
-/// The noise by channel; what was not measured has none.
+/// The noise of each measured channel.
 fn noise(found: &FitResult) -> Vec<(&'static str, String, &'static str)> {
     let noise = &found.fit.noise;
     let with_unit = |value: f64, unit| {
@@ -211,7 +211,7 @@ fn noise(found: &FitResult) -> Vec<(&'static str, String, &'static str)> {
     lines.chain([last]).collect()
 }
 
-/// The test that speaks most against the model.
+/// The test that counts most against the model.
 fn worst(fit: &Fit) -> &'static str {
     let of = &fit.goodness;
     let tests = [
@@ -230,7 +230,7 @@ fn worst(fit: &Fit) -> &'static str {
     worst.map_or("", |(name, _)| name)
 }
 
-/// The tests of the residuals; some need what a fit may not have.
+/// The tests of the residuals that are available for this fit.
 fn tests(fit: &Fit) -> Vec<(&'static str, String, &'static str)> {
     let of = &fit.goodness;
     let always = |name, value, meaning| Some((name, significant(value, 3), meaning));

@@ -1,4 +1,4 @@
-//! `fit.json`: what a fit found, in SI units.
+//! `fit.json`: the result of a fit, in SI units.
 
 mod notes;
 
@@ -37,25 +37,25 @@ pub struct FitResult {
     pub verdict: &'static str,
     /// The unknowns.
     pub unknowns: Vec<EstimateResult>,
-    /// The nuisances: numbers that were not known exactly.
+    /// The nuisances: parameters that were not known exactly.
     pub nuisances: Vec<EstimateResult>,
     /// Correlation of the unknowns, in their order.
     pub correlation: Vec<Vec<f64>>,
-    /// Numbers that the models hold fixed, and the effect of an error in each on the unknowns; empty unless the verdict
-    /// is `fitted`.
+    /// Parameters that the models hold fixed, with the effect of an error in each on the unknowns; empty unless the
+    /// verdict is `fitted`.
     pub taken_as_exact: Vec<ExactNumber>,
     /// The quality of the fit.
     pub fit: Quality,
-    /// The work that it took.
+    /// The work of the fit.
     pub work: WorkResult,
     /// The curves.
     pub curves: Vec<CurveResult>,
-    /// The designs, the best first; missing unless the fit file asks for them.
+    /// The designs, the best first; missing unless the fit file requests them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub design: Vec<DesignResult>,
     /// Warnings for the reader.
     pub warnings: Vec<WarningResult>,
-    /// Samples of the posterior, which have a file of their own.
+    /// Samples of the posterior, which have their own file.
     #[serde(skip)]
     pub samples: Vec<Vec<f64>>,
     /// The advice on the next measurement, in a sentence or two.
@@ -74,15 +74,15 @@ pub struct Quality {
     pub chi_squared_per_degree: f64,
     /// The noise, given or estimated.
     pub noise: NoiseResult,
-    /// Probability of a misfit as bad by chance.
+    /// Probability of a misfit at least as bad by chance.
     pub misfit_p: f64,
-    /// Probability of as few runs of one sign.
+    /// Probability of as few runs of one sign by chance.
     pub runs_p: f64,
     /// Durbin and Watson's `d`, 2 without correlation.
     pub durbin_watson: f64,
 }
 
-/// The work that a fit took.
+/// The work of a fit.
 #[derive(Debug, Clone, Serialize)]
 pub struct WorkResult {
     /// Predictions of all curves, derivatives included.
@@ -100,14 +100,14 @@ pub struct WorkResult {
 pub struct CurveResult {
     /// Its file.
     pub file: String,
-    /// The shift of its zero, m or N; null without.
+    /// The shift of its zero, m or N; null if there is none.
     pub shift: Option<f64>,
     /// Points fitted.
     pub points: usize,
 }
 
 impl FitResult {
-    /// The result of a fit that took so many seconds, and what to measure next.
+    /// Assembles the result of a fit that took this many seconds, with the next measurement.
     #[must_use]
     pub fn new(of: &Identification, fit: &Fit, next: Next, seconds: f64) -> Self {
         let estimates = || fit.estimates.iter().enumerate();
@@ -153,7 +153,7 @@ impl FitResult {
     }
 }
 
-/// The verdict's word.
+/// The word for the verdict.
 #[must_use]
 pub fn verdict(verdict: FitVerdict) -> &'static str {
     match verdict {
@@ -183,7 +183,7 @@ impl Identification {
         }
     }
 
-    /// A linear nuisance that all curves share.
+    /// Returns a linear nuisance shared by all curves.
     fn coefficient(&self, name: &str, value: f64, interval: [f64; 2]) -> EstimateResult {
         let ends = interval.map(|end| Some(end).filter(|end| end.is_finite()));
         let closes = ends.iter().all(Option::is_some);
@@ -235,7 +235,7 @@ impl Identification {
             depth,
             force,
             relative: levels.relative,
-            // The correlation of the sum of the persistent part and white noise.
+            // Correlation of the sum of the persistent part and white noise.
             correlation: if is_estimated {
                 levels.persistence * (1.0 - levels.white_fraction)
             } else {

@@ -1,4 +1,4 @@
-//! Samples of the posterior, where the fit file asks for them and the fit allows them.
+//! Samples of the posterior, if the fit file requests them and the fit allows them.
 
 use pellicle_identify::{
     Fit, FitVerdict, IdentifyError, PosteriorOptions, Surrogate, SurrogateOptions, Verdict,
@@ -8,20 +8,21 @@ use pellicle_identify::{
 use super::Identification;
 use super::findings::WarningResult;
 
-/// Part of the samples at a face of the surrogate's box from which on there is a warning.
+/// Fraction of the samples at the faces of the surrogate's box above which a warning is given.
 const CUT_OFF: f64 = 0.01;
 
 /// Samples of the posterior, with the warnings about them.
 #[derive(Debug, Default)]
 pub struct Sampling {
-    /// One list of values of the unknowns and nuisances, in SI units, for each sample; empty without.
+    /// The values of the unknowns and nuisances, in SI units, for each sample; may be empty.
     pub samples: Vec<Vec<f64>>,
-    /// Warnings about them.
+    /// Warnings about the samples.
     pub warnings: Vec<WarningResult>,
 }
 
 impl Identification {
-    /// The samples that the fit file asks for: none of a misfit, nor where a direction of the unknowns is not told.
+    /// Draws the samples that the fit file requests. There are none for a misfit, or if the data leave a direction of
+    /// the unknowns undetermined.
     #[must_use]
     pub fn sample(&self, fit: &Fit) -> Sampling {
         let report = &self.file.report;

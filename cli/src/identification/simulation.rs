@@ -1,4 +1,4 @@
-//! Measurements that a fit file would give: the curve of its model, with its noise, in the format that it reads.
+//! Simulated measurements of a fit file: the curve of its model, with its noise, in the format that it reads.
 
 use std::path::{Path, PathBuf};
 
@@ -17,18 +17,18 @@ use crate::measured::columns::{ColumnName, ColumnUnit};
 use crate::measured::curve_segment::SegmentEnd;
 use crate::measured::data_table::{DataTable, Observe};
 
-/// Points of a measurement, evenly spread in the logarithm of the force.
+/// Number of points of a measurement, evenly spaced in the logarithm of the force.
 const POINTS: u32 = 100;
-/// Relative noise of what is observed, where the fit file says nothing of noise.
+/// Relative noise of the observed quantity if the fit file gives no noise.
 const RELATIVE: f64 = 0.01;
 /// Time between two points, s.
 const INTERVAL: f64 = 0.1;
 
-/// The text of the measurements of a table, with noise of this seed.
+/// Writes the measurements of a table as text, with noise of this seed.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the fit file does not say between which forces, or the contact cannot be solved.
+/// [`Failure`] if the fit file does not give the range of forces, or the contact cannot be solved.
 pub fn measurement(file: &FitFile, table: usize, seed: u64) -> Result<String, Failure> {
     let data = &file.data[table];
     let forces = forces(file, data)?;
@@ -54,7 +54,7 @@ pub fn measurement(file: &FitFile, table: usize, seed: u64) -> Result<String, Fa
     Ok(text(data, &points.collect::<Vec<_>>()))
 }
 
-/// The file of a table: the one named, or numbered where there are several.
+/// The file of a table: the named one, or a numbered one if there are several tables.
 #[must_use]
 pub fn path(out: &Path, table: usize, tables: usize) -> PathBuf {
     if tables == 1 {
@@ -66,7 +66,7 @@ pub fn path(out: &Path, table: usize, tables: usize) -> PathBuf {
     out.with_file_name(format!("{stem}-{}{ending}", table + 1))
 }
 
-/// Forces between the ends of the segment, or between those of the design.
+/// Returns forces between the ends of the segment, or else between those of the design.
 fn forces(file: &FitFile, data: &DataTable) -> Result<Vec<f64>, Failure> {
     let segment = &data.segment;
     let design = &file.report.design.forces;
@@ -87,7 +87,7 @@ fn forces(file: &FitFile, data: &DataTable) -> Result<Vec<f64>, Failure> {
         .collect())
 }
 
-/// The depths at these forces, by the model of a table.
+/// Computes the depths at these forces by the model of a table.
 fn depths(file: &FitFile, data: &DataTable, forces: &[f64]) -> Result<Prediction, Failure> {
     if observable(data.observe) == Observable::StiffnessAtContactRadius {
         let wanted = "\"depth at force\" or \"force at depth\" to simulate";
@@ -106,7 +106,7 @@ fn depths(file: &FitFile, data: &DataTable, forces: &[f64]) -> Result<Prediction
     })
 }
 
-/// The table that the fit file reads: its columns, in its units.
+/// Writes the table in the columns and units that the fit file reads.
 fn text(data: &DataTable, points: &[[f64; 2]]) -> String {
     let mut columns: Vec<(usize, String, f64, Channel)> = Vec::new();
     let mut named = 0;
@@ -127,7 +127,7 @@ fn text(data: &DataTable, points: &[[f64; 2]]) -> String {
         };
         columns.push((place, head, factor, *channel));
     }
-    // Columns without a number take the places that are left.
+    // Columns without a number fill the remaining places.
     for index in 0..columns.len() {
         if columns[index].0 == usize::MAX {
             named += 1;

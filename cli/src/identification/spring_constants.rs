@@ -1,23 +1,23 @@
 //! Spring constants of cantilevers that are not known exactly.
 //!
-//! A force microscope measures the approach z of its piezo and the deflection d of its cantilever. The penetration is
-//! `δ = z − d`, and no spring constant is in it. The force is `F = k d`, or was computed so with a nominal constant k₀.
-//! So an error of k is one factor of all forces of a table, `F = (k/k₀) F₀`, and of nothing else: a number of normal
-//! prior that no curve tells beside the moduli, as penetrations depend on `F/E`.
+//! A force microscope measures the approach z of its piezo and the deflection d of its cantilever. The penetration `δ =
+//! z − d` does not depend on the spring constant. The force is `F = k d`, or was computed in this way with a nominal
+//! constant k₀. An error of k therefore multiplies all forces of a table, `F = (k/k₀) F₀`, and nothing else. It is a
+//! parameter with a normal prior that no curve can separate from the moduli, as penetrations depend on `F/E`.
 
 use pellicle_identify::{ForceScale, IdentifyError, Prior, Unknown};
 
 use crate::fit_file::FitFile;
 use crate::measured::spring::SpringConstant;
 
-/// It is sought within so many standard deviations of its mean, and above this part of it.
+/// A spring constant is sought within this many standard deviations of its mean, and above this fraction of the mean.
 const DEVIATIONS: f64 = 8.0;
 const LEAST_PART: f64 = 0.1;
 
 /// SI unit of a spring constant.
 pub const UNIT: &str = "N/m";
 
-/// Of each table, how its forces depend on the spring constant, where that is not known exactly.
+/// For each table whose spring constant is not known exactly, the dependence of its forces on it.
 #[must_use]
 pub fn scales(file: &FitFile) -> Vec<Option<ForceScale>> {
     let tables = file.data.iter().map(|table| table.spring_constant);

@@ -18,7 +18,7 @@ pub fn all(of: &Identification, fit: &Fit) -> [(&'static str, String); 3] {
     ]
 }
 
-/// The points left out because the model does not hold there, and why; nothing without such.
+/// Lists the points left out because the model does not hold there, with the reason; none if there are no such points.
 #[must_use]
 pub fn excluded(of: &Identification) -> Option<String> {
     if !of.outside.are_left_out() || of.outside.points.is_empty() {
@@ -42,7 +42,7 @@ pub fn excluded(of: &Identification) -> Option<String> {
     Some(format!("file,row,{x},{y} [{unit}],reason\n") + &rows.collect::<String>())
 }
 
-/// Heads of abscissa and observable, and the unit of the second.
+/// Headings of abscissa and observable, and the unit of the observable.
 fn axes(of: &Identification) -> [&'static str; 3] {
     let observable = of.model.curves().first().map(|curve| curve.observable);
     match observable {
@@ -71,7 +71,7 @@ fn data(of: &Identification, fit: &Fit) -> String {
     header + &rows.collect::<String>()
 }
 
-/// Covariance of the logarithms of the unknowns; empty where it is not finite.
+/// Covariance of the logarithms of the unknowns; cells that are not finite are empty.
 fn covariance(fit: &Fit) -> String {
     let names: Vec<String> = fit.estimates.iter().map(|of| quoted(&of.name)).collect();
     let rows = names.iter().zip(&fit.covariance).map(|(name, row)| {
@@ -81,7 +81,7 @@ fn covariance(fit: &Fit) -> String {
     format!("covariance of ln,{}\n", names.join(",")) + &rows.collect::<String>()
 }
 
-/// The profile of every unknown: its value, and how much `χ²` is above the least with it held there.
+/// The profile of every unknown: its value, and the increase of `χ²` over the minimum with the unknown held there.
 fn profiles(fit: &Fit) -> String {
     let of_estimate = |estimate: &Estimate| {
         let name = quoted(&estimate.name);
@@ -102,7 +102,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// A text as a cell, quoted where it must be.
+/// Formats a text as a cell, quoted if necessary.
 fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n']) {
         format!("\"{}\"", text.replace('"', "\"\""))

@@ -1,4 +1,4 @@
-//! The numbers that a fit takes as exact, and what an error in one does to the answer.
+//! The parameters that a fit takes as exact, and the effect of an error in one on the result.
 
 use pellicle_contact::ContactError;
 use pellicle_identify::{Fit, FitVerdict, FixedNumber, Role, exponents};
@@ -10,23 +10,23 @@ use crate::display::significant;
 use crate::failure::Failure;
 use crate::fit_file::model::ModelParameters;
 
-/// A number that a fit takes as exact.
+/// A parameter that a fit takes as exact.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ExactNumber {
-    /// Its key; `data[0] KEY` for a value that a table of measurements has of its own.
+    /// Its key; `data[0] KEY` for a value specific to a table of measurements.
     pub key: String,
     /// Its SI unit.
     pub unit: String,
     /// Its value.
     pub value: f64,
-    /// `d ln θ/d ln f` of each unknown θ by this number f, in the order of the unknowns: 1 % more of it changes them by
-    /// so many percent. Null for what no data tell, and at a bound.
+    /// `d ln θ/d ln f` of each unknown θ with respect to this parameter f, in the order of the unknowns: the change of
+    /// θ in percent if f increases by 1 %. Null if the data do not determine the unknown, or if it is at a bound.
     pub exponents: Vec<Option<f64>>,
 }
 
 impl ExactNumber {
-    /// The relative error of this number that moves an unknown as far as its interval reaches, and which: of the
-    /// unknown that stands the least; nothing where none moves.
+    /// Returns the smallest relative error of this parameter that moves an unknown to the end of its interval, with
+    /// that unknown; none if no unknown moves.
     #[must_use]
     pub fn tolerance<'u>(&self, unknowns: &'u [EstimateResult]) -> Option<(f64, &'u str)> {
         let pairs = unknowns.iter().zip(&self.exponents);
@@ -42,7 +42,7 @@ impl ExactNumber {
     }
 }
 
-/// The number of which the smallest error matters, in a sentence; nothing where none moves an unknown.
+/// Describes the parameter for which the smallest error matters; none if no parameter moves an unknown.
 #[must_use]
 pub fn most_critical(numbers: &[ExactNumber], unknowns: &[EstimateResult]) -> Option<String> {
     let of = |number: &ExactNumber| {
@@ -58,8 +58,8 @@ pub fn most_critical(numbers: &[ExactNumber], unknowns: &[EstimateResult]) -> Op
 }
 
 impl Identification {
-    /// The numbers that the models hold fixed, in the order of the case, with what each does to the unknowns of a
-    /// finished fit that is none of a misfit; or why that cannot be told.
+    /// Returns the parameters that the models hold fixed, in the order of the case, with the effect of each on the
+    /// unknowns; or a warning if it cannot be computed. Only a finished fit that is not a misfit has them.
     #[must_use]
     pub fn taken_as_exact(&self, fit: &Fit) -> (Vec<ExactNumber>, Option<WarningResult>) {
         if fit.stopped.is_some() || fit.verdict != FitVerdict::Fitted {
@@ -80,7 +80,7 @@ impl Identification {
 
     fn exponents(&self, fit: &Fit) -> Result<Vec<ExactNumber>, Failure> {
         let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
-        // Those with keys: not the sublayers of a graded layer.
+        // Only parameters with keys, not those of the sublayers of a graded layer.
         let tables = self.file.data.iter();
         let tables = tables.map(|table| self.file.model.with(&table.set));
         let tables = tables.collect::<Result<Vec<_>, Failure>>()?;
@@ -93,7 +93,7 @@ impl Identification {
         for (table, parameters) in tables.iter().enumerate() {
             let of_table = fixed.iter().filter(|of| of.curve == table);
             for (number, change) in self.named((table, parameters), of_table) {
-                // Tables share what is not their own.
+                // Tables share the parameters that are not specific to one.
                 if let Some(known) = numbers.iter().position(|known| known.key == number.key) {
                     let pairs = changes[known].iter_mut().zip(change);
                     pairs.for_each(|(sum, of_table)| *sum += of_table);
@@ -112,7 +112,7 @@ impl Identification {
         Ok(numbers)
     }
 
-    /// The fixed numbers of a table by their keys, each with `∂y/∂ln f`.
+    /// The fixed parameters of a table with their keys, each with `∂y/∂ln f`.
     fn named<'n>(
         &self,
         (table, parameters): (usize, &ModelParameters),

@@ -6,7 +6,7 @@ use super::taken_as_exact::most_critical;
 use crate::display::significant;
 use crate::planning;
 
-/// The result in words, one line for each number.
+/// Describes the result, one line per parameter.
 #[must_use]
 pub fn text(result: &FitResult) -> String {
     let estimates = result.unknowns.iter().chain(&result.nuisances).map(line);
@@ -35,7 +35,7 @@ pub fn text(result: &FitResult) -> String {
     )
 }
 
-/// The table of the designs and the advice; nothing without a design.
+/// The table of the designs and the advice; empty without a design.
 fn next(result: &FitResult) -> String {
     if result.design.is_empty() {
         return String::new();
@@ -70,7 +70,7 @@ fn line(estimate: &EstimateResult) -> String {
     own + &scatter.unwrap_or_default() + &known.unwrap_or_default()
 }
 
-/// The power of a thousand that suits a number, and its unit with the prefix.
+/// The power of a thousand suited to an estimate, and its unit with the prefix.
 fn prefixed(estimate: &EstimateResult) -> (f64, String) {
     const PREFIXES: [(f64, &str); 9] = [
         (1e12, "T"),

@@ -1,11 +1,11 @@
-//! The unit in which a number of a fit is easy to read.
+//! The unit in which an estimate of a fit is easy to read.
 
 use std::f64::consts::PI;
 
 use crate::display::{DisplayUnit, Unit};
 use crate::input::units::Units;
 
-/// The scale for values up to `largest`, in SI units, of the unit that `fit.json` names.
+/// The scale for values up to `largest`, in the SI unit that `fit.json` names.
 #[must_use]
 pub fn scale(largest: f64, unit: &str) -> DisplayUnit {
     let prefixed = |value, unit| DisplayUnit::of(value, unit, Units::Si);
@@ -49,7 +49,7 @@ mod tests {
         ] {
             let scale = scale(value, unit);
             assert_eq!(scale.label, label);
-            // One rounding of each of two factors.
+            // Each of the two factors has one rounding error.
             assert_relative_eq!(value / scale.divisor, wanted, max_relative = 1e-14);
         }
     }

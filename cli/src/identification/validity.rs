@@ -1,4 +1,4 @@
-//! The validity of the model where a fit used it, and the warnings about points at which it does not hold.
+//! The validity of the model where a fit uses it, and the warnings about points at which it does not hold.
 
 use std::collections::BTreeMap;
 
@@ -12,8 +12,8 @@ use super::remembered::Remembered;
 use super::units;
 use crate::display::significant;
 
-/// The points outside of the model at a fit of some of them, among all that were measured; those known before where
-/// the contact cannot be solved to tell. Nothing if the user stopped.
+/// Returns the points, among all measured ones, at which the model does not hold according to a fit of some of them. If
+/// the contact cannot be solved, these are the points known before. None if the user stopped.
 #[must_use]
 pub fn outside(
     whole: &Identification,
@@ -25,7 +25,7 @@ pub fn outside(
         ..now.outside.clone()
     };
     let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
-    // Where points were left out before, the fit's own prediction has not all of them.
+    // If points were left out before, the fit's own prediction does not cover all points.
     let known = model.known(&values);
     let known = known.filter(|known| known.value.len() == whole.problem.points());
     let at_fit = match known.map_or_else(|| whole.model.predict(&values), Ok) {
@@ -57,8 +57,8 @@ pub fn outside(
 }
 
 impl Identification {
-    /// Warnings about the points at which the model does not hold: how many of each curve, between which
-    /// abscissae, and how they were handled.
+    /// Warnings about the points at which the model does not hold: their number and range on each curve, and how they
+    /// were handled.
     #[must_use]
     pub fn outside_warnings(&self) -> Vec<WarningResult> {
         let mut found = Vec::new();
@@ -99,7 +99,7 @@ impl Identification {
         found.into_iter().map(warning).collect()
     }
 
-    /// Least and greatest of some abscissae in words.
+    /// The smallest and largest of some abscissae in words.
     fn range(&self, abscissae: &[f64]) -> String {
         let least = abscissae.iter().copied().fold(f64::INFINITY, f64::min);
         let most = abscissae.iter().copied().fold(0.0, f64::max);

@@ -1,4 +1,4 @@
-//! The fault of a case: its key, its place, what was found and what is wanted.
+//! The fault of a case: its key, its position, the value found and the values wanted.
 
 use std::fmt;
 use std::io::IsTerminal;
@@ -9,10 +9,10 @@ use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, So
 use super::span::{Source, Span};
 use crate::terminal::clean;
 
-/// The longest line that is drawn, in bytes; a longer one was not written by a person, and is only named.
+/// The longest line that is quoted, in bytes; a longer one was not written by hand, and only its number is given.
 const LONGEST_DRAWN_LINE: usize = 400;
 
-/// A fault at a place in the text.
+/// A fault at a position in the text.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Fault {
     /// A value that cannot be used.
@@ -35,29 +35,29 @@ pub enum Fault {
         /// The keys known here.
         wanted: String,
     },
-    /// A value of the right kind that the model refuses.
+    /// A value of the right kind that the model rejects.
     #[error("{reason}")]
     Refused {
-        /// The sentence of the crate that refused it, which says what it found and wanted.
+        /// The message of the crate that rejected it, which gives the value found and the values wanted.
         reason: String,
     },
 }
 
-/// A diagnosis, which can be drawn at its place in the case.
+/// A diagnosis, which can be shown at its position in the case.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnosis {
     /// Dotted path of the key, such as `foundation.layer[0].thickness`; none if the whole file is meant.
     pub key: Option<String>,
-    /// Its place.
+    /// Its position.
     pub span: Box<Span>,
     /// The fault.
     pub fault: Fault,
-    /// A hint, if there is more to say.
+    /// A hint, if any.
     pub help: Option<String>,
 }
 
 impl Diagnosis {
-    /// A fault of the whole text, or of a place without a key.
+    /// Creates the diagnosis of the whole text, or of a position without a key.
     #[must_use]
     pub fn of_text(span: Span, fault: Fault) -> Self {
         Self {
@@ -68,7 +68,7 @@ impl Diagnosis {
         }
     }
 
-    /// A fault of a key, given by its dotted path.
+    /// Creates the diagnosis of a key, given by its dotted path.
     #[must_use]
     pub fn of_key(key: impl Into<String>, span: Span, fault: Fault) -> Self {
         Self {
@@ -77,20 +77,20 @@ impl Diagnosis {
         }
     }
 
-    /// The same, with a hint.
+    /// Adds a hint.
     #[must_use]
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    /// The diagnosis drawn with its line of the text, coloured if standard error is a terminal.
+    /// Renders the diagnosis with its line of the text, coloured if standard error is a terminal.
     #[must_use]
     pub fn render(&self) -> String {
         let mut drawn = String::new();
         let clean = self.cleaned();
         let handler = GraphicalReportHandler::new_themed(theme());
-        // Writing to a String cannot fail; if it did, the sentence alone would do.
+        // Writing to a String cannot fail; if it did, the sentence alone would suffice.
         match handler
             .with_wrap_lines(false)
             .render_report(&mut drawn, &clean)
@@ -100,7 +100,7 @@ impl Diagnosis {
         }
     }
 
-    /// The same, with control characters replaced in the text by others of the same length.
+    /// Replaces control characters in the text by others of the same length.
     fn cleaned(&self) -> Self {
         let (source, bytes) = (&self.span.source, self.span.bytes.clone());
         let text = source.inner().chars().map(harmless).collect();
@@ -121,7 +121,7 @@ impl Diagnosis {
     }
 }
 
-/// The character itself, or one of the same length that a terminal does not obey.
+/// The character itself, or a harmless one of the same length in place of a control character.
 fn harmless(c: char) -> char {
     match c {
         '\n' | '\t' => c,

@@ -1,4 +1,4 @@
-//! The dimensions of the quantities in a case: their units, and how large they may be.
+//! The dimensions of the quantities in a case: their units and allowed magnitudes.
 
 use std::ops::RangeInclusive;
 
@@ -24,7 +24,7 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// All of them.
+    /// All dimensions.
     pub const ALL: [Self; 8] = [
         Self::Length,
         Self::Pressure,
@@ -100,13 +100,13 @@ impl Dimension {
         }
     }
 
-    /// The magnitudes allowed, in SI units or the case's own: far beyond anything measured, yet products of several
-    /// still fit into 64 bits.
+    /// The allowed magnitudes, in SI units or the case's own. They are far beyond anything measured, yet products of
+    /// several still fit into 64 bits.
     #[must_use]
     pub fn magnitudes(self) -> RangeInclusive<f64> {
         match self {
             Self::Length | Self::Pressure => 1e-30..=1e30,
-            // Any force, however small, is a load; the certificate says whether it could be solved for.
+            // Any force, however small, is a valid load; the certificate shows whether it could be solved.
             Self::Force => f64::from_bits(1)..=1e60,
             Self::Compliance | Self::Stiffness | Self::FrameCompliance | Self::Time => 1e-60..=1e60,
             Self::Angle => 0.0..=f64::MAX,

@@ -1,4 +1,4 @@
-//! The tree of a text, kept for what is found only after reading.
+//! The tree of a text, kept for faults that are found only after reading.
 
 use std::sync::Arc;
 
@@ -7,7 +7,7 @@ use super::key_path;
 use super::toml_tree::{TomlNode, TomlValue};
 use super::value_reader::ValueReader;
 
-/// The tree that a case was read from, for diagnoses and warnings after reading. It does not count when cases are
+/// The tree from which a case was read, for diagnoses and warnings after reading. It is ignored when cases are
 /// compared: any two are equal.
 #[derive(Debug, Clone)]
 pub struct Document(Arc<TomlNode>);
@@ -31,7 +31,7 @@ impl Document {
         &self.0
     }
 
-    /// The diagnosis that a value is refused for this reason: that of the first of these keys in the document.
+    /// The diagnosis that the value of the first of these keys in the document is rejected for this reason.
     #[must_use]
     pub fn refused(&self, keys: &[&str], reason: &dyn std::error::Error) -> Diagnosis {
         let found = keys.iter().find_map(|key| self.field(key));

@@ -9,7 +9,7 @@ pub fn dotted(path: &str, key: &str) -> String {
     }
 }
 
-/// `foundation.layer[0].thickness` and `foundation.layer.0.thickness` as their four parts.
+/// Splits `foundation.layer[0].thickness` or `foundation.layer.0.thickness` into its four parts.
 #[must_use]
 pub fn parts(key: &str) -> Option<Vec<String>> {
     let dotted = key.trim().replace('[', ".").replace(']', "");

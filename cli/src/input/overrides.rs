@@ -9,10 +9,10 @@ use super::key_path;
 use super::span::{COMMAND_LINE, Source, Span};
 use super::toml_tree::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
 
-/// Replaces the value of a key in the tree by that of `argument`, `key.of.table=value`.
+/// Replaces the value of a key in the tree by that in `argument`, `key.of.table=value`.
 ///
-/// The value is read as TOML, or else as a string: `load.force=3 mN` needs no second pair of quotes. Items of lists are
-/// numbered from 0: `foundation.layer.0.thickness`. Missing tables are created.
+/// The value is read as TOML, or else as a string, so that `load.force=3 mN` needs no second pair of quotes. Items of
+/// lists are numbered from 0: `foundation.layer.0.thickness`. Missing tables are created.
 ///
 /// # Errors
 ///
@@ -74,7 +74,7 @@ fn read(source: &Arc<Source>, start: usize, text: &str) -> TomlNode {
     }
 }
 
-/// Puts the value at the end of the path; the error is the part that leads nowhere.
+/// Puts the value at the end of the path; the error is the part that cannot be resolved.
 fn put<'s>(
     node: &mut TomlNode,
     parts: &'s [String],
@@ -93,7 +93,7 @@ fn put<'s>(
     put(next.ok_or(part.as_str())?, rest, value, at)
 }
 
-/// The value of a key, created as an empty table if it is missing.
+/// Returns the value of a key, created as an empty table if missing.
 fn entry<'t>(table: &'t mut TomlTable, key: &str, at: &Span) -> Option<&'t mut TomlNode> {
     if table.entry(key).is_none() {
         table.entries.push(TomlEntry {

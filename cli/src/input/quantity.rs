@@ -16,7 +16,7 @@ pub enum QuantityError {
     /// There is no unit.
     #[error("a number without a unit")]
     NoUnit,
-    /// No dimension has this unit.
+    /// The unit belongs to no dimension.
     #[error("the unknown unit `{0}`")]
     UnknownUnit(String),
     /// The unit belongs to another dimension.
@@ -24,8 +24,8 @@ pub enum QuantityError {
     OtherDimension(Dimension),
 }
 
-/// The quantity in SI units (m, Pa, N, rad, m/Pa, N/m, s), correctly rounded if the unit is a power of ten of the SI
-/// unit.
+/// Parses a quantity and returns it in SI units (m, Pa, N, rad, m/Pa, N/m, s), correctly rounded if the unit is a power
+/// of ten of the SI unit.
 ///
 /// # Errors
 ///
@@ -40,7 +40,7 @@ pub fn parse(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     )
 }
 
-/// One of this unit in SI units.
+/// The size of this unit in SI units.
 ///
 /// # Errors
 ///
@@ -68,7 +68,7 @@ fn dimension_of_unit(unit: &str) -> Option<Dimension> {
     Dimension::ALL.into_iter().find(has)
 }
 
-/// One of `unit` in SI units; `None` if the unit is not of this dimension.
+/// The size of `unit` in SI units; `None` if the unit is not of this dimension.
 fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
     let one = format!("1 {unit}");
     match dimension {
@@ -83,14 +83,14 @@ fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
     }
 }
 
-/// One of a unit `above/below` in SI units.
+/// The size of a unit `above/below` in SI units.
 fn quotient(unit: &str, above: Dimension, below: Dimension) -> Option<f64> {
     let (numerator, denominator) = unit.split_once('/')?;
     let numerator = factor(above, &spelling(numerator))?;
     Some(numerator / factor(below, &spelling(denominator))?)
 }
 
-/// The longest prefix of the text that is a number, and the rest.
+/// Splits the text into the longest prefix that is a number, and the rest.
 fn split(text: &str) -> Result<(&str, &str), QuantityError> {
     let text = text.trim();
     let is_number = |end: &usize| {
@@ -125,8 +125,8 @@ fn spelling(unit: &str) -> String {
     }
 }
 
-/// The number of a text times a factor. For a power of ten the decimal point is moved, which gives the same bits as the
-/// bare number of that value; otherwise the product is rounded twice.
+/// Multiplies the number of a text by a factor. For a power of ten it moves the decimal point, which gives the same
+/// bits as the bare number of that value; otherwise the result is rounded twice.
 fn times(number: &str, factor: f64) -> f64 {
     let shifted = decimal_exponent(factor).and_then(|shift| shifted(number, shift));
     shifted.unwrap_or_else(|| number.parse().unwrap_or(f64::NAN) * factor)
@@ -143,7 +143,8 @@ fn decimal_exponent(factor: f64) -> Option<i32> {
     ((factor / power - 1.0).abs() <= 4.0 * f64::EPSILON).then_some(exponent)
 }
 
-/// The number of a text with its decimal point moved; none if it is not finite or its exponent overflows.
+/// Returns the number of a text with its decimal point moved; none if the number is not finite or its exponent
+/// overflows.
 fn shifted(number: &str, places: i32) -> Option<f64> {
     let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let exponent = exponent.parse::<i32>().ok()?.checked_add(places)?;
@@ -168,7 +169,7 @@ mod tests {
         assert_eq!(parse("2.3 mN", Dimension::Force), Ok(2.3e-3));
     }
 
-    /// A unit of every prefix that the library knows, with its power of ten.
+    /// One unit for every prefix that the library supports, with its power of ten.
     #[test]
     fn a_decimal_unit_moves_the_point_and_rounds_once() {
         let prefixes = [
@@ -236,7 +237,7 @@ mod tests {
         }
         for angle in ["180 deg", "180°", "180 degrees", "200 gon"] {
             let found = parse(angle, Dimension::Angle).unwrap();
-            // The library's factors have 17 digits: one rounding each.
+            // The library's factors have 17 digits, with one rounding error each.
             assert!((found - std::f64::consts::PI).abs() < 1e-15, "{angle}");
         }
         assert_eq!(parse("3 uN", Dimension::Force), Ok(3e-6));

@@ -1,4 +1,4 @@
-//! Lists of quantities: written one by one, or as a range.
+//! Lists of quantities, written one by one or as a range.
 
 use super::diagnosis::Diagnosis;
 use super::dimension::Dimension;
@@ -6,19 +6,19 @@ use super::spacing::{self, Spacing};
 use super::table_reader::TableReader;
 use super::value_reader::{Sign, ValueReader};
 
-/// The kind of quantity in a list, and the most items allowed.
+/// The kind of quantity in a list, and the largest number of items.
 #[derive(Debug, Clone, Copy)]
 pub struct QuantityList {
-    /// Their dimension.
+    /// Dimension of the items.
     pub dimension: Dimension,
-    /// Their sign.
+    /// Sign of the items.
     pub sign: Sign,
-    /// The most items; more are a mistake.
+    /// The largest number of items; more is a mistake.
     pub most: usize,
 }
 
 impl QuantityList {
-    /// One value.
+    /// Reads one value.
     ///
     /// # Errors
     ///
@@ -27,7 +27,7 @@ impl QuantityList {
         field.quantity(self.dimension, self.sign)
     }
 
-    /// The values of a list, or of a table of `from`, `to`, `count` and `spacing`.
+    /// Reads the values of a list, or of a table of `from`, `to`, `count` and `spacing`.
     ///
     /// # Errors
     ///
@@ -36,7 +36,7 @@ impl QuantityList {
         self.read_checked(field, |_, value| Ok(value))
     }
 
-    /// The same with a look at each item, or at the ends of a range.
+    /// Reads the values, with a check of each item or of the ends of a range.
     ///
     /// # Errors
     ///

@@ -16,11 +16,11 @@ pub enum Spacing {
 }
 
 impl Spacing {
-    /// Reads the key `spacing`, linear unless given.
+    /// Reads the key `spacing`; the default is linear.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if it is neither.
+    /// A [`Diagnosis`] if the value is neither.
     pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
         match table.optional("spacing") {
             Some(field) => field.choice(&[("linear", Self::Linear), ("log", Self::Log)]),
@@ -28,7 +28,7 @@ impl Spacing {
         }
     }
 
-    /// `count` ≥ 2 values from `from` to `to`, both ends exact, the others to 15 digits: 0.3 and not
+    /// Returns `count` ≥ 2 values from `from` to `to`. Both ends are exact, the others have 15 digits: 0.3 rather than
     /// 0.30000000000000004.
     #[must_use]
     pub fn between(self, from: f64, to: f64, count: usize) -> Vec<f64> {
@@ -46,7 +46,7 @@ impl Spacing {
     }
 }
 
-/// The nearest number of 15 digits.
+/// Rounds to 15 digits.
 #[must_use]
 pub fn rounded(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap_or(value)

@@ -1,17 +1,17 @@
-//! A text that the user wrote, a case file or one `--set` of the command line, and a place in it.
+//! A text that the user wrote, a case file or one `--set` of the command line, and a position in it.
 
 use std::ops::Range;
 use std::sync::Arc;
 
 use miette::NamedSource;
 
-/// A text with the name it goes by in messages: the path of a case file, or `--set`.
+/// A text with its name in messages: the path of a case file, or `--set`.
 pub type Source = NamedSource<String>;
 
-/// The name of the command line's text.
+/// The name of a text from the command line.
 pub const COMMAND_LINE: &str = "--set";
 
-/// The name of the text that `solve --stream` reads, followed by its line.
+/// The name of the text that `solve --stream` reads; the line number follows.
 pub const STREAM: &str = "standard input";
 
 /// A range of bytes of a [`Source`].
@@ -31,22 +31,22 @@ impl Span {
         Self { source, bytes }
     }
 
-    /// The end of a text, where missing keys would be written.
+    /// The end of a text, where a missing key would be written.
     #[must_use]
     pub fn end_of(source: &Arc<Source>) -> Self {
         let end = source.inner().trim_end().len();
         Self::new(source, end..end)
     }
 
-    /// The line on which it begins, counted from 1.
+    /// The line on which the span begins, counted from 1.
     #[must_use]
     pub fn line(&self) -> usize {
         let before = self.source.inner().as_bytes().iter().take(self.bytes.start);
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
-    /// Source and line in words, `case.toml, line 3`; for the command line only its name, since it has a single line,
-    /// and for standard input its name, which tells the line.
+    /// Source and line in words, `case.toml, line 3`. For the command line, which has a single line, and for standard
+    /// input, whose name contains the line, only the name.
     #[must_use]
     pub fn words(&self) -> String {
         let name = self.source.name();
@@ -56,14 +56,14 @@ impl Span {
         format!("{name}, line {}", self.line())
     }
 
-    /// Length in bytes of the line on which it begins.
+    /// Length in bytes of the line on which the span begins.
     #[must_use]
     pub fn line_length(&self) -> usize {
         let text = self.source.inner().as_str();
         text.lines().nth(self.line() - 1).map_or(0, str::len)
     }
 
-    /// The text itself.
+    /// The text of the span.
     #[must_use]
     pub fn text(&self) -> &str {
         self.source

@@ -7,7 +7,7 @@ use super::span::Span;
 use super::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 use super::value_reader::{Sign, ValueReader};
 
-/// A table and the dotted path that leads to it.
+/// A table and its dotted path.
 #[derive(Debug, Clone)]
 pub struct TableReader<'a> {
     path: String,
@@ -16,7 +16,7 @@ pub struct TableReader<'a> {
 }
 
 impl<'a> TableReader<'a> {
-    /// The table at the root of a case.
+    /// Reads the table at the root of a case.
     ///
     /// # Errors
     ///
@@ -25,7 +25,7 @@ impl<'a> TableReader<'a> {
         ValueReader::new(String::new(), node).table()
     }
 
-    /// Refuses unknown keys, with a suggestion for a misspelt one.
+    /// Rejects unknown keys, with a suggestion for a misspelt one.
     ///
     /// # Errors
     ///
@@ -56,17 +56,17 @@ impl<'a> TableReader<'a> {
         Some(ValueReader::new(path, node))
     }
 
-    /// The value of a required key; `wanted` describes it.
+    /// Returns the value of a required key; `wanted` describes it.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] at the table's place if the key is missing.
+    /// A [`Diagnosis`] at the position of the table if the key is missing.
     pub fn required(&self, key: &str, wanted: &str) -> Result<ValueReader<'a>, Diagnosis> {
         self.optional(key)
             .ok_or_else(|| self.missing(key, wanted.to_owned()))
     }
 
-    /// The positive quantity of a required key.
+    /// Reads the positive quantity of a required key.
     ///
     /// # Errors
     ///
@@ -97,11 +97,11 @@ impl<'a> TableReader<'a> {
 }
 
 impl<'a> ValueReader<'a> {
-    /// The table that stands here.
+    /// Reads the value as a table.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if something else does.
+    /// A [`Diagnosis`] if the value has another type.
     pub fn table(self) -> Result<TableReader<'a>, Diagnosis> {
         let node = self.node();
         let TomlValue::Table(table) = &node.value else {
@@ -123,12 +123,12 @@ pub(crate) mod tests {
     use super::super::toml_tree;
     use super::*;
 
-    /// Reads the text as one table; a diagnosis comes back as its sentence.
+    /// Reads the text as one table; a diagnosis is returned as its sentence.
     pub fn read_table<T>(
         text: &str,
         read: impl FnOnce(TableReader<'_>) -> Result<T, Diagnosis>,
     ) -> Result<T, String> {
-        // A key of its own keeps a text without keys from being an empty file.
+        // An extra key keeps a text without keys from counting as an empty file.
         let source = Arc::new(Source::new("case.toml", format!("{text}\n[unused]\n")));
         let mut root = toml_tree::parse(&source).map_err(|diagnosis| diagnosis.to_string())?;
         if let TomlValue::Table(table) = &mut root.value {

@@ -1,4 +1,4 @@
-//! A text as a tree of TOML values, each with its place in the text.
+//! A text as a tree of TOML values, each with its position in the text.
 
 use std::sync::Arc;
 
@@ -8,12 +8,12 @@ use toml::de::{DeTable, DeValue};
 use super::diagnosis::{Diagnosis, Fault};
 use super::span::{Source, Span};
 
-/// A value and its place in the text.
+/// A value and its position in the text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TomlNode {
     /// The value.
     pub value: TomlValue,
-    /// Its place in the text.
+    /// Its position in the text.
     pub span: Span,
 }
 
@@ -28,16 +28,16 @@ pub enum TomlValue {
     Float(f64),
     /// `true` or `false`.
     Boolean(bool),
-    /// A date or a time: nothing in a case is one.
+    /// A date or a time; a case has none.
     Datetime,
     /// An array.
     List(Vec<TomlNode>),
-    /// A table, of any spelling.
+    /// A table, in any notation.
     Table(TomlTable),
 }
 
 impl TomlValue {
-    /// A noun for messages.
+    /// A noun for the value, used in messages.
     #[must_use]
     pub fn noun(&self) -> &'static str {
         match self {
@@ -64,7 +64,7 @@ pub struct TomlTable {
 pub struct TomlEntry {
     /// The key.
     pub key: String,
-    /// The place of the key.
+    /// The position of the key.
     pub key_span: Span,
     /// The value.
     pub node: TomlNode,
@@ -77,17 +77,17 @@ impl TomlTable {
         self.entries.iter().find(|entry| entry.key == key)
     }
 
-    /// The entry of `key`, to be changed.
+    /// Mutable access to the entry of `key`.
     pub fn entry_mut(&mut self, key: &str) -> Option<&mut TomlEntry> {
         self.entries.iter_mut().find(|entry| entry.key == key)
     }
 }
 
-/// The tree of a TOML text.
+/// Parses a TOML text into a tree.
 ///
 /// # Errors
 ///
-/// One [`Diagnosis`] if the text is empty or not TOML.
+/// A [`Diagnosis`] if the text is empty or not TOML.
 pub fn parse(source: &Arc<Source>) -> Result<TomlNode, Diagnosis> {
     let root = DeTable::parse(source.inner()).map_err(|error| not_toml(source, &error))?;
     let node = TomlNode {
@@ -121,7 +121,7 @@ fn not_toml(source: &Arc<Source>, error: &toml::de::Error) -> Diagnosis {
     Diagnosis::of_text(span, fault)
 }
 
-/// The tree of one parsed value whose text begins at byte `start` of the source.
+/// Converts one parsed value, whose text begins at byte `start` of the source, to a tree.
 #[must_use]
 pub fn node(source: &Arc<Source>, start: usize, spanned: &Spanned<DeValue<'_>>) -> TomlNode {
     let span = spanned.span();
@@ -141,7 +141,7 @@ pub fn node(source: &Arc<Source>, start: usize, spanned: &Spanned<DeValue<'_>>) 
     TomlNode { value, span }
 }
 
-/// The parser has checked the spelling; a number beyond f64 becomes infinite and is refused by the reader.
+/// Converts digits checked by the parser; a number beyond f64 becomes infinite and is rejected by the reader.
 fn float(digits: &str) -> TomlValue {
     TomlValue::Float(digits.parse().unwrap_or(f64::NAN))
 }

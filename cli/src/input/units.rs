@@ -12,13 +12,13 @@ use super::toml_tree::{TomlNode, TomlValue};
 pub enum Units {
     /// Metres, pascals and newtons: at least one length, pressure or force has a unit.
     Si,
-    /// Any consistent system: all numbers are bare, and only the author knows the system.
+    /// Any consistent system: all numbers are bare, and only the author of the case knows the units.
     #[default]
     Consistent,
 }
 
 impl Units {
-    /// The units of a case: SI as soon as one value has a unit.
+    /// The units of a case: SI if at least one value has a unit.
     #[must_use]
     pub fn of(root: &TomlNode) -> Self {
         if names_a_unit(&root.value) {

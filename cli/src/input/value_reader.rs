@@ -1,4 +1,4 @@
-//! Reads the value of a key as the type wanted there.
+//! Reads the value of a key as the required type.
 
 mod sign;
 
@@ -11,7 +11,7 @@ use super::dimension::Dimension;
 use super::quantity::{self, QuantityError};
 use super::toml_tree::{TomlNode, TomlValue};
 
-/// The value of one key, and the dotted path that leads to it.
+/// The value of one key, and its dotted path.
 #[derive(Debug, Clone)]
 pub struct ValueReader<'a> {
     path: String,
@@ -19,13 +19,13 @@ pub struct ValueReader<'a> {
 }
 
 impl<'a> ValueReader<'a> {
-    /// A value and the dotted path that leads to it.
+    /// Creates the reader of a value with its dotted path.
     #[must_use]
     pub fn new(path: String, node: &'a TomlNode) -> Self {
         Self { path, node }
     }
 
-    /// The dotted path that leads here.
+    /// The dotted path of the value.
     #[must_use]
     pub fn path(&self) -> &str {
         &self.path
@@ -43,7 +43,7 @@ impl<'a> ValueReader<'a> {
         self.node
     }
 
-    /// The diagnosis that no number has the key that leads here, with a suggestion.
+    /// The diagnosis that the key of this value is unknown, with a suggestion.
     pub fn unknown_key(&self, key: &str, known: &[&str]) -> Diagnosis {
         let wanted = format!("one of {}", known.join(", "));
         let diagnosis = self.diagnosis(Fault::Unknown { wanted });
@@ -59,7 +59,7 @@ impl<'a> ValueReader<'a> {
         self.diagnosis(Fault::Wrong { found, wanted })
     }
 
-    /// The diagnosis that the model refuses this value for this reason.
+    /// The diagnosis that the model rejects this value for this reason.
     pub fn refused(&self, reason: &dyn std::error::Error) -> Diagnosis {
         let reason = reason.to_string();
         self.diagnosis(Fault::Refused { reason })
@@ -77,7 +77,7 @@ impl<'a> ValueReader<'a> {
         Diagnosis::of_key(self.path.clone(), self.node.span.clone(), fault)
     }
 
-    /// The user's text; of a table or a long text only its kind.
+    /// The user's text; for a table or a long text only its kind.
     fn found(&self) -> String {
         let written = self.node.span.text();
         match &self.node.value {
@@ -89,17 +89,17 @@ impl<'a> ValueReader<'a> {
         }
     }
 
-    /// Whether a table stands here.
+    /// Whether the value is a table.
     #[must_use]
     pub fn is_table(&self) -> bool {
         matches!(self.node.value, TomlValue::Table(_))
     }
 
-    /// The items of the list that stands here.
+    /// Reads the items of a list.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if something else does, or if the list is empty.
+    /// A [`Diagnosis`] if the value is not a list, or if the list is empty.
     pub fn list(&self, wanted: &str) -> Result<Vec<Self>, Diagnosis> {
         let items = self.items(wanted)?;
         match items[..] {
@@ -108,11 +108,11 @@ impl<'a> ValueReader<'a> {
         }
     }
 
-    /// The items of the list that stands here, which may be empty.
+    /// Reads the items of a list, which may be empty.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if something else does.
+    /// A [`Diagnosis`] if the value has another type.
     pub fn items(&self, wanted: &str) -> Result<Vec<Self>, Diagnosis> {
         let TomlValue::List(items) = &self.node.value else {
             return Err(self.wanted(wanted));
@@ -124,11 +124,11 @@ impl<'a> ValueReader<'a> {
         Ok(items.iter().enumerate().map(item).collect())
     }
 
-    /// The text that stands here.
+    /// Reads a text.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if something else does.
+    /// A [`Diagnosis`] if the value has another type.
     pub fn text(&self) -> Result<&'a str, Diagnosis> {
         match &self.node.value {
             TomlValue::Text(text) => Ok(text),
@@ -136,11 +136,11 @@ impl<'a> ValueReader<'a> {
         }
     }
 
-    /// The meaning of the word that stands here, one of these choices.
+    /// Reads one of these words and returns its meaning.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if none of them stands here, with a suggestion for a misspelt one.
+    /// A [`Diagnosis`] if the value is none of them, with a suggestion for a misspelt one.
     pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, Diagnosis> {
         let words: Vec<_> = choices.iter().map(|(word, _)| *word).collect();
         let wanted = format!("one of \"{}\"", words.join("\", \""));
@@ -157,11 +157,11 @@ impl<'a> ValueReader<'a> {
         })
     }
 
-    /// The integer of `range` that stands here; in the diagnosis `why` follows the range.
+    /// Reads an integer in `range`; `why` follows the range in the diagnosis.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if something else does.
+    /// A [`Diagnosis`] if the value is not such an integer.
     pub fn count(&self, range: RangeInclusive<usize>, why: &str) -> Result<usize, Diagnosis> {
         let count = match self.node.value {
             TomlValue::Integer(count) => usize::try_from(count).ok(),
@@ -173,11 +173,11 @@ impl<'a> ValueReader<'a> {
         })
     }
 
-    /// The `true` or `false` that stands here.
+    /// Reads `true` or `false`.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if something else does.
+    /// A [`Diagnosis`] if the value has another type.
     pub fn switch(&self) -> Result<bool, Diagnosis> {
         match &self.node.value {
             TomlValue::Boolean(value) => Ok(*value),
@@ -185,22 +185,22 @@ impl<'a> ValueReader<'a> {
         }
     }
 
-    /// The number without a dimension that stands here.
+    /// Reads a number without a dimension.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if something else does, NaN and infinity included.
+    /// A [`Diagnosis`] if the value is not a finite number.
     pub fn number(&self, wanted: &str) -> Result<f64, Diagnosis> {
         self.bare_number()
             .filter(|number| number.is_finite())
             .ok_or_else(|| self.wanted(wanted))
     }
 
-    /// The quantity that stands here, in SI units or the case's own.
+    /// Reads a quantity in SI units or the case's own.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if something else does, or if its unit or sign is not allowed.
+    /// A [`Diagnosis`] if the value is not a quantity, or if its unit or sign is not allowed.
     pub fn quantity(&self, dimension: Dimension, sign: Sign) -> Result<f64, Diagnosis> {
         let value = match &self.node.value {
             TomlValue::Text(text) => quantity::parse(text, dimension)
@@ -213,12 +213,12 @@ impl<'a> ValueReader<'a> {
         self.in_range(dimension, value)
     }
 
-    /// The value itself if its magnitude is one that the arithmetic of a contact can hold: squares and quotients of
-    /// such numbers are finite.
+    /// Returns the value if its magnitude is within the range that a contact computation can represent: squares and
+    /// quotients of such numbers are finite.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] with the limits if it is not.
+    /// A [`Diagnosis`] with the limits otherwise.
     pub fn in_range(&self, dimension: Dimension, value: f64) -> Result<f64, Diagnosis> {
         let range = dimension.magnitudes();
         if value == 0.0 || range.contains(&value.abs()) {

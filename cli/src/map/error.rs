@@ -2,7 +2,7 @@
 
 use std::io;
 
-/// The fault of a map's file, as a clause that follows its name.
+/// The fault of a map's file, as a clause that follows the name of the file.
 #[derive(Debug, thiserror::Error)]
 pub enum MapError {
     /// The file cannot be read.
@@ -11,13 +11,13 @@ pub enum MapError {
     /// The file is too large.
     #[error("which is larger than {} MiB", largest >> 20)]
     TooLarge {
-        /// Most bytes.
+        /// The largest size, bytes.
         largest: u64,
     },
-    /// The file name has an unknown ending.
+    /// The file name has an unknown extension.
     #[error("a file of the unknown kind \".{found}\"")]
     Ending {
-        /// The ending, without its dot.
+        /// The extension, without its dot.
         found: String,
     },
     /// Not a NumPy array, or not a two-dimensional one of numbers.
@@ -26,7 +26,7 @@ pub enum MapError {
     /// Not text.
     #[error("which is not text: its byte {at} is not UTF-8")]
     NotText {
-        /// Bytes before it.
+        /// Number of valid bytes before the fault.
         at: usize,
     },
     /// A word where a number should be.
@@ -37,7 +37,7 @@ pub enum MapError {
         /// The word.
         found: String,
     },
-    /// A comma between numbers that are separated otherwise, and that is not a decimal mark either.
+    /// A comma that is neither a decimal mark nor the separator.
     #[error(
         "where line {line} holds \"{found}\": next to semicolons or blanks a comma can only be a decimal mark, once in a number that has no point"
     )]
@@ -55,14 +55,14 @@ pub enum MapError {
         /// The first line.
         found: String,
     },
-    /// A line with another number of numbers than those before.
+    /// A line with a different count of numbers than the lines before.
     #[error("where line {line} holds {found} numbers and those before it {wanted}")]
     Ragged {
         /// Line, from 1.
         line: usize,
-        /// Numbers on it.
+        /// Numbers on the line.
         found: usize,
-        /// Numbers on the first.
+        /// Numbers on the first line.
         wanted: usize,
     },
     /// No numbers.
@@ -81,7 +81,7 @@ pub enum MapError {
         /// The values wanted.
         wanted: &'static str,
     },
-    /// Fewer data than the header says.
+    /// Fewer data than the header states.
     #[error("which holds {found} bytes of data, but its header says {wanted}")]
     Short {
         /// Bytes found.

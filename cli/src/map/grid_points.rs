@@ -1,12 +1,12 @@
-//! Lines of x, y, z: the points of a grid one by one, as instruments and other programs export a surface.
+//! Lines of x, y, z: the points of a grid, as instruments and other programs export a surface.
 
 use super::map_file::MapFile;
 
-/// The largest distance of a coordinate from its grid line, in grid spacings: coordinates are printed with few digits.
+/// The largest distance of a coordinate from its grid line, in grid spacings; printed coordinates have few digits.
 const OFF_THE_LINE: f64 = 0.05;
 
-/// The map of the points, if they form a regular rectangular grid, each once and in any order. Its sides are in the
-/// unit of the heights.
+/// Returns the map of the points if they form a regular rectangular grid, each point once and in any order. Its sides
+/// are in the unit of the heights.
 pub fn map(numbers: &[f64]) -> Option<MapFile> {
     let points = numbers.as_chunks::<3>().0;
     let [along_x, along_y] = [lines(points, 0)?, lines(points, 1)?];
@@ -53,7 +53,7 @@ impl GridLines {
     }
 }
 
-/// The distinct coordinates of the points along one axis, at least two.
+/// Returns the distinct coordinates of the points along one axis, at least two.
 fn lines(points: &[[f64; 3]], axis: usize) -> Option<GridLines> {
     let mut sorted: Vec<_> = points.iter().map(|point| point[axis]).collect();
     sorted.sort_by(f64::total_cmp);
@@ -73,7 +73,7 @@ fn lines(points: &[[f64; 3]], axis: usize) -> Option<GridLines> {
 mod tests {
     use super::*;
 
-    /// 4 × 3 points at distances of 0.1 and 0.25, written with four digits.
+    /// 4 × 3 points at spacings of 0.1 and 0.25, written with four digits.
     fn points() -> Vec<[f64; 3]> {
         let point = |n: u32| {
             let (i, j) = (f64::from(n / 3), f64::from(n % 3));

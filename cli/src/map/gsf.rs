@@ -1,8 +1,8 @@
-//! `.gsf`: Gwyddion Simple Field, a text header and numbers of four bytes.
+//! `.gsf`: Gwyddion Simple Field, a text header and four-byte numbers.
 //!
-//! A line `Gwyddion Simple Field 1.0`, lines `key = value`, one to four NUL bytes up to a multiple of four, then
-//! `XRes · YRes` floats with the smallest byte first, row by row from the top. Source: Gwyddion user guide, *Simple
-//! Field Files*, gwyddion.net/documentation/user-guide-en/gsf.html.
+//! A line `Gwyddion Simple Field 1.0`, lines `key = value`, one to four NUL bytes up to a multiple of four, then `XRes
+//! · YRes` little-endian floats, row by row from the top. Source: Gwyddion user guide, *Simple Field Files*,
+//! gwyddion.net/documentation/user-guide-en/gsf.html.
 
 use super::error::MapError;
 use super::map_file::MapFile;
@@ -16,7 +16,7 @@ const NUMBER: usize = 4;
 ///
 /// # Errors
 ///
-/// A [`MapError`] if the header does not say what it must or the data are too short.
+/// A [`MapError`] if the header is incomplete or invalid, or the data are too short.
 pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     let after = bytes.strip_prefix(MAGIC).ok_or(MapError::NotGsf)?;
     let end = after
@@ -30,7 +30,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
             })?,
         );
     let [columns, rows] = [header.resolution("XRes")?, header.resolution("YRes")?];
-    // The first multiple of four behind at least one NUL.
+    // The first multiple of four after at least one NUL.
     let start = ((MAGIC.len() + end) / NUMBER + 1) * NUMBER;
     let picture = numbers(bytes.get(start..).unwrap_or_default(), columns, rows)?;
     Ok(MapFile {

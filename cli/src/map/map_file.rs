@@ -1,13 +1,13 @@
-//! A height map as its file has it.
+//! A height map as stored in its file.
 
-/// The contents of a map's file, in its own units.
+/// The contents of a map's file, in the units of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapFile {
     /// Samples along x and along y.
     pub shape: [usize; 2],
     /// Height of sample `(i, j)` at `i * shape[1] + j`, in units of `height_unit`.
     pub heights: Vec<f64>,
-    /// Sides along x and along y, in units of `lateral_unit`; none if the file does not say.
+    /// Sides along x and along y, in units of `lateral_unit`; none if the file does not give them.
     pub sides: Option<[f64; 2]>,
     /// Unit of the sides; none if the file names none.
     pub lateral_unit: Option<String>,
@@ -18,7 +18,7 @@ pub struct MapFile {
 }
 
 impl MapFile {
-    /// A map without size and units, from the values of an array, first index along x.
+    /// Creates a map without size and units from the values of an array, first index along x.
     pub(super) fn bare(shape: [usize; 2], heights: Vec<f64>) -> Self {
         Self {
             shape,
@@ -30,7 +30,7 @@ impl MapFile {
         }
     }
 
-    /// The same from a picture, `columns` values per row, rows from the top down.
+    /// Creates such a map from a picture, `columns` values per row, rows from the top down.
     pub(super) fn from_picture(columns: usize, picture: &[f64]) -> Self {
         let rows = picture.len() / columns;
         let column = |i: usize| (0..rows).rev().map(move |row| picture[row * columns + i]);

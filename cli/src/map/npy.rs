@@ -1,15 +1,15 @@
-//! `.npy`: one array of NumPy in two dimensions, first index along x.
+//! `.npy`: one two-dimensional NumPy array, first index along x.
 
 use super::error::MapError;
 use super::grid_points;
 use super::map_file::MapFile;
 use super::npy_header::NpyHeader;
 
-/// Reads the array, of floats or integers in either order of bytes and of axes.
+/// Reads the array, of floats or integers in either byte order and either axis order.
 ///
 /// # Errors
 ///
-/// [`MapError::Npy`] if there is no such array; arrays of objects or complex numbers are not read.
+/// [`MapError::Npy`] if the file has no such array; arrays of objects or complex numbers are not read.
 pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     let header = NpyHeader::read(bytes)?;
     let kind = NumberType::named(&header.kind)?;
@@ -30,7 +30,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     }
     let at = |n: usize| kind.number(&data[n * size..(n + 1) * size]);
     let heights: Vec<f64> = if header.is_fortran {
-        // Column by column in the file, row by row in the map.
+        // The file goes column by column, the map row by row.
         let row = |i: usize| (0..along_y).map(move |j| at(i + j * along_x));
         (0..along_x).flat_map(row).collect()
     } else {
@@ -40,8 +40,8 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
 }
 
 impl MapFile {
-    /// The map of a NumPy array, value `(i, j)` at `i * shape[1] + j`: rows of heights, first index along x, or, three
-    /// to a row, the points x, y, z of a regular grid.
+    /// Creates the map of a NumPy array, value `(i, j)` at `i * shape[1] + j`: rows of heights, first index along x, or
+    /// rows of three, the points x, y, z of a regular grid.
     #[must_use]
     pub fn of_array(shape: [usize; 2], values: Vec<f64>) -> Self {
         let points = (shape[1] == 3).then(|| grid_points::map(&values)).flatten();
@@ -53,7 +53,7 @@ fn npy(reason: String) -> MapError {
     MapError::Npy(reason)
 }
 
-/// A type of number, by NumPy's name: `<f8` is a float of 8 bytes, the lowest first.
+/// A type of number, by NumPy's name: `<f8` is a little-endian float of 8 bytes.
 #[derive(Clone, Copy)]
 struct NumberType {
     class: NumberClass,
@@ -111,7 +111,7 @@ impl NumberType {
         match (self.class, self.size) {
             (NumberClass::Unsigned, _) => bits as f64,
             (NumberClass::Signed, size) => {
-                // The sign is the highest bit of the number's own size.
+                // The sign is the highest of the number's bits.
                 let above = 64 - 8 * size;
                 (((bits << above) as i64) >> above) as f64
             }
@@ -122,7 +122,7 @@ impl NumberType {
     }
 }
 
-/// A float of 16 bits: sign, 5 bits of exponent, 10 of fraction (IEEE 754, binary16).
+/// Decodes a float of 16 bits: sign, 5 bits of exponent, 10 of fraction (IEEE 754, binary16).
 fn half(bits: u16) -> f64 {
     let fraction = f64::from(bits & 0x3ff);
     let size = match (bits >> 10) & 0x1f {
@@ -178,7 +178,7 @@ mod tests {
         assert_eq!(values("|i1", &[0xff, 0x7f]), [-1.0, 127.0]);
         assert_eq!(values(">i2", &[0xff, 0xfe, 1, 0]), [-2.0, 256.0]);
         assert_eq!(values("<u2", &[0xff, 0xff, 1, 0]), [65535.0, 1.0]);
-        // 1.5 and −2⁻²⁴, the least of its kind.
+        // 1.5 and −2⁻²⁴, which has the smallest magnitude.
         assert_eq!(values("<f2", &[0, 0x3e, 1, 0x80]), [1.5, -2_f64.powi(-24)]);
         assert_eq!(values(">f2", &[0x7b, 0xff, 0x35, 0]), [65504.0, 0.3125]);
         assert_eq!(

@@ -1,4 +1,4 @@
-//! The header of an array that NumPy saved: kind of its numbers, order, shape.
+//! The header of an array that NumPy saved: type of its numbers, order, shape.
 //!
 //! Six magic bytes, two of version, the header's length in two or four bytes, then a Python dictionary of exactly three
 //! keys. Only headers that NumPy writes are read, without recursion or large allocations, since files may be damaged or
@@ -15,9 +15,9 @@ const LONGEST: usize = 1 << 16;
 /// The header of an array.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NpyHeader {
-    /// NumPy's name of the type of its numbers, `<f8`.
+    /// NumPy's name for the type of its numbers, such as `<f8`.
     pub kind: String,
-    /// Whether the first index runs fastest.
+    /// Whether the first index varies fastest.
     pub is_fortran: bool,
     /// Numbers along each axis.
     pub shape: Vec<usize>,
@@ -26,7 +26,7 @@ pub struct NpyHeader {
 }
 
 impl NpyHeader {
-    /// Reads the beginning of a file.
+    /// Reads the header at the beginning of a file.
     ///
     /// # Errors
     ///
@@ -67,7 +67,7 @@ impl NpyHeader {
         }
     }
 
-    /// Bytes of the whole file, header and numbers; none if their number overflows or the numbers have no size.
+    /// Size of the whole file, header and numbers, in bytes; none if it overflows or the type has no size.
     #[must_use]
     pub fn size(&self) -> Option<u64> {
         let digits = self.kind.trim_start_matches(|c: char| !c.is_ascii_digit());
@@ -78,7 +78,7 @@ impl NpyHeader {
     }
 }
 
-/// The three keys, those read so far.
+/// The values of the three keys, as far as read.
 #[derive(Default)]
 struct Keys {
     kind: Option<String>,
@@ -131,14 +131,14 @@ impl Keys {
     }
 }
 
-/// A string without escapes, and the rest.
+/// Reads a string without escapes; returns it and the rest.
 fn quoted(text: &str) -> Option<(&str, &str)> {
     let quote = text.chars().next().filter(|c| matches!(c, '\'' | '"'))?;
     let (string, after) = text[1..].split_once(quote)?;
     (!string.contains('\\')).then_some((string, after))
 }
 
-/// A tuple of numbers, `(3, 2)` or `(3,)`, and the rest.
+/// Reads a tuple of numbers, `(3, 2)` or `(3,)`; returns it and the rest.
 fn tuple(text: &str) -> Option<(Vec<usize>, &str)> {
     let (numbers, after) = text.strip_prefix('(')?.split_once(')')?;
     let numbers = numbers.trim();
@@ -155,7 +155,7 @@ fn tuple(text: &str) -> Option<(Vec<usize>, &str)> {
 pub(super) mod tests {
     use super::*;
 
-    /// A file of version 1 with this header and these bytes behind it.
+    /// A file of version 1 with this header, followed by these bytes.
     pub fn file(header: &str, data: &[u8]) -> Vec<u8> {
         let length = u16::try_from(header.len()).unwrap().to_le_bytes();
         [MAGIC, &[1, 0], &length, header.as_bytes(), data].concat()
@@ -191,7 +191,7 @@ pub(super) mod tests {
             let found = NpyHeader::read(&file(&header, &[0; 16]));
             assert!(found.is_err(), "{}", &header[..header.len().min(100)]);
         }
-        // Four thousand million bytes of header in a file of sixteen.
+        // A header of four thousand million bytes in a file of sixteen.
         let long = b"\x93NUMPY\x02\x00\xff\xff\xff\xff{}..".to_vec();
         assert!(NpyHeader::read(&long).is_err());
     }

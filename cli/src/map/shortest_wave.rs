@@ -6,14 +6,14 @@
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 
-/// Share of the mean square slope in longer waves. A surface of Hurst exponent 0.8 reaches it within 3 % of its cutoff
-/// wavelength.
+/// Share of the mean square slope in waves longer than the shortest one. A surface of Hurst exponent 0.8 reaches it
+/// within 3 % of its cutoff wavelength.
 const SHARE: f64 = 0.99;
 
-/// The shortest lines with a useful spectrum, samples.
+/// The smallest number of samples of a line with a useful spectrum.
 const FEWEST: usize = 16;
 
-/// The shortest wave along either axis, in samples; none if the map is flat or small along both.
+/// Returns the shortest wave along either axis, in samples; none if the map is flat, or small along both axes.
 #[must_use]
 pub fn shortest_wave(shape: [usize; 2], heights: &[f64]) -> Option<f64> {
     let [rows, columns] = shape;
@@ -46,7 +46,7 @@ fn of_lines(samples: usize, lines: impl Iterator<Item = Vec<f64>>) -> Option<f64
         longer += slope;
         longer >= SHARE * all
     });
-    // The taper spreads a wave over its two neighbours.
+    // The taper spreads a wave to its two neighbours.
     let number = last?.saturating_sub(1).max(1);
     (all > 0.0).then(|| samples as f64 / number as f64)
 }
@@ -83,7 +83,7 @@ mod tests {
         let wave = |x: f64, length: f64| (std::f64::consts::TAU * x / length + 0.3).cos();
         let short_x = found(|x, y| 5.0 * wave(x, 31.0) + wave(x, 5.0) + wave(y, 20.0) + 3.0 * x);
         let short_y = found(|x, y| 5.0 * wave(x, 31.0) + wave(y, 4.0) - 9.0 * y);
-        // 64 samples have waves of 64/13 and 64/12 next to that of 5.
+        // In 64 samples, the waves nearest to 5 are 64/13 and 64/12.
         assert!((4.9..5.4).contains(&short_x.unwrap()), "{short_x:?}");
         assert!((3.9..4.3).contains(&short_y.unwrap()), "{short_y:?}");
     }

@@ -1,20 +1,20 @@
-//! Numbers in columns: `.csv`, and what Gwyddion and NumPy write as text.
+//! Numbers in columns: `.csv`, and the text formats of Gwyddion and NumPy.
 //!
-//! Numbers are separated by commas, semicolons, tabs or spaces; what follows a `#` is a comment. Where semicolons or
-//! blanks separate numbers, a comma is a decimal mark.
+//! Numbers are separated by commas, semicolons, tabs or spaces; a `#` starts a comment. If semicolons or blanks
+//! separate numbers, a comma is a decimal mark.
 
 use super::error::MapError;
 use super::grid_points;
 use super::map_file::MapFile;
 
-/// On fewer lines than this, two columns of integers are a small map.
+/// With fewer lines than this, two columns of integers are a small map.
 const FEWEST_OF_A_COLUMN: usize = 3;
 
 /// Reads the text; each line is a row of the picture, from the top down, or a point x, y, z of a grid.
 ///
 /// # Errors
 ///
-/// A [`MapError`] of the first line that does not fit.
+/// A [`MapError`] for the first invalid line.
 pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     let text = std::str::from_utf8(bytes).map_err(|error| MapError::NotText {
         at: error.valid_up_to(),
@@ -66,8 +66,8 @@ enum Comma {
 }
 
 impl Comma {
-    /// The separator is the same on all lines: a comma, unless there are semicolons, or blanks without a comma beside
-    /// them.
+    /// Determines the separator, which is the same on all lines: a comma, unless there are semicolons, or blanks
+    /// without an adjacent comma.
     fn in_text(text: &str) -> Self {
         let is_separated = |row: &str| {
             let mut words = row.split_whitespace();
@@ -97,7 +97,7 @@ impl Comma {
     }
 }
 
-/// The first line of a text that may be one column with decimal commas or two columns of integers.
+/// Returns the first line of a text that may be one column with decimal commas or two columns of integers.
 fn either(text: &str) -> Option<String> {
     let is_integer = |text: &str| {
         let digits = text.strip_prefix(['-', '+']).unwrap_or(text);

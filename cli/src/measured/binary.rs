@@ -1,10 +1,10 @@
-//! Binary files of instruments, recognised by their first bytes, and the tools that make tables of them.
+//! Binary files of instruments, recognised by their first bytes, and the tools that convert them to tables.
 
 use std::path::Path;
 
 use super::error::CurveError;
 
-/// Endings of names, the kind of file, the tool. They tell more than the bytes do: many kinds are archives.
+/// Extension, kind of file, tool. Extensions are more specific than the first bytes: many kinds are archives.
 const ENDINGS: [(&str, &str, &str); 9] = [
     ("jpk-force", "a JPK file", "afmformats makes one"),
     ("ibw", "an Igor file", "igor2 or afmformats makes one"),
@@ -48,10 +48,10 @@ const STARTS: [(&[u8], &str, &str); 7] = [
     ),
 ];
 
-/// Refuses a file that is not text, by its first bytes or its zero bytes.
+/// Rejects a file that is not text, recognised by its first bytes or by zero bytes.
 pub(super) fn refuse_binary(path: &Path, bytes: &[u8]) -> Result<(), CurveError> {
     let by_start = STARTS.iter().find(|(start, ..)| bytes.starts_with(start));
-    // Not one zero byte stands in a text other than UTF-16, which is looked for first.
+    // Text has no zero bytes unless it is UTF-16, which is checked first.
     if by_start.is_none() && !bytes.contains(&0) {
         return Ok(());
     }

@@ -1,4 +1,4 @@
-//! The quantities that a measured curve consists of, one column of its file each.
+//! The quantities of a measured curve, one column of its file each.
 
 use crate::input::dimension::Dimension;
 
@@ -15,14 +15,14 @@ pub enum Channel {
     Stiffness,
     /// Radius of the contact, m.
     ContactRadius,
-    /// Height of the piezo that carries a cantilever, m.
+    /// Height of the piezo that moves a cantilever, m.
     Height,
     /// Deflection of the cantilever, positive if the body presses it, m.
     Deflection,
 }
 
 impl Channel {
-    /// All of them.
+    /// All channels.
     pub const ALL: [Self; 7] = [
         Self::Depth,
         Self::Force,
@@ -60,7 +60,7 @@ impl Channel {
         }
     }
 
-    /// The words by which instruments name a column of it.
+    /// The words with which instruments name a column of this quantity.
     fn words(self) -> &'static [&'static str] {
         match self {
             Self::Depth => &[
@@ -79,7 +79,7 @@ impl Channel {
         }
     }
 
-    /// The other quantity that the name of a column tells, if it tells one and not this one.
+    /// Returns the other quantity that the name of a column indicates, if it does not also indicate this one.
     #[must_use]
     pub fn other_in(self, name: &str) -> Option<Self> {
         let name = name.to_lowercase();
@@ -87,7 +87,8 @@ impl Channel {
             .filter(|word| !word.is_empty())
             .collect();
         let told = |channel: &Self| channel.words().iter().any(|word| words.contains(word));
-        // A name that tells this quantity too, "load at depth", proves nothing; heights and depths are often mixed.
+        // A name that also indicates this quantity, such as "load at depth", proves nothing; heights and depths are
+        // often confused.
         let is_like = |channel: &Self| {
             *channel == self || (channel.dimension() == self.dimension() && told(channel))
         };

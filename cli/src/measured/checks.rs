@@ -1,4 +1,4 @@
-//! Checks of a curve before anything is fitted to it: errors where it cannot be used, warnings where it is doubtful.
+//! Checks of a curve before a fit: errors if it cannot be used, warnings if it is doubtful.
 
 use super::channel::Channel;
 use super::columns::{ColumnUnit, CurveColumns};
@@ -7,20 +7,20 @@ use super::curve::{CurveWarning, MeasuredCurve};
 use super::error::CurveError;
 use super::exclusion::ExclusionReason;
 
-/// Fewer points are not a curve.
+/// The smallest number of points of a curve.
 const LEAST_POINTS: usize = 3;
-/// Fewer points give no estimate of noise worth the name.
+/// With fewer points than this, the noise cannot be estimated usefully.
 const FEW_POINTS: usize = 10;
-/// The area under a curve over that of its rectangle: 2/5 for Hertz, 1/3 for a cone, 1/2 for a flat punch, and 3/5 for
-/// Hertz with depth and force swapped.
+/// Largest area under a curve, relative to its rectangle, without a warning. It is 2/5 for Hertz, 1/3 for a cone, 1/2
+/// for a flat punch, and 3/5 for Hertz with depth and force swapped.
 const LARGEST_AREA: f64 = 0.55;
-/// Depths and forces that no indentation of a coating reaches, as ranges of what is usual.
+/// The usual ranges of depth and force; no indentation of a coating lies outside them.
 const USUAL: [(Channel, f64, f64, &str); 2] = [
     (Channel::Depth, 1e-11, 1e-3, "m"),
     (Channel::Force, 1e-13, 1e3, "N"),
 ];
 
-/// Refuses what is no curve.
+/// Rejects data that are not a curve.
 pub(super) fn refuse(curve: &MeasuredCurve) -> Result<(), CurveError> {
     curve.at_least(LEAST_POINTS)?;
     let (Some(depth), Some(force)) = (curve.depth(), curve.force()) else {
@@ -102,7 +102,7 @@ fn range(values: &[f64]) -> (f64, f64) {
         .fold(start, |(low, high), v| (low.min(*v), high.max(*v)))
 }
 
-/// The area under force over depth above the lower end, over that of the rectangle between both ends.
+/// The area under force over depth above the lower end, relative to the rectangle between both ends.
 fn relative_area(curve: &MeasuredCurve) -> Option<f64> {
     let (depth, force) = (curve.depth()?, curve.force()?);
     let (first, last) = (force.first()?, force.last()?);

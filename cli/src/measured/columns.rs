@@ -1,4 +1,4 @@
-//! The tables `columns` and `units` of a fit file: which columns are read, and what a 1 in them means.
+//! The tables `columns` and `units` of a fit file: the columns to read, and their units.
 
 use super::channel::Channel;
 use super::error::CurveError;
@@ -13,21 +13,21 @@ use crate::input::value_reader::{Sign, ValueReader};
 /// A column by its number from 1 or by its name in the header.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ColumnName {
-    /// From 1.
+    /// The number, from 1.
     Number(usize),
-    /// As in the header, with or without the unit.
+    /// The name as in the header, with or without the unit.
     Header(String),
 }
 
 impl ColumnName {
-    /// More columns than any instrument writes.
+    /// The largest column number, beyond any instrument's files.
     const MOST: usize = 10_000;
 
     /// Reads the value of a key of `columns`.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if it is neither.
+    /// A [`Diagnosis`] if the value is neither a number nor a name.
     pub fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
         const WANTED: &str = "the number of a column from 1, or its name in the header of the file";
         match field.value() {
@@ -40,11 +40,11 @@ impl ColumnName {
         }
     }
 
-    /// Its place in the table, from 0; `key` is the key that names it.
+    /// Returns the index of the column in the table, from 0; `key` is the key that names it.
     ///
     /// # Errors
     ///
-    /// [`CurveError`] if there is no such column, or more than one.
+    /// [`CurveError`] if the table has no such column, or more than one.
     pub fn place(&self, key: &'static str, table: &TextTable<'_>) -> Result<usize, CurveError> {
         let columns = table.columns.max(table.header.len());
         match self {
@@ -62,7 +62,7 @@ impl ColumnName {
     }
 }
 
-/// The column of this name: as written, or without its unit, or in other cases of letters, in this order.
+/// Finds the column of this name: as written, without its unit, or ignoring case, in this order.
 fn by_name(name: &str, key: &'static str, header: &[HeaderField]) -> Result<usize, CurveError> {
     let wanted = HeaderField::new(name).text;
     let lower = wanted.to_lowercase();
@@ -96,12 +96,12 @@ fn by_name(name: &str, key: &'static str, header: &[HeaderField]) -> Result<usiz
     Err(CurveError::NoSuchColumn { key, name, columns })
 }
 
-/// The unit of a column, as the fit file gives it.
+/// The unit of a column, as given in the fit file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ColumnUnit {
-    /// A unit, perhaps with a factor or a sign: its SI value and its text.
+    /// A unit, possibly with a factor or a sign: its SI value and its text.
     Named(f64, String),
-    /// A bare number, the SI value of a 1: it replaces the unit in the header.
+    /// A bare number, the factor to SI units; it replaces the unit in the header.
     Value(f64),
 }
 
@@ -110,7 +110,7 @@ impl ColumnUnit {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if it is not a unit of this quantity.
+    /// A [`Diagnosis`] if the value is not a unit of this quantity.
     pub fn read(field: &ValueReader<'_>, channel: Channel) -> Result<Self, Diagnosis> {
         let dimension = channel.dimension();
         let TomlValue::Text(text) = field.value() else {
@@ -131,11 +131,11 @@ impl ColumnUnit {
         }
     }
 
-    /// The SI value of a 1 in the column, with a look at its head.
+    /// Returns the factor from the column's unit to SI, and checks it against the header of the column.
     ///
     /// # Errors
     ///
-    /// [`CurveError`] if neither says a unit, or if the head tells another unit or another quantity.
+    /// [`CurveError`] if neither gives a unit, or if the header indicates another unit or another quantity.
     pub fn factor(
         given: Option<&Self>,
         channel: Channel,
@@ -152,7 +152,7 @@ impl ColumnUnit {
         match (given, stated) {
             (Some(Self::Value(value)), _) => Ok(*value),
             (Some(Self::Named(factor, given)), Some((stated, header))) => {
-                // Units are powers of ten or long fractions: anything closer is the same unit.
+                // Different units differ by more than this, so these are the same unit.
                 if (factor.abs() / stated - 1.0).abs() < 1e-9 {
                     return Ok(*factor);
                 }
@@ -209,9 +209,9 @@ fn refuse_other_quantity(
 /// The columns to read, and their units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurveColumns {
-    /// Each quantity with its column and the unit given for it.
+    /// Each quantity with its column and its given unit.
     pub channels: Vec<(Channel, ColumnName, Option<ColumnUnit>)>,
-    /// The column that tells segments.
+    /// The column of segments.
     pub segment: Option<ColumnName>,
     /// The column of markers.
     pub marker: Option<ColumnName>,
@@ -234,7 +234,7 @@ impl CurveColumns {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first fault, a unit without a column among them.
+    /// A [`Diagnosis`] of the first fault; a unit without a column is one.
     pub fn read(
         columns: &TableReader<'_>,
         units: Option<&TableReader<'_>>,

@@ -1,7 +1,7 @@
-//! Whether a length grows with the force where the force is large, which means contact.
+//! The sign of the change of a length with the force where the force is large, that is, in contact.
 
-/// The covariance of a length and the force over the points with a force in the upper half of its range: free of
-/// adhesion, of drift before contact, and of a slow retract after it. Points that are not numbers do not count.
+/// Returns the covariance of a length and the force over the points in the upper half of the force range. These are not
+/// affected by adhesion, drift before contact, or a slow retract after it. Points with NaN are ignored.
 pub(super) fn contact_slope(lengths: &[f64], forces: &[f64]) -> f64 {
     let is_valid = |(length, force): &(&f64, &f64)| length.is_finite() && force.is_finite();
     let valid = || lengths.iter().zip(forces).filter(is_valid);

@@ -1,4 +1,4 @@
-//! A measured curve: the points of one file that are used, in SI units, and what became of the others.
+//! A measured curve: the points in use of one file, in SI units, and the number of excluded points by reason.
 
 use std::path::PathBuf;
 
@@ -7,14 +7,14 @@ use super::error::CurveError;
 use super::exclusion::ExcludedRows;
 use super::spring::penetration;
 
-/// A measured curve: the points of one file that are used, in SI units.
+/// A measured curve: the points in use of one file, in SI units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredCurve {
     /// The file.
     pub file: PathBuf,
-    /// The heads of its columns; empty if it has none.
+    /// The headers of its columns; empty if there are none.
     pub header: Vec<String>,
-    /// Rows of its table; rows without any value do not count.
+    /// Number of rows of its table, not counting rows without any value.
     pub table_rows: usize,
     /// The row of each point, from 1.
     pub rows: Vec<usize>,
@@ -33,7 +33,7 @@ impl MeasuredCurve {
         found.map(|(_, values)| values.as_slice())
     }
 
-    /// Penetrations, m; from the height of a piezo they are those at the mean spring constant.
+    /// Penetrations, m; if computed from the height of a piezo, those at the mean spring constant.
     #[must_use]
     pub fn depth(&self) -> Option<&[f64]> {
         self.values(Channel::Depth)
@@ -63,28 +63,28 @@ impl MeasuredCurve {
         self.values(Channel::ContactRadius)
     }
 
-    /// Approaches of the piezo from the first point on, m, positive towards the body.
+    /// Approaches of the piezo relative to the first point, m, positive towards the body.
     #[must_use]
     pub fn approach(&self) -> Option<&[f64]> {
         self.values(Channel::Height)
     }
 
-    /// Deflections of the cantilever, m; none unless they have a column, and then the force comes from them.
+    /// Deflections of the cantilever, m; none without a column of them. If there is one, it gives the force.
     #[must_use]
     pub fn deflection(&self) -> Option<&[f64]> {
         self.values(Channel::Deflection)
     }
 
-    /// Forces, N, at another spring constant, N/m, where they come from the deflection, which leaves the penetration as
-    /// it is; none otherwise.
+    /// Forces, N, at another spring constant, N/m, if they are computed from the deflection; the penetration does not
+    /// change. None otherwise.
     #[must_use]
     pub fn force_with(&self, spring_constant: f64) -> Option<Vec<f64>> {
         let force = |deflection: &f64| spring_constant * deflection;
         Some(self.deflection()?.iter().map(force).collect())
     }
 
-    /// Penetrations from the first point on, m, at another spring constant, N/m, where the forces are what they are;
-    /// none without the height of a piezo.
+    /// Penetrations relative to the first point, m, at another spring constant, N/m, with unchanged forces; none
+    /// without the height of a piezo.
     #[must_use]
     pub fn depth_with(&self, spring_constant: f64) -> Option<Vec<f64>> {
         Some(penetration(
@@ -94,17 +94,17 @@ impl MeasuredCurve {
         ))
     }
 
-    /// Looks whether the points are enough to fit so many unknowns: two more, one for the size of the noise and one
-    /// left to judge the fit by.
+    /// Checks that there are enough points to fit this many unknowns: two more, one to estimate the noise and one to
+    /// assess the fit.
     ///
     /// # Errors
     ///
-    /// [`CurveError::TooFewPoints`] if they are not.
+    /// [`CurveError::TooFewPoints`] if there are fewer.
     pub fn enough_points(&self, unknowns: usize) -> Result<(), CurveError> {
         self.at_least(unknowns + 2)
     }
 
-    /// Looks whether there are so many points.
+    /// Checks that there are at least `wanted` points.
     pub(super) fn at_least(&self, wanted: usize) -> Result<(), CurveError> {
         let (found, rows) = (self.rows.len(), self.table_rows);
         if found < wanted {
@@ -123,12 +123,12 @@ impl MeasuredCurve {
 pub struct CurveWarning {
     /// A short name, for programs.
     pub code: &'static str,
-    /// A sentence, for people.
+    /// A sentence, for human readers.
     pub message: String,
 }
 
 impl CurveWarning {
-    /// A warning with this code and sentence.
+    /// Creates a warning with this code and sentence.
     #[must_use]
     pub fn new(code: &'static str, message: impl Into<String>) -> Self {
         let message = message.into();

@@ -1,4 +1,4 @@
-//! The table `segment` of a fit file: the part of a measurement that is used.
+//! The table `segment` of a fit file: the part of a measurement to use.
 
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::dimension::Dimension;
@@ -7,7 +7,7 @@ use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::TomlValue;
 use crate::input::value_reader::{Sign, ValueReader};
 
-/// The part of a measurement that is used.
+/// The part of a measurement to use.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct CurveSegment {
     /// The value in the column of segments; all by default.
@@ -22,7 +22,7 @@ pub struct CurveSegment {
     pub until: Until,
 }
 
-/// An end of a segment, itself included.
+/// An end of a segment, inclusive.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SegmentEnd {
     /// At a force, N.
@@ -35,25 +35,25 @@ pub enum SegmentEnd {
     Marker(String),
 }
 
-/// The branch of a curve by the way the force goes.
+/// The branch of a curve, by the direction of the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Branch {
-    /// Up to the largest force.
+    /// Up to the maximum force.
     #[default]
     Loading,
-    /// From the last of the largest forces on.
+    /// From the last point at the maximum force on.
     Unloading,
-    /// Both.
+    /// Both branches.
     Whole,
 }
 
 /// The event that ends a loading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Until {
-    /// The largest force.
+    /// The maximum force.
     #[default]
     LargestForce,
-    /// The largest step of depth between neighbouring points: the pop-in.
+    /// The largest depth step between neighbouring points: the pop-in.
     LargestDepthStep,
 }
 
@@ -163,7 +163,7 @@ fn row(field: &ValueReader<'_>) -> Result<SegmentEnd, Diagnosis> {
     row.map(SegmentEnd::Row)
 }
 
-/// A value of the column of segments, a number or a text.
+/// Reads a value of the column of segments, a number or a text.
 fn label(field: &ValueReader<'_>) -> Result<String, Diagnosis> {
     match field.value() {
         TomlValue::Text(text) => Ok(text.clone()),

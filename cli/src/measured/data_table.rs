@@ -1,4 +1,4 @@
-//! One `[[data]]` table of a fit file: which files hold measurements, how they are read, and what of them is used.
+//! One `[[data]]` table of a fit file: the files of measurements, how they are read, and the part to use.
 
 mod required_columns;
 
@@ -41,7 +41,7 @@ pub struct DataTable {
     pub columns: CurveColumns,
     /// The form of the text.
     pub text: TextOptions,
-    /// The part that is used.
+    /// The part to use.
     pub segment: CurveSegment,
     /// The observable that is compared with the model.
     pub observe: Observe,
@@ -49,9 +49,9 @@ pub struct DataTable {
     pub noise: MeasuredNoise,
     /// The spring constant of a cantilever, if the penetration comes from the height of its piezo.
     pub spring_constant: Option<SpringConstant>,
-    /// The direction in which that height counts.
+    /// The direction in which that height is counted.
     pub height_direction: HeightDirection,
-    /// Values of keys of the model that are others for these files, by their dotted paths.
+    /// Values of keys of the model that differ for these files, by their dotted paths.
     pub set: TomlTable,
     /// The source of their content.
     pub sources: MeasurementSources,
@@ -74,7 +74,7 @@ impl DataTable {
         "set",
     ];
 
-    /// Reads every `[[data]]` table of the text of a fit file in this folder; its other tables are not looked at.
+    /// Reads every `[[data]]` table of the text of a fit file in this folder, ignoring its other tables.
     ///
     /// # Errors
     ///
@@ -86,7 +86,7 @@ impl DataTable {
         )
     }
 
-    /// Reads every `[[data]]` table of a fit file whose measurements these are.
+    /// Reads every `[[data]]` table of a fit file with these measurements.
     ///
     /// # Errors
     ///
@@ -98,7 +98,7 @@ impl DataTable {
         tables.list(WANTED)?.iter().map(read).collect()
     }
 
-    /// The diagnosis that no file was found; none if there are some.
+    /// The diagnosis that no file was found; none if there are files.
     #[must_use]
     pub fn without_files(&self) -> Option<Diagnosis> {
         let key = format!("{}.file", self.path);
@@ -106,7 +106,7 @@ impl DataTable {
         (self.files.is_empty()).then(|| self.document.wanted(&key, &wanted))
     }
 
-    /// The diagnosis that another value of one of its keys is wanted.
+    /// The diagnosis that another value of one of its keys is required.
     #[must_use]
     pub fn wanted(&self, key: &str, wanted: &str) -> Diagnosis {
         self.document
@@ -149,7 +149,7 @@ impl DataTable {
         Ok(data)
     }
 
-    /// The diagnosis that its noise or what it observes is not that of the first table.
+    /// The diagnosis that its noise or observable differs from that of the first table.
     #[must_use]
     pub fn other_noise(&self) -> Diagnosis {
         let keys = ["noise", "observe", "file"].map(|key| format!("{}.{key}", self.path));
@@ -161,7 +161,7 @@ impl DataTable {
         )
     }
 
-    /// The diagnosis of a file that gives no curve.
+    /// The diagnosis of a file that does not give a curve.
     #[must_use]
     pub fn diagnosis(&self, path: &Path, error: &CurveError) -> Diagnosis {
         #[derive(Debug, thiserror::Error)]
@@ -179,10 +179,10 @@ impl DataTable {
     }
 }
 
-/// The files wanted, in words.
+/// Description of the expected files.
 const FILES: &str = "the path of a text file from the folder of the fit file, or a pattern with * and ? for several";
 
-/// The files that match, which may be none as long as nothing is read.
+/// Returns the files that match; an empty list is not an error until they are read.
 fn matching(
     table: &TableReader<'_>,
     sources: &MeasurementSources,
@@ -205,7 +205,7 @@ fn observe(table: &TableReader<'_>) -> Result<Observe, Diagnosis> {
     Ok(observe.transpose()?.unwrap_or_default())
 }
 
-/// The entries of `set`, whose keys must be paths, and whose values are left to the model.
+/// Reads the entries of `set`: their keys must be paths; their values are checked by the model.
 fn set(table: &TableReader<'_>) -> Result<TomlTable, Diagnosis> {
     let Some(field) = table.optional("set") else {
         return Ok(TomlTable::default());

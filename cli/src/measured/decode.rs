@@ -1,4 +1,4 @@
-//! The text of a file in one of the encodings of instruments.
+//! The decoding of a file's text from the encodings that instruments use.
 
 use std::borrow::Cow;
 
@@ -9,34 +9,34 @@ use super::error::CurveError;
 /// The encoding of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TextEncoding {
-    /// UTF-16 or UTF-8 where the bytes are that, Windows-1252 otherwise.
+    /// UTF-16 or UTF-8 if the bytes are valid, Windows-1252 otherwise.
     Guessed,
-    /// As named in the fit file; a byte-order mark goes before it.
+    /// As named in the fit file; a byte-order mark takes precedence.
     Named(&'static Encoding),
 }
 
-/// The text of a file and the encoding that was guessed for want of a better one.
+/// The text of a file, and the encoding if it was only guessed.
 pub(super) struct Decoded<'a> {
     /// The text.
     pub(super) text: Cow<'a, str>,
-    /// The encoding, if it was guessed and the bytes do not prove it.
+    /// The encoding, if it was guessed and the bytes do not confirm it.
     pub(super) guessed: Option<&'static str>,
 }
 
 impl TextEncoding {
-    /// The encoding of this name: one of the labels of the WHATWG's standard, or `latin-1`.
+    /// Returns the encoding of this name: one of the labels of the WHATWG standard, or `latin-1`.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let name = match name.to_lowercase().as_str() {
             "auto" => return Some(Self::Guessed),
-            // The standard has "latin1" and "iso-8859-1", all three for Windows-1252, which contains them.
+            // The standard has "latin1" and "iso-8859-1"; all three mean Windows-1252, which contains them.
             "latin-1" => "latin1".to_owned(),
             other => other.to_owned(),
         };
         Encoding::for_label_no_replacement(name.as_bytes()).map(Self::Named)
     }
 
-    /// The text of these bytes.
+    /// Decodes these bytes.
     pub(super) fn decode(self, bytes: &[u8]) -> Result<Decoded<'_>, CurveError> {
         if let Some((encoding, mark)) = Encoding::for_bom(bytes) {
             return strict(encoding, bytes.get(mark..).unwrap_or_default());
@@ -47,7 +47,7 @@ impl TextEncoding {
         }
     }
 
-    /// Whether zero bytes belong to a text in this encoding.
+    /// Whether zero bytes are valid in a text in this encoding.
     pub(super) fn has_zero_bytes(self, bytes: &[u8]) -> bool {
         let encoding = match (Encoding::for_bom(bytes), self) {
             (Some((encoding, _)), _) | (None, Self::Named(encoding)) => Some(encoding),
@@ -71,7 +71,7 @@ fn guess(bytes: &[u8]) -> Result<Decoded<'_>, CurveError> {
     })
 }
 
-/// UTF-16 without a mark: in numbers every second byte is zero.
+/// Recognises UTF-16 without a byte-order mark: in numbers every second byte is zero.
 fn utf_16(bytes: &[u8]) -> Option<&'static Encoding> {
     let start = bytes.get(..bytes.len().min(512)).unwrap_or_default();
     let zeros = |odd: usize| {
@@ -83,7 +83,7 @@ fn utf_16(bytes: &[u8]) -> Option<&'static Encoding> {
             .count()
     };
     let (even, odd) = (zeros(0), zeros(1));
-    // A letter like µ or a dash may have no zero byte; ordinary text has none at all.
+    // Some characters such as µ or a dash may have no zero byte; other encodings have none at all.
     match start.len() / 2 {
         0 | 1 => None,
         half if odd * 10 >= half * 9 && even == 0 => Some(UTF_16LE),

@@ -1,23 +1,24 @@
-//! The largest step of depth in a loading, where a pop-in ends its elastic part.
+//! The largest depth step of a loading, a pop-in that ends its elastic part.
 
-/// A step is a pop-in if it is so many times the median of all.
+/// A step is a pop-in if it is larger than this many times the median of all steps.
 const TIMES_MEDIAN: f64 = 10.0;
-/// Steps directly before the largest one belong to it from this fraction of it on: a pop-in may take several samples.
+/// Steps directly before the largest one belong to it if larger than this fraction of it: a pop-in may span several
+/// samples.
 const FRACTION_OF_LARGEST: f64 = 0.02;
 
-/// The largest step of depth between neighbouring points.
+/// The largest depth step between neighbouring points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DepthStep {
-    /// Index of the last point before it.
+    /// Index of the last point before the step.
     pub last_before: usize,
-    /// Its height, m: that of its largest part, if it takes several samples.
+    /// Its height, m; if it spans several samples, that of its largest part.
     pub height: f64,
-    /// The median of all steps without their signs, m.
+    /// The median of the absolute values of all steps, m.
     pub median: f64,
 }
 
 impl DepthStep {
-    /// The largest step between points of neighbouring rows; none without such points.
+    /// Finds the largest step between points of neighbouring rows; none without such points.
     #[must_use]
     pub fn find(depths: &[f64], rows: &[usize]) -> Option<Self> {
         let is_neighbour = |pair: &[usize]| pair[1] == pair[0] + 1;
@@ -40,7 +41,7 @@ impl DepthStep {
         })
     }
 
-    /// Whether it stands out from the others.
+    /// Whether the step stands out from the others.
     #[must_use]
     pub fn stands_out(&self) -> bool {
         self.height > TIMES_MEDIAN * self.median

@@ -1,15 +1,15 @@
-//! The reasons why a file gives no measured curve, each with a code that does not change.
+//! The reasons why a file does not give a measured curve, each with a stable code.
 
-/// The reason why a file gives no measured curve.
+/// The reason why a file does not give a measured curve.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CurveError {
     /// The file cannot be read.
     #[error("found a file that cannot be read ({cause}), wanted a table of numbers as text")]
     Unreadable {
-        /// The words of the operating system.
+        /// The message of the operating system.
         cause: String,
     },
-    /// The file holds nothing.
+    /// The file is empty.
     #[error("found an empty file, wanted a table of numbers as text")]
     Empty,
     /// The file is not text.
@@ -17,7 +17,7 @@ pub enum CurveError {
     Binary {
         /// The apparent type of the file.
         kind: &'static str,
-        /// The way to make a table of it.
+        /// The way to convert it to a table.
         tool: &'static str,
     },
     /// The text is not in this encoding.
@@ -25,7 +25,7 @@ pub enum CurveError {
         "found a byte in line {line} that is not {encoding}, wanted another encoding, such as \"windows-1252\""
     )]
     Encoding {
-        /// The encoding as named.
+        /// The name of the encoding.
         encoding: String,
         /// Line of the byte, from 1.
         line: usize,
@@ -36,18 +36,18 @@ pub enum CurveError {
         /// The text.
         text: String,
     },
-    /// There is no table of this number.
+    /// There is no table with this number.
     #[error("found {found} tables, wanted the number of one of them, not {wanted}")]
     NoSuchTable {
-        /// The number asked for.
+        /// The requested number.
         wanted: usize,
-        /// Tables in the file.
+        /// Number of tables in the file.
         found: usize,
     },
     /// There are no lines of numbers.
     #[error("found no table, wanted lines with two numbers or more{}", .hint.unwrap_or_default())]
     NoTable {
-        /// The setting with which there is one, in words that follow.
+        /// The setting that gives a table, as the end of the sentence.
         hint: Option<&'static str>,
     },
     /// No column has this name.
@@ -55,9 +55,9 @@ pub enum CurveError {
     NoSuchColumn {
         /// The key of the column.
         key: &'static str,
-        /// The name asked for.
+        /// The requested name.
         name: String,
-        /// The names that there are.
+        /// The existing names.
         columns: String,
     },
     /// Several columns have this name.
@@ -67,9 +67,9 @@ pub enum CurveError {
     NameTwice {
         /// The key of the column.
         key: &'static str,
-        /// The name asked for.
+        /// The requested name.
         name: String,
-        /// The numbers of the columns of that name.
+        /// The numbers of the columns with that name.
         numbers: String,
     },
     /// The number of a column is larger than the table.
@@ -79,12 +79,12 @@ pub enum CurveError {
     ColumnRange {
         /// The key of the column.
         key: &'static str,
-        /// The number asked for.
+        /// The requested number.
         number: usize,
-        /// Columns of the table.
+        /// Number of columns of the table.
         columns: usize,
     },
-    /// Neither the file nor the table of units says a unit.
+    /// Neither the file nor the table of units gives a unit.
     #[error("found no unit of {name} in the file, wanted one in units, such as {name} = {example}")]
     NoUnit {
         /// The key of the column.
@@ -92,7 +92,7 @@ pub enum CurveError {
         /// An example of a unit.
         example: &'static str,
     },
-    /// The file says another unit.
+    /// The file gives another unit.
     #[error(
         "found {name} in {header} in the header of the file, and in {given} here, wanted one unit; \
          a bare number, the SI value of a 1 in the file, replaces that of the header"
@@ -105,7 +105,7 @@ pub enum CurveError {
         /// The unit in the table of units.
         given: String,
     },
-    /// The name or the unit of the column tells another quantity.
+    /// The name or the unit of the column indicates another quantity.
     #[error(
         "found the column \"{column}\", {found}, wanted one of {wanted}: are the columns swapped?"
     )]
@@ -116,10 +116,10 @@ pub enum CurveError {
         column: String,
         /// The quantity that the header names.
         found: String,
-        /// The dimension wanted.
+        /// The expected dimension.
         wanted: &'static str,
     },
-    /// No row has a valid number in every column that is read.
+    /// No row has a valid number in every requested column.
     #[error("found {rows} rows, none with valid numbers in every column that is read, wanted some")]
     NoNumbers {
         /// Rows of the table.
@@ -128,35 +128,35 @@ pub enum CurveError {
     /// No row has this marker.
     #[error("found no marker \"{marker}\" among {markers}, wanted one of them")]
     NoSuchMarker {
-        /// The end of the segment that names it.
+        /// The end of the segment that refers to it.
         end: &'static str,
-        /// The marker asked for.
+        /// The requested marker.
         marker: String,
-        /// The markers that there are.
+        /// The existing markers.
         markers: String,
     },
     /// No row has this value in the column of segments.
     #[error("found no row of the segment {value} among {values}, wanted one of them")]
     NoSuchSegment {
-        /// The value asked for.
+        /// The requested value.
         value: String,
-        /// The values that there are.
+        /// The existing values.
         values: String,
     },
     /// The segment keeps too few points.
     #[error("found {found} points in the segment out of {rows} rows, wanted at least {wanted}")]
     TooFewPoints {
-        /// Points kept.
+        /// Number of points kept.
         found: usize,
         /// Rows of the table.
         rows: usize,
-        /// The least number of points.
+        /// The smallest number of points.
         wanted: usize,
     },
-    /// The force is the same in every point.
+    /// The force is the same at every point.
     #[error("found a force of {force:e} N in every point of the segment, wanted one that changes")]
     ConstantForce {
-        /// That force, N.
+        /// The force, N.
         force: f64,
     },
     /// The segment is an unloading.
@@ -169,13 +169,13 @@ pub enum CurveError {
         /// Force of the last point, N.
         to: f64,
     },
-    /// The depth falls as the force rises.
+    /// The depth decreases as the force increases.
     #[error(
         "found a depth that falls as the force rises, wanted a depth counted positive into the body: \
          swap the columns, or turn the sign, such as units = {{ depth = \"-1 nm\" }}"
     )]
     DepthFalls,
-    /// The direction in which the piezo's height counts cannot be told from the force.
+    /// The direction in which the piezo's height is counted cannot be determined from the force.
     #[error(
         "found a height that does not change with the force, wanted height_direction = \"toward\" or \"away\""
     )]
@@ -211,7 +211,7 @@ impl CurveError {
         }
     }
 
-    /// The keys of a `[[data]]` table to change, the most exact first.
+    /// The keys of a `[[data]]` table to change, the most specific first.
     #[must_use]
     pub fn keys(&self) -> Vec<String> {
         match self {

@@ -1,23 +1,23 @@
-//! Rows of a measurement that are left out, counted by their reason.
+//! Rows of a measurement that are left out, counted by reason.
 
 use std::fmt;
 
-/// The reason why rows of a table are no points of its curve.
+/// The reason why rows of a table are not points of its curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ExclusionReason {
-    /// A column that is read has no valid number there.
+    /// A requested column has no valid number in the row.
     InvalidValue,
-    /// The column of segments has another value there.
+    /// The column of segments has another value.
     OtherSegment,
-    /// They lie before the segment.
+    /// The rows lie before the segment.
     BeforeSegment,
-    /// They lie behind the segment.
+    /// The rows lie after the segment.
     AfterSegment,
-    /// They are measured after the largest force, and the loading is used.
+    /// The rows were measured after the maximum force, and the loading is used.
     AfterLargestForce,
-    /// They are measured before the largest force, and the unloading is used.
+    /// The rows were measured before the maximum force, and the unloading is used.
     BeforeLargestForce,
-    /// They lie behind the largest step of depth.
+    /// The rows lie after the largest depth step.
     AfterDepthStep,
 }
 
@@ -35,16 +35,16 @@ impl fmt::Display for ExclusionReason {
     }
 }
 
-/// A number of rows left out for one reason.
+/// The number of rows left out for one reason.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ExcludedRows {
     /// The reason.
     pub reason: ExclusionReason,
-    /// Rows, at least one.
+    /// Number of rows, at least one.
     pub count: usize,
 }
 
-/// The rows that are kept so far, in order, and those that are not.
+/// The rows kept so far, in order, and the number of those left out.
 #[derive(Debug, Clone, Default)]
 pub(super) struct KeptRows {
     /// Rows, from 0.
@@ -54,14 +54,14 @@ pub(super) struct KeptRows {
 }
 
 impl KeptRows {
-    /// Keeps the rows for which this is true.
+    /// Keeps the rows for which `keep` is true.
     pub(super) fn retain(&mut self, reason: ExclusionReason, keep: impl Fn(usize) -> bool) {
         let before = self.rows.len();
         self.rows.retain(|row| keep(*row));
         self.count(reason, before - self.rows.len());
     }
 
-    /// Keeps the points of these places in the list of kept rows.
+    /// Keeps the rows at these positions in the list of kept rows.
     pub(super) fn keep_places(&mut self, from: usize, to: usize, reasons: [ExclusionReason; 2]) {
         let (from, to) = (
             from.min(self.rows.len()),

@@ -1,18 +1,17 @@
-//! The files that a name or a pattern means.
+//! The files that match a name or a pattern.
 
 use std::path::{Path, PathBuf};
 
 use glob::{MatchOptions, Pattern};
 
-/// `*` and `?` stand for a part of one name, not for folders nor for a hidden file's dot.
+/// `*` and `?` match part of one name, but neither a folder separator nor the leading dot of a hidden file.
 const OPTIONS: MatchOptions = MatchOptions {
     case_sensitive: true,
     require_literal_separator: true,
     require_literal_leading_dot: true,
 };
 
-/// The files of a name, or of a pattern with `*` and `?`, from a folder, in the order of their names; none if there
-/// are none.
+/// Returns the files in a folder that match a name or a pattern with `*` and `?`, in the order of their names.
 #[must_use]
 pub fn files(folder: &Path, pattern: &str) -> Vec<PathBuf> {
     let named = folder.join(pattern);

@@ -1,16 +1,16 @@
-//! The head of a column: its name, and the unit that the file states for it.
+//! The header of a column: its name, and the unit that the file states for it.
 
 use super::separator::Separator;
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
 
-/// Units of what is no quantity of a contact: a column in one of them needs a calibration.
+/// Electrical units: a column in one of them needs a calibration.
 const ELECTRICAL: [&str; 7] = ["V", "mV", "uV", "µV", "A", "mA", "nA"];
 
-/// The unit in the head of a column.
+/// The unit in the header of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HeaderUnit {
-    /// Nothing that is known as a unit.
+    /// No known unit.
     None,
     /// A unit of this dimension.
     Of(Dimension),
@@ -18,21 +18,21 @@ pub enum HeaderUnit {
     Electrical,
 }
 
-/// The head of a column.
+/// The header of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeaderField {
-    /// As written, without quotation marks: `Depth (nm)`.
+    /// The header as written, without quotation marks: `Depth (nm)`.
     pub text: String,
-    /// Without the unit: `Depth`.
+    /// The header without the unit: `Depth`.
     pub name: String,
-    /// The text of the unit: `nm`; empty without.
+    /// The text of the unit: `nm`; empty without a unit.
     pub unit_text: String,
     /// The kind of unit.
     pub unit: HeaderUnit,
 }
 
 impl HeaderField {
-    /// The head with this text: a name, and a unit in round or square brackets or behind a slash or a comma.
+    /// Parses a header: a name, and a unit in round or square brackets or after a slash or a comma.
     #[must_use]
     pub fn new(text: &str) -> Self {
         let text = tidied(text);
@@ -55,7 +55,7 @@ impl HeaderField {
         }
     }
 
-    /// The same with the unit of a line of units.
+    /// Adds the unit from a line of units.
     fn with_unit(mut self, unit: &str) -> Self {
         let unit = bare(unit);
         if self.unit == HeaderUnit::None && kind(unit) != HeaderUnit::None {
@@ -66,7 +66,8 @@ impl HeaderField {
     }
 }
 
-/// The heads in the lines above the first row, nearest last; none if they are not heads of a table `width` wide.
+/// Reads the headers from the lines above the first row, nearest last; none if the lines are not headers of a table of
+/// `width` columns.
 #[must_use]
 pub fn above(lines: &[&str], separator: Separator, width: usize) -> Vec<HeaderField> {
     let mut lines = lines.iter().rev();
@@ -87,7 +88,7 @@ pub fn above(lines: &[&str], separator: Separator, width: usize) -> Vec<HeaderFi
     fields.iter().map(|field| HeaderField::new(field)).collect()
 }
 
-/// The fields of the next line upwards, over one empty line at most.
+/// The fields of the next line upwards, skipping at most one empty line.
 fn next_fields<'t>(
     lines: &mut std::iter::Rev<std::slice::Iter<'_, &'t str>>,
     separator: Separator,
@@ -105,7 +106,7 @@ fn next_fields<'t>(
     Some(fields)
 }
 
-/// The fields with a unit in brackets joined to its name where blanks separate: `Depth (nm)` is one field.
+/// Joins a unit in brackets to its name if blanks separate fields: `Depth (nm)` is one field.
 fn joined<'t>(fields: Vec<&'t str>, line: &'t str, separator: Separator) -> Vec<&'t str> {
     if separator != Separator::Space || line.contains('"') {
         return fields;
@@ -124,10 +125,10 @@ fn joined<'t>(fields: Vec<&'t str>, line: &'t str, separator: Separator) -> Vec<
     joined
 }
 
-/// Whether these are heads of a table so wide: words, of about as many columns.
+/// Whether these are headers of a table of `width` columns: words, about as many as columns.
 fn is_head(fields: &[&str], separator: Separator, width: usize) -> bool {
     let slack = match separator {
-        // Prose consists of words too.
+        // A line of prose consists of words too.
         Separator::Space => 0,
         _ => 1,
     };
@@ -135,26 +136,26 @@ fn is_head(fields: &[&str], separator: Separator, width: usize) -> bool {
     fields.len() >= 2 && fields.len().abs_diff(width) <= slack && fields.iter().any(has_letters)
 }
 
-/// Whether every field is a unit, a dash or empty, and one at least is a unit.
+/// Whether every field is a unit, a placeholder or empty, and at least one is a unit.
 fn is_line_of_units(fields: &[&str]) -> bool {
     let is_unit = |field: &&str| kind(bare(field)) != HeaderUnit::None;
     let is_none = |field: &&str| matches!(bare(field), "" | "-" | "#" | "1");
     fields.iter().any(&is_unit) && fields.iter().all(|f| is_unit(f) || is_none(f))
 }
 
-/// A unit without the brackets around it.
+/// Removes the brackets around a unit.
 fn bare(unit: &str) -> &str {
     let open = unit.trim().trim_start_matches(['(', '[']);
     open.trim_end_matches([')', ']']).trim()
 }
 
-/// One kind of white space and of micro sign.
+/// Normalises white space and the micro sign.
 fn tidied(text: &str) -> String {
     let words: Vec<_> = text.split_whitespace().collect();
     words.join(" ").replace('\u{3bc}', "µ")
 }
 
-/// The ways of cutting a head into a name and a unit.
+/// The ways of splitting a header into a name and a unit.
 fn splits(text: &str) -> Vec<(&str, &str)> {
     let bracket = |open: char, close: char| {
         let (name, rest) = text.rsplit_once(open)?;

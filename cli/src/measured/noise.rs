@@ -12,18 +12,18 @@ pub struct MeasuredNoise {
     pub depth: Option<f64>,
     /// Standard deviation of the force, N.
     pub force: Option<f64>,
-    /// Standard deviation of what is observed over its value.
+    /// Standard deviation of the observable relative to its value.
     pub relative: Option<f64>,
-    /// Whether neighbouring points have noise in common.
+    /// Whether the noise of neighbouring points is correlated.
     pub correlation: NoiseCorrelation,
 }
 
-/// Whether neighbouring points have noise in common.
+/// Whether the noise of neighbouring points is correlated.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum NoiseCorrelation {
-    /// They have none.
+    /// Noise is independent.
     None,
-    /// Noise in common, whose correlation is estimated.
+    /// Noise is correlated, and the correlation is estimated.
     #[default]
     Estimate,
 }

@@ -1,4 +1,4 @@
-//! The columns of a measurement as numbers in SI units, every row of the table kept.
+//! The columns of a measurement as numbers in SI units, with every row of the table.
 
 use super::channel::Channel;
 use super::columns::{ColumnUnit, CurveColumns};
@@ -6,7 +6,7 @@ use super::error::CurveError;
 use super::text_options::TextOptions;
 use super::text_table::TextTable;
 
-/// The columns of a measurement, row by row; what is not a valid number is NaN.
+/// The columns of a measurement, row by row; invalid numbers are NaN.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RawCurve<'t> {
     /// Values of each quantity, SI.
@@ -15,12 +15,12 @@ pub(super) struct RawCurve<'t> {
     pub(super) segments: Vec<&'t str>,
     /// Fields of the column of markers; empty if there is none.
     pub(super) markers: Vec<&'t str>,
-    /// Rows of the table.
+    /// Number of rows of the table.
     pub(super) rows: usize,
 }
 
 impl<'t> RawCurve<'t> {
-    /// The columns of a table.
+    /// Reads the columns of a table.
     pub(super) fn read(
         table: &TextTable<'t>,
         columns: &CurveColumns,
@@ -65,7 +65,7 @@ impl<'t> RawCurve<'t> {
         found.map(|(_, values)| values.as_slice())
     }
 
-    /// Puts values in the place of those of a quantity, or adds them.
+    /// Replaces or adds the values of a quantity.
     pub(super) fn replace(&mut self, channel: Channel, values: Vec<f64>) {
         self.channels.retain(|(found, _)| *found != channel);
         self.channels.push((channel, values));
@@ -83,7 +83,7 @@ impl<'t> RawCurve<'t> {
 }
 
 impl TextOptions {
-    /// The number of a field; NaN if there is none or it stands for an invalid value.
+    /// The number of a field; NaN if it has none or marks an invalid value.
     fn valid(&self, field: &str) -> f64 {
         let number = self.decimal.number(field);
         let valid = number.filter(|number| number.abs() <= self.invalid_above);

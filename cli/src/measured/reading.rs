@@ -1,4 +1,4 @@
-//! The reading of measured curves: the bytes of a file, as a table `[[data]]` says, to the points that are used.
+//! The reading of measured curves: from the bytes of a file to the points in use, as specified by a `[[data]]` table.
 
 use std::path::{Path, PathBuf};
 
@@ -19,7 +19,7 @@ impl MeasuredCurve {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] of the first file that gives no curve, at the key to change.
+    /// A [`Diagnosis`] of the first file that does not give a curve, at the key to change.
     pub fn read_all(data: &DataTable) -> Result<Vec<Self>, Diagnosis> {
         if let Some(diagnosis) = data.without_files() {
             return Err(diagnosis);
@@ -31,11 +31,11 @@ impl MeasuredCurve {
         data.files.iter().map(curve).collect()
     }
 
-    /// Reads the file as a table says.
+    /// Reads a file as specified by a table.
     ///
     /// # Errors
     ///
-    /// [`CurveError`] if it gives no curve.
+    /// [`CurveError`] if the file does not give a curve.
     pub fn read(path: &Path, data: &DataTable) -> Result<Self, CurveError> {
         let bytes = data
             .sources
@@ -79,7 +79,7 @@ impl MeasuredCurve {
         Ok(curve)
     }
 
-    /// The height counts from the first point, and the penetration from there too.
+    /// Shifts height and penetration to be zero at the first point.
     fn begin_at_zero(&mut self, data: &DataTable) {
         let Some(spring) = data.spring_constant else {
             return;

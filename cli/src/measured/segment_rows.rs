@@ -12,11 +12,11 @@ use super::exclusion::ExclusionReason::{
 use super::exclusion::KeptRows;
 use super::raw_curve::RawCurve;
 
-/// An unloading given as a loading has its largest force within this fraction of its rows from its first.
+/// An unloading given as a loading has its maximum force within the first 1/10 of its rows.
 const FRACTION_OF_UNLOADING: usize = 10;
 
-/// The rows in the segment: valid, of its value, between its rows, times and markers, of its part, between its forces,
-/// and before the pop-in, in this order.
+/// Returns the rows in the segment. The criteria are, in this order: valid numbers, the value of the segment, its rows,
+/// markers and times, its branch, its forces, and the pop-in.
 pub(super) fn cut(
     raw: &RawCurve<'_>,
     segment: &CurveSegment,
@@ -60,13 +60,13 @@ fn keep_value(
     Ok(())
 }
 
-/// Whether two fields are the same number or the same text.
+/// Whether two fields are equal as numbers or as text.
 fn is_same(field: &str, value: &str) -> bool {
     let number = |text: &str| text.parse::<f64>().ok();
     field == value || number(field).is_some_and(|found| Some(found) == number(value))
 }
 
-/// The different texts of a column, the first few of them.
+/// Lists the first few distinct texts of a column.
 fn listed(fields: &[&str]) -> String {
     const MOST: usize = 8;
     let mut different: Vec<&str> = Vec::new();
@@ -117,10 +117,10 @@ fn marked_row(raw: &RawCurve<'_>, end: &'static str, marker: &str) -> Result<usi
     })
 }
 
-/// Keeps the rows up to the first largest force, or from the last one on.
+/// Keeps the rows up to the first maximum of the force, or from the last one on.
 fn keep_part(kept: &mut KeptRows, forces: &[f64], part: Branch) -> Result<(), CurveError> {
     let (lowest, peak) = range(kept.rows.iter().map(|row| forces[*row]));
-    // A constant force has no parts; the checks refuse it.
+    // A constant force has no branches; the checks reject it.
     if lowest >= peak {
         return Ok(());
     }
@@ -148,7 +148,7 @@ fn keep_part(kept: &mut KeptRows, forces: &[f64], part: Branch) -> Result<(), Cu
     Ok(())
 }
 
-/// The least and the largest of some values.
+/// The smallest and the largest of some values.
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let start = (f64::INFINITY, f64::NEG_INFINITY);
     values.fold(start, |(low, high), value| {
@@ -156,7 +156,7 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     })
 }
 
-/// Refuses rows that begin in the upper half of their forces and soon reach the largest.
+/// Rejects rows that begin in the upper half of their forces and soon reach the maximum.
 fn refuse_unloading(rows: &[usize], forces: &[f64], end: usize) -> Result<(), CurveError> {
     let (Some(first), Some(last), Some(peak)) = (rows.first(), rows.last(), end.checked_sub(1))
     else {
@@ -171,8 +171,8 @@ fn refuse_unloading(rows: &[usize], forces: &[f64], end: usize) -> Result<(), Cu
     Ok(())
 }
 
-/// Keeps the points between the forces of the ends. A loading or unloading stays one piece, without the rows before
-/// the force last enters between them and those behind it first leaves.
+/// Keeps the points between the forces of the ends. A loading or unloading stays in one piece: the rows before the
+/// force last enters this range and those after it first leaves are dropped.
 fn keep_between_forces(kept: &mut KeptRows, forces: &[f64], segment: &CurveSegment) {
     let force = |end: &Option<SegmentEnd>, none| match end {
         Some(SegmentEnd::Force(force)) => *force,

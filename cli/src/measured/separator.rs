@@ -1,6 +1,6 @@
-//! Lines cut into fields at a separator, and numbers with a decimal mark.
+//! Lines split into fields at a separator, and numbers with a decimal mark.
 
-/// The mark between whole and fraction.
+/// The mark between the integer and the fractional part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DecimalMark {
     /// `0.5`.
@@ -10,19 +10,19 @@ pub enum DecimalMark {
 }
 
 impl DecimalMark {
-    /// The number of a field, which may be NaN or infinite; none if it is not a number.
+    /// Parses the number of a field, which may be NaN or infinite; none if it is not a number.
     #[must_use]
     pub fn number(self, field: &str) -> Option<f64> {
         match self {
             Self::Point => field.parse().ok(),
-            // A point in such a file would separate thousands.
+            // In such a file a point would separate thousands.
             Self::Comma if field.contains('.') => None,
             Self::Comma => field.replacen(',', ".", 1).parse().ok(),
         }
     }
 }
 
-/// The separator of two fields of a line.
+/// The separator between the fields of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Separator {
     /// One tab.
@@ -36,11 +36,11 @@ pub enum Separator {
 }
 
 impl Separator {
-    /// All of them; where several fit equally well, the first is meant.
+    /// All separators; if several fit equally well, the first is taken.
     pub const ALL: [Self; 4] = [Self::Tab, Self::Semicolon, Self::Comma, Self::Space];
 
-    /// The fields of a line, without the blanks and quotation marks around them; separators between quotation marks
-    /// separate nothing.
+    /// Splits a line into fields, without the blanks and quotation marks around them; separators between quotation
+    /// marks are ignored.
     #[must_use]
     pub fn fields(self, line: &str) -> Vec<&str> {
         if line.contains('"') {
@@ -76,10 +76,11 @@ impl Separator {
         }
     }
 
-    /// Lines that are looked at to find the separator, evenly from the whole file.
+    /// Number of lines examined to find the separator, spread evenly over the whole file.
     const SAMPLE: usize = 2000;
 
-    /// The separator that makes rows of numbers of the most lines, and their number; none if none makes any.
+    /// Finds the separator with which the most lines are rows of numbers, and the number of these lines; none if there
+    /// are none.
     #[must_use]
     pub fn of(lines: &[&str], decimal: DecimalMark) -> Option<(Self, usize)> {
         let step = lines.len().div_ceil(Self::SAMPLE).max(1);
@@ -100,7 +101,7 @@ impl Separator {
         best
     }
 
-    /// Whether every field of a line is a number, empty, or a word, and at least two are numbers.
+    /// Whether every field of a line is a number, a word or empty, and at least two are numbers.
     fn is_clean_row(self, line: &str, decimal: DecimalMark) -> bool {
         let mut numbers = 0;
         for field in self.fields(line) {

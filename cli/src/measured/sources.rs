@@ -1,4 +1,4 @@
-//! The sources of measurements: the files of a folder, and texts that a caller passes with a fit.
+//! The sources of measurements: the files of a folder, and texts that a caller supplies with a fit.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -29,14 +29,15 @@ impl MeasurementSources {
         }
     }
 
-    /// The same, and under this name a text instead of a file.
+    /// Adds a text under this name, used instead of a file.
     #[must_use]
     pub fn with_text(mut self, name: &str, text: &str) -> Self {
         self.texts.insert(name.into(), text.into());
         self
     }
 
-    /// The measurements of a name or a pattern, in the order of their names: a text if there is one, or else files.
+    /// Returns the measurements of a name or a pattern, in the order of their names: the text if there is one, or else
+    /// files.
     #[must_use]
     pub fn of(&self, pattern: &str) -> Vec<PathBuf> {
         match self.texts.get_key_value(Path::new(pattern)) {
@@ -45,7 +46,7 @@ impl MeasurementSources {
         }
     }
 
-    /// The content of one of them.
+    /// Reads the content of a measurement.
     ///
     /// # Errors
     ///

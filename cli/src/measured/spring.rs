@@ -1,8 +1,8 @@
 //! The cantilever of a force microscope: penetration from the height of its piezo and the force.
 //!
-//! `δ = z − d = z − F/k`: the tip goes as far into the body as the piezo moves towards it, less what the cantilever
-//! bends. The force was computed from the deflection, `F = k d`, here or by the instrument, so another spring constant
-//! changes the force and not the penetration; what that does to a fit is in `identification/spring_constants.rs`.
+//! `δ = z − d = z − F/k`: the penetration is the approach of the piezo less the deflection of the cantilever. The force
+//! was computed from the deflection, `F = k d`, here or by the instrument, so another spring constant changes the force
+//! but not the penetration. `identification/spring_constants.rs` describes the effect on a fit.
 
 use super::channel::Channel;
 use super::contact_slope::contact_slope;
@@ -44,24 +44,24 @@ impl SpringConstant {
     }
 }
 
-/// The direction in which the height of a piezo counts.
+/// The direction in which the height of a piezo is counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum HeightDirection {
-    /// Told from the force, which grows towards the body.
+    /// Determined from the force, which grows towards the body.
     #[default]
     FromForce,
-    /// Larger is nearer to the body.
+    /// A larger height is nearer to the body.
     Toward,
-    /// Larger is farther from the body.
+    /// A larger height is farther from the body.
     Away,
 }
 
 impl HeightDirection {
-    /// Reads the word for it.
+    /// Reads the word for a direction.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if it is none.
+    /// A [`Diagnosis`] if the value is not one of the words.
     pub fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
         field.choice(&[
             ("auto", Self::FromForce),
@@ -84,8 +84,8 @@ impl HeightDirection {
     }
 }
 
-/// The penetration, m, for a spring constant, N/m, from the approach of the piezo, m, and the force, N; the first point
-/// has none.
+/// Computes the penetration, m, from the approach of the piezo, m, the force, N, and the spring constant, N/m. It is
+/// zero at the first point.
 ///
 /// ```
 /// use pellicle_cli::measurements::penetration;
@@ -106,7 +106,7 @@ pub fn penetration(approach: &[f64], force: &[f64], spring_constant: f64) -> Vec
     approach.iter().zip(force).map(depth).collect()
 }
 
-/// Turns the heights so that they grow towards the body, and adds the force, if the deflection is measured, and the
+/// Orients the heights so that they grow towards the body. Adds the force, if the deflection is measured, and the
 /// penetration at this spring constant.
 pub(super) fn add_penetration(
     raw: &mut RawCurve<'_>,
@@ -124,7 +124,7 @@ pub(super) fn add_penetration(
     };
     let sign = direction.sign(heights, forces)?;
     let approach: Vec<_> = heights.iter().map(|height| sign * height).collect();
-    // Here the zero does not matter; an invalid first row must not make all of them invalid.
+    // The zero does not matter here; an invalid first row must not make all rows invalid.
     let depth = |(z, f): (&f64, &f64)| z - f / spring.mean;
     let depths = approach.iter().zip(forces).map(depth).collect();
     raw.replace(Channel::Height, approach);
@@ -138,7 +138,7 @@ mod tests {
 
     #[test]
     fn the_direction_is_that_in_which_the_force_grows() {
-        // Adhesion and a slope before contact do not count.
+        // Adhesion and a slope before contact are ignored.
         let forces = [0.0, 0.1, 0.2, -1.0, 1.0, 2.0, 3.0];
         let toward = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
         let sign = |heights: &[f64]| HeightDirection::FromForce.sign(heights, &forces);

@@ -1,24 +1,24 @@
-//! The table `text` of a fit file: how the text of a measurement is written.
+//! The table `text` of a fit file: the format of the text of a measurement.
 
 use super::decode::TextEncoding;
 use super::separator::{DecimalMark, Separator};
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::table_reader::TableReader;
 
-/// The form of the text of a measurement.
+/// The format of the text of a measurement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TextOptions {
-    /// The mark between whole and fraction; a point by default.
+    /// The decimal mark; a point by default.
     pub decimal: DecimalMark,
-    /// The separator of columns; found from the file if not given.
+    /// The separator of columns; detected if not given.
     pub separator: Option<Separator>,
-    /// The table begins at a line with this text, if given.
+    /// If given, the table begins at a line with this text.
     pub skip_until: Option<String>,
     /// The number of the table among several, from 1; the first by default.
     pub table: Option<usize>,
     /// The encoding.
     pub encoding: TextEncoding,
-    /// Numbers of a larger magnitude mean that there is no value; 1e100 by default.
+    /// Numbers of a larger magnitude mark missing values; 1e100 by default.
     pub invalid_above: f64,
 }
 

@@ -1,11 +1,11 @@
-//! The table of numbers in a text: where it begins and ends, its rows, and the heads of its columns.
+//! The table of numbers in a text: its beginning and end, its rows, and the headers of its columns.
 
 use super::error::CurveError;
 use super::header::{self, HeaderField};
 use super::separator::{DecimalMark, Separator};
 use super::text_options::TextOptions;
 
-/// A run of rows counts as a table if it has this fraction of the rows of the longest.
+/// A run of rows counts as a table if it has at least 1/10 as many rows as the longest run.
 const SHARE_OF_LONGEST: usize = 10;
 
 /// A table in a text.
@@ -13,13 +13,13 @@ const SHARE_OF_LONGEST: usize = 10;
 pub struct TextTable<'t> {
     /// The separator of its columns.
     pub separator: Separator,
-    /// The heads of its columns; empty if there are none.
+    /// The headers of its columns; empty if there are none.
     pub header: Vec<HeaderField>,
     /// Its rows, as lines of the text; lines without any value are left out.
     pub rows: Vec<&'t str>,
-    /// Columns of its first row.
+    /// Number of columns of its first row.
     pub columns: usize,
-    /// Tables in the text.
+    /// Number of tables in the text.
     pub tables: usize,
 }
 
@@ -28,7 +28,7 @@ pub struct TextTable<'t> {
 enum LineKind {
     /// At least two fields are numbers.
     Row,
-    /// As many fields as in the first row, one of them a number or none a word.
+    /// As many fields as the first row has, with one number or no word among them.
     Broken,
     /// No value at all, or a comment.
     Blank,
@@ -36,7 +36,7 @@ enum LineKind {
     Other,
 }
 
-/// Lines of a text that belong together: from the first row to behind the last one.
+/// Consecutive lines of a table, from the first row to the end of the last.
 #[derive(Debug, Clone, Copy)]
 struct RowRun {
     start: usize,
@@ -45,7 +45,7 @@ struct RowRun {
 }
 
 impl<'t> TextTable<'t> {
-    /// Finds the table that the options mean.
+    /// Finds the table that the options specify.
     ///
     /// # Errors
     ///
@@ -87,7 +87,7 @@ impl<'t> TextTable<'t> {
     }
 }
 
-/// The lines of a text, whatever ends them.
+/// Splits a text into lines, with any kind of line ending.
 fn lines(text: &str) -> Vec<&str> {
     let mark = if text.contains('\n') { '\n' } else { '\r' };
     text.split(mark)
@@ -95,7 +95,7 @@ fn lines(text: &str) -> Vec<&str> {
         .collect()
 }
 
-/// The decimal mark with which there is a table, if the other one gives hardly a row of it.
+/// The decimal mark that gives a table, if the present one gives hardly any row.
 fn hint(lines: &[&str], decimal: DecimalMark, rows: usize) -> Option<&'static str> {
     let (other, hint) = match decimal {
         DecimalMark::Point => (DecimalMark::Comma, ": decimal = \",\" gives one"),
@@ -113,7 +113,7 @@ struct RowRuns<'a, 't> {
 }
 
 impl RowRuns<'_, '_> {
-    /// The n-th table of the whole text, with the number of tables.
+    /// Returns the n-th table of the whole text, and the number of tables.
     fn of_whole_text(&self, wanted: usize) -> Result<(usize, Option<RowRun>, usize), CurveError> {
         let runs = self.all(0, self.lines.len());
         let longest = runs.iter().map(|run| run.rows).max().unwrap_or(0);
@@ -126,7 +126,7 @@ impl RowRuns<'_, '_> {
         }
     }
 
-    /// The first longer table at or behind the n-th line with the text, with the number of such lines.
+    /// Returns the first long table from the n-th line with the text on, and the number of such lines.
     fn behind(
         &self,
         text: &str,
@@ -153,7 +153,7 @@ impl RowRuns<'_, '_> {
         Ok((start, long.copied(), found))
     }
 
-    /// All runs between two lines.
+    /// Finds all runs between two lines.
     fn all(&self, start: usize, end: usize) -> Vec<RowRun> {
         let mut runs: Vec<RowRun> = Vec::new();
         let (mut open, mut columns) = (false, 0);

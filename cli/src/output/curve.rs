@@ -53,7 +53,7 @@ const COLUMNS: [CurveColumn<StepSummary>; 13] = [
     }),
 ];
 
-/// The curve as comma-separated values.
+/// Writes the curve as comma-separated values.
 #[must_use]
 pub fn csv(summary: &RunSummary) -> String {
     let hardness = HardnessColumns::of_steps(summary);
@@ -97,7 +97,7 @@ pub fn row(i: usize, step: &StepSummary) -> Vec<String> {
     std::iter::once(i.to_string()).chain(values).collect()
 }
 
-/// Whether a text is the curve of a run of so many steps, of this version or another.
+/// Whether a text is the curve of a run of this many steps, of this version or another.
 #[must_use]
 pub fn is_of(csv: &str, steps: usize) -> bool {
     let mut lines = csv.lines();
@@ -110,7 +110,7 @@ pub fn is_of(csv: &str, steps: usize) -> bool {
             .all(|(i, line)| starts(line, &i.to_string()))
 }
 
-/// The units of a curve, by its header.
+/// The units of a curve, from its header.
 #[must_use]
 pub fn units(csv: &str) -> Units {
     let header = csv.lines().next().unwrap_or_default();

@@ -1,8 +1,8 @@
 //! The disk space that a run will take.
 //!
-//! Fields take a known number of bytes per element unless they are packed; pictures are about as large as others of as
-//! many elements. *Measured* on the templates, a film and a rough surface, N = 64 to 512: within a tenth where
-//! fields count, within a fifth where pictures do.
+//! Fields take a known number of bytes per element unless they are compressed; pictures are about as large as other
+//! pictures of as many elements. *Measured* on the templates, a film and a rough surface, N = 64 to 512: within a tenth
+//! where fields dominate, within a fifth where pictures do.
 
 use super::results::STEPS_IN_REPORT;
 use crate::case::Case;
@@ -10,46 +10,46 @@ use crate::case::output::{Format, OutputCase};
 use crate::case::surface::SurfaceCase;
 use crate::picture::pressure_map::CELLS;
 
-/// Bytes of an element in a file that is not packed: five numbers and two truth values, once more the contact in `.nc`,
-/// three files of `.gsf`.
+/// Bytes of an element in an uncompressed file: five numbers and two truth values; in `.nc` the contact once more; in
+/// `.gsf` three files.
 const VTI: f64 = 22.0;
 const NC: f64 = 43.0;
 const GSF: f64 = 12.0;
 
-/// The same packed: displacement and gap of a symmetric contact; a film's pressure and shortening are more, and nothing
-/// packs well that has no symmetry.
+/// Bytes of an element in a compressed file: displacement and gap of a symmetric contact. A film's pressure and
+/// shortening add to them, and fields without symmetry compress poorly.
 const NPZ: f64 = 12.0;
 const NPZ_OF_A_FILM: f64 = 2.5;
 const NPZ_OF_A_SURFACE: f64 = 14.5;
 const NPZ_OF_AN_INDENTER: f64 = 6.0;
 
-/// Bytes of a step's three pictures of the pressure on 64 × 64 elements, and the power of the elements per side with
-/// which they grow.
+/// Bytes of the three pressure pictures of a step on 64 × 64 elements, and the exponent of their growth with the
+/// elements per side.
 const PICTURES: f64 = 480e3;
 const GROWTH: f64 = 0.34;
 
-/// Bytes of a map of another field, and of an element in it.
+/// Bytes of a map of another field, and bytes per element in it.
 const FIELD_MAP: f64 = 80e3;
 const FIELD_MAP_CELL: f64 = 1.5;
 
-/// Bytes of the pictures of a run: from grid to grid, and of its curve.
+/// Bytes of the pictures of a run: of its convergence from grid to grid, and of its curve.
 const CONVERGENCE: f64 = 110e3;
 const CURVE: f64 = 66e3;
 
-/// Fewest elements per side of a run on several grids.
+/// Smallest number of elements per side of a run on several grids.
 const FEWEST_OF_SEVERAL_GRIDS: usize = 64;
 
-/// Bytes of a step in the report, of an element per side in it, and of an element in its maps of other fields.
+/// Bytes of a step in the report, bytes per element per side in it, and bytes per element in its maps of other fields.
 const REPORT: f64 = 20e3;
 const REPORT_SIDE: f64 = 400.0;
 const REPORT_CELL: f64 = 0.85;
 
-/// Bytes of a point's stresses: eleven numbers in double precision, and in single precision with the body.
+/// Bytes of the stresses at a point: eleven numbers in double precision, or in single precision with the body.
 const STRESS_NC: f64 = 88.0;
 const STRESS_VTR: f64 = 45.0;
 
-/// The same of a point that the pictures show, two numbers, packed; and of the pictures of a step, in the report once
-/// more: the section, and the maps of an interface.
+/// Bytes of a point that the pictures show, two compressed numbers; and of the stress pictures of a step, which the
+/// report repeats: the section, and the maps of an interface.
 const STRESS_NPZ: f64 = 11.0;
 const STRESS_SECTION: f64 = 520e3;
 const STRESS_INTERFACE: f64 = 200e3;
@@ -57,8 +57,8 @@ const STRESS_INTERFACE: f64 = 200e3;
 /// Bytes of summary and curve for a step.
 const NUMBERS: f64 = 3.2e3;
 
-/// The disk space of the stresses of a run on so many planes of `size` × `size` points a step, and of their pictures,
-/// in bytes.
+/// Estimates the disk space, in bytes, of the stresses of a run on `planes` planes of `size` × `size` points per step,
+/// and of their pictures.
 #[must_use]
 pub fn of_stresses(case: &Case, planes: usize, size: usize) -> f64 {
     if case.stress.is_none() {
@@ -79,7 +79,7 @@ pub fn of_stresses(case: &Case, planes: usize, size: usize) -> f64 {
     of_fields + case.output.pictures.count(steps) as f64 * of_pictures
 }
 
-/// The disk space of a run of a case without its stresses, in bytes.
+/// Estimates the disk space of a run of a case without its stresses, in bytes.
 #[must_use]
 pub fn bytes(case: &Case) -> f64 {
     let (steps, elements) = (case.load.loads().len(), case.grid.elements);
@@ -94,7 +94,7 @@ pub fn bytes(case: &Case) -> f64 {
     of_fields + of_pictures + of_report + steps as f64 * NUMBERS
 }
 
-/// Bytes of an element's fields in the formats wanted.
+/// Bytes of the fields of an element in the requested formats.
 fn per_element(case: &Case) -> f64 {
     let film = matches!(case.surface, SurfaceCase::Film { .. });
     let packed = [
@@ -131,7 +131,7 @@ fn of_the_run(case: &Case, pictures: bool) -> f64 {
     curve + f64::from(u8::from(pictures && has_grids)) * CONVERGENCE
 }
 
-/// Maps of other fields than the pressure.
+/// Number of maps of fields other than the pressure.
 fn field_maps(case: &Case) -> f64 {
     match (case.surface.map(), case.indenter.map()) {
         (Some(_), _) => 3.0,
@@ -140,7 +140,7 @@ fn field_maps(case: &Case) -> f64 {
     }
 }
 
-/// Cells of a map, at most.
+/// Largest number of cells of a map.
 fn cells(case: &Case) -> f64 {
     (case.grid.elements.min(CELLS) as f64).powi(2)
 }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
 
-/// N × N values each, element `(i, j)` at index `i N + j`: the first index runs along x.
+/// The fields of a step, N × N values each, element `(i, j)` at index `i N + j`: the first index runs along x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fields<'a> {
     /// Side of the square domain, m.
@@ -15,11 +15,11 @@ pub struct Fields<'a> {
     pub pressure: &'a [f64],
     /// Displacement `u` of the body's surface, m, positive into the body.
     pub displacement: &'a [f64],
-    /// Gap `g`, m; +∞ where the indenter has no surface.
+    /// Gap `g`, m; +∞ where there is no indenter surface.
     pub gap: &'a [f64],
     /// Shortening `w*` of the relief, m.
     pub shortening: &'a [f64],
-    /// Plastic depth where the pressure is cut at a hardness, m; empty without one.
+    /// Plastic depth where the pressure is cut at a hardness, m; empty without a hardness.
     pub plastic_depth: &'a [f64],
     /// Profile `f*` of the relief, m: 0 on the tops, negative between them.
     pub profile: &'a [f64],
@@ -52,7 +52,7 @@ pub struct NumberField<'a> {
 }
 
 impl Fields<'_> {
-    /// The fields of no element: their names, units and meanings.
+    /// Fields without elements, for their names, units and meanings.
     pub const EMPTY: Fields<'static> = Fields {
         side: 0.0,
         size: 0,
@@ -67,7 +67,7 @@ impl Fields<'_> {
 }
 
 impl<'a> Fields<'a> {
-    /// The fields of a step of a path, the surface that it deforms among them.
+    /// The fields of a step of a path, including its deformed surface.
     #[must_use]
     pub fn of(
         path: &'a LoadingPath,
@@ -88,8 +88,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// The fields of numbers, in the order in which files hold them: five, and the plastic depth where there is a
-    /// hardness.
+    /// The numeric fields, in their order in the files: five, and the plastic depth if there is a hardness.
     #[must_use]
     pub fn numbers(&self) -> Vec<NumberField<'a>> {
         let named = |name, unit, meaning, values| NumberField {
@@ -141,8 +140,7 @@ impl<'a> Fields<'a> {
         fields
     }
 
-    /// The fields of truth values, in the order in which files hold them: every format has both, with these names and
-    /// meanings.
+    /// The fields of truth values, in their order in the files: every format has both, with these names and meanings.
     #[must_use]
     pub fn truths(&self) -> [TruthField<'a>; 2] {
         let contact = self.pressure.iter().map(|pressure| *pressure > 0.0);
@@ -169,11 +167,11 @@ impl<'a> Fields<'a> {
     /// Coordinate of the centre of element `i`, m.
     #[must_use]
     pub fn centre(&self, i: usize) -> f64 {
-        // x_i = (2i + 1 − N) h/2, the bracket exact.
+        // x_i = (2i + 1 − N) h/2; the bracket is exact.
         ((2 * i + 1) as f64 - self.size as f64) * (0.5 * self.element_side())
     }
 
-    /// The element along an axis that holds a coordinate, or is nearest to it.
+    /// The element along an axis that contains a coordinate or is nearest to it.
     #[must_use]
     pub fn nearest(&self, coordinate: f64) -> usize {
         let elements = (coordinate / self.side + 0.5) * self.size as f64;

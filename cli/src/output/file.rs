@@ -1,4 +1,4 @@
-//! Files that are there whole or not at all. A file has a random name of its own until it is complete; nobody else's
+//! Files that are written completely or not at all. A file has its own random name until it is complete; no existing
 //! file is opened.
 
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -9,19 +9,19 @@ use super::stoppable::StoppableFile;
 use crate::failure::Failure;
 use crate::unfinished::Unfinished;
 
-/// Bytes that are handed to the system at once: a curve's folder takes 4,000 calls instead of 30,000.
+/// Bytes written per system call: the folder of a curve takes 4,000 calls instead of 30,000.
 const BUFFER: usize = 1 << 17;
 
-/// The answer to a file or folder that is there already.
+/// The treatment of an existing file or folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Existing {
-    /// Leave it alone.
+    /// Keep it.
     Keep,
-    /// Replace it when the new one is complete.
+    /// Replace it once the new one is complete.
     Replace,
 }
 
-/// Writes a file under a temporary name beside it and renames it when it is complete and on the disk.
+/// Writes a file under a temporary name beside its own and renames it once it is complete and on the disk.
 ///
 /// # Errors
 ///
@@ -38,7 +38,7 @@ pub fn write_whole(
     put(path, Existing::Replace, durably).map_err(|cause| Failure::write(path, cause))
 }
 
-/// The same for a large file that is given up where the user does not want to wait for it.
+/// Writes a large file likewise, but gives it up if the user asks to stop.
 ///
 /// # Errors
 ///
@@ -50,7 +50,7 @@ pub fn write_stoppable(
     write_whole(path, |file| write(&mut StoppableFile::new(file)))
 }
 
-/// The same for bytes that can be made again: they are not forced onto the disk.
+/// Writes bytes likewise, but without forcing them onto the disk: they can be produced again.
 ///
 /// # Errors
 ///
@@ -60,11 +60,11 @@ pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     written.map_err(|cause| Failure::write(path, cause))
 }
 
-/// The same for a file that must not be there yet.
+/// Writes a file likewise that must not exist yet.
 ///
 /// # Errors
 ///
-/// [`Failure::Exists`] if something of that name is there, [`Failure::Write`] if it cannot be written.
+/// [`Failure::Exists`] if something of that name exists, [`Failure::Write`] if it cannot be written.
 pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let written = put(path, Existing::Keep, |file| file.write_all(bytes));
     written.map_err(|cause| match cause.kind() {
@@ -75,18 +75,18 @@ pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     })
 }
 
-/// A large file written in several goes: it is there whole once it is finished, and nothing is left of one that is
-/// dropped before. Its writing is given up where the user does not want to wait for it.
+/// A large file written in several parts. It appears once it is finished; nothing is left of one that is dropped
+/// before. Writing is given up if the user asks to stop.
 pub struct LongFile {
     file: PartialFile,
-    /// Bytes since the last that were put on the disk.
+    /// Number of bytes not yet forced onto the disk.
     unsynced: usize,
     path: PathBuf,
     _unfinished: Unfinished,
 }
 
 impl LongFile {
-    /// Begins a file under a temporary name beside its own.
+    /// Begins a file under a temporary name beside its final one.
     ///
     /// # Errors
     ///
@@ -101,7 +101,7 @@ impl LongFile {
         })
     }
 
-    /// Goes on writing.
+    /// Continues writing.
     ///
     /// # Errors
     ///
@@ -116,7 +116,7 @@ impl LongFile {
         written.map_err(|cause| Failure::write(&self.path, cause))
     }
 
-    /// Renames the file, when it is on the disk.
+    /// Renames the file once it is on the disk.
     ///
     /// # Errors
     ///
@@ -144,7 +144,7 @@ fn put(
     let mut file = BufWriter::with_capacity(BUFFER, file);
     write(&mut file)?;
     let file = file.into_inner()?;
-    // Open, and with that locked, until it has its name.
+    // The file stays open, and thereby locked, until it has its name.
     let placed = match existing {
         Existing::Keep => file.persist_noclobber(path),
         Existing::Replace => file.persist(path),

@@ -1,7 +1,6 @@
-//! A results folder: claimed before the work, filled when the work is done, and never in place of somebody else's
-//! files.
+//! A results folder: claimed before the work, filled when the work is done, and never replacing files of others.
 //!
-//! A claimed folder holds a lock and a hidden folder that is filled. When that is complete its files move up.
+//! A claimed folder contains a lock and a hidden folder that is filled. Once that is complete, its files move up.
 
 mod hidden;
 
@@ -19,24 +18,24 @@ use crate::unfinished::{self, Unfinished};
 /// Name of the lock in a claimed folder.
 const LOCK: &str = ".pellicle-lock";
 
-/// Folder for partial results that must not replace whole ones.
+/// Folder for partial results that must not replace complete ones.
 const STOPPED: &str = "stopped";
 
-/// Folder for results if files of the same names have appeared in the folder meanwhile.
+/// Folder for results if files of the same names have appeared in the meantime.
 const BESIDE: &str = "results";
 
-/// Most numbers tried for a name that is taken.
+/// Largest number tried for a name that is taken.
 const MOST_NUMBERS: usize = 9999;
 
-/// Attempts to claim a folder that another process removes meanwhile.
+/// Attempts to claim a folder that another process may remove meanwhile.
 const ATTEMPTS: usize = 100;
 
 /// Whether results are complete.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Completeness {
-    /// Everything that was asked for.
+    /// Everything requested.
     Whole,
-    /// The part that was there when the user stopped it.
+    /// The part that existed when the user stopped the work.
     Part,
 }
 
@@ -45,7 +44,7 @@ pub enum Completeness {
 pub struct ResultsFolder {
     path: PathBuf,
     existing: Existing,
-    // They are removed in this order.
+    // Removed in this order.
     scratch: Unfinished,
     _lock: Lock,
     _made: Vec<Unfinished>,
@@ -56,9 +55,9 @@ impl ResultsFolder {
     ///
     /// # Errors
     ///
-    /// [`Failure::Exists`] if results are there and are to be kept, [`Failure::NoResults`] if something else is there,
-    /// which is never replaced, [`Failure::Busy`] if another process has claimed it, [`Failure::Write`] if nothing can
-    /// be written here.
+    /// [`Failure::Exists`] if the folder contains results to be kept, [`Failure::NoResults`] if it contains something
+    /// else, which is never replaced, [`Failure::Busy`] if another process has claimed it, [`Failure::Write`] if it
+    /// cannot be written to.
     pub fn claim(path: &Path, existing: Existing) -> Result<Self, Failure> {
         check(path, existing)?;
         for _ in 0..ATTEMPTS {
@@ -125,8 +124,8 @@ impl ResultsFolder {
         &self.path
     }
 
-    /// Fills the hidden folder, moves its files up and returns the path of the results. A part of a result never
-    /// replaces a whole one: it goes into a folder of its own within.
+    /// Fills the hidden folder, moves its files up and returns the path of the results. A partial result never replaces
+    /// a complete one: it goes into its own folder within.
     ///
     /// # Errors
     ///
@@ -154,7 +153,7 @@ impl ResultsFolder {
         Ok(self.path.clone())
     }
 
-    /// Renames the hidden folder to the first of these names that is free.
+    /// Renames the hidden folder to `name`, or to the first numbered name that is free.
     fn put_aside(&self, name: &str) -> Result<PathBuf, Failure> {
         let numbered = (2..=MOST_NUMBERS).map(|i| format!("{name}-{i}"));
         for name in std::iter::once(name.to_owned()).chain(numbered) {
@@ -172,7 +171,7 @@ impl ResultsFolder {
     }
 }
 
-/// Finishes or removes what dead processes have left in the folders beside this one, as the next run there would.
+/// Finishes or removes the files that dead processes left in the folders beside this one, as the next run there would.
 pub fn sweep_beside(path: &Path) {
     let parent = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
@@ -183,13 +182,13 @@ pub fn sweep_beside(path: &Path) {
     }
 }
 
-/// Finishes or removes what a dead process has left in a folder.
+/// Finishes or removes the files that a dead process left in a folder.
 fn sweep(folder: &Path) {
     let is_left = fs::symlink_metadata(folder.join(LOCK)).is_ok_and(|lock| lock.is_file());
     if !is_left {
         return;
     }
-    // Best effort: whoever claims the folder tries again, and is told.
+    // Best effort: the next claim of the folder tries again and reports a failure.
     let Ok(Some(lock)) = take_lock(folder, false) else {
         return;
     };
@@ -204,7 +203,7 @@ fn sweep(folder: &Path) {
 /// The contents of a folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum FolderContents {
-    /// Nothing but the hidden files of a claim, or no folder.
+    /// Only the hidden files of a claim, or no folder.
     Empty,
     /// Results of this program.
     Results,
@@ -228,7 +227,7 @@ fn contents(path: &Path) -> FolderContents {
     }
 }
 
-/// Whether an entry is the work of a claim.
+/// Whether an entry belongs to a claim.
 fn is_hidden(entry: &DirEntry) -> bool {
     let name = entry.file_name();
     name.to_str().is_some_and(|name| {
@@ -253,7 +252,7 @@ fn check(path: &Path, existing: Existing) -> Result<(), Failure> {
     }
 }
 
-/// Makes a folder and its missing parents, and returns those it has made.
+/// Makes a folder and its missing parents, and returns those that it made.
 fn make(path: &Path) -> io::Result<Vec<Unfinished>> {
     let is_missing = |path: &&Path| !path.as_os_str().is_empty() && !path.is_dir();
     let missing: Vec<_> = path.ancestors().take_while(is_missing).collect();
@@ -265,7 +264,7 @@ fn make(path: &Path) -> io::Result<Vec<Unfinished>> {
             Err(error) => return Err(error),
         }
     }
-    // The inner ones are dropped first.
+    // Inner folders are dropped first.
     made.reverse();
     Ok(made)
 }
@@ -279,7 +278,7 @@ fn take_lock(path: &Path, is_made: bool) -> io::Result<Option<Lock>> {
     Lock::take(&path.join(LOCK), &text)
 }
 
-/// Last line of the lock's file if the folder was not there before.
+/// Last line of the lock file if the process made the folder.
 const MADE: &str = "It has made this folder.\n";
 
 fn says_made(text: &str) -> bool {

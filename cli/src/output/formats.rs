@@ -1,4 +1,4 @@
-//! The formats of a step's fields: each has a file of its own in this folder, its size in `disk_space.rs` and its file
+//! The formats of a step's fields: each has its own module in this folder, its size in `disk_space.rs` and its file
 //! names in `own_files.rs`.
 
 use std::path::Path;
@@ -12,7 +12,7 @@ use super::{gsf, netcdf, npz, vti};
 use crate::case::output::Format;
 use crate::failure::Failure;
 
-/// Writes the fields of a step in every format wanted, in parallel: packing takes about as long as all the rest.
+/// Writes the fields of a step in every requested format, in parallel: compression takes about as long as all the rest.
 ///
 /// # Errors
 ///

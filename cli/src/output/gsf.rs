@@ -1,9 +1,9 @@
 //! `pressure-NNN.gsf`, `mask-NNN.gsf`, `contact-NNN.gsf`: one field of a loading step each, in Gwyddion's simple field
 //! format.
 //!
-//! A file of this format holds one field; a truth value is 1 or 0. It is a line that names the format, lines
-//! `name = value`, one to four zero bytes that end at a multiple of four, and the values in single precision by rows
-//! from the top: y falls from row to row, x grows along a row.
+//! A file of this format contains one field; a truth value is 1 or 0. The file consists of a line that names the
+//! format, lines `name = value`, one to four zero bytes up to a multiple of four, and the values in single precision by
+//! rows from the top: y decreases from row to row, x increases along a row.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -20,13 +20,13 @@ struct GsfChannel<'a> {
     unit: Option<&'static str>,
 }
 
-/// Name of the file of a step in a results folder: of the pressure, the mask or the contact.
+/// Name of the file of a step in a results folder, for the pressure, the mask or the contact.
 #[must_use]
 pub fn file(name: &str, step: usize) -> String {
     format!("{name}-{step:03}.gsf")
 }
 
-/// Writes the pressure, the mask and the contact of a step into a folder; a case without units has none in the files.
+/// Writes the pressure, the mask and the contact of a step into a folder; the files of a case without units have none.
 ///
 /// # Errors
 ///
@@ -56,7 +56,7 @@ pub fn write(folder: &Path, fields: &Fields<'_>, units: Units, step: usize) -> R
     })
 }
 
-/// The bytes of a square height map in metres.
+/// Encodes a square height map in metres.
 #[must_use]
 pub fn height_map(heights: &[f64], size: usize, side: f64) -> Vec<u8> {
     let text = format!(
@@ -101,7 +101,7 @@ fn head(fields: &Fields<'_>, units: Units, channel: &GsfChannel<'_>) -> Vec<u8> 
     padded(text)
 }
 
-/// A header up to the next multiple of four after it.
+/// Pads a header with zeros to the next multiple of four after it.
 fn padded(text: String) -> Vec<u8> {
     let mut head = text.into_bytes();
     let padding = 4 - head.len() % 4;

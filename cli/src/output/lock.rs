@@ -1,4 +1,4 @@
-//! A lock of a process on a folder: a file that says so, locked by the system, which releases it when the process dies.
+//! A process's lock on a folder: a file locked by the system, which releases it when the process dies.
 
 use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Read, Write};
@@ -6,13 +6,13 @@ use std::path::Path;
 
 use crate::unfinished::Unfinished;
 
-/// Attempts to take a lock whose file another process removes meanwhile.
+/// Attempts to take a lock whose file another process may remove meanwhile.
 const ATTEMPTS: usize = 1000;
 
 /// A lock, released and removed when it is dropped.
 #[derive(Debug)]
 pub struct Lock {
-    // Removed before it is closed, and with that unlocked.
+    // Removed before the file is closed and thereby unlocked.
     _unfinished: Unfinished,
     file: File,
     /// Text of the file that a dead process left.
@@ -20,16 +20,16 @@ pub struct Lock {
 }
 
 impl Lock {
-    /// Takes the lock and writes a text into its file; none if another process holds it. On a file system without locks
-    /// nobody does.
+    /// Takes the lock and writes a text into its file; none if another process holds it. On a file system without
+    /// locks, no process ever holds it.
     ///
     /// # Errors
     ///
-    /// Those of the system if the file cannot be made, or is not a file.
+    /// An error of the system if the file cannot be created or is not a file.
     pub fn take(path: &Path, text: &str) -> io::Result<Option<Self>> {
         for _ in 0..ATTEMPTS {
             let (file, is_new) = match open(path) {
-                // Removed between the two ways to open it.
+                // Removed between the two attempts to open it.
                 Err(error) if error.kind() == ErrorKind::NotFound && path_is_in_folder(path) => {
                     continue;
                 }
@@ -76,7 +76,7 @@ impl Lock {
     }
 }
 
-/// The file, and whether it is new. A link is not followed.
+/// Opens or creates the file; returns whether it is new. A link is not followed.
 fn open(path: &Path) -> io::Result<(File, bool)> {
     let new = OpenOptions::new()
         .read(true)
@@ -100,7 +100,7 @@ fn path_is_in_folder(path: &Path) -> bool {
     path.parent().is_some_and(Path::is_dir)
 }
 
-/// Whether the open file is still the one at the path: another process removes it when it is done.
+/// Whether the open file is still the one at the path; another process removes it when it is done.
 #[must_use]
 pub fn is_at(file: &File, path: &Path) -> bool {
     let both = file
@@ -115,7 +115,7 @@ fn are_one(a: &Metadata, b: &Metadata) -> bool {
     (a.dev(), a.ino()) == (b.dev(), b.ino())
 }
 
-/// A file that is open is not removed here.
+/// On this system an open file cannot be removed.
 #[cfg(not(unix))]
 fn are_one(_: &Metadata, b: &Metadata) -> bool {
     b.is_file()

@@ -1,10 +1,10 @@
 //! `fields-NNN.nc`: the fields of one loading step in the layout of contact.engineering's results.
 //!
-//! Dimensions `x` and `y`; variables `pressure`, `contacting_points`, `gap`, `displacement` over `(x, y)`, and beside
-//! them the coordinates, `shortening`, `profile`, `mask` and `contact`, which are the same in every format; global
+//! Dimensions `x` and `y`; variables `pressure`, `contacting_points`, `gap`, `displacement` over `(x, y)`, in addition
+//! the coordinates, `shortening`, `profile`, `mask` and `contact`, which are the same in every format; global
 //! attributes `total_contact_area`, the part of the domain in contact, and `type` with the meaning they have there.
-//! `mean_pressure` is that of the summary, force over contact area; what it is there, force over the whole domain, is
-//! `nominal_pressure`. The file is of the classic format with 64-bit offsets, which its [header] describes.
+//! `mean_pressure` is that of the summary, force over contact area; its meaning there, force over the whole domain, is
+//! here `nominal_pressure`. The file has the classic format with 64-bit offsets, described in its [header].
 
 pub mod header;
 
@@ -88,7 +88,7 @@ fn variables<'a>(fields: &Fields<'a>, summary: &RunSummary) -> Vec<FilledVariabl
     variables.extend(
         [contacting_points, mask, contact].map(|truth| FilledVariable {
             name: truth.name,
-            // By this attribute xarray knows a truth value, for which the format has no type.
+            // xarray recognises a truth value, for which the format has no type, by this attribute.
             attributes: vec![
                 Attribute::Text("dtype", "bool".into()),
                 Attribute::Text("long_name", truth.meaning.to_owned()),

@@ -17,11 +17,11 @@ use super::stoppable::StoppableWriter;
 use crate::failure::Failure;
 use crate::map::npy_header::NpyHeader;
 
-/// Most bytes of an array: 16,384² numbers, the largest grid of a case, and a header.
+/// Largest size of an array, bytes: 16,384² numbers, the largest grid of a case, and a header.
 const LARGEST_ARRAY: u64 = (8 << 28) + (1 << 16);
 
-/// Level of compression, from 1 to 9. The usual 6 makes files 13 % smaller in three times the time, and compression
-/// took 13 % of a curve's run.
+/// Level of compression, from 1 to 9. The usual level 6 makes files 13 % smaller in three times the time; compression
+/// took 13 % of the run of a curve.
 const EFFORT: i64 = 1;
 
 /// Name of the file of a step in a results folder.
@@ -30,8 +30,8 @@ pub fn file(step: usize) -> String {
     format!("fields-{step:03}.npz")
 }
 
-/// Writes `x`, `y` (N values each), and `pressure`, `displacement`, `gap`, `shortening`, `profile`, `mask`,
-/// `contact` (N × N, the first index along x), and `plastic_depth` where there is a hardness.
+/// Writes `x`, `y` (N values each), and `pressure`, `displacement`, `gap`, `shortening`, `profile`, `mask`, `contact`
+/// (N × N, the first index along x), and `plastic_depth` if there is a hardness.
 ///
 /// # Errors
 ///
@@ -56,7 +56,7 @@ fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), Write
     Ok(())
 }
 
-/// Writes columns of numbers, an array each, by their names.
+/// Writes named columns of numbers, one array each.
 ///
 /// # Errors
 ///
@@ -71,7 +71,7 @@ pub fn write_columns(file: &Path, columns: &[(String, Vec<f64>)]) -> Result<(), 
     })
 }
 
-/// Adds an array to an archive under way.
+/// Adds an array to an open archive.
 ///
 /// # Errors
 ///
@@ -84,7 +84,7 @@ pub(super) fn add(
     let packed = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
     let packed = packed.compression_level(Some(EFFORT));
     npz.start_file(format!("{name}.npy"), packed)?;
-    // An array that packs to nearly nothing would otherwise not stop until it is packed.
+    // An array that compresses to almost nothing could otherwise not be stopped before its end.
     array.write_npy(StoppableWriter(npz))?;
     Ok(())
 }
@@ -94,11 +94,11 @@ fn square<T>(size: usize, field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzErro
         .map_err(|error: ShapeError| WriteNpyError::Io(io::Error::other(error)).into())
 }
 
-/// Refuses arrays that are larger than any grid's, or than their header says, before memory is allocated for them.
+/// Rejects arrays larger than any grid's, or than their header states, before memory is allocated for them.
 ///
 /// # Errors
 ///
-/// The reason.
+/// The reason why the file is rejected.
 pub(super) fn check(path: &Path) -> Result<(), String> {
     let file = File::open(path).map_err(|cause| cause.to_string())?;
     let mut archive = ZipArchive::new(file).map_err(|cause| cause.to_string())?;
@@ -123,7 +123,7 @@ pub(super) fn check(path: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// The fields of a step as read back.
+/// The fields of a step, read back from a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoredFields {
     size: usize,
@@ -201,7 +201,7 @@ mod tests {
     use super::*;
     use zip::ZipWriter;
 
-    /// The failure to read an archive of one array, with four bytes of its directory's entry replaced.
+    /// Returns the failure to read an archive of one array, with four bytes of its directory entry replaced.
     fn refused(header: &str, data: &[u8], patch: Option<(usize, u32)>) -> String {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fields-000.npz");
@@ -226,7 +226,7 @@ mod tests {
     #[test]
     fn arrays_that_would_take_all_memory_are_refused_by_what_they_say_of_themselves() {
         let header = "{'descr': '|b1', 'fortran_order': False, 'shape': (1, 1)}";
-        // Size before packing, in the directory's entry.
+        // The uncompressed size in the directory entry.
         let large = refused(header, &[1], Some((24, 4_000_000_000)));
         assert!(
             large.contains("mask.npy unpacks to 4000000000 bytes"),

@@ -1,4 +1,4 @@
-//! The files that a run or a fit writes, as opposed to somebody else's, which are never replaced.
+//! The files that a run or a fit writes, as opposed to files of others, which are never replaced.
 
 use std::fs::{self, DirEntry, File};
 use std::io::{self, BufReader};
@@ -12,14 +12,14 @@ use super::{curve, report, summary};
 use crate::identification::{files, result};
 use crate::planning;
 
-/// Files written once per run, and their endings.
+/// Files written once per run, and their extensions.
 const OF_A_RUN: [(&str, &[&str]); 3] = [
     ("curve", &["svg", "png"]),
     ("convergence", &["svg", "png"]),
     ("spectrum", &["svg", "png"]),
 ];
 
-/// Files written once per step, by the word before the number of the step, and their endings.
+/// Files written once per step: the word before the number of the step, and the extensions.
 const OF_A_STEP: [(&str, &[&str]); 13] = [
     ("fields", &["npz", "vti", "nc"]),
     ("stress", &["npz", "nc", "vtr"]),
@@ -57,14 +57,14 @@ fn is_number(text: &str) -> bool {
     text.len() >= 3 && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// Whether an entry of a folder is a file, or a link in the place of one, with a name that a run gives.
+/// Whether an entry of a folder is a file or a link with a name that a run uses.
 #[must_use]
 pub fn is_file(entry: &DirEntry) -> bool {
     let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
     !is_folder && entry.file_name().to_str().is_some_and(is_name)
 }
 
-/// The part of a summary that tells it from any other file of its name.
+/// The part of a summary that distinguishes it from any other file of its name.
 #[derive(Deserialize)]
 struct SummaryHead {
     schema: String,
@@ -73,7 +73,7 @@ struct SummaryHead {
     steps: Option<Vec<IgnoredAny>>,
 }
 
-/// The case whose results a folder holds, from its summary; none if it holds no results of this program.
+/// The case whose results a folder contains, from its summary; none if it contains no results of this program.
 #[must_use]
 pub fn case_in(folder: &Path) -> Option<Value> {
     head(folder).map(|head| head.case)
@@ -91,7 +91,7 @@ fn head(folder: &Path) -> Option<SummaryHead> {
     (written == layout && head.program == summary::PROGRAM).then_some(head)
 }
 
-/// A file in a results folder that has the name of a result, but was not written by the run of the summary.
+/// Returns a file in a results folder that has the name of a result but was not written by the run of the summary.
 #[must_use]
 pub fn not_written(folder: &Path) -> Option<PathBuf> {
     let steps = head(folder)?.steps?.len();
@@ -101,7 +101,8 @@ pub fn not_written(folder: &Path) -> Option<PathBuf> {
     foreign.map(|entry| entry.path())
 }
 
-/// Whether a run of so many steps may have written a file: a curve has that many rows, and no file is of a later step.
+/// Whether a run of this many steps may have written a file: a curve has that many rows, and no file belongs to a later
+/// step.
 fn is_written(entry: &DirEntry, steps: usize) -> bool {
     let name = entry.file_name();
     let name = name.to_string_lossy();
@@ -116,12 +117,12 @@ fn is_written(entry: &DirEntry, steps: usize) -> bool {
     step.is_none_or(|step| step < steps)
 }
 
-/// Removes the files of a run in a folder, the summary first, without which nothing is taken for results; and the
-/// folder if nothing else is in it.
+/// Removes the files of a run in a folder, the summary first, since without it a folder does not count as results.
+/// Removes the folder if it is then empty.
 ///
 /// # Errors
 ///
-/// Those of the system if one cannot be removed.
+/// An error of the system if a file cannot be removed.
 pub fn remove(folder: &Path) -> io::Result<()> {
     remove_files(folder)?;
     if fs::read_dir(folder)?.next().is_none() {
@@ -130,17 +131,17 @@ pub fn remove(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// The same, but keeps the folder.
+/// Removes the files likewise, but keeps the folder.
 ///
 /// # Errors
 ///
-/// Those of the system if one cannot be removed.
+/// An error of the system if a file cannot be removed.
 pub fn remove_files(folder: &Path) -> io::Result<()> {
     let summary = folder.join(summary::FILE);
     if fs::symlink_metadata(&summary).is_ok() {
         fs::remove_file(summary)?;
     }
-    // A table of somebody else may lie in the folder of a run.
+    // Tables are removed only from the folder of a fit: in that of a run they are not the program's.
     let marks: Vec<&str> = marks_in(folder).collect();
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
@@ -151,19 +152,19 @@ pub fn remove_files(folder: &Path) -> io::Result<()> {
             fs::remove_file(entry.path())?;
         }
     }
-    // Last, so that a fit half removed is still one.
+    // Last, so that a half-removed fit is still recognised.
     marks
         .iter()
         .try_for_each(|mark| fs::remove_file(folder.join(mark)))
 }
 
-/// Whether a folder holds the results of a fit, or a plan of one.
+/// Whether a folder contains the results of a fit or a plan.
 #[must_use]
 pub fn is_fit(folder: &Path) -> bool {
     marks_in(folder).next().is_some()
 }
 
-/// The files by which a folder is known to hold the results of a fit, or a plan.
+/// The files that mark a folder as the results of a fit or a plan.
 fn marks_in(folder: &Path) -> impl Iterator<Item = &'static str> {
     #[derive(Deserialize)]
     struct ResultHead {
@@ -189,8 +190,7 @@ fn layout(schema: &str) -> &str {
     schema.split('/').next().unwrap_or(schema)
 }
 
-/// Whether an entry of a folder is a file, or a link in the place of one, with a name that a fit or a plan
-/// gives.
+/// Whether an entry of a folder is a file or a link with a name that a fit or a plan uses.
 #[must_use]
 pub fn is_fit_file(entry: &DirEntry) -> bool {
     let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());

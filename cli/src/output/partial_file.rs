@@ -1,5 +1,5 @@
-//! Files that are not complete yet: each has a random name of its own beside the one that it will have, and a lock that
-//! tells whether somebody still writes it.
+//! Incomplete files: each has its own random name beside its final one, and a lock that shows whether a process is
+//! still writing it.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter};
@@ -9,17 +9,17 @@ use tempfile::NamedTempFile;
 
 use super::lock;
 
-/// Beginning and end of the names of files that are not complete yet.
+/// Prefix and suffix of the names of incomplete files.
 const PARTIAL: [&str; 2] = [".pellicle-", ".partial"];
 
 /// A file under its temporary name.
 pub type PartialFile = BufWriter<NamedTempFile>;
 
-/// A new file beside the path, with the permissions that any new file has, locked as long as it is open.
+/// Creates a file beside the path, with the permissions of any new file, locked as long as it is open.
 ///
 /// # Errors
 ///
-/// Those of the system if it cannot be created.
+/// An error of the system if it cannot be created.
 pub fn begin(path: &Path) -> io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -32,16 +32,16 @@ pub fn begin(path: &Path) -> io::Result<NamedTempFile> {
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let partial = builder.tempfile_in(folder)?;
-        // Where the file system knows no locks nothing is swept away either.
+        // On a file system without locks, no file is swept away either.
         drop(partial.as_file().try_lock());
-        // Before it was locked it may have been taken for one that somebody left.
+        // Before it was locked, another process may have removed it as left behind.
         if lock::is_at(partial.as_file(), partial.path()) {
             return Ok(partial);
         }
     }
 }
 
-/// Removes the half-written files that dead processes have left in a folder.
+/// Removes the half-written files that dead processes left in a folder.
 pub fn sweep(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
@@ -54,19 +54,19 @@ pub fn sweep(folder: &Path) {
     }
 }
 
-/// Whether this is the name of a file that is not complete yet.
+/// Whether this is the name of an incomplete file.
 #[must_use]
 pub fn is_partial(name: &str) -> bool {
     let [prefix, suffix] = PARTIAL;
     name.starts_with(prefix) && name.ends_with(suffix)
 }
 
-/// Removes a file whose owner is dead: it has no lock on it any more.
+/// Removes a file if its owner is dead, so that it is no longer locked.
 fn remove_if_left(path: &Path) {
     let opened = OpenOptions::new().read(true).write(true).open(path);
     let Ok(file) = opened else { return };
     if file.try_lock().is_ok() && lock::is_at(&file, path) {
-        // Best effort: it is tried again by the next.
+        // Best effort: the next sweep tries again.
         drop(fs::remove_file(path));
     }
 }

@@ -1,4 +1,4 @@
-//! The pictures of a results folder, each as SVG and as PNG, and the drawings that the report shows.
+//! The pictures of a results folder, each as SVG and as PNG, and the drawings in the report.
 
 use std::path::Path;
 
@@ -103,7 +103,7 @@ pub struct StepDrawings {
     pub drawings: Vec<(StepPicture, String)>,
     /// The pictures of the stresses that were drawn, as SVG.
     pub stresses: Vec<(StressPicture, String)>,
-    /// The pressure that can be turned; none if it cannot be drawn.
+    /// The rotatable pressure view; none if it cannot be drawn.
     pub surface: Option<SurfaceFigure>,
 }
 
@@ -144,7 +144,7 @@ impl StressPicture {
     }
 }
 
-/// Names of the pictures of the stresses of a step, without endings.
+/// Names of the pictures of the stresses of a step, without extensions.
 #[must_use]
 pub fn names_of_stresses(summary: &RunSummary, step: usize) -> Vec<String> {
     let pictures = of_stresses(summary).iter();
@@ -226,7 +226,7 @@ pub fn step(
     })
 }
 
-/// Draws the pictures of the run as a whole for the report, and writes them unless no pictures are wanted.
+/// Draws the pictures of the run as a whole for the report, and writes them unless no pictures are requested.
 ///
 /// # Errors
 ///
@@ -263,7 +263,7 @@ fn of_a_run(summary: &RunSummary) -> [(&'static str, bool); 3] {
     ]
 }
 
-/// Names of the pictures of some steps, and of the run unless none of it are wanted, without endings.
+/// Names, without extensions, of the pictures of some steps, and of the run unless no pictures are requested.
 #[must_use]
 pub fn names(summary: &RunSummary, steps: &[usize], of_run: Steps) -> Vec<String> {
     let pictures = of_a_step(summary);

@@ -1,4 +1,4 @@
-//! Pictures drawn again from the files of results folders alone.
+//! Pictures redrawn using only the files of results folders.
 
 use std::path::{Path, PathBuf};
 
@@ -15,12 +15,12 @@ use crate::failure::Failure;
 use crate::picture::curve::{self, NamedCurve};
 use crate::picture::style::Style;
 
-/// The pictures to draw of one results folder.
+/// The pictures to redraw of one results folder.
 #[derive(Debug, Clone, Default)]
 pub struct RedrawOptions<'a> {
     /// Look of the pictures.
     pub style: Style,
-    /// The only step drawn; by default all that have fields.
+    /// The only step to draw; by default all steps that have fields.
     pub step: Option<usize>,
     /// Folder of the pictures; by default they go beside the results, and into their report.
     pub out: Option<&'a Path>,
@@ -28,21 +28,20 @@ pub struct RedrawOptions<'a> {
     pub replaces: bool,
 }
 
-/// The outcome of drawing again.
+/// The outcome of redrawing.
 #[derive(Debug, Clone)]
 pub struct Redrawn {
-    /// Pictures drawn.
+    /// Number of pictures drawn.
     pub pictures: usize,
     /// Pictures that could not be drawn.
     pub warnings: Vec<WarningSummary>,
 }
 
-/// Draws the pictures of a results folder, on all cores, and its report, for every step whose fields are there in
-/// `.npz`.
+/// Draws the pictures of a results folder, on all cores, and its report, for every step that has fields in `.npz`.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the folder holds no results, the step asked for has no fields, or a picture cannot be written.
+/// [`Failure`] if the folder contains no results, the requested step has no fields, or a picture cannot be written.
 pub fn draw(
     folder: &Path,
     options: &RedrawOptions<'_>,
@@ -106,7 +105,7 @@ pub fn draw(
     let parts = parts.collect::<Result<Vec<Option<StepDrawings>>, Failure>>()?;
     let parts: Vec<_> = parts.into_iter().flatten().collect();
     let run = pictures::run(out, &summary, of_run, &options.style, &writer)?;
-    // A report with old drawings is better than one without any.
+    // A report with old drawings is better than one without drawings.
     let report = folder.join(report::FILE);
     let is_whole = options.out.is_none() && options.step.is_none();
     if is_whole && (!parts.is_empty() || !report.exists()) {
@@ -123,8 +122,7 @@ pub fn draw(
 ///
 /// # Errors
 ///
-/// [`Failure`] if a folder holds no results, if some have units and others have none, or if the picture cannot be
-/// written.
+/// [`Failure`] if a folder contains no results, if only some have units, or if the picture cannot be written.
 pub fn draw_curves(
     folders: &[PathBuf],
     out: &Path,
@@ -161,7 +159,7 @@ pub fn draw_curves(
     Ok(writer.warnings())
 }
 
-/// Refuses to replace a picture.
+/// Fails if a picture would be replaced.
 fn keep(folder: &Path, name: &str) -> Result<(), Failure> {
     let files = ["svg", "png"].map(|ending| folder.join(format!("{name}.{ending}")));
     let taken = files
@@ -170,7 +168,7 @@ fn keep(folder: &Path, name: &str) -> Result<(), Failure> {
     taken.map_or(Ok(()), |path| Err(Failure::Exists { path }))
 }
 
-/// The names of results: their titles, with their folders where two titles are equal.
+/// The names of results: their titles, with their folders if titles are not unique.
 fn names(folders: &[PathBuf], summaries: &[RunSummary]) -> Vec<String> {
     let is_twice = |title: &str| {
         summaries

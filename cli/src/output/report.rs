@@ -1,5 +1,5 @@
-//! `report.html`: a run on one page that needs no network. Drawings can be moved and zoomed, the pressure can be
-//! turned. The page itself is `cli/templates/report.html`; here is the text that stands in it.
+//! `report.html`: a run on one page that needs no network. Drawings can be moved and zoomed, the pressure view can be
+//! rotated. The page is `cli/templates/report.html`; this module supplies its text.
 
 mod case_table;
 mod grid_error;
@@ -20,7 +20,7 @@ use crate::display::{Unit, quantity, significant};
 /// Name of the file in a results folder.
 pub const FILE: &str = "report.html";
 
-/// The page, its numbers in words.
+/// The contents of the page, with numbers in words.
 #[derive(Template)]
 #[template(path = "report.html")]
 struct RunPage<'a> {
@@ -46,12 +46,12 @@ struct CurveRow {
     status: Status,
 }
 
-/// The page as HTML.
+/// Renders the page as HTML.
 #[must_use]
 pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> String {
     let last = summary.steps.len().checked_sub(1);
     let section = |drawings| StepSection::new(summary, drawings);
-    // The numbers of the last step are there, drawn or not.
+    // The numbers of the last step are shown whether it is drawn or not.
     let undrawn = StepDrawings {
         step: last.unwrap_or_default(),
         ..StepDrawings::default()
@@ -82,7 +82,7 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
     page.to_string()
 }
 
-/// The status of a step; by its certificate if the file is from before there was one.
+/// The status of a step; in a file older than the status, that of its certificate.
 fn verdict(step: &StepSummary) -> Status {
     if step.certificate.satisfied {
         step.status

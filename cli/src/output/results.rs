@@ -21,13 +21,13 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::style::Style;
 
-/// Most loading steps in the report: some 100 kB each.
+/// Largest number of loading steps in the report, at some 100 kB each.
 pub(super) const STEPS_IN_REPORT: usize = 24;
 
-/// Writes all files of a run into an empty folder. The summary gets the time since `start`, writing included, and the
-/// warnings about the writing.
+/// Writes all files of a run into an empty folder. The summary receives the time since `start`, including writing, and
+/// the warnings about the writing.
 ///
-/// When the user asks to stop, fields and pictures that are not done soon are left out, and the result is partial;
+/// If the user asks to stop, fields and pictures that are not finished soon are left out, and the result is partial;
 /// summary, curve and report are always written.
 ///
 /// # Errors
@@ -63,11 +63,11 @@ pub fn write(
     })
 }
 
-/// The summary of a results folder; its units are those that the curve names.
+/// Reads the summary of a results folder; its units are those of the curve.
 ///
 /// # Errors
 ///
-/// [`Failure::Damaged`] if its files are missing or not what a run writes.
+/// [`Failure::Damaged`] if its files are missing or were not written by a run.
 pub fn read_summary(folder: &Path) -> Result<RunSummary, Failure> {
     let path = folder.join(summary::FILE);
     let text = read_text(&path)?;
@@ -87,7 +87,7 @@ fn files(summary: &RunSummary, output: &OutputCase) -> usize {
     fields + pictures + pictures::count_of_run(summary, output.pictures)
 }
 
-/// Writes the fields and pictures of the steps that have some, and returns the drawings for the report.
+/// Writes the requested fields and pictures of the steps, and returns the drawings for the report.
 fn write_steps(
     folder: &Path,
     path: &LoadingPath,
@@ -138,7 +138,7 @@ fn write_steps(
     Ok(parts.into_iter().flatten().collect())
 }
 
-/// The steps with pictures that the report has room for: the first, the last and some evenly between.
+/// Selects the steps with pictures that appear in the report: the first, the last and some evenly spaced between.
 #[must_use]
 pub fn in_report(pictured: &[usize]) -> Vec<usize> {
     let steps = pictured.len();
@@ -150,7 +150,7 @@ pub fn in_report(pictured: &[usize]) -> Vec<usize> {
     (0..steps).filter(is_kept).map(|i| pictured[i]).collect()
 }
 
-/// Writes the report, which can be drawn again.
+/// Writes the report, without forcing it onto the disk: it can be drawn again.
 ///
 /// # Errors
 ///

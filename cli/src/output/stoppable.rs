@@ -1,4 +1,4 @@
-//! Writing that stops when the user does not want to wait any longer.
+//! Writing that stops soon after the user asks to stop.
 
 use std::error::Error;
 use std::io::{self, Seek, SeekFrom, Write};
@@ -8,19 +8,19 @@ use super::partial_file::PartialFile;
 use crate::failure::Failure;
 use crate::interrupt;
 
-/// Bytes after which what is written is put on the disk: otherwise the end of a large file would wait for all of it,
-/// and not stop.
+/// Bytes after which data are forced onto the disk: otherwise the end of a large file would wait for all of them and
+/// could not be stopped.
 const SYNC: usize = 1 << 25;
 
-/// Most bytes that are written or packed between two looks at the user, too few for the user to wait.
+/// Largest number of bytes written or compressed between two checks for a request to stop, too few to cause a delay.
 const CHUNK: usize = 1 << 20;
 
-/// The cause of a file that was stopped.
+/// The error of a file whose writing was stopped.
 #[derive(Debug, thiserror::Error)]
 #[error("stopped by the user")]
 struct WriteStopped;
 
-/// Whether a file was stopped half way, which is no failure.
+/// Whether the writing of a file was stopped, which is not a failure.
 #[must_use]
 pub fn was_stopped(failure: &Failure) -> bool {
     let Failure::Write { cause, .. } = failure else {
@@ -45,7 +45,7 @@ pub fn was_stopped(failure: &Failure) -> bool {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if the user does not want to wait any longer.
+/// [`Failure::Write`] if [`interrupt::GRACE`] has passed since the user asked to stop.
 pub fn check(path: &Path) -> Result<(), Failure> {
     if !interrupt::is_overdue() {
         return Ok(());
@@ -53,7 +53,7 @@ pub fn check(path: &Path) -> Result<(), Failure> {
     Err(Failure::write(path, io::Error::other(WriteStopped)))
 }
 
-/// Hands bytes on until the user has asked to stop and [`interrupt::GRACE`] is over, then fails.
+/// A writer that passes bytes on until [`interrupt::GRACE`] has passed since the user asked to stop, and then fails.
 #[derive(Debug)]
 pub struct StoppableWriter<W>(pub W);
 
@@ -70,7 +70,7 @@ impl<W: Write> Write for StoppableWriter<W> {
     }
 }
 
-/// The same for a file, which is put on the disk part by part.
+/// A stoppable writer for a file, which is forced onto the disk part by part.
 #[derive(Debug)]
 pub struct StoppableFile<'a> {
     file: StoppableWriter<&'a mut PartialFile>,
@@ -78,12 +78,12 @@ pub struct StoppableFile<'a> {
 }
 
 impl<'a> StoppableFile<'a> {
-    /// A file that can be stopped.
+    /// Creates the writer of a new file.
     pub fn new(file: &'a mut PartialFile) -> Self {
         Self::going_on(file, 0)
     }
 
-    /// The same where so many bytes are not on the disk yet.
+    /// Creates the writer of a file of which `unsynced` bytes are not yet on the disk.
     pub fn going_on(file: &'a mut PartialFile, unsynced: usize) -> Self {
         Self {
             file: StoppableWriter(file),
@@ -91,7 +91,7 @@ impl<'a> StoppableFile<'a> {
         }
     }
 
-    /// Bytes that are not on the disk yet.
+    /// Number of bytes not yet forced onto the disk.
     #[must_use]
     pub fn unsynced(&self) -> usize {
         self.unsynced

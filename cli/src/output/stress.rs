@@ -1,6 +1,6 @@
 //! `stress-NNN.nc` and `stress-NNN.vtr`: displacements and stresses on planes in the body, computed and written plane
-//! by plane, so that no more than one plane is in memory; and the pictures of the same planes, with `stress-NNN.npz` to
-//! draw them again.
+//! by plane, so that only one plane is in memory; and the pictures of the same planes, with `stress-NNN.npz` to redraw
+//! them.
 
 pub mod fields;
 mod netcdf;
@@ -30,14 +30,14 @@ use crate::case::stress::StressCase;
 use crate::failure::Failure;
 use crate::picture::style::Style;
 
-/// The formats in which stresses are written.
+/// Selects the formats in which stresses are written.
 #[must_use]
 pub fn formats(formats: &[Format]) -> Vec<Format> {
     let is_one = |format: &Format| matches!(format, Format::Nc | Format::Vti | Format::Npz);
     formats.iter().copied().filter(is_one).collect()
 }
 
-/// The files and pictures wanted of the stresses of a step.
+/// The requested files and pictures of the stresses of a step.
 #[derive(Debug, Clone)]
 struct WantedStresses {
     step: usize,
@@ -45,7 +45,7 @@ struct WantedStresses {
     is_pictured: bool,
 }
 
-/// The steps that have files or pictures of stresses.
+/// Returns the steps that have files or pictures of stresses.
 fn wanted(case: &Case, steps: usize) -> Vec<WantedStresses> {
     if case.stress.is_none() {
         return Vec::new();
@@ -65,7 +65,7 @@ fn wanted(case: &Case, steps: usize) -> Vec<WantedStresses> {
         .collect()
 }
 
-/// The number of files and pictures that the stresses take.
+/// The number of files and pictures of the stresses.
 #[must_use]
 pub fn count(case: &Case, summary: &RunSummary) -> usize {
     let pictures = pictures::of_stresses(summary).len();
@@ -114,7 +114,7 @@ pub fn write(
     Ok(drawn)
 }
 
-/// Writes the files of a step, and returns what its pictures show if something wants it.
+/// Writes the files of a step, and returns the content of its pictures if needed.
 fn write_step(
     folder: &Path,
     path: &LoadingPath,
@@ -181,7 +181,7 @@ fn write_step(
     Ok(wishes.view.then_some(view))
 }
 
-/// The line through the place of the largest von Mises stress, along the direction of sliding or along x.
+/// The line through the point of the largest von Mises stress, along the direction of sliding or along x.
 fn section_line(step: &StepSummary, stress: &StressCase) -> SurfaceLine {
     let bodies = step
         .stress

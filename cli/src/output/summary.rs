@@ -27,10 +27,10 @@ pub const FILE: &str = "summary.json";
 /// Name and version of the layout.
 pub const SCHEMA: &str = "pellicle-summary/1";
 
-/// Name of the program in it.
+/// Name of the program in the file.
 pub const PROGRAM: &str = "pellicle";
 
-/// The numbers of a run, in SI units or the case's own: as solved, or as read back to draw its pictures again.
+/// The numbers of a run, in SI units or the case's own, either as solved or as read back to redraw its pictures.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct RunSummary {
     /// Name and version of this layout.
@@ -43,29 +43,29 @@ pub struct RunSummary {
     pub title: String,
     /// The case as resolved, keys in the order of a case file.
     pub case: Value,
-    /// The units of its numbers, which `curve.csv` names.
+    /// The units of its numbers, as named in `curve.csv`.
     #[serde(skip)]
     pub units: Units,
-    /// Status of the run: the worst of its steps; `certified` in a file from before there was one.
+    /// Status of the run: the worst of its steps; `certified` in a file older than this field.
     #[serde(default)]
     pub status: Status,
-    /// The grid it was solved on.
+    /// The grid of the solution.
     pub grid: GridSummary,
-    /// The roughness of its maps, where it has any.
+    /// The roughness of its maps, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub roughness: Option<RoughnessSummary>,
     /// The loading steps.
     pub steps: Vec<StepSummary>,
-    /// The critical loads, where strengths are given and stresses asked for.
+    /// The critical loads, if strengths are given and stresses requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub critical: Option<Vec<CriticalLoad>>,
-    /// The time that it took.
+    /// The time that the run took.
     pub timing: Timing,
     /// Warnings about the numbers.
     pub warnings: Vec<WarningSummary>,
 }
 
-/// The grid of a run, as a file tells it.
+/// The grid of a run, as written in a file.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct GridSummary {
     /// Side of the square domain, m.
@@ -84,35 +84,35 @@ pub struct GridSummary {
 /// The time that a run took, and its threads.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct Timing {
-    /// For coefficients and geometry while nothing was solved, s. The finest grid may be made beside the solution of
-    /// coarser ones.
+    /// Time for coefficients and geometry while nothing was being solved, s. The finest grid may be prepared during the
+    /// solution of coarser ones.
     #[serde(deserialize_with = "nan_from_null")]
     pub coefficients_seconds: f64,
     /// Whether all coefficients worth keeping, the radial tables included, were read from the cache.
     pub coefficients_from_cache: bool,
-    /// For the solution of all steps, s.
+    /// Time for the solution of all steps, s.
     #[serde(deserialize_with = "nan_from_null")]
     pub solve_seconds: f64,
-    /// From the reading of the case, s.
+    /// Time from the reading of the case, s.
     #[serde(deserialize_with = "nan_from_null")]
     pub total_seconds: f64,
-    /// Threads used.
+    /// Number of threads.
     pub threads: usize,
 }
 
-/// The times of a run that the solver does not see.
+/// The times of a run that the solver does not measure.
 #[derive(Debug, Clone, Copy)]
 pub struct Clock {
     /// The moment at which reading the case began.
     pub start: Instant,
-    /// For the radial tables, s.
+    /// Time for the radial tables, s.
     pub tables_seconds: f64,
     /// Origin of the radial tables.
     pub tables_origin: Origin,
 }
 
 impl RunSummary {
-    /// The summary of a solved case; the side of the domain is filled in where the case left it open.
+    /// Creates the summary of a solved case; the side of the domain is filled in if the case left it open.
     ///
     /// # Errors
     ///
@@ -141,8 +141,8 @@ impl RunSummary {
         Ok(())
     }
 
-    /// The summary of a case's results, without what is known before it is solved: a row of a study's table needs no
-    /// more.
+    /// Creates the summary of a case's results, without the data known before the solution: a row of a study's table
+    /// needs no more.
     #[must_use]
     pub fn of_results(
         case: &Case,
@@ -207,11 +207,11 @@ impl RunSummary {
         }
     }
 
-    /// The summary in the text of a `summary.json`, which does not say its units.
+    /// Parses the text of a `summary.json`, which does not name its units.
     ///
     /// # Errors
     ///
-    /// Those of the reader if it is no summary.
+    /// An error of the reader if the text is not a summary.
     pub fn parse(text: &str, units: Units) -> Result<Self, serde_json::Error> {
         let summary = serde_json::from_str(text)?;
         Ok(Self { units, ..summary })
@@ -223,13 +223,13 @@ impl RunSummary {
         self.status == Status::Certified
     }
 
-    /// Whether the surface, and whether the indenter, is a measured map.
+    /// Whether the surface is a measured map, and whether the indenter is one.
     #[must_use]
     pub fn maps(&self) -> [bool; 2] {
         ["surface", "indenter"].map(|table| self.case[table]["file"].is_string())
     }
 
-    /// Whether a step has numbers of rough contact.
+    /// Whether any step has results of rough contact.
     #[must_use]
     pub fn has_rough_contact(&self) -> bool {
         self.steps.iter().any(|step| step.rough_contact.is_some())
@@ -248,8 +248,8 @@ impl RunSummary {
         layers.map_or(0, Vec::len)
     }
 
-    /// Height of the relief above the surface of the body, m, where it is the same everywhere: of cylinders or a film,
-    /// 0 of a bare surface.
+    /// Height of the relief above the surface of the body, m, if it is uniform: that of cylinders or a film; 0 for a
+    /// bare surface.
     #[must_use]
     pub fn relief_height(&self) -> Option<f64> {
         let surface = &self.case["surface"];

@@ -12,10 +12,10 @@ use crate::case::grid::BoundaryCase;
 use crate::display::{Unit, quantity, significant};
 use crate::input::units::Units;
 
-/// Warnings with the same code that are all told.
+/// Largest number of warnings with the same code that are all printed.
 const MOST_ALIKE: usize = 3;
 
-/// The summary of a run in a few lines; a curve as a table with one line per step.
+/// Describes a run in a few lines; a curve as a table with one line per step.
 #[must_use]
 pub fn text(summary: &RunSummary) -> String {
     let mut text = format!("{}\n{}", summary.title, grid(summary));
@@ -26,7 +26,8 @@ pub fn text(summary: &RunSummary) -> String {
     text + &stress::critical(summary)
 }
 
-/// The warnings, one per line; of more than [`MOST_ALIKE`] with one code the first, and how many more there are.
+/// Lists the warnings, one per line; of more than [`MOST_ALIKE`] with one code, only the first and the number of
+/// others.
 #[must_use]
 pub fn warning_lines(warnings: &[WarningSummary]) -> String {
     let mut told: Vec<&str> = Vec::new();

@@ -1,7 +1,7 @@
 //! `fields-NNN.vti`: the fields of one loading step, for `ParaView` and everything else that reads VTK's XML.
 //!
-//! An image of N × N cells; the numbers follow the text as they are, each array after its length in bytes. They have
-//! single precision, which no picture tells from double and which halves the file; `fields-NNN.npz` holds them in full.
+//! An image of N × N cells; the numbers follow the text in binary, each array after its length in bytes. Single
+//! precision is enough for any picture and halves the file; `fields-NNN.npz` has full precision.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -18,7 +18,7 @@ pub fn file(step: usize) -> String {
     format!("fields-{step:03}.vti")
 }
 
-/// Writes the five fields of numbers with their units, the mask and the contact, as data of cells.
+/// Writes the numeric fields with their units, the mask and the contact, as cell data.
 ///
 /// # Errors
 ///
@@ -36,7 +36,7 @@ pub fn write(path: &Path, fields: &Fields<'_>, units: Units) -> Result<(), Failu
     })
 }
 
-/// Everything before the first array.
+/// The text before the first array.
 fn head(fields: &Fields<'_>, units: Units) -> String {
     let size = fields.size;
     let extent = format!("0 {size} 0 {size} 0 0");

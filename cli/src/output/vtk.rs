@@ -1,11 +1,11 @@
-//! The common parts of VTK's XML files: descriptions of arrays that follow the text in binary, and their lengths.
+//! The common parts of VTK's XML files: descriptions of the arrays that follow the text in binary, and their lengths.
 
 use std::io::{self, Write};
 
-/// Bytes of an array's length, which stands before its values.
+/// Size in bytes of the length of an array, which precedes its values.
 pub const LENGTH: usize = size_of::<u64>();
 
-/// An array of numbers in single precision with its unit, `offset` bytes after the first.
+/// Describes an array of numbers in single precision with its unit, `offset` bytes after the first array.
 #[must_use]
 pub fn number_array(name: &str, unit: &str, offset: usize) -> String {
     format!(
@@ -16,7 +16,7 @@ pub fn number_array(name: &str, unit: &str, offset: usize) -> String {
     )
 }
 
-/// An array of bytes, `offset` bytes after the first.
+/// Describes an array of bytes, `offset` bytes after the first array.
 #[must_use]
 pub fn byte_array(name: &str, offset: usize) -> String {
     format!(
@@ -29,7 +29,7 @@ pub fn byte_array(name: &str, offset: usize) -> String {
 ///
 /// # Errors
 ///
-/// Those of the file.
+/// The errors of the file.
 pub fn write_length(file: &mut impl Write, bytes: usize) -> io::Result<()> {
     file.write_all(&(bytes as u64).to_le_bytes())
 }

@@ -13,13 +13,13 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::render;
 
-/// Is called with the number of files written so far and in all.
+/// Called with the number of files written so far and in total.
 pub type OnProgress<'a> = &'a (dyn Fn(usize, usize) + Sync);
 
 /// The progress of a results folder, shared by all threads that write into it.
 pub struct WriteProgress<'a> {
     on_progress: OnProgress<'a>,
-    /// Files in all.
+    /// Total number of files.
     total: usize,
     written: AtomicUsize,
     left_out: AtomicUsize,
@@ -27,7 +27,7 @@ pub struct WriteProgress<'a> {
 }
 
 impl<'a> WriteProgress<'a> {
-    /// A writer of this many files, fields and pictures together.
+    /// Creates the writer of this many files, fields and pictures together.
     #[must_use]
     pub fn new(total: usize, on_progress: OnProgress<'a>) -> Self {
         on_progress(0, total);
@@ -40,7 +40,7 @@ impl<'a> WriteProgress<'a> {
         }
     }
 
-    /// Writes a file; none if it was left out because the user has asked to stop.
+    /// Writes a file; none if it was left out because the user asked to stop.
     ///
     /// # Errors
     ///
@@ -52,7 +52,7 @@ impl<'a> WriteProgress<'a> {
         self.files(1, write)
     }
 
-    /// Writes so many files at once; none if they were left out because the user has asked to stop.
+    /// Writes this many files at once; none if they were left out because the user asked to stop.
     ///
     /// # Errors
     ///
@@ -69,7 +69,7 @@ impl<'a> WriteProgress<'a> {
                     (self.on_progress)(before + count, self.total);
                     return Ok(Some(written));
                 }
-                // A file that was stopped half way is no failure.
+                // A file stopped half-way is not a failure.
                 Err(failure) if stoppable::was_stopped(&failure) => {}
                 Err(failure) => return Err(failure),
             }
@@ -110,7 +110,7 @@ impl<'a> WriteProgress<'a> {
         Ok(written.flatten())
     }
 
-    /// The drawing, or none and a warning: whatever happens while a picture is drawn, the numbers are kept.
+    /// Returns the drawing, or none with a warning: whatever happens while a picture is drawn, the numbers are kept.
     pub fn drawn<T>(&self, name: &str, draw: impl FnOnce() -> Result<T, String>) -> Option<T> {
         let drawn = catch_unwind(AssertUnwindSafe(draw));
         let reason = match drawn {

@@ -11,7 +11,7 @@ use super::substrate::SubstrateCase;
 pub struct BodyPlane {
     /// Its depth, on one side of an interface.
     pub depth: Depth,
-    /// The body it belongs to, from 0 at the surface: a layer of the case, or the substrate after the last.
+    /// The body to which it belongs, from 0 at the surface: a layer of the case, or the substrate after the last layer.
     pub body: usize,
 }
 
@@ -27,10 +27,10 @@ impl BodyPlane {
 }
 
 impl FoundationCase {
-    /// A depth this near to that of an interface, relatively, is on it.
+    /// Relative distance from an interface within which a depth lies on it.
     pub const NEAR: f64 = 1e-12;
 
-    /// Depth of the rigid base, m; infinite where there is none.
+    /// Depth of the rigid base, m; infinite if there is none.
     #[must_use]
     pub fn bottom(&self) -> f64 {
         match self.substrate {
@@ -39,7 +39,7 @@ impl FoundationCase {
         }
     }
 
-    /// The depths of the layers' bottoms, m: those of the interfaces of the foundation itself, to the bit.
+    /// The depths of the layers' bottoms, m, bit-identical to those of the foundation's interfaces.
     #[must_use]
     pub fn bottoms(&self, foundation: &Foundation) -> Vec<f64> {
         let layers = 1..=foundation.layers().len();
@@ -53,7 +53,7 @@ impl FoundationCase {
         bottoms.collect()
     }
 
-    /// The plane at a depth, or the two on both sides of an interface; on a rigid base the one above it.
+    /// The plane at a depth: two on an interface, one for each side; on a rigid base only the one above.
     #[must_use]
     pub fn planes(&self, foundation: &Foundation, depth: f64) -> Vec<BodyPlane> {
         let bottoms = self.bottoms(foundation);

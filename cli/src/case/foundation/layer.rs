@@ -31,14 +31,14 @@ pub struct LayerCase {
     pub interface_strength: InterfaceStrengthCase,
 }
 
-/// The keys of a layer, without those of strengths.
+/// The keys of a layer, without those of its strengths.
 const KEYS: [&str; 4] = ["thickness", "young_modulus", "poisson_ratio", "interface"];
 
-/// The interface between a layer and what lies below.
+/// The interface between a layer and the body below.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum InterfaceCase {
-    /// An interface that has a name.
+    /// An interface given by its name.
     Named(NamedInterface),
     /// An imperfect bond.
     Spring(SpringCase),
@@ -48,13 +48,13 @@ pub enum InterfaceCase {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum NamedInterface {
-    /// It sticks to what lies below.
+    /// The layer is bonded to the body below.
     Bonded,
-    /// It slides without friction.
+    /// The layer slides without friction.
     Frictionless,
 }
 
-/// An imperfect bond, which the layer and what lies below part from or slide along in proportion to the traction.
+/// An imperfect bond, across which displacements jump in proportion to the traction.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SpringCase {
     /// Jump of the normal displacement per traction, m/Pa.
@@ -121,14 +121,15 @@ impl LayerCase {
             strength: BodyStrengthCase::read(&table)?,
             interface_strength: InterfaceStrengthCase::read(&table)?,
         };
-        // The modulus is positive by now: only the ratio can still be refused.
+        // The modulus is known to be positive here, so only the ratio can be rejected.
         let ratio = table.required("poisson_ratio", POISSON_RATIO)?;
         let material = layer.material(layer.young_modulus.at_top());
         material.map_err(|error| ratio.refused(&error))?;
         Ok(layer)
     }
 
-    /// The layer as one or more homogeneous layers on those below, and the error of the split if it is graded.
+    /// Returns the layer as one or more homogeneous layers on top of those below, and the error of the split if it is
+    /// graded.
     pub(super) fn split(
         &self,
         below: &[Layer],

@@ -1,4 +1,4 @@
-//! Young's modulus of a layer: the same everywhere, or graded from the top of the layer to its bottom.
+//! Young's modulus of a layer: uniform, or graded from the top of the layer to its bottom.
 
 use serde::Serialize;
 
@@ -31,9 +31,9 @@ pub struct GradingCase {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum GradingProfile {
-    /// It changes by the same amount over equal depths.
+    /// Changes by the same amount over equal depths.
     Linear,
-    /// It changes by the same factor over equal depths.
+    /// Changes by the same factor over equal depths.
     Exponential,
 }
 
@@ -71,7 +71,7 @@ impl ModulusCase {
 }
 
 impl GradingCase {
-    /// The modulus (Pa) at this fraction of the depth, 0 at the top and 1 at the bottom.
+    /// The modulus (Pa) at this fraction of the thickness, 0 at the top and 1 at the bottom.
     #[must_use]
     pub fn at(self, part: f64) -> f64 {
         let Self { from, to, profile } = self;

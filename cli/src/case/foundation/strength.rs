@@ -1,4 +1,4 @@
-//! Strengths: what a body and an interface bear.
+//! Strengths: the largest stresses that a body and an interface bear.
 
 use serde::Serialize;
 
@@ -10,10 +10,10 @@ use crate::input::value_reader::Sign;
 /// The strength of a body; each limit may be missing.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct BodyStrengthCase {
-    /// Von Mises' stress at which it yields, Pa.
+    /// Von Mises' stress at which the body yields, Pa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub yield_strength: Option<f64>,
-    /// The largest principal stress that it bears, Pa.
+    /// The largest principal stress that the body bears, Pa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tensile_strength: Option<f64>,
     /// The contact pressure at which its surface yields, Pa.
@@ -24,10 +24,10 @@ pub struct BodyStrengthCase {
 /// The strength of the interface below a layer; each limit may be missing.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct InterfaceStrengthCase {
-    /// The shear traction at which it comes off, Pa.
+    /// The shear traction at which the layer detaches, Pa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub interface_shear_strength: Option<f64>,
-    /// The tension at which it comes off, Pa.
+    /// The tension at which the layer detaches, Pa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub interface_tensile_strength: Option<f64>,
 }

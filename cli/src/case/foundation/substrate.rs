@@ -36,7 +36,7 @@ pub struct MaterialCase {
     pub strength: BodyStrengthCase,
 }
 
-/// The keys of a material, without those of strengths.
+/// The keys of a material, without those of its strengths.
 const KEYS: [&str; 2] = ["young_modulus", "poisson_ratio"];
 
 impl SubstrateCase {
@@ -69,7 +69,7 @@ impl MaterialCase {
                 .number(POISSON_RATIO)?,
             strength: BodyStrengthCase::read(table)?,
         };
-        // The modulus is positive by now: only the ratio can still be refused.
+        // The modulus is known to be positive here, so only the ratio can be rejected.
         let ratio = table.required("poisson_ratio", POISSON_RATIO)?;
         material.build().map_err(|error| ratio.refused(&error))?;
         Ok(material)

@@ -1,4 +1,4 @@
-//! Foundations as texts, read and split.
+//! Foundations read from text and split.
 
 use pellicle_kernel::Layer;
 
@@ -24,7 +24,7 @@ fn a_coated_body_is_read_from_the_surface_down() {
     assert_eq!(foundation.surface_young_modulus(), Some(70e9));
 }
 
-/// The modulus at the middle of each sublayer of a layer graded so, on the substrate.
+/// Splits a layer with this graded modulus on the substrate.
 fn graded(modulus: &str) -> Result<SplitFoundation, String> {
     let layer = LAYER.replace("\"70 GPa\"", modulus);
     let foundation = read(&format!("{SUBSTRATE}{layer}"))?;

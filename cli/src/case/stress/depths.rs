@@ -1,21 +1,22 @@
-//! The depths of planes where a case names none.
+//! The depths of planes if a case gives none.
 
 use std::f64::consts::PI;
 
-/// Planes from the surface to the deepest, those on both sides of an interface counted once, of a body without layers.
+/// Number of steps from the surface to the deepest plane in a body without layers.
 const PLANES: f64 = 32.0;
 
-/// Fewest steps from one interface to the next.
+/// Smallest number of steps from one interface to the next.
 const FEWEST: f64 = 8.0;
 
-/// The part of the spacing that is the same everywhere: without it the first plane below an interface would be far
-/// nearer than any element is wide.
+/// The uniform part of the spacing: without it the first plane below an interface would be much closer than the side of
+/// any element.
 const EVEN: f64 = 0.2;
 
-/// Depths from the surface to `deepest` (m), interfaces at `bottoms` among them where they lie above, rising.
+/// Returns increasing depths from the surface to `deepest` (m), including the interfaces at `bottoms` that lie above
+/// it.
 ///
-/// Between two interfaces they are spaced as the extremes of a Chebyshev polynomial, denser at both, evened out a
-/// little; below the last interface as those of its upper half, denser at the top.
+/// Between two interfaces they are spaced like the extremes of a Chebyshev polynomial, denser at both ends, and evened
+/// out a little. Below the last interface they are spaced like the upper half of those, denser at the top.
 #[must_use]
 pub fn chosen(bottoms: &[f64], deepest: f64) -> Vec<f64> {
     let within = bottoms.iter().copied().filter(|bottom| *bottom < deepest);
@@ -32,7 +33,7 @@ pub fn chosen(bottoms: &[f64], deepest: f64) -> Vec<f64> {
             reason = "between 8 and 32"
         )]
         let steps = (PLANES * thickness / deepest).round().max(FEWEST) as usize;
-        // Of the last part the lower end is nothing to be dense at.
+        // The lower end of the last part is not an interface, so depths need not be dense there.
         let turn = if i + 1 == parts && bottoms.last() != Some(&deepest) {
             0.5
         } else {
@@ -83,7 +84,7 @@ mod tests {
         for at in [0, interface - 1, interface] {
             assert!(steps[at] < 0.5 * middle, "{at}: {steps:?}");
         }
-        // Towards the deepest they only grow.
+        // The steps only grow towards the deepest plane.
         assert!(steps[interface..].is_sorted(), "{steps:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! The keys of `[stress]`, and the model made of them.
+//! The keys of `[stress]`, and the model built from them.
 
 use super::*;
 use crate::input::table_reader::tests::read_table;

@@ -1,4 +1,4 @@
-//! The keys of `[surface]`, and the messages about wrong ones.
+//! The keys of `[surface]`, and the messages about invalid ones.
 
 use super::super::foundation::strength::BodyStrengthCase;
 use super::super::foundation::substrate::{MaterialCase, SubstrateCase};

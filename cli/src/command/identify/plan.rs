@@ -1,4 +1,4 @@
-//! `pellicle identify --plan`: what to measure, before anything is.
+//! `pellicle identify --plan`: what to measure, before any measurement.
 
 use std::time::Instant;
 
@@ -15,10 +15,10 @@ use crate::output::json;
 use crate::planning::{files, text};
 use crate::{interrupt, terminal, threads};
 
-/// Added to the name of the fit file for the folder of a plan, so that the fit keeps its own.
+/// Suffix of the folder of a plan, after the name of the fit file, so that the fit keeps its own folder.
 const FOLDER: &str = "-plan";
 
-/// Judges the design of the fit file, writes the plan and tells it.
+/// Assesses the design of the fit file, then writes and reports the plan.
 ///
 /// # Errors
 ///

@@ -17,7 +17,7 @@ pub struct ElementRow {
     offset: [isize; 2],
     /// Depth below the surface, m.
     depth: f64,
-    /// The body that the point belongs to where it lies on an interface.
+    /// The body to which a point on an interface belongs.
     side: &'static str,
     /// Side of an element, m.
     element_side: f64,
@@ -37,7 +37,7 @@ impl Serialize for StateRow {
     }
 }
 
-/// The rows of all offsets at all depths; on an interface those above it before those below.
+/// Returns the rows of all offsets at all depths; on an interface, the rows above it precede those below.
 pub fn rows(
     foundation: &Foundation,
     case: &FoundationCase,
@@ -75,7 +75,7 @@ impl From<SubsurfaceState> for StateRow {
     }
 }
 
-/// The rows as a table, two lines each.
+/// Formats the rows as a table, two lines each.
 pub fn table(rows: &[ElementRow], units: Units) -> String {
     let (metre, metre_per_pascal) = (units.name("m"), units.name("m/Pa"));
     let element_side = rows.first().map_or(f64::NAN, |row| row.element_side);

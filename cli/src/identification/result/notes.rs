@@ -6,7 +6,7 @@ use crate::identification::Identification;
 use crate::identification::findings::{ExcludedResult, WarningResult};
 
 impl Identification {
-    /// Points left out before the fit, and curves left out by it.
+    /// Counts the points left out before the fit, and the curves left out by it.
     pub(super) fn excluded(&self, fit: &Fit) -> Vec<ExcludedResult> {
         let mut found: Vec<ExcludedResult> = Vec::new();
         let mut add = |reason: String, count: usize| {
@@ -48,7 +48,7 @@ impl Identification {
         found
     }
 
-    /// The warnings about the files and of the fit.
+    /// Returns the warnings about the files and those of the fit.
     pub(super) fn warnings(&self, fit: &Fit) -> Vec<WarningResult> {
         let warning = |code: &str, message: String| WarningResult {
             code: code.into(),

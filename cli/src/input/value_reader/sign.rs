@@ -23,7 +23,7 @@ impl Sign {
             }
     }
 
-    /// The wanted values in words: `a positive length such as "5 nm"`.
+    /// Describes the wanted values: `a positive length such as "5 nm"`.
     #[must_use]
     pub fn wanted(self, dimension: Dimension) -> String {
         let noun = dimension.noun();

@@ -1,4 +1,4 @@
-//! The columns that a `[[data]]` table needs for what it observes and for the bounds of its segment.
+//! The columns that a `[[data]]` table needs for its observable and for the bounds of its segment.
 
 use super::{DataTable, Observe};
 use crate::input::diagnosis::{Diagnosis, Fault};
@@ -7,7 +7,7 @@ use crate::measured::channel::Channel;
 use crate::measured::curve_segment::{Branch, SegmentEnd, Until};
 
 impl DataTable {
-    /// Looks whether what is observed and what bounds the segment have their columns.
+    /// Checks that the observable and the bounds of the segment have their columns.
     pub(super) fn require_columns(
         &self,
         table: &TableReader<'_>,
@@ -56,7 +56,8 @@ impl DataTable {
         }
     }
 
-    /// A depth comes from its column, or from the height of a piezo, the force or deflection and a spring constant.
+    /// Checks that the depth has its column, or can be computed from the height of a piezo, the force or deflection,
+    /// and a spring constant.
     fn require_depth(
         &self,
         table: &TableReader<'_>,
@@ -84,7 +85,7 @@ impl DataTable {
     }
 }
 
-/// Refuses two columns of which one follows from the other.
+/// Rejects two columns if one follows from the other.
 fn refuse_both(columns: &TableReader<'_>, keys: [&'static str; 2]) -> Result<(), Diagnosis> {
     match (columns.optional(keys[0]), columns.optional(keys[1])) {
         (Some(_), Some(field)) => Err(field.diagnosis(Fault::Wrong {

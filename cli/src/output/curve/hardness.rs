@@ -1,4 +1,4 @@
-//! The columns of a pressure that is cut at a hardness.
+//! The columns for a pressure cut at a hardness.
 
 use super::column::{CurveColumn, name, number};
 use crate::case::Case;
@@ -17,7 +17,7 @@ const COLUMNS: [CurveColumn<StepSummary>; 3] = [
     }),
 ];
 
-/// The columns, where there is a hardness.
+/// The columns, present if there is a hardness.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct HardnessColumns {
     are_there: bool,
@@ -34,7 +34,7 @@ impl HardnessColumns {
         Self { are_there }
     }
 
-    /// Adds those of a case.
+    /// Adds the columns of a case.
     pub fn add(&mut self, case: &Case) {
         self.are_there |= case.hardness().is_some();
     }

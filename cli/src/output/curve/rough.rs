@@ -17,7 +17,7 @@ const COLUMNS: [CurveColumn<RoughContactSummary>; 4] = [
     }),
 ];
 
-/// The columns, where a map takes part.
+/// The columns, present if a map takes part.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct RoughColumns {
     are_there: bool,
@@ -31,7 +31,7 @@ impl RoughColumns {
         Self { are_there }
     }
 
-    /// Adds those of a case.
+    /// Adds the columns of a case.
     pub fn add(&mut self, case: &Case) {
         self.are_there |= case.surface.map().is_some() || case.indenter.map().is_some();
     }

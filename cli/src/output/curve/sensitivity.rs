@@ -4,7 +4,7 @@ use super::column::number;
 use crate::input::units::Units;
 use crate::output::summary::{RunSummary, StepSummary};
 
-/// The numbers of the case whose derivatives are columns.
+/// The parameters of the case whose derivatives are columns.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SensitivityColumns {
     keys: Vec<String>,
@@ -22,7 +22,7 @@ impl SensitivityColumns {
         }
     }
 
-    /// Names of the columns: of each number the derivative of the elements in contact and that along the curve.
+    /// Names of the columns: for each parameter, the derivative for the elements in contact and that along the curve.
     #[must_use]
     pub fn header(&self, units: Units) -> Vec<String> {
         let unit = |key: &str| match units {
@@ -39,7 +39,7 @@ impl SensitivityColumns {
         self.keys.iter().flat_map(of_key).collect()
     }
 
-    /// The values of a step; empty where there is none.
+    /// The values of a step; cells without a value are empty.
     #[must_use]
     pub fn row(&self, step: &StepSummary) -> Vec<String> {
         let cell = |value: Option<f64>| value.map_or_else(String::new, number);
@@ -55,7 +55,7 @@ impl SensitivityColumns {
     }
 }
 
-/// The SI unit of a number of a case, by the last part of its key.
+/// The SI unit of a parameter of a case, from the last part of its key.
 fn si_unit(key: &str) -> &'static str {
     match key.rsplit('.').next().unwrap_or_default() {
         "young_modulus" => "Pa",

@@ -14,11 +14,11 @@ pub struct StressColumns {
     bodies: Vec<String>,
     /// Indices of interfaces.
     interfaces: Vec<usize>,
-    /// Names of bodies and interfaces with the criterion of a strength given.
+    /// Names of bodies and interfaces with the criterion of a given strength.
     critical: Vec<(String, Criterion)>,
 }
 
-/// A number of a body, and its name.
+/// The name of a column and its value for a body.
 type BodyColumn = (&'static str, fn(&BodyStress) -> f64);
 
 const OF_BODIES: [BodyColumn; 4] = [
@@ -28,7 +28,7 @@ const OF_BODIES: [BodyColumn; 4] = [
     ("max shear", |body| body.max_shear.value),
 ];
 
-/// A number of an interface, and its name.
+/// The name of a column and its value for an interface.
 type InterfaceColumn = (&'static str, fn(&InterfaceStress) -> f64);
 
 const OF_INTERFACES: [InterfaceColumn; 3] = [
@@ -59,7 +59,7 @@ impl StressColumns {
         }
     }
 
-    /// Adds the columns of a case, each once.
+    /// Adds the columns of a case, without duplicates.
     pub fn add(&mut self, case: &Case) {
         if case.stress.is_none() {
             return;
@@ -103,7 +103,7 @@ impl StressColumns {
         of_bodies.chain(of_interfaces).chain(critical).collect()
     }
 
-    /// The values of a step and of the critical loads; empty where there is none.
+    /// The values of a step and of the critical loads; cells without a value are empty.
     #[must_use]
     pub fn row(&self, step: &StepSummary, critical: &[CriticalLoad]) -> Vec<String> {
         let extremes = step.stress.as_ref().map(|stress| &stress.extremes);
@@ -128,7 +128,7 @@ impl StressColumns {
 
 const SUBSTRATE: &str = "substrate";
 
-/// The criterion's name in a table, that of its strength.
+/// The name of the criterion in a table, that of its strength.
 fn word(criterion: Criterion) -> &'static str {
     match criterion {
         Criterion::Yield => "yield",

@@ -1,13 +1,13 @@
-//! The hidden folder in which results are filled, and the way of its files up into the results folder.
+//! The hidden folder in which results are written, and the move of its files up into the results folder.
 //!
-//! When it is complete it is renamed, which makes it valid; then its files move up, `summary.json` or
-//! `fit.json` last. Its name says how far this is:
+//! Once complete it is renamed, which makes it valid; then its files move up, `summary.json` or `fit.json` last. Its
+//! name shows the stage:
 //!
-//! | name | what the next run does with it if its owner is dead |
+//! | name | action of the next run if the owner is dead |
 //! |---|---|
 //! | `.pellicle-run-…` | removes it: it is half-written |
-//! | `.pellicle-done-…` | removes the older results and goes on with the next |
-//! | `.pellicle-move-…` | moves the files that are still in it up |
+//! | `.pellicle-done-…` | removes the older results and continues with the next line |
+//! | `.pellicle-move-…` | moves the remaining files up |
 
 use std::fs;
 use std::io;
@@ -17,7 +17,7 @@ use crate::identification::result;
 use crate::output::{own_files, partial_file, summary};
 use crate::unfinished::Unfinished;
 
-/// Beginnings of its names: being filled, complete, being emptied.
+/// Prefixes of its name: being filled, complete, being emptied.
 pub(super) const FILLING: &str = ".pellicle-run-";
 pub(super) const COMPLETE: &str = ".pellicle-done-";
 pub(super) const EMPTYING: &str = ".pellicle-move-";
@@ -28,12 +28,12 @@ pub(super) fn is_name(name: &str) -> bool {
     starts.iter().any(|start| name.starts_with(start))
 }
 
-/// Whether a dead process was just about to move results up: the next run finishes this first.
+/// Whether a dead process was moving results up; the next run finishes this first.
 pub(super) fn is_being_emptied(path: &Path) -> bool {
     named(path, EMPTYING).is_ok_and(|folders| !folders.is_empty())
 }
 
-/// A new hidden folder.
+/// Makes a new hidden folder.
 pub(super) fn scratch(path: &Path) -> io::Result<Unfinished> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(FILLING).rand_bytes(12);
@@ -42,7 +42,7 @@ pub(super) fn scratch(path: &Path) -> io::Result<Unfinished> {
     Ok(Unfinished::folder(&builder.tempdir_in(path)?.keep()))
 }
 
-/// Finishes what was complete and removes what was not, in a folder whose lock this process holds.
+/// Finishes complete results and removes incomplete ones, in a folder whose lock this process holds.
 pub(super) fn settle(path: &Path) -> io::Result<()> {
     for left in named(path, FILLING)? {
         remove_half_written(&left);
@@ -73,7 +73,7 @@ fn named(path: &Path, start: &str) -> io::Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// Removes the files of a run in a hidden folder, and the folder if nothing else is in it.
+/// Removes the files of a run in a hidden folder, and the folder if it is then empty.
 fn remove_half_written(folder: &Path) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
@@ -91,7 +91,7 @@ fn remove_half_written(folder: &Path) {
     drop(fs::remove_dir(folder));
 }
 
-/// The same hidden folder with another beginning of its name.
+/// Renames the hidden folder with another prefix.
 fn renamed(folder: &Path, start: &str) -> io::Result<PathBuf> {
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
     let random = name.rsplit('-').next().unwrap_or_default();
@@ -105,7 +105,7 @@ pub(super) fn complete(folder: &Path) -> io::Result<PathBuf> {
     renamed(folder, COMPLETE)
 }
 
-/// Moves the files of a complete hidden folder up, in place of older results.
+/// Moves the files of a complete hidden folder up, replacing older results.
 pub(super) fn empty(path: &Path, complete: &Path) -> io::Result<()> {
     move_up(path, &remove_older(path, complete)?)
 }
@@ -116,7 +116,7 @@ fn remove_older(path: &Path, complete: &Path) -> io::Result<PathBuf> {
     renamed(complete, EMPTYING)
 }
 
-/// Moves the files of a hidden folder up, what makes them results last, and removes it.
+/// Moves the files of a hidden folder up, the file that makes them results last, and removes it.
 fn move_up(path: &Path, emptying: &Path) -> io::Result<()> {
     let names = fs::read_dir(emptying)?;
     let names = names.map(|entry| Ok(entry?.file_name()));

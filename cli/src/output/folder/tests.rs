@@ -1,4 +1,4 @@
-//! Places that are claimed, filled, lost and left behind.
+//! Folders that are claimed, filled, lost and left behind.
 
 use tempfile::TempDir;
 
@@ -123,7 +123,7 @@ fn what_comes_into_the_place_meanwhile_is_kept_and_the_results_are_too() {
     );
 }
 
-/// A place as a kill leaves it: what is in the hidden folder of this name, and what is beside it.
+/// A folder as a kill leaves it: `inside` are the files in the hidden folder of this name, `beside` those beside it.
 fn left(hidden: &str, inside: &[&str], beside: &[&str]) -> (TempDir, PathBuf) {
     let (parent, path) = parent();
     let hidden = path.join(format!("{hidden}0"));
@@ -167,7 +167,7 @@ fn folders_of_others_are_not_swept() {
     sweep_beside(&path);
     assert_eq!(names(&path), [format!("{FILLING}0")]);
     fs::remove_file(path.join(format!("{FILLING}0/thesis.tex"))).unwrap();
-    // Without a lock nobody has claimed it.
+    // Without a lock, no process has claimed it.
     sweep_beside(&path);
     assert_eq!(names(&path), [format!("{FILLING}0")]);
 }

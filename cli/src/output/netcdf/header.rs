@@ -1,17 +1,17 @@
 //! The header of a `NetCDF` file of the classic format with 64-bit offsets: big-endian numbers and padded names.
 //!
 //! The values follow, variable by variable. Variables over the record dimension come last, interleaved: all of them for
-//! its first index, then for the second. A variable has at most 4 GiB, but of the interleaved ones each record counts
-//! alone, so that a file with records has no limit that matters.
+//! its first index, then for the second. A variable has at most 4 GiB, but for interleaved variables the limit applies
+//! to each record, so a file with records has no practical limit.
 
 use std::io;
 
-/// Numbers of the format that say what follows.
+/// Tags of the format for the part that follows.
 const DIMENSIONS: u32 = 10;
 const VARIABLES: u32 = 11;
 const ATTRIBUTES: u32 = 12;
 
-/// Numbers of the format for the types of text and of numbers in attributes.
+/// Codes of the format for the types of text and of numbers in attributes.
 const CHAR: u32 = 2;
 const DOUBLE: u32 = 6;
 
@@ -30,7 +30,7 @@ pub enum Attribute {
 /// The type of a variable's values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// Of 8 bits.
+    /// An integer of 8 bits.
     Byte,
     /// An integer of 32 bits.
     Integer,
@@ -54,9 +54,9 @@ pub struct Variable {
 /// Everything before the values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Header {
-    /// Records: the length of the record dimension.
+    /// Number of records, the length of the record dimension.
     pub records: usize,
-    /// Names and lengths of the dimensions, [`RECORDS`] of the record dimension.
+    /// Names and lengths of the dimensions; the length of the record dimension is [`RECORDS`].
     pub dimensions: Vec<(&'static str, usize)>,
     /// Attributes of the file.
     pub attributes: Vec<Attribute>,
@@ -83,13 +83,13 @@ impl Kind {
 }
 
 impl Header {
-    /// Its bytes.
+    /// Encodes the header.
     ///
     /// # Errors
     ///
-    /// If a number does not fit into the format.
+    /// An error if a number does not fit into the format.
     pub fn bytes(&self) -> io::Result<Vec<u8>> {
-        // The offsets are known once the length of the header is: it does not depend on them.
+        // The offsets follow from the length of the header, which does not depend on them.
         let length = self.bytes_with_values_at(0)?.len();
         self.bytes_with_values_at(length)
     }
@@ -142,7 +142,7 @@ impl Header {
 
 fn push_attributes(bytes: &mut Vec<u8>, attributes: &[Attribute]) -> io::Result<()> {
     if attributes.is_empty() {
-        // None is written as two zeros.
+        // An empty list is written as two zeros.
         bytes.extend([0; 8]);
         return Ok(());
     }
@@ -166,7 +166,7 @@ fn push_attributes(bytes: &mut Vec<u8>, attributes: &[Attribute]) -> io::Result<
     Ok(())
 }
 
-/// The length in bytes, the bytes, and zeros up to a multiple of four.
+/// Appends the length in bytes, the bytes, and zeros up to a multiple of four.
 fn push_text(bytes: &mut Vec<u8>, text: &str) -> io::Result<()> {
     push_count(bytes, text.len())?;
     bytes.extend(text.as_bytes());

@@ -5,14 +5,14 @@ use serde_json::Value;
 use crate::display::{Unit, quantity, significant};
 use crate::input::units::Units;
 
-/// Keys and values of the case, in the order of their keys.
+/// Returns the keys and values of the case, sorted by key.
 pub fn rows(case: &Value, units: Units) -> Vec<(String, String)> {
     let mut rows = Vec::new();
     push(&mut rows, "", case, units);
     rows
 }
 
-/// A row for every value in a tree of tables and lists of tables.
+/// Adds a row for every value in a tree of tables and lists of tables.
 fn push(rows: &mut Vec<(String, String)>, path: &str, value: &Value, units: Units) {
     let below = |key: &str| match path {
         "" => key.to_owned(),
@@ -20,7 +20,7 @@ fn push(rows: &mut Vec<(String, String)>, path: &str, value: &Value, units: Unit
     };
     match value {
         Value::Object(entries) => {
-            // By their names, as no reader knows the order of a case file by heart.
+            // Sorted by name, since readers do not remember the order of a case file.
             let mut entries: Vec<_> = entries.iter().collect();
             entries.sort_by_key(|(key, _)| *key);
             for (key, value) in entries {
@@ -57,7 +57,7 @@ fn text(path: &str, value: &Value, units: Units) -> String {
     }
 }
 
-/// A number as its key wants it.
+/// Formats a number as suits its key.
 fn real(key: &str, value: f64, units: Units) -> String {
     let unit = match key {
         "young_modulus" => Some(Unit::Pascal),

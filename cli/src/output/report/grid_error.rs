@@ -1,14 +1,14 @@
-//! The note on the grid's error in a number of the report.
+//! The note on the grid error of a number in the report.
 
 use pellicle_contact::ErrorEstimate;
 
 use crate::display::{Unit, error_of};
 use crate::input::units::Units;
 
-/// The note on the grid's error in a number.
+/// The note on the grid error of a number.
 #[derive(Debug, PartialEq, Eq)]
 pub enum GridErrorNote {
-    /// Nobody estimates it.
+    /// The error is not estimated.
     NotEstimated,
     /// There is no coarser grid to compare with.
     OneGrid,
@@ -19,7 +19,7 @@ pub enum GridErrorNote {
 }
 
 impl GridErrorNote {
-    /// Of a number with this error; none where there is no coarser grid.
+    /// Makes the note of a number with this error; the error is none if there is no coarser grid.
     pub fn new(value: f64, unit: Unit, error: Option<ErrorEstimate>, units: Units) -> Self {
         let Some(error) = error else {
             return Self::OneGrid;

@@ -15,7 +15,7 @@ pub struct StepSection<'a> {
     pub rows: Vec<NumberRow>,
     pub certificate: CertificateText,
     pub drawings: &'a [(StepPicture, String)],
-    /// The extremes of the stresses, where they were asked for.
+    /// The extremes of the stresses, if requested.
     pub stresses: Option<StressTable>,
     pub stress_drawings: &'a [(StressPicture, String)],
     pub surface: Option<&'a SurfaceFigure>,
@@ -28,13 +28,13 @@ pub struct NumberRow {
     pub error: GridErrorNote,
 }
 
-/// The lines of a certificate, as the page writes their numbers.
+/// The lines of a certificate, with numbers as on the page.
 pub struct CertificateText {
     pub complementarity: String,
     pub gap_in_contact: String,
     pub overlap: String,
     pub load: String,
-    /// Whether a pressure is negative or no number.
+    /// Whether a pressure is negative or NaN.
     pub pulls: bool,
     pub worst: String,
     pub bound: String,

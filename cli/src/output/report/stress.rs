@@ -16,14 +16,14 @@ pub struct StressTable {
 
 /// An extreme.
 pub struct StressRow {
-    /// The body or interface; empty where it is that of the row above.
+    /// The body or interface; empty if it is that of the row above.
     pub place: String,
     pub name: &'static str,
     pub value: String,
     /// Its coordinates.
     pub at: String,
     pub error: GridErrorNote,
-    /// The part of the strength that is used; empty where there is no strength.
+    /// The utilisation of the strength; empty if there is no strength.
     pub used: String,
 }
 

@@ -1,4 +1,4 @@
-//! The pressure of one loading step as the report's script takes it, to be turned by hand.
+//! The pressure of one loading step as data for the report's script, which lets the reader rotate it.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
@@ -11,10 +11,10 @@ use crate::picture::crop::Crop;
 use crate::picture::labels;
 use crate::picture::subject::Subject;
 
-/// Most columns along a side: what a browser turns without delay.
+/// Largest number of columns along a side that a browser rotates without delay.
 const CELLS: usize = 96;
 
-/// The numbers of a cell: nothing, relief without pressure, the first and the last pressure.
+/// The values of a cell: bare, relief without pressure, the first and the last pressure.
 const BARE: u16 = 0;
 const RELIEF: u16 = 1;
 const PRESSURES: [u16; 2] = [2, u16::MAX];
@@ -24,16 +24,16 @@ const PRESSURES: [u16; 2] = [2, u16::MAX];
 pub struct SurfaceFigure {
     /// Cells per side.
     pub cells: usize,
-    /// Two bytes a cell, in base 64.
+    /// Two bytes per cell, in base 64.
     pub values: String,
-    /// Three bytes a colour, in base 64.
+    /// Three bytes per colour, in base 64.
     pub palette: String,
-    /// The words at the axes, as JSON.
+    /// The labels of the axes, as JSON.
     pub labels: String,
 }
 
 impl SurfaceFigure {
-    /// The pressure of a step.
+    /// Creates the figure of the pressure of a step.
     #[must_use]
     pub fn new(subject: &Subject<'_>) -> Self {
         let fields = &subject.fields;
@@ -50,7 +50,7 @@ impl SurfaceFigure {
     }
 }
 
-/// Two bytes a cell, the lower first.
+/// Encodes the cells, two bytes each, little-endian.
 fn values(coarse: &CoarseField, fraction: impl Fn(f64) -> f64) -> Vec<u8> {
     let cells = (0..coarse.cells).flat_map(|i| (0..coarse.cells).map(move |j| (i, j)));
     let value = |(i, j)| {
@@ -61,7 +61,7 @@ fn values(coarse: &CoarseField, fraction: impl Fn(f64) -> f64) -> Vec<u8> {
     cells.flat_map(|cell| value(cell).to_le_bytes()).collect()
 }
 
-/// The number of a cell whose pressure is this fraction of the largest, if it has any.
+/// The value of a cell whose pressure, if any, is this fraction of the largest.
 fn value(fraction: Option<f64>, is_relief: bool) -> u16 {
     let [first, last] = PRESSURES.map(f64::from);
     match (fraction, is_relief) {
@@ -84,7 +84,7 @@ fn palette(map: ColourMap) -> Vec<u8> {
     (0..=u8::MAX).flat_map(shade).collect()
 }
 
-/// The ends and the names of the axes.
+/// The end labels and the names of the axes.
 fn labels(subject: &Subject<'_>, coarse: &CoarseField) -> serde_json::Value {
     let metres = subject.metres(coarse.farthest());
     let (pascals, shades) = subject.pressures();

@@ -1,4 +1,4 @@
-//! The fields on all planes of a step at once, for whoever has the memory.
+//! The fields on all planes of a step at once, held in memory.
 
 use pellicle_contact::{LoadingPath, StressField};
 use pellicle_kernel::Foundation;
@@ -18,12 +18,12 @@ pub struct StressFields {
     pub centres: Vec<f64>,
     /// The planes, from the surface down.
     pub planes: Vec<BodyPlane>,
-    /// Of every plane the values of every one of [`FIELDS`], a row for each coordinate along x.
+    /// For every plane, the values of each of [`FIELDS`], with one row per coordinate along x.
     pub values: Vec<[Vec<f64>; FIELDS.len()]>,
 }
 
 impl StressFields {
-    /// The fields of a step of the path of a case that `stress` asks for; none if there is no such step.
+    /// Computes the fields that `stress` requests for a step of the path of a case; none if there is no such step.
     ///
     /// # Errors
     ///
@@ -42,8 +42,8 @@ impl StressFields {
         Self::of(foundation, &field, contact_radius, stress).map(Some)
     }
 
-    /// The fields under a contact of this radius (m) that `stress` asks for, in a foundation as the case has it and as
-    /// it is split.
+    /// Computes the fields that `stress` requests under a contact of this radius (m), in a foundation given by the case
+    /// and as split.
     ///
     /// # Errors
     ///

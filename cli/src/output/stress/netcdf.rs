@@ -1,7 +1,7 @@
 //! `stress-NNN.nc`: the stresses as NetCDF-3, in double precision.
 //!
-//! Dimensions `z`, `x` and `y`; variables `z`, the depth of a plane, `body`, the body that it lies in, and the fields
-//! over `(z, x, y)`. `z` is the record dimension: the planes stand one after the other, and a file may be of any size.
+//! Dimensions `z`, `x` and `y`; variables `z`, the depth of a plane, `body`, the body in which it lies, and the fields
+//! over `(z, x, y)`. `z` is the record dimension: the planes follow one another, and a file may have any size.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -18,7 +18,7 @@ pub fn file(step: usize) -> String {
     format!("stress-{step:03}.nc")
 }
 
-/// A file under way.
+/// A file being written.
 pub struct StressNetcdf {
     file: LongFile,
     /// Depth and body of each plane.

@@ -84,7 +84,7 @@ pub fn read(path: &Path) -> Result<StressView, Failure> {
     view.ok_or_else(|| Failure::damaged(path, &"its arrays do not belong together"))
 }
 
-/// The view; none if its arrays do not fit each other.
+/// Reads the view; none if its arrays do not match.
 fn try_read(path: &Path) -> Result<Option<StressView>, ReadNpzError> {
     let mut npz = NpzReader::new(File::open(path).map_err(ReadNpyError::Io)?)?;
     let von_mises: Array2<f64> = npz.by_name("von_mises")?;
@@ -142,7 +142,7 @@ fn try_read(path: &Path) -> Result<Option<StressView>, ReadNpzError> {
     }))
 }
 
-/// The number of a body or an interface; 0 for what is none.
+/// Converts the number of a body or an interface; 0 if it is invalid.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -1,4 +1,4 @@
-//! A file of stresses that takes plane after plane, whatever its format.
+//! A file of stresses, of any format, that is written plane by plane.
 
 use super::plane_values::PlaneValues;
 use crate::case::foundation::depths::BodyPlane;
@@ -6,7 +6,7 @@ use crate::case::stress::StressCase;
 use crate::failure::Failure;
 use crate::output::summary::RunSummary;
 
-/// The header of the files of a step: all but the values.
+/// The header of the files of a step: everything but the values.
 #[derive(Debug)]
 pub struct StressHead<'a> {
     pub summary: &'a RunSummary,
@@ -19,7 +19,7 @@ pub struct StressHead<'a> {
     pub planes: &'a [BodyPlane],
 }
 
-/// A file that takes plane after plane.
+/// A file that is written plane by plane.
 pub trait StressFile {
     fn add(&mut self, plane: usize, values: &PlaneValues) -> Result<(), Failure>;
     fn finish(self: Box<Self>) -> Result<(), Failure>;

@@ -18,10 +18,10 @@ pub struct FieldName {
     pub meaning: &'static str,
 }
 
-/// Fields of a state of the body.
+/// Number of fields of a state of the body.
 const STATE: usize = 9;
 
-/// The fields: those of [`SubsurfaceState`] in its order, and two that follow from them.
+/// The fields: those of [`SubsurfaceState`] in its order, and two derived from them.
 pub const FIELDS: [FieldName; 11] = [
     named("ux", "m", "displacement along x"),
     named("uy", "m", "displacement along y"),
@@ -48,12 +48,12 @@ const fn named(name: &'static str, unit: &'static str, meaning: &'static str) ->
     }
 }
 
-/// The fields on one plane: a row for each coordinate along x.
+/// The fields on one plane, one row per coordinate along x.
 #[derive(Debug)]
 pub struct PlaneValues {
-    /// The values of every one of [`FIELDS`].
+    /// The values of each of [`FIELDS`].
     pub fields: [Vec<f64>; FIELDS.len()],
-    /// Points of a row.
+    /// Number of points of a row.
     pub size: usize,
 }
 
@@ -74,7 +74,7 @@ impl PlaneValues {
         Ok(())
     }
 
-    /// Planes of given values, for tests.
+    /// Creates planes of given values, for tests.
     #[cfg(test)]
     pub fn filled(size: usize, value: impl Fn(usize, usize, usize) -> f64) -> Self {
         let value = &value;
@@ -107,7 +107,7 @@ impl PlaneValues {
         sxz.iter().zip(syz).map(|(x, y)| x.hypot(*y)).collect()
     }
 
-    /// The fields that follow from the state.
+    /// Computes the derived fields.
     fn derive(&mut self) {
         let (state, derived) = self.fields.split_at_mut(STATE);
         let [von_mises, principal] = derived else {

@@ -1,4 +1,4 @@
-//! The planes of a step: those that the files have, and those that the pictures show, each computed once.
+//! The planes of a step: those in the files and those in the pictures, each computed once.
 
 use pellicle_kernel::Foundation;
 
@@ -6,28 +6,28 @@ use crate::case::foundation::FoundationCase;
 use crate::case::foundation::depths::BodyPlane;
 use crate::case::stress::StressCase;
 
-/// A plane, and what wants it.
+/// A plane and its uses.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WantedPlane {
     /// The plane.
     pub plane: BodyPlane,
-    /// Whether the files of fields have it.
+    /// Whether it is in the files of fields.
     pub is_filed: bool,
-    /// Whether the pictures show it.
+    /// Whether it is in the pictures.
     pub is_viewed: bool,
 }
 
-/// Who wants planes.
+/// The uses for which planes are needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Wishes {
     /// Files of fields.
     pub files: bool,
-    /// Pictures, or the file to draw them again.
+    /// Pictures, or the file to redraw them.
     pub view: bool,
 }
 
-/// The planes under a contact of this radius (m), from the surface down. Pictures show planes through all bodies, also
-/// where the case wants files of a few depths only, and every interface, however deep.
+/// The planes under a contact of this radius (m), from the surface down. Pictures show planes through all bodies, even
+/// if the case requests files of only a few depths, and every interface, however deep.
 #[must_use]
 pub fn wanted(
     stress: &StressCase,
@@ -60,8 +60,8 @@ pub fn wanted(
     planes
 }
 
-/// The contact radius that the planes and their square are chosen by, m; of a step without contact a third of the
-/// domain, as if it filled it.
+/// The contact radius from which the planes and their square are chosen, m. For a step without contact it is a third of
+/// the domain, as if the contact filled it.
 pub fn block_radius(contact_radius: f64, side: f64) -> f64 {
     if contact_radius > 0.0 {
         contact_radius

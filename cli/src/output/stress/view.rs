@@ -3,7 +3,7 @@
 use super::plane_values::PlaneValues;
 use crate::case::foundation::depths::BodyPlane;
 
-/// The stresses of one loading step that are drawn.
+/// The stresses of one loading step shown in the pictures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StressView {
     /// The section.
@@ -19,9 +19,9 @@ pub struct StressView {
 pub struct StressSection {
     /// The line.
     pub line: SurfaceLine,
-    /// Coordinates along the line, m, rising; 0 is nearest to the axis.
+    /// Increasing coordinates along the line, m; 0 is nearest to the axis.
     pub along: Vec<f64>,
-    /// The depths, m; that of an interface stands twice.
+    /// The depths, m; that of an interface occurs twice.
     pub depths: Vec<f64>,
     /// The body of each depth, counted from 0 at the surface.
     pub bodies: Vec<usize>,
@@ -34,7 +34,7 @@ pub struct StressSection {
 /// A straight line on the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceLine {
-    /// A point of it, m.
+    /// A point on it, m.
     pub through: [f64; 2],
     /// Its direction, rad, from +x to +y.
     pub direction: f64,
@@ -43,7 +43,7 @@ pub struct SurfaceLine {
 /// The tractions on one interface, a row for each coordinate along x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InterfaceTractions {
-    /// Counted from 0 at the surface.
+    /// Its index, from 0 at the surface.
     pub index: usize,
     /// Depth, m.
     pub depth: f64,
@@ -54,13 +54,13 @@ pub struct InterfaceTractions {
 }
 
 impl StressSection {
-    /// The coordinates along the line at which it begins and ends, m.
+    /// The coordinates along the line at which the section begins and ends, m.
     #[must_use]
     pub fn ends(&self) -> [f64; 2] {
         ends(&self.along)
     }
 
-    /// The depths at which its bodies begin, and at which the last one ends, m. A body of one plane is none.
+    /// The depths at which its bodies begin, and at which the last one ends, m. A body with a single plane is skipped.
     #[must_use]
     pub fn depths_of_bodies(&self) -> Vec<f64> {
         let planes = self.bodies.chunk_by(|one, other| one == other);
@@ -78,7 +78,7 @@ impl StressSection {
     }
 }
 
-/// Components of a direction smaller than this are 0.
+/// Components of a direction smaller than this are taken as 0.
 const ALIGNED: f64 = 1e-9;
 
 impl SurfaceLine {
@@ -96,21 +96,21 @@ impl SurfaceLine {
         [x + shift * cos, y + shift * sin]
     }
 
-    /// The coordinate along the line of the foot of a point on it, m.
+    /// The coordinate along the line of the projection of a point onto it, m.
     #[must_use]
     pub fn along(&self, [x, y]: [f64; 2]) -> f64 {
         let [cos, sin] = self.unit();
         x * cos + y * sin
     }
 
-    /// The distance of a point from it, m.
+    /// The distance of a point from the line, m.
     #[must_use]
     pub fn distance(&self, point: [f64; 2]) -> f64 {
         let foot = self.at(self.along(point));
         (foot[0] - point[0]).hypot(foot[1] - point[1])
     }
 
-    /// The coordinates along the line between which it lies within the square from `low` to `high` (m) in x and y.
+    /// The coordinates between which the line lies within the square from `low` to `high` (m) in x and y.
     fn within(&self, low: f64, high: f64) -> [f64; 2] {
         let foot = self.at(0.0);
         let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
@@ -124,10 +124,10 @@ impl SurfaceLine {
     }
 }
 
-/// The section and the tractions under way: takes plane after plane.
+/// Collects the section and the tractions, plane by plane.
 pub struct ViewCollector {
     view: StressView,
-    /// The place of each point of the line among the points of a plane.
+    /// The position of each point of the line among the points of a plane.
     samples: Vec<CellPoint>,
     reach: SectionDepths,
 }
@@ -141,7 +141,7 @@ pub struct SectionDepths {
     pub bottoms: Vec<f64>,
 }
 
-/// A point among four of a plane: the first of them, and the parts of the way to the next along x and y.
+/// A point between four points of a plane: the first of them, and the fractions of the way to the next along x and y.
 #[derive(Debug, Clone, Copy)]
 struct CellPoint {
     first: [usize; 2],
@@ -149,8 +149,8 @@ struct CellPoint {
 }
 
 impl ViewCollector {
-    /// A view of planes whose points have these coordinates along x and y, on and below a line, moved to lie within
-    /// them.
+    /// Begins a view of planes whose points have these coordinates along x and y, on and below a line, which is moved
+    /// to lie within them.
     pub fn new(line: SurfaceLine, centres: &[f64], reach: SectionDepths) -> Self {
         let [low, high] = ends(centres);
         let line = SurfaceLine {
@@ -179,7 +179,7 @@ impl ViewCollector {
         }
     }
 
-    /// Takes the next plane.
+    /// Adds the next plane.
     pub(super) fn add(&mut self, plane: BodyPlane, values: &PlaneValues) {
         let along = |field: &[f64]| -> Vec<f64> {
             let samples = self.samples.iter();
@@ -194,7 +194,7 @@ impl ViewCollector {
             section.von_mises.extend(along(values.von_mises()));
             section.max_principal.extend(along(values.max_principal()));
         }
-        // The lower side of its body.
+        // The plane is the lower side of its body.
         if self.reach.bottoms.get(plane.body) == Some(&plane.depth.z) {
             self.view.interfaces.push(InterfaceTractions {
                 index: plane.body,
@@ -205,7 +205,7 @@ impl ViewCollector {
         }
     }
 
-    /// The view.
+    /// Returns the view.
     pub fn finish(self) -> StressView {
         self.view
     }
@@ -227,7 +227,7 @@ impl CellPoint {
         }
     }
 
-    /// The field between its four points.
+    /// Interpolates the field between the four points.
     fn value(&self, field: &[f64], size: usize) -> f64 {
         let [i, j] = self.first;
         let [x, y] = self.part;
@@ -250,7 +250,8 @@ fn ends(centres: &[f64]) -> [f64; 2] {
     }
 }
 
-/// Coordinates from one end to another, about as far apart as the points of a plane; those themselves along x or y.
+/// Coordinates from one end to another, spaced about as the points of a plane; along x or y, the coordinates of those
+/// points.
 fn coordinates([from, to]: [f64; 2], centres: &[f64]) -> Vec<f64> {
     let [low, high] = ends(centres);
     if from.to_bits() == low.to_bits() && to.to_bits() == high.to_bits() {
@@ -282,7 +283,7 @@ mod tests {
 
     const CENTRES: [f64; 4] = [-1.5, -0.5, 0.5, 1.5];
 
-    /// The stresses of planes whose von Mises stress is a linear function of the place.
+    /// The stresses of planes whose von Mises stress is a linear function of position.
     fn view(line: SurfaceLine, planes: &[(f64, usize)]) -> StressView {
         let reach = SectionDepths {
             deepest: 0.3,

@@ -1,8 +1,7 @@
 //! `stress-NNN.vtr`: the stresses for `ParaView` and everything else that reads VTK's XML, in single precision.
 //!
 //! A rectilinear grid of points: along x and y the centres of the elements, along z the planes, two at the depth of an
-//! interface. Every field is one array over all planes, so that a plane is written in as many places as there are
-//! fields.
+//! interface. Every field is one array over all planes, so a plane is written at as many positions as there are fields.
 
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -19,31 +18,31 @@ pub fn file(step: usize) -> String {
     format!("stress-{step:03}.vtr")
 }
 
-/// A file under way.
+/// A file being written.
 pub struct StressVtr {
     file: LongFile,
     layout: VtrLayout,
     bodies: Vec<u8>,
 }
 
-/// The places of the arrays, in bytes.
+/// The positions of the arrays, in bytes.
 #[derive(Debug, Clone, Copy)]
 struct VtrLayout {
-    /// Points along x, and along y.
+    /// Number of points along x, and along y.
     size: usize,
-    /// Planes.
+    /// Number of planes.
     planes: usize,
     /// The start of the first array.
     start: usize,
 }
 
 impl VtrLayout {
-    /// The offset of a coordinate's array from the first.
+    /// Offset of the array of a coordinate from the first array.
     fn coordinate(&self, axis: usize) -> usize {
         axis * (LENGTH + size_of::<f64>() * self.size)
     }
 
-    /// The offset of a field's array, or of that of the bodies after the last.
+    /// Offset of the array of a field, or of the array of the bodies after the last field.
     fn field(&self, field: usize) -> usize {
         let depths = LENGTH + size_of::<f64>() * self.planes;
         self.coordinate(2) + depths + field * (LENGTH + size_of::<f32>() * self.points())
@@ -57,7 +56,7 @@ impl VtrLayout {
         self.field(FIELDS.len()) + LENGTH + self.points()
     }
 
-    /// The place in the file of a plane in an array at `offset` whose values have so many bytes.
+    /// The position in the file of a plane in an array at `offset` whose values have `bytes` bytes.
     fn plane(&self, offset: usize, plane: usize, bytes: usize) -> SeekFrom {
         let before = bytes * self.size * self.size * plane;
         SeekFrom::Start((self.start + offset + LENGTH + before) as u64)
@@ -128,7 +127,7 @@ impl StressFile for StressVtr {
     }
 }
 
-/// Everything before the first array.
+/// The text before the first array.
 fn text(head: &StressHead<'_>, layout: &VtrLayout) -> String {
     let (last, deepest) = (
         layout.size.saturating_sub(1),
@@ -171,7 +170,7 @@ fn write_doubles(file: &mut impl Write, numbers: &[f64]) -> io::Result<()> {
     file.write_all(&bytes)
 }
 
-/// The values of a field at one y, along x.
+/// Writes the values of a field at one y, along x.
 fn write_along_x(file: &mut impl Write, field: &[f64], row: usize) -> io::Result<()> {
     let size = field.len().isqrt();
     #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]

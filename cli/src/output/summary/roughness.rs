@@ -11,15 +11,15 @@ use crate::case::map::MapCase;
 /// The roughness of the maps of a case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RoughnessSummary {
-    /// Of the surface.
+    /// Roughness of the surface.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub surface: Option<MapRoughness>,
-    /// Of the indenter.
+    /// Roughness of the indenter.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub indenter: Option<MapRoughness>,
 }
 
-/// The roughness of a map, of its samples.
+/// The roughness of the samples of a map.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MapRoughness {
     /// Root mean square of the heights above their mean plane, m.
@@ -41,9 +41,9 @@ pub struct MapRoughness {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Derivatives {
-    /// From its waves: the map repeats itself.
+    /// From the waves of a periodic map.
     Spectrum,
-    /// From differences between neighbouring samples: the map ends.
+    /// From differences between neighbouring samples of a map that ends.
     Differences,
 }
 
@@ -54,7 +54,7 @@ pub struct SpectrumSummary {
     pub wavenumber: Vec<f64>,
     /// Mean power spectral density `C`, m⁴.
     pub power: Vec<f64>,
-    /// Waves in the band.
+    /// Number of waves in the band.
     pub waves: Vec<usize>,
 }
 
@@ -94,13 +94,13 @@ pub struct RoughContactSummary {
 pub struct IslandsSummary {
     /// Their number.
     pub count: usize,
-    /// Area of the largest by its elements, m².
+    /// Area of the largest island by its elements, m².
     #[serde(deserialize_with = "nan_from_null")]
     pub largest_area: f64,
-    /// Mean area by their elements, m².
+    /// Mean area of the islands by their elements, m².
     #[serde(deserialize_with = "nan_from_null")]
     pub mean_area: f64,
-    /// The numbers of those with 1 element, 2 or 3, 4 to 7, and so on.
+    /// The numbers of islands with 1 element, 2 or 3, 4 to 7, and so on.
     pub counts_by_octave: Vec<usize>,
 }
 
@@ -116,7 +116,7 @@ struct HistogramFields {
 }
 
 impl RoughnessSummary {
-    /// Of the maps of a case; none of a case without.
+    /// Computes the roughness of the maps of a case; none if it has no maps.
     #[must_use]
     pub fn of(case: &Case) -> Option<Self> {
         let roughness = |map: &MapCase| MapRoughness::of(map, case.grid.boundary);
@@ -125,7 +125,7 @@ impl RoughnessSummary {
         (surface.is_some() || indenter.is_some()).then_some(Self { surface, indenter })
     }
 
-    /// The maps that there are, by their tables in a case.
+    /// The existing maps, with the names of their tables in a case.
     pub fn maps(&self) -> impl Iterator<Item = (&'static str, &MapRoughness)> {
         let maps = [("surface", &self.surface), ("indenter", &self.indenter)];
         maps.into_iter()
@@ -157,7 +157,7 @@ impl MapRoughness {
 }
 
 impl RoughContactSummary {
-    /// Of a step, with elements of this area (m²); none where no map takes part, and without contact.
+    /// Summarises a step with elements of this area (m²); none if no map takes part, or without contact.
     #[must_use]
     pub fn of(step: &Step, element_area: f64) -> Option<Self> {
         let rough = step.rough.as_ref()?;

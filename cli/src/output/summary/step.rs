@@ -26,7 +26,7 @@ pub struct StepSummary {
     /// Contact area, m².
     #[serde(deserialize_with = "nan_from_null")]
     pub contact_area: f64,
-    /// Elements in contact.
+    /// Number of elements in contact.
     pub contact_elements: usize,
     /// Contact area on the tops of the relief, m².
     #[serde(deserialize_with = "nan_from_null")]
@@ -37,10 +37,10 @@ pub struct StepSummary {
     /// Distance of the farthest element in contact from the axis, m.
     #[serde(deserialize_with = "nan_from_null")]
     pub contact_radius: f64,
-    /// Area of the elements whose pressure is cut, m²; none without a hardness, like the next two.
+    /// Area of the elements whose pressure is cut, m²; none without a hardness, as for the next two.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub area_at_limit: Option<f64>,
-    /// The same over the contact area; 0 without contact.
+    /// This area over the contact area; 0 without contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fraction_at_limit: Option<f64>,
     /// Largest plastic depth, m.
@@ -49,27 +49,27 @@ pub struct StepSummary {
     /// Contact stiffness `dQ/dD`, N/m; none without contact.
     #[serde(default)]
     pub contact_stiffness: Option<f64>,
-    /// Islands, gaps and pressures, where a map takes part and there is contact.
+    /// Islands, gaps and pressures, if a map takes part and there is contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rough_contact: Option<RoughContactSummary>,
-    /// Status; `certified` in a file from before there was one.
+    /// Status; `certified` in a file older than this field.
     #[serde(default)]
     pub status: Status,
-    /// How well the solution satisfies the contact conditions.
+    /// The certificate: how well the solution satisfies the contact conditions.
     pub certificate: CertificateSummary,
     /// Work of the solution.
     pub work: Work,
     /// Discretisation error.
     pub grid_error: GridError,
-    /// The derivatives by the numbers of the case, where they are asked for.
+    /// The derivatives with respect to the parameters of the case, if requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sensitivities: Option<Vec<SensitivitySummary>>,
-    /// The largest stresses inside, where they are asked for.
+    /// The largest stresses inside, if requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stress: Option<StressSummary>,
 }
 
-/// The lines of a [`Certificate`] and its verdict, in place of the tolerance that it was judged by.
+/// The lines of a [`Certificate`], and its verdict in place of the tolerance.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct CertificateSummary {
     #[serde(deserialize_with = "nan_from_null")]
@@ -82,7 +82,7 @@ pub struct CertificateSummary {
     pub load: f64,
     #[serde(deserialize_with = "nan_from_null")]
     pub min_pressure: f64,
-    /// None without a hardness, like the next one.
+    /// None without a hardness, as for the next one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gap_at_limit: Option<f64>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -92,7 +92,7 @@ pub struct CertificateSummary {
     pub satisfied: bool,
 }
 
-/// The largest stresses of a step, and the sliding that they come with.
+/// The largest stresses of a step, and the sliding assumed for them.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StressSummary {
     /// Coefficient of friction.
@@ -104,19 +104,20 @@ pub struct StressSummary {
     pub extremes: StressExtremes,
 }
 
-/// The derivatives of a step by one number θ of the case, per unit of θ.
+/// The derivatives of a step with respect to one parameter θ of the case, per unit of θ.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SensitivitySummary {
-    /// Key of the number in the case.
+    /// Key of the parameter in the case.
     pub parameter: String,
     /// θ, in SI units or the case's own.
     #[serde(deserialize_with = "nan_from_null")]
     pub value: f64,
-    /// `∂D/∂θ` at constant force, of the elements in contact.
+    /// `∂D/∂θ` at constant force, for fixed elements in contact.
     pub penetration: Option<f64>,
-    /// The same along the curve, without the steps of elements that enter the contact; none for fewer than six forces.
+    /// `∂D/∂θ` along the curve, without the steps due to elements that enter the contact; none for fewer than six
+    /// forces.
     pub smooth_penetration: Option<f64>,
-    /// `∂Q/∂θ` at constant penetration, of the elements in contact.
+    /// `∂Q/∂θ` at constant penetration, for fixed elements in contact.
     pub force: Option<f64>,
     /// `∂E/∂θ` at constant force, `E = ∫ D dQ`.
     #[serde(deserialize_with = "nan_from_null")]
@@ -124,7 +125,7 @@ pub struct SensitivitySummary {
 }
 
 impl StepSummary {
-    /// Of a step with elements of this area, m².
+    /// Summarises a step with elements of this area, m².
     pub(super) fn new(step: &Step, element_area: f64, has_hardness: bool) -> Self {
         let (solution, summary) = (&step.solution, &step.summary);
         let with_hardness = |value: f64| has_hardness.then_some(value);
@@ -175,7 +176,7 @@ impl From<&Certificate> for CertificateSummary {
     }
 }
 
-/// Reads two numbers, each NaN where `null` stands.
+/// Reads two numbers, with `null` as NaN.
 fn nans_from_nulls<'de, D: Deserializer<'de>>(deserializer: D) -> Result<[f64; 2], D::Error> {
     let pair = <[Option<f64>; 2]>::deserialize(deserializer)?;
     Ok(pair.map(|number| number.unwrap_or(f64::NAN)))
@@ -211,7 +212,7 @@ mod tests {
         let read: StepSummary = serde_json::from_value(step.clone()).unwrap();
         assert!(read.force.is_nan() && read.max_pressure_at[0].is_nan());
         assert!(read.grid_error.levels[0].penetration.is_nan());
-        // The order of keys included.
+        // This includes the order of keys.
         assert_eq!(serde_json::to_string(&read).unwrap(), step.to_string());
     }
 }

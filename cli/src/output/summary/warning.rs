@@ -12,7 +12,7 @@ pub struct WarningSummary {
     /// A word for programs.
     #[serde(default)]
     pub code: String,
-    /// A sentence for people.
+    /// A sentence for human readers.
     pub message: String,
 }
 

@@ -24,7 +24,7 @@ impl TextColumns {
 
     pub fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<ErrorEstimate>) {
         let note = match error {
-            // Prescribed.
+            // A prescribed quantity.
             Some(error) if error.estimate == 0.0 => String::new(),
             Some(error) if error.resolved => {
                 format!(

@@ -9,7 +9,7 @@ use crate::output::summary::RunSummary;
 use crate::output::summary::StressSummary;
 
 impl TextColumns {
-    /// The largest stresses in each body and on each interface.
+    /// Adds the largest stresses in each body and on each interface.
     pub(super) fn stresses(&mut self, stress: &StressSummary) {
         for body in &stress.extremes.bodies {
             self.push(&format!("stress in {}", body.name), "", "");
@@ -56,7 +56,7 @@ impl TextColumns {
     }
 }
 
-/// The critical loads, one sentence each, the smallest first; nothing where none are asked for.
+/// Describes the critical loads, one sentence each, the smallest first; empty if none are requested.
 #[must_use]
 pub fn critical(summary: &RunSummary) -> String {
     let Some(critical) = &summary.critical else {
@@ -111,7 +111,7 @@ fn depth(at: [f64; 3], units: Units) -> String {
     format!(", {depth} at x, y = {x}, {y}")
 }
 
-/// A place whose coordinates are zero where they are a millionth of the largest: a peak on the axis is found beside it.
+/// Sets coordinates below a millionth of the largest to zero: a peak on the axis is found slightly beside it.
 fn rounded<const AXES: usize>(at: [f64; AXES]) -> [f64; AXES] {
     let largest = at
         .iter()
@@ -125,7 +125,7 @@ fn rounded<const AXES: usize>(at: [f64; AXES]) -> [f64; AXES] {
     })
 }
 
-/// A body or interface of a summary in words; the only layer is the coating.
+/// Names a body or interface of a summary; a single layer is the coating.
 fn place(name: &str, layers: usize) -> String {
     let index = |prefix: &str| name.strip_prefix(prefix)?.strip_suffix(']');
     match (index("layer["), index("interface[")) {
