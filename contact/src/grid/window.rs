@@ -271,8 +271,8 @@ impl Window {
         [0, 1].map(|axis: usize| element[axis].cast_signed() - self.origin[axis].cast_signed())
     }
 
-    /// The share of the sector in the cell between four places starting at this one: a cell across an axis of symmetry
-    /// belongs to several sectors.
+    /// The fraction of the cell between four places starting at this one that belongs to the sector: a cell across an
+    /// axis of symmetry belongs to several sectors.
     pub fn share_of_cell(&self, place: Place) -> f64 {
         let parts = self.grid.parts().into_iter().zip(place);
         let across = parts.filter(|(_, i)| *i < 0).map(|(parts, _)| parts);

@@ -1,4 +1,4 @@
-//! The largest force that a grid can carry with a hardness.
+//! The largest force that a grid can carry at a hardness.
 
 use pellicle_texture::Grid;
 

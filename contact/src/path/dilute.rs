@@ -260,7 +260,7 @@ fn initial_gaps<'a>(
     }
 }
 
-/// Adds the work of the iterate from which it started to an iterate.
+/// Adds to an iterate the work of the one from which it started.
 fn after(before: Iterate, iterate: Iterate) -> Iterate {
     let mut residuals = before.residuals;
     residuals.extend(iterate.residuals);

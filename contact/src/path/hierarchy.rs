@@ -34,8 +34,8 @@ pub struct Hierarchy<'a> {
     hardness: f64,
     /// The solved sector of each grid, coarsest first.
     grids: Vec<SectorGrid>,
-    /// The grids in memory. For a single load only the current one and the finest are kept, which takes most of the
-    /// memory.
+    /// The grids in memory. For a single load only the current one and the finest are kept; the finest takes most of
+    /// the memory.
     levels: Vec<Option<Level>>,
     keep: bool,
     coefficients_seconds: f64,

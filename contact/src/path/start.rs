@@ -25,7 +25,7 @@ use crate::{
     vector::smallest,
 };
 
-/// Pressure of an overlapping element near no pressing coarse one, as a fraction of the largest.
+/// Pressure, as a fraction of the largest, of an overlapping element where no coarse element presses.
 const SMALLEST_PRESSURE: f64 = 1e-3;
 /// A level's solution, as needed by the next finer level.
 pub struct CoarserSolution {
@@ -101,7 +101,7 @@ struct Start<'a> {
     widest: f64,
 }
 
-/// The total of a coarse element's fine elements.
+/// Total pressure and number of the fine elements in a coarse one.
 #[derive(Clone, Copy, Default)]
 struct Share {
     pressure: f64,
@@ -276,7 +276,7 @@ mod tests {
                 assert!(error.abs() < 1e-14, "{place:?}: {error}");
             }
         }
-        // Overlapping elements beside the contact press a little, those too far away not at all.
+        // Overlapping elements beside the contact press a little, those too far away do not.
         let highest = from.pressure.iter().copied().fold(0.0, f64::max);
         assert_eq!(found[FINE * FINE - 1], SMALLEST_PRESSURE * highest);
         assert_eq!(start(&from, 1.0, |_| false), vec![0.0; FINE * FINE]);

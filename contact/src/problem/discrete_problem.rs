@@ -60,7 +60,7 @@ pub struct DiscreteProblem {
 
 impl DiscreteProblem {
     /// Creates a problem from the operator `K` (m/Pa on N² elements), the relief's compliance `η` (m/Pa, ≥ 0), the
-    /// initial gap `g0` (m; +∞ where there is no indenter) and the area `4a²` of an element (m²).
+    /// initial gap `g0` (m; +∞ on elements that cannot touch) and the area `4a²` of an element (m²).
     ///
     /// # Errors
     /// A field whose length is not N², a compliance that is negative or not finite, a gap that is NaN or −∞, an area

@@ -10,7 +10,7 @@
 //! without a limit is solved for the others, by any method. Those that then exceed the limit are held as well, and held
 //! elements with a gap are released. This is the semismooth Newton method around the whole solver rather than inside
 //! its loop, so springs, windows, quadrants, cells and all preconditioners stay unchanged. The accuracy of each problem
-//! follows the error of the previous exchange. An exchange takes two products in addition to those of the problem:
+//! is set by the error of the previous exchange. An exchange takes two products in addition to those of the problem:
 //! `K p` of the held elements, and of the others at the start.
 //!
 //! Until elements are first released, those above the limit are held together with as many others as are needed to

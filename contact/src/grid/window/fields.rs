@@ -68,7 +68,7 @@ impl Window {
         field
     }
 
-    /// Returns the field on this window that is `part` on the common elements with the other window and 0 elsewhere.
+    /// Returns the field on this window that is `part` on the elements shared with the other window and 0 elsewhere.
     pub fn take_over<T: Copy + Default + Send + Sync>(&self, other: &Self, part: &[T]) -> Vec<T> {
         let mut field = vec![T::default(); self.elements()];
         let (own, others) = (self.lengths(), other.lengths());

@@ -26,7 +26,7 @@ pub struct WorkingSet {
 pub struct Ahead {
     /// Elements on the wrong side.
     pub wrong: usize,
-    /// Elements that are on the wrong side only now, or no longer.
+    /// Elements newly on the wrong side, or no longer on it.
     pub news: usize,
 }
 
@@ -65,8 +65,8 @@ impl WorkingSet {
         self.revise_by(state, |_, _, p, v| p > 0.0 || v < penetration);
     }
 
-    /// `I ← {p > 0 in I and not on the wrong side} ∪ {what is on the wrong side outside I}`, from the solution on `I`,
-    /// which may have negative pressures: the semismooth Newton step of the set.
+    /// `I ← {p > 0 in I and not on the wrong side} ∪ {on the wrong side outside I}`, from the solution on `I`, which
+    /// may have negative pressures: the semismooth Newton step of the set.
     pub fn exchange(&mut self, state: &State) {
         let wrong = std::mem::take(&mut self.wrong);
         self.revise_by(state, |element, member, p, _| {

@@ -5,7 +5,7 @@
 //!
 //! - no element exceeds the limit: this is the minimum of the energy with these elements held, and those with a gap are
 //!   released;
-//! - an element exceeds the limit that was at it before: it is held again, and the problem solved once more;
+//! - an element that was at the limit before exceeds it: it is held again, and the problem solved once more;
 //! - other elements exceed the limit: the pressure moves towards `p*`, cut at the limit, until some of these elements
 //!   reach the limit if the energy falls throughout that step, else until the first does; elements at the limit are
 //!   held.

@@ -61,8 +61,8 @@ struct Wrong {
 }
 
 impl LimitExchange {
-    /// Starts with the elements held whose pressure is near the limit; only those that overlap most if they carry too
-    /// much of a prescribed force, which takes one product.
+    /// Starts by holding the elements whose pressure is near the limit; only those that overlap most if all would carry
+    /// too much of a prescribed force, which takes one product.
     pub fn start(problem: &mut DiscreteProblem, load: Load, start: &[f64], tolerance: f64) -> Self {
         let limit = problem.hardness();
         let mut total = Iterate::of(Vec::new());

@@ -80,7 +80,7 @@ impl EdgeBand {
         self.coefficients = *answers;
     }
 
-    /// Moves the band to the surroundings of a set.
+    /// Sets up the band around a set.
     pub fn surround(&mut self, set: &WorkingSet) {
         self.direction.fill(0.0);
         self.lay_direction();

@@ -25,7 +25,7 @@ use crate::vector::{by_parts, update};
 
 /// Fraction of a set that may change before the pairs are discarded.
 const MOST_CHANGED: f64 = 0.02;
-/// Elements that may leave at once.
+/// Most elements that may leave at once.
 const MOST_LEAVING: usize = 200;
 /// Most coefficients of all leaving elements: their contributions are subtracted on that many of the nearest elements.
 /// With a quarter, the bare coating 3000 times as stiff takes 25 products at N = 1024 instead of 19; with more, no cell

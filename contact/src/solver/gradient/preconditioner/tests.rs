@@ -1,4 +1,4 @@
-//! The criteria that choose a preconditioner, and its distance from the inverse.
+//! The choice of a preconditioner, and its distance from the inverse.
 
 use std::{f64::consts::TAU, sync::Arc};
 

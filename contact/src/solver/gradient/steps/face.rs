@@ -4,10 +4,10 @@
 //! linear system on the face. Then there are three cases:
 //!
 //! - no element pulls: this is the minimum of the energy on the face, and elements that overlap are added;
-//! - an element pulls that had no pressure before: it leaves the face, and the system is solved again from the same
+//! - an element that had no pressure before pulls: it leaves the face, and the system is solved again from the same
 //!   start;
-//! - other elements pull: as many of them lose their pressure and leave at once as lower the energy more than stopping
-//!   where the first element would pull, where the energy is certainly lower than before.
+//! - other elements pull: some of them lose their pressure and leave, as many at once as lower the energy more than
+//!   stopping where the first element would pull; there the energy is certainly lower than before.
 //!
 //! The energy decreases from each admissible pressure to the next, so no face is solved twice, and there are finitely
 //! many (Lawson and Hanson 1974; many elements at once as Portugal, Júdice and Vicente 1994). Where the contact under a

@@ -31,7 +31,7 @@ struct BlockHead {
     entries_end: usize,
 }
 
-/// One block.
+/// A view of one block.
 pub struct Block<'a> {
     lanes: usize,
     distances: &'a [i32],

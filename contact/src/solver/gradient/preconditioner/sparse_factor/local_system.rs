@@ -17,7 +17,7 @@ const SMALLEST_COMPLIANCE: f64 = 1e-3;
 /// Classes of compliance per factor of two: a preconditioner needs no more than two digits.
 const CLASSES_PER_OCTAVE: f64 = 16.0;
 
-/// The class of compliances `η/K₀₀` that are treated as one.
+/// The class of a compliance `η/K₀₀`; compliances of one class are treated as equal.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
