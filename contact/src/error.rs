@@ -1,4 +1,4 @@
-//! Errors between a model and its solution.
+//! Errors of the crate.
 
 use pellicle_influence::InfluenceError;
 use pellicle_texture::TextureError;
@@ -6,8 +6,8 @@ use thiserror::Error;
 
 use crate::{IndenterError, ModelParameter};
 
-/// Errors of the crate. A solution that misses its tolerance is not among them where a
-/// [`Step`](crate::Step) can carry it: its certificate says so.
+/// Errors of the crate. A solution that misses its tolerance is not an error where a [`Step`](crate::Step) can carry
+/// it: its certificate shows this.
 #[derive(Debug, Error)]
 pub enum ContactError {
     /// A force that is not positive and finite.
@@ -34,7 +34,7 @@ pub enum ContactError {
         /// Value found, in Pa.
         hardness: f64,
     },
-    /// A force that the hardness of all elements that can touch does not carry.
+    /// A force larger than all elements that can touch can carry at the hardness.
     #[error(
         "found a force of {force:.6e}, which a hardness of {hardness:e} does not carry on the {area:.6e} of surface that can touch, \
          wanted at most {most:.6e}, or a larger domain where the indenter goes on"
@@ -49,13 +49,13 @@ pub enum ContactError {
         /// Their product, in N.
         most: f64,
     },
-    /// Something that is not computed where the pressure is cut at a hardness.
+    /// A quantity that is not computed for contact with a hardness.
     #[error("found a hardness with {what}, which need elastic contact, wanted no hardness")]
     WithHardness {
         /// The quantity asked for.
         what: &'static str,
     },
-    /// Something that a periodic cell does not have, or that is not computed for one.
+    /// A quantity that a periodic cell does not have, or that is not computed for one.
     #[error(
         "found {what} with a periodic cell, wanted a force, and neither stresses nor derivatives"
     )]
@@ -63,10 +63,10 @@ pub enum ContactError {
         /// The quantity asked for.
         what: &'static str,
     },
-    /// Stresses that are not numbers, so that none is the largest.
+    /// Stresses that are not numbers, so that there is no largest one.
     #[error("found stresses that are not numbers, wanted finite ones")]
     StressNotFinite,
-    /// A field whose length is not that of the grid.
+    /// A field whose length does not match the grid.
     #[error("found {found} values of the {field}, wanted {wanted}, one per element")]
     FieldLength {
         /// Name of the field.
@@ -94,7 +94,7 @@ pub enum ContactError {
         /// Value found, in m².
         area: f64,
     },
-    /// More elements than the dense active set is meant for.
+    /// More elements than the dense active set supports.
     #[error(
         "found {elements} elements per side for the active set, which stores a dense matrix, wanted at most {largest}, or the gradient method"
     )]
@@ -112,7 +112,7 @@ pub enum ContactError {
         /// Elements in the working set.
         elements: usize,
     },
-    /// No element can come into contact, whatever the force.
+    /// No element can come into contact under any force.
     #[error(
         "found an indenter of infinite height on all {elements} elements of the grid, wanted one that can touch"
     )]
@@ -126,7 +126,7 @@ pub enum ContactError {
         /// Loading step under way, counted from 0.
         step: usize,
     },
-    /// The elements are so large that the middle of none is under the indenter.
+    /// The elements are so large that none has its centre under the indenter.
     #[error(
         "found a domain of side {side:.3e}, far too large for a contact of radius {radius:.2e} or so, so that no element, \
          {element_side:.3e} wide, has its centre under the indenter, wanted a side near {wanted:.2e}, or an automatic one"
@@ -151,10 +151,10 @@ pub enum ContactError {
         /// Number of domains tried.
         trials: usize,
     },
-    /// From the grid or the relief.
+    /// An error of the grid or the relief.
     #[error(transparent)]
     Texture(#[from] TextureError),
-    /// A solution that misses its tolerance where only certified ones are of use.
+    /// A solution that misses its tolerance where a certified one is required.
     #[error("found a certificate of {worst:.1e} under a force of {force:e}, wanted a solution")]
     NotCertified {
         /// The force, in N.
@@ -162,16 +162,16 @@ pub enum ContactError {
         /// Largest line of the certificate.
         worst: f64,
     },
-    /// A number that a model does not have.
+    /// A parameter that a model does not have.
     #[error("found no {wanted:?} in the model, wanted a number of its bodies, relief or indenter")]
     NoParameter {
-        /// The number wanted.
+        /// The parameter wanted.
         wanted: ModelParameter,
     },
-    /// From the indenter.
+    /// An error of the indenter.
     #[error(transparent)]
     Indenter(#[from] IndenterError),
-    /// From the influence coefficients.
+    /// An error of the influence coefficients.
     #[error(transparent)]
     Influence(#[from] InfluenceError),
 }

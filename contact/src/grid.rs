@@ -1,4 +1,4 @@
-//! Parts of a grid: the elements a problem is solved on, and how fields pass from a coarse grid to a finer one.
+//! Parts of a grid on which a problem is solved, and the transfer of fields from a coarse grid to a finer one.
 
 pub mod candidates;
 pub mod prolongation;

@@ -1,17 +1,17 @@
-//! The names of a model's numbers.
+//! The parameters of a model.
 
 use pellicle_influence::ElasticParameter;
 use pellicle_texture::ReliefParameter;
 
 use crate::IndenterQuantity;
 
-/// One number of a [`Model`](crate::Model).
+/// One parameter of a [`Model`](crate::Model).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelParameter {
-    /// Of the foundation, or of an elastic indenter's material.
+    /// A parameter of the foundation, or of an elastic indenter's material.
     Elastic(ElasticParameter),
-    /// Of the relief's springs.
+    /// A parameter of the relief's springs.
     Relief(ReliefParameter),
-    /// Of the indenter's shape.
+    /// A parameter of the indenter's shape.
     Indenter(IndenterQuantity),
 }

@@ -1,8 +1,8 @@
-//! A loading path: many loads on one model, each from coarse to fine, on a domain that holds the contact.
+//! A loading path: many loads on one model, each solved from coarse to fine on a domain that holds the contact.
 //!
 //! Each load starts from its own solution on coarser grids. In measurements this took one to three products fewer than
-//! a start from the previous load, used directly or as a correction. So no load depends on another, bit for bit, and on
-//! grids too small to keep all threads busy as many loads are solved at the same time as there are threads.
+//! a start from the previous load, used directly or as a correction. So the loads are independent, bit for bit, and on
+//! grids too small to keep all threads busy as many loads are solved at once as there are threads.
 
 mod ascent;
 mod capacity;
@@ -36,11 +36,11 @@ use crate::{
     vector::add_scaled,
 };
 
-/// By how much a chosen domain grows, and how often, should a contact be cut off that the coarse grid of the choice did
-/// not see.
+/// Factor by which a chosen domain is enlarged, and the most enlargements, if it cuts off contact that the coarse grid
+/// of the choice missed.
 const ENLARGEMENT: f64 = 1.5;
 const ENLARGEMENTS: usize = 8;
-/// Elements of all loads that are solved at the same time, at most: each takes some 100 bytes beside its solution.
+/// Most elements of all loads solved at the same time: each takes about 100 bytes in addition to its solution.
 const ELEMENTS_AT_ONCE: usize = 1 << 21;
 
 /// A solved path.
@@ -52,38 +52,37 @@ pub struct LoadingPath {
     pub steps: Vec<Step>,
     /// Warnings to the user.
     pub warnings: Vec<Warning>,
-    /// Time spent on coefficients and geometry of all grids while nothing was solved, in s; the radial tables are built
-    /// before.
+    /// Time spent on coefficients and geometry of all grids while no load was being solved, in s; excludes the radial
+    /// tables, which are built earlier.
     pub coefficients_seconds: f64,
-    /// Where the coefficients of all grids together came from; the radial tables are not among them.
+    /// Origin of the coefficients of all grids together; excludes the radial tables.
     pub coefficients_origin: Origin,
-    /// Time spent in solvers, in s; less than the steps' own times together where several were solved at once.
+    /// Time spent in solvers, in s; less than the sum over the steps if several were solved at once.
     pub solve_seconds: f64,
-    /// Whether the observer cancelled, so that only the loads before the first unfinished one are here.
+    /// Whether the observer cancelled; then only the loads before the first unfinished one are included.
     pub interrupted: bool,
     /// The foundation, with its radial tables.
     pub tables: Arc<RadialTables>,
     /// The boundary condition of the square.
     pub boundary: Boundary,
-    /// Hardness at which the pressures are cut, in Pa; infinite without one.
+    /// Hardness that limits the pressure, in Pa; infinite without one.
     pub hardness: f64,
-    /// None where no load reached the finest grid.
+    /// None if no load reached the finest grid.
     elasticity: Option<Arc<SurfaceElasticity>>,
     pub(crate) relief: Relief,
     pub(crate) indenter: Indenter,
 }
 
 impl LoadingPath {
-    /// Relief and indenter on the finest grid, sampled when they are asked for: a path does not keep what it was solved
-    /// without.
+    /// Samples relief and indenter on the finest grid; a path does not store them.
     #[must_use]
     pub fn geometry(&self) -> SampledModel {
         SampledModel::on(self.grid, &self.relief, &self.indenter)
     }
 
-    /// The surface at a step, its displacement the foundation's own, afresh from its pressure and the path's
-    /// [geometry](Self::geometry) by one product with `K`: a path keeps the pressures alone, a quarter of the memory.
-    /// None where there is no such step.
+    /// Computes the surface at a step, with the displacement of the foundation alone, from its pressure and the path's
+    /// [geometry](Self::geometry) by one product with `K`. A path stores only the pressures, which take a quarter of
+    /// the memory. None if there is no such step.
     ///
     /// # Panics
     /// If the geometry is that of another grid.
@@ -112,7 +111,7 @@ impl LoadingPath {
         Some(surface)
     }
 
-    /// The elasticity of the indenter alone; none of a rigid one.
+    /// The elasticity of the indenter alone; none if it is rigid.
     fn counterbody(&self) -> Option<SurfaceElasticity> {
         let material = self.tables.bodies().counterbody()?;
         let side = self.grid.element_side();
@@ -125,7 +124,7 @@ impl LoadingPath {
     }
 }
 
-/// `K p` (m) of a pressure (Pa) on a grid of `size` × `size` elements.
+/// Computes `K p` (m) of a pressure (Pa) on a grid of `size` × `size` elements.
 fn displacement(
     elasticity: &SurfaceElasticity,
     boundary: Boundary,
@@ -150,15 +149,15 @@ fn displacement(
     displacement
 }
 
-/// Solves `model` for every one of `loads` on `elements` × `elements` elements.
+/// Solves `model` for each of `loads` on `elements` × `elements` elements.
 ///
-/// A step that misses its tolerance is in the path with an unsatisfied certificate and a warning, not an error. If the
-/// observer cancels, on a report of any load, all loads under way are cancelled, and the path holds the steps before
-/// the first that is not finished.
+/// A step that misses its tolerance is not an error: it is in the path, with an unsatisfied certificate and a warning.
+/// If the observer cancels on a report of any load, all loads in progress are cancelled, and the path holds the steps
+/// before the first unfinished one.
 ///
 /// # Errors
-/// A load, tolerance, side or grid that makes no sense; elements so large that none is under the indenter; coefficients
-/// that miss their accuracy; a contact that outgrows every domain.
+/// An invalid load, tolerance, side or grid; elements so large that none is under the indenter; coefficients that miss
+/// their accuracy; a contact that outgrows every domain.
 pub fn solve_path(
     model: &Model,
     domain: Domain,
@@ -176,12 +175,11 @@ pub fn solve_path(
             });
         }
     }
-    // On a thread of the pool from beginning to end: every parallel loop entered from outside would cost two changes of
-    // thread.
+    // Runs entirely on a thread of the pool: entering a parallel loop from outside costs two thread switches.
     rayon::scope(|_| solve_on_domains(model, domain, elements, loads, options, observer))
 }
 
-/// Solves the path on the domain given or chosen, and on larger ones should a chosen one cut a contact off after all.
+/// Solves the path on the given or chosen domain, and on larger ones if a chosen one cuts off the contact after all.
 fn solve_on_domains(
     model: &Model,
     domain: Domain,
@@ -228,15 +226,15 @@ fn solve_on_domains(
     }
 }
 
-/// How many of so many loads a path solves at the same time on `elements` × `elements` elements: one on a grid that
-/// keeps several threads busy by itself.
+/// Number of loads, of `loads` in total, that a path solves at the same time on `elements` × `elements` elements: one
+/// on a grid large enough to keep several threads busy.
 #[must_use]
 pub fn loads_at_once(elements: usize, loads: usize) -> usize {
     let most = (ELEMENTS_AT_ONCE / elements.pow(2)).max(1);
     rayon::current_num_threads().min(most).min(loads.max(1))
 }
 
-/// A path under way on one domain.
+/// A path in progress on one domain.
 struct PathRun<'a> {
     lanes: Vec<Hierarchy<'a>>,
     steps: Vec<Step>,
@@ -245,7 +243,7 @@ struct PathRun<'a> {
 }
 
 impl PathRun<'_> {
-    /// Solves every load, each lane the next that none has taken.
+    /// Solves all loads; each lane takes the next open load.
     fn solve_all(
         &mut self,
         loads: &[Load],
@@ -269,7 +267,7 @@ impl PathRun<'_> {
         self.interrupted = queue.is_cancelled.into_inner();
         let mut outcomes: Vec<_> = outcomes.into_iter().flatten().collect();
         outcomes.sort_by_key(|(index, _)| *index);
-        // Loads are taken in order, so those that none has taken are the last.
+        // Loads are taken in order, so untaken ones are the last.
         for (_, outcome) in outcomes {
             match outcome {
                 Ok(step) => self.steps.push(step),
@@ -281,13 +279,13 @@ impl PathRun<'_> {
         Ok(())
     }
 
-    /// Time spent on coefficients of all grids while nothing was solved; those of a single lane are made when they are
-    /// first needed or beside a solution.
+    /// Time spent on coefficients of all grids while no load was being solved; a single lane computes them when first
+    /// needed or during a solution.
     fn coefficients_seconds(&self) -> f64 {
         self.lanes.iter().map(Hierarchy::coefficients_seconds).sum()
     }
 
-    /// Adds the warnings that need whole solutions and hands the path over.
+    /// Adds the warnings that need whole solutions and returns the path.
     fn finish(
         mut self,
         model: &Model,
@@ -325,20 +323,20 @@ impl PathRun<'_> {
     }
 }
 
-/// The loads of a path, from which every lane takes the next that none has taken.
+/// The loads of a path, from which each lane takes the next open one.
 struct Queue<'a, 'b> {
     loads: &'a [Load],
     options: SolverOptions,
     taken: AtomicUsize,
     finished: AtomicUsize,
-    /// Whether the loads still to take are not wanted: one was cancelled or failed.
+    /// Whether no more loads are to be taken, because one was cancelled or failed.
     is_over: AtomicBool,
     is_cancelled: AtomicBool,
     observer: Mutex<&'b mut dyn Observer>,
 }
 
 impl Queue<'_, '_> {
-    /// Solves one load after the other; each by its index.
+    /// Solves loads until none is left; returns the results with the index of the load.
     fn work_off(&self, lane: &mut Hierarchy<'_>) -> Vec<(usize, Result<Step, ContactError>)> {
         let mut outcomes = Vec::new();
         while !self.is_over.load(Ordering::Relaxed) {
@@ -349,7 +347,7 @@ impl Queue<'_, '_> {
             let mut watch = Watch {
                 observer: &mut InTurn(self),
                 step: index,
-                // Told by the observer in turn, when it is its turn.
+                // Filled in by `InTurn`.
                 finished: 0,
                 steps: self.loads.len(),
             };
@@ -365,7 +363,8 @@ impl Queue<'_, '_> {
     }
 }
 
-/// The observer of a path as one of several lanes sees it: told by one at a time, of how many loads all have finished.
+/// The path's observer for one of several lanes: forwards one report at a time, with the number of loads that all lanes
+/// have finished.
 struct InTurn<'a, 'b, 'c>(&'a Queue<'b, 'c>);
 
 impl Observer for InTurn<'_, '_, '_> {

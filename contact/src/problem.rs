@@ -1,4 +1,4 @@
-//! The problem: an indenter pressed into a body by a load, and its form on one grid.
+//! The contact problem of an indenter pressed into a body, and its form on one grid.
 
 pub mod boundary;
 pub mod discrete_problem;

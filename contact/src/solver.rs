@@ -1,4 +1,4 @@
-//! Solvers of one grid's complementarity problem, behind one interface.
+//! Solvers for the complementarity problem on one grid, behind one interface.
 
 pub mod active_set;
 pub mod gradient;
@@ -7,17 +7,17 @@ pub mod observer;
 
 use crate::{ContactError, DiscreteProblem, Load, Observer, Progress, Signal};
 
-/// The algorithm for a grid's problem.
+/// The algorithm that solves the problem on a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
-    /// Preconditioned projected gradients with FFT products: any grid.
+    /// Preconditioned projected gradients with FFT products, for any grid.
     #[default]
     Gradient,
-    /// The paper's active set on the dense system, completed: small grids, to rounding.
+    /// The paper's active set on the dense system, completed; for small grids, accurate to rounding.
     ActiveSet,
 }
 
-/// Most elements per side of the active set: the matrix of all 80⁴ pairs takes 0.33 GB.
+/// Most elements per side for the active set: the matrix of all 80⁴ pairs takes 0.33 GB.
 const LARGEST_ACTIVE_SET_GRID: usize = 80;
 
 impl Method {
@@ -32,7 +32,7 @@ impl Method {
     }
 }
 
-/// How to solve. The defaults certify to 1e-8.
+/// The solver's options. The defaults certify to 1e-8.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SolverOptions {
     /// Bound on every line of the certificate.
@@ -41,17 +41,17 @@ pub struct SolverOptions {
     pub method: Method,
     /// Products with `K` on one grid level after which a solver gives up and returns its best iterate.
     pub max_applications: usize,
-    /// Whether to find the contact stiffness `dQ/dD` of each solution, by one more linear system.
+    /// Whether to compute the contact stiffness `dQ/dD` of each solution, by one more linear system.
     pub contact_stiffness: bool,
     /// Whether a path solves on a quadrant or a half of problems that are symmetric in x and y, or in y alone, with an
-    /// even number of elements per side. The gradient method only; the solution is the same to rounding, in a third to
-    /// two thirds of the time.
+    /// even number of elements per side. For the gradient method only. The solution is the same to rounding, in a third
+    /// to two thirds of the time.
     pub mirror_symmetry: bool,
     /// Whether the steps of a path keep the pressures of its coarser grids, from which
-    /// [`stress_extremes`](crate::stress_extremes) tells how far its numbers can be trusted.
+    /// [`stress_extremes`](crate::stress_extremes) estimates the accuracy of its results.
     pub coarse_pressures: bool,
-    /// Hardness of the surface, in Pa, at which a path cuts the pressure; infinite if nothing does. A solver of one
-    /// grid's problem reads that of the [problem](DiscreteProblem::hardness).
+    /// Hardness of the surface, in Pa, at which a path limits the pressure; infinite for no limit. A solver of one
+    /// grid's problem uses the [problem's](DiscreteProblem::hardness) instead.
     pub hardness: f64,
 }
 
@@ -70,18 +70,18 @@ impl Default for SolverOptions {
 }
 
 impl SolverOptions {
-    /// Checks the tolerance and the hardness, and that the method can solve a grid of `elements` per side.
+    /// Checks the tolerance, the hardness, and that the method can solve a grid of `elements` per side.
     ///
     /// # Errors
-    /// [`ContactError::Tolerance`] unless it lies in (0, 0.1]; [`ContactError::Hardness`] unless it is positive;
-    /// [`ContactError::TooLargeForActiveSet`].
+    /// [`ContactError::Tolerance`] unless the tolerance lies in (0, 0.1]; [`ContactError::Hardness`] unless the
+    /// hardness is positive; [`ContactError::TooLargeForActiveSet`].
     pub fn checked_for(self, elements: usize) -> Result<Self, ContactError> {
         let tolerance = self.tolerance;
         if !(tolerance > 0.0 && tolerance <= 0.1) {
             return Err(ContactError::Tolerance { tolerance });
         }
         let hardness = self.hardness;
-        // False where it is NaN.
+        // False for NaN.
         let is_positive = hardness > 0.0;
         if !is_positive {
             return Err(ContactError::Hardness { hardness });
@@ -91,8 +91,8 @@ impl SolverOptions {
     }
 }
 
-/// A pressure that a solver ended with, and the work it took. Whether it solves the problem, only a
-/// [`Certificate`](crate::Certificate) says.
+/// The final pressure of a solver, and the work it took. Only a [`Certificate`](crate::Certificate) shows whether it
+/// solves the problem.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Iterate {
     /// Pressure, in Pa; N² values, all ≥ 0.
@@ -101,16 +101,16 @@ pub struct Iterate {
     pub iterations: usize,
     /// Products with `K`.
     pub operator_applications: usize,
-    /// Largest line of the certificate at each iteration, by the iteration's own residual.
+    /// Largest line of the certificate at each iteration, according to the iteration's own residual.
     pub residuals: Vec<f64>,
-    /// Contact stiffness `dQ/dD`, in N/m, where it was asked for and found.
+    /// Contact stiffness `dQ/dD`, in N/m, if requested and found.
     pub contact_stiffness: Option<f64>,
-    /// Products with `K` for the contact stiffness, beside the others.
+    /// Additional products with `K` for the contact stiffness.
     pub stiffness_applications: usize,
-    /// The penetration by the solver's own account, in m; infinite where it gives none. It decides how far around the
-    /// contact the certificate looks first.
+    /// The penetration according to the solver, in m; infinite if the solver gives none. It decides how far around the
+    /// contact the certificate checks first.
     pub penetration: f64,
-    /// Whether the solver stopped because the contact reached the border of a window of a larger grid.
+    /// Whether the solver stopped because the contact reached the border of a window.
     pub reached_border: bool,
 }
 
@@ -131,17 +131,16 @@ impl Iterate {
     }
 }
 
-/// One algorithm for one grid's problem.
+/// An algorithm for the problem on one grid.
 ///
-/// A solver may keep what it allocated for the load before, if the [identity](DiscreteProblem::identity) says that the
-/// problem is the same; the solution must not depend on it. Whatever it returns is judged by a
-/// [`Certificate`](crate::Certificate).
+/// A solver may keep the storage of the previous load if the [identity](DiscreteProblem::identity) shows that the
+/// problem is the same; the solution must not depend on it. A [`Certificate`](crate::Certificate) judges every result.
 pub trait Solver {
     /// Solves from the pressure `start` (N² values, in Pa; all zero for a cold start).
     ///
     /// # Errors
-    /// [`ContactError::Cancelled`] by the observer; a matrix that is not positive definite. A tolerance not met is
-    /// no error here: the iterate is returned and judged by its certificate.
+    /// [`ContactError::Cancelled`] if the observer cancels; an error if a matrix is not positive definite. Missing the
+    /// tolerance is not an error here: the iterate is returned and judged by its certificate.
     fn solve(
         &mut self,
         problem: &mut DiscreteProblem,
@@ -151,9 +150,9 @@ pub trait Solver {
     ) -> Result<Iterate, ContactError>;
 }
 
-/// The observer of a whole loading path, with the place of the present solution in it.
+/// The observer of a whole loading path, with the position of the current solution in it.
 pub struct Watch<'a> {
-    /// Who watches.
+    /// The observer.
     pub observer: &'a mut dyn Observer,
     /// Loading step under way, counted from 0.
     pub step: usize,
@@ -164,7 +163,7 @@ pub struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    /// Watches a single solution that belongs to no path.
+    /// Watches a single solution outside any path.
     pub fn alone(observer: &'a mut dyn Observer) -> Self {
         Self {
             observer,
@@ -176,8 +175,8 @@ impl<'a> Watch<'a> {
 }
 
 impl Watch<'_> {
-    /// Tells the observer where the solution on a grid of `elements` per side stands; of the working set, its elements
-    /// and how many of them are new or gone.
+    /// Reports progress on a grid of `elements` per side to the observer. The last argument holds the size of the
+    /// working set and the number of elements that entered or left it.
     ///
     /// # Errors
     /// [`ContactError::Cancelled`] if the observer cancels.

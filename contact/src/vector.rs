@@ -1,18 +1,17 @@
-//! Sums and updates of fields, by several threads in parts of one fixed length, so that every number of threads gives
-//! the same bits.
+//! Parallel sums and updates of fields, in parts of fixed length so that every number of threads gives the same bits.
 
 use std::ops::Range;
 
 use rayon::prelude::*;
 
-/// Elements in one part: enough to be worth a thread, few enough to stay in its cache.
+/// Elements per part: enough to justify a thread, few enough to stay in its cache.
 const PART: usize = 1 << 12;
-/// Fields up to this length are one thread's work: waking another takes as long.
+/// Fields up to this length are processed by one thread: waking another takes as long.
 const SHORT: usize = 1 << 13;
-/// Partial sums that let the processor add independent numbers at once.
+/// Partial sums, which let the processor do independent additions at once.
 const LANES: usize = 8;
 
-/// The results of `of_part` for each part of `0 … length`, in order.
+/// Returns the results of `of_part` for each part of `0 … length`, in order.
 pub fn by_parts<T: Send>(length: usize, of_part: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
     let part = |first: usize| of_part(first * PART..((first + 1) * PART).min(length));
     let parts = 0..length.div_ceil(PART);
@@ -59,7 +58,7 @@ fn sum_of_part(a: &[f64]) -> f64 {
     sums.iter().sum::<f64>() + rest.iter().sum::<f64>()
 }
 
-/// The smallest value, NaN if there is one; +∞ of none.
+/// The smallest value; NaN if there is one, +∞ for an empty field.
 pub fn smallest(a: &[f64]) -> f64 {
     let parts = by_parts(a.len(), |part| smallest_of_part(&a[part]));
     smallest_of_part(&parts)
@@ -177,7 +176,7 @@ mod tests {
             let (a, b) = (field(length, 0.3), field(length, 0.7));
             let plain: f64 = a.iter().sum();
             let product: f64 = a.iter().zip(&b).map(|(a, b)| a * b).sum();
-            // 50 000 terms of order 1 in another order
+            // 50 000 terms of order 1, added in another order.
             assert!((sum(&a) - plain).abs() < 1e-11);
             assert!((dot(&a, &b) - product).abs() < 1e-11);
         }

@@ -1,12 +1,13 @@
-//! Candidates: the few elements of a grid that may come into contact, on which alone a dilute contact is solved.
+//! Candidates: the few elements of a grid that may come into contact, to which the solution of a dilute contact is
+//! restricted.
 
 use rayon::prelude::*;
 
-/// Elements along a side of the tiles in which candidates are looked up.
+/// Elements along a side of the tiles used to look up candidates.
 const TILE: usize = 16;
-/// Rings of elements around those that press or overlap that are candidates too.
+/// Rings of elements around pressing or overlapping ones that are also candidates.
 const RINGS: usize = 1;
-/// Stands for an element that is no candidate.
+/// Marks an element that is not a candidate.
 const NONE: u32 = u32::MAX;
 
 /// Some elements of a square of `size` × `size`, by ascending index.
@@ -14,19 +15,19 @@ const NONE: u32 = u32::MAX;
 pub struct Candidates {
     size: usize,
     elements: Vec<u32>,
-    /// Of every tile, which of `places` is its own.
+    /// For each tile, its index in `places`.
     tiles: Vec<u32>,
-    /// Of every element of the tiles that hold candidates, its place in the list.
+    /// For each element of the tiles that hold candidates, its place in the list.
     places: Vec<[u32; TILE * TILE]>,
 }
 
 impl Candidates {
-    /// Some elements, and those around them.
+    /// Some elements and their neighbours.
     pub fn around(size: usize, members: &[u32]) -> Self {
         Self::of(size, with_rings(size, members))
     }
 
-    /// These, and some elements with those around them.
+    /// These candidates, with some elements and their neighbours added.
     pub fn with(&self, members: &[u32]) -> Self {
         let mut elements = with_rings(self.size, members);
         elements.extend(&self.elements);
@@ -84,7 +85,7 @@ impl Candidates {
         (candidate != NONE).then_some(candidate as usize)
     }
 
-    /// Their values of a field on the square.
+    /// Returns the candidates' values of a field on the square.
     pub fn gather(&self, field: &[f64]) -> Vec<f64> {
         self.elements
             .iter()
@@ -92,7 +93,7 @@ impl Candidates {
             .collect()
     }
 
-    /// The field on the square that has their values, and 0 elsewhere.
+    /// Returns the field on the square with the candidates' values, and 0 elsewhere.
     pub fn scatter(&self, values: &[f64]) -> Vec<f64> {
         let mut field = vec![0.0; self.size * self.size];
         for (element, value) in self.elements.iter().zip(values) {
@@ -102,7 +103,7 @@ impl Candidates {
     }
 }
 
-/// The elements of a square of `size` × `size` that belong, ascending.
+/// The elements of a square of `size` × `size` for which `belongs` holds, ascending.
 pub fn elements_where(size: usize, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Vec<u32> {
     let of_row = |row: usize| {
         let columns = (0..size).filter(|column| belongs([row, *column]));
@@ -127,7 +128,7 @@ fn with_rings(size: usize, members: &[u32]) -> Vec<u32> {
     elements
 }
 
-/// The tile of an element, and where it lies within.
+/// The tile of an element, and its place in the tile.
 fn tile_of([row, column]: [usize; 2], width: usize) -> (usize, usize) {
     let tile = row / TILE * width + column / TILE;
     (tile, row % TILE * TILE + column % TILE)

@@ -1,4 +1,4 @@
-//! Where the elements of a fine window lie among those of a coarser grid over the same square.
+//! The position of a fine window's elements among those of a coarser grid over the same square.
 
 use crate::grid::window::Window;
 
@@ -10,12 +10,12 @@ pub struct Prolongation {
 /// A line of fine centres among lines of coarse ones, all by their index in the coarse window.
 #[derive(Debug, Clone, Copy)]
 pub struct FineLine {
-    /// The coarse line that holds it; may lie outside the window.
+    /// The coarse line that contains it; may lie outside the window.
     pub within: isize,
-    /// The two lines around it, none outside the window, and their weights: linear.
+    /// The two lines around it, none outside the window, and their linear weights.
     pub around: [(Option<usize>, f64); 2],
-    /// The four lines around it, and the weights of the cubic through their values. Across an axis of a sector they
-    /// are mirror images; elsewhere the outermost line stands for those beyond.
+    /// The four lines around it, and the weights of the cubic through their values. Across an axis of a sector they are
+    /// mirror images; elsewhere the outermost line is repeated.
     pub among: [(usize, f64); 4],
 }
 
@@ -83,7 +83,7 @@ mod tests {
 
     use super::*;
 
-    /// The value that the weights give a field of the coarse line's position, in coarse elements.
+    /// The interpolated value of a function of the coarse line's position, in coarse elements.
     fn linear(line: &FineLine, field: impl Fn(f64) -> f64) -> f64 {
         let terms = line.around.iter();
         terms
@@ -131,7 +131,7 @@ mod tests {
         let last = from.size() - 1;
         let prolongation = Prolongation::new(&from, &Window::whole(128));
         for (i, line) in prolongation.rows().iter().enumerate() {
-            // Centres of a coarse line's fine ones lie a quarter before its own and a quarter behind it.
+            // The centres of a coarse line's fine lines lie a quarter before and a quarter after its own.
             let place = (i as f64 - 0.5) / 2.0 - from.origin()[0] as f64;
             let low = place.floor();
             let held = |k: f64| k >= 0.0 && k <= last as f64;

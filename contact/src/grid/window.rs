@@ -1,6 +1,6 @@
-//! A square part of a grid that holds the whole contact, on which products cost as much less as it is smaller.
+//! A square part of a grid that holds the whole contact, on which products cost proportionally less.
 //!
-//! Only elements with pressure or overlap take part in an iteration; as much of the rest as may overlap is looked at
+//! Only elements with pressure or overlap take part in an iteration; the rest, as far as it may overlap, is checked
 //! once, by the certificate.
 
 mod extent;
@@ -11,26 +11,27 @@ use rayon::prelude::*;
 
 use self::extent::IndexRange;
 
-/// Elements between the contact expected and the window's border, at least.
+/// Fewest elements between the expected contact and the window's border.
 const MARGIN: usize = 3;
 
-/// A window of more than this part of the grid's side saves less than it costs.
+/// Largest side of a window, relative to the grid: beyond this it saves less than it costs.
 const LARGEST_PART: f64 = 0.9;
 
-/// The margin around the contact expected is its extent over this, at least: it is known to an element or two.
+/// The margin around the expected contact is at least its extent divided by this: the contact is known to an element or
+/// two.
 const MARGIN_PART: usize = 24;
 
-/// Elements worth a thread of their own.
+/// Fewest elements per thread.
 const ELEMENTS_PER_THREAD: usize = 1 << 14;
 
-/// Row and column among the elements of a window, which may lie before it: there is a mirror image, or nothing.
+/// Row and column relative to a window; negative values denote mirror images, or nothing.
 pub type Place = [isize; 2];
 
-/// A square window of a grid of N × N elements, or the part of one in a sector, which begins at the sector's axes.
+/// A square window of a grid of N × N elements, or the part of one within a sector, which begins at the sector's axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Window {
     origin: [usize; 2],
-    /// Elements of a row.
+    /// Elements per row.
     size: usize,
     grid: SectorGrid,
 }
@@ -55,8 +56,8 @@ impl Window {
         Self::all_of(self.grid)
     }
 
-    /// The smallest window of a fast size around those of this window's elements that belong; the whole grid where none
-    /// belongs.
+    /// The smallest window of a fast size around the elements of this window for which `belongs` holds; the whole grid
+    /// if there are none.
     pub fn around(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Self {
         let Some(extent) = self.extent(belongs) else {
             return self.everywhere();
@@ -70,19 +71,19 @@ impl Window {
         self.everywhere().centred(&extent, size)
     }
 
-    /// The same of the elements that press, by the pressure on this window; none where nothing presses.
+    /// The same for elements that press, according to the pressure on this window; none if no element presses.
     pub fn around_pressing(&self, pressure: &[f64]) -> Option<Self> {
         let is_pressed = pressure.iter().any(|p| *p > 0.0);
         is_pressed.then(|| self.around(|element| self.presses(pressure, element)))
     }
 
-    /// Whether an element of the grid presses, by the pressure on this window, which holds all that do.
+    /// Whether an element of the grid presses, according to the pressure on this window, which must hold all that do.
     pub fn presses(&self, pressure: &[f64], element: [usize; 2]) -> bool {
         self.place(element).is_some_and(|at| pressure[at] > 0.0)
     }
 
-    /// The smallest window of a finer grid over the same square that holds what lies within one element of those of
-    /// this window that belong; none where none does.
+    /// The smallest window of a finer grid over the same square that covers the elements of this window for which
+    /// `belongs` holds, and one more around them; none if there are none.
     pub fn on_finer(
         &self,
         belongs: impl Fn([usize; 2]) -> bool + Sync,
@@ -104,7 +105,7 @@ impl Window {
         Some(everywhere.centred(&extent, square.size()))
     }
 
-    /// First and last of this window's elements that belong, or lie between those and an axis of the sector.
+    /// The extent of the elements of this window for which `belongs` holds, extended to the axes of the sector.
     fn extent(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Option<IndexRange> {
         let [above, left] = self.origin;
         let [rows, columns] = self.lengths();
@@ -135,8 +136,8 @@ impl Window {
         })
     }
 
-    /// The window of `size` elements a row around the centre of an extent, moved into the grid; from the axis on where
-    /// the extent reaches from there.
+    /// The window of `size` elements per row around the centre of an extent, moved into the grid; it begins at an axis
+    /// if the extent does.
     fn centred(&self, extent: &IndexRange, size: usize) -> Self {
         let (lengths, all) = (self.grid.with_size(size).lengths(), self.lengths());
         let origin = [0, 1].map(|axis: usize| {
@@ -159,7 +160,7 @@ impl Window {
         self.resized(size)
     }
 
-    /// The window with so many more elements on every side, as far as the grid goes.
+    /// The window with `rim` more elements on every side, limited to the grid.
     pub fn with_rim(&self, rim: usize) -> Self {
         self.resized((self.size + 2 * rim).min(self.grid.size()))
     }
@@ -180,7 +181,7 @@ impl Window {
         }
     }
 
-    /// The other window if it is the larger, else the whole grid.
+    /// The other window if it is larger, else the whole grid.
     pub fn wider(&self, other: Self) -> Self {
         if other.size > self.size {
             other
@@ -189,7 +190,7 @@ impl Window {
         }
     }
 
-    /// This window as one of another that holds it, which takes the place of the grid.
+    /// This window relative to another that holds it, which replaces the grid.
     pub fn within(&self, other: &Self) -> Self {
         Self {
             origin: [0, 1].map(|axis: usize| self.origin[axis] - other.origin[axis]),
@@ -202,22 +203,22 @@ impl Window {
         self.size == self.grid.size()
     }
 
-    /// Elements of a row.
+    /// Elements per row.
     pub fn size(&self) -> usize {
         self.size
     }
 
-    /// Its elements as a grid of their own.
+    /// The window's elements as a separate grid.
     pub fn shape(&self) -> SectorGrid {
         self.grid.with_size(self.size)
     }
 
-    /// Rows, and elements of each.
+    /// Rows, and elements per row.
     pub fn lengths(&self) -> [usize; 2] {
         self.shape().lengths()
     }
 
-    /// As few rows as are worth a thread of their own.
+    /// Fewest rows per thread.
     fn rows_per_thread(&self) -> usize {
         ELEMENTS_PER_THREAD / self.size + 1
     }
@@ -227,12 +228,12 @@ impl Window {
         self.shape().elements()
     }
 
-    /// The grid, or sector of one, that this is a window of.
+    /// The grid, or sector of one, of which this is a window.
     pub fn grid(&self) -> SectorGrid {
         self.grid
     }
 
-    /// The first element along both axes.
+    /// Index of the first element along both axes.
     pub fn origin(&self) -> [usize; 2] {
         self.origin
     }
@@ -247,7 +248,7 @@ impl Window {
         ]
     }
 
-    /// The element of the window at a place, itself or as the mirror image; none outside the window.
+    /// The element of the window at a place, or the one mirrored there; none outside the window.
     pub fn element(&self, place: Place) -> Option<usize> {
         let along = |axis: usize| {
             let image = self.grid.on_this_side(axis, place[axis]);
@@ -257,7 +258,7 @@ impl Window {
         Some(along(0)? * self.size + along(1)?)
     }
 
-    /// The first, by index, of the elements of the whole grid that the element in a row and column stands for.
+    /// The first, by index, of the elements of the whole grid represented by the element in a row and column.
     pub fn first_image(&self, [row, column]: [usize; 2]) -> [usize; 2] {
         let [above, left] = self.origin;
         self.grid.first_image([above + row, left + column])
@@ -270,15 +271,15 @@ impl Window {
         [0, 1].map(|axis: usize| element[axis].cast_signed() - self.origin[axis].cast_signed())
     }
 
-    /// The part of the cell between four places from this one on that belongs to the sector: one across an axis of
-    /// symmetry belongs to several quadrants.
+    /// The fraction of the cell between four places starting at this one that belongs to the sector: a cell across an
+    /// axis of symmetry belongs to several sectors.
     pub fn share_of_cell(&self, place: Place) -> f64 {
         let parts = self.grid.parts().into_iter().zip(place);
         let across = parts.filter(|(_, i)| *i < 0).map(|(parts, _)| parts);
         1.0 / across.product::<usize>() as f64
     }
 
-    /// The elements on the window's border, which the axes of a sector are not.
+    /// The elements on the window's border; the axes of a sector are not part of it.
     pub fn border(&self) -> impl Iterator<Item = usize> + use<> {
         let [rows, size] = self.lengths();
         let ends = |axis: usize, last: usize| {
@@ -290,7 +291,7 @@ impl Window {
         of_rows.chain(of_columns)
     }
 
-    /// The place within the window of the element in a row and column of the grid; none of one outside.
+    /// The index in the window of the element in a row and column of the grid; none if it is outside.
     pub fn place(&self, [row, column]: [usize; 2]) -> Option<usize> {
         let [line, column] = [
             row.checked_sub(self.origin[0])?,

@@ -1,18 +1,18 @@
-//! One load on its way from the coarsest grid to the finest.
+//! The solution of one load from the coarsest grid to the finest.
 
 use crate::{
     CoarsePressure, GridError, LevelValues, LevelWork, Load, SolverOptions, Step, Work,
     path::level::LevelResult, path::start::CoarserSolution,
 };
 
-/// A load, and its solution so far.
+/// A load and its solution so far.
 pub struct Ascent {
     pub load: Load,
     pub options: SolverOptions,
-    /// Of each grid solved so far.
+    /// The work on each grid solved so far.
     pub levels: Vec<LevelWork>,
     pub values: Vec<LevelValues>,
-    /// The pressures of the finest of them, where they are kept.
+    /// The pressures of the finest of these grids, if requested.
     pub coarser: Vec<CoarsePressure>,
     /// The start of the next level.
     pub coarser_solution: Option<CoarserSolution>,
@@ -30,8 +30,8 @@ impl Ascent {
         }
     }
 
-    /// The step that has been solved in so many seconds, with this result on the finest grid and coefficients of this
-    /// relative error.
+    /// Converts to a step, given its result on the finest grid, its time in `seconds` and the relative error of the
+    /// coefficients.
     pub fn into_step(self, result: LevelResult, seconds: f64, coefficient_error: f64) -> Step {
         let accuracy = result.solution.certificate.worst() + coefficient_error;
         Step {

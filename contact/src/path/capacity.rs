@@ -1,10 +1,10 @@
-//! The largest force that a grid carries where the pressure is cut at a hardness.
+//! The largest force that a grid can carry at a hardness.
 
 use pellicle_texture::Grid;
 
 use crate::{ContactError, Load, Model, Profile};
 
-/// Refuses a force of `loads` that the hardness (Pa) of all elements under the indenter does not carry.
+/// Returns an error if a force of `loads` exceeds what all elements under the indenter can carry at the hardness (Pa).
 pub fn check(
     model: &Model,
     grid: &Grid,
@@ -34,7 +34,7 @@ pub fn check(
     })
 }
 
-/// Whether the indenter goes on beyond a grid's corner, so that a larger one carries more.
+/// Whether the indenter extends beyond a grid's corner, so that a larger grid can carry more.
 pub fn goes_on(model: &Model, grid: &Grid) -> bool {
     let corner = [grid.centre(0), grid.centre(0)];
     model.indenter.heights(&[corner])[0].is_finite()
@@ -63,7 +63,7 @@ mod tests {
 
     #[test]
     fn the_elements_under_an_indenter_carry_their_area_times_the_hardness() {
-        // Four elements of side 1 have their centres within the punch.
+        // Four elements of side 1 have their centres under the punch.
         let (punch, grid) = (
             model(FlatPunch::new(1.0).unwrap().into()),
             Grid::new(4.0, 4).unwrap(),
@@ -93,7 +93,7 @@ mod tests {
         let paraboloid = model(Paraboloid::new(1.0).unwrap().into());
         let grid = Grid::new(4.0, 4).unwrap();
         assert!(goes_on(&paraboloid, &grid));
-        // The corner's centre lies 1.5 √2 = 2.12 from the axis.
+        // The centre of the corner element lies 1.5 √2 = 2.12 from the axis.
         let ends = |radius: f64| !goes_on(&model(FlatPunch::new(radius).unwrap().into()), &grid);
         assert!(ends(2.1) && !ends(2.13));
     }

@@ -1,23 +1,23 @@
-//! Dilute contact: where few elements of a level may touch, the level is solved on these candidates alone.
+//! Dilute contact: where few elements of a level may touch, the level is solved only on these candidates.
 //!
-//! Their products are [right to some 1e-9](pellicle_influence::ScatteredOperator) and cost a small part of one on the
-//! whole grid. Elements beside them can overlap only where the initial gap is less than the penetration; one such
-//! product tells which of these few do, and they are taken in:
+//! Their products are [accurate to about 1e-9](pellicle_influence::ScatteredOperator) and cost a small fraction of one
+//! on the whole grid. Other elements can overlap only where the initial gap is less than the penetration; one such
+//! product shows which of these few do, and they are added:
 //!
 //! ```text
 //! candidates ← candidates ∪ {K̃ p + g0 < D}, and those around
 //! ```
 //!
-//! where `K̃` is the product among scattered elements. What this lacks is computed, not neglected: one product on the
-//! whole grid judges the pressure, as the certificate does everywhere, and is the only one where it is satisfied.
-//! Otherwise
+//! where `K̃` is the product among scattered elements. Its error is computed, not neglected: one product on the whole
+//! grid judges the pressure, as the certificate always does. If the certificate is satisfied, that is the only such
+//! product. Otherwise
 //!
 //! ```text
 //! g0 ← g0 + (K − K̃) p on the candidates;    candidates ← candidates ∪ {g < 0 anywhere}, and those around
 //! ```
 //!
-//! and a solution of the next pass is exact to 1e-9 of the change since the last. Should some passes not bring that
-//! about, the whole grid is solved as any other.
+//! and the next pass is accurate to 1e-9 of the change since the last. If several passes do not satisfy the
+//! certificate, the whole grid is solved as usual.
 
 use std::sync::Arc;
 
@@ -34,38 +34,38 @@ use crate::{
     solver::Watch,
 };
 
-/// Multiplications of a step on the whole grid, by element: its product, the filter twice, and the sums.
+/// Multiplications per element for a step on the whole grid: its product, the filter twice, and the sums.
 const WHOLE_STEP: usize = 100;
-/// A step on candidates is to cost no more than the whole grid's over this.
+/// Least ratio of the cost of a step on the whole grid to one on candidates.
 const LEAST_GAIN: usize = 4;
-/// Elements per side below which a level costs next to nothing.
+/// Elements per side below which the cost of a level is negligible.
 const SMALLEST: usize = 256;
-/// Tolerance of the first pass, which finds the set as far as the candidates hold it.
+/// Tolerance of the first pass, which finds the set among the candidates.
 const FIRST_TOLERANCE: f64 = 1e-5;
 /// Passes after which the whole grid is solved.
 const MOST_PASSES: usize = 8;
-/// How many times as compliant to its longest wave as to its shortest a body may be, all beyond what a homogeneous one
-/// is: under stiff coatings systems are so badly conditioned that no product may be wrong in any digit.
+/// Largest ratio of a body's compliances to its longest and its shortest wave, relative to a homogeneous body: under
+/// stiff coatings systems are so ill-conditioned that products must be accurate to all digits.
 const LARGEST_CONTRAST: f64 = 4.0;
 
 /// A level's candidates on a window.
 pub struct Dilute {
     window: Window,
     candidates: Arc<Candidates>,
-    /// The problem among them, with what its products lack of the last pressure judged in its initial gap.
+    /// The problem on the candidates; its initial gap includes the error of its product for the last judged pressure.
     problem: DiscreteProblem,
     passes: usize,
 }
 
 impl Dilute {
-    /// The candidates around a start on a window, if it is worth it.
+    /// Chooses the candidates around a start on a window; none if this does not pay.
     pub fn around(
         whole: &DiscreteProblem,
         window: &Window,
         start: &[f64],
         options: &SolverOptions,
     ) -> Option<Self> {
-        // Elements at a hardness would make an operator of their own.
+        // Elements held at a hardness would need a separate operator.
         let is_for_candidates = !whole.has_hardness()
             && options.method == Method::Gradient
             && !window.grid().has_images()
@@ -90,9 +90,9 @@ impl Dilute {
         })
     }
 
-    /// Solves among the candidates from a pressure on the window, with more of them until none overlaps beside them by
-    /// the products among scattered elements; the iterate's pressure is that on the window, its products are those
-    /// among scattered elements.
+    /// Solves on the candidates from a pressure on the window, adding candidates until no other element overlaps
+    /// according to the products among scattered elements. The iterate's pressure covers the window; its products are
+    /// those among scattered elements.
     pub fn solve(
         &mut self,
         whole: &DiscreteProblem,
@@ -132,8 +132,8 @@ impl Dilute {
         }
     }
 
-    /// Elements of the window that overlap by more than half the tolerance, though no candidates, by a product among
-    /// all whose initial gap is less than the penetration; none where these are too many.
+    /// Finds elements of the window that are not candidates and overlap by more than half the tolerance, by one product
+    /// among all elements whose initial gap is less than the penetration; returns none if these are too many.
     fn overlapping(
         &mut self,
         whole: &DiscreteProblem,
@@ -176,8 +176,8 @@ impl Dilute {
         overlapping.map(|(element, _)| *element).collect()
     }
 
-    /// Takes in some elements and those around them, with what products lack as far as it is known; false where that is
-    /// not worth it.
+    /// Adds elements and their neighbours to the candidates, keeping the known corrections of the gap. Returns false if
+    /// this does not pay.
     fn take_in(&mut self, whole: &DiscreteProblem, elements: &[u32]) -> bool {
         if elements.is_empty() {
             return true;
@@ -205,14 +205,14 @@ impl Dilute {
         true
     }
 
-    /// Whether a judged solution is the last word.
+    /// Whether a judged solution is final.
     pub fn is_done(&self, solution: &Solution, options: &SolverOptions) -> bool {
         let has_stiffness = self.passes > 1 || !options.contact_stiffness;
         has_stiffness && solution.certificate.is_satisfied()
     }
 
-    /// Takes in what overlaps and what products lack of a pressure that was judged; false where another pass is not
-    /// worth it.
+    /// Adds overlapping elements to the candidates and corrects the gap for the product of a judged pressure. Returns
+    /// false if another pass does not pay.
     pub fn learn(
         &mut self,
         whole: &DiscreteProblem,
@@ -242,13 +242,13 @@ impl Dilute {
     }
 }
 
-/// The element of the grid at a place of the window.
+/// The grid's element at a place in the window.
 fn on_grid(window: &Window, [row, column]: [usize; 2]) -> [usize; 2] {
     let [above, left] = window.origin();
     [above + row, left + column]
 }
 
-/// `g0` (m) at the places of a window.
+/// Returns `g0` (m) by place in a window.
 fn initial_gaps<'a>(
     whole: &'a DiscreteProblem,
     window: &Window,
@@ -260,7 +260,7 @@ fn initial_gaps<'a>(
     }
 }
 
-/// An iterate with the work of the one that it started from.
+/// Adds to an iterate the work of the one from which it started.
 fn after(before: Iterate, iterate: Iterate) -> Iterate {
     let mut residuals = before.residuals;
     residuals.extend(iterate.residuals);
@@ -273,7 +273,7 @@ fn after(before: Iterate, iterate: Iterate) -> Iterate {
     }
 }
 
-/// Whether a step among some elements of a square of `size` × `size` costs so much less than one on the whole grid.
+/// Whether a step on some elements of a square of `size` × `size` is enough cheaper than one on the whole grid.
 fn is_worth_it(size: usize, elements: &[u32]) -> bool {
     LEAST_GAIN * scattered_work(size, elements) <= WHOLE_STEP * size * size
 }

@@ -1,4 +1,4 @@
-//! How large a square to solve on: the first guess.
+//! The first guess for the side of the domain.
 //!
 //! The contact radius `a` is estimated from axisymmetric closed forms with the indenter's profile averaged around
 //! its axis: on the elastic foundation (Galin; Sneddon 1965)
@@ -8,9 +8,8 @@
 //! ```
 //!
 //! on the relief's springs alone `Q_w(a) = (φ/η) ∫₀^a (f(a) − f(ρ)) 2πρ dρ`, and on both in series
-//! `1/Q = 1/Q_e + 1/Q_w`. Springs that are not linear have `w*/p` at the mean pressure for η. Nothing depends on the
-//! estimate but the first domain tried: [`choose_side`](crate::choose_side) asks a solution on a coarse grid whether it
-//! is large enough.
+//! `1/Q = 1/Q_e + 1/Q_w`. For nonlinear springs η is `w*/p` at the mean pressure. The estimate only sets the first
+//! domain tried: [`choose_side`](crate::choose_side) checks by a solution on a coarse grid whether it is large enough.
 
 pub mod choice;
 mod root_finding;
@@ -26,17 +25,17 @@ use root_finding::where_zero;
 /// The square on which the problem is solved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Domain {
-    /// A square of this side (m), whatever the contact does; a contact near its edge is a warning.
+    /// A fixed square of this side (m); a contact near its edge gives a warning.
     Side(f64),
-    /// A square of this side (m), which [`choose_side`](crate::choose_side) chose: enlarged should a contact reach its
-    /// edge after all.
+    /// A square of this side (m), chosen by [`choose_side`](crate::choose_side); enlarged if a contact reaches its edge
+    /// after all.
     Chosen(f64),
     /// [Chosen](crate::choose_side) for the loads, large enough for the contact and the same for every grid.
     #[default]
     Automatic,
-    /// A cell of this side (m) that repeats itself in both directions without end, with everything in it. Loads are
-    /// forces on one cell. On a half-space the mean displacement of the surface is infinite, so penetrations are
-    /// measured from the mean plane of the deformed surface.
+    /// A cell of this side (m) that repeats infinitely in both directions, with everything in it. Loads are forces on
+    /// one cell. On a half-space the mean displacement of the surface is infinite, so penetrations are measured from
+    /// the mean plane of the deformed surface.
     Periodic(f64),
 }
 
@@ -51,9 +50,9 @@ impl Domain {
     }
 }
 
-/// Half the side over the estimated contact radius: the estimate is good to some 20 %.
+/// Half the side over the estimated contact radius; the estimate is accurate to about 20 %.
 const MARGIN: f64 = 1.5;
-/// Times that springs are stiffened by the mean pressure found so far, which brings it to some percent of itself.
+/// Iterations for the stiffness of the springs at the mean pressure, which give that pressure to a few percent.
 const STIFFENINGS: usize = 10;
 /// Midpoints of the quadratures over the profile; the estimate needs no more.
 const POINTS: usize = 64;
@@ -65,8 +64,8 @@ static SINES: LazyLock<[f64; POINTS]> = LazyLock::new(|| {
 
 /// The side (m) of the square to try first for all `loads`: three times the largest estimated contact radius.
 ///
-/// Where no load makes contact, twice the radius at which the indenter stands one foundation thickness high, or as high
-/// as it hangs (or 1 m). See [`choose_side`](crate::choose_side) for the square to solve on.
+/// If no load makes contact, twice the radius at which the height of the indenter is the foundation's thickness, or its
+/// distance from the surface (or 1 m). See [`choose_side`](crate::choose_side) for the square to solve on.
 #[must_use]
 pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
     let radii = largest(loads).map(|load| contact_radius(model, load));
@@ -78,7 +77,7 @@ pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
     }
 }
 
-/// The same where a hardness (Pa) cuts the pressure, so that a force needs an area of `Q/p_max` at least.
+/// The same with a hardness (Pa), for which a force needs an area of at least `Q/p_max`.
 pub(crate) fn default_side_at(model: &Model, loads: &[Load], hardness: f64) -> f64 {
     let plastic = loads.iter().map(|load| match load {
         Load::Force(force) => (force / hardness / PI).sqrt(),
@@ -88,9 +87,9 @@ pub(crate) fn default_side_at(model: &Model, loads: &[Load], hardness: f64) -> f
     default_side(model, loads).max(2.0 * MARGIN * radius)
 }
 
-/// The force (N) that presses the indenter to a penetration (m), by the closed forms of the first guess: right on
-/// springs alone, and 2√2 times that of Hertz, since it reckons the contact as wide as the indenter is that high. 0
-/// without contact.
+/// The force (N) that presses the indenter to a penetration (m), by the closed forms of the first guess. Exact on
+/// springs alone, and 2√2 times that of Hertz, since the contact radius is taken where the height of the indenter
+/// equals the penetration. 0 without contact.
 #[must_use]
 pub fn estimated_force(model: &Model, penetration: f64) -> f64 {
     if penetration > 0.0 {
@@ -106,7 +105,7 @@ pub fn estimated_force_at_radius(model: &Model, radius: f64) -> f64 {
     force_at(model, radius)
 }
 
-/// The largest force and the largest penetration of some loads: those of the widest contact.
+/// The largest force and the largest penetration of some loads, which give the widest contacts.
 fn largest(loads: &[Load]) -> impl Iterator<Item = Load> {
     let force = loads.iter().filter_map(|load| match load {
         Load::Force(force) => Some(*force),
@@ -121,8 +120,8 @@ fn largest(loads: &[Load]) -> impl Iterator<Item = Load> {
     force.into_iter().chain(penetration)
 }
 
-/// A paraboloid's pressure `p0 √(1 − ρ²/a²)` with the estimated contact radius of a load and its force: what the
-/// coarsest grid starts from.
+/// A paraboloid's pressure `p0 √(1 − ρ²/a²)` with the estimated contact radius and force of a load: the start of the
+/// coarsest grid.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Guess {
     /// `a`, in m.
@@ -159,12 +158,12 @@ fn contact_radius(model: &Model, load: Load) -> f64 {
     }
 }
 
-/// The radius at which the indenter stands so high, m.
+/// The radius at which the indenter has this height, in m.
 fn radius_at(model: &Model, height: f64) -> f64 {
     where_zero(|a| (model.indenter.mean_profile(a) / height).ln())
 }
 
-/// A length to look at where nothing touches.
+/// A radius for the domain without contact.
 fn unloaded_radius(model: &Model, loads: &[Load]) -> f64 {
     let hangs = loads.iter().map(|load| match load {
         Load::Penetration(penetration) => penetration.abs(),
@@ -187,7 +186,7 @@ fn force_at(model: &Model, a: f64) -> f64 {
     let Some(relief) = ReliefForce::new(model, a) else {
         return elastic;
     };
-    // 0 where either is, since 1/0 = ∞
+    // 0 where either is 0, since 1/0 = ∞.
     let on_both = |springs: f64| 1.0 / (1.0 / elastic + 1.0 / relief.force(springs));
     let (law, mut force) = (model.relief.spring_law(), on_both(1.0));
     if law.is_linear() {
@@ -216,7 +215,7 @@ fn elastic_force(model: &Model, a: f64) -> f64 {
 struct ReliefForce {
     /// `φ ∫₀^a (f(a) − f(ρ)) 2πρ dρ`.
     volume: f64,
-    /// `η` of the springs, and the compliance beside it that no pressure stiffens.
+    /// `η` of the springs, and the additional compliance that is independent of pressure.
     compliance: [f64; 2],
 }
 
@@ -229,15 +228,15 @@ impl ReliefForce {
         })
     }
 
-    /// `Q_w` with this part of the springs' compliance at rest.
+    /// `Q_w` with this fraction of the springs' compliance at rest.
     fn force(&self, part: f64) -> f64 {
         let [springs, other] = self.compliance;
         self.volume / (part * springs + other)
     }
 }
 
-/// `η` of the springs, and the compliance beside it that no pressure stiffens, in m/Pa; none without springs. That of a
-/// relief of a user's own is looked up within the radius `a`.
+/// `η` of the springs, and the additional compliance that is independent of pressure, in m/Pa; none without springs.
+/// For a custom relief it is the mean within the radius `a`.
 fn relief_compliance(model: &Model, a: f64) -> Option<[f64; 2]> {
     let if_any = |mean: f64| Some([mean, 0.0]).filter(|_| mean > 0.0);
     Some(match &model.relief {
@@ -245,7 +244,7 @@ fn relief_compliance(model: &Model, a: f64) -> Option<[f64; 2]> {
         Relief::Map(map) => if_any(map.mean_compliance())?,
         Relief::Custom(custom) => if_any(custom.mean_compliance(a))?,
         Relief::Film(film) => [film.compliance(), 0.0],
-        // A cylinder also presses itself into the foundation, by some C(1/r) more than an even pressure would.
+        // A cylinder also indents the foundation, by about C(1/r) more than a uniform pressure would.
         Relief::Cylinders(cylinders) => {
             let local = (model.tables.bodies()).compliance(1.0 / cylinders.radius());
             let share = 1.0 - cylinders.area_fraction();

@@ -14,7 +14,7 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// The iterate with its products counted as those among candidates.
+    /// Counts the products of an iterate as products among candidates; returns the iterate without them.
     pub fn among(&mut self, iterate: Iterate) -> Iterate {
         self.candidate_applications +=
             iterate.operator_applications + iterate.stiffness_applications;
@@ -25,7 +25,7 @@ impl Effort {
         }
     }
 
-    /// Adds an iterate's, and returns its pressure.
+    /// Adds the work of an iterate and returns its pressure.
     pub fn take(&mut self, iterate: Iterate) -> Vec<f64> {
         self.iterations += iterate.iterations;
         self.operator_applications += iterate.operator_applications;

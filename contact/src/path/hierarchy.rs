@@ -1,5 +1,5 @@
-//! The grids of a path, from the coarsest to the finest, each made when it is first needed, or the finest while the
-//! coarser ones are solved.
+//! The grids of a path, from the coarsest to the finest, each set up when first needed, or the finest while the coarser
+//! ones are solved.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -19,10 +19,10 @@ use crate::{
     solver::Watch,
 };
 
-/// Elements per side from which on the finest grid is made while the coarser ones are solved.
+/// Elements per side above which the finest grid is set up while the coarser ones are solved.
 const MADE_AHEAD: usize = 512;
 
-/// Coarser grids whose pressures are kept, where they are asked for: as many as an estimate of an error needs.
+/// Number of coarser grids whose pressures are kept on request: as many as an error estimate needs.
 const COARSE_PRESSURES: usize = 3;
 
 /// All grids over one square.
@@ -32,10 +32,10 @@ pub struct Hierarchy<'a> {
     boundary: Boundary,
     /// In Pa.
     hardness: f64,
-    /// The elements that are solved of each grid, coarsest first.
+    /// The solved sector of each grid, coarsest first.
     grids: Vec<SectorGrid>,
-    /// The grids at hand; where only one load is to come, none but the one in use and the finest, whose memory is most
-    /// of all.
+    /// The grids in memory. For a single load only the current one and the finest are kept; the finest takes most of
+    /// the memory.
     levels: Vec<Option<Level>>,
     keep: bool,
     coefficients_seconds: f64,
@@ -52,7 +52,7 @@ impl<'a> Hierarchy<'a> {
         options: &SolverOptions,
     ) -> Self {
         let mut sizes = coarser_sizes(elements);
-        // Of a domain far larger than the indenter a coarse grid may have no element under it.
+        // On a domain far larger than the indenter, a coarse grid may have no element under it.
         sizes.retain(|size| {
             Grid::new(side, *size).is_ok_and(|grid| {
                 cut_off::can_touch(model, &grid)
@@ -75,7 +75,7 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// As many hierarchies of the same grids as are asked for, this one first, each to be used by one thread at a time.
+    /// Returns `lanes` hierarchies of the same grids, this one first, each to be used by one thread at a time.
     pub fn lanes(mut self, lanes: usize) -> Result<Vec<Self>, ContactError> {
         let twins = if lanes > 1 {
             for index in 0..self.grids.len() {
@@ -90,7 +90,7 @@ impl<'a> Hierarchy<'a> {
         Ok(std::iter::once(self).chain(twins).collect())
     }
 
-    /// The same grids without memory of any load; none if they are not all at hand.
+    /// The same grids without the memory of any load; none if they are not all in memory.
     fn twin(&self) -> Option<Self> {
         let levels = self.levels.iter();
         let twins: Option<Vec<_>> = levels.map(|level| level.as_ref()?.twin()).collect();
@@ -107,17 +107,17 @@ impl<'a> Hierarchy<'a> {
         })
     }
 
-    /// Time spent on coefficients and sampling while nothing was solved, in s.
+    /// Time spent on coefficients and sampling while no load was being solved, in s.
     pub fn coefficients_seconds(&self) -> f64 {
         self.coefficients_seconds
     }
 
-    /// Where the coefficients of all grids together came from.
+    /// Origin of the coefficients of all grids together.
     pub fn coefficients_origin(&self) -> Origin {
         self.coefficients_origin.unwrap_or(Origin::Computed)
     }
 
-    /// The finest grid, and the elasticity of its elements where a load has come so far.
+    /// Returns the finest grid, and the elasticity of its elements if a load has reached it.
     pub fn into_finest(mut self) -> Result<(Grid, Option<Arc<SurfaceElasticity>>), ContactError> {
         let grid = Grid::new(self.side, self.grids[self.grids.len() - 1].whole_size())?;
         let level = self.levels.pop().flatten();
@@ -145,7 +145,7 @@ impl<'a> Hierarchy<'a> {
         Ok(ascent.into_step(result, seconds, self.model.tables.error_estimate()))
     }
 
-    /// Goes on with a load until the grids below `end` are solved.
+    /// Solves a load on the grids below `end`.
     fn ascend(
         &mut self,
         ascent: &mut Ascent,
@@ -167,7 +167,7 @@ impl<'a> Hierarchy<'a> {
         let Ascent { load, options, .. } = *ascent;
         let start = match &ascent.coarser_solution {
             Some(coarser) => LevelStart::Coarser(coarser),
-            // A guess is of a single contact.
+            // A guess is for a single contact.
             None if self.boundary == Boundary::Periodic => LevelStart::Nothing,
             None => Guess::new(self.model, load).map_or(LevelStart::Nothing, LevelStart::Guess),
         };
@@ -186,7 +186,7 @@ impl<'a> Hierarchy<'a> {
         Ok(result)
     }
 
-    /// Whether the finest grid is still to make, and that keeps threads busy that the coarser grids do not.
+    /// Whether the finest grid is not yet set up and doing so can use threads left idle by the coarser grids.
     fn is_worth_making_ahead(&self) -> bool {
         let finest = self.grids.len() - 1;
         rayon::current_num_threads() > 1
@@ -194,7 +194,7 @@ impl<'a> Hierarchy<'a> {
             && self.grids[finest].whole_size() >= MADE_AHEAD
     }
 
-    /// Solves on all grids but the finest, which is made at the same time.
+    /// Solves on all grids except the finest, which is set up at the same time.
     fn ascend_beside_making(
         &mut self,
         ascent: &mut Ascent,
@@ -208,7 +208,7 @@ impl<'a> Hierarchy<'a> {
             || (self.ascend(ascent, finest, watch), clock.elapsed()),
             || Level::new(model, square, boundary, hardness, keeps),
         );
-        // Time spent while the solution ran does not count.
+        // Time spent while the solution ran is not counted.
         let waited = clock.elapsed().saturating_sub(ascended);
         self.coefficients_seconds += waited.as_secs_f64();
         coarser?;
@@ -218,7 +218,7 @@ impl<'a> Hierarchy<'a> {
         Ok(())
     }
 
-    /// Solves on one grid; also returns the start of the next finer one.
+    /// Solves on one grid; also returns the start for the next finer one.
     fn solve_level(
         &mut self,
         index: usize,
@@ -273,7 +273,7 @@ impl<'a> Hierarchy<'a> {
     }
 }
 
-/// Coarse grids are solved no further than is worth it.
+/// The options of coarse grids, with a looser tolerance.
 fn coarse_options(options: SolverOptions) -> SolverOptions {
     SolverOptions {
         tolerance: options.tolerance.max(COARSE_TOLERANCE),
@@ -346,7 +346,7 @@ mod tests {
             let surface = |lane: Hierarchy<'_>| lane.into_finest().unwrap().1;
             let mut surfaces = lanes_made.into_iter().filter_map(surface);
             let first = surfaces.next();
-            // One alone makes its grids when a load comes.
+            // A single one sets up its grids when a load comes.
             assert_eq!(first.is_some(), lanes > 1);
             assert!(surfaces.all(|surface| Arc::ptr_eq(&surface, first.as_ref().unwrap())));
         }

@@ -1,5 +1,4 @@
-//! One grid of a loading path: its problem, and the solution of one load on it after the other, none of which depends
-//! on another.
+//! One grid of a loading path: its problem, and the solution of successive, independent loads on it.
 
 use std::sync::Arc;
 
@@ -24,18 +23,18 @@ pub struct Level {
     grid: Grid,
     elasticity: Arc<SurfaceElasticity>,
     pub coefficients_origin: Origin,
-    /// Whether another load may come on this grid, for which memory is worth keeping.
+    /// Whether more loads may follow on this grid, so that memory is kept.
     keeps: bool,
     whole: Posed,
     /// Outline of the relief on the problem's sector.
     outline: Arc<Vec<bool>>,
     /// The window of the last load, and the problem on it.
     part: Option<(Window, Posed)>,
-    /// Fields of the last load's judgement.
+    /// Fields of the last load's certificate.
     judged: JudgedFields,
 }
 
-/// A problem, and the solver with its storage.
+/// A problem, and its solver with storage.
 struct Posed {
     problem: DiscreteProblem,
     solver: GradientSolver,
@@ -49,7 +48,7 @@ impl Posed {
         }
     }
 
-    /// Solves by the method that the options name.
+    /// Solves by the method in the options.
     fn solve(
         &mut self,
         load: Load,
@@ -78,12 +77,12 @@ pub enum LevelStart<'a> {
 
 /// The result of one level.
 pub struct LevelResult {
-    /// Its pressures are those on the window.
+    /// Its pressures cover the window.
     pub solution: Solution,
-    /// Where its pressures lie.
+    /// The window of the pressures.
     pub window: Window,
     pub summary: Summary,
-    /// Of the finest grid alone.
+    /// For the finest grid only.
     pub rough: Option<RoughContact>,
     pub work: LevelWork,
     pub residuals: Vec<f64>,
@@ -127,7 +126,7 @@ impl Level {
         })
     }
 
-    /// The same grid without memory of any load; none where the problem cannot be made again.
+    /// The same grid without the memory of any load; none if the problem cannot be recreated.
     pub fn twin(&self) -> Option<Self> {
         let everywhere = self.whole.problem.everywhere();
         Some(Self {
@@ -147,7 +146,7 @@ impl Level {
         self.whole.problem.grid_size()
     }
 
-    /// Solves from a coarser level's field or a guess, and judges the result afresh.
+    /// Solves from a coarser level's field or a guess, and judges the result with a new product.
     pub fn solve(
         &mut self,
         model: &Model,
@@ -197,7 +196,7 @@ impl Level {
         RoughContact::of(&self.field(model, window, pressure))
     }
 
-    /// The last load's solution, by the pressure on a window that holds it.
+    /// The last load's solution, given its pressure on a window.
     fn field<'a>(
         &'a self,
         model: &'a Model,
@@ -219,7 +218,7 @@ impl Level {
         }
     }
 
-    /// A guessed pressure on a window around it; none where it presses on no element.
+    /// A guessed pressure on a window around it; none if it presses on no element.
     fn guessed(&self, guess: Guess) -> Option<(Window, Vec<f64>)> {
         let (grid, everywhere) = (&self.grid, self.whole.problem.everywhere());
         let pressure: Vec<f64> = grid.centres().map(|place| guess.pressure(place)).collect();
@@ -228,7 +227,7 @@ impl Level {
         Some((window, window.cut(&pressure)))
     }
 
-    /// A coarser level's pressure on a window around it; none where it presses nowhere.
+    /// A coarser level's pressure on a window around it; none if no element presses.
     fn prolonged(&self, coarser: &CoarserSolution) -> Option<(Window, Vec<f64>)> {
         let reach = coarser
             .window
@@ -252,8 +251,8 @@ impl Level {
         self.elasticity
     }
 
-    /// Solves on a window that holds the contact, enlarged as long as it does not, of a dilute contact on candidates in
-    /// the window alone; returns the window too.
+    /// Solves on a window, enlarged until it holds the contact; for a dilute contact only on candidates in the window.
+    /// Also returns the window.
     fn solve_from(
         &mut self,
         start: (Window, Vec<f64>),
@@ -319,7 +318,7 @@ impl Level {
         }
     }
 
-    /// Solves on a window, which becomes the whole grid where there is no operator of its size.
+    /// Solves on a window, which becomes the whole grid if there is no operator of its size.
     fn solve_in(
         &mut self,
         window: &mut Window,
@@ -345,7 +344,7 @@ impl Level {
         self.whole.solve(load, &start, options, watch)
     }
 
-    /// Gives back the memory that only another load would need, if none is to come.
+    /// Frees the memory needed only for further loads, if there are none.
     pub fn release(&mut self) {
         if !self.keeps {
             self.whole.problem.release_operator();

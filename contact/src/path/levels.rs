@@ -1,21 +1,21 @@
-//! The grids that a path is solved on, and how far the coarser ones are solved.
+//! The grids of a path, and the accuracy of the coarser ones.
 //!
-//! The coarser grids give the finest one its start, and their solutions, which cost little, show how every number
-//! changes with the grid.
+//! The coarser grids provide the start for the finest one, and their cheap solutions show how each result changes with
+//! the grid.
 
 use pellicle_influence::SectorGrid;
 
 use crate::{Boundary, Method, Model, SolverOptions};
 
-/// The coarsest grid worth a level: a contact of some four elements across the radius. A grid of 48 elements then has
-/// three levels, from which an error can be estimated.
+/// The coarsest grid of a path: a contact has about four elements across the radius. A grid of 48 elements then has
+/// three levels, enough to estimate an error.
 const COARSEST: usize = 12;
-/// Coarser grids are solved to this, or to the finest grid's tolerance if that is looser: far below their own
-/// discretisation error, so that their differences show the grid and nothing else.
+/// Tolerance of the coarser grids, unless that of the finest grid is looser: far below their own discretisation error,
+/// so that their differences show only the effect of the grid.
 pub const COARSE_TOLERANCE: f64 = 1e-6;
 
 /// Elements per side of the levels coarser than `finest`, coarsest first; each is half of the next, rounded up to an
-/// even number, which a grid of mirror images has.
+/// even number, as mirror images require.
 pub fn coarser_sizes(finest: usize) -> Vec<usize> {
     let half = |size: &usize| Some(size.div_ceil(2).next_multiple_of(2));
     let halves = std::iter::successors(Some(finest), half);
@@ -27,7 +27,7 @@ pub fn coarser_sizes(finest: usize) -> Vec<usize> {
     sizes
 }
 
-/// The elements that a path solves on a grid of `elements` elements per side: a quadrant or a half of an even one where
+/// The elements that a path solves on a grid of `elements` elements per side: a quadrant or a half of an even one if
 /// the [model's symmetry](Model::sector) and the options allow it, else all.
 #[must_use]
 pub fn solved_grid(

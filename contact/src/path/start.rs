@@ -1,16 +1,16 @@
-//! The start of a level: the next coarser one's solution on the finer grid.
+//! The start of a level: the solution of the next coarser level on the finer grid.
 //!
-//! The foundation's displacement `u = K p` is smooth; the pressure is not, and least of all the gap on a rough
-//! surface. So `u` is interpolated, and the fine grid's own `g0` shows where the indenter would overlap:
+//! The foundation's displacement `u = K p` is smooth; the pressure is not, and the gap on a rough surface still less.
+//! So `u` is interpolated, and the fine grid's own `g0` shows where the indenter would overlap:
 //!
 //! ```text
 //! g = u + g0 − D,    I = {g < 0} ∪ {all four coarse centres around press}
 //! ```
 //!
-//! A smooth contact needs the second set, because its gaps vanish. Pressures on `I` are interpolated between
-//! elements on the same side of the relief's outline, and scaled so that the force of a coarse element stays what it
-//! was, less what lies across an outline: unscaled, bare stiff coatings take half as many products more. Gaps
-//! interpolated as negative pressures, as before, made the set 2 to 20 times too large on rough surfaces.
+//! A smooth contact needs the second set, because its gaps vanish. Pressures on `I` are interpolated between elements
+//! on the same side of the relief's outline, and scaled to preserve the force of a coarse element, less the part across
+//! an outline: unscaled, bare stiff coatings take half as many products again. Interpolating gaps as negative pressures
+//! made the set 2 to 20 times too large on rough surfaces.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -25,11 +25,11 @@ use crate::{
     vector::smallest,
 };
 
-/// Pressure of an element that overlaps where no coarse one presses, as a part of the largest.
+/// Pressure, as a fraction of the largest, of an overlapping element where no coarse element presses.
 const SMALLEST_PRESSURE: f64 = 1e-3;
-/// A level's solution, as the next finer level sees it.
+/// A level's solution, as needed by the next finer level.
 pub struct CoarserSolution {
-    /// Where the displacement is known; it holds all pressures.
+    /// The window on which the displacement is known; it holds all pressures.
     pub window: Window,
     /// `p`, in Pa.
     pub pressure: Vec<f64>,
@@ -41,7 +41,7 @@ pub struct CoarserSolution {
     pub outline: Arc<Vec<bool>>,
 }
 
-/// The fine problem, as far as a start needs it.
+/// The parts of the fine problem that a start needs.
 pub struct FineGrid<'a> {
     /// `g0` of the whole level, in m.
     pub initial_gap: &'a [f64],
@@ -50,7 +50,7 @@ pub struct FineGrid<'a> {
 }
 
 impl CoarserSolution {
-    /// The pressure (Pa) to start from on a window `onto` of a finer grid.
+    /// Returns the starting pressure (Pa) on a window `onto` of a finer grid.
     pub fn start_on(&self, onto: &Window, fine: &FineGrid<'_>) -> Vec<f64> {
         let prolongation = Prolongation::new(&self.window, onto);
         let highest = self.pressure.iter().copied().fold(0.0, f64::max);
@@ -63,7 +63,7 @@ impl CoarserSolution {
             smallest: SMALLEST_PRESSURE * highest,
             widest: self.penetration - lowest,
         };
-        // Memory that is touched only where something presses.
+        // Zeroed memory that is touched only where elements press.
         let mut pressure = vec![0.0; onto.elements()];
         let mut rest = &mut pressure[..];
         let mut blocks_of_rows = Vec::new();
@@ -90,27 +90,27 @@ fn blocks(rows: &[FineLine]) -> Vec<Range<usize>> {
         .collect()
 }
 
-/// The start on its way.
+/// The data for the computation of a start.
 struct Start<'a> {
     coarser: &'a CoarserSolution,
     onto: &'a Window,
     fine: &'a FineGrid<'a>,
     prolongation: &'a Prolongation,
     smallest: f64,
-    /// Initial gap that no displacement closes (m).
+    /// Initial gap (m) beyond which no displacement gives contact.
     widest: f64,
 }
 
-/// The pressure that a coarse element's fine ones share.
+/// Total pressure and number of the fine elements in a coarse one.
 #[derive(Clone, Copy, Default)]
 struct Share {
     pressure: f64,
-    /// Fine elements on the coarse one's side of the outline.
+    /// Number of fine elements on the coarse one's side of the outline.
     elements: f64,
 }
 
 impl Start<'_> {
-    /// The pressures on the fine rows of one coarse row.
+    /// Writes the pressures on the fine rows of one coarse row.
     fn on_rows(&self, rows: Range<usize>, pressure: &mut [f64]) {
         let (size, from) = (self.onto.size(), &self.coarser.window);
         let lines = pressure.chunks_mut(size).zip(rows.clone());
@@ -147,7 +147,7 @@ impl Start<'_> {
         }
     }
 
-    /// The line of the coarse window, a row or a column, that holds a fine one.
+    /// The line (row or column) of the coarse window that holds a fine line.
     fn coarse_line(&self, axis: usize, line: FineLine) -> Option<usize> {
         let lines = self.coarser.window.lengths()[axis];
         usize::try_from(line.within)
@@ -162,7 +162,7 @@ impl Start<'_> {
         window.line(&self.coarser.outline, row)[column]
     }
 
-    /// Interpolates on one row; whether anything presses there.
+    /// Interpolates on one row; returns whether any element presses there.
     fn on_row(&self, row: usize, pressure: &mut [f64]) -> bool {
         let gaps = self.onto.line(self.fine.initial_gap, row);
         if gaps.iter().all(|g0| *g0 >= self.widest) {
@@ -196,8 +196,8 @@ impl Start<'_> {
         presses
     }
 
-    /// The mean pressure of the four coarse centres around a place, as far as they lie on its side of the outline, by
-    /// their linear weights; and whether all four do and press.
+    /// The mean pressure, by linear weights, of those of the four coarse centres around a place that are on its side of
+    /// the outline; and whether all four are and press.
     fn pressure_around(&self, [across, along]: [&FineLine; 2], side: bool) -> (f64, bool) {
         let (mut sum, mut weights, mut pressing) = (0.0, 0.0, 0);
         for (row, weight) in across.around {
@@ -231,7 +231,7 @@ mod tests {
         (0..size * size).map(|e| of([e / size, e % size])).collect()
     }
 
-    /// A solution of this pressure and displacement under a penetration of 1, on this side of an outline.
+    /// A solution with this pressure and displacement under a penetration of 1, and this outline.
     fn coarser(
         pressure: impl Fn([usize; 2]) -> f64,
         displacement: impl Fn([usize; 2]) -> f64,
@@ -276,7 +276,7 @@ mod tests {
                 assert!(error.abs() < 1e-14, "{place:?}: {error}");
             }
         }
-        // Beside the contact overlapping elements press a little, and those too far away not at all.
+        // Overlapping elements beside the contact press a little, those too far away do not.
         let highest = from.pressure.iter().copied().fold(0.0, f64::max);
         assert_eq!(found[FINE * FINE - 1], SMALLEST_PRESSURE * highest);
         assert_eq!(start(&from, 1.0, |_| false), vec![0.0; FINE * FINE]);
@@ -284,13 +284,13 @@ mod tests {
 
     #[test]
     fn what_overlaps_or_lies_within_the_contact_presses() {
-        // u = 0.1 of a coarse element's row, which a cubic holds: overlap where u < 0.4 under a gap of 0.6.
+        // u = 0.1 times the coarse row, which a cubic reproduces: overlap where u < 0.4 with a gap of 0.6.
         let corner = |[i, j]: [usize; 2]| f64::from(u8::from(i >= 6 && j >= 6));
         let from = coarser(corner, |[i, _]| 0.1 * i as f64, |_| false);
         let found = start(&from, 0.6, |_| false);
         for (e, p) in found.iter().enumerate() {
             let [i, j] = [e / FINE, e % FINE];
-            // Beyond the outermost centres their lines stand for those outside.
+            // Beyond the outermost centres, the outermost lines are repeated.
             let row = (i as f64 / 2.0 - 0.25).max(0.0);
             let is_within = [i, j].iter().all(|i| *i >= 13);
             assert_eq!(*p > 0.0, row < 4.0 || is_within, "{i} {j}: {p}");
@@ -299,7 +299,7 @@ mod tests {
 
     #[test]
     fn no_pressure_crosses_an_outline() {
-        // The relief's outline runs through the middle of the coarse column 3, which is on it.
+        // The relief's outline runs through the middle of the coarse column 3, which is on the relief.
         let pressure = |[_, j]: [usize; 2]| if j < 4 { 2.0 } else { 1.0 };
         let from = coarser(pressure, |_| 0.0, |[_, j]| j < 4);
         let found = start(&from, 0.5, |[_, j]| j < 7);

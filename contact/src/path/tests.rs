@@ -1,4 +1,4 @@
-//! Short paths, whose numbers are those of their own pressures.
+//! Short paths, whose results agree with their own pressures.
 
 use pellicle_influence::Cache;
 use pellicle_kernel::{Foundation, Material};
@@ -22,7 +22,7 @@ fn ball() -> Paraboloid {
     Paraboloid::new(1.0).unwrap()
 }
 
-/// The path of some loads on 32 × 32 elements.
+/// Solves some loads on 32 × 32 elements.
 fn solve(
     model: &Model,
     domain: Domain,
@@ -91,7 +91,7 @@ fn a_summary_is_what_can_be_read_off_the_pressures_whatever_part_of_the_grid_was
             largest(&surface.shortening)
         ));
         assert!(near(summary.mean_pressure * summary.contact_area, force));
-        // The edge is placed within an element.
+        // The edge is located within an element.
         let counted = count as f64 * area;
         assert!((summary.contact_area / counted - 1.0).abs() < 0.15);
         let parts = summary.contact_area_on_relief + summary.contact_area_between;
@@ -165,7 +165,7 @@ fn between_two_equal_bodies_each_moves_by_half_of_what_both_do() {
     let places = path.grid.centres().zip(pressure).zip(&surface.displacement);
     for (([x, y], p), u) in places {
         if *p > 0.0 {
-            // D − f is shared.
+            // The two bodies share D − f.
             let both = depth - f64::midpoint(x * x, y * y);
             assert!((u - both / 2.0).abs() < 1e-7 * depth, "{x} {y}");
         }
@@ -202,7 +202,7 @@ fn a_chosen_domain_that_its_hardness_does_not_carry_a_force_on_is_enlarged() {
     assert!((chosen.steps[0].summary.area_at_limit - 1.0).abs() < 0.05);
 }
 
-/// Cancels after reports of this many steps.
+/// An observer that cancels after reports of this many steps.
 struct Patience(usize);
 
 impl Observer for Patience {
@@ -246,15 +246,15 @@ fn as_many_loads_are_solved_at_once_as_there_are_threads_for_on_grids_that_are_s
     assert_eq!(loads_at_once(64, 1000), threads.min(512));
     assert_eq!([1, 0].map(|loads| loads_at_once(64, loads)), [1, 1]);
     assert_eq!(loads_at_once(4096, 1000), 1);
-    // Half of two million elements: two at once at most.
+    // Half of two million elements: at most two at once.
     assert_eq!(loads_at_once(1024, 1000), threads.min(2));
 }
 
-/// A ball, and at the centre of an element of the finest grid a needle that no coarser grid sees.
+/// A ball with a needle at the centre of an element of the finest grid, which coarser grids miss.
 #[derive(Debug)]
 struct Needle;
 
-/// Row and column of the needle's element of 128.
+/// Row and column of the needle's element, of 128.
 const NEEDLE: [usize; 2] = [21, 100];
 
 impl crate::Profile for Needle {
@@ -299,10 +299,10 @@ fn the_peak_is_told_between_elements_inside_a_contact_and_at_one_at_its_edge() {
         .copied()
         .fold(0.0, f64::max);
     assert_eq!(summary.peak_place, crate::PeakPlace::Inside);
-    // The deviation from a paraboloid moves the vertex by a part of an element.
+    // The deviation from a paraboloid moves the vertex by a fraction of an element.
     let [x, y] = summary.max_pressure_at;
     assert!(x.hypot(y) < 5e-3 * smooth.grid.element_side());
-    // Of even N the axis is a corner of elements, where the paraboloid through them is higher.
+    // For even N the axis is a corner of elements, where the paraboloid through them is higher.
     assert!(summary.max_pressure > largest * (1.0 + 1e-4));
     assert!(summary.edge_uncertainty > 0.0 && !summary.meets_outline);
     let punch = crate::FlatPunch::new(0.3).unwrap();

@@ -8,31 +8,32 @@ use crate::{
     result::cut_off,
 };
 
-/// Fewer elements than this per cylinder radius leave its outline to chance.
+/// With fewer elements than this per cylinder radius its outline is not resolved.
 const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
-/// A layer thinner than this part of an element changes no coefficient by more than about as much.
+/// A layer thinner than this fraction of an element changes coefficients by about that fraction at most.
 const FEWEST_ELEMENTS_PER_THICKNESS: f64 = 0.02;
-/// Moduli whose ratio is less belong to layers that are alike.
+/// Layers whose moduli have a smaller ratio count as alike.
 const MOST_ALIKE: f64 = 2.0;
 /// A spring cannot shorten by more than its height: above this, [`Warning::FilmShortening`].
 pub const LARGEST_SHORTENING: f64 = 1.0;
-/// Slopes up to this are small: the error of linear theory is about the square. Above, [`Warning::SteepIndenter`].
+/// Largest slope that counts as small: the error of linear theory is about its square. Above this,
+/// [`Warning::SteepIndenter`].
 pub const LARGEST_SLOPE: f64 = 0.3;
 
-/// A contact of fewer elements across is not resolved, and the domain is to blame where it is less than a quarter of
-/// it.
+/// A contact with fewer elements across is not resolved; the domain is the cause if the contact covers less than a
+/// quarter of its side.
 pub const FEWEST_ELEMENTS: usize = 8;
 const SMALL_PART: f64 = 0.25;
-/// A contact across less than this part of the side needs a smaller domain, however many elements it has.
+/// A contact narrower than this fraction of the side needs a smaller domain, however many elements it has.
 const SMALLEST_PART: f64 = 0.02;
-/// Side of the domain over the contact radius that suits it.
+/// Suitable ratio of the side of the domain to the contact radius.
 const SIDE_PER_RADIUS: f64 = 3.0;
 
-/// A contact is near the edge with fewer whole elements than this between.
+/// A contact with fewer whole elements than this to the edge is near it.
 pub(crate) const EDGE_MARGIN: usize = 3;
 
-/// Doubts about a model on a grid that hold for every load: a texture or a layer that the elements do not resolve,
-/// influence coefficients that are less accurate than wanted.
+/// Warnings about a model on a grid that apply to every load: a texture or layer that the elements do not resolve, or
+/// influence coefficients less accurate than required.
 #[must_use]
 pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
     let mut warnings = Vec::new();
@@ -53,7 +54,7 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
             .flatten();
         let mut beside = beside.filter_map(|i| moduli.get(i));
         let alike = 1.0 / MOST_ALIKE..MOST_ALIKE;
-        // A part of a graded layer, which is resolved where the whole of it is.
+        // Part of a graded layer, which is resolved if the whole of it is.
         if beside.any(|modulus| alike.contains(&(modulus / moduli[layer]))) {
             continue;
         }
@@ -84,7 +85,7 @@ pub(crate) fn warnings(
     let much_larger = is_free
         .then(|| much_larger(model, grid, loads, steps))
         .flatten();
-    // Of a contact that the grid hardly sees, the peak says nothing, and its edge is where it is estimated to be.
+    // For a contact that the grid hardly resolves, the peak is meaningless and the edge is the estimated one.
     let is_seen = |warning: &Warning| match (&much_larger, warning) {
         (Some(_), Warning::PeakNotResolved { .. }) => false,
         (Some(Warning::DomainMuchLarger { radius, .. }), Warning::SteepIndenter { .. }) => {
@@ -103,8 +104,8 @@ pub(crate) fn warnings(
         .collect()
 }
 
-/// A contact cut off, or near the edge. A domain that was chosen keeps clear of a contact by what the coarse grid of
-/// the choice takes for clear.
+/// Warns of a contact that is cut off or near the edge. A chosen domain already has the margin checked on the coarse
+/// grid of the choice.
 fn edge(domain: Domain, step: usize, found: &Step) -> Option<Warning> {
     if domain.boundary() == Boundary::Periodic {
         return None;
@@ -120,15 +121,15 @@ fn edge(domain: Domain, step: usize, found: &Step) -> Option<Warning> {
     (elements < margin).then_some(Warning::DomainEdge { step, elements })
 }
 
-/// Whether the widest contact is a small part of the domain.
+/// Warns if the widest contact is a small part of the domain.
 fn much_larger(model: &Model, grid: &Grid, loads: &[Load], steps: &[Step]) -> Option<Warning> {
     let radii = steps.iter().map(|step| step.summary.contact_radius);
     let radius = radii.fold(0.0, f64::max);
     domain_much_larger(model, grid, loads, radius)
 }
 
-/// The warning that a domain is far larger than its widest contact, of so large a radius (m) between the middles of
-/// elements; none where nothing touches.
+/// The warning that a domain is far larger than its widest contact, with this radius (m) between centres of elements;
+/// none without contact.
 #[must_use]
 pub fn domain_much_larger(
     model: &Model,
@@ -160,7 +161,7 @@ pub fn domain_much_larger(
     })
 }
 
-/// Refuses elements so large that none has its middle under the indenter.
+/// Returns an error if the elements are so large that none has its centre under the indenter.
 pub(crate) fn check_elements(
     model: &Model,
     side: f64,
@@ -180,7 +181,7 @@ pub(crate) fn check_elements(
     })
 }
 
-/// Doubts about one loading step.
+/// Warnings about one loading step.
 fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
     let certificate = &step.solution.certificate;
     let not_converged = (!certificate.is_satisfied()).then(|| Warning::NotConverged {
@@ -199,8 +200,8 @@ fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
     .collect()
 }
 
-/// Largest shortening of a step's springs over their height; none without springs of a height. Above
-/// [`LARGEST_SHORTENING`] springs of the linear law are squeezed by more than there is of them.
+/// Largest shortening of a step's springs over their height; none without springs that have a height. Above
+/// [`LARGEST_SHORTENING`] linear springs are compressed by more than their height.
 #[must_use]
 pub fn relative_shortening(model: &Model, step: &Step) -> Option<f64> {
     Some(step.summary.largest_shortening / model.relief.height()?)
@@ -211,7 +212,7 @@ fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
     (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
 }
 
-/// Nothing is said of a single grid, nor where the peak is the hardness.
+/// Warns of an unresolved peak; never on a single grid or where the peak is the hardness.
 fn peak(index: usize, step: &Step) -> Option<Warning> {
     if step.summary.area_at_limit > 0.0 {
         return None;
@@ -228,8 +229,8 @@ fn peak(index: usize, step: &Step) -> Option<Warning> {
     })
 }
 
-/// Slope of the indenter's profile where a step's contact ends, averaged around it; none without contact and where the
-/// indenter ends.
+/// Mean slope of the indenter's profile around the edge of a step's contact; none without contact or if the indenter
+/// ends there.
 #[must_use]
 pub fn edge_slope(model: &Model, step: &Step) -> Option<f64> {
     let radius = step.summary.contact_radius;

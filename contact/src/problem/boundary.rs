@@ -1,11 +1,11 @@
-//! The surroundings of the square.
+//! The boundary condition of the domain.
 
 /// The boundary condition of a square domain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Boundary {
-    /// The surface goes on without load.
+    /// The surface continues without load.
     #[default]
     Free,
-    /// The square repeats itself.
+    /// The square repeats periodically.
     Periodic,
 }

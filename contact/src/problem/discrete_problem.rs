@@ -1,10 +1,10 @@
-//! The contact problem on one grid, as a solver sees it: an operator, `η`, `g0` and an element area.
+//! The contact problem on one grid in the form for solvers: an operator, `η`, `g0` and an element area.
 //!
-//! Find `p ≥ 0` and `D` with `g = K p + η p + g0 − D ≥ 0` and `p g = 0`: the conditions (2.1)–(2.2) of the
-//! paper in our signs. It is the minimum of the energy `½ p·(K + η) p + g0·p` over the pressures of the given
-//! force, or of that energy less `D Σ p` where the penetration is given. Springs of another [law](SpringLaw) have their
-//! `w*(p)` in place of `η p`, and `∫ w* dp` in place of `½ η p²`: convex as well. With a hardness `p_max` the minimum
-//! is sought among `0 ≤ p ≤ p_max`: where `p = p_max` the gap may be negative, and what it lacks is the plastic depth.
+//! Find `p ≥ 0` and `D` with `g = K p + η p + g0 − D ≥ 0` and `p g = 0`: the conditions (2.1)–(2.2) of the paper in our
+//! signs. The solution minimises the energy `½ p·(K + η) p + g0·p` over the pressures of the given force, or that
+//! energy less `D Σ p` if the penetration is given. Springs with another [law](SpringLaw) have `w*(p)` instead of
+//! `η p`, and `∫ w* dp` instead of `½ η p²`, which is also convex. With a hardness `p_max` the minimum is over
+//! `0 ≤ p ≤ p_max`: where `p = p_max` the gap may be negative, and its absolute value is the plastic depth.
 
 mod fields;
 mod hardness;
@@ -26,7 +26,7 @@ use crate::{
     vector::update_with,
 };
 
-/// Tells one problem from all others, however alike; clones are equal.
+/// A unique token of a problem; clones are equal.
 #[derive(Debug, Clone, Default)]
 pub struct Identity(Arc<()>);
 
@@ -36,35 +36,35 @@ impl PartialEq for Identity {
     }
 }
 
-/// One grid's problem. Fields hold N² values, index `i N + j`, first index along x.
+/// The problem on one grid. Fields hold N² values with index `i N + j`, the first index along x.
 pub struct DiscreteProblem {
     operators: OperatorSource,
     grid: SectorGrid,
     relief_compliance: Vec<f64>,
     spring_law: SpringLaw,
-    /// The springs straightened, where they are not linear and have been so far.
+    /// The tangents of nonlinear springs, once they have been linearised.
     tangents: Option<Tangents>,
     initial_gap: Vec<f64>,
     element_area: f64,
     /// `p_max`, in Pa; infinite without a limit.
     hardness: f64,
-    /// The elements at the limit, while they are a part of the load.
+    /// The elements at the limit, while they are part of the load.
     held: Option<HeldPressure>,
     scale: Scale,
-    /// Elements per side of the whole grid that this one is a part of.
+    /// Elements per side of the whole grid of which this one is a part.
     grid_size: usize,
-    /// The elements that the fields are of, if not of all.
+    /// The elements of the fields, if not all.
     candidates: Option<Arc<Candidates>>,
     identity: Identity,
 }
 
 impl DiscreteProblem {
-    /// The problem of the operator `K` (m/Pa on N² elements), the relief's compliance `η` (m/Pa, ≥ 0), the
-    /// initial gap `g0` (m; +∞ where nothing can touch) and the area `4a²` of an element (m²).
+    /// Creates a problem from the operator `K` (m/Pa on N² elements), the relief's compliance `η` (m/Pa, ≥ 0), the
+    /// initial gap `g0` (m; +∞ on elements that cannot touch) and the area `4a²` of an element (m²).
     ///
     /// # Errors
-    /// A field of another length than N², a compliance that is negative or not finite, a gap that is NaN or −∞,
-    /// an area that is not positive, or a gap that is infinite everywhere.
+    /// A field whose length is not N², a compliance that is negative or not finite, a gap that is NaN or −∞, an area
+    /// that is not positive, or a gap that is infinite everywhere.
     pub fn new(
         operator: Box<dyn ElasticOperator>,
         relief_compliance: Vec<f64>,
@@ -76,14 +76,14 @@ impl DiscreteProblem {
         Self::on(grid, source, relief_compliance, initial_gap, element_area)
     }
 
-    /// The problem of a grid of `size` elements per side whose elasticity is known, so that solvers may take windows of
-    /// the grid and precondition; the other fields as for [`Self::new`].
+    /// Creates a problem on a grid of `size` elements per side with known elasticity, which lets solvers use windows
+    /// and preconditioners; the other arguments as for [`Self::new`].
     ///
     /// # Errors
     /// As [`Self::new`].
     ///
     /// # Panics
-    /// If `size` is above the elasticity's.
+    /// If `size` exceeds that of the elasticity.
     pub fn elastic(
         elasticity: Arc<SurfaceElasticity>,
         size: usize,
@@ -97,11 +97,11 @@ impl DiscreteProblem {
         Self::on(grid, source, relief_compliance, initial_gap, element_area)
     }
 
-    /// The problem of a periodic cell, which is the largest grid that the elasticity allows; the other fields as for
-    /// [`Self::new`].
+    /// Creates a problem on a periodic cell, which is the largest grid that the elasticity allows; the other arguments
+    /// as for [`Self::new`].
     ///
-    /// On a half-space the operator tells displacements from the mean plane of the deformed surface, so the load must
-    /// be a force.
+    /// On a half-space displacements are relative to the mean plane of the deformed surface, so the load must be a
+    /// force.
     ///
     /// # Errors
     /// As [`Self::new`].
@@ -116,8 +116,8 @@ impl DiscreteProblem {
         Self::on(grid, source, relief_compliance, initial_gap, element_area)
     }
 
-    /// The problem of a body under a grid or a sector of one; the fields are those of its elements, the area that of
-    /// one of them.
+    /// Creates the problem of a body under a grid or a sector of one, with fields of its elements and the area of one
+    /// element.
     pub(crate) fn on(
         grid: SectorGrid,
         mut source: OperatorSource,
@@ -163,7 +163,7 @@ impl DiscreteProblem {
         })
     }
 
-    /// The same problem on springs of another law than the linear one; the relief's compliance is theirs at rest.
+    /// The same problem with another spring law; the relief's compliance is that at rest.
     #[must_use]
     pub fn with_spring_law(self, spring_law: SpringLaw) -> Self {
         Self {
@@ -174,20 +174,20 @@ impl DiscreteProblem {
         }
     }
 
-    /// The source of the operator, where it is known.
+    /// The elasticity from which the operator is built, if known.
     #[must_use]
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
         self.operators.elasticity()
     }
 
-    /// Takes another initial gap, in m.
+    /// Replaces the initial gap, in m.
     pub(crate) fn take_initial_gap(&mut self, initial_gap: Vec<f64>) {
         assert_eq!(initial_gap.len(), self.elements());
         (self.initial_gap, self.identity) = (initial_gap, Identity::default());
     }
 
-    /// By how much more the body yields to waves as long as the grid than to the shortest, beyond what a homogeneous
-    /// one does; 1 where nothing is known of it.
+    /// The ratio of the body's compliances to waves as long as the grid and to the shortest, relative to a homogeneous
+    /// body; 1 if the elasticity is unknown.
     pub(crate) fn stiffness_contrast(&self) -> f64 {
         let per_wavelength = |elasticity: &Arc<SurfaceElasticity>, elements: usize| {
             elasticity.cell_response(elements) / elements as f64
@@ -197,12 +197,12 @@ impl DiscreteProblem {
         })
     }
 
-    /// The units in which the problem's own numbers are of order 1, but for what the load makes of them.
+    /// The units in which the problem's quantities are of order 1, apart from the effect of the load.
     pub(crate) fn scale(&self) -> Scale {
         self.scale
     }
 
-    /// A token that no other problem has, by which a solver knows what it keeps from the load before to be of this one.
+    /// A unique token by which a solver recognises that data kept from the previous load belong to this problem.
     #[must_use]
     pub fn identity(&self) -> &Identity {
         &self.identity
@@ -213,7 +213,7 @@ impl DiscreteProblem {
         self.operators.boundary()
     }
 
-    /// `C(k)` of a periodic cell's longest wave, in m/Pa; 0 of a free surface.
+    /// `C(k)` of a periodic cell's longest wave, in m/Pa; 0 for a free surface.
     pub(crate) fn cell_response(&self) -> f64 {
         match (self.boundary(), self.elasticity()) {
             (Boundary::Periodic, Some(elasticity)) => elasticity.cell_response(self.size()),
@@ -221,26 +221,26 @@ impl DiscreteProblem {
         }
     }
 
-    /// The length (m) that gaps are small beside: the penetration. In a periodic cell, where a flat body on a flat
-    /// surface has none, that by which its mean pressure would press the cell in alone, if it is larger.
+    /// The reference length (m) for gaps: the penetration. In a periodic cell, where the penetration of a flat body on
+    /// a flat surface is zero, it is the displacement of the cell under the mean pressure alone if that is larger.
     pub(crate) fn reference_length(&self, penetration: f64, total: f64) -> f64 {
         let mean = total / self.elements() as f64;
         penetration.abs().max(self.cell_response() * mean)
     }
 
-    /// Elements of a row, N.
+    /// Elements per row, N.
     #[must_use]
     pub fn size(&self) -> usize {
         self.grid.size()
     }
 
-    /// Number of elements, N² of a square.
+    /// Number of elements; N² for a square.
     #[must_use]
     pub fn elements(&self) -> usize {
         self.initial_gap.len()
     }
 
-    /// How the relief's springs shorten.
+    /// The law of the relief's springs.
     #[must_use]
     pub fn spring_law(&self) -> SpringLaw {
         self.spring_law
@@ -280,7 +280,7 @@ impl DiscreteProblem {
         self.operators.operator_on(self.grid)
     }
 
-    /// Gives back the memory of operators that can be made again.
+    /// Frees the memory of operators that can be rebuilt.
     pub(crate) fn release_operator(&mut self) {
         self.operators.release();
     }
@@ -290,7 +290,7 @@ impl DiscreteProblem {
         self.operators.displace(self.grid, pressure, displacement);
     }
 
-    /// Writes `K p` (m) of a pressure on a window, nought outside, on a `reach` around it.
+    /// Writes `K p` (m) on a `reach` around a window, for a pressure on the window that is 0 outside.
     pub(crate) fn displace_into(
         &mut self,
         window_and_reach: [&Window; 2],
@@ -300,8 +300,8 @@ impl DiscreteProblem {
         (self.operators).displace_into(window_and_reach, pressure, displacement);
     }
 
-    /// Lower bound (m) of the displacement at this distance in elements or farther from pressures ≥ 0 of this sum:
-    /// `min(0, min k) Σ p` over all images; −∞ where nothing is known of the operator.
+    /// Lower bound (m) of the displacement at this distance in elements or more from pressures ≥ 0 with this sum:
+    /// `min(0, min k) Σ p` over all images; −∞ if the elasticity is unknown.
     pub(crate) fn least_displacement(&self, total: f64, distance: usize) -> f64 {
         let images = self.grid.images() as f64;
         self.elasticity().map_or(f64::NEG_INFINITY, |elasticity| {
@@ -309,12 +309,12 @@ impl DiscreteProblem {
         })
     }
 
-    /// The springs straightened; none where they are linear, or have not been straightened yet.
+    /// The tangents of the springs; none if they are linear or not yet linearised.
     pub(crate) fn tangents(&self) -> Option<&Tangents> {
         self.tangents.as_ref()
     }
 
-    /// Straightens springs that are not linear at a pressure ≥ 0, in the units of the problem's scale.
+    /// Linearises nonlinear springs at a pressure ≥ 0, in the units of the problem's scale.
     pub(crate) fn straighten_springs(&mut self, pressure: &[f64]) {
         let (law, rest) = (self.spring_law, &self.relief_compliance);
         if self.tangents.is_none() {
@@ -325,7 +325,7 @@ impl DiscreteProblem {
         }
     }
 
-    /// The compliance (m/Pa) of the linear problem: `η`, or that of the straightened springs.
+    /// The compliance (m/Pa) of the linear problem: `η`, or that of the linearised springs.
     pub(crate) fn tangent_compliance(&self) -> &[f64] {
         (self.tangents.as_ref()).map_or(&self.relief_compliance, Tangents::compliance)
     }

@@ -1,6 +1,6 @@
 //! Elements held at the hardness, and the remaining problem of the others.
 //!
-//! Where the elements of a set `H` have the pressure `p_max`, the others solve a problem without a limit:
+//! With the pressure `p_max` on the elements of a set `H`, the others form a problem without a limit:
 //!
 //! ```text
 //! g0′ = g0 + K p_H outside H, +∞ on H,      Q′ = Q − 4a² Σ p_H
@@ -8,10 +8,10 @@
 
 use crate::Load;
 
-/// Some elements held at the hardness; fields hold N² values.
+/// Elements held at the hardness; fields hold N² values.
 #[derive(Default)]
 pub struct HeldPressure {
-    /// Which.
+    /// The held elements.
     pub mask: Vec<bool>,
     /// `g0′`, in m.
     pub gap: Vec<f64>,
@@ -22,12 +22,12 @@ pub struct HeldPressure {
 }
 
 impl HeldPressure {
-    /// How many.
+    /// Number of held elements.
     pub fn count(&self) -> usize {
         self.mask.iter().filter(|held| **held).count()
     }
 
-    /// The load that is left for the others.
+    /// The load that remains for the other elements.
     pub fn rest_of(&self, load: Load, loaded_area: f64) -> Load {
         match load {
             Load::Force(force) => Load::Force(force - loaded_area * self.total),
@@ -35,14 +35,14 @@ impl HeldPressure {
         }
     }
 
-    /// Sets the pressures held to the limit (Pa).
+    /// Sets the pressures of held elements to `limit` (Pa).
     pub fn add_to(&self, pressure: &mut [f64], limit: f64) {
         let held = pressure.iter_mut().zip(&self.mask);
         held.filter(|(_, held)| **held)
             .for_each(|(p, _)| *p = limit);
     }
 
-    /// Sets the pressures held to 0.
+    /// Sets the pressures of held elements to 0.
     pub fn take_from(&self, pressure: &mut [f64]) {
         self.add_to(pressure, 0.0);
     }

@@ -5,16 +5,16 @@ use crate::ContactError;
 /// The control of one loading step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Load {
-    /// Normal force `Q` on the indenter, in N (paper's equilibrium (2.3)); positive.
+    /// Normal force `Q` on the indenter, in N (equilibrium (2.3) of the paper); positive.
     Force(f64),
     /// Penetration `D` of the indenter's lowest point below the undeformed plane of the tops, in m.
     ///
-    /// Zero and negative values are legal: the indenter may just touch, or hang above the surface.
+    /// Zero and negative values are valid: the indenter may just touch the surface or be above it.
     Penetration(f64),
 }
 
 impl Load {
-    /// Checks that the value is finite, and positive where it is a force.
+    /// Checks that the value is finite, and positive for a force.
     ///
     /// # Errors
     /// [`ContactError::Force`] or [`ContactError::Penetration`] with the value found.

@@ -1,4 +1,4 @@
-//! The model: foundation, relief and indenter, before any grid; and its samples on a grid.
+//! The model of foundation, relief and indenter, independent of a grid, and its samples on a grid.
 
 use std::sync::Arc;
 
@@ -11,18 +11,17 @@ use crate::{
     problem::operator_source::OperatorSource, vector::update,
 };
 
-/// An indenter above a relief on an elastic foundation, with no grid and no load yet.
+/// An indenter above a relief on an elastic foundation, without a grid or load.
 #[derive(Debug, Clone)]
 pub struct Model {
-    /// Radial tables of the foundation, and of the indenter where that is elastic: their counterbody. Shared, because
-    /// they do not depend on the grid.
+    /// Radial tables of the foundation, and of an elastic indenter as its counterbody. Shared, because they do not
+    /// depend on the grid.
     pub tables: Arc<RadialTables>,
     /// The relief on the surface.
     pub relief: Relief,
     /// The body pressed into it.
     pub indenter: Indenter,
-    /// Where coefficients are looked for and kept, across the grids of a path and the paths of a model;
-    /// [`Cache::none`] if nothing is to be kept.
+    /// Cache of coefficients across the grids of a path and the paths of a model; [`Cache::none`] for no cache.
     pub cache: Cache,
 }
 
@@ -51,13 +50,13 @@ impl Model {
     /// Samples the geometry on a grid of `size` × `size` elements over a square of side `side` (m).
     ///
     /// # Errors
-    /// A side or size that is no grid.
+    /// A side or size that is not valid for a grid.
     pub fn sample(&self, side: f64, size: usize) -> Result<SampledModel, ContactError> {
         let grid = Grid::new(side, size)?;
         Ok(SampledModel::on(grid, &self.relief, &self.indenter))
     }
 
-    /// The geometry at the elements of a grid that are a sector's.
+    /// Samples the geometry at the elements of a grid in a sector.
     pub(crate) fn sample_sector(&self, grid: Grid, sector: SectorGrid) -> SampledSector {
         let relief = if sector.has_images() {
             self.relief.sample_from(&grid, sector.first_index())
@@ -65,7 +64,7 @@ impl Model {
             self.relief.sample(&grid)
         };
         let (mask, mut gap, compliance) = relief.into_parts();
-        // g0 = f − f*, in the profile's own memory
+        // g0 = f − f*, stored in the profile's memory.
         let rule = |gap: &mut f64, f: &f64| *gap = f - *gap;
         if self.indenter.is_mirrored() && !sector.has_images() {
             let first = grid.size() / 2;
@@ -97,11 +96,11 @@ impl Model {
         }
     }
 
-    /// The discrete problem of a sampled model: coefficients, operator, symbol, `η` and `g0 = f − f*`; and where the
-    /// coefficients came from.
+    /// Builds the discrete problem of a sampled model (coefficients, operator, symbol, `η` and `g0 = f − f*`); also
+    /// returns the origin of the coefficients.
     ///
     /// # Errors
-    /// Coefficients that cannot be had to their accuracy on this grid; an indenter that misses the grid.
+    /// Coefficients that do not reach their accuracy on this grid; an indenter that covers no element of the grid.
     pub fn discretize(
         &self,
         sampled: &SampledModel,
@@ -109,7 +108,7 @@ impl Model {
         self.discretize_within(sampled, Boundary::Free)
     }
 
-    /// The same of a periodic cell, which the grid fills.
+    /// The same for a periodic cell, which the grid fills.
     ///
     /// # Errors
     /// As [`Self::discretize`].
@@ -135,8 +134,8 @@ impl Model {
         Ok(Cached { value, origin })
     }
 
-    /// The smallest sector that stands for all of an even grid: indenter and relief are symmetric in its axes, and so
-    /// is the solution.
+    /// The smallest sector that represents an even grid: indenter and relief are symmetric about its axes, and so is
+    /// the solution.
     #[must_use]
     pub fn sector(&self) -> Sector {
         match (self.indenter.is_mirrored(), self.relief.is_mirrored()) {
@@ -146,7 +145,7 @@ impl Model {
         }
     }
 
-    /// The elasticity of a grid's elements, and where its coefficients came from.
+    /// The elasticity of a grid's elements, with the origin of its coefficients.
     pub(crate) fn elasticity(
         &self,
         grid: &Grid,
@@ -161,7 +160,7 @@ impl Model {
 }
 
 impl SampledModel {
-    /// Relief and indenter on a grid.
+    /// Samples relief and indenter on a grid.
     pub(crate) fn on(grid: Grid, relief: &Relief, indenter: &Indenter) -> Self {
         Self {
             grid,

@@ -1,4 +1,4 @@
-//! Where the operators of a problem come from: one that is given, or coefficients that they are made from when needed.
+//! The source of a problem's operators: a given one, or coefficients from which they are built when needed.
 
 use std::sync::Arc;
 
@@ -10,20 +10,20 @@ use crate::{Boundary, grid::window::Window};
 
 /// The operators of the elastic body under a grid, a window or a sector of one.
 pub enum OperatorSource {
-    /// An operator of which nothing more is known.
+    /// A given operator without known coefficients.
     Operator(Box<dyn ElasticOperator>),
-    /// Coefficients that operators are made from.
+    /// Coefficients from which operators are built.
     Coefficients(CoefficientSource),
 }
 
-/// Coefficients, and the operators made from them so far.
+/// Coefficients and the operators built from them so far.
 pub struct CoefficientSource {
     elasticity: Arc<SurfaceElasticity>,
     boundary: Boundary,
     operator: Option<Box<dyn ElasticOperator>>,
     /// From pressures on one window to displacements on another around it.
     spread: Option<([Window; 2], Box<WindowOperator>)>,
-    /// Where the problem is one of scattered elements alone.
+    /// The operator of a problem on scattered elements only.
     among: Option<Box<ScatteredOperator>>,
 }
 
@@ -38,7 +38,7 @@ impl OperatorSource {
         })
     }
 
-    /// A free surface of which scattered elements alone are looked at.
+    /// A source for scattered elements of a free surface.
     pub fn among(elasticity: Arc<SurfaceElasticity>, operator: ScatteredOperator) -> Self {
         Self::Coefficients(CoefficientSource {
             elasticity,
@@ -49,7 +49,7 @@ impl OperatorSource {
         })
     }
 
-    /// The operator among scattered elements, where there is one; then the source has none.
+    /// Takes the operator among scattered elements out of the source, if there is one.
     pub fn take_scattered(&mut self) -> Option<ScatteredOperator> {
         match self {
             Self::Operator(_) => None,
@@ -57,14 +57,14 @@ impl OperatorSource {
         }
     }
 
-    /// Gives it back.
+    /// Puts the operator among scattered elements back.
     pub fn give_scattered(&mut self, operator: ScatteredOperator) {
         if let Self::Coefficients(source) = self {
             source.among = Some(Box::new(operator));
         }
     }
 
-    /// The source of the operators, where it is known.
+    /// The elasticity from which the operators are built, if known.
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
         match self {
             Self::Operator(_) => None,
@@ -80,8 +80,8 @@ impl OperatorSource {
         }
     }
 
-    /// How far an element in the middle of a grid of `size` elements per side sinks under a unit pressure on itself, in
-    /// m/Pa: one product where nothing is known of the operator.
+    /// The displacement of an element in the middle of a grid of `size` elements per side under a unit pressure on
+    /// itself, in m/Pa: one product if the coefficients are unknown.
     pub fn own_coefficient(&mut self, size: usize) -> f64 {
         match self {
             Self::Operator(operator) => {
@@ -103,7 +103,7 @@ impl OperatorSource {
         }
     }
 
-    /// Writes the displacement by a pressure on all elements, or on the scattered ones.
+    /// Writes the displacement due to a pressure on all elements, or on the scattered ones.
     pub fn displace(&mut self, grid: SectorGrid, pressure: &[f64], displacement: &mut [f64]) {
         match self {
             Self::Coefficients(CoefficientSource {
@@ -113,7 +113,7 @@ impl OperatorSource {
         }
     }
 
-    /// Writes the displacement on a `reach` around a window, by a pressure on the window, nought outside.
+    /// Writes the displacement on a `reach` around a window due to a pressure on the window that is 0 outside.
     pub fn displace_into(
         &mut self,
         [window, reach]: [&Window; 2],
@@ -131,7 +131,7 @@ impl OperatorSource {
         }
     }
 
-    /// Gives back the memory of operators that can be made again.
+    /// Frees the memory of operators that can be rebuilt.
     pub fn release(&mut self) {
         if let Self::Coefficients(source) = self {
             (source.operator, source.spread) = (None, None);
@@ -168,7 +168,7 @@ impl CoefficientSource {
 mod tests {
     use super::*;
 
-    /// Elements of 3 × 3 on springs of their own, softer with each.
+    /// 3 × 3 elements on independent springs, each softer than the last.
     struct Springs;
 
     impl ElasticOperator for Springs {

@@ -1,8 +1,7 @@
-//! The units that the gradient method computes in, which the problem itself sets, so that no number of it depends on
-//! the user's.
+//! The units of the gradient method, derived from the problem so that no result depends on the user's units.
 
-/// Units of length, compliance and pressure. All are powers of two: a number in them differs from that in SI by its
-/// exponent alone.
+/// Units of length, compliance and pressure. All are powers of two: a number in these units differs from that in SI
+/// only by its exponent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     /// In m.
@@ -12,13 +11,13 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// The units of the problem's own numbers.
+    /// SI units, as in the problem's own quantities.
     pub const SI: Self = Self {
         length: 1.0,
         compliance: 1.0,
     };
 
-    /// From the side of an element (m) and its coefficient to itself (m/Pa).
+    /// Derives the units from the side of an element (m) and its coefficient on itself (m/Pa).
     pub fn new(side: f64, own_coefficient: f64) -> Self {
         Self {
             length: power_of_two(side),
@@ -26,16 +25,16 @@ impl Scale {
         }
     }
 
-    /// Unit of pressure, in Pa: one of length over one of compliance.
+    /// Unit of pressure, in Pa: that of length over that of compliance.
     pub fn pressure(self) -> f64 {
         self.length / self.compliance
     }
 }
 
-/// The bits of a number behind its leading one.
+/// The bits of a number after its leading one.
 const DIGITS: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
 
-/// The largest power of two that is no larger; 1 for what has no size, as the coefficient of a body that does not move.
+/// The largest power of two not above a value; 1 for a zero value, such as the coefficient of a rigid body.
 fn power_of_two(value: f64) -> f64 {
     if value > 0.0 && value.is_normal() {
         f64::from_bits(value.to_bits() & !DIGITS)

@@ -1,10 +1,10 @@
-//! Springs of a law that is not linear, straightened at a pressure.
+//! Nonlinear springs, linearised at a pressure.
 //!
 //! ```text
 //! w*(p) ≈ w*(p₀) + η_t (p − p₀) = η_t p + s,    η_t = dw*/dp(p₀),    s = w*(p₀) − η_t p₀
 //! ```
 //!
-//! So a grid's problem becomes a linear one of the compliance `η_t` and the initial gap `g0 + s`.
+//! So the problem on a grid becomes a linear one with compliance `η_t` and initial gap `g0 + s`.
 
 use pellicle_texture::SpringLaw;
 
@@ -13,12 +13,12 @@ use crate::{
     vector::{by_parts, update, update_with},
 };
 
-/// Part of the decrease that the slope promises which the energy must show (Armijo).
+/// Fraction of the decrease predicted by the slope that the energy must reach (Armijo).
 const DECREASE: f64 = 1e-4;
-/// Bisections for the minimum on the way: to a thousandth of it.
+/// Bisections for the minimum on the segment, to a thousandth of its length.
 const BISECTIONS: usize = 10;
 
-/// Tangents to the shortenings of all springs, in the units of a problem's scale but for the compliances.
+/// Tangents to the shortenings of all springs, in the units of a problem's scale except for the compliances.
 #[derive(Debug, Clone)]
 pub struct Tangents {
     law: SpringLaw,
@@ -30,7 +30,7 @@ pub struct Tangents {
 }
 
 impl Tangents {
-    /// Tangents at rest, where they are the compliances η (m/Pa) themselves; none for springs that are linear.
+    /// Tangents at rest, equal to the compliances η (m/Pa); none for linear springs.
     pub fn at_rest(law: SpringLaw, scale: Scale, compliance: &[f64]) -> Option<Self> {
         (!law.is_linear()).then(|| Self {
             law: law.in_unit(scale.pressure()),
@@ -50,7 +50,7 @@ impl Tangents {
         &self.at
     }
 
-    /// Straightens the springs of compliances at rest η (m/Pa) at a pressure ≥ 0.
+    /// Linearises springs with compliances at rest η (m/Pa) at a pressure ≥ 0.
     pub fn take(&mut self, rest: &[f64], pressure: &[f64]) {
         self.at.copy_from_slice(pressure);
         let law = self.law;
@@ -83,8 +83,9 @@ impl Tangents {
         update(v, beyond, |v, beyond| *v += beyond);
     }
 
-    /// The part of the way from `p₀` to a pressure to go: all of it, unless the energy would not be lower there; then
-    /// up to its minimum on the way. By the linear problem, the energy has this slope and curvature along the way.
+    /// The fraction to take of the segment from `p₀` to a pressure: all of it, or up to the minimum of the energy if
+    /// that would not be lower at the end. `slope` and `curvature` are those of the linear problem's energy along the
+    /// segment.
     pub fn part_downhill(
         &self,
         rest: &[f64],
@@ -110,7 +111,7 @@ impl Tangents {
         f64::midpoint(low, high)
     }
 
-    /// The law's addition to the energy, and to its slope, after a part `t` of the way from `p₀` to a pressure.
+    /// The law's addition to the energy and to its slope at the fraction `t` of the segment from `p₀` to a pressure.
     fn beyond_along(&self, rest: &[f64], pressure: &[f64], t: f64) -> [f64; 2] {
         let parts = by_parts(pressure.len(), |part| {
             let fields = (self.at[part.clone()].iter()).zip(&pressure[part.clone()]);
@@ -180,7 +181,7 @@ mod tests {
         let part = |derivatives| tangents.part_downhill(&REST, &pressure, derivatives);
         let [beyond, _] = tangents.beyond_along(&REST, &pressure, 1.0);
         assert!(beyond > 0.0);
-        // The law takes all of the linear problem's decrease, and a little more.
+        // The law's deviation exceeds the decrease of the linear problem by a little.
         let curvature = 2.0 * (1.0 - 0.999 * beyond);
         let t = part([-1.0, curvature]);
         let slope = -1.0 + t * curvature + tangents.beyond_along(&REST, &pressure, t)[1];

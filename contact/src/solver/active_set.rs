@@ -1,16 +1,16 @@
-//! The paper's active set on the dense system, completed so that it also takes elements back in.
+//! The paper's active set on the dense system, extended so that elements can also return to the set.
 //!
-//! The paper solves the linear system of the elements in contact and drops those that pull, until none does. That
-//! may drop an element that belongs to the contact, and end in a state with overlap. Here each iteration exchanges
-//! both ways: drops `p < 0` and takes in `g < 0` (block principal pivoting; Kostreva 1978, Júdice and Pires 1994).
+//! The paper solves the linear system of the elements in contact and drops those that pull, until none does. This may
+//! drop an element that belongs to the contact and end with overlap. Here each iteration exchanges both ways: it drops
+//! elements with `p < 0` and adds those with `g < 0` (block principal pivoting; Kostreva 1978, Júdice and Pires 1994).
 //!
-//! **Why it ends.** A full exchange is kept while it lowers the number of infeasible elements below the lowest so
-//! far, with a few attempts of grace. After that the method descends: from an admissible pressure it moves
-//! towards the solution on the working set until an element would pull, drops that one, and takes in the element
-//! with the largest overlap only at the minimum of a set. The energy falls strictly from minimum to minimum, so no
-//! set occurs twice (Nocedal and Wright 2006, section 16.5).
+//! **Why it ends.** Full exchanges continue while they lower the number of infeasible elements below its smallest value
+//! so far; a few failures are allowed. After that the method descends: from an admissible pressure it moves towards the
+//! solution on the working set until an element would pull, and drops that element. Only at the minimum on a set does
+//! it add the element with the largest overlap. The energy decreases strictly from minimum to minimum, so no set occurs
+//! twice (Nocedal and Wright 2006, section 16.5).
 //!
-//! Springs that are not linear are straightened, and again at each solution: Newton's method around all this.
+//! Nonlinear springs are linearised at each solution: an outer Newton iteration.
 
 mod dense_system;
 mod set_exchange;
@@ -27,10 +27,10 @@ use super::{
 };
 use crate::{ContactError, DiscreteProblem, Load};
 
-/// The active-set method; see the module's page.
+/// The active-set method; see the module documentation.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ActiveSetSolver {
-    /// Its tolerance decides nothing here: the method ends with a set, solved to rounding.
+    /// The tolerance has no effect here: the system on the final set is solved to rounding.
     pub options: SolverOptions,
 }
 
@@ -77,7 +77,7 @@ impl ElasticSolver for ActiveSetSolver {
 }
 
 impl ActiveSetSolver {
-    /// Exchanges until the set is right, or so often that it is given up.
+    /// Exchanges elements until the set is right or the iteration limit is reached.
     fn solve_linear(
         &self,
         system: &DenseSystem,
@@ -108,7 +108,7 @@ impl ActiveSetSolver {
     }
 }
 
-/// Elements that are in one of two ascending sets only.
+/// Number of elements that are in only one of two ascending sets.
 fn moves(before: &[usize], after: &[usize]) -> usize {
     let stayed = after.iter().filter(|e| before.binary_search(e).is_ok());
     before.len() + after.len() - 2 * stayed.count()

@@ -1,4 +1,4 @@
-//! Preconditioned projected gradients: any grid, one product with `K` a step.
+//! Preconditioned projected gradients: for any grid, one product with `K` per step.
 //!
 //! With `v = (K + η) p + g0`, working set `I = {p > 0} ∪ {g < 0}` and preconditioner `M_I`, an approximate inverse of
 //! the system on `I`:
@@ -15,43 +15,42 @@
 //! then dQ/dD by one more system on {p > 0}
 //! ```
 //!
-//! Polonsky and Keer (1999) is the projected form of the fast steps, with conjugate steps throughout and no
-//! preconditioner; Vollebregt (2014) and Rey, Anciaux and Molinari (2017) precondition in Fourier space, Bugnicourt,
-//! Sainsot and Lubrecht (2018) bring conjugate gradients to a contact whose set changes. Different here: spectral steps
-//! until the set is found, because a conjugate direction is worth nothing on another set; the exact line search only
-//! where the energy asks for it; starts that respect the outline of the relief; products on the smallest square that
+//! The method of Polonsky and Keer (1999) is the projected form of the fast steps, with conjugate steps throughout and
+//! no preconditioner. Vollebregt (2014) and Rey, Anciaux and Molinari (2017) precondition in Fourier space; Bugnicourt,
+//! Sainsot and Lubrecht (2018) apply conjugate gradients to a contact whose set changes. The differences here: spectral
+//! steps until the set is found, because a conjugate direction is useless on another set; an exact line search only
+//! where the energy would rise; starts that respect the outline of the relief; products on the smallest square that
 //! holds the contact.
 //!
-//! **Sectors.** Where indenter and relief are symmetric in x and y, so is the one solution, and a path solves on the
-//! quadrant x, y > 0 alone: `K` is the sum over an element's four images, applied by cosine transforms of half the
+//! **Sectors.** Where indenter and relief are symmetric in x and y, so is the unique solution, and a path solves only
+//! on the quadrant x, y > 0: `K` is the sum over an element's four images, applied by cosine transforms of half the
 //! length. All sums are a quarter of those on the whole grid. Where they are symmetric in y alone, as under a pyramid
-//! of three faces, it solves on the half y > 0. Only operators that reach across the axes depend on it: filter, band
-//! and sparse factor see the images beyond, and an axis is no border of a window.
+//! of three faces, it solves on the half y > 0. Only operators that reach across the axes depend on the sector: filter,
+//! band and sparse factor include the images beyond, and an axis is not a border of a window.
 //!
-//! **Both kinds of load.** Every step keeps the total of the pressure. Under a prescribed penetration the pressure is
-//! then scaled until the mean of `v` over it is `D`, which takes no product, and the conjugate directions are conjugate
-//! to the pressure, too. With the plain residual `D − v` a stiff coating under the paper's cylinders took eight times
-//! the products, because preconditioners answer a uniform residual worst.
+//! **Both kinds of load.** Every step preserves the total pressure. Under a prescribed penetration the pressure is then
+//! scaled until the mean of `v` weighted by it is `D`, which takes no product, and the conjugate directions are
+//! conjugate to the pressure, too. With the plain residual `D − v` a stiff coating under the paper's cylinders took
+//! eight times the products, because preconditioners are least accurate for a uniform residual.
 //!
-//! **Preconditioners.** The reciprocal of the symbol of `K` on the periodic grid, aliases included, whose answer is
-//! made to vanish in a narrow band around the set: without aliases or band it takes twice the products. Under a coating
-//! more than some twenty times as stiff as its base, four times if the surface is rough, a factorised sparse
-//! approximate inverse `Gᵀ G` of the restricted system (Kaporin 1994; Schäfer, Katzfuss and Owhadi 2021), or where the
-//! set is small its own Cholesky factor.
+//! **Preconditioners.** The default is the reciprocal of the symbol of `K` on the periodic grid, aliases included,
+//! whose result is forced to vanish in a narrow band around the set: without aliases or band it takes twice the
+//! products. Under a coating more than about twenty times as stiff as its base, or four times if the surface is rough,
+//! it is a factorised sparse approximate inverse `Gᵀ G` of the restricted system (Kaporin 1994; Schäfer, Katzfuss and
+//! Owhadi 2021), or for a small set the Cholesky factor of that system.
 //!
-//! **Springs.** Where their law is not linear they are straightened at a pressure, and anew as soon as their law has
-//! more to say than the linear problem: Newton's method around the loop above, at no product of its own.
+//! **Springs.** Nonlinear springs are linearised at a pressure, and again as soon as the residual by their law clearly
+//! exceeds that of the linear problem: Newton's method around the loop above, without additional products.
 //!
-//! **Hardness.** Where the pressure is cut, the elements at the limit are held and the loop solves for the others; see
-//! `solver/hardness.rs`.
+//! **Hardness.** Elements at the hardness are held there and the loop solves for the others; see `solver/hardness.rs`.
 //!
-//! **Why it ends.** No accepted fast step raises the energy above the largest of the last few; a step that does not
+//! **Why it ends.** No accepted fast step raises the energy above the largest of the last few. A step that does not
 //! start downhill is replaced by a projection of the plain gradient, which always does. After sixteen exchanges without
-//! gain Newton gives way to the descent, which visits no face twice. The number of products is bounded besides, and the
-//! best pressure met is returned.
+//! progress Newton's method is replaced by the descent, which visits no face twice. The number of products is also
+//! bounded, and the best pressure found is returned.
 //!
-//! **Units.** Everything is computed in the powers of two that the problem's scale sets, so no threshold knows the
-//! user's units. Elements beyond the indenter's end are none of the problem: no set takes them in, and no sum.
+//! **Units.** All quantities are scaled by powers of two from the problem's scale, so no threshold depends on the
+//! user's units. Elements beyond the edge of the indenter are excluded from all sets and sums.
 
 mod best_pressure;
 mod context;
@@ -74,16 +73,16 @@ use super::{
 };
 use crate::{ContactError, DiscreteProblem, Identity, Load, vector::sum};
 
-/// The iteration stops at this part of the tolerance, so that rounding between its running residual and the
-/// freshly computed certificate cannot decide.
+/// The iteration stops at this fraction of the tolerance, so that rounding differences between its running residual and
+/// the newly computed certificate do not matter.
 const TOLERANCE_MARGIN: f64 = 0.8;
 
-/// The gradient method; see the module's page.
+/// The gradient method; see the module documentation.
 #[derive(Default)]
 pub struct GradientSolver {
-    /// How far to go.
+    /// The solver's options.
     pub options: SolverOptions,
-    /// Fields of the last solution, if it ended.
+    /// Fields of the last completed solution.
     memory: Option<(Identity, Box<Workspace>)>,
 }
 
@@ -127,7 +126,7 @@ impl ElasticSolver for GradientSolver {
             }
             let residual = judgement.linear;
             if !residual.is_finite() {
-                // Nothing was left of the pressure, or rounding is all there is: back to the best.
+                // No pressure is left, or only rounding: return to the best pressure.
                 strategy.descend();
                 solution.begin_descent();
                 continue;
@@ -166,8 +165,8 @@ impl ElasticSolver for GradientSolver {
     }
 }
 
-/// `dp/dD` (Pa/m) under a solved pressure (Pa) and its force, on the elements that press: the solution of
-/// `(K + η) q = 1` there; none where nothing presses or the system does not converge.
+/// Computes `dp/dD` (Pa/m) at a solved pressure (Pa) and its force, on the elements that press: the solution of
+/// `(K + η) q = 1` there. Returns none if no element presses or the system does not converge.
 pub(crate) fn pressure_per_penetration(
     problem: &mut DiscreteProblem,
     pressure: &[f64],
@@ -186,7 +185,7 @@ enum Ending {
 }
 
 impl GradientSolver {
-    /// A solver without memory of any problem.
+    /// Creates a solver without stored fields.
     #[must_use]
     pub fn new(options: SolverOptions) -> Self {
         Self {
@@ -195,7 +194,7 @@ impl GradientSolver {
         }
     }
 
-    /// Gives back the memory that only another load on the same problem would need.
+    /// Frees the fields kept for the next load on the same problem.
     pub fn release(&mut self) {
         self.memory = None;
     }
@@ -220,7 +219,7 @@ impl GradientSolver {
             ..
         } = judgement;
         let options = &self.options;
-        // A descent that ends in no number would only begin again.
+        // A descent with a non-finite residual would only start again.
         let is_lost = residual.is_infinite() && strategy.phase() == Phase::Descent;
         if solution.reaches_border() {
             Some(Ending::ReachedBorder)

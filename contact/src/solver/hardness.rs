@@ -1,35 +1,36 @@
-//! Contact whose pressure is cut at a hardness: exchanges of elements around a solver without a limit.
+//! Contact with the pressure limited to a hardness: exchanges of elements around a solver without a limit.
 //!
-//! With the hardness `p_max`, the same energy is least among `0 ≤ p ≤ p_max` where
+//! With the hardness `p_max`, the solution minimises the same energy over `0 ≤ p ≤ p_max`, where
 //!
 //! ```text
 //! p = 0: g ≥ 0        0 < p < p_max: g = 0        p = p_max: g ≤ 0
 //! ```
 //!
-//! The elements of the third kind are held at the limit as a [part of the load](HeldPressure), and the others solve a
-//! contact problem without a limit, by any method. Those above the limit then are held as well, and those held that
-//! have a gap are let go. It is the semismooth Newton method around the whole solver instead of in its loop: so
-//! springs, windows, quadrants, cells and every preconditioner are as they were. Each problem is solved only as far as
-//! the exchange before was wrong. An exchange takes two products beside those of the problem: `K p` of the elements
-//! held, and of the others as they begin.
+//! Elements of the third kind are held at the limit as a [part of the load](HeldPressure), and a contact problem
+//! without a limit is solved for the others, by any method. Those that then exceed the limit are held as well, and held
+//! elements with a gap are released. This is the semismooth Newton method around the whole solver rather than inside
+//! its loop, so springs, windows, quadrants, cells and all preconditioners stay unchanged. The accuracy of each problem
+//! is set by the error of the previous exchange. An exchange takes two products in addition to those of the problem:
+//! `K p` of the held elements, and of the others at the start.
 //!
-//! Until elements are first let go, those above the limit are held together with as many others as carry at the limit
-//! what the former lose: those that press most, then those with the narrowest gap. Held ring by ring, random problems
-//! without a start took 2.5 to 4 times the products.
+//! Until elements are first released, those above the limit are held together with as many others as are needed to
+//! carry the excess at the limit: those with the largest pressure, then those with the smallest gap. Held ring by ring,
+//! random problems without a start took 2.5 to 4 times the products.
 //!
-//! **Start.** Of a coarser grid's pressure the elements at the limit are held, of a guess those above it; if they carry
-//! all of a prescribed force, only those that overlap most. From no element held, a fully plastic contact took five to
-//! seven times the products, a ring of elements an exchange.
+//! **Start.** The elements at the limit are held if the start is a coarser grid's pressure, those above it if it is a
+//! guess; if they carry all of a prescribed force, only those that overlap most. Starting with no element held, a fully
+//! plastic contact took five to seven times the products, one ring of elements per exchange.
 //!
-//! **Why it ends.** After four exchanges without gain they give way to a [descent](self::descent), whose energy falls
-//! from one admissible pressure to the next. The number of products is bounded besides, and the certificate tells.
+//! **Why it ends.** After four exchanges without progress a [descent](self::descent) takes over, whose energy decreases
+//! from one admissible pressure to the next. The number of products is also bounded, and the certificate judges the
+//! result.
 //!
-//! **Cost.** Random problems without a start take some 30 products, of which some 14 are for the problem
-//! without a limit.
+//! **Cost.** Random problems without a start take about 30 products, of which about 14 are for the problem without a
+//! limit.
 //!
 //! **Penetration under a force.** `D` is the multiplier of the elements between the limits, `Σ p v / Σ p` over
-//! `0 < p < p_max`. Where there is none, because the elements held carry the force to the last digits, every `D` from
-//! the largest `v` of those held to the least of the others solves the problem: the least is taken.
+//! `0 < p < p_max`. If there are none, because the held elements carry the force to the last digits, every `D` from the
+//! largest `v` of those held to the smallest `v` of the others solves the problem: the smallest is taken.
 
 mod descent;
 mod elastic_solver;
@@ -40,11 +41,11 @@ use self::limit_exchange::LimitExchange;
 use super::{Iterate, Watch};
 use crate::{ContactError, DiscreteProblem, Load};
 
-/// Part of the tolerance to which the problems are solved: should one of two elements that differ by twice a residual
-/// come to the limit by a rounding, the other alone says how deep the indenter is.
+/// Fraction of the tolerance to which the problems are solved. If rounding brings one of two elements that differ by
+/// twice a residual to the limit, the other alone determines the penetration.
 const CLOSER: f64 = 0.5;
 
-/// Solves a problem, by exchanges where it has a hardness.
+/// Solves a problem, by exchanges if it has a hardness.
 pub fn solve(
     solver: &mut impl ElasticSolver,
     problem: &mut DiscreteProblem,

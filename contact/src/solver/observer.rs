@@ -1,9 +1,9 @@
-//! How a caller watches a solution grow, and stops it.
+//! Progress reports to the caller, who may cancel.
 
-/// Where the work stands, told once per iteration.
+/// Progress of the work, reported once per iteration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
-    /// Loading step under way, counted from 0. On small grids several are solved at the same time.
+    /// Loading step under way, counted from 0. On small grids several steps are solved at the same time.
     pub step: usize,
     /// Loading steps of the path that are finished.
     pub finished: usize,
@@ -13,25 +13,25 @@ pub struct Progress {
     pub elements: usize,
     /// Iteration on this level, counted from 0.
     pub iteration: usize,
-    /// Largest line of the certificate at this iterate, by the iteration's own residual; dimensionless.
+    /// Largest line of the certificate at this iterate, according to the iteration's own residual; dimensionless.
     pub residual: f64,
-    /// Elements of the working set, which press or are about to.
+    /// Number of elements in the working set.
     pub working_set: usize,
-    /// Elements that entered or left it since the iteration before; in a level's first iteration all of it.
+    /// Number of elements that entered or left the working set since the last iteration; all of it in a level's first
+    /// iteration.
     pub working_set_change: usize,
 }
 
 /// The observer's answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Signal {
-    /// Go on.
+    /// Continue.
     Continue,
     /// Stop at once; the solution ends in [`ContactError::Cancelled`](crate::ContactError::Cancelled).
     Cancel,
 }
 
-/// Receives the progress of a solution, on a thread of the pool that computes it, never on two at once. `()` is the
-/// observer that looks away.
+/// Receives the progress of a solution on a thread of the pool that computes it, never on two at once. `()` ignores it.
 pub trait Observer: Send {
     /// Called once per iteration.
     fn progress(&mut self, progress: &Progress) -> Signal;
@@ -51,7 +51,7 @@ mod tests {
         solver::tests::{RIGID, SIZE, paraboloid, problem},
     };
 
-    /// Keeps the reports, and cancels before a step.
+    /// Keeps the reports, and cancels at a given iteration.
     struct Listener {
         told: Vec<Progress>,
         last: usize,
@@ -112,7 +112,7 @@ mod tests {
                 panic!("{told:?}")
             };
             assert!(last.residual < 1e-8 && first.residual > 1e-3);
-            // The set ends with what presses, begun with all of it new.
+            // The final set holds the elements that press; at the start all of it is new.
             assert_eq!(Some(last.working_set), pressing);
             assert_eq!(first.working_set, first.working_set_change);
             let (told, pressing) = solve(solver, 2);

@@ -1,4 +1,4 @@
-//! Small problems of every kind: their units, starts and counts, and the agreement of both solvers.
+//! Small problems of every kind: units, starts and counts of products, and the agreement of both solvers.
 
 mod work;
 
@@ -58,7 +58,7 @@ pub(in crate::solver) fn paraboloid(x: f64, y: f64) -> f64 {
     f64::midpoint(x * x, y * y)
 }
 
-/// Cylinders of radius 0.05 in a period of 1/8, as high as `depth` over the ground between.
+/// Cylinders of radius 0.05 with a period of 1/8, `depth` above the ground between them.
 pub(in crate::solver) fn pillars(x: f64, y: f64, depth: f64) -> f64 {
     let off = |c: f64| c - (8.0 * c).round() / 8.0;
     paraboloid(x, y)
@@ -107,8 +107,8 @@ fn no_threshold_knows_the_units() {
         let pressure: Vec<f64> = found.pressure.iter().map(|p| p / modulus).collect();
         (found.operator_applications, stiffness, pressure)
     };
-    // Powers of two, which change no digit: up to what squares of would neither under- nor overflow beside lengths and
-    // pressures alone.
+    // Powers of two, which change no digit, up to values at which squares of lengths and pressures would still neither
+    // under- nor overflow.
     for stiff in [false, true] {
         let as_they_are = solved(AS_THEY_ARE, stiff);
         for exponents in [[-30, 40], [200, -100], [-300, 300]] {
@@ -138,7 +138,7 @@ fn a_load_costs_the_same_after_another_as_alone() {
         let mut used = fresh();
         solve(&mut used, Load::Penetration(0.03), &cold);
         let after = solve(&mut used, Load::Force(2e-3), &cold);
-        // Storage and rows of the preconditioner are kept from load to load, and may serve better than new ones.
+        // Storage and rows of the preconditioner are kept between loads, and may be better than new ones.
         assert!(
             after.operator_applications <= alone.operator_applications + 1,
             "{} {}",
@@ -157,7 +157,7 @@ fn the_residuals_end_below_the_tolerance_and_one_is_told_before_every_step() {
     assert!(*last <= 1e-8 && before.iter().all(|residual| *residual > 1e-9));
 }
 
-/// Counts the products.
+/// An operator that counts the products.
 struct Counting {
     springs: f64,
     products: Arc<AtomicUsize>,
@@ -168,7 +168,7 @@ impl ElasticOperator for Counting {
         SIZE
     }
 
-    /// Springs under a smoothing: every element sinks by a part of its neighbours' pressures too.
+    /// Springs with smoothing: the displacement of an element also depends on its neighbours' pressures.
     fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
         self.products.fetch_add(1, Ordering::Relaxed);
         for (e, u) in displacement.iter_mut().enumerate() {
@@ -203,10 +203,10 @@ fn every_product_is_counted() {
         )
         .unwrap();
         let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
-        // one more for the certificate, and one for the problem's scale
+        // One more for the certificate, and one for the problem's scale.
         let counted = found.operator_applications + found.stiffness_applications + 2;
         assert_eq!(products.load(Ordering::Relaxed), counted);
-        // Of an operator of which nothing is known there is no preconditioner.
+        // An unknown operator has no preconditioner.
         assert!(counted < 60, "{counted}");
     }
 }
@@ -224,7 +224,7 @@ fn both_solvers_agree_on_every_kind_of_problem() {
         ];
         for mut problem in problems {
             let by_gradient = solve(&mut problem, load, &[0.0; SIZE * SIZE]);
-            // from a start that lacks most of the contact and holds some that is none
+            // From a start that lacks most of the contact and includes some elements outside it.
             let mut start = vec![0.0; SIZE * SIZE];
             start[SIZE * SIZE / 2 + 3..][..20].fill(1.0);
             let found = ActiveSetSolver::default().solve(
@@ -246,7 +246,7 @@ fn both_solvers_agree_on_every_kind_of_problem() {
             let peak = by_active_set.iter().copied().fold(0.0, f64::max);
             let pairs = by_gradient.pressure.iter().zip(&by_active_set);
             let difference = pairs.map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
-            // The tolerance of 1e-8 times the condition of the systems, some 1e3 under the stiff coating.
+            // The tolerance of 1e-8 times the condition number of the systems, about 1e3 under the stiff coating.
             assert!(difference < 1e-5 * peak, "{:e}", difference / peak);
         }
     }
@@ -286,7 +286,7 @@ fn an_operator_in_units_of_its_own_is_solved_from_nothing() {
     let [one, other] = [&mut unknown, &mut known].map(|problem| solve(problem, load, &nothing));
     let [one, other] = [one, other].map(|found| found.contact_stiffness.unwrap());
     approx::assert_relative_eq!(one, other, max_relative = 1e-6);
-    // From a pressure that is far too small, too.
+    // Also from a pressure that is far too small.
     let almost: Vec<f64> = known
         .initial_gap()
         .iter()
@@ -314,7 +314,7 @@ fn a_solver_that_gives_up_returns_the_best_pressure_met() {
             &mut Watch::alone(&mut ()),
         );
         let found = found.unwrap();
-        // a step takes one product, or two
+        // A step takes one or two products.
         assert!(found.operator_applications <= max_applications + 1);
         assert!(found.contact_stiffness.is_none());
         let judged = Solution::judge(&mut problem, load, found.pressure, 1e-8);
@@ -324,7 +324,7 @@ fn a_solver_that_gives_up_returns_the_best_pressure_met() {
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
-        // Kept is the best by a factor of two at least.
+        // The best is kept to within a factor of two.
         assert!(worst <= 2.001 * least, "{worst:e} {least:e}");
         assert!(!judged.certificate.is_satisfied());
         assert!(worst <= 2.001 * worst_before, "{worst:e} {worst_before:e}");

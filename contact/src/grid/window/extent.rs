@@ -1,4 +1,4 @@
-//! The rows and columns that some elements of a window take.
+//! The range of rows and columns of some elements of a window.
 
 use pellicle_influence::SectorGrid;
 
@@ -10,7 +10,7 @@ pub(super) struct IndexRange {
 }
 
 impl IndexRange {
-    /// Elements along the side of the smallest square that holds them and their mirror images.
+    /// Elements along the side of the smallest square that holds the range and its mirror images.
     pub fn side_of_square(&self, grid: SectorGrid) -> usize {
         let parts = grid.parts();
         let lengths =
@@ -18,7 +18,7 @@ impl IndexRange {
         lengths[0].max(lengths[1])
     }
 
-    /// The smallest extent that holds both.
+    /// The smallest range that holds both.
     pub fn and(self, other: Self) -> Self {
         Self {
             first: [0, 1].map(|axis: usize| self.first[axis].min(other.first[axis])),

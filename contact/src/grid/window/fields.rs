@@ -1,4 +1,4 @@
-//! Fields on a window and on its grid: one taken from the other.
+//! Transfer of fields between a window and its grid.
 
 use rayon::prelude::*;
 
@@ -12,7 +12,7 @@ impl Window {
         &field[first..first + self.size]
     }
 
-    /// The results of `of_line` for each row of a field on the window, in order.
+    /// Returns the results of `of_line` for each row of a field on the window, in order.
     pub fn by_lines<T: Send>(
         &self,
         part: &[f64],
@@ -28,8 +28,8 @@ impl Window {
         self.take_over(&self.everywhere(), field)
     }
 
-    /// The field of the whole grid that is `part` in the window and its mirror images, and 0 outside, where no memory
-    /// is touched.
+    /// Returns the field of the whole grid that is `part` in the window and its mirror images, and 0 outside, where the
+    /// zeroed memory is not touched.
     pub fn scatter(&self, part: Vec<f64>) -> Vec<f64> {
         if self.grid.has_images() {
             self.unfold(&part)
@@ -40,7 +40,7 @@ impl Window {
         }
     }
 
-    /// The same of a window whose rows begin at an axis.
+    /// The same for a window whose rows begin at an axis.
     fn unfold(&self, part: &[f64]) -> Vec<f64> {
         let (axis, width) = (self.grid.size(), self.grid.whole_size());
         let [lines, _] = self.lengths();
@@ -68,7 +68,7 @@ impl Window {
         field
     }
 
-    /// The field on this window that is `part` where the other lies in it and 0 elsewhere.
+    /// Returns the field on this window that is `part` on the elements shared with the other window and 0 elsewhere.
     pub fn take_over<T: Copy + Default + Send + Sync>(&self, other: &Self, part: &[T]) -> Vec<T> {
         let mut field = vec![T::default(); self.elements()];
         let (own, others) = (self.lengths(), other.lengths());

@@ -24,7 +24,7 @@ fn a_window_holds_what_belongs_with_a_margin() {
     let part = window.cut(&mask);
     assert!(window.size() < 40 && !window.is_whole());
     assert_eq!(window.scatter(part.clone()), mask);
-    // The elements lie at the grid's end along y, but nowhere else at the window's border.
+    // The elements touch the window's border only at the grid's end along y.
     let last = window.size() - 1;
     let border =
         |e: &usize| [0, last].contains(&(e / window.size())) || e.is_multiple_of(window.size());
@@ -63,7 +63,7 @@ fn a_halfs_window_begins_at_its_axis_and_spreads_to_two_images() {
     let window = everywhere.around(|[i, j]| (150..161).contains(&i) && j == 7);
     let [above, left] = window.origin();
     let [rows, columns] = window.lengths();
-    // Eight columns and three beside them; the rows of the same square, around those that belong.
+    // Eight columns and three more; the rows of the same square, around the elements that belong.
     assert!(left == 0 && (11..=12).contains(&columns) && rows == 2 * columns);
     assert!(above.abs_diff(150 - (rows - 11) / 2) <= 1);
     assert_eq!(window.grown().origin()[1], 0);
@@ -118,7 +118,7 @@ fn a_field_moves_between_windows_and_is_nought_where_there_was_none() {
         }
     }
     assert_eq!(other.line(&field, 3), &field[10 * 20 + 1..][..8]);
-    // Windows that have nothing in common.
+    // Windows without common elements.
     let apart = window([15, 15], 4).take_over(&one, &one.cut(&field));
     assert!(apart.iter().all(|value| *value == 0.0));
 }
@@ -137,7 +137,7 @@ fn on_a_finer_grid_a_window_reaches_as_far_as_interpolation_does() {
         let reach = Window::whole(20).on_finer(belongs, finer).unwrap();
         for i in 0..finer {
             for j in 0..finer {
-                // A centre between those of two coarse elements takes part of both.
+                // A centre between those of two coarse elements is near both.
                 let near = |i: usize, first: f64, last: f64| {
                     let place = (i as f64 + 0.5) * 20.0 / finer as f64 - 0.5;
                     place > first - 1.0 && place < last + 1.0
@@ -159,7 +159,7 @@ fn many_loads_share_windows_of_few_sizes() {
         let inside = |i: usize| i.abs_diff(250) < half;
         let belongs = |place: [usize; 2]| place.into_iter().all(inside);
         let size = Window::whole(500).around(belongs).size();
-        // Beside the margins a window is larger than the contact by less than a quarter.
+        // Apart from the margins, a window exceeds the contact by less than a quarter.
         assert!(size > 2 * half && 4 * size <= 5 * (2 * half + 2 * half / 12 + 8));
         sizes.insert(size);
     }
@@ -181,7 +181,7 @@ fn the_window_around_what_presses_holds_it_with_a_margin_and_is_none_where_nothi
     );
     let part = window.cut(&pressure);
     assert!(window.presses(&part, [70, 90]));
-    // One that does not press, and one outside the window.
+    // An element that does not press, and one outside the window.
     assert!(!window.presses(&part, [71, 90]) && !window.presses(&part, [0, 0]));
 }
 
@@ -195,7 +195,7 @@ fn a_threads_rows_hold_as_many_elements_as_are_worth_it_and_hardly_more() {
 
 #[test]
 fn an_index_on_the_whole_grid_counts_from_the_axes_of_a_sector() {
-    // A sector of a grid of 20 × 20 elements begins at element 10 along each axis that it ends at.
+    // A sector of a grid of 20 × 20 elements begins at element 10 along each mirrored direction.
     for (sector, grid, axes) in [
         (Sector::Whole, 20, [0, 0]),
         (Sector::Half, 10, [0, 10]),
@@ -224,7 +224,7 @@ fn a_cell_across_an_axis_belongs_to_as_many_quadrants_as_it_has_images_of_one_el
             [[3, 4], [-1, 4], [3, -1], [-1, -1], [0, 0]].map(|at| window.share_of_cell(at));
         let wanted = [1.0, half(x), half(y), half(x) * half(y), 1.0];
         assert_eq!(shares, wanted, "{sector:?}");
-        // So the cells between all places are as many as on the whole grid.
+        // So there are as many cells between all places as on the whole grid.
         let [rows, columns] = window.lengths().map(usize::cast_signed);
         let first = |is_mirrored: bool| if is_mirrored { -1 } else { 0 };
         let places =
@@ -246,7 +246,7 @@ fn before_an_axis_lies_the_mirror_image_and_before_the_grid_nothing() {
         assert_eq!(window.element([4, -1]), y.then_some(4 * size));
         let last = window.lengths()[0] - 1;
         assert_eq!(window.element([last.cast_signed() + 1, 0]), None);
-        // Every element is found again by its first image, and that lies first.
+        // Every element is recovered from its first image, which comes first.
         for row in [0, 1, last] {
             for column in [0, 3, size - 1] {
                 let image = window.first_image([row, column]);

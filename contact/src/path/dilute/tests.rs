@@ -1,4 +1,4 @@
-//! Three blunt tips and a needle on a window of a grid, solved among few elements.
+//! Three blunt tips and a needle on a window of a grid, solved on few elements.
 
 use pellicle_influence::{CoefficientTable, RadialTables, SurfaceElasticity};
 use pellicle_kernel::{Foundation, Material};
@@ -7,10 +7,10 @@ use super::*;
 use crate::result::certificate::Trial;
 
 const SIZE: usize = 320;
-/// Elements that must lie in the window, along either axis.
+/// Range of elements that the window must hold, along either axis.
 const WINDOW: [usize; 2] = [40, 280];
 const DEPTH: f64 = 4e-4;
-/// The needle's element, of which a start knows nothing.
+/// The needle's element, which is not in the start.
 const NEEDLE: [usize; 2] = [150, 90];
 
 fn elasticity() -> Arc<SurfaceElasticity> {
@@ -21,7 +21,7 @@ fn elasticity() -> Arc<SurfaceElasticity> {
     Arc::new(SurfaceElasticity::new(Arc::new(table), body))
 }
 
-/// The gap of tips of radius 0.2, and of the needle, which is as low as the tips but for a twentieth of the depth.
+/// The gap of tips of radius 0.2 and of the needle, which is a twentieth of the depth higher than the tips.
 fn gap([i, j]: [usize; 2]) -> f64 {
     let apart = |[k, l]: [usize; 2]| {
         let [x, y] = [i.abs_diff(k), j.abs_diff(l)].map(|along| along as f64 / SIZE as f64);
@@ -105,7 +105,7 @@ fn few_elements_give_the_answer_of_the_whole_grid_with_what_no_start_knew_of() {
             pressure = solution.pressure;
         };
         assert!(solution.certificate.is_satisfied());
-        // Where nothing is a candidate there is no pressure; the needle has become one.
+        // Elements that are not candidates have no pressure; the needle has become a candidate.
         let [above, left] = window.origin();
         let needle = [NEEDLE[0] - above, NEEDLE[1] - left];
         assert!(dilute.candidates.at(needle).is_some());
@@ -117,7 +117,7 @@ fn few_elements_give_the_answer_of_the_whole_grid_with_what_no_start_knew_of() {
         let passes = iterate.residuals.len() - iterate.iterations;
         assert!((1..=dilute.passes).contains(&passes), "{passes}");
         assert!(iterate.operator_applications > iterate.iterations);
-        // As measured, with a tenth to spare; one product on the whole grid.
+        // As measured with a margin of a tenth; one product on the whole grid.
         let work = [dilute.passes, judgements, iterate.operator_applications];
         assert!(work[..2] == [2, 1] && work[2] <= 14, "{work:?}");
     }
@@ -128,7 +128,7 @@ fn what_products_among_candidates_lack_is_learnt_of_a_pressure_that_was_judged()
     let elasticity = elasticity();
     let mut problem = whole(&elasticity);
     let (window, options) = (window(&problem), SolverOptions::default());
-    // A pressure that is no solution, also where nothing was a candidate.
+    // A pressure that is not a solution, also on elements that were not candidates.
     let mut pressure = start(&window);
     let mut dilute = Dilute::around(&problem, &window, &pressure, &options).unwrap();
     let [above, left] = window.origin();
@@ -145,7 +145,7 @@ fn what_products_among_candidates_lack_is_learnt_of_a_pressure_that_was_judged()
     let solution = Solution::judge_within(&mut problem, trial, pressure, &mut judged);
     assert!(!dilute.is_done(&solution, &options));
     assert!(dilute.learn(&problem, &judged, &solution.pressure));
-    // By their own products the candidates now have the gaps that the whole grid's product gives.
+    // With their own products the candidates now have the gaps of the whole grid's product.
     let mut displacement = vec![0.0; SIZE * SIZE];
     problem.displace(
         &window.scatter(solution.pressure.clone()),
@@ -189,7 +189,7 @@ fn only_a_dilute_contact_on_a_large_free_grid_is_solved_among_candidates() {
     assert!(!is_solved(&cell, &window, &options));
     let small = problem.everywhere().around(|[i, j]| i.max(j) < 200);
     assert!(small.size() < SMALLEST && !is_solved(&problem, &small, &options));
-    // Nothing that presses, and everything.
+    // No element presses, and all do.
     for value in [0.0, 1.0] {
         let even = vec![value; window.elements()];
         assert!(Dilute::around(&problem, &window, &even, &options).is_none());

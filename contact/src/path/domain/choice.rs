@@ -1,8 +1,9 @@
-//! The choice of the square: the first guess, judged by a solution on a coarse grid that is the same for every grid to
-//! come.
+//! The choice of the domain: first guesses judged by a solution on a coarse grid, which does not depend on the later
+//! grids.
 //!
-//! Tried are the first guess times powers of 1.5. A square fits where the contact of the largest load keeps clear of
-//! its edge and nothing beyond it would touch; where the contact is a small part of it, a smaller one is tried.
+//! The sides tried are the first guess times powers of 1.5. A square fits if the contact of the largest load stays
+//! clear of its edge and nothing outside would touch. If the contact is a small part of the square, a smaller one is
+//! tried.
 
 use std::ops::ControlFlow;
 
@@ -20,36 +21,35 @@ use pellicle_texture::{Grid, Relief};
 
 /// Elements per side of the grid of a trial.
 const TRIAL: usize = 64;
-/// Those of the grids looked at before, which mostly do: on them a contact is known to half an element.
+/// The same for the coarser grids tried first, which usually suffice: on them a contact is known to half an element.
 const FIRST_TRIALS: [usize; 2] = [16, 32];
-/// They are solved to this, a tenth of what an element is of the penetration.
+/// Tolerance on these grids: a tenth of the effect of one element, relative to the penetration.
 const FIRST_TOLERANCE: f64 = 1e-3;
 /// Sides tried are the first guess times powers of this.
 const FACTOR: f64 = 1.5;
-/// A trial that is not solved after so many products is as good as it gets: where the contact ends is known long
-/// before.
+/// Most products of a trial, whose iterate is then used as it is: the edge of the contact is known long before.
 const MOST_PRODUCTS: usize = 300;
 /// Half width of the contact under the first guess, in elements of a trial; sides are shrunk to this.
 const USUAL_EXTENT: f64 = 64.0 / 3.0;
-/// A contact of fewer elements than this from the middle needs a smaller square.
+/// A contact that extends over fewer elements than this from the middle needs a smaller square.
 const SMALLEST_EXTENT: usize = 8;
-/// More trials than any case has been seen to take by far.
+/// Far more trials than any case has been seen to take.
 const MOST_TRIALS: usize = 100;
 
 /// The side (m) of the square that [`Domain::Automatic`](crate::Domain::Automatic) solves all `loads` on. It does not
 /// depend on the grid.
 ///
 /// # Errors
-/// A load that makes no sense; coefficients that miss their accuracy; a contact that reaches the edge of every square
-/// tried.
+/// An invalid load; coefficients that miss their accuracy; a contact that reaches the edge of every square tried.
 pub fn choose_side(model: &Model, loads: &[Load]) -> Result<f64, ContactError> {
     choose_side_at(model, loads, f64::INFINITY)
 }
 
-/// The same where a hardness (Pa) cuts the pressure; infinite where nothing does.
+/// The same with a hardness (Pa) that limits the pressure; infinite for no limit.
 ///
 /// # Errors
-/// As [`choose_side`]; [`ContactError::BeyondHardness`] where the indenter ends before its hardness carries a force.
+/// As [`choose_side`]; [`ContactError::BeyondHardness`] if the whole area under the indenter cannot carry a force at
+/// the hardness.
 pub fn choose_side_at(model: &Model, loads: &[Load], hardness: f64) -> Result<f64, ContactError> {
     for load in loads {
         load.checked()?;
@@ -94,13 +94,13 @@ fn is_known_beforehand(model: &Model) -> bool {
     is_axisymmetric && is_bare && model.tables.foundation().layers().is_empty()
 }
 
-/// The verdict of a trial on its square; the one that wants the largest square is the greatest.
+/// The verdict of a trial on its square, ordered by the size of square required.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum SquareVerdict {
-    /// Too large by so many powers, negative.
+    /// Too large by this many powers, negative.
     TooLarge(i32),
     Fits,
-    /// Too small by so many powers.
+    /// Too small by this many powers.
     TooSmall(i32),
 }
 
@@ -108,9 +108,9 @@ enum SquareVerdict {
 struct SideSearch {
     first: f64,
     power: i32,
-    /// The largest known to be too small.
+    /// The largest power known to be too small.
     small: Option<i32>,
-    /// The smallest known to hold the contact, if with room to spare.
+    /// The smallest power known to hold the contact, perhaps with excess room.
     large: Option<i32>,
 }
 
@@ -119,7 +119,7 @@ impl SideSearch {
         self.first * FACTOR.powi(self.power)
     }
 
-    /// Takes note of what became of the present square; breaks with the side to solve on if it is known.
+    /// Records the verdict on the current square; breaks with the final side if it is known.
     fn go_on(&mut self, verdict: SquareVerdict) -> ControlFlow<f64> {
         let next = match verdict {
             SquareVerdict::Fits => return ControlFlow::Break(self.side()),
@@ -190,8 +190,8 @@ fn judge(
     })
 }
 
-/// Whether even a grid coarser than that of a trial sees everything that could be touched: nothing of a map is to be
-/// missed, and no pillar.
+/// Whether a grid coarser than that of a trial resolves everything that could touch: it must not miss a pillar or any
+/// part of a map.
 fn is_seen_by(model: &Model, grid: &Grid) -> bool {
     let is_relief_seen = match &model.relief {
         Relief::Bare | Relief::Film(_) => true,
@@ -203,7 +203,7 @@ fn is_seen_by(model: &Model, grid: &Grid) -> bool {
         && cut_off::can_touch(model, grid)
 }
 
-/// Whether a square fits even if a grid of it errs by half an element.
+/// Whether a square fits even if the grid is wrong by half an element.
 fn fits_clearly(
     model: &Model,
     grid: Grid,
@@ -214,7 +214,7 @@ fn fits_clearly(
     let Some(to_edge) = step.summary.elements_to_edge else {
         return Ok(false);
     };
-    // Half an element more or less, in those of a trial.
+    // Half an element more or less, in elements of a trial.
     let per_element = TRIAL / grid.size();
     let clear_of = |elements: usize| (elements * per_element).saturating_sub(per_element / 2);
     let is_clear =
@@ -245,21 +245,21 @@ fn solve(
     grids.solve(load, options, &mut Watch::alone(&mut ()))
 }
 
-/// Whether the indenter is lower than the penetration at one of the elements around its axis, so that a grid without
-/// contact has none to miss; or nothing is known of the penetration.
+/// Whether the height of the indenter is less than the penetration at an element around its axis, so that a grid
+/// without contact has not missed any; true also if the penetration is unknown.
 fn sees_the_tip(model: &Model, grid: &Grid, penetration: f64) -> bool {
     penetration.is_nan() || cut_off::lowest_height(model, grid) < penetration
 }
 
-/// By how many powers a contact of so many elements from the middle is to be shrunk to.
+/// Number of powers by which to shrink a square whose contact extends over `extent` elements from the middle.
 fn shrunk_to_fit(extent: usize) -> SquareVerdict {
     let powers = (USUAL_EXTENT / extent as f64).ln() / FACTOR.ln();
     SquareVerdict::TooLarge(-whole(powers))
 }
 
-/// By how many powers to enlarge a square that cuts a contact off: to the geometric mean of its half side, which the
-/// contact reaches, and the radius where the indenter is as high as the penetration, beyond which hardly anything
-/// touches.
+/// Number of powers by which to enlarge a square that cuts off a contact: to the geometric mean of its half side, which
+/// the contact reaches, and the radius at which the height of the indenter equals the penetration, beyond which there
+/// is hardly any contact.
 fn enlarged(model: &Model, side: f64, penetration: f64) -> i32 {
     let farthest = if penetration > 0.0 {
         radius_at(model, penetration)
@@ -270,7 +270,7 @@ fn enlarged(model: &Model, side: f64, penetration: f64) -> i32 {
     whole(ratio.sqrt().ln() / FACTOR.ln())
 }
 
-/// The next whole number below, at least 1.
+/// Rounds down, to at least 1.
 fn whole(powers: f64) -> i32 {
     #[expect(
         clippy::cast_possible_truncation,

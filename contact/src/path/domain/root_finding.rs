@@ -1,17 +1,19 @@
-//! The zero of an increasing function of a length, whatever the unit of length.
+//! The zero of an increasing function of a length, independent of the unit of length.
 
-/// Evaluations that a search may take; a smooth function takes some twenty.
+/// Most evaluations of a search; a smooth function takes about twenty.
 const LONGEST_SEARCH: usize = 400;
-/// The search ends when it knows the length to this: rounding, so that in another unit it is the same length.
+/// Relative accuracy at which the search ends: rounding, so that the length is the same in another unit.
 const PRECISION: f64 = 1e-14;
 
-/// The length at which a function that grows with the logarithm of its argument, nearly in proportion, passes through
-/// zero; it may be infinite on either side.
+/// The zero of a function that grows nearly in proportion to the logarithm of its argument; it may be infinite on
+/// either side.
 ///
-/// 0 where it is positive down to the smallest length, and the largest length where it is negative everywhere.
+/// Returns 0 if the function is positive down to the smallest length, and the largest length if it is negative
+/// everywhere.
 pub fn where_zero(value: impl Fn(f64) -> f64) -> f64 {
     let (mut low, mut high) = bracket(&value);
-    // Of the two ends, halved for the one that stays: the Illinois form of the secant method (Dowell and Jarratt 1971).
+    // The values at the two ends; that of a retained end is halved: the Illinois form of the secant method (Dowell and
+    // Jarratt 1971).
     let (mut below, mut above) = (value(low), value(high));
     let mut kept = 0_i32;
     for _ in 0..LONGEST_SEARCH {
@@ -37,7 +39,7 @@ pub fn where_zero(value: impl Fn(f64) -> f64) -> f64 {
     high
 }
 
-/// Lengths on either side of the zero, found by ever larger factors.
+/// Lengths on either side of the zero, found with increasing factors.
 fn bracket(value: &impl Fn(f64) -> f64) -> (f64, f64) {
     let (mut length, mut factor) = (1.0_f64, 2.0_f64);
     let is_reached = value(length) >= 0.0;
@@ -61,8 +63,7 @@ fn bracket(value: &impl Fn(f64) -> f64) -> (f64, f64) {
     }
 }
 
-/// Where a straight line over the logarithm passes through zero, or the geometric mean where there is none or it leads
-/// to an end.
+/// The zero of a straight line over the logarithm; the geometric mean if there is no line or it leads to an end.
 fn between(low: f64, high: f64, below: f64, above: f64) -> f64 {
     let ratio = high / low;
     let part = below / (below - above);
@@ -98,7 +99,7 @@ mod tests {
 
     #[test]
     fn halving_the_end_that_stays_makes_a_bent_function_take_few_evaluations() {
-        // ln of a sum of powers, the sinh of a logarithm and one that is flat on one side
+        // ln of a sum of powers, the sinh of a logarithm, and a function that is flat on one side.
         let functions: [fn(f64) -> f64; 3] = [
             |rho| (0.5 * rho.powi(2) + 5e5 * rho.powi(9)).ln(),
             |rho| rho.ln().sinh() + 2.0,
@@ -112,7 +113,7 @@ mod tests {
             });
             evaluations.get()
         });
-        // As many as they take, and two that rounding may add.
+        // As measured, plus two that rounding may add.
         let most = [25, 16, 18];
         assert!(
             counts.iter().zip(most).all(|(count, most)| *count <= most),

@@ -1,4 +1,4 @@
-//! The estimated side where the estimate has a closed form: twice 1.5 contact radii, to a hundredth.
+//! The estimated side where it has a closed form: twice 1.5 contact radii, to a hundredth.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -45,7 +45,7 @@ fn assert_side(model: &Model, loads: &[Load], radius: f64) {
 #[test]
 fn a_penetration_reaches_as_far_as_the_indenter_is_that_high() {
     let model = model(&half_space(1.0), Relief::Bare, paraboloid(2.0));
-    // a² = 2 R D; the largest of all loads counts
+    // a² = 2 R D; the largest of all loads determines the side
     for depth in [1e-9_f64, 0.01, 50.0] {
         let loads = [0.5 * depth, depth, -depth].map(Load::Penetration);
         assert_side(&model, &loads, (4.0 * depth).sqrt());
@@ -56,7 +56,7 @@ fn a_penetration_reaches_as_far_as_the_indenter_is_that_high() {
 fn without_contact_the_indenter_stands_one_thickness_high_at_the_edge() {
     let coating = Material::new(1.0, 0.3).unwrap();
     let coated = Foundation::coated(0.02, coating, Material::new(2.0, 0.3).unwrap()).unwrap();
-    // ρ² = 2 R H, and 1 m for H where nothing has a thickness; the side is twice ρ, not three times.
+    // ρ² = 2 R H, with H = 1 m if there is no thickness; the side is twice ρ, not three times.
     for (foundation, height) in [(coated, 0.02_f64), (half_space(1.0), 1.0)] {
         let model = model(&foundation, Relief::Bare, paraboloid(2.0));
         for load in [-1.0, 0.0].map(Load::Penetration) {
@@ -86,7 +86,7 @@ fn a_guess_is_hertz_on_a_homogeneous_body_and_nothing_above_it() {
     for ratio in [0.0_f64, 0.3, 0.8] {
         let wanted = peak * (1.0 - ratio * ratio).sqrt();
         let found = guess.pressure([0.6 * ratio * a, -0.8 * ratio * a]);
-        // The radius is right to a hundredth, and the peak to its square.
+        // The radius is accurate to a hundredth, and the peak to its square.
         assert!((found / wanted - 1.0).abs() < 0.03, "{found} {wanted}");
     }
     assert_eq!(guess.pressure([1.02 * a, 0.0]), 0.0);
@@ -106,7 +106,7 @@ fn a_coated_body_has_the_modulus_of_waves_as_long_as_the_contact() {
     assert_side(&model, &[Load::Force(4.0 / 3.0 * modulus * a.powi(3))], a);
 }
 
-/// `π a⁴/(4 R)`: the volume between a paraboloid and the plane at the height that it has at `a`.
+/// `π a⁴/(4 R)`: the volume between a paraboloid and the plane at its height at `a`.
 fn volume(a: f64, radius: f64) -> f64 {
     PI * a.powi(4) / (4.0 * radius)
 }
@@ -131,7 +131,7 @@ fn a_film_that_stiffens_is_a_spring_of_the_secant_at_the_mean_pressure() {
     let law = film.spring_law();
     let model = model(&half_space(1e9), Relief::Film(film), paraboloid(2.0));
     let found = force_at(&model, a);
-    // On a body that hardly yields: F = V/η of the secant w(p)/p = η at p = F/π a².
+    // On a nearly rigid body: F = V/η with the secant w(p)/p = η at p = F/π a².
     let pressure = found / (PI * a * a);
     let secant = law.shortening(height / young, pressure) / pressure;
     assert!(
@@ -187,7 +187,7 @@ fn forces_and_volumes_of_a_paraboloid_are_the_closed_forms() {
     let film = Relief::Film(Film::new(0.02, 0.3).unwrap());
     let model = model(&half_space(5.0), film, paraboloid(2.0));
     for a in [1e-3_f64, 0.2] {
-        // Midpoints of 64 parts: 1/64² and less.
+        // Midpoint rule with 64 parts: error at most 1/64².
         let elastic = 4.0 / 3.0 * 5.0 * a.powi(3) / 2.0;
         assert!((elastic_force(&model, a) / elastic - 1.0).abs() < 3e-4);
         assert!((relief_volume(&model, a) / volume(a, 2.0) - 1.0).abs() < 3e-4);
@@ -198,7 +198,7 @@ fn forces_and_volumes_of_a_paraboloid_are_the_closed_forms() {
 fn an_estimated_force_is_that_of_a_contact_as_wide_as_the_indenter_is_high() {
     let model = model(&half_space(3.0), Relief::Bare, paraboloid(2.0));
     for depth in [1e-6_f64, 0.01] {
-        // Hertz: Q = 4/3 E* a³/R = 4/3 E* √R D^1.5, of the radius √(R D) instead of √(2 R D)
+        // Hertz: Q = 4/3 E* a³/R = 4/3 E* √R D^1.5, with the radius √(R D) instead of √(2 R D)
         let hertz = 4.0 / 3.0 * 3.0 * 2.0_f64.sqrt() * depth.powf(1.5);
         let ratio = estimated_force(&model, depth) / hertz;
         assert!((ratio / 8.0_f64.sqrt() - 1.0).abs() < 0.01, "{ratio}");
@@ -217,7 +217,7 @@ fn a_hardness_wants_the_area_that_it_carries_the_force_on() {
     let model = model(&half_space(1.0), Relief::Bare, paraboloid(1.0));
     let a = 0.2_f64;
     let force = 4.0 / 3.0 * a.powi(3);
-    // Twice 1.5 radii of a disc of the area Q/p_max, where that is wider than the elastic contact.
+    // Twice 1.5 radii of a disc of area Q/p_max, if that is wider than the elastic contact.
     let hardness = force / (PI * 0.3_f64.powi(2));
     let loads = [Load::Force(force), Load::Penetration(1e-3)];
     let side = default_side_at(&model, &loads, hardness);
@@ -234,7 +234,7 @@ fn a_map_without_springs_is_as_bare() {
     };
     let on = |relief: Relief| force_at(&model(&half_space(5.0), relief, paraboloid(2.0)), 0.2);
     assert_eq!(on(map(0.0)), on(Relief::Bare));
-    // A map of springs of even compliance is a film.
+    // A map of springs of uniform compliance is a film.
     let film = Film::new(0.02, 0.1).unwrap();
     let ratio = on(map(0.2)) / on(Relief::Film(film));
     assert!((ratio - 1.0).abs() < 1e-12, "{ratio}");

@@ -1,4 +1,4 @@
-//! Doubts at their thresholds.
+//! Warnings at their thresholds.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_of_a_small_part_of_
         indenter: Paraboloid::new(2.0).unwrap().into(),
         cache: Cache::none(),
     };
-    // Of so many elements per side, the middles of so many in contact.
+    // `size` elements per side, of which `across` are in contact.
     let doubt = |size: usize, across: usize| {
         let grid = Grid::new(1.0, size).unwrap();
         let radius = (across - 1) as f64 / (2 * size) as f64;
@@ -47,14 +47,14 @@ fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_of_a_small_part_of_
         (elements, radius, side, wanted),
         (19, 0.009, 1.0, SIDE_PER_RADIUS * 0.009)
     );
-    // Of fewer than eight elements the radius is estimated: a² = 2 R D.
+    // Below eight elements the radius is estimated: a² = 2 R D.
     let Some(Warning::DomainMuchLarger { radius, wanted, .. }) = doubt(64, 7) else {
         panic!("a doubt")
     };
     assert!((radius / 2e-3 - 1.0).abs() < 0.02 && (wanted / 6e-3 - 1.0).abs() < 0.02);
 }
 
-/// A ball on a film of a height of 0.01 on a half-space, and its one step on two grids.
+/// A ball on a film of height 0.01 on a half-space, and a single step on two grids.
 fn on_film() -> (Model, Step) {
     let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
     let model = Model {
@@ -70,7 +70,7 @@ fn on_film() -> (Model, Step) {
     (model, step)
 }
 
-/// The codes of the doubts about a step.
+/// The codes of the warnings about a step.
 fn codes(model: &Model, step: &Step) -> Vec<&'static str> {
     let warnings = step_warnings(model, 0, step);
     warnings.iter().map(Warning::code).collect()
@@ -116,13 +116,13 @@ fn a_peak_that_changes_is_doubted_unless_it_is_the_hardness() {
     assert!((change - 0.2).abs() < 1e-12);
     step.summary.area_at_limit = 1e-6;
     assert_eq!(codes(&model, &step), [""; 0]);
-    // Nothing is said of a single grid.
+    // There is no warning on a single grid.
     step.summary.area_at_limit = 0.0;
     step.grid_error.levels.truncate(1);
     assert_eq!(codes(&model, &step), [""; 0]);
 }
 
-/// A ball on pillars of a radius of 0.05 on a body of layers, of relative stiffness and thickness from the top.
+/// A ball on pillars of radius 0.05 on a layered body; relative stiffness and thickness of the layers from the top.
 fn on_layers(layers: &[(f64, f64)]) -> Model {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
@@ -147,7 +147,7 @@ fn on_layers(layers: &[(f64, f64)]) -> Model {
 
 #[test]
 fn pillars_and_layers_that_elements_do_not_resolve_are_doubted() {
-    // Elements of 0.05/3.9 and of 0.05/4.1; the layer thinner than 0.02 of them.
+    // Elements of 0.05/3.9 and of 0.05/4.1; a layer thinner than 0.02 elements.
     let bare = on_layers(&[]);
     let found = |model: &Model, elements_per_radius: f64| {
         let size = 390;
@@ -165,7 +165,7 @@ fn pillars_and_layers_that_elements_do_not_resolve_are_doubted() {
     };
     assert!((elements_per_radius - 3.9).abs() < 1e-12);
     assert!(found(&bare, 4.1).is_empty());
-    // Elements of 0.01, and of the two layers the second too thin: 1.9e-4.
+    // Elements of 0.01; the second of two layers is too thin: 1.9e-4.
     let of_layers = |layers: &[(f64, f64)]| {
         let doubts = found(&on_layers(layers), 5.0);
         let doubts = doubts.iter().map(|warning| match warning {
@@ -181,7 +181,7 @@ fn pillars_and_layers_that_elements_do_not_resolve_are_doubted() {
     assert_eq!(thin.len(), 1);
     assert!(thin[0].0 == 1 && (thin[0].1 - 0.019).abs() < 1e-12);
     assert!(of_layers(&[(4.0, 0.1), (10.0, 2.1e-4)]).is_empty());
-    // One that is nearly as stiff as the one above or below belongs to a graded layer.
+    // A layer nearly as stiff as the one above or below belongs to a graded layer.
     assert!(of_layers(&[(4.0, 0.1), (7.0, 1.9e-4)]).is_empty());
     assert!(of_layers(&[(4.0, 1.9e-4), (2.1, 0.1)]).is_empty());
     assert_eq!(of_layers(&[(9.0, 1.9e-4), (3.0, 0.1)]).len(), 1);
@@ -234,7 +234,7 @@ fn of_a_contact_that_the_grid_hardly_sees_the_peak_is_not_doubted_besides() {
     // On a domain twenty times as large few elements are in contact.
     let large = Domain::Side(20.0);
     assert_eq!(codes(20.0, large, &step), ["domain-much-larger"]);
-    // A steep edge between few elements is none where the contact is estimated to be much smaller.
+    // A steep edge on few elements gives no warning if the estimated contact is much smaller.
     let radius = std::mem::replace(&mut step.summary.contact_radius, 0.7);
     let found = codes(20.0, large, &step);
     assert_eq!(found, ["domain-much-larger"]);
@@ -270,7 +270,7 @@ fn elements_are_too_large_where_none_has_its_middle_under_the_indenter() {
     };
     let loads = [Load::Force(1e-3)];
     assert!(check_elements(&pin, 1.6, 32, &loads).is_ok());
-    // Of sixteen the middles nearest to the axis are at (0.05, 0.05).
+    // With sixteen elements the centres nearest to the axis are at (0.05, 0.05).
     let refused = check_elements(&pin, 1.6, 16, &loads);
     let Err(ContactError::ElementsTooLarge {
         side,

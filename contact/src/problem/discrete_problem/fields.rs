@@ -1,18 +1,18 @@
-//! Checks of a problem's fields, and whether the gap is that of a rough surface.
+//! Validation of a problem's fields, and detection of rough surfaces.
 
 use rayon::prelude::*;
 
 use crate::ContactError;
 
-/// Values looked at together: to ask after each whether another thread has found a wrong one took a ninth of a Hertz
-/// contact's time at N = 2048.
+/// Values checked together: checking after each value whether another thread has found a wrong one took a ninth of the
+/// time of a Hertz contact at N = 2048.
 pub const VALUES_AT_ONCE: usize = 4096;
 
-/// Part of the elements that are crests from which on a surface is rough.
+/// Fraction of elements that are crests above which a surface is rough.
 const CRESTS: f64 = 0.3;
 
-/// Whether the surface under an initial gap of `size` elements a row is rough: a smooth indenter's gap is convex but
-/// beside the outlines of a relief, and above a rough surface every other element is a crest.
+/// Whether an initial gap with `size` elements per row is that of a rough surface: the gap of a smooth indenter is
+/// convex except at the outlines of a relief, and above a rough surface every other element is a crest.
 pub fn is_rough(size: usize, g0: &[f64]) -> bool {
     let inner = |lines: usize| 1..lines.saturating_sub(1);
     let (rows, columns) = (inner(g0.len() / size), inner(size));
@@ -29,7 +29,7 @@ pub fn is_rough(size: usize, g0: &[f64]) -> bool {
     crests.iter().sum::<usize>() as f64 > CRESTS * elements as f64
 }
 
-/// Refuses a hardness (Pa) that is not positive and finite.
+/// Returns an error if a hardness (Pa) is not positive and finite.
 pub fn check_hardness(hardness: f64) -> Result<(), ContactError> {
     if hardness > 0.0 && hardness.is_finite() {
         Ok(())
@@ -38,7 +38,7 @@ pub fn check_hardness(hardness: f64) -> Result<(), ContactError> {
     }
 }
 
-/// Refuses a field that has not one value per element.
+/// Returns an error if a field does not have one value per element.
 pub fn check_length(field: &'static str, found: usize, wanted: usize) -> Result<(), ContactError> {
     if found == wanted {
         Ok(())
@@ -51,7 +51,7 @@ pub fn check_length(field: &'static str, found: usize, wanted: usize) -> Result<
     }
 }
 
-/// Refuses a field with a value that is not `legal`.
+/// Returns an error if a field has a value that is not `legal`.
 pub fn check_values(
     field: &'static str,
     values: &[f64],

@@ -1,14 +1,14 @@
-//! The hardness of a problem: its largest force, and the elements held at it.
+//! The hardness of a problem: the largest force, and the elements held at the hardness.
 
 use super::{DiscreteProblem, Identity, fields::check_hardness};
 use crate::{ContactError, Load, problem::held_pressure::HeldPressure};
 
 impl DiscreteProblem {
-    /// The same problem with the pressure cut at a hardness `p_max` (Pa): `0 ≤ p ≤ p_max`, and `g ≤ 0` allowed where
-    /// `p = p_max`.
+    /// The same problem with the pressure limited to a hardness `p_max` (Pa): `0 ≤ p ≤ p_max`, and `g ≤ 0` allowed
+    /// where `p = p_max`.
     ///
     /// # Errors
-    /// [`ContactError::Hardness`] unless it is positive and finite.
+    /// [`ContactError::Hardness`] unless the hardness is positive and finite.
     pub fn with_hardness(self, hardness: f64) -> Result<Self, ContactError> {
         check_hardness(hardness)?;
         Ok(Self {
@@ -18,7 +18,7 @@ impl DiscreteProblem {
         })
     }
 
-    /// The hardness `p_max`, in Pa; infinite where nothing limits the pressure.
+    /// The hardness `p_max`, in Pa; infinite without a limit.
     #[must_use]
     pub fn hardness(&self) -> f64 {
         self.hardness
@@ -29,7 +29,7 @@ impl DiscreteProblem {
         self.hardness.is_finite()
     }
 
-    /// Refuses a force that the elements which can touch do not carry.
+    /// Returns an error if a force exceeds what the elements that can touch can carry.
     pub(crate) fn check_capacity(&self, load: Load) -> Result<(), ContactError> {
         let Load::Force(force) = load else {
             return Ok(());
@@ -52,7 +52,7 @@ impl DiscreteProblem {
         }
     }
 
-    /// No elements held.
+    /// Held pressure of no elements.
     pub(crate) fn none_held(&self) -> HeldPressure {
         HeldPressure {
             mask: vec![false; self.elements()],
@@ -62,8 +62,8 @@ impl DiscreteProblem {
         }
     }
 
-    /// Finds what is left for the others of the elements now in the mask; returns the products that it took: one, where
-    /// there are any.
+    /// Computes the remaining problem of the other elements from the mask of held ones. Returns the products taken: one
+    /// if any element is held.
     pub(crate) fn press_held(&mut self, held: &mut HeldPressure) -> usize {
         let limit = self.hardness();
         held.total = limit * held.count() as f64;
@@ -82,7 +82,7 @@ impl DiscreteProblem {
         1
     }
 
-    /// Solves with some elements held at a pressure, as a part of the load.
+    /// Solves with some elements held, as part of the load.
     pub(crate) fn under<T>(
         &mut self,
         held: &mut HeldPressure,
@@ -94,7 +94,7 @@ impl DiscreteProblem {
         found
     }
 
-    /// `Σ p` (Pa) of the elements that are held at the limit.
+    /// `Σ p` (Pa) of the elements held at the limit.
     pub(crate) fn held_total(&self) -> f64 {
         self.held.as_ref().map_or(0.0, |held| held.total)
     }

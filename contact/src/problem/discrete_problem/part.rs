@@ -1,4 +1,4 @@
-//! The part of a grid that a problem's elements are: a sector, a window, or the candidates in one.
+//! Problems on part of a grid: a sector, a window, or the candidates in one.
 
 use std::sync::Arc;
 
@@ -12,8 +12,8 @@ use crate::{
 };
 
 impl DiscreteProblem {
-    /// The same problem on a window of the grid, with an operator of the window's own size; none where the elasticity
-    /// is not known, or of a part of a periodic cell.
+    /// The same problem on a window of the grid, with an operator of the window's size; none if the elasticity is
+    /// unknown, or for part of a periodic cell.
     ///
     /// The pressure outside is zero.
     pub(crate) fn window(&self, window: &Window) -> Option<Self> {
@@ -25,15 +25,15 @@ impl DiscreteProblem {
         Some(self.part(window, source, None, |field| window.cut(field)))
     }
 
-    /// The same problem on the candidates of a window alone, whose products are right to some 1e-9; all fields are
-    /// theirs. None where the elasticity is not known, or the window too small.
+    /// The same problem restricted to the candidates of a window, with products accurate to about 1e-9; all fields hold
+    /// the candidates' values. None if the elasticity is unknown or the window too small.
     pub(crate) fn among(&self, window: &Window, candidates: &Arc<Candidates>) -> Option<Self> {
         let elasticity = self.elasticity()?;
         let operator = elasticity.among(window.size(), candidates.elements())?;
         self.among_by(operator, window, candidates)
     }
 
-    /// The same by an operator among these candidates.
+    /// The same with a given operator among these candidates.
     pub(crate) fn among_by(
         &self,
         operator: ScatteredOperator,
@@ -51,7 +51,8 @@ impl DiscreteProblem {
         Some(self.part(window, source, Some(candidates.clone()), gather))
     }
 
-    /// The same problem on a window or the candidates in it, with their operators and their values of a field.
+    /// The same problem on a window or the candidates in it, with their operator and a function that extracts their
+    /// values.
     fn part(
         &self,
         window: &Window,
@@ -76,29 +77,28 @@ impl DiscreteProblem {
         }
     }
 
-    /// The operator among candidates, where there is one; then the problem has none.
+    /// Takes the operator among candidates out of the problem, if there is one.
     pub(crate) fn take_scattered(&mut self) -> Option<ScatteredOperator> {
         self.operators.take_scattered()
     }
 
-    /// Gives it back.
+    /// Puts the operator among candidates back.
     pub(crate) fn give_scattered(&mut self, operator: ScatteredOperator) {
         self.operators.give_scattered(operator);
     }
 
-    /// The elements that the fields are of; none where they are of all.
+    /// The candidates of the fields; none if the fields cover all elements.
     pub(crate) fn candidates(&self) -> Option<&Arc<Candidates>> {
         self.candidates.as_ref()
     }
 
-    /// The problem's elements as a grid, of which candidates are some.
+    /// The problem's grid, of which candidates are a subset.
     pub(crate) fn grid(&self) -> SectorGrid {
         self.grid
     }
 
-    /// The elements no further than `reach` rows and columns from one, and `K` (m/Pa) between them and it, mirror
-    /// images included; none where the elasticity is not known. In a periodic cell `K` is that of their nearest images
-    /// alone.
+    /// The elements within `reach` rows and columns of `element`, with `K` (m/Pa) between them and it, mirror images
+    /// included; none if the elasticity is unknown. In a periodic cell `K` includes only the nearest images.
     pub(crate) fn coefficients_near(&self, element: usize, reach: usize) -> Vec<(usize, f64)> {
         let Some(elasticity) = self.elasticity() else {
             return Vec::new();
@@ -134,7 +134,7 @@ impl DiscreteProblem {
         Window::all_of(self.grid)
     }
 
-    /// Elements per side of the whole grid that this one is a part of, or its own.
+    /// Elements per side of the whole grid of which this one is all or a part.
     pub(crate) fn grid_size(&self) -> usize {
         self.grid_size
     }

@@ -1,4 +1,4 @@
-//! Fields and areas that a discrete problem refuses.
+//! Fields and areas that a discrete problem rejects.
 
 use std::sync::Arc;
 
@@ -40,7 +40,7 @@ fn a_problem_says_what_it_was_made_of() {
     assert_eq!(problem.initial_gap(), gap);
     assert_eq!(problem.element_area().to_bits(), 0.25_f64.to_bits());
     assert!(problem.elasticity().is_none() && !problem.is_window());
-    // (K + η) p, powers of two
+    // (K + η) p, with powers of two.
     let mut deformation = [0.0; 4];
     problem.deform_into(&[1.0, 2.0, 4.0, 0.5], &mut deformation);
     assert_eq!(deformation, [2.5, 4.0, 12.0, 2.5]);
@@ -133,11 +133,11 @@ fn on_half_space(is_cell: bool, gap: &[f64]) -> DiscreteProblem {
 #[test]
 fn gaps_of_a_cell_are_small_beside_what_its_mean_pressure_presses_it_in_by() {
     let [free, cell] = [false, true].map(|is_cell| on_half_space(is_cell, &[0.0; 16]));
-    // C = 2/(E* k) at k = 2π, of a cell of side 1
+    // C = 2/(E* k) at k = 2π, for a cell of side 1.
     let response = 1.0 / std::f64::consts::PI;
     assert!((cell.cell_response() / response - 1.0).abs() < 1e-9);
     assert_eq!(free.cell_response(), 0.0);
-    // Of a total of 32, 2 on each of 16 elements.
+    // A total of 32 is 2 on each of 16 elements.
     let length = cell.reference_length(-0.1, 32.0);
     assert!((length / (2.0 * response) - 1.0).abs() < 1e-9, "{length}");
     assert_eq!(cell.reference_length(-7.0, 32.0), 7.0);
@@ -165,7 +165,7 @@ fn among_candidates_the_fields_are_those_of_their_elements_on_the_grid() {
     let eta: Vec<f64> = (0..size * size).map(|e| e as f64).collect();
     let gap: Vec<f64> = eta.iter().map(|e| 1.0 + 3.0 * e).collect();
     let problem = DiscreteProblem::elastic(elasticity, size, eta, gap, 1.0).unwrap();
-    // Rows 20 and 70 of a window away from the corner, one element and those around it each.
+    // One element and its neighbours in each of rows 20 and 70 of a window away from the corner.
     let window = problem
         .everywhere()
         .around(|[i, j]| (20..240).contains(&i) && (30..250).contains(&j));
@@ -203,13 +203,13 @@ fn on_coating(stiffness: f64, thickness: f64) -> DiscreteProblem {
 #[test]
 fn the_contrast_of_a_body_is_by_how_much_it_yields_more_to_long_waves() {
     assert!((on_coating(1.0, 0.1).stiffness_contrast() - 1.0).abs() < 1e-9);
-    // The shortest wave, of two elements, feels the coating alone; one of 64, hardly anything of a thin one.
+    // The shortest wave, of two elements, stays in the coating; one of 64 is hardly affected by a thin coating.
     let (stiff, soft) = (on_coating(20.0, 0.05), on_coating(0.05, 0.05));
     let contrast = stiff.stiffness_contrast();
     assert!(contrast > 2.0 && contrast < 20.0, "{contrast}");
     let contrast = soft.stiffness_contrast();
     assert!(contrast > 0.05 && contrast < 0.5, "{contrast}");
-    // The longer the wave beside the coating, the more of the base.
+    // The longer the wave relative to the coating, the greater the effect of the base.
     assert!(on_coating(20.0, 0.03).stiffness_contrast() > stiff.stiffness_contrast());
 }
 

@@ -10,11 +10,11 @@ use faer::{
 
 use crate::{ContactError, DiscreteProblem, Iterate, Load};
 
-/// A pressure or gap counts as infeasible beyond this part of its scale: the rounding of a dense solve whose
-/// condition is at most some 10⁴.
+/// A pressure or gap counts as infeasible beyond this fraction of its scale: the rounding of a dense solve with a
+/// condition number of at most about 10⁴.
 const ROUNDING: f64 = 1e-12;
 
-/// The whole problem with its coefficients at hand.
+/// The whole problem with all its coefficients.
 pub struct DenseSystem {
     size: usize,
     load: Load,
@@ -25,13 +25,13 @@ pub struct DenseSystem {
     initial_gap: Vec<f64>,
 }
 
-/// The solution of the linear system on one set, and where it breaks the inequalities.
+/// The solution of the linear system on one set, and the elements that violate the inequalities.
 pub struct SetSolution {
-    /// Pressure; negative where the set should not hold. N² values.
+    /// Pressure; negative on elements that do not belong in the set. N² values.
     pub pressure: Vec<f64>,
     /// Gap; N² values.
     pub gap: Vec<f64>,
-    /// Members that pull and others that overlap.
+    /// Members that pull and other elements that overlap.
     pub infeasible: Vec<usize>,
     /// Contact stiffness `dQ/dD = 4a² Σ a` of the set, in N/m.
     pub stiffness: f64,
@@ -40,8 +40,8 @@ pub struct SetSolution {
 }
 
 impl DenseSystem {
-    /// Reads all coefficients off one product: `K` is translation invariant, so a unit pressure on the first
-    /// element shows the coefficient of every offset.
+    /// Obtains all coefficients from one product: `K` is translation invariant, so a unit pressure on the first element
+    /// gives the coefficient of every offset.
     pub fn new(problem: &mut DiscreteProblem, load: Load) -> Self {
         let mut unit = vec![0.0; problem.elements()];
         unit[0] = 1.0;
@@ -62,7 +62,7 @@ impl DenseSystem {
         self.size
     }
 
-    /// Takes the springs' compliance and initial gap of another linear problem.
+    /// Replaces the springs' compliance and the initial gap.
     pub fn take_springs(&mut self, compliance: &[f64], initial_gap: Vec<f64>) {
         self.relief_compliance.copy_from_slice(compliance);
         self.initial_gap = initial_gap;
@@ -80,7 +80,7 @@ impl DenseSystem {
         &self.initial_gap
     }
 
-    /// `Σ p` that the load prescribes, if it does.
+    /// The prescribed `Σ p`, if the load is a force.
     pub fn total(&self) -> Option<f64> {
         match self.load {
             Load::Force(force) => Some(force / self.loaded_area),
@@ -136,7 +136,7 @@ impl DenseSystem {
         Ok(trial)
     }
 
-    /// Gap everywhere and infeasible elements of a solution on `members`.
+    /// Computes the gap everywhere and the infeasible elements of a solution on `members`.
     fn trial(&self, members: &[usize], pressure: Vec<f64>, penetration: f64) -> SetSolution {
         let displacement = |e: usize| {
             members
@@ -171,7 +171,8 @@ impl DenseSystem {
 }
 
 impl SetSolution {
-    /// Largest overlap over the penetration; pulling elements count with their share of the largest pressure.
+    /// Largest overlap relative to the penetration, or largest tension relative to the largest pressure if that is
+    /// greater.
     pub fn residual(&self) -> f64 {
         let overlap = self.gap.iter().fold(0.0_f64, |o, g| o.max(-g)) / self.penetration.abs();
         let largest = self.pressure.iter().fold(0.0_f64, |l, p| l.max(p.abs()));
@@ -182,7 +183,7 @@ impl SetSolution {
             .fold(0.0, f64::max)
     }
 
-    /// The iterate that ends here, with rounding's negative traces cut off; the coefficients took one product.
+    /// Converts to an iterate, with negative rounding residues set to 0; the coefficients took one product.
     pub fn into_iterate(self, residuals: Vec<f64>) -> Iterate {
         Iterate {
             iterations: residuals.len(),

@@ -1,12 +1,12 @@
-//! The choice of the elements to hold in contact next.
+//! The choice of the next working set.
 
 use super::dense_system::{DenseSystem, SetSolution};
 use crate::Load;
 
-/// Full exchanges that may pass without a new lowest number of infeasible elements before the method descends.
+/// Full exchanges allowed without a new smallest number of infeasible elements before the method descends.
 const GRACE: usize = 6;
 
-/// The working set and the memory that keeps it from cycling.
+/// The working set and the state that prevents cycling.
 pub struct SetExchange {
     members: Vec<usize>,
     fewest_infeasible: usize,
@@ -16,7 +16,7 @@ pub struct SetExchange {
 }
 
 impl SetExchange {
-    /// Starts from the elements with pressure; from a cold start, as the paper does, from all that can touch.
+    /// Starts from the elements with pressure, or from all that can touch if there are none, as the paper does.
     pub fn start(system: &DenseSystem, start: &[f64]) -> Self {
         let can_touch = |e: &usize| match system.load() {
             Load::Force(_) => system.initial_gap()[*e].is_finite(),
@@ -43,7 +43,7 @@ impl SetExchange {
         &self.members
     }
 
-    /// Chooses the next working set from the solution on the present one.
+    /// Chooses the next working set from the solution on the current one.
     pub fn advance(&mut self, system: &DenseSystem, trial: &SetSolution) {
         if trial.infeasible.len() < self.fewest_infeasible {
             (self.fewest_infeasible, self.grace) = (trial.infeasible.len(), GRACE);
@@ -57,7 +57,7 @@ impl SetExchange {
         }
     }
 
-    /// Drops all that pull and takes in all that overlap.
+    /// Drops all elements that pull and adds all that overlap.
     fn exchange_all(&mut self, system: &DenseSystem, trial: &SetSolution) {
         let mut holds = vec![false; system.elements()];
         self.members.iter().for_each(|m| holds[*m] = true);
@@ -66,7 +66,7 @@ impl SetExchange {
         self.keep_one(system);
     }
 
-    /// A prescribed force needs at least one element to act on: the lowest.
+    /// Adds the element with the smallest gap to an empty set under a prescribed force, which needs at least one.
     fn keep_one(&mut self, system: &DenseSystem) {
         if self.members.is_empty() && system.total().is_some() {
             let gap = system.initial_gap();
@@ -75,7 +75,7 @@ impl SetExchange {
         }
     }
 
-    /// One step of the descending phase, which starts from the trial's own pressure made admissible.
+    /// Takes one step of the descending phase, which starts from the trial's pressure made admissible.
     fn descend(&mut self, system: &DenseSystem, trial: &SetSolution) {
         let Some(mut pressure) = self.descent.take() else {
             let pressure = admissible(system, &trial.pressure);
@@ -84,7 +84,7 @@ impl SetExchange {
             self.descent = Some(pressure);
             return;
         };
-        // The longest step towards the trial on which nothing pulls, t = min p/(p − p_trial), and who stops it.
+        // The longest step towards the trial without tension, t = min p/(p − p_trial), and the element that limits it.
         let stops = |m: usize| (pressure[m] / (pressure[m] - trial.pressure[m]), m);
         let pulling = self
             .members
@@ -112,7 +112,7 @@ impl SetExchange {
     }
 }
 
-/// `p ≥ 0` with the prescribed total.
+/// Clips a pressure to `p ≥ 0` and scales it to the prescribed total.
 fn admissible(system: &DenseSystem, pressure: &[f64]) -> Vec<f64> {
     let mut pressure: Vec<f64> = pressure.iter().map(|p| p.max(0.0)).collect();
     if let Some(total) = system.total() {
@@ -130,7 +130,7 @@ mod tests {
         solver::tests::{RIGID, paraboloid, pillars, problem},
     };
 
-    /// The pressure at the end, and the exchanges it took.
+    /// The final pressure, and the number of exchanges.
     fn run(system: &DenseSystem, start: &[f64], next: Next) -> (Vec<f64>, usize) {
         let mut exchange = SetExchange::start(system, start);
         for exchanges in 0.. {
@@ -175,7 +175,7 @@ mod tests {
             };
             set.residual()
         };
-        // Powers of two over 4, and a part of the penetration.
+        // Powers of two over 4, and a fraction of the penetration.
         assert_eq!(residual(-0.0, -1.0), 0.25);
         assert!((residual(-0.03, -1.0) - 0.3).abs() < 1e-15);
         assert_eq!(residual(0.0, 0.0), 0.0);
@@ -193,7 +193,7 @@ mod tests {
             assert!(exchanges < steps, "{exchanges} {steps}");
             let peak = wanted.iter().copied().fold(0.0, f64::max);
             for (found, wanted) in found.iter().zip(&wanted) {
-                // two dense solutions of the same system
+                // Two dense solutions of the same system.
                 assert!((found - wanted).abs() < 1e-9 * peak);
             }
         }
@@ -209,7 +209,7 @@ mod tests {
         let members: Vec<usize> = (0..1024).filter(|e| pressure[*e] > 0.0).collect();
         let all: Vec<usize> = (0..1024).collect();
         let residual = |members: &[usize]| by_force.solve_on(members).unwrap().residual();
-        // Rounding of a dense solution; elements that pull.
+        // Rounding of a dense solution, then elements that pull.
         assert!(residual(&members) < 1e-10 && residual(&all) > 1e-3);
         assert!(residual(&members[10..]) > 1e-4, "an overlap");
         let mut at = |penetration: f64| {

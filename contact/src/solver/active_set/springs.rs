@@ -1,4 +1,4 @@
-//! Springs of a law that is not linear on the dense system: Newton's method around the active set.
+//! Nonlinear springs on the dense system: Newton's method around the active set.
 
 use super::dense_system::{DenseSystem, SetSolution};
 use crate::{
@@ -6,12 +6,12 @@ use crate::{
     problem::{scale::Scale, tangents::Tangents},
 };
 
-/// Largest deviation of the law from its tangents at a solution, as a part of the penetration: rounding.
+/// Largest deviation of the law from its tangents at a solution, as a fraction of the penetration: rounding.
 const ROUNDING: f64 = 1e-14;
-/// Times that springs are straightened; more than any problem has been seen to take by far.
+/// Most linearisations; far more than any problem has been seen to take.
 const MOST_TIMES: usize = 200;
 
-/// Springs, the pressure where they are straightened, and the known fields there.
+/// The springs, the pressure at which they are linearised, and the fields known there.
 pub struct DenseSprings {
     tangents: Tangents,
     /// Compliance at rest.
@@ -19,13 +19,13 @@ pub struct DenseSprings {
     /// The problem's own `g0`.
     initial_gap: Vec<f64>,
     pressure: Vec<f64>,
-    /// `K p + w* + g0` there; none at first, when no pressure of the load is known.
+    /// `K p + w* + g0` there; none before the first solution of the load.
     v: Option<Vec<f64>>,
     times: usize,
 }
 
 impl DenseSprings {
-    /// Springs at rest; none where they are linear.
+    /// Springs at rest; none if they are linear.
     pub fn of(problem: &DiscreteProblem) -> Option<Self> {
         let rest = problem.relief_compliance();
         Some(Self {
@@ -38,13 +38,13 @@ impl DenseSprings {
         })
     }
 
-    /// The pressure where they are straightened, in Pa.
+    /// The pressure at which the springs are linearised, in Pa.
     pub fn pressure(&self) -> &[f64] {
         &self.pressure
     }
 
-    /// Straightens them at the solution of the system that was made with them, or where the energy is least on the way
-    /// to it, and makes the next system; false where the law has nothing more to say.
+    /// Linearises the springs at the solution of the current system, or at the minimum of the energy on the segment to
+    /// it, and sets up the next system. Returns false if the law agrees with its tangents.
     pub fn straighten(&mut self, system: &mut DenseSystem, solution: &SetSolution) -> bool {
         let mut pressure: Vec<f64> = solution.pressure.iter().map(|p| p.max(0.0)).collect();
         let of_gap = |gap: &f64| gap + solution.penetration;
@@ -75,7 +75,7 @@ impl DenseSprings {
         true
     }
 
-    /// The part of the way to a pressure to go, by the energy.
+    /// The fraction of the step to a pressure at which the energy is least.
     fn part(&self, load: Load, pressure: &[f64], v: &[f64]) -> f64 {
         let Some(before) = &self.v else {
             return 1.0;
@@ -107,7 +107,7 @@ mod tests {
         solver::tests::{SIZE, paraboloid, pillars, problem},
     };
 
-    /// Elements that do not give way.
+    /// A rigid body.
     struct Rigid;
 
     impl ElasticOperator for Rigid {
@@ -147,9 +147,9 @@ mod tests {
                 let tangents = wanted.iter().filter(|p| **p > 0.0);
                 let stiffness = tangents.map(|p| area * young / height * (p / young).exp());
                 let ratio = found.contact_stiffness.unwrap() / stiffness.sum::<f64>();
-                // The last tangents are those at the pressure before.
+                // The last tangents are those at the previous pressure.
                 assert!((ratio - 1.0).abs() < 1e-8, "{ratio}");
-                // Newton's steps, not bisections.
+                // As few as Newton's method takes; bisection would need more.
                 assert!(found.iterations < 40, "{}", found.iterations);
             }
         }
@@ -192,10 +192,10 @@ mod tests {
                 );
                 let peak = dense.pressure.iter().copied().fold(0.0, f64::max);
                 for (one, other) in dense.pressure.iter().zip(&gradient.pressure) {
-                    // The certificate's 1e-8 times the condition of the systems.
+                    // The certificate's 1e-8 times the condition number of the systems.
                     assert!((one - other).abs() < 1e-5 * peak);
                 }
-                // As measured, with a tenth to spare.
+                // As measured, with a margin of a tenth.
                 let work = [dense.iterations, gradient.operator_applications];
                 assert!(work[0] <= 40 && work[1] <= 40, "{work:?}");
             }
@@ -204,7 +204,7 @@ mod tests {
 
     #[test]
     fn a_way_uphill_is_gone_to_where_the_springs_balance() {
-        // Solved at a pressure of 3. From 6, where the tangents say that springs hardly give way, they lead to 0.3.
+        // The solution is a pressure of 3. From 6, where the tangents are very stiff, they lead to 0.3.
         let law = SpringLaw::logarithmic(1.0).unwrap();
         let at = |p: f64| vec![p; 64];
         let mut problem = DiscreteProblem::new(Box::new(Rigid), at(1.0), at(0.0), 1.0)
@@ -226,7 +226,7 @@ mod tests {
         };
         assert!(springs.straighten(&mut system, &solution));
         let found = springs.pressure()[0];
-        // To a thousandth of the way.
+        // To a thousandth of the step.
         assert!((found - 3.0).abs() < 6e-3, "{found}");
         assert!(springs.pressure().iter().all(|p| (p - found).abs() < 1e-13));
         let v = springs.v.as_ref().unwrap();
@@ -234,7 +234,7 @@ mod tests {
             v.iter()
                 .all(|v| (v - law.shortening(1.0, found)).abs() < 1e-13)
         );
-        // The next system is that of the tangents there, whose solution lies a second order from that of the law.
+        // The next system is that of the tangents there; its solution differs from that of the law to second order.
         let members: Vec<usize> = (0..64).collect();
         let next = system.solve_on(&members).unwrap();
         let error = (found - 3.0).powi(2);
@@ -243,7 +243,7 @@ mod tests {
                 .iter()
                 .all(|p| (p - 3.0).abs() <= error + 1e-12)
         );
-        // A way downhill is gone to its end.
+        // A step that is downhill throughout is taken whole.
         let mut springs = DenseSprings::of(&problem).unwrap();
         let end = SetSolution {
             pressure: at(2.0),
@@ -252,7 +252,7 @@ mod tests {
         };
         assert!(springs.straighten(&mut system, &end));
         assert_eq!(springs.pressure(), at(2.0));
-        // The law has nothing more to say where nothing moves.
+        // Where the pressure stays the same, the law agrees with its tangents.
         let settled = SetSolution {
             gap: at(law.shortening(1.0, 2.0) - depth),
             ..end

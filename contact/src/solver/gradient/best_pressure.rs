@@ -1,9 +1,9 @@
-//! The best admissible pressure met so far, which a solver that has to give up returns.
+//! The best admissible pressure found so far, which is returned if the solver gives up.
 
 use crate::solver::gradient::state::State;
 use crate::vector::update;
 
-/// A residual is worth a copy of the pressure if it is smaller by this factor.
+/// The pressure is copied if its residual is smaller than the best by this factor.
 const WORTH_A_COPY: f64 = 0.5;
 
 /// A pressure and its residual.
@@ -25,7 +25,7 @@ impl BestPressure {
         self.residual = f64::INFINITY;
     }
 
-    /// Keeps the state's pressure if its residual is much the smallest so far.
+    /// Keeps the state's pressure if its residual is clearly the smallest so far.
     pub fn offer(&mut self, state: &State, residual: f64) {
         if residual < WORTH_A_COPY * self.residual {
             self.residual = residual;
@@ -34,7 +34,7 @@ impl BestPressure {
         }
     }
 
-    /// The pressure kept, or the state's where it is admissible and its residual no larger, or nothing was kept.
+    /// The kept pressure; or the state's, if none is kept or if it is admissible and its residual no larger.
     pub fn or<'a>(&'a self, state: &'a State, residual: f64) -> &'a [f64] {
         let is_admissible = state.pressure.iter().all(|p| *p >= 0.0);
         let nothing_is_kept = self.residual == f64::INFINITY;

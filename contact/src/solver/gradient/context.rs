@@ -16,7 +16,7 @@ pub struct Context<'a> {
     pub state: &'a mut State,
     pub set: &'a mut WorkingSet,
     pub preconditioner: &'a mut Preconditioner,
-    /// The step that is being taken, of whatever kind.
+    /// The current step, of any kind.
     pub segment: &'a mut Segment,
 }
 
@@ -27,7 +27,7 @@ impl Context<'_> {
             .direction_into(self.problem, self.state, self.set, z)
     }
 
-    /// Takes the [segment](Segment::take), unless the energy would rise above `ceiling`: one product.
+    /// Takes the [segment](Segment::take), or cuts it if the energy would rise above `ceiling`: one product.
     pub fn take_segment(&mut self, ceiling: f64) -> Part {
         self.segment.take(self.problem, self.state, ceiling)
     }

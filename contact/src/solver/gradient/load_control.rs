@@ -1,4 +1,4 @@
-//! The two ways of loading: a given total of the pressure, or a given penetration.
+//! The two kinds of load control: a prescribed total of the pressure, or a prescribed penetration.
 
 use crate::vector::{by_parts, dot, each, sum};
 use crate::{DiscreteProblem, Load};
@@ -13,7 +13,7 @@ pub enum LoadControl {
 }
 
 impl LoadControl {
-    /// The control that a load means on a problem.
+    /// The load control for a load on a problem.
     pub fn of(problem: &DiscreteProblem, load: Load) -> Self {
         let scale = problem.scale();
         match load {
@@ -30,7 +30,7 @@ impl LoadControl {
         }
     }
 
-    /// Brings a pressure ≥ 0 to the prescribed total by a factor.
+    /// Scales a pressure ≥ 0 to the prescribed total.
     pub fn rescale(self, pressure: &mut [f64]) {
         if let Self::Total(total) = self {
             let factor = total / sum(pressure);
@@ -53,7 +53,7 @@ impl LoadControl {
         }
     }
 
-    /// The slope `s·∂E` of the energy along a step that keeps to the control.
+    /// The slope `s·∂E` of the energy along a step that satisfies the load control.
     pub fn slope(self, step: &[f64], v: &[f64]) -> f64 {
         match self {
             Self::Total(_) => dot(step, v),

@@ -1,4 +1,4 @@
-//! One solution on its way: the fields it works on, and the steps of each phase.
+//! A solution in progress: its fields, and the steps of each phase.
 
 use crate::{
     ContactError, DiscreteProblem, Load,
@@ -34,7 +34,7 @@ pub struct Workspace {
     preconditioner: Preconditioner,
     segment: Segment,
     methods: Methods,
-    /// None where they are linear.
+    /// None for linear springs.
     springs: Option<Springs>,
 }
 
@@ -76,7 +76,7 @@ impl Workspace {
         (context, &mut self.methods)
     }
 
-    /// Forgets the steps so far.
+    /// Discards the memory of all steps so far.
     fn restart(&mut self) {
         self.preconditioner.restart();
         self.methods.spectral.restart();
@@ -87,29 +87,29 @@ impl Workspace {
     }
 }
 
-/// The result of a look at the present pressure.
+/// The assessment of the current pressure.
 #[derive(Debug, Clone, Copy)]
 pub struct Judgement {
     /// The largest line of the certificate.
     pub residual: f64,
-    /// The same for the linear problem, which differs where springs that are not linear have been straightened.
+    /// The same for the linear problem; it differs if nonlinear springs have been linearised.
     pub linear: f64,
     /// Whether no element pulls.
     pub is_admissible: bool,
 }
 
-/// Everything that one solution carries from step to step.
+/// The state that a solution carries from step to step.
 pub struct OngoingSolution<'a> {
     problem: &'a mut DiscreteProblem,
     workspace: Box<Workspace>,
     course: Course,
-    /// The residual of the present pressure.
+    /// The residual of the current pressure.
     residual: f64,
     begins_with_newton: bool,
 }
 
 impl<'a> OngoingSolution<'a> {
-    /// Begins a load, of which nothing depends on the one before, from a pressure (Pa): one product.
+    /// Begins a load from a pressure (Pa), independently of the previous load: one product.
     pub fn begin(
         problem: &'a mut DiscreteProblem,
         mut workspace: Box<Workspace>,
@@ -126,11 +126,11 @@ impl<'a> OngoingSolution<'a> {
             workspace.preconditioner.follow_springs(problem);
         }
         workspace.set.start(&workspace.state);
-        // A start of nothing presses everywhere, from where the fast steps find the set sooner.
+        // A zero start presses everywhere; from there the fast steps find the contact sooner.
         let knows_contact = start.iter().any(|p| *p > 0.0);
         let begins_with_newton = knows_contact && workspace.preconditioner.is_for_newton();
         if begins_with_newton {
-            // Overlaps beside the start are as uncertain as its pressures.
+            // Overlaps outside the start's contact are as uncertain as its pressures.
             workspace.set.keep_pressing(&workspace.state);
         }
         Self {
@@ -142,8 +142,7 @@ impl<'a> OngoingSolution<'a> {
         }
     }
 
-    /// The largest line of the certificate by the running residual; an admissible pressure is kept if it is the best so
-    /// far.
+    /// Assesses the current pressure by the running residual, and keeps it if it is admissible and the best so far.
     pub fn judge(&mut self) -> Judgement {
         let Workspace {
             state,
@@ -167,8 +166,8 @@ impl<'a> OngoingSolution<'a> {
         }
     }
 
-    /// Straightens springs that are not linear anew, where their law has more to say than the linear problem; whether
-    /// it did. No product.
+    /// Linearises nonlinear springs again if the residual by their law clearly exceeds that of the linear problem.
+    /// Returns whether it did. No product.
     pub fn straighten(&mut self, judgement: &Judgement, phase: Phase) -> bool {
         let Workspace { state, springs, .. } = &mut *self.workspace;
         let Some(springs) = springs else {
@@ -193,7 +192,7 @@ impl<'a> OngoingSolution<'a> {
         true
     }
 
-    /// Forgets all that was known of springs straightened otherwise.
+    /// Discards everything that depends on the previous linearisation of the springs.
     fn begin_on_tangents(&mut self) {
         self.course = Course::Left(Part::Whole);
         self.workspace.restart();
@@ -201,7 +200,7 @@ impl<'a> OngoingSolution<'a> {
         preconditioner.follow_springs(self.problem);
     }
 
-    /// Tells who watches; an error if they cancel.
+    /// Reports progress to the observer; an error if the observer cancels.
     pub fn tell(
         &mut self,
         watch: &mut Watch<'_>,
@@ -214,7 +213,7 @@ impl<'a> OngoingSolution<'a> {
         watch.tell(self.problem.grid_size(), iteration, residual, working_set)
     }
 
-    /// Whether the contact reaches the border of a window of a larger grid.
+    /// Whether the contact reaches the border of a window.
     pub fn reaches_border(&self) -> bool {
         let set = &self.workspace.set;
         self.problem.is_window() && set.touches_border(&self.problem.everywhere())
@@ -225,17 +224,17 @@ impl<'a> OngoingSolution<'a> {
         self.workspace.state.applications()
     }
 
-    /// Whether anything is known of the operator.
+    /// Whether the preconditioner knows the operator.
     pub fn knows_operator(&self) -> bool {
         self.workspace.preconditioner.knows_operator()
     }
 
-    /// Whether a load is to begin with Newton's method.
+    /// Whether the load begins with Newton's method.
     pub fn begins_with_newton(&self) -> bool {
         self.begins_with_newton
     }
 
-    /// A conjugate step on a set that stands still, else a spectral one.
+    /// Takes a conjugate step if the set has not changed, else a spectral one.
     pub fn fast_step(&mut self) -> Part {
         let (mut context, methods) = self.workspace.on(self.problem);
         let Methods {
@@ -259,7 +258,7 @@ impl<'a> OngoingSolution<'a> {
         part
     }
 
-    /// A step of the linear system on the set, or an exchange.
+    /// Takes a step of the linear system on the set, or exchanges elements.
     pub fn newton_step(&mut self, tolerance: f64) -> Turn {
         let (mut context, methods) = self.workspace.on(self.problem);
         let elements = context.state.elements();
@@ -267,7 +266,7 @@ impl<'a> OngoingSolution<'a> {
         newton.step(&mut context, tolerance)
     }
 
-    /// A step of the linear system on the face, or to the next face.
+    /// Takes a step of the linear system on the face, or goes to the next face.
     pub fn face_step(&mut self) {
         let (mut context, methods) = self.workspace.on(self.problem);
         if let Some(faces) = &mut methods.faces {
@@ -275,7 +274,7 @@ impl<'a> OngoingSolution<'a> {
         }
     }
 
-    /// Prepares the phase that has just begun.
+    /// Prepares the new phase.
     pub fn begin_phase(&mut self, strategy: &mut Strategy) {
         let failures = match strategy.phase() {
             Phase::Fast | Phase::Newton(0) => 0,
@@ -293,7 +292,7 @@ impl<'a> OngoingSolution<'a> {
         }
     }
 
-    /// Back to the best admissible pressure, and steps without memory: one product.
+    /// Returns to the best admissible pressure and discards the memory of all steps: one product.
     pub fn begin_descent(&mut self) {
         self.course = Course::Left(Part::Whole);
         self.workspace.restart();
@@ -311,7 +310,7 @@ impl<'a> OngoingSolution<'a> {
         faces.begin(context.state);
     }
 
-    /// `dQ/dD` (N/m) on the elements that press, and the products that it takes; none where nothing presses.
+    /// `dQ/dD` (N/m) on the elements that press, and the products taken; none if no element presses.
     pub fn contact_stiffness(&mut self) -> (Option<f64>, usize) {
         let Workspace { state, springs, .. } = &mut *self.workspace;
         if let Some(springs) = springs {
@@ -329,8 +328,8 @@ impl<'a> OngoingSolution<'a> {
         (sum.map(|sum| sum * per_sum), applications)
     }
 
-    /// `dp/dD` (Pa/m) on the elements that press, 0 elsewhere; none where nothing presses or the system does not
-    /// converge, with the sparse factor neither.
+    /// `dp/dD` (Pa/m) on the elements that press, 0 elsewhere; none if no element presses or if the system does not
+    /// converge even with the sparse factor.
     pub fn pressure_per_penetration(&mut self) -> Option<Vec<f64>> {
         let unit = self.problem.scale().compliance;
         let (mut context, methods) = self.workspace.on(self.problem);
@@ -351,12 +350,12 @@ impl<'a> OngoingSolution<'a> {
         None
     }
 
-    /// The penetration by the running account, in m.
+    /// The running penetration, in m.
     pub fn penetration(&self) -> f64 {
         self.problem.scale().length * self.workspace.state.penetration
     }
 
-    /// The best pressure met, in Pa.
+    /// The best pressure found, in Pa.
     pub fn best_pressure(&self) -> Vec<f64> {
         let Workspace { state, best, .. } = &*self.workspace;
         let mut pressure = best.or(state, self.residual).to_vec();
@@ -365,8 +364,8 @@ impl<'a> OngoingSolution<'a> {
         pressure
     }
 
-    /// `K p` of the [best pressure](Self::best_pressure), in m, of a problem with a hardness, where it is known without
-    /// a product: `v − g0 − η p`, everywhere.
+    /// `K p` of the [best pressure](Self::best_pressure), in m, everywhere: `v − g0 − η p`. Only for a problem with a
+    /// hardness, and if it is known without a product.
     pub fn displacement(&self) -> Option<Vec<f64>> {
         let Workspace { state, best, .. } = &*self.workspace;
         let is_at_best = std::ptr::eq(best.or(state, self.residual), state.pressure.as_slice());
@@ -389,7 +388,7 @@ impl<'a> OngoingSolution<'a> {
         })
     }
 
-    /// The fields, for the next load on the same problem.
+    /// Returns the fields, for the next load on the same problem.
     pub fn into_workspace(self) -> Box<Workspace> {
         self.workspace
     }

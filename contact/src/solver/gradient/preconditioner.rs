@@ -1,15 +1,15 @@
 //! The preconditioner: an approximate inverse of the system on the working set.
 //!
-//! Two of them, chosen by these rules:
+//! There are two, chosen by these rules:
 //!
-//! - The [restricted filter](self::restricted_filter), by FFT, where the body answers short waves much as it does long
+//! - The [restricted filter](self::restricted_filter), by FFT, where the body responds to short waves much as to long
 //!   ones.
 //! - The [factorised sparse approximate inverse](self::sparse_factor) of the restricted system itself under a coating
 //!   so stiff that the contact breaks up into rings and edges ([`STIFF`]), or into the summits of a rough surface
-//!   ([`STIFF_IF_ROUGH`]). Its neighbours grow with the stiffness and the grid ([`neighbours`]).
-//! - Where a rough surface has springs that its shortest waves feel, the filter up to a stiffer coating
-//!   ([`STIFF_IF_SPRINGY`]): it knows uniform springs exactly, and the factor is worse with them than without.
-//! - The factor too where springs stiffen, by orders of magnitude from the edge of the contact to its middle: under the
+//!   ([`STIFF_IF_ROUGH`]). The number of neighbours grows with the stiffness and the grid ([`neighbours`]).
+//! - The filter, up to a stiffer coating, where a rough surface has springs that affect its shortest waves
+//!   ([`STIFF_IF_SPRINGY`]): it treats uniform springs exactly, and the factor is worse with them than without.
+//! - The factor also where springs stiffen, by orders of magnitude from the edge of the contact to its middle: for the
 //!   load of the paper's Fig. 5 the filter takes three times the products, in the same time.
 //! - The factor among the [candidates](crate::grid::candidates) of a dilute contact, where an FFT on the whole grid
 //!   would cost more than everything else.
@@ -33,56 +33,57 @@ use crate::{
     vector::{sum, update, update_with},
 };
 
-/// Stiffness contrast from which on a coating counts as stiff. Under a coating ten times as stiff as what it lies on,
-/// the filter takes as many products as the factor, in less time.
+/// Stiffness contrast above which a coating counts as stiff. Under a coating ten times as stiff as its base, the filter
+/// takes as many products as the factor, in less time.
 const STIFF: f64 = 20.0;
-/// The same above a rough surface, where the filter takes two to three times the factor's products from here on.
+/// The same for a rough surface, where the filter takes two to three times the factor's products above this contrast.
 const STIFF_IF_ROUGH: f64 = 3.0;
-/// The same with springs: under a coating of 5 the filter takes fewer products than the factor, in half the time.
+/// The same with springs: under a coating of contrast 5 the filter takes fewer products than the factor, in half the
+/// time.
 const STIFF_IF_SPRINGY: f64 = 7.0;
-/// Contrast from which on Newton's method comes first with the filter too, where there is a relief of springs; with the
-/// factor it always does. Pillars under a coating of 9 take a fifth fewer products than by the fast steps, a bare
-/// coating a fifth more. From 3 on, Fig. 2d would take 30 instead of 19 at N = 1024.
+/// Contrast above which Newton's method also comes first with the filter, for a relief of springs; with the factor it
+/// always does. Pillars under a coating of 9 take a fifth fewer products than with the fast steps, a bare coating a
+/// fifth more. With a threshold of 3, Fig. 2d would take 30 instead of 19 at N = 1024.
 const STIFF_FOR_NEWTON: f64 = 7.0;
-/// Mean compliance of springs, in units of an element's own elastic one, from which on they count.
+/// Mean compliance of springs above which they matter, in units of the elastic compliance of one element.
 const SPRINGY: f64 = 0.05;
-/// Stiffness contrast from which on the factor needs more neighbours to stay below 40 products at N = 512.
+/// Stiffness contrast above which the factor needs more neighbours to stay below 40 products at N = 512.
 const VERY_STIFF: f64 = 400.0;
-/// `k` times the symbol at the shortest wave along one side, in units of that at the longest, on a homogeneous body:
-/// `2/π` and its aliases.
+/// `k` times the symbol at the shortest wave along one side, relative to the longest, on a homogeneous body: `2/π` and
+/// its aliases.
 const SHORTEST_RESPONSE: f64 = 1.166;
-/// Neighbours of a tile in the sparse factor up to [`COARSE`] elements a side: with 30 an eighth more products in the
-/// same time, with 60 a tenth fewer in a third more.
+/// Neighbours of a tile in the sparse factor up to [`COARSE`] elements per side: 30 take an eighth more products in the
+/// same time, 60 a tenth fewer in a third more time.
 const NEIGHBOURS: u32 = 42;
 /// The same under a very stiff coating.
 const MORE_NEIGHBOURS: u32 = 60;
-/// Elements per side from which on neighbours grow with the grid: a factor of fixed neighbours loses accuracy with
-/// every halving of the element.
+/// Elements per side above which neighbours grow with the grid: a factor of fixed neighbours loses accuracy with every
+/// halving of the element.
 const COARSE: usize = 512;
-/// Power of the grid's size by which neighbours grow: growing in proportion, they take rough films up to 41 products at
-/// N = 1024 instead of 35, in a sixth less time.
+/// Exponent of the grid's size in the growth of neighbours: in proportion to the size, rough films take up to 41
+/// products at N = 1024 instead of 35, in a sixth less time.
 const GROWTH: f64 = 4.0 / 3.0;
-/// The same under a coating that is stiff on a rough surface alone, where proportion takes 31 products already.
+/// The same under a coating that counts as stiff only for a rough surface: in proportion it takes 31 products.
 const SLOW_GROWTH: f64 = 1.0;
 /// Most neighbours of a tile, beyond which time grows faster than products fall.
 const MOST_NEIGHBOURS: u32 = 108;
-/// Neighbours of a candidate in the factor among candidates: with 20 a third more products, with 40 a sixth fewer at
-/// twice the cost.
+/// Neighbours of a candidate in the factor among candidates: 20 take a third more products, 40 a sixth fewer at twice
+/// the cost.
 const NEIGHBOURS_OF_CANDIDATE: usize = 30;
-/// Sides below which no spectrum tells stiff from soft.
+/// Smallest side whose spectrum distinguishes stiff from soft.
 const SMALLEST_SPECTRUM: usize = 8;
 
-/// An approximate inverse and its answer to a uniform residual.
+/// An approximate inverse and its result for a uniform residual.
 pub struct Preconditioner {
     inverse: Inverse,
-    /// Factor from the units of the problem's scale to those of the inverse, whose answer is in the former again.
+    /// Factor from the units of the problem's scale to those of the inverse; results are in the units of the scale.
     unit: f64,
-    /// The inverse that every load begins with, if this one has turned to another.
+    /// The inverse with which every load begins, if it has been replaced.
     usual: Option<Inverse>,
     uniform: UniformAnswer,
-    /// The revision of the set that it is adapted to.
+    /// The revision of the set for which the inverse is prepared.
     adapted_to: Option<u64>,
-    /// Neighbours of a tile or candidate, should it be the sparse factor.
+    /// Neighbours of a tile or candidate in the sparse factor.
     neighbours: usize,
     /// Whether the coating is so stiff that Newton's method comes first.
     is_for_newton: bool,
@@ -91,7 +92,7 @@ pub struct Preconditioner {
 }
 
 enum Inverse {
-    /// The identity on the working set in the units of the problem's scale, where nothing is known of the operator.
+    /// The identity on the working set in the units of the problem's scale, if the operator is unknown.
     Identity,
     Filter(Box<RestrictedFilter>),
     Factor(Box<SparseFactor>),
@@ -99,12 +100,12 @@ enum Inverse {
     Scattered(Box<ScatteredFactor>),
 }
 
-/// `w = M⁻¹_I 1`, cut to the sets met since it was made: that spares an application of the inverse for each and costs
-/// no product, as long as few elements change.
+/// `w = M⁻¹_I 1`, restricted to each later set: this saves an application of the inverse per set and costs no product,
+/// as long as few elements change.
 struct UniformAnswer {
     values: Vec<f64>,
     total: f64,
-    /// The total on the set that it was made for.
+    /// The total on the set for which it was computed.
     exact_total: f64,
 }
 
@@ -150,19 +151,20 @@ impl Preconditioner {
         }
     }
 
-    /// Whether it serves Newton's method best from the start: the set is found in five to nine exchanges, where the
-    /// fast steps take as many products to each halving of the set.
+    /// Whether Newton's method should come first: it finds the set in five to nine exchanges, where the fast steps take
+    /// as many products for each halving of the set.
     pub fn is_for_newton(&self) -> bool {
         self.is_for_newton
     }
 
-    /// Whether anything is known of the operator.
+    /// Whether the preconditioner knows the operator.
     pub fn knows_operator(&self) -> bool {
         !matches!(self.inverse, Inverse::Identity)
     }
 
-    /// Prepares for Newton's method, which has failed so many times on this load: what a load begins with may fail
-    /// once, then comes the sparse factor, with ever more neighbours. False where nothing is known of the operator.
+    /// Prepares for Newton's method after `failures` failures on this load. A filter is replaced by the sparse factor
+    /// after its first failure; the factor gets more neighbours with each failure. Returns false if the operator is
+    /// unknown.
     pub fn prepare_for_newton(&mut self, problem: &DiscreteProblem, failures: usize) -> bool {
         match (self.usual.as_ref().unwrap_or(&self.inverse), failures) {
             (Inverse::Identity, _) => false,
@@ -174,8 +176,7 @@ impl Preconditioner {
         }
     }
 
-    /// Turns to the sparse factor, with so many times its usual neighbours; false where nothing is known of the
-    /// operator.
+    /// Switches to the sparse factor, with `times` its usual neighbours; returns false if the operator is unknown.
     pub fn turn_to_factor(&mut self, problem: &DiscreteProblem, times: usize) -> bool {
         match factor(problem, times * self.neighbours) {
             None => false,
@@ -191,7 +192,7 @@ impl Preconditioner {
         }
     }
 
-    /// Begins another load, of which nothing depends on the one before.
+    /// Begins a load, independently of the previous one.
     pub fn begin(&mut self) {
         if let Some(usual) = self.usual.take() {
             self.inverse = usual;
@@ -199,14 +200,14 @@ impl Preconditioner {
         self.restart();
     }
 
-    /// Forgets the sets met so far.
+    /// Discards everything that depends on earlier sets.
     pub fn restart(&mut self) {
         self.adapted_to = None;
         self.secants.clear();
         self.forget_uniform();
     }
 
-    /// Forgets the answer to a uniform residual: many elements change at once.
+    /// Discards the result for a uniform residual, because many elements change at once.
     pub fn forget_uniform(&mut self) {
         if self.uniform.exact_total != 0.0 {
             self.uniform.values.fill(0.0);
@@ -214,12 +215,12 @@ impl Preconditioner {
         }
     }
 
-    /// Notes a step on the set and its image under the system, of use once the set changes.
+    /// Records a step on the set and its image under the system, for use once the set changes.
     pub fn note(&mut self, set: &WorkingSet, step: &[f64], image: &[f64]) {
         self.secants.push(set, step, image);
     }
 
-    /// Adapts to springs that are straightened anew.
+    /// Adapts to a new linearisation of the springs.
     pub fn follow_springs(&mut self, problem: &DiscreteProblem) {
         for inverse in self.usual.iter_mut().chain([&mut self.inverse]) {
             match inverse {
@@ -271,8 +272,7 @@ impl Preconditioner {
         }
     }
 
-    /// `r ← M⁻¹_I r`, in place and in the units of the problem's scale; the values of `r` outside the set do not
-    /// matter.
+    /// `r ← M⁻¹_I r`, in place and in the units of the problem's scale; values of `r` outside the set are ignored.
     pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
         let (inverse, unit) = (&mut self.inverse, self.unit);
         self.secants.apply(set, residual, |residual| {
@@ -286,8 +286,8 @@ impl Preconditioner {
         });
     }
 
-    /// Writes into `z` the preconditioned residual `M⁻¹_I (λ − v)`, with `λ` such that `z` keeps the total: the
-    /// projection `z ← z − (Σz/Σw) w`. Returns `λ`, which is the penetration where there is no total to keep.
+    /// Writes into `z` the preconditioned residual `M⁻¹_I (λ − v)`, with `λ` such that `z` preserves the total: the
+    /// projection `z ← z − (Σz/Σw) w`. Returns `λ`, which is the penetration if there is no total to preserve.
     pub fn direction_into(
         &mut self,
         problem: &DiscreteProblem,
@@ -306,7 +306,7 @@ impl Preconditioner {
         state.penetration - shift
     }
 
-    /// `w = M⁻¹_I 1` as the last direction took it.
+    /// `w = M⁻¹_I 1` as used in the last direction.
     pub fn uniform(&self) -> &[f64] {
         &self.uniform.values
     }
@@ -334,7 +334,7 @@ fn neighbours(size: usize, contrast: f64) -> usize {
     wanted.min(f64::from(MOST_NEIGHBOURS)) as usize
 }
 
-/// Stiffness contrast from which on the factor serves a problem best.
+/// Stiffness contrast above which the factor is better for a problem.
 fn stiff(problem: &DiscreteProblem) -> f64 {
     match (problem.is_rough(), is_springy(problem)) {
         (false, _) => STIFF,
@@ -343,7 +343,7 @@ fn stiff(problem: &DiscreteProblem) -> f64 {
     }
 }
 
-/// Whether the relief has springs that short waves feel.
+/// Whether the relief has springs that affect short waves.
 fn is_springy(problem: &DiscreteProblem) -> bool {
     let Some(elasticity) = problem.elasticity() else {
         return false;
@@ -363,7 +363,7 @@ fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     Some(Inverse::Factor(Box::new(factor)))
 }
 
-/// The response to the longest wave over that to the shortest: by how much long waves meet a softer body.
+/// The response to the longest wave over that to the shortest: the ratio of the compliances that they meet.
 fn stiffness_contrast(symbol: &PeriodicSymbol) -> f64 {
     if symbol.size() < SMALLEST_SPECTRUM {
         return 1.0;

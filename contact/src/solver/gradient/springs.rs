@@ -1,12 +1,12 @@
-//! Springs of a law that is not linear: Newton's method around the linear problem, at no product of its own.
+//! Nonlinear springs: Newton's method around the linear problem, without additional products.
 //!
-//! The springs are straightened at the present pressure, which makes the problem linear, and straightened again as soon
-//! as the law itself would have more to say than the linear problem's residual. `K p` is known from `v` at every
-//! pressure met, so nothing but the springs' own exponentials is computed for it.
+//! The springs are linearised at the current pressure, which makes the problem linear, and linearised again as soon as
+//! the residual by their law clearly exceeds that of the linear problem. `K p` is known from `v` at every iterate, so
+//! only the exponentials of the springs are computed for this.
 //!
-//! **Why it ends.** The energy is convex, and the linear problem's is its model at `p₀`, with the same slope there. A
-//! solution of the model, or any pressure of less energy by it, lies downhill from `p₀`: if the energy itself is not
-//! lower there, then it is at its minimum on the way, which is found without a product as well.
+//! **Why it ends.** The energy is convex, and the energy of the linear problem is its model at `p₀`, with the same
+//! slope there. A solution of the model, or any pressure with a lower model energy, lies downhill from `p₀`. If the
+//! energy itself is not lower there, it is lower at its minimum on the segment, which is also found without a product.
 
 use crate::{
     DiscreteProblem,
@@ -15,13 +15,14 @@ use crate::{
     vector::{add_scaled, dot, update},
 };
 
-/// The springs are straightened again once the linear problem's residual is this part of that by the law itself.
+/// The springs are linearised again once the residual of the linear problem is this fraction of the residual by the
+/// law.
 const STRAIGHT_ENOUGH: f64 = 0.3;
-/// Memory of a solution on springs that are not linear.
+/// The fields of a solution on nonlinear springs.
 pub struct Springs {
-    /// `v` by the law itself at the pressure `p₀` where they are straightened.
+    /// `v` by the law at the pressure `p₀` of the linearisation.
     v_before: Vec<f64>,
-    /// `v` by the law itself at the present pressure.
+    /// `v` by the law at the current pressure.
     v_by_law: Vec<f64>,
     beyond: Vec<f64>,
 }
@@ -44,12 +45,12 @@ impl Springs {
         state.residual_of(&self.v_by_law, penetration).0
     }
 
-    /// Whether the law itself has more to say than a residual of the linear problem.
+    /// Whether the residual by the law clearly exceeds that of the linear problem.
     pub fn are_bent(linear: f64, by_law: f64) -> bool {
         by_law.is_finite() && linear <= STRAIGHT_ENOUGH * by_law
     }
 
-    /// Straightens the springs anew at the present pressure, or at that of the least energy on the way to it.
+    /// Linearises the springs again at the current pressure, or at the minimum of the energy on the segment to it.
     pub fn straighten(&mut self, problem: &mut DiscreteProblem, state: &mut State) {
         if let Some(tangents) = problem.tangents() {
             let part = self.part(problem, tangents, state);
@@ -65,7 +66,7 @@ impl Springs {
         self.straighten_here(problem, state);
     }
 
-    /// Straightens the springs at the present pressure.
+    /// Linearises the springs at the current pressure.
     pub fn straighten_here(&mut self, problem: &mut DiscreteProblem, state: &mut State) {
         self.follow_law(problem, state);
         self.v_before.copy_from_slice(&self.v_by_law);
@@ -74,7 +75,7 @@ impl Springs {
         state.begin_on_tangents(problem);
     }
 
-    /// Finds `v` by the law itself.
+    /// Computes `v` by the law.
     fn follow_law(&mut self, problem: &DiscreteProblem, state: &State) {
         self.v_by_law.copy_from_slice(&state.v);
         if let Some(tangents) = problem.tangents() {
@@ -83,7 +84,7 @@ impl Springs {
         }
     }
 
-    /// The part of the way from `p₀` to the present pressure to go.
+    /// The fraction of the segment from `p₀` to the current pressure at which the energy is least.
     fn part(&mut self, problem: &DiscreteProblem, tangents: &Tangents, state: &State) -> f64 {
         // s = p − p₀,  y = v − v₀ = (K + η_t) s
         let step = &mut self.beyond;
@@ -109,7 +110,7 @@ mod tests {
         },
     };
 
-    /// Height and compliance at rest of springs whose modulus is 1, beside which the body hardly gives way.
+    /// Height and compliance at rest of springs whose modulus is 1; the body is nearly rigid in comparison.
     const HEIGHT: f64 = 1e4;
     const ELEMENTS: usize = SIZE * SIZE;
 
@@ -118,7 +119,7 @@ mod tests {
         problem.with_spring_law(SpringLaw::logarithmic(1.0).unwrap())
     }
 
-    /// `∫ v dp − D Σ p` by the law itself at a pressure, in the units of the problem's scale; and `v`.
+    /// `∫ v dp − D Σ p` by the law at a pressure, in the units of the problem's scale; and `v`.
     fn energy(problem: &mut DiscreteProblem, depth: f64, pressure: &[f64]) -> (f64, Vec<f64>) {
         let scale = problem.scale();
         let unit = scale.pressure();
@@ -155,8 +156,8 @@ mod tests {
 
     #[test]
     fn a_way_to_less_pressure_than_the_law_allows_is_gone_as_far_as_the_energy_falls() {
-        // Solved at 3 on every spring, by w* = D. From 6 the tangents, which say that they hardly give way, lead to
-        // hardly any pressure, where the energy is higher.
+        // The solution is 3 on every spring, from w* = D. From 6 the tangents, which are very stiff, lead to hardly any
+        // pressure, where the energy is higher.
         let mut problem = stiffening();
         let depth = HEIGHT * (1.0 - (-3.0_f64).exp());
         let scale = problem.scale();
@@ -172,7 +173,7 @@ mod tests {
         state.control = LoadControl::of(&problem, Load::Penetration(depth));
         problem.straighten_springs(&from);
         springs.v_before.copy_from_slice(&v_before);
-        // By the tangents v is linear on the way.
+        // By the tangents v is linear on the segment.
         let step: Vec<f64> = to.iter().zip(&from).map(|(to, from)| to - from).collect();
         let mut image = vec![0.0; ELEMENTS];
         let in_pascal: Vec<f64> = step.iter().map(|s| s / per_unit).collect();
@@ -197,7 +198,7 @@ mod tests {
         };
         let (there, v) = along(part);
         assert!(there < before);
-        // To a thousandth of the way, the lowest on it.
+        // The minimum on the segment, to a thousandth of its length.
         assert!(there <= along(part - 0.01).0 && there <= along(part + 0.01).0);
         // v is the law's at the pressure reached.
         for (found, wanted) in springs.v_before.iter().zip(&v) {
@@ -210,7 +211,7 @@ mod tests {
 
     #[test]
     fn the_residual_by_the_law_is_none_of_springs_at_its_solution() {
-        // A flat indenter on springs all but alone: p = −ln(1 − D/h).
+        // A flat indenter practically on springs alone: p = −ln(1 − D/h).
         let height = 1e9;
         let mut problem = problem([1.0, 0.1], |_, _| 0.0, |_, _| height)
             .with_spring_law(SpringLaw::logarithmic(1.0).unwrap());
@@ -220,11 +221,11 @@ mod tests {
         let mut state = State::new(&problem);
         state.start(&mut problem, control, &vec![pressure; ELEMENTS]);
         let mut springs = Springs::of(&problem).unwrap();
-        // The start straightens the springs there, and the law says no more there.
+        // The springs are linearised at the start, where the law agrees with its tangents.
         springs.straighten_here(&mut problem, &mut state);
         let by_law = springs.residual(&problem, &state);
         assert!(by_law < 1e-6, "{by_law:e}");
-        // A tenth more pressure shortens the springs by h (e^−p − e^−1.1p), in parts of the depth.
+        // A tenth more pressure shortens the springs by h (e^−p − e^−1.1p), relative to the depth.
         state.pressure.iter_mut().for_each(|p| *p *= 1.1);
         let own = problem.tangent_compliance()[0] / problem.scale().compliance;
         let at = state.pressure[0];

@@ -1,15 +1,15 @@
-//! The state of the iteration: a pressure, its displacement, and its distance from a solution.
+//! The state of the iteration: a pressure, its displacement and its residual.
 //!
-//! Every step keeps the total of the pressure, once there is one. Under a prescribed total `D` follows, as
-//! `Σ p v / Σ p`. Under a prescribed penetration the whole pressure is scaled after each step until that mean is `D`,
-//! which takes no product since `(K + η) p = v − g0` is known:
+//! Every step preserves the total pressure, once there is one. Under a prescribed total, `D` follows as `Σ p v / Σ p`.
+//! Under a prescribed penetration the whole pressure is scaled after each step until that mean is `D`, which takes no
+//! product since `(K + η) p = v − g0` is known:
 //!
 //! ```text
 //! p ← c p,    v ← g0 + c (v − g0),    c = p·(D − g0) / p·(v − g0)
 //! ```
 //!
-//! So both kinds of load take the same steps. A residual uniform over the contact, which preconditioners answer
-//! worst, never comes up.
+//! So both kinds of load take the same steps. A residual that is uniform over the contact, for which preconditioners
+//! are least accurate, never occurs.
 
 use crate::solver::gradient::load_control::LoadControl;
 use crate::{
@@ -17,45 +17,45 @@ use crate::{
     vector::{add_scaled, by_parts, dot, each, sum, update, update_with},
 };
 
-/// The pressure is not scaled by much more without a product: what rounding has left in `v − g0` would be scaled with
-/// it.
+/// The pressure is not scaled by more than this without a product, because the rounding error of `v − g0` would grow
+/// with it.
 const LARGEST_GROWTH: f64 = 10.0;
 
-/// A pressure that keeps to the control, with `v = (K + η) p + g0` and the penetration `D` up to date, all in the units
-/// of the problem's scale.
+/// A pressure that satisfies the load control, with its `v = (K + η) p + g0` and penetration `D`, all in the units of
+/// the problem's scale.
 ///
-/// The pressure is ≥ 0, but for the inner steps of Newton's method. Elements beyond the indenter's end have none and
-/// never will: their `v` is without a gap and means nothing.
+/// The pressure is ≥ 0, except in the inner steps of Newton's method. Elements beyond the edge of the indenter never
+/// carry pressure; their `v` lacks a gap and is meaningless.
 pub struct State {
     pub control: LoadControl,
     pub pressure: Vec<f64>,
     pub v: Vec<f64>,
     /// `D`.
     pub penetration: f64,
-    /// `g0` of the linear problem, 0 where nothing can touch.
+    /// `g0` of the linear problem; 0 on elements that cannot touch.
     pub initial_gap: Vec<f64>,
-    /// The elements of the problem: those under the indenter.
+    /// The elements under the indenter.
     can_touch: Vec<bool>,
     keeps_total: bool,
-    /// How far a unit mean pressure would press a periodic cell in alone; 0 of a free surface.
+    /// The displacement of a periodic cell under a unit mean pressure alone; 0 for a free surface.
     cell_response: f64,
-    /// `Σ p` of the elements held at a hardness, which are none of the problem while they are.
+    /// `Σ p` of the elements held at a hardness, which are excluded from the problem while they are held.
     held_total: f64,
     applications: usize,
 }
 
-/// Extremes that the residual is made of.
+/// The extremes from which the residual is computed.
 #[derive(Clone, Copy, Default)]
 struct ResidualExtremes {
     largest: f64,
     overlap: f64,
     pulls: bool,
-    /// Of all pressures and `v`, to see whether one is no number.
+    /// Sum of all pressures and `v`, to detect values that are not finite.
     sum: f64,
 }
 
 impl State {
-    /// Zero pressure, in the units of the problem's scale.
+    /// Creates a state with zero pressure, in the units of the problem's scale.
     pub fn new(problem: &DiscreteProblem) -> Self {
         let elements = problem.elements();
         let mut state = Self {
@@ -74,7 +74,7 @@ impl State {
         state
     }
 
-    /// Takes the problem's gap, and which of its elements can touch.
+    /// Reads the problem's gap and which of its elements can touch.
     fn look_at(&mut self, problem: &DiscreteProblem) {
         self.read_gap(problem);
         let gaps = self.can_touch.iter_mut().zip(problem.initial_gap());
@@ -82,7 +82,7 @@ impl State {
         self.held_total = problem.held_total() / problem.scale().pressure();
     }
 
-    /// The problem's own initial gap.
+    /// Reads the problem's own initial gap.
     fn read_gap(&mut self, problem: &DiscreteProblem) {
         let per_length = 1.0 / problem.scale().length;
         update(&mut self.initial_gap, problem.initial_gap(), |to, g0| {
@@ -90,11 +90,12 @@ impl State {
         });
     }
 
-    /// Starts from a pressure (Pa), or evenly over all that can touch where that is zero: one product.
+    /// Starts from a pressure (Pa), or from a uniform one on all elements that can touch if it is zero under a force:
+    /// one product.
     pub fn start(&mut self, problem: &mut DiscreteProblem, control: LoadControl, start: &[f64]) {
         (self.control, self.applications) = (control, 0);
         if problem.has_hardness() {
-            // Elements held at it come and go.
+            // The held elements may have changed.
             self.look_at(problem);
         }
         let per_pressure = 1.0 / problem.scale().pressure();
@@ -117,7 +118,7 @@ impl State {
         self.refresh(problem);
     }
 
-    /// Takes the initial gap of the linear problem: of straightened springs with what they keep when let go.
+    /// Reads the initial gap of the linear problem, which includes the offset of linearised springs.
     fn take_gap(&mut self, problem: &DiscreteProblem) {
         let Some(tangents) = problem.tangents() else {
             return;
@@ -126,8 +127,8 @@ impl State {
         tangents.add_offset(problem.relief_compliance(), &mut self.initial_gap);
     }
 
-    /// Goes on with springs that have been straightened at its pressure, for which its `v` is right already: no
-    /// product, but where that is far from balanced.
+    /// Continues with springs linearised at its pressure, for which its `v` is already right: no product, unless it is
+    /// far from balanced.
     pub fn begin_on_tangents(&mut self, problem: &mut DiscreteProblem) {
         self.take_gap(problem);
         self.balance(problem);
@@ -137,7 +138,7 @@ impl State {
         self.pressure.len()
     }
 
-    /// Of each element, whether the indenter is above it.
+    /// For each element, whether the indenter is above it.
     pub fn can_touch(&self) -> &[bool] {
         &self.can_touch
     }
@@ -147,11 +148,11 @@ impl State {
         self.applications
     }
 
-    /// `v = (K + η) p + g0` afresh, and balanced; returns what [`Self::advance`] does. One product.
+    /// Recomputes `v = (K + η) p + g0` and balances; returns the growth as [`Self::advance`] does. One product.
     pub fn refresh(&mut self, problem: &mut DiscreteProblem) -> f64 {
         problem.deform_to_scale(&self.pressure, &mut self.v);
         self.applications += 1;
-        // Scaled before the gap is added, in which the deformation by a pressure far too small would be lost.
+        // Scaled before the gap is added: the deformation by a far too small pressure would be lost in the gap.
         let growth = self.growth(dot(&self.pressure, &self.v));
         if growth != 0.0 {
             for field in [&mut self.pressure, &mut self.v] {
@@ -174,10 +175,10 @@ impl State {
         self.applications += 1;
     }
 
-    /// `μ = c − 1` for the `work` `p·(K + η) p`; 0 under a prescribed total.
+    /// Computes `μ = c − 1` from the `work` `p·(K + η) p`; 0 under a prescribed total.
     ///
-    /// A pressure that no scale would bring to the penetration is left as it is, and its total is not kept: there may
-    /// be no contact.
+    /// If no scaling of the pressure gives the penetration, it is left unchanged and its total is not preserved: there
+    /// may be no contact.
     fn growth(&mut self, work: f64) -> f64 {
         self.keeps_total = true;
         let LoadControl::Penetration(penetration) = self.control else {
@@ -190,8 +191,8 @@ impl State {
         if self.keeps_total { scale - 1.0 } else { 0.0 }
     }
 
-    /// Brings `D` and the mean of `v` together, by `D` or by the scale of the pressure; returns the part `μ` that it
-    /// has grown by. One product where that is much, else none.
+    /// Makes `D` equal to the mean of `v`, by changing `D` or by scaling the pressure; returns the relative growth `μ`
+    /// of the pressure. One product if that is large, else none.
     pub fn balance(&mut self, problem: &mut DiscreteProblem) -> f64 {
         let gap_sum = dot(&self.pressure, &self.initial_gap);
         let growth = self.growth(dot(&self.pressure, &self.v) - gap_sum);
@@ -210,8 +211,8 @@ impl State {
         growth
     }
 
-    /// Takes a pressure that it had before, with its `v` and penetration; whether steps keep its total is found anew,
-    /// since nothing to scale may be left.
+    /// Restores an earlier pressure with its `v` and penetration. Whether steps preserve its total is determined again,
+    /// since there may be no pressure left to scale.
     pub fn go_back(&mut self, pressure: &[f64], v: &[f64], penetration: f64) {
         self.pressure.copy_from_slice(pressure);
         self.v.copy_from_slice(v);
@@ -219,8 +220,8 @@ impl State {
         self.growth(dot(pressure, v) - dot(pressure, &self.initial_gap));
     }
 
-    /// Makes a direction conjugate to the pressure where that is scaled, so that a step along it leaves the scale
-    /// right: `d ← d − (d·(v − g0) / p·(v − g0)) p`.
+    /// Makes a direction conjugate to the pressure if the pressure is scaled, so that a step along it preserves the
+    /// scale: `d ← d − (d·(v − g0) / p·(v − g0)) p`.
     pub fn deflate(&self, direction: &mut [f64]) {
         if self.keeps_total && matches!(self.control, LoadControl::Penetration(_)) {
             let along = |x: &[f64]| dot(x, &self.v) - dot(x, &self.initial_gap);
@@ -229,12 +230,12 @@ impl State {
         }
     }
 
-    /// Whether steps are to keep the total that the pressure has.
+    /// Whether steps preserve the total of the pressure.
     pub fn keeps_total(&self) -> bool {
         self.keeps_total
     }
 
-    /// Brings a pressure ≥ 0 to the total that steps are to keep.
+    /// Scales a pressure ≥ 0 to the total that steps preserve.
     pub fn rescale(&self, pressure: &mut [f64]) {
         match self.control {
             LoadControl::Penetration(_) if self.keeps_total => {
@@ -244,8 +245,8 @@ impl State {
         }
     }
 
-    /// `p ← p + t s`, `v ← v + t y` with `y = (K + η) s`, and balanced; returns the part that the pressure has grown by
-    /// then. No product, but where that is much.
+    /// Updates `p ← p + t s`, `v ← v + t y` with `y = (K + η) s`, and balances; returns the relative growth of the
+    /// pressure by balancing. No product, unless that is large.
     pub fn advance(
         &mut self,
         problem: &mut DiscreteProblem,
@@ -258,7 +259,7 @@ impl State {
         self.balance(problem)
     }
 
-    /// `p ← max(p, 0)`, brought to the prescribed total or balanced: one product.
+    /// Updates `p ← max(p, 0)`, scaled to the prescribed total or balanced: one product.
     pub fn clip(&mut self, problem: &mut DiscreteProblem) {
         each(&mut self.pressure, |p| *p = p.max(0.0));
         self.control.rescale(&mut self.pressure);
@@ -270,7 +271,7 @@ impl State {
             .energy(&self.pressure, &self.v, &self.initial_gap)
     }
 
-    /// Where nothing presses, presses evenly on these elements.
+    /// Sets a uniform pressure on these elements if no element presses.
     pub fn press_somewhere(&mut self, mask: &[bool]) {
         if !self.pressure.iter().any(|p| *p > 0.0) {
             update(&mut self.pressure, mask, |p, is_pressed| {
@@ -279,22 +280,22 @@ impl State {
         }
     }
 
-    /// The largest line of the certificate, by the running `v`, infinite where something is no number; whether no
+    /// The largest line of the certificate by the running `v`, infinite if a value is not finite; and whether no
     /// element pulls.
     ///
-    /// The complementarity is a mean of gaps in contact, so it is never the largest.
+    /// The complementarity line is a mean of gaps in contact, so it is never the largest.
     pub fn residual(&self) -> (f64, bool) {
         self.residual_of(&self.v, self.penetration)
     }
 
-    /// The same of another `v` and penetration at its pressure.
+    /// The same for another `v` and penetration at its pressure.
     pub fn residual_of(&self, v: &[f64], penetration: f64) -> (f64, bool) {
         let lines = by_parts(self.elements(), |part| self.lines(part, v, penetration));
         let lines = lines
             .into_iter()
             .fold(ResidualExtremes::default(), ResidualExtremes::and);
         let length = lines.largest.max(lines.overlap);
-        // `max` drops a NaN, but in a sum it stays.
+        // `max` drops a NaN, but a sum keeps it.
         let is_number = (lines.sum + penetration).is_finite();
         let residual = if !is_number {
             f64::INFINITY
@@ -306,7 +307,7 @@ impl State {
         (residual, !lines.pulls)
     }
 
-    /// The length that gaps are small beside.
+    /// The reference length of the residual.
     pub fn reference_length(&self, penetration: f64) -> f64 {
         let mean = match self.control {
             LoadControl::Total(total) => (total + self.held_total) / self.elements() as f64,

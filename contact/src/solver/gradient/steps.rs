@@ -1,4 +1,4 @@
-//! The steps that the loop chooses from, one file each, and their common parts.
+//! The kinds of steps that the loop chooses from, one file each, and their common parts.
 
 pub mod conjugate;
 pub mod face;

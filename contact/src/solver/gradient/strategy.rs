@@ -1,29 +1,28 @@
-//! Which kind of step comes next: fast ones while they gain, Newton's where they do not or under a stiff coating,
-//! descent from face to face where Newton's fail.
+//! The choice of the next kind of step: fast steps while they make progress, Newton's method where they do not or under
+//! a stiff coating, descent from face to face where Newton's method fails.
 
 use crate::solver::gradient::steps::newton::Turn;
 use crate::solver::gradient::steps::segment::Part;
 
-/// Steps without the residual's being halved after which a phase is held to have stalled.
+/// Steps without halving the residual after which a phase counts as stalled.
 const FAST_PATIENCE: usize = 10;
-/// Exchanges without the residual's being halved after which Newton's method is held to cycle.
+/// Exchanges without halving the residual after which Newton's method counts as cycling.
 const NEWTON_PATIENCE: usize = 16;
-/// The kind of steps being taken.
+/// The current kind of step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
     /// Spectral and conjugate steps, which never leave the admissible pressures.
     Fast,
-    /// Newton's method; the number of times that it failed before.
+    /// Newton's method, with the number of its earlier failures.
     Newton(usize),
-    /// From face to face, however slowly: the energy falls. The fast steps again where nothing is known of the
-    /// operator.
+    /// Descent from face to face: slow, but the energy always falls. Fast steps again if the operator is unknown.
     Descent,
 }
 
-/// The phase and its gain so far.
+/// The phase and its progress.
 pub struct Strategy {
     phase: Phase,
-    /// The residual that is to be halved next.
+    /// The residual to be halved next.
     milestone: f64,
     since: usize,
 }
@@ -46,30 +45,30 @@ impl Strategy {
         self.phase
     }
 
-    /// Notes the residual after a fast step, and whether the energy cut the step short, as it does where steps creep
-    /// along an edge of the contact; true if the phase changes.
+    /// Records the residual after a fast step, and whether the step was cut at a minimum of the energy, as happens
+    /// where steps creep along an edge of the contact. Returns true if the phase changes.
     pub fn after_fast(&mut self, residual: f64, part: Part) -> bool {
         let stalled = self.has_stalled(residual, FAST_PATIENCE) || part == Part::Cut;
         self.phase == Phase::Fast && stalled && self.enter(Phase::Newton(0))
     }
 
-    /// Notes the outcome of a step of Newton's method; true if the phase changes.
+    /// Records the result of a step of Newton's method; returns true if the phase changes.
     pub fn after_newton(&mut self, residual: f64, turn: Turn) -> bool {
         match (turn, self.phase) {
             (Turn::Inner, _) => false,
             (Turn::Exchanged, _) if !self.has_stalled(residual, NEWTON_PATIENCE) => false,
-            // Not the method but its preconditioner.
+            // The preconditioner failed, not the method.
             (Turn::Failed, Phase::Newton(0)) => self.enter(Phase::Newton(1)),
             _ => self.enter(Phase::Descent),
         }
     }
 
-    /// Goes on in the same phase with another problem.
+    /// Continues in the same phase with another problem.
     pub fn begin_anew(&mut self) {
         self.enter(self.phase);
     }
 
-    /// Descends for good.
+    /// Switches to the descent permanently.
     pub fn descend(&mut self) {
         self.enter(Phase::Descent);
     }

@@ -1,4 +1,4 @@
-//! The parts of the iteration one by one: what each claims of itself, on a grid of 32 by 32 elements.
+//! Each part of the iteration against its documentation, on a grid of 32 by 32 elements.
 
 use pellicle_influence::{Sector, SectorGrid};
 
@@ -20,14 +20,14 @@ use crate::{
 
 const ELEMENTS: usize = SIZE * SIZE;
 
-/// Products that a plate on pillars may take from face to face.
+/// Most products for a plate on pillars by the descent from face to face.
 const MOST_ON_FACES: usize = 400;
 
 fn plate() -> DiscreteProblem {
     problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID)
 }
 
-/// The state that begins from a pressure, and its working set.
+/// The state that starts from a pressure, and its working set.
 pub fn begun(
     problem: &mut DiscreteProblem,
     control: LoadControl,
@@ -47,7 +47,7 @@ fn start(problem: &mut DiscreteProblem, load: Load) -> (State, WorkingSet) {
 
 #[test]
 fn newtons_method_alone_solves_a_plate_on_pillars() {
-    // products as measured, with a tenth to spare
+    // Products as measured, with a margin of a tenth.
     for (load, most) in [(Load::Force(1e-2), 63), (Load::Penetration(0.02), 18)] {
         let mut problem = plate();
         let (mut state, mut set) = start(&mut problem, load);
@@ -120,7 +120,7 @@ fn a_solver_that_gives_up_returns_the_best_admissible_pressure() {
         state.pressure.fill(pressure);
         state
     };
-    // Exact: values that were put in.
+    // Exact: the values are copies.
     let found = [
         offered(&[0.5, 0.1, 0.3], last(9.0), 0.2),
         offered(&[0.5, 0.3], last(9.0), 0.7),
@@ -128,7 +128,7 @@ fn a_solver_that_gives_up_returns_the_best_admissible_pressure() {
         offered(&[0.5, 0.1], last(-9.0), 0.05),
         offered(&[], last(-9.0), 0.05),
     ];
-    // The second is not worth a copy if it is not twice as good.
+    // The second is not copied unless it is twice as good.
     assert_eq!(found, [2.0, 1.0, 9.0, 2.0, -9.0]);
 }
 
@@ -141,7 +141,7 @@ fn the_energy_along_a_step_is_the_parabola_of_its_slope_and_curvature() {
         let mut segment = Segment::new(ELEMENTS);
         segment.clip(&state, 1.0, &direction);
         let (before, slope) = (state.energy(), segment.slope(&state));
-        // A ceiling that nothing reaches: the step is taken whole.
+        // With an unreachable ceiling the whole step is taken.
         assert_eq!(
             segment.take(&mut problem, &mut state, f64::INFINITY),
             Part::Whole
@@ -201,14 +201,14 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
         add_scaled(&mut state.v, 1.0, &state.initial_gap);
         assert!(state.energy() > least);
     }
-    // A direction made conjugate leaves the mean alone.
+    // A direction made conjugate does not change the mean.
     let (mut state, _) = begun(&mut problem, control, &one);
     let mut direction: Vec<f64> = (0..ELEMENTS).map(|e| (0.3 * e as f64).cos()).collect();
     state.deflate(&mut direction);
     let mut image = [0.0; ELEMENTS];
     state.image_into(&mut problem, &direction, &mut image);
     assert!(dot(&state.pressure, &image).abs() < 1e-12 * dot(&direction, &image));
-    // A step counts the growth of the pressure after it.
+    // A step includes the growth of the pressure after it.
     let mut segment = Segment::new(ELEMENTS);
     segment.clip(&state, 1e-5, &direction);
     let before = [state.pressure.clone(), state.v.clone()];
@@ -223,7 +223,7 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
             assert!((after - before - step).abs() < 1e-9 * largest);
         }
     }
-    // Above the surface no scale will do.
+    // Above the surface no scale works.
     let control = LoadControl::of(&problem, Load::Penetration(-depth));
     let (state, _) = begun(&mut problem, control, &one);
     let unit = problem.scale().pressure();
@@ -240,7 +240,7 @@ fn a_set_touches_the_border_with_any_element_of_it() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
     let control = LoadControl::of(&problem, Load::Penetration(-1.0));
     let last = SIZE - 1;
-    // Of the whole grid, and of a quadrant.
+    // On the whole grid, and on a quadrant.
     for (i, j, touches) in [
         (0, 9, [true, false]),
         (9, 0, [true, false]),
@@ -283,7 +283,7 @@ fn a_pressure_far_too_small_is_scaled_up_by_what_its_balance_returns() {
     let (mut state, _) = begun(&mut problem, control, &one);
     let balanced = state.pressure.clone();
     for factor in [1e-3, 0.5, 2.0] {
-        // v goes with the pressure, as after a step.
+        // v belongs to the pressure, as after a step.
         state.pressure = balanced.iter().map(|p| factor * p).collect();
         problem.deform_to_scale(&state.pressure, &mut state.v);
         add_scaled(&mut state.v, 1.0, &state.initial_gap);

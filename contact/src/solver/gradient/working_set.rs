@@ -1,11 +1,11 @@
-//! The working set: the elements in contact and those about to be.
+//! The working set: the elements in contact and those about to enter it.
 
 use rayon::prelude::*;
 
 use crate::solver::gradient::state::State;
 use crate::{grid::window::Window, vector::update};
 
-/// Elements that one thread looks at together.
+/// Elements per parallel chunk.
 const PART: usize = 1 << 12;
 
 /// A mask over the grid of the elements whose pressures are free.
@@ -15,9 +15,9 @@ pub struct WorkingSet {
     wrong: Vec<bool>,
     len: usize,
     changed: usize,
-    /// How often elements have entered or left.
+    /// Number of revisions that changed the set.
     revision: u64,
-    /// Elements that entered or left since that was last asked for.
+    /// Elements that entered or left since the last query.
     moves: usize,
 }
 
@@ -26,7 +26,7 @@ pub struct WorkingSet {
 pub struct Ahead {
     /// Elements on the wrong side.
     pub wrong: usize,
-    /// Those of them that were not before, and those that no longer are.
+    /// Elements newly on the wrong side, or no longer on it.
     pub news: usize,
 }
 
@@ -40,7 +40,7 @@ impl Ahead {
 }
 
 impl WorkingSet {
-    /// No working set yet, of so many elements.
+    /// An empty working set for a grid of `elements` elements.
     pub fn new(elements: usize) -> Self {
         Self {
             mask: vec![false; elements],
@@ -52,21 +52,21 @@ impl WorkingSet {
         }
     }
 
-    /// Takes the working set of a state that another begins from; counts as changed throughout.
+    /// Takes the working set of a starting state. Every element counts as changed.
     pub fn start(&mut self, state: &State) {
         self.update(state);
         self.changed = self.mask.len();
         self.moves = self.len;
     }
 
-    /// `I = {p > 0} ∪ {g < 0}`, for pressures that are nowhere negative.
+    /// `I = {p > 0} ∪ {g < 0}`, for pressures that are not negative anywhere.
     pub fn update(&mut self, state: &State) {
         let penetration = state.penetration;
         self.revise_by(state, |_, _, p, v| p > 0.0 || v < penetration);
     }
 
-    /// `I ← {p > 0 in I and not on the wrong side} ∪ {what is on the wrong side outside I}`, from the solution on `I`,
-    /// which may pull: the semismooth Newton step of the set.
+    /// `I ← {p > 0 in I and not on the wrong side} ∪ {on the wrong side outside I}`, from the solution on `I`, which
+    /// may have negative pressures: the semismooth Newton step of the set.
     pub fn exchange(&mut self, state: &State) {
         let wrong = std::mem::take(&mut self.wrong);
         self.revise_by(state, |element, member, p, _| {
@@ -79,9 +79,9 @@ impl WorkingSet {
         self.wrong = wrong;
     }
 
-    /// Finds the elements that will be on the wrong side once the pressure has what is `missing` from it: those that
-    /// will pull, and those outside that overlap by more than a part `slack` of the penetration. Returns how many they
-    /// are, and how many were or were not by the look before.
+    /// Finds the elements that will be on the wrong side once the correction `missing` is added to the pressure:
+    /// members that will pull, and elements outside that overlap by more than a fraction `slack` of the penetration.
+    /// Returns their number, and the number of changes since the last look ahead.
     pub fn look_ahead(&mut self, state: &State, missing: &[f64], slack: f64) -> Ahead {
         let lowest = state.penetration - slack * state.reference_length(state.penetration);
         let fields = (state.pressure.par_chunks(PART)).zip(missing.par_chunks(PART));
@@ -107,12 +107,12 @@ impl WorkingSet {
         counts.into_iter().fold(Ahead::default(), Ahead::and)
     }
 
-    /// Forgets the last look ahead.
+    /// Discards the last look ahead.
     pub fn look_away(&mut self) {
         self.wrong.fill(false);
     }
 
-    /// Keeps the elements that belong, by their index and pressure.
+    /// Keeps the members for which `belongs` holds, by index and pressure.
     pub fn keep(&mut self, state: &State, belongs: impl Fn(usize, f64) -> bool + Sync) {
         self.revise_by(state, |element, member, p, _| member && belongs(element, p));
     }
@@ -151,12 +151,13 @@ impl WorkingSet {
         self.revision += u64::from(self.changed > 0);
     }
 
-    /// A number that is another one whenever the set is: what was made for a set is good as long as its revision stays.
+    /// Changes whenever the set does. Anything built for a set is valid while its revision is unchanged.
     pub fn revision(&self) -> u64 {
         self.revision
     }
 
-    /// How many elements entered or left since this was asked last, or all since [`Self::start`].
+    /// Returns the number of elements that entered or left since the last call or since [`Self::start`], which counts
+    /// the whole set.
     pub fn take_moves(&mut self) -> usize {
         std::mem::take(&mut self.moves)
     }
@@ -184,7 +185,7 @@ impl WorkingSet {
         });
     }
 
-    /// The same, and multiplies it by `factor` on the set.
+    /// Sets a field to 0 outside the set and multiplies it by `factor` on the set.
     pub fn scale_within(&self, field: &mut [f64], factor: f64) {
         update(field, &self.mask, |value, member| {
             *value = if *member { factor * *value } else { 0.0 };
@@ -264,7 +265,7 @@ mod tests {
         set.look_away();
         let anew = set.look_ahead(&state, &missing, 0.1);
         assert_eq!((anew.wrong, anew.news), (5, 5));
-        // They change sides, and so does nothing else.
+        // Only these change sides.
         set.exchange(&state);
         let exchanged = |e: usize| (members(e) && e > 1) || (30..33).contains(&e);
         assert!((0..SIZE * SIZE).all(|e| set.mask()[e] == exchanged(e)));

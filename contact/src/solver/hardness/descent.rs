@@ -1,45 +1,47 @@
-//! Descent of a contact whose pressure is cut at a hardness: the floor under its exchanges.
+//! Descent for contact with a hardness: the fallback for the exchanges of elements.
 //!
-//! From an admissible pressure, `0 ≤ p ≤ p_max`, with some elements held at the limit, the problem of the others
-//! leads to a pressure `p*`; then
+//! From an admissible pressure, `0 ≤ p ≤ p_max`, with some elements held at the limit, the problem of the others gives
+//! a pressure `p*`. Then there are three cases:
 //!
-//! - nothing is above the limit: that is the least energy with these elements held, and those with a gap are let go;
-//! - something is above that was at the limit before: it is held again, and the problem solved once more;
-//! - something else is above: the pressure goes towards `p*`, cut at the limit, as far as a part of these elements
-//!   come to it, if the energy falls on the whole way there, else as far as the first; elements at the limit are held.
+//! - no element exceeds the limit: this is the minimum of the energy with these elements held, and those with a gap are
+//!   released;
+//! - an element that was at the limit before exceeds it: it is held again, and the problem solved once more;
+//! - other elements exceed the limit: the pressure moves towards `p*`, cut at the limit, until some of these elements
+//!   reach the limit if the energy falls throughout that step, else until the first does; elements at the limit are
+//!   held.
 //!
-//! The energy falls from one admissible pressure to the next, so no set is let go twice. It is convex, so it falls on
-//! the whole way of a step `s` if it falls at the end, `s·∂E ≤ 0`, whatever the law of the springs.
+//! The energy decreases from one admissible pressure to the next, so no set is released twice. It is convex, so it
+//! falls throughout a step `s` if it falls at the end, `s·∂E ≤ 0`, for any spring law.
 //!
-//! **How many are let go.** All with a gap, although those left free take up most of what is let go under a stiff
-//! coating and come back: letting go a part of them, fewer the longer the last took to come back, took the two hardest
-//! of 1000 random problems more than 2000 products instead of 1461 and 1421.
+//! **How many are released.** All with a gap, although under a stiff coating most of them take up the released load and
+//! return to the limit. Releasing only some, fewer the longer the last took to return, took more than 2000 products for
+//! the two hardest of 1000 random problems instead of 1461 and 1421.
 
 use crate::{
     DiscreteProblem, Load,
     vector::{add_scaled, each, sum},
 };
 
-/// Halvings after which single elements come to the limit, on any grid.
+/// Halvings after which single elements reach the limit, on any grid.
 const MOST_CAUTION: u32 = 31;
-/// Part of the limit by which a pressure that comes to it may be short of it, and of a force that is rounding.
+/// Rounding error, relative to the limit, of a pressure that reaches it, and relative to a force.
 const ROUNDING: f64 = 1e-14;
 
-/// An admissible pressure, and how to go on from it.
+/// An admissible pressure and the state of the descent.
 pub struct Descent {
     load: Load,
     /// In Pa.
     pressure: Vec<f64>,
     /// `K p`, in m.
     displacement: Vec<f64>,
-    /// Halvings of the number of elements that come to the limit at once.
+    /// Halvings of the number of elements that reach the limit at once.
     caution: u32,
-    /// Residual to which problems are solved at most, until elements are let go again.
+    /// Largest residual to which problems are solved until elements are released again.
     pub accuracy: f64,
 }
 
 impl Descent {
-    /// Begins from a pressure, cut at the limit: one product.
+    /// Begins from a pressure cut at the limit: one product.
     pub fn begin(problem: &mut DiscreteProblem, load: Load, pressure: &[f64]) -> Self {
         let pressure = cut(problem, load, pressure);
         let mut displacement = vec![0.0; pressure.len()];
@@ -58,15 +60,15 @@ impl Descent {
         &self.pressure
     }
 
-    /// Takes a pressure (Pa) that is nowhere above the limit, with its `K p` (m).
+    /// Sets a pressure (Pa) that nowhere exceeds the limit, with its `K p` (m).
     pub fn settle(&mut self, pressure: &[f64], displacement: &[f64]) {
         self.pressure.copy_from_slice(pressure);
         self.displacement.copy_from_slice(displacement);
     }
 
-    /// Goes towards a pressure (Pa) with its `K p` (m) that is above the limit in elements which are not at it yet,
-    /// until a part of them have come to it, as large as has lately been downhill all the way, else the first; returns
-    /// the products that it took.
+    /// Moves towards a pressure (Pa), given with its `K p` (m), that exceeds the limit in elements not yet at it. Stops
+    /// when some of them have reached the limit, as many as recently kept the step downhill throughout, else at the
+    /// first. Returns the products taken.
     pub fn step(
         &mut self,
         problem: &mut DiscreteProblem,
@@ -107,7 +109,7 @@ impl Descent {
             each(from, |value| *value *= 1.0 - part);
             add_scaled(from, part, to);
         }
-        // A pressure within rounding of the limit is set to it.
+        // A pressure equal to the limit up to rounding is set to it.
         each(&mut self.pressure, |p| {
             if *p >= limit * (1.0 - ROUNDING) {
                 *p = limit;
@@ -121,7 +123,7 @@ impl Descent {
         let mut v = self.displacement.clone();
         problem.shorten_into(&self.pressure, &mut v);
         let penetration = match self.load {
-            // The step keeps the force.
+            // The step preserves the force.
             Load::Force(_) => 0.0,
             Load::Penetration(penetration) => penetration,
         };
@@ -134,8 +136,8 @@ impl Descent {
     }
 }
 
-/// A pressure cut at the limit; under a force, what it loses is added to the elements that press less, in proportion to
-/// their pressures, and where those come to the limit too, to those that can touch.
+/// Cuts a pressure at the limit. Under a force, the excess is added to the elements below the limit, in proportion to
+/// their pressures, and once these reach the limit too, to all that can touch.
 fn cut(problem: &DiscreteProblem, load: Load, pressure: &[f64]) -> Vec<f64> {
     let limit = problem.hardness();
     let mut cut: Vec<f64> = pressure.iter().map(|p| p.min(limit)).collect();
@@ -150,7 +152,7 @@ fn cut(problem: &DiscreteProblem, load: Load, pressure: &[f64]) -> Vec<f64> {
             return cut;
         }
         if below <= ROUNDING * total {
-            // The force itself is within what can touch, so these do not fill up.
+            // The elements that can touch can carry the force, so they do not all reach the limit.
             let touchable = problem.initial_gap().iter().map(|g0| g0.is_finite());
             let free = cut.iter_mut().zip(touchable);
             let free = free.filter(|(p, can_touch)| *can_touch && **p < limit);

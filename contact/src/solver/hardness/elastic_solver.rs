@@ -1,4 +1,4 @@
-//! The interface of a solver without a limit, as the exchanges use it.
+//! The interface that the exchanges require of a solver without a limit.
 
 use crate::{
     ContactError, DiscreteProblem, Iterate, Load, SolverOptions,
@@ -7,10 +7,10 @@ use crate::{
 
 /// A solver of the problem without a limit.
 pub trait ElasticSolver: Solver {
-    /// How far it goes.
+    /// The solver's options.
     fn options(&mut self) -> &mut SolverOptions;
 
-    /// Solves as if nothing limited the pressure; `K p` (m) of it too, where it is known without a product.
+    /// Solves without a limit on the pressure; also returns its `K p` (m) if that is known without a product.
     fn solve_elastic(
         &mut self,
         problem: &mut DiscreteProblem,

@@ -1,4 +1,5 @@
-//! One exchange of elements after the other: which are held at the limit, and how far the others' problem is solved.
+//! Successive exchanges of elements: which are held at the limit, and how accurately the problem of the others is
+//! solved.
 
 use super::descent::Descent;
 use super::elastic_solver::ElasticSolver;
@@ -9,41 +10,40 @@ use crate::{
 
 /// Largest residual to which a problem between exchanges is solved.
 const COARSEST: f64 = 1e-2;
-/// Residual of the next problem, as a part of the last exchange's error.
+/// Residual of the next problem, as a fraction of the last exchange's error.
 const REFINEMENT: f64 = 0.03;
-/// The next residual, as a part of the last, where a problem of the descent leaves nothing on the wrong side.
+/// The next residual, as a fraction of the last, if a problem of the descent leaves no element on the wrong side.
 const CLOSER_IN_DESCENT: f64 = 0.1;
-/// Gap of a held element that does not count, as a part of the residual solved to.
+/// Gap of a held element that is ignored, as a fraction of the residual of the solution.
 const SLACK: f64 = 0.5;
-/// Exchanges without a halving of their error after which they give way to the descent.
+/// Exchanges without halving the error after which the descent begins.
 const PATIENCE: usize = 4;
-/// Part of the limit from which on an element of a start is held.
+/// Fraction of the limit above which an element of a start is held.
 const NEAR: f64 = 0.95;
-/// Part of a force that the elements held at a start may carry.
+/// Largest fraction of a force carried by the elements held at a start.
 const LARGEST_SHARE: f64 = 0.97;
-/// Part of a force that is rounding of what the held elements carry.
+/// Fraction of a force that is rounding error of the held elements' force.
 const ROUNDING: f64 = 1e-13;
-/// By how much, as a part of the limit, a pressure may exceed it that is then cut to it: rounding, by which an element
-/// was held and let go by turns.
+/// Relative excess over the limit that is cut off as rounding; without this an element was held and released in turn.
 const ABOVE: f64 = 1e-13;
 
 /// The elements held at the limit, and the pressure of the others.
 pub struct LimitExchange {
     load: Load,
-    /// Residual that the solution must have.
+    /// Required residual of the solution.
     tolerance: f64,
     held: HeldPressure,
-    /// Whether `held` is pressed as it stands.
+    /// Whether the present `held` is already part of the load.
     is_pressed: bool,
     /// Pressure of the elements that are not held, in Pa.
     free: Vec<f64>,
-    /// Residual to solve to.
+    /// Residual to which the next problem is solved.
     accuracy: f64,
-    /// The work of all problems together, and the last one's result.
+    /// The total work of all problems, and the result of the last one.
     pub total: Iterate,
-    /// Whether elements have been let go.
+    /// Whether elements have been released.
     has_let_go: bool,
-    /// The error of an exchange that must next be halved, and the exchanges since.
+    /// The error to be halved next, and the exchanges since it was reached.
     milestone: f64,
     since: usize,
     descent: Option<Descent>,
@@ -56,13 +56,13 @@ struct Wrong {
     above: Vec<usize>,
     /// Held elements with a gap.
     open: Vec<usize>,
-    /// By how much, relative to limit and penetration.
+    /// The largest error, relative to limit and penetration.
     by: f64,
 }
 
 impl LimitExchange {
-    /// Starts from the elements near the limit of a pressure, of a prescribed force those that overlap most: one
-    /// product where there are any.
+    /// Starts by holding the elements whose pressure is near the limit; only those that overlap most if all would carry
+    /// too much of a prescribed force, which takes one product.
     pub fn start(problem: &mut DiscreteProblem, load: Load, start: &[f64], tolerance: f64) -> Self {
         let limit = problem.hardness();
         let mut total = Iterate::of(Vec::new());
@@ -104,7 +104,7 @@ impl LimitExchange {
         }
     }
 
-    /// Makes the held elements a part of the load: one product where they are others than before.
+    /// Makes the held elements part of the load: one product if they have changed.
     pub fn press(&mut self, problem: &mut DiscreteProblem) {
         if !self.is_pressed {
             self.total.operator_applications += problem.press_held(&mut self.held);
@@ -112,7 +112,7 @@ impl LimitExchange {
         }
     }
 
-    /// How far to solve the problem of the free elements.
+    /// The options for the problem of the free elements.
     pub fn options(&self, wanted: SolverOptions) -> SolverOptions {
         let spent = self.total.operator_applications;
         SolverOptions {
@@ -123,7 +123,7 @@ impl LimitExchange {
         }
     }
 
-    /// Solves the problem of the free elements; nothing where those held carry the whole force.
+    /// Solves the problem of the free elements; their pressure is zero if the held elements carry the whole force.
     pub fn solve(
         &mut self,
         solver: &mut impl ElasticSolver,
@@ -145,7 +145,7 @@ impl LimitExchange {
         }
     }
 
-    /// Adds up the work and takes the result; returns whether the contact reached the border of a window.
+    /// Adds the work to the total and takes the result; returns whether the contact reached the border of a window.
     pub fn take(&mut self, found: Iterate) -> bool {
         let total = &mut self.total;
         total.iterations += found.iterations;
@@ -159,7 +159,7 @@ impl LimitExchange {
         found.reached_border
     }
 
-    /// `K p` (m) of the whole pressure: a product where that of the free elements' is not known.
+    /// Computes `K p` (m) of the whole pressure: one product if that of the free elements is unknown.
     pub fn displacement(
         &mut self,
         problem: &mut DiscreteProblem,
@@ -175,7 +175,7 @@ impl LimitExchange {
         displacement
     }
 
-    /// Exchanges elements or asks for a closer solution; false where neither is needed.
+    /// Exchanges elements or tightens the accuracy of the solution; returns false if neither is needed.
     pub fn advance(&mut self, problem: &mut DiscreteProblem, displacement: &[f64]) -> bool {
         let (limit, tolerance) = (problem.hardness(), self.tolerance);
         let pressure = self.pressure(limit);
@@ -209,7 +209,8 @@ impl LimitExchange {
         true
     }
 
-    /// Whether what exchanges are wrong by has not been halved for long. Those that let nothing go end by themselves.
+    /// Whether the error of the exchanges has not been halved for too long. Exchanges that release no element always
+    /// end.
     fn has_stalled(&mut self, wrong: &Wrong) -> bool {
         if wrong.by < self.milestone / 2.0 {
             (self.milestone, self.since) = (wrong.by, 0);
@@ -219,7 +220,7 @@ impl LimitExchange {
         self.since >= PATIENCE
     }
 
-    /// Holds the elements at the limit of the pressure descended to, and goes on from there.
+    /// Holds the elements at the limit of the descent's pressure, and continues from that pressure.
     fn hold_descended(&mut self, limit: f64) {
         let Some(descent) = &self.descent else {
             return;
@@ -239,7 +240,8 @@ impl LimitExchange {
         self.hold(&wrong.above);
     }
 
-    /// One step of the descent from the solution beside the held elements: its pressure (Pa) and `K p` (m).
+    /// Takes one step of the descent from the solution with the held elements, given by its pressure (Pa) and `K p`
+    /// (m).
     fn descend(
         &mut self,
         problem: &mut DiscreteProblem,
@@ -267,7 +269,7 @@ impl LimitExchange {
         }
     }
 
-    /// The elements on the wrong side of the solution beside the held ones, by its `v = K p + w* + g0` (m).
+    /// Finds the elements on the wrong side of the solution with the held elements, from its `v = K p + w* + g0` (m).
     fn wrong(&mut self, problem: &DiscreteProblem, v: &[f64]) -> Wrong {
         let limit = problem.hardness();
         let highest = limit * (1.0 + ABOVE);
@@ -293,12 +295,12 @@ impl LimitExchange {
         wrong
     }
 
-    /// As many elements as carry at the limit what those above it carry beyond it: those that press most, then those
-    /// with the narrowest gap.
+    /// As many elements as can carry at the limit the excess of those above it: those with the largest pressure, then
+    /// those with the smallest gap.
     fn next(&self, limit: f64, above: &[usize], v: &[f64]) -> Vec<usize> {
         let above = above.iter().map(|element| self.free[*element]);
         let beyond: f64 = above.map(|p| p / limit - 1.0).sum();
-        // Elements that have been let go in vain must not all come back.
+        // Elements released in vain must not all return.
         if beyond < 1.0 || self.has_let_go {
             return Vec::new();
         }
@@ -345,7 +347,7 @@ impl LimitExchange {
         self.held.take_from(&mut self.free);
     }
 
-    /// Lets go elements that have a gap.
+    /// Releases elements that have a gap.
     fn let_go(&mut self, limit: f64, open: &[usize]) {
         self.has_let_go |= !open.is_empty();
         for element in open {
@@ -361,7 +363,7 @@ impl LimitExchange {
         pressure
     }
 
-    /// The result of the exchanges, with no pressure above the limit.
+    /// Returns the result of the exchanges, with no pressure above the limit.
     pub fn into_iterate(self, limit: f64) -> Iterate {
         let mut pressure = self.pressure(limit);
         pressure.iter_mut().for_each(|p| *p = p.min(limit));

@@ -8,8 +8,8 @@ use crate::{
 
 const COLD: [f64; SIZE * SIZE] = [0.0; SIZE * SIZE];
 
-/// Solves, and has the certificate judge: a pressure between nothing and the limit that meets all conditions is the
-/// one solution.
+/// Solves and checks the certificate: a pressure between 0 and the limit that meets all conditions is the unique
+/// solution.
 #[track_caller]
 fn solved(
     solver: &mut impl Solver,
@@ -41,8 +41,8 @@ fn elastic_peak(problem: &mut DiscreteProblem, load: Load) -> f64 {
     found.unwrap().pressure.into_iter().fold(0.0, f64::max)
 }
 
-/// Solves from nothing, from its own solution and from four fifths of it, with the pressure cut at a part of its peak;
-/// returns the products of each.
+/// Solves from a zero start, from its own solution and from four fifths of it, with the limit at a fraction `part` of
+/// the elastic peak; returns the products of each.
 #[track_caller]
 fn work(case: &impl Fn() -> DiscreteProblem, load: Load, part: f64) -> [usize; 3] {
     let peak = elastic_peak(&mut case(), load);
@@ -54,7 +54,7 @@ fn work(case: &impl Fn() -> DiscreteProblem, load: Load, part: f64) -> [usize; 3
     let [again, near] = starts.map(|start: Vec<f64>| {
         let (found, _) = solved(&mut solver, &mut problem, load, &start);
         for (p, q) in found.pressure.iter().zip(&cold.pressure) {
-            // The certificate's 1e-8 times the condition of the systems.
+            // The certificate's 1e-8 times the condition number of the systems.
             assert!((p - q).abs() < 1e-4 * part * peak, "{p} {q}");
         }
         found.operator_applications
@@ -62,7 +62,7 @@ fn work(case: &impl Fn() -> DiscreteProblem, load: Load, part: f64) -> [usize; 3
     [cold.operator_applications, again, near]
 }
 
-/// Asserts that the products are no more than measured, with a tenth to spare.
+/// Asserts that the products are no more than measured, with a margin of a tenth.
 #[track_caller]
 fn assert_work(case: &impl Fn() -> DiscreteProblem, load: Load, cases: &[(f64, [usize; 3])]) {
     for (part, most) in cases {
@@ -115,7 +115,7 @@ fn both_methods_cut_alike_and_the_stiffness_is_that_of_what_is_free() {
     for (p, q) in one.pressure.iter().zip(&other.pressure) {
         assert!((p - q).abs() < 1e-5 * peak, "{p} {q}");
     }
-    // dQ/dD by a difference that leaves the sets as they are: both are solved to 1e-8 of D.
+    // dQ/dD by a difference that leaves the sets unchanged: both are solved to 1e-8 of D.
     let step = 1e-5;
     let force = |cut: &mut DiscreteProblem, depth: f64| {
         let load = Load::Penetration(depth);
@@ -178,7 +178,7 @@ fn products_that_are_spent_end_the_exchanges_at_an_admissible_pressure() {
         let mut solver = GradientSolver::new(options);
         let found = solver.solve(&mut cut, load, &COLD, &mut Watch::alone(&mut ()));
         let found = found.unwrap();
-        // A step takes one product or two, an exchange two.
+        // A step takes one or two products, an exchange two.
         let applications = found.operator_applications;
         assert!((max_applications..=max_applications + 4).contains(&applications));
         assert!(found.pressure.iter().all(|p| (0.0..=limit).contains(p)));

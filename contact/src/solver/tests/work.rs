@@ -1,9 +1,9 @@
-//! The work in products with `K`, where a step that no longer helps shows first.
+//! The work in products with `K`, the first sign of a step that no longer helps.
 
 use super::*;
 
-/// Solves from cold and asserts the products of the solution and of its stiffness; they are as measured, with a tenth
-/// to spare.
+/// Solves from a cold start and asserts the products of the solution and of its stiffness, as measured with a margin of
+/// a tenth.
 #[track_caller]
 fn assert_work(mut problem: DiscreteProblem, load: Load, most: [usize; 2]) {
     let found = solve(&mut problem, load, &[0.0; SIZE * SIZE]);

@@ -1,4 +1,4 @@
-//! Squares tried and chosen, and their verdicts from a coarse grid.
+//! Trials and choices of the square, and verdicts from a coarse grid.
 
 use std::sync::Arc;
 
@@ -74,7 +74,7 @@ fn a_square_that_cuts_off_grows_half_of_the_way_to_where_the_indenter_is_as_high
     );
 }
 
-/// A ball of radius 1 on a coating of this relative stiffness and thickness.
+/// A ball of radius 1 on a coating with this relative stiffness and thickness.
 fn on_coating(stiffness: f64, thickness: f64, relief: Relief) -> Model {
     let [coating, base] = [stiffness, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
     let body = Foundation::coated(thickness, coating, base).unwrap();
@@ -110,7 +110,7 @@ fn the_square_chosen_holds_the_contact_which_is_no_small_part_of_it() {
             to_edge >= EDGE_MARGIN && TRIAL / 2 - to_edge >= SMALLEST_EXTENT,
             "{to_edge}"
         );
-        // A square that the contact all but fills is too small, and one of some elements of contact too large.
+        // A square nearly filled by the contact is too small, and one with few elements in contact too large.
         let radius = 0.5 * side * (TRIAL / 2 - to_edge) as f64 / (TRIAL / 2) as f64;
         let judged = |factor: f64| judge(&model, factor * radius, load, f64::INFINITY).unwrap();
         assert!(matches!(judged(1.9), SquareVerdict::TooSmall(1..)));
@@ -134,7 +134,7 @@ fn a_coarse_grid_tells_what_fits_but_for_half_an_element() {
         let grid = Grid::new(side_per_radius * radius, size).unwrap();
         fits_clearly(&model, grid, load, f64::INFINITY).unwrap()
     };
-    // A radius of 16 of a trial's elements of 32; of 6.4, which is too few; and an edge two elements away.
+    // A radius of 16 of the trial's 32 elements; one of 6.4, which is too few; and an edge two elements away.
     for size in FIRST_TRIALS {
         assert_eq!(
             [4.0, 10.0, 2.1].map(|side| fits(size, side)),
@@ -148,7 +148,7 @@ fn a_coarse_grid_tells_what_fits_but_for_half_an_element() {
     );
     assert!(is_known_beforehand(&model));
     assert!(!is_known_beforehand(&on_coating(2.0, 0.1, Relief::Bare)));
-    // A hardness spreads the contact: Q/p_max is the least area.
+    // A hardness widens the contact: Q/p_max is the smallest area.
     let force = Load::Force(1e-3);
     let side = choose_side_at(&model, &[force], 0.01).unwrap();
     assert!(side > 2.2 * (1e-3 / 0.01 / std::f64::consts::PI).sqrt());
@@ -175,9 +175,9 @@ fn a_coarse_grid_is_not_asked_where_it_may_miss_something() {
         indenter: crate::FlatPunch::new(0.06).unwrap().into(),
         ..bare.clone()
     };
-    // Centres at (0.05, 0.05) are beside a pin of 0.06, at (0.025, 0.025) below it.
+    // Centres at (0.05, 0.05) are outside a pin of radius 0.06, those at (0.025, 0.025) under it.
     assert!(!is_seen_by(&pin, &grid(16)) && is_seen_by(&pin, &grid(32)));
-    // The four middles around the axis lie at f = 0.05².
+    // The four centres around the axis lie at f = 0.05².
     let sees = |depth: f64| sees_the_tip(&bare, &grid(16), depth);
     assert!(sees(f64::NAN) && sees(0.0026) && !sees(0.0024));
 }

@@ -1,16 +1,16 @@
-//! The band of elements just outside the working set, where the answer of a filter of the whole plane must be made to
+//! The band of elements just outside the working set, where the result of a filter on the whole plane is forced to
 //! vanish.
 //!
-//! With `F` the inverse of the system on the whole periodic grid, `I` the working set and `E` all that lies outside,
-//! the inverse of the system on `I` is the Schur complement `F_II − F_IE F_EE⁻¹ F_EI`: it answers a residual `r` on `I`
-//! by `F (r + s)`, with the `s` on `E` that makes the answer vanish there:
+//! With `F` the inverse of the system on the whole periodic grid, `I` the working set and `E` all elements outside, the
+//! inverse of the system on `I` is the Schur complement `F_II − F_IE F_EE⁻¹ F_EI`. For a residual `r` on `I` its result
+//! is `F (r + s)`, with the `s` on `E` that makes it vanish there:
 //!
 //! ```text
 //! F_EE s = −(F r)_E
 //! ```
 //!
-//! `F` falls off so quickly that a band a few elements wide stands for all of `E`, and a few of its coefficients for
-//! all of them. Without the band the filter is wrong at the contact's edge, and that alone takes twice the iterations.
+//! `F` decays so quickly that a band a few elements wide can represent all of `E`, and a few coefficients all of `F`.
+//! Without the band the filter is wrong at the edge of the contact, which alone doubles the iterations.
 
 use pellicle_influence::SectorGrid;
 use rayon::prelude::*;
@@ -20,37 +20,37 @@ use crate::{
     vector::{add_scaled, dot, update},
 };
 
-/// Offset along both axes up to which the coefficients of `F` are counted.
+/// Offset along both axes up to which coefficients of `F` are used.
 const REACH: usize = 3;
-/// Coefficients of a quarter of the stencil along a side.
+/// Coefficients along a side of a quarter of the stencil.
 const ANSWERS: usize = REACH + 1;
-/// Answers of `F` to a unit, by offset along both axes.
+/// Coefficients of `F` by offset along both axes.
 pub type Answers = [[f64; ANSWERS]; ANSWERS];
-/// Elements from the set to the outer rim of the band, along both axes. One more gains nothing, one less costs a tenth
+/// Elements from the set to the outer rim of the band, along both axes. One more does not help; one less costs a tenth
 /// more products.
 const WIDTH: usize = 3;
-/// Part of its residual to which `s` is found, and the steps after which it is good enough as it is: 3 on a homogeneous
-/// body, up to all under a stiff coating.
+/// Relative residual to which `s` is solved, and the most steps for it: 3 are taken on a homogeneous body, up to all
+/// under a stiff coating.
 const ACCURACY: f64 = 0.1;
 const MOST_STEPS: usize = 12;
-/// Elements worth a thread of their own.
+/// Fewest elements per thread.
 const ELEMENTS: usize = 1 << 12;
 
-/// The band around one working set. Its own fields hold a value for each of its elements.
+/// The band around one working set. Its fields hold one value for each of its elements.
 pub struct EdgeBand {
     layout: Layout,
     coefficients: Answers,
     /// The band's elements on the grid, ascending.
     elements: Vec<usize>,
-    /// Where they lie in the field that the stencil is laid over.
+    /// Their places in the field to which the stencil is applied.
     places: Vec<usize>,
-    /// Mirror images across a sector's axes: their place, and which of the band's elements they mirror.
+    /// Mirror images across a sector's axes: their place, and the index of the mirrored element of the band.
     images: Vec<(usize, usize)>,
     residual: Vec<f64>,
     direction: Vec<f64>,
     solution: Vec<f64>,
     image: Vec<f64>,
-    /// The field that the stencil is laid over: 0 but on the band and its mirror images.
+    /// The field to which the stencil is applied: 0 except on the band and its mirror images.
     spread: Vec<f64>,
 }
 
@@ -75,12 +75,12 @@ impl EdgeBand {
         }
     }
 
-    /// Takes the coefficients of `F`, its answers to a unit by offset along the axes.
+    /// Sets the coefficients of `F`, by offset along the axes.
     pub fn take_coefficients(&mut self, answers: &Answers) {
         self.coefficients = *answers;
     }
 
-    /// Lays the band around a set.
+    /// Sets up the band around a set.
     pub fn surround(&mut self, set: &WorkingSet) {
         self.direction.fill(0.0);
         self.lay_direction();
@@ -118,7 +118,7 @@ impl EdgeBand {
         self.elements.is_empty()
     }
 
-    /// Writes `s` for the `answer` `F r` into the band's elements of `field`: conjugate gradients on
+    /// Computes `s` for the `answer` `F r` and writes it into the band's elements of `field`: conjugate gradients on
     /// `F_EE s = −(F r)_E`.
     pub fn balance(&mut self, answer: &[f64], field: &mut [f64]) {
         update(&mut self.residual, &self.elements, |r, e| *r = -answer[*e]);
@@ -136,7 +136,7 @@ impl EdgeBand {
             });
             self.multiply();
             let alpha = product / dot(&self.direction, &self.image);
-            // Cut off at the reach, F_EE may be indefinite under a stiff coating.
+            // Truncated at the reach, F_EE may be indefinite under a stiff coating.
             if !(alpha > 0.0 && alpha.is_finite()) {
                 break;
             }
@@ -163,7 +163,7 @@ impl EdgeBand {
         });
     }
 
-    /// Writes the direction where the stencil finds it.
+    /// Copies the direction into the field to which the stencil is applied.
     fn lay_direction(&mut self) {
         for (place, d) in self.places.iter().zip(&self.direction) {
             self.spread[*place] = *d;
@@ -174,8 +174,7 @@ impl EdgeBand {
     }
 }
 
-/// The sum of a field times the coefficients around an element; the field from where the coefficient of the lowest
-/// offsets lies.
+/// The sum of a field times the coefficients around an element; the field starts at the place of the lowest offsets.
 fn stencil(field: &[f64], width: usize, coefficients: &Answers) -> f64 {
     let row = |i: usize| -> &[f64] { &field[i * width..][..=2 * REACH] };
     let mut sum = 0.0;
@@ -197,13 +196,13 @@ fn stencil(field: &[f64], width: usize, coefficients: &Answers) -> f64 {
     sum
 }
 
-/// Where the band's elements lie, on the grid and in the field that its stencil is laid over, which also has the
+/// The places of the band's elements on the grid and in the field to which its stencil is applied, which also covers
 /// elements beyond a sector's axes.
 #[derive(Clone, Copy)]
 struct Layout {
-    /// Rows, and elements of each.
+    /// Rows, and elements per row.
     lengths: [usize; 2],
-    /// Rows and columns before the first.
+    /// Rows and columns before the first element.
     beyond: [usize; 2],
 }
 
@@ -222,9 +221,9 @@ impl Layout {
         (i + above) * self.width() + j + left
     }
 
-    /// Where the mirror images of an element lie that the stencil reaches beyond the axes.
+    /// The places of an element's mirror images beyond the axes that are within reach of the stencil.
     fn images(self, [i, j]: [usize; 2]) -> impl Iterator<Item = usize> {
-        // The image of the element k from the axis lies as far on the other side.
+        // The image of element k from the axis lies at the same distance on the other side.
         let along = move |axis: usize, k: usize| {
             let beyond = self.beyond[axis];
             std::iter::once(k + beyond).chain(beyond.checked_sub(k + 1))
@@ -233,18 +232,19 @@ impl Layout {
         places.skip(1)
     }
 
-    /// Rows, or columns, that the band may lie in: neither it nor the stencil leaves the grid.
+    /// Rows or columns that may hold the band: neither it nor the stencil leaves the grid.
     fn lines(self, axis: usize) -> std::ops::Range<usize> {
         let margin = WIDTH.max(REACH);
         let first = if self.beyond[axis] > 0 { 0 } else { margin };
         first..self.lengths[axis].saturating_sub(margin).max(first)
     }
 
-    /// The band's elements in row `i`, ascending; `near` has room for a row with the width of the band on both sides.
+    /// The band's elements in row `i`, ascending; `near` is a buffer for a row plus the width of the band on both
+    /// sides.
     fn band_in_row(self, i: usize, mask: &[bool], near: &mut [bool]) -> Vec<usize> {
         let [_, size] = self.lengths;
         near.fill(false);
-        // Elements beyond an axis are images of elements on this side, which lie nearer.
+        // Elements beyond an axis are images of elements on this side, which are nearer.
         let first = i.saturating_sub(WIDTH);
         for row in mask[first * size..(i + WIDTH + 1) * size].chunks_exact(size) {
             let near = near[WIDTH..].iter_mut();
@@ -273,7 +273,7 @@ mod tests {
 
     const SIZE: usize = 41;
 
-    /// A body that does not move.
+    /// A rigid body.
     struct Rigid;
 
     impl ElasticOperator for Rigid {
@@ -292,7 +292,7 @@ mod tests {
         island([0.0, 7.0], 5.2) || island([17.0, 2.0], 3.4) || island([24.0, 25.0], 10.3)
     }
 
-    /// The set of the inner elements, moved by some columns.
+    /// The set of the inner elements, shifted by some columns.
     fn set(grid: SectorGrid, moved: usize) -> WorkingSet {
         let presses = |e: usize| f64::from(u8::from(inside([e / SIZE, e % SIZE + moved])));
         let pressure: Vec<f64> = (0..grid.elements()).map(presses).collect();
@@ -307,8 +307,8 @@ mod tests {
         .1
     }
 
-    /// Whether an element lies beside the set, three elements away at most, and three from the border at least, which
-    /// the axes of a sector are not.
+    /// Whether an element lies outside the set, at most three elements from it and at least three from the border; the
+    /// axes of a sector are not a border.
     fn is_of_band([i, j]: [usize; 2], grid: SectorGrid) -> bool {
         let around = |k: usize| k.saturating_sub(3)..=k + 3;
         let near = around(i).any(|i| around(j).any(|j| inside([i, j])));
@@ -338,7 +338,7 @@ mod tests {
             band.surround(&set(grid, 0));
             let mut written = vec![0.0; elements];
             band.balance(&answer, &mut written);
-            // Of another set nothing stays.
+            // No values of the earlier set remain.
             let mut again = vec![0.0; elements];
             band.surround(&set(grid, 4));
             band.balance(&answer, &mut vec![0.0; elements]);

@@ -1,30 +1,29 @@
-//! The inverse of the system on a working set, made from that on the whole periodic grid.
+//! The inverse of the system on a working set, derived from that on the whole periodic grid.
 //!
 //! `F = F⁻¹ 1/(K̂ + η̄) F` by FFT, with `K̂` the symbol of `K` and `η̄` the mean compliance of the relief over the set;
-//! restricted to the set, with a [band](super::edge_band) of elements just outside it that forces the answer to vanish
-//! there.
-//! (The symbol is positive; the padded operator's own spectrum is not where a coating is stiff, and must not be
+//! restricted to the set, with a [band](super::edge_band) of elements just outside it in which the result is forced to
+//! vanish. (The symbol is positive; the spectrum of the padded operator is not if a coating is stiff, and must not be
 //! inverted.)
 //!
-//! With `X` for the inverse of `F_EE` that the band stands for, the answer to `r` is `F_II − F_IE X F_EI`. Where a
-//! coating is stiff, near coefficients of `F` all but cancel, as those of a plate do, and an `X` a tenth wrong makes
-//! that negative for uniform residuals. There the band answers a second time, to what the first has left:
+//! With `X` for the band's approximate inverse of `F_EE`, the preconditioner is `F_II − F_IE X F_EI`. Under a stiff
+//! coating neighbouring coefficients of `F` nearly cancel, as for a plate, and an error of a tenth in `X` makes this
+//! negative for uniform residuals. There the band is applied a second time, to the remainder of the first:
 //!
 //! ```text
 //! M⁻¹ = (1 − F_IE X) F (1 − X F_EI),
 //! ```
 //!
-//! which is never negative, whatever linear `X`, for one application of `F` more.
+//! which is never negative for any linear `X`, at the cost of one more application of `F`.
 //!
-//! Where compliances `η` differ, as between the elements of a relief and beside them, short waves are right to one of
-//! them and wrong to the other. With `κ = 1/F(0) − η̄`, the body's own compliance to what one element feels, the filter
-//! is flanked by powers of the ratio of both:
+//! Where compliances `η` differ, as between elements on and beside a relief, the filter is right for short waves on one
+//! kind of element and wrong on the other. With `κ = 1/F(0) − η̄`, the body's own compliance for one element, the
+//! filter is scaled on both sides by a power of the ratio:
 //!
 //! ```text
 //! M⁻¹ = S F S,    S = ((κ + η̄)/(κ + η))^¼
 //! ```
 //!
-//! The power that would set the short waves right, ½, spoils the long ones; half of it takes a fifth fewer products
+//! The exponent ½ would be right for short waves but is wrong for long ones; half of it takes a fifth fewer products
 //! than none.
 
 use pellicle_influence::{PeriodicFilter, PeriodicSymbol, SectorGrid};
@@ -33,30 +32,30 @@ use crate::solver::gradient::preconditioner::edge_band::{Answers, EdgeBand};
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::vector::{add_scaled, by_parts, update};
 
-/// Filters are made for mean compliances in this ratio, and serve those around.
+/// Ratio of successive mean compliances for which filters are built.
 const MEAN_RATIO: f64 = 1.1;
 
-/// Sum of the coefficients of `F` within the band's reach, in units of the first, below which they count as a plate's:
-/// 0.11 on a homogeneous body, more under soft coatings.
+/// Sum of the coefficients of `F` within the band's reach, in units of the first, below which the body counts as a
+/// plate: 0.11 on a homogeneous body, more under soft coatings.
 const PLATE: f64 = 0.08;
 
 /// The restricted inverse on one grid.
 pub struct RestrictedFilter {
     filter: PeriodicFilter,
-    /// Response to the shortest wave, the unit of mean compliances.
+    /// Response to the shortest wave: the unit of mean compliances.
     shortest: f64,
-    /// `η̄` that the filter is made for; NaN before the first.
+    /// `η̄` for which the filter is built; NaN before the first.
     mean_compliance: f64,
     /// `S` of each element.
     flank: Vec<f64>,
     band: EdgeBand,
-    /// Whether the band answers twice.
+    /// Whether the band is applied twice.
     is_plate: bool,
     answer: Vec<f64>,
 }
 
 impl RestrictedFilter {
-    /// For the symbol's grid or a sector of it.
+    /// Creates a filter for the symbol's grid or a sector of it.
     pub fn new(symbol: PeriodicSymbol, grid: SectorGrid) -> Self {
         let elements = grid.elements();
         Self {
@@ -79,7 +78,7 @@ impl RestrictedFilter {
         self.band.surround(set);
     }
 
-    /// Forgets the compliances that it is tuned to.
+    /// Discards the compliances for which the filter is tuned.
     pub fn forget_compliance(&mut self) {
         self.mean_compliance = f64::NAN;
     }
@@ -118,7 +117,7 @@ impl RestrictedFilter {
     }
 }
 
-/// The answer to 1 on all elements within reach: every coefficient for itself and its mirror images.
+/// The sum of all coefficients within reach, including mirror images.
 fn even_answer(answers: &Answers) -> f64 {
     let images = |offset: usize| if offset == 0 { 1.0 } else { 2.0 };
     let rows = answers.iter().enumerate().map(|(i, row)| {
@@ -128,7 +127,7 @@ fn even_answer(answers: &Answers) -> f64 {
     rows.sum()
 }
 
-/// The nearest power of [`MEAN_RATIO`]; 0 for what is next to the body's own compliance of 1 nothing.
+/// The nearest power of [`MEAN_RATIO`]; 0 for values negligible beside the body's own compliance of 1.
 fn rounded(mean: f64) -> f64 {
     if mean < f64::EPSILON {
         0.0
@@ -176,7 +175,7 @@ mod tests {
         Arc::new(SurfaceElasticity::new(Arc::new(table.unwrap()), foundation))
     }
 
-    /// Pillars within a disc, of this period and radius in elements.
+    /// Pillars within a disc, with this period and radius in elements.
     fn set_of_pillars(surface: &Arc<SurfaceElasticity>, period: f64, radius: f64) -> WorkingSet {
         let inside = |e: usize| {
             let [x, y] = [e / SIZE, e % SIZE].map(|i| i as f64 - 23.5);
@@ -200,7 +199,7 @@ mod tests {
         filter
     }
 
-    /// The part of `pressure` by which the filter misses it, asked for what answers `K p` on the set.
+    /// The relative error of the pressure that the filter recovers from `K p` on the set.
     fn miss(filter: &mut RestrictedFilter, surface: &SurfaceElasticity, set: &WorkingSet) -> f64 {
         let mut pressure: Vec<f64> = (0..SIZE * SIZE).map(|e| (e as f64).sin()).collect();
         set.clear_outside(&mut pressure);
@@ -212,7 +211,7 @@ mod tests {
         (dot(&answer, &answer) / dot(&pressure, &pressure)).sqrt()
     }
 
-    /// The filter's answer to a mirrored field on pillars that stand on both axes, on a sector.
+    /// The filter's result for a mirrored field on pillars on both axes, on a sector.
     fn answer(surface: &Arc<SurfaceElasticity>, sector: SectorGrid) -> Vec<f64> {
         let cut = |field: Vec<f64>| sector.cut(&field);
         let along = |i: usize| (i as f64 - 23.5).abs();
@@ -251,7 +250,7 @@ mod tests {
         let quadrant = answer(&surface, sector);
         let largest = whole.iter().fold(0.0, |most: f64, z| most.max(z.abs()));
         for (one, other) in quadrant.iter().zip(&whole) {
-            // Single precision, and some sums of it.
+            // Single precision, with some sums.
             assert!((one - other).abs() < 1e-4 * largest, "{one} {other}");
         }
     }

@@ -1,9 +1,9 @@
-//! Steps and their images under the system, from the sets that Newton's method solved on before: the inverse is
-//! corrected by them.
+//! Secant pairs, steps and their images under the system from earlier sets of Newton's method, which correct the
+//! inverse.
 //!
-//! The last sets of a solution differ by a few elements, but conjugate gradients begin anew on each. With the steps
-//! `s_i` taken on the sets before and their images `y_i = (K + η) s_i`, an inverse `M` becomes (Nocedal 1980; Morales
-//! and Nocedal 2000)
+//! The last sets of a solution differ by few elements, but conjugate gradients start again on each. With the steps
+//! `s_i` taken on earlier sets and their images `y_i = (K + η) s_i`, an inverse `M` becomes (Nocedal 1980; Morales and
+//! Nocedal 2000)
 //!
 //! ```text
 //! the latest first:    a_i = s_i·r / s_i·y_i,   r ← r − a_i y_i
@@ -11,27 +11,27 @@
 //! the earliest first:  z ← z + (a_i − y_i·z / s_i·y_i) s_i
 //! ```
 //!
-//! which is symmetric and positive whatever the pairs are, as long as every `s_i·y_i > 0`. Pillars under a coating 30
-//! times as stiff over a layer take 39 products instead of 50 at N = 1024.
+//! which is symmetric and positive for any pairs with `s_i·y_i > 0`. Pillars under a coating 30 times as stiff over a
+//! layer take 39 products instead of 50 at N = 1024.
 //!
-//! A pair is cut to the elements that stay. Its image is kept everywhere, so it is known on those that enter, and loses
-//! what the elements that leave contributed: pairs whose images were only cut took pillars under a coating 3000 times
-//! as stiff up to 46 products instead of 32.
+//! A pair is restricted to the elements that stay. Its image is kept on all elements, so it is known on those that
+//! enter, and the contributions of those that leave are subtracted. With images that were only restricted, pillars
+//! under a coating 3000 times as stiff took up to 46 products instead of 32.
 
 use rayon::prelude::*;
 
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::vector::{by_parts, update};
 
-/// Part of a set that may change before the pairs are worth little.
+/// Fraction of a set that may change before the pairs are discarded.
 const MOST_CHANGED: f64 = 0.02;
-/// Elements that may leave at once.
+/// Most elements that may leave at once.
 const MOST_LEAVING: usize = 200;
-/// Coefficients of the elements that leave: the images on the nearest so many lose what those contributed. With a
-/// quarter, the bare coating 3000 times as stiff takes 25 products at N = 1024 instead of 19; with more, no cell takes
-/// fewer, but up to half more time.
+/// Most coefficients of all leaving elements: their contributions are subtracted on that many of the nearest elements.
+/// With a quarter, the bare coating 3000 times as stiff takes 25 products at N = 1024 instead of 19; with more, no cell
+/// takes fewer, but up to half more time.
 const MOST_COEFFICIENTS: usize = 1 << 23;
-/// Numbers in all pairs together, at most: 256 MB.
+/// Most numbers in all pairs together: 256 MB.
 const MOST_NUMBERS: usize = 1 << 26;
 
 /// The pairs, on the elements of one set.
@@ -42,12 +42,11 @@ pub struct Secants {
     /// The revision of the set.
     revision: Option<u64>,
     pairs: Vec<Pair>,
-    /// How many pairs are of earlier sets: those of the present one wait until it changes.
+    /// Number of pairs from earlier sets; those of the current one are not used until it changes.
     used: usize,
 }
 
-/// A step and its image, in the units of the problem's scale: single precision, since they only correct an
-/// approximation.
+/// A step and its image, in the units of the problem's scale; single precision is enough to correct an approximation.
 struct Pair {
     /// On the elements of the set; 0 elsewhere.
     step: Vec<f32>,
@@ -60,13 +59,14 @@ struct Pair {
 }
 
 impl Secants {
-    /// Forgets all pairs.
+    /// Discards all pairs.
     pub fn clear(&mut self) {
         *self = Self::default();
     }
 
-    /// Cuts the pairs to a set that may have changed, and begins to use those of the set before. `column` tells the
-    /// elements up to so many rows and columns from one, and `K` between them and it in the units of the pairs.
+    /// Restricts the pairs to a set that may have changed, and begins to use those of the previous set.
+    /// `column(e, reach)` gives the elements within `reach` rows and columns of `e`, with `K` between them and `e` in
+    /// the units of the pairs.
     pub fn follow(&mut self, set: &WorkingSet, column: impl Fn(usize, usize) -> Vec<(usize, f64)>) {
         if self.pairs.is_empty() || self.revision == Some(set.revision()) {
             return;
@@ -96,7 +96,7 @@ impl Secants {
             (elements, Some(set.revision()), self.pairs.len());
     }
 
-    /// Takes from the images what the steps on the element at a place contribute to them by its column of `K`.
+    /// Subtracts from the images the contribution of the steps on the element at a place, by its column of `K`.
     fn take_away(&mut self, place: usize, column: &[(usize, f64)]) {
         self.pairs.par_iter_mut().for_each(|pair| {
             let step = f64::from(pair.step[place]);
@@ -106,7 +106,7 @@ impl Secants {
         });
     }
 
-    /// Notes a step on the present set and its image.
+    /// Records a step on the current set and its image.
     pub fn push(&mut self, set: &WorkingSet, step: &[f64], image: &[f64]) {
         if self.revision != Some(set.revision()) {
             self.clear();
@@ -119,7 +119,7 @@ impl Secants {
         }
     }
 
-    /// `z = M r` on a set, in place and corrected by the pairs, where `inverse` applies `M` in place.
+    /// Computes `z = M r` on a set, in place and corrected by the pairs; `inverse` applies `M` in place.
     pub fn apply(&self, set: &WorkingSet, field: &mut [f64], inverse: impl FnOnce(&mut [f64])) {
         let pairs = &self.pairs[..self.used];
         if pairs.is_empty() {
@@ -149,7 +149,7 @@ impl Secants {
         self.scatter(&direction, field);
     }
 
-    /// How many pairs find room.
+    /// Number of pairs that fit into the memory limit.
     fn most_pairs(&self) -> usize {
         let everywhere = self
             .pairs
@@ -171,7 +171,7 @@ impl Secants {
 }
 
 impl Pair {
-    /// The pair of a step on some elements; none where it has no curvature.
+    /// The pair for a step on some elements; none without positive curvature.
     fn of(elements: &[u32], step: Vec<f32>, image_everywhere: Vec<f32>) -> Option<Self> {
         let image: Vec<f32> = (elements.iter())
             .map(|element| image_everywhere[*element as usize])
@@ -191,7 +191,8 @@ impl Pair {
         })
     }
 
-    /// The pair on other elements, whose places among those of this one are given: the step is 0 on those that enter.
+    /// The pair on other elements, given their places among the elements of this one; the step is 0 on those that
+    /// enter.
     fn cut(self, elements: &[u32], places: &[Option<u32>]) -> Option<Self> {
         let step = |place: &Option<u32>| place.map_or(0.0, |place| self.step[place as usize]);
         let step = places.iter().map(step).collect();
@@ -207,7 +208,7 @@ fn members(set: &WorkingSet) -> Vec<u32> {
         .collect()
 }
 
-/// Of each element, its place in an ascending list if it is there.
+/// For each element, its place in an ascending list, if present.
 fn places_before(elements: &[u32], before: &[u32]) -> Vec<Option<u32>> {
     let mut rest = (0..).zip(before).peekable();
     let place = |element: &u32| {
@@ -218,7 +219,7 @@ fn places_before(elements: &[u32], before: &[u32]) -> Vec<Option<u32>> {
     elements.iter().map(place).collect()
 }
 
-/// The places in a list of those that are missing in another; both ascend.
+/// The places in `before` of elements that are missing in `elements`; both ascend.
 fn places_leaving(elements: &[u32], before: &[u32]) -> Vec<usize> {
     let places = places_before(before, elements).into_iter().enumerate();
     places
@@ -269,7 +270,7 @@ mod tests {
             .collect()
     }
 
-    /// The pairs of three steps on all elements, then cut to a set without the first few, and this set.
+    /// The pairs of three steps on all elements, restricted to a set without the first few, and this set.
     fn cut_to_all_but(left: usize) -> (Secants, WorkingSet) {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let control = LoadControl::of(&problem, Load::Penetration(0.02));
@@ -345,7 +346,7 @@ mod tests {
         let own = [vector::dot(&a, &answers[0]), vector::dot(&b, &answers[1])];
         assert!((crossed[0] - crossed[1]).abs() < 1e-9 * own[0]);
         assert!(own.into_iter().all(|own| own > 0.0));
-        // The plain inverse answers otherwise.
+        // The uncorrected inverse gives a different result.
         assert!((own[0] - 0.1 * vector::dot(&a, &a)).abs() > 0.1 * own[0]);
     }
 

@@ -1,20 +1,20 @@
 //! A factorised sparse approximate inverse of the system on the working set, `(K + η)_II⁻¹ ≈ Gᵀ G`.
 //!
-//! The elements are [ordered](self::order) from coarse to fine and shared out among small tiles. The elements of a tile
-//! are given the nearest *earlier* elements in common, and their rows of `G` are the last rows of the inverse Cholesky
-//! factor of the small dense system of these and themselves (Kaporin 1994; Vecchia's approximation, optimal in the
-//! Kullback–Leibler sense, and its aggregation: Schäfer, Katzfuss and Owhadi 2021):
+//! The elements are [ordered](self::order) from coarse to fine and grouped into small tiles. The elements of a tile
+//! share their nearest *earlier* elements as neighbours, and their rows of `G` are the last rows of the inverse
+//! Cholesky factor of the small dense system of these neighbours and themselves (Kaporin 1994; Vecchia's approximation,
+//! optimal in the Kullback–Leibler sense, and its aggregation: Schäfer, Katzfuss and Owhadi 2021):
 //!
 //! ```text
 //! (K + η)_nn = L Lᵀ,    Lᵀ g = e
 //! ```
 //!
-//! A tile spares the work that its elements have in common: one dense factor, one search for neighbours and one
-//! gathering of values where a row of its own for each element took a dozen.
+//! A tile shares work among its elements: one dense factor, one search for neighbours and one gathering of values,
+//! where separate rows would take a dozen of each.
 //!
-//! Coefficients depend on the offset alone, so tiles with elements and neighbours in the same places and of the same
-//! compliances share one block; inside a smooth contact nearly all of them do, on a rough surface few. Blocks once
-//! computed are kept while the set changes, so an exchange costs the blocks whose elements it touches.
+//! Coefficients depend only on the offset, so tiles whose elements and neighbours have the same places and compliances
+//! share one block: nearly all tiles inside a smooth contact, few on a rough surface. Computed blocks are kept while
+//! the set changes, so an exchange costs only the blocks whose elements it affects.
 //!
 //! A small set is solved directly instead.
 
@@ -40,42 +40,42 @@ use self::{
 };
 use crate::solver::gradient::working_set::WorkingSet;
 
-/// Elements of a set that is solved directly, at most: with 140 elements on 65,536 it takes 11 products instead of 40,
-/// and up to here the dense factor costs no more than they do.
+/// Most elements of a set that is solved directly: with 140 elements of 65,536 this takes 11 products instead of 40,
+/// and up to this limit the dense factor costs no more than the products.
 const MOST_DIRECT: usize = 500;
-/// Places where a tile's neighbours are looked for, nearest first. In a contact of a few summits most are empty:
-/// with 160 places it takes twice the products.
+/// Places searched for a tile's neighbours, nearest first. In a contact of a few summits most are empty: 160 places
+/// take twice the products.
 const PLACES: usize = 4000;
-/// Elements, in units of the spacing of a tile's level, from the axis of a sector within which mirror images count in
-/// a block: with 8 a bare coating 1000 times as stiff takes a third more products at N = 512.
+/// Distance from the axis of a sector, in units of the spacing of a tile's level, within which mirror images are
+/// included in a block: with 8 a bare coating 1000 times as stiff takes a third more products at N = 512.
 const NEAR_AXIS: u32 = 24;
-/// Numbers in a pattern before its elements.
+/// Length of a pattern's header.
 const HEAD: usize = 4;
-/// Numbers in all blocks together beyond which all are forgotten, some 0.5 GB: a path of many loads meets ever new
-/// ones.
+/// Numbers in all blocks together beyond which all blocks are discarded, about 0.5 GB: a path of many loads keeps
+/// adding blocks.
 const MOST_ENTRIES: usize = 1 << 27;
-/// Tiles that look for their blocks together: one part of a fixed length, for every number of threads.
+/// Tiles per parallel chunk; the same for every number of threads.
 const PART: usize = 1 << 9;
 
 /// The factor `G` on one grid's working set.
 pub struct SparseFactor {
-    /// Rows, and elements of each.
+    /// Rows, and elements per row.
     lengths: [usize; 2],
     grid: SectorGrid,
-    /// The coarsest level, whose spacing leaves one element.
+    /// The coarsest level, which has one element.
     top: u32,
     neighbours: usize,
     elasticity: Arc<SurfaceElasticity>,
     /// Class of `η/K₀₀` of every element.
     classes: Vec<u16>,
-    /// The block of each pattern met so far.
+    /// The block of each known pattern.
     known: HashMap<Pattern, u32>,
     blocks: FactorBlocks,
     /// Coefficients between elements of each level.
     near: Vec<NearCoefficients>,
     /// Compliance `η` of the relief (m/Pa).
     compliance: Vec<f64>,
-    /// The factor of a small set, in place of the blocks.
+    /// The factor of a small set, instead of the blocks.
     direct: Option<DirectFactor>,
     /// The tiles that hold elements of the set.
     tiles: Vec<Tile>,
@@ -91,20 +91,20 @@ struct Tile {
     block: u32,
 }
 
-/// Of each colour: where earlier elements lie.
+/// Offsets of earlier elements, by colour.
 static EARLIER: LazyLock<[Vec<[i32; 2]>; 4]> =
     LazyLock::new(|| [0, 1, 2, 3].map(|colour| earlier_offsets(colour, PLACES)));
-/// Where a tile's own elements lie.
+/// Offsets of a tile's own elements.
 static OWN: LazyLock<Vec<[i32; 2]>> = LazyLock::new(own_offsets);
-/// The same of the one tile of the coarsest level.
+/// The same for the only tile of the coarsest level.
 const FIRST: [[i32; 2]; 1] = [[0, 0]];
 
-/// A block depends on this alone: level and colour, the tile's distance from the axes of a quadrant if they are near,
-/// the number of its own elements, and of each of them and of each neighbour the index of its offset and its class.
+/// The key of a block: level and colour, the tile's distance from nearby axes of a quadrant, the number of its own
+/// elements, and for each of them and each neighbour the index of its offset and its class.
 type Pattern = Box<[u32]>;
 
 impl SparseFactor {
-    /// A factor with `neighbours` entries a block beside the tile's own elements, for a grid.
+    /// Creates a factor for a grid, with `neighbours` entries per block in addition to the tile's own elements.
     pub fn new(
         elasticity: Arc<SurfaceElasticity>,
         grid: SectorGrid,
@@ -133,14 +133,13 @@ impl SparseFactor {
         }
     }
 
-    /// Takes other compliances of the relief, in m/Pa: blocks are of patterns of compliances, so those known stay
-    /// right.
+    /// Sets other compliances of the relief, in m/Pa. Patterns include the compliances, so known blocks stay valid.
     pub fn take_compliance(&mut self, relief_compliance: &[f64]) {
         self.classes = classes(&self.elasticity, relief_compliance);
         self.compliance.copy_from_slice(relief_compliance);
     }
 
-    /// Finds the block of every tile that holds elements of the set, and computes those not met before.
+    /// Finds the block of every tile that holds elements of the set, and computes new ones.
     pub fn update(&mut self, set: &WorkingSet) {
         self.direct = None;
         if set.len() <= MOST_DIRECT {
@@ -179,7 +178,7 @@ impl SparseFactor {
         self.blocks = blocks;
     }
 
-    /// The tiles of a level that hold elements, with their blocks or the patterns of unknown ones.
+    /// The tiles of a level that hold elements, with their blocks or the patterns of blocks not yet known.
     fn look_up(&self, level: u32, mask: &[bool]) -> Vec<(Tile, Option<Pattern>)> {
         let [rows, columns] =
             (self.lengths).map(|along| index(along.div_ceil((TILE as usize) << level)));
@@ -220,7 +219,7 @@ impl SparseFactor {
         Some((tile, known.is_none().then(|| pattern.into_boxed_slice())))
     }
 
-    /// The elements of the set at these offsets, as a pattern has them.
+    /// The elements of the set at these offsets, as entries of a pattern.
     fn members(
         &self,
         [i, j]: [i32; 2],
@@ -238,12 +237,12 @@ impl SparseFactor {
         })
     }
 
-    /// Where the own elements of a level's tiles lie.
+    /// Offsets of the own elements of a level's tiles.
     fn own(&self, level: u32) -> &'static [[i32; 2]] {
         if level == self.top { &FIRST } else { &OWN }
     }
 
-    /// Where earlier elements lie: none before the one of the coarsest level.
+    /// Offsets of earlier elements; none for the coarsest level.
     fn earlier(&self, level: u32, colour: u32) -> &'static [[i32; 2]] {
         if level == self.top {
             &[]
@@ -252,20 +251,20 @@ impl SparseFactor {
         }
     }
 
-    /// Elements from each axis within which mirror images count in a block of this level; none but at those of a
-    /// sector.
+    /// Distance in elements from each axis within which mirror images are included in a block of this level; 0 for an
+    /// axis that is not one of a sector.
     fn near_axis(&self, level: u32) -> [u32; 2] {
         let lines = self.grid.mirrored_lines((NEAR_AXIS << level) as usize);
         lines.map(|lines| index(lines).unsigned_abs())
     }
 
-    /// Elements of a row.
+    /// Elements per row.
     fn row(&self) -> usize {
         let [_, size] = self.lengths;
         size
     }
 
-    /// The index of a row or a column, if it lies on the grid.
+    /// The index of a row or column, if it is on the grid.
     fn within(&self, axis: usize, index: i32) -> Option<usize> {
         let place = usize::try_from(index).ok()?;
         (place < self.lengths[axis]).then_some(place)
@@ -325,7 +324,7 @@ impl SparseFactor {
     }
 }
 
-/// The number of a pattern's unknowns and of the tile's own elements among them.
+/// The numbers of a pattern's unknowns and of the tile's own elements among them.
 fn size_of(pattern: &Pattern) -> [usize; 2] {
     [pattern.len() - HEAD, own_of(pattern)]
 }

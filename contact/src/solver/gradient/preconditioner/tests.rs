@@ -1,4 +1,4 @@
-//! The criteria that choose a preconditioner, and its distance from the inverse.
+//! The choice of a preconditioner, and its distance from the inverse.
 
 use std::{f64::consts::TAU, sync::Arc};
 
@@ -36,16 +36,16 @@ fn a_stiff_coating_shows_in_the_response_to_long_waves_over_that_to_short_ones()
     let material = |young| Material::new(young, 0.3).unwrap();
     let half_space = || Foundation::half_space(material(1.0));
     let coated = |young| Foundation::coated(0.02, material(young), material(1.0)).unwrap();
-    // No wave meets a softer body than another. The element's own shape counts a little.
+    // The stiffness is the same for all waves. The element's own shape has a small effect.
     assert!((contrast(half_space(), 128) - 1.0).abs() < 0.1);
-    // The longest wave of 1 meets the base below a coating of 0.02, the shortest of 1/64 meets the coating alone.
+    // The longest wave of 1 reaches the base below a coating of 0.02; the shortest of 1/64 stays in the coating.
     let [stiff, soft] = [8.0, 0.125].map(|young| contrast(coated(young), 128));
     assert!(stiff > 5.0 && stiff < 8.0, "{stiff}");
     assert!(soft > 0.125 && soft < 0.25, "{soft}");
     assert_eq!(contrast(coated(8.0), 4), 1.0);
 }
 
-/// A bare coating takes a fifth more products by Newton's method first.
+/// A bare coating takes a fifth more products with Newton's method first.
 #[test]
 fn newton_comes_first_with_the_filter_where_springs_lie_on_a_stiff_coating() {
     let is_for_newton = |stiffness: f64, springs: f64| {
@@ -82,7 +82,7 @@ fn what_is_missing_of_the_penetration_is_counted_on_the_set_alone() {
     }
 }
 
-/// A set of six hundred elements in islands, more than are solved directly.
+/// A set of six hundred elements in islands, too many for the direct solution.
 fn islands(problem: &mut DiscreteProblem) -> (State, WorkingSet) {
     let control = LoadControl::of(problem, Load::Penetration(0.0));
     let in_set = |e: usize| {
@@ -98,7 +98,7 @@ fn islands(problem: &mut DiscreteProblem) -> (State, WorkingSet) {
     (state, set)
 }
 
-/// How far `M⁻¹_I (K + η)_I p` is from `p`, relative, in the norm `√(pᵀ (K + η)_I p)` in which conjugate gradients
+/// The relative distance of `M⁻¹_I (K + η)_I p` from `p` in the norm `√(pᵀ (K + η)_I p)` in which conjugate gradients
 /// converge.
 fn distance_from_inverse(problem: &mut DiscreteProblem, times: usize) -> f64 {
     let (state, set) = islands(problem);
@@ -117,7 +117,7 @@ fn distance_from_inverse(problem: &mut DiscreteProblem, times: usize) -> f64 {
     norm(&error) / norm(&state.pressure)
 }
 
-/// Times the usual neighbours, the last of them more than there are elements.
+/// Multiples of the usual neighbours; the last is more than there are elements.
 const TIMES_NEIGHBOURS: [usize; 4] = [1, 2, 5, 15];
 
 #[test]
@@ -133,8 +133,8 @@ fn the_sparse_factor_tends_to_the_inverse_with_its_neighbours() {
     assert!(errors[3] < 1e-5, "{errors:?}");
 }
 
-/// Springs hide far elements less well behind near ones, so as many neighbours leave a larger error; with all of them
-/// that of the classes is left: the factor is `(K + η̃)⁻¹`, and `|η − η̃| ≤ (2^(1/32) − 1) η̃`.
+/// With springs, near elements screen far ones less, so the same neighbours leave a larger error. With all neighbours
+/// only the error of the classes remains: the factor is `(K + η̃)⁻¹`, and `|η − η̃| ≤ (2^(1/32) − 1) η̃`.
 #[test]
 fn the_sparse_factor_tends_to_the_inverse_with_springs_of_many_kinds_too() {
     let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
@@ -173,7 +173,7 @@ fn a_small_set_with_springs_is_solved_exactly() {
 fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
     let bare = of_coating([0.5, 0.1], paraboloid, |_, _| 0.0);
     let symbol = bare.elasticity().unwrap().symbol(SIZE);
-    // One that the filter does not round.
+    // A compliance that the filter does not round.
     let compliance = 1.1_f64.powi(-3) * symbol.value([SIZE / 2; 2]);
     let problem = of_coating([0.5, 0.1], paraboloid, |_, _| compliance);
     let control = LoadControl::of(&problem, Load::Penetration(1.0));
@@ -192,7 +192,7 @@ fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
         preconditioner.apply(&set, &mut field);
         let wanted = problem.scale().compliance / (symbol.value([a, b]) + compliance);
         for (e, found) in field.iter().enumerate() {
-            // single precision, and single sums of 1024 elements
+            // Single precision, and sums of 1024 elements in single precision.
             assert!(
                 (found - wanted * wave(e)).abs() < 1e-5 * wanted,
                 "{a} {b} {e}"

@@ -1,4 +1,4 @@
-//! Scale and total of a state's pressure, and its distance from a solution.
+//! Scale and total of a state's pressure, and its residual.
 
 use super::*;
 use crate::{
@@ -11,7 +11,7 @@ use crate::{
 
 const ELEMENTS: usize = SIZE * SIZE;
 
-/// An uneven pressure on a disc in the middle.
+/// A non-uniform pressure on a disc in the middle.
 fn disc() -> Vec<f64> {
     let along = |i: usize| (i as f64 - 15.5) / SIZE as f64;
     let radius = |e: usize| along(e / SIZE).hypot(along(e % SIZE));
@@ -68,7 +68,7 @@ fn steps_keep_the_total_of_a_pressure_that_has_one_and_go_back_to_where_they_wer
         assert!((sum(&other) / sum(&state.pressure) - 1.0).abs() < 1e-12);
         let (pressure, v, depth) = (state.pressure.clone(), state.v.clone(), state.penetration);
         let energy = state.energy();
-        // Out of reach: no scale of this pressure comes to a penetration that the gap exceeds.
+        // No scaling of this pressure gives the penetration, which the gap exceeds.
         state.pressure.fill(0.0);
         state.pressure[0] = 1.0;
         state.refresh(&mut problem);
@@ -106,7 +106,7 @@ fn the_residual_is_the_largest_gap_under_pressure_or_overlap_in_parts_of_the_pen
         state.residual_of(&v, 2.0)
     };
     assert_eq!(of(&state, &[]), (0.0, true));
-    // A gap where it presses, an overlap where it does not.
+    // A gap under pressure, an overlap elsewhere.
     assert_eq!(of(&state, &[(3, 2.25)]), (0.125, true));
     assert_eq!(of(&state, &[(3, 1.5), (9, 1.75)]), (0.25, true));
     assert_eq!(of(&state, &[(9, 1.0)]), (0.5, true));

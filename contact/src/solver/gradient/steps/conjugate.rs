@@ -1,6 +1,6 @@
-//! Preconditioned conjugate gradients on a working set that stands still.
+//! Preconditioned conjugate gradients on an unchanged working set.
 //!
-//! On the set `I` and the pressures of one total, minimise the energy: `d ← z + β d` with the projected
+//! The energy is minimised over pressures on the set `I` with a fixed total: `d ← z + β d` with the projected
 //! preconditioned residual `z`, `α = r·z / d·(K + η)d`, `β` by Polak and Ribière, never negative.
 
 use rayon::prelude::*;
@@ -9,22 +9,22 @@ use crate::solver::gradient::steps::segment::{Part, Segment};
 use crate::solver::gradient::{context::Context, preconditioner::residual_into};
 use crate::vector::{dot, update};
 
-/// Elements worth a thread of their own.
+/// Fewest elements per thread.
 const MIN_PART: usize = 1 << 12;
 
-/// The result of a step that must not pull.
+/// The result of a step that keeps pressures non-negative.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Course {
-    /// All pressures of the set stayed positive: the directions go on.
+    /// All pressures on the set stayed positive: the directions continue.
     Kept,
-    /// Some would have pulled and were held at zero: the set is another one now, and the next step must not be
-    /// conjugate.
+    /// Some pressures would have become negative and were held at zero: the set has changed, and the next step must not
+    /// be conjugate.
     Left(Part),
 }
 
-/// The conjugate directions' memory and buffers.
+/// The memory and buffers of the conjugate directions.
 pub struct ConjugateDirections {
-    /// Whether `direction` and `residual_before` belong to the present set.
+    /// Whether `direction` and `residual_before` belong to the current set.
     running: bool,
     direction: Vec<f64>,
     preconditioned: Vec<f64>,
@@ -32,7 +32,7 @@ pub struct ConjugateDirections {
     product_before: f64,
 }
 
-/// Fields for the terms of a linear system.
+/// Fields for the solution of a linear system.
 pub struct SystemFields<'a> {
     pub residual: &'a mut [f64],
     pub direction: &'a mut [f64],
@@ -53,12 +53,12 @@ impl ConjugateDirections {
         }
     }
 
-    /// Forgets the directions: the next step starts from the preconditioned residual.
+    /// Discards the directions: the next step starts from the preconditioned residual.
     pub fn restart(&mut self) {
         self.running = false;
     }
 
-    /// The buffers for another use, after which the directions are forgotten.
+    /// Lends the buffers for another use and discards the directions.
     pub fn lend<'a>(&'a mut self, segment: &'a mut Segment) -> SystemFields<'a> {
         self.restart();
         SystemFields {
@@ -70,8 +70,8 @@ impl ConjugateDirections {
         }
     }
 
-    /// One step that stops where an element would pull, and goes on from there with that element at zero, as far as the
-    /// energy does not rise: one product, two where it is stopped.
+    /// Takes one step. If elements would pull, they are held at zero and the step is limited so that the energy does
+    /// not rise: one product, or two in that case.
     pub fn step_within(&mut self, context: &mut Context<'_>) -> Course {
         self.aim(context);
         let alpha = self.reach(context);
@@ -89,8 +89,8 @@ impl ConjugateDirections {
         Course::Left(context.take_segment(ceiling))
     }
 
-    /// One step along the direction last [aimed](Self::aim) at, which may pull: one product. False if there is nowhere
-    /// to go.
+    /// Takes one step along the last direction [found](Self::aim), which may make pressures negative: one product.
+    /// Returns false if the step is not finite.
     pub fn step_freely(&mut self, context: &mut Context<'_>) -> bool {
         let alpha = self.reach(context);
         if alpha.is_finite() {
@@ -99,13 +99,12 @@ impl ConjugateDirections {
         alpha.is_finite()
     }
 
-    /// The direction last aimed at.
+    /// The last direction.
     pub fn direction(&self) -> &[f64] {
         &self.direction
     }
 
-    /// The preconditioned residual `z` that was last aimed with: by the preconditioner's account, what is missing from
-    /// the pressure.
+    /// The preconditioned residual `z` of the last direction: the preconditioner's estimate of the missing pressure.
     pub fn missing(&self) -> &[f64] {
         &self.preconditioned
     }
@@ -114,7 +113,7 @@ impl ConjugateDirections {
     pub fn aim(&mut self, context: &mut Context<'_>) -> f64 {
         context.direction_into(&mut self.preconditioned);
         let Context { state, set, .. } = context;
-        // r·z, with r = D − v; z sums to zero or D is prescribed.
+        // r·z, with r = D − v; z sums to zero, or D is prescribed.
         let product = -state.control.slope(&self.preconditioned, &state.v);
         let beta = if self.running {
             let before = dot(&self.preconditioned, &self.residual_before);
@@ -135,7 +134,8 @@ impl ConjugateDirections {
         product
     }
 
-    /// Writes the image of the direction into the segment's; returns the step to the minimum along it. One product.
+    /// Writes the image of the direction into the segment; returns the step length to the minimum along it. One
+    /// product.
     fn reach(&self, context: &mut Context<'_>) -> f64 {
         let Context {
             problem,
@@ -148,7 +148,7 @@ impl ConjugateDirections {
         -state.control.slope(&self.direction, &state.v) / dot(&self.direction, image)
     }
 
-    /// Goes so far along the direction whose image the segment holds.
+    /// Advances by `alpha` along the direction whose image the segment holds.
     fn advance(&self, context: &mut Context<'_>, alpha: f64) {
         let Context {
             problem,

@@ -1,18 +1,18 @@
-//! Descent from face to face: the floor under Newton's method, which always comes down and always ends.
+//! Descent from face to face: the fallback for Newton's method, which always descends and always ends.
 //!
-//! A face is a set of elements whose pressures are free. From an admissible pressure conjugate gradients solve the
-//! linear system on the face; then
+//! A face is a set of elements whose pressures are free. From an admissible pressure, conjugate gradients solve the
+//! linear system on the face. Then there are three cases:
 //!
-//! - nothing pulls: that is the least energy of the face, and what overlaps is taken in;
-//! - something pulls that had no pressure before: it does not belong, leaves the face, and the system is solved again
-//!   from where it began;
-//! - something else pulls: it loses its pressure and leaves, as much of it at once as lowers the energy more than
-//!   stopping where the first element would pull; there the energy is lower than before for certain.
+//! - no element pulls: this is the minimum of the energy on the face, and elements that overlap are added;
+//! - an element that had no pressure before pulls: it leaves the face, and the system is solved again from the same
+//!   start;
+//! - other elements pull: some of them lose their pressure and leave, as many at once as lower the energy more than
+//!   stopping where the first element would pull; there the energy is certainly lower than before.
 //!
-//! The energy falls from each admissible pressure to the next, so no face is solved twice, and there are finitely many
-//! (Lawson and Hanson 1974; many elements at once as Portugal, Júdice and Vicente 1994). Where contact under a plate is
-//! a few elements among many that overlap by little, Newton's method leaps from one set to another that shares none
-//! with it, and back; this does not.
+//! The energy decreases from each admissible pressure to the next, so no face is solved twice, and there are finitely
+//! many (Lawson and Hanson 1974; many elements at once as Portugal, Júdice and Vicente 1994). Where the contact under a
+//! plate consists of a few elements among many with small overlaps, Newton's method jumps between disjoint sets; this
+//! method does not.
 
 use crate::solver::gradient::context::Context;
 use crate::solver::gradient::state::State;
@@ -20,30 +20,31 @@ use crate::solver::gradient::steps::conjugate::ConjugateDirections;
 use crate::solver::gradient::steps::segment::Segment;
 use crate::vector::{add_scaled, update, update_with};
 
-/// Largest error of the solution on a face, relative to the first, in the metric of the preconditioner; its square is
-/// the error of the energy.
+/// Largest error of the solution on a face, relative to the initial one, in the metric of the preconditioner; its
+/// square is the error of the energy.
 const SETTLED: f64 = 1e-2;
-/// Steps of one linear system after which it is taken as it is: conjugate gradients have lowered the energy with each.
+/// Most steps for one linear system; its approximate solution is then used, since each conjugate gradient step has
+/// lowered the energy.
 const MOST_STEPS: usize = 60;
 /// Rounding error of a pressure that goes to zero, relative to its change.
 const ROUNDING: f64 = 1e-13;
 
-/// The memory of the descent.
+/// The state of the descent.
 pub struct FaceDescent {
     conjugate: ConjugateDirections,
-    /// Where the present face was entered: an admissible pressure, its `v` and energy.
+    /// The admissible pressure at which the current face was entered, with its `v` and energy.
     pressure: Vec<f64>,
     v: Vec<f64>,
     penetration: f64,
     energy: f64,
-    /// `r·z` at the first step on the face; none before.
+    /// `r·z` at the first step on the face; none before it.
     first: Option<f64>,
     steps: usize,
-    /// Halvings of the number of elements that are to lose their pressure at once.
+    /// Halvings of the number of elements that lose their pressure at once.
     caution: u32,
 }
 
-/// Sets to 0 what a step has taken below, up to rounding.
+/// Sets pressures to 0 that a step has made negative, or positive by rounding only.
 fn cut_off(pressure: &mut [f64], step: &[f64]) {
     update(pressure, step, |p, s| {
         if *p <= -ROUNDING * s {
@@ -74,7 +75,7 @@ impl FaceDescent {
         self.first = None;
     }
 
-    /// One step of the linear system on the present face, or what follows from its solution: one product at most.
+    /// Takes one step of the linear system on the current face, or leaves a solved face: one product at most.
     pub fn step(&mut self, context: &mut Context<'_>) {
         if self.first.is_none() {
             context.preconditioner.restart();
@@ -84,7 +85,8 @@ impl FaceDescent {
         let missing = self.conjugate.aim(context);
         let first = *self.first.get_or_insert(missing);
         self.steps += 1;
-        // Never at once: a face costs a product at least, so that the bound on products ends what rounding keeps alive.
+        // Never at the first step: each face costs at least one product, so the bound on products ends an iteration
+        // that rounding would keep going.
         let is_settled = self.steps > 1 && (missing <= SETTLED * first || self.steps > MOST_STEPS);
         let moves = !is_settled && self.conjugate.step_freely(context);
         if !moves {
@@ -92,7 +94,7 @@ impl FaceDescent {
         }
     }
 
-    /// Goes from the solution on the face, or what is known of it, to the next face.
+    /// Goes from the solution on the face, or its approximation, to the next face.
     fn leave(&mut self, context: &mut Context<'_>) {
         let ends = self.ends(&context.state.pressure);
         if ends.first().is_some_and(|first| *first > 0.0) {
@@ -111,7 +113,7 @@ impl FaceDescent {
         self.begin(state);
     }
 
-    /// The parts of the way from where the face was entered to `pressure` after which an element would pull, ascending.
+    /// The fractions of the step from the entry pressure to `pressure` at which an element begins to pull, ascending.
     fn ends(&self, pressure: &[f64]) -> Vec<f64> {
         let both = self.pressure.iter().zip(pressure);
         let pulling = both.filter(|(_, after)| **after < 0.0);
@@ -122,8 +124,8 @@ impl FaceDescent {
         ends
     }
 
-    /// Goes on until a part of the elements that pull have no pressure, as large as has lately lowered the energy more
-    /// than stopping at the first, and where that does not, stops at the first: one product, or none.
+    /// Advances until some of the pulling elements have no pressure, as many as recently lowered the energy more than
+    /// stopping at the first. If that fails, it stops at the first. One product or none.
     fn come_down(&mut self, context: &mut Context<'_>, ends: &[f64]) {
         let Context {
             problem,
@@ -159,7 +161,7 @@ impl FaceDescent {
         cut_off(&mut state.pressure, &segment.step);
     }
 
-    /// Back to where the face was entered.
+    /// Restores the state at which the face was entered.
     fn go_back(&self, state: &mut State) {
         state.go_back(&self.pressure, &self.v, self.penetration);
     }
@@ -179,7 +181,7 @@ mod tests {
     #[test]
     fn what_a_step_takes_to_nought_up_to_rounding_is_nought() {
         let third = 1.0 / 3.0;
-        // Taken below, exactly to 0 but for a rounding of the step, left with a part, and never touched.
+        // Negative, 0 up to rounding of the step, reduced, and unchanged.
         let mut pressure = [-0.25, 1e-16 * third, 0.5, 0.0];
         cut_off(&mut pressure, &[-1.0, -third, -1.0, 0.0]);
         assert_eq!(pressure, [0.0, 0.0, 0.5, 0.0]);
@@ -200,7 +202,7 @@ mod tests {
         faces.go_back(&mut state);
         assert_eq!((&state.pressure, &state.v), (&pressure, &v));
         assert!((state.energy() - energy).abs() <= 1e-12 * energy.abs());
-        // Elements pull after these parts of the way to a pressure: 1/(1 + 1), and 2/(2 + 6) of another.
+        // Elements begin to pull at these fractions of the step: 1/(1 + 1), and 2/(2 + 6) for the other.
         faces.pressure = vec![1.0, 2.0, 3.0, 0.0];
         assert_eq!(faces.ends(&[-1.0, -6.0, 4.0, 0.0]), [0.25, 0.5]);
     }

@@ -3,37 +3,37 @@
 //! On the set `I` the linear system is solved by preconditioned conjugate gradients, whatever the signs of the
 //! pressures, until it is clear which elements are on the wrong side. Then those that pull leave the set, those that
 //! overlap enter it, and the pressures are made admissible again (Hintermüller, Ito and Kunisch 2003). It finds the set
-//! in few exchanges where the contact breaks up into rings and edges, and descending step by step does not; but nothing
-//! proves that it ends, so its caller watches it.
+//! in few exchanges where the contact breaks up into rings and edges, where stepwise descent is slow. Its termination
+//! is not guaranteed, so the caller monitors it.
 //!
-//! **When it is clear.** Under a stiff coating `K` falls off so steeply with the wavenumber that the residual says
-//! nothing of the short waves of the pressure: solved to a tenth of it, a system exchanges noise. The preconditioner's
-//! estimate of the pressure's remaining error does show them. So the elements on the wrong side are predicted one step
-//! ahead, and the system is solved until two successive predictions agree but for a third of the elements. If only a
-//! few remain the estimated error must be small besides: single elements would keep switching. Many that keep changing
-//! are noise, however small the error: exchanged when it was a hundredth of the first, they took rough surfaces 130
-//! products instead of 25.
+//! **When it is clear.** Under a stiff coating `K` falls off so steeply with the wavenumber that the residual hides the
+//! short waves of the pressure: a system solved to a tenth of the initial residual exchanges noise. The
+//! preconditioner's estimate of the remaining error of the pressure does show them. So the elements on the wrong side
+//! are predicted one step ahead, and the system is solved until two successive predictions agree except for a third of
+//! the elements. If only a few remain, the estimated error must also be small, since single elements would keep
+//! switching. If many keep changing, they are noise however small the error: with exchanges at a hundredth of the
+//! initial error, rough surfaces took 130 products instead of 25.
 
 use crate::solver::gradient::context::Context;
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;
 
-/// Part of the elements on the wrong side that may change from one step to the next when they are exchanged.
+/// Fraction of the elements on the wrong side that may still change from step to step when they are exchanged.
 const UNSETTLED: f64 = 0.3;
-/// Elements on the wrong side, as a part of the set, up to which they count as few.
+/// Elements on the wrong side, as a fraction of the set, up to which they count as few.
 const FEW: f64 = 1e-3;
-/// Largest error at which few elements are exchanged, relative to the first, in the metric of the preconditioner.
+/// Largest error at which few elements are exchanged, relative to the initial one, in the metric of the preconditioner.
 const SETTLED: f64 = 0.01;
-/// The same at which the system is solved, and all that are on the wrong side are exchanged.
+/// The same at which the system counts as solved and all elements on the wrong side are exchanged.
 const SOLVED: f64 = 1e-10;
-/// Overlap that does not count, as a part of the tolerance.
+/// Overlap that is ignored, as a fraction of the tolerance.
 const SLACK: f64 = 0.5;
-/// Steps of one linear system after which its preconditioner is held to have failed.
+/// Steps of one linear system after which its preconditioner counts as failed.
 const MOST_STEPS: usize = 60;
 
-/// The memory of Newton's method.
+/// The state of Newton's method.
 pub struct Newton {
     conjugate: ConjugateDirections,
-    /// `r·z` at the first step on the present set; none before.
+    /// `r·z` at the first step on the current set; none before it.
     first: Option<f64>,
     steps: usize,
 }
@@ -41,7 +41,7 @@ pub struct Newton {
 /// The result of a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turn {
-    /// The linear system is not solved far enough, or the set stands still.
+    /// The linear system is not solved accurately enough yet, or the set is unchanged.
     Inner,
     /// Elements were exchanged.
     Exchanged,
@@ -58,16 +58,17 @@ impl Newton {
         }
     }
 
-    /// Begins anew.
+    /// Starts again.
     pub fn restart(&mut self) {
         (self.first, self.steps) = (None, 0);
     }
 
-    /// One step of the present linear system, or the exchange where it is solved far enough for a `tolerance`: one
-    /// product, or one where elements pull.
+    /// Takes one step of the current linear system (one product), or exchanges elements if it is solved accurately
+    /// enough for `tolerance` (one product if elements pull).
     pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> Turn {
         if self.first.is_none() {
-            // Many elements change at once: the uniform answer cut to what is left would cost a sixth more products.
+            // Many elements change at once: restricting the old uniform answer to the remaining ones would cost a sixth
+            // more products.
             context.preconditioner.forget_uniform();
             self.conjugate.restart();
             context.set.look_away();
@@ -107,7 +108,7 @@ impl Newton {
         let mut members = state.pressure.iter().zip(set.mask());
         if members.any(|(p, member)| *p < 0.0 || (*p > 0.0 && !member)) {
             set.clear_outside(&mut state.pressure);
-            // All that pressed may have been on the wrong side.
+            // All elements that pressed may have been on the wrong side.
             state.press_somewhere(set.mask());
             state.clip(problem);
         }

@@ -1,13 +1,13 @@
-//! The Euclidean projection onto the admissible pressures of some elements.
+//! The Euclidean projection onto the admissible pressures.
 
 use crate::solver::gradient::load_control::LoadControl;
 use crate::vector::{by_parts, each, sum};
 
-/// Replaces `x`, a value of each element that may press, by the nearest pressure `p ≥ 0` that keeps to the control:
-/// `p = max(x − θ, 0)`, where `θ` gives the prescribed total (0 where none is prescribed).
+/// Replaces `x`, a value for each element that may press, by the nearest pressure `p ≥ 0` that satisfies the load
+/// control: `p = max(x − θ, 0)`, where `θ` gives the prescribed total (0 where none is prescribed).
 ///
-/// `θ` is the root of a convex, piecewise linear, falling function; Newton's method from below reaches it in
-/// finitely many steps (Michelot 1986).
+/// `θ` is the root of a convex, piecewise linear, falling function; Newton's method from below reaches it in a finite
+/// number of steps (Michelot 1986).
 pub fn project(control: LoadControl, x: &mut [f64]) {
     let theta = match control {
         LoadControl::Total(total) => shift_to_total(x, total),
@@ -29,7 +29,7 @@ fn shift_to_total(x: &[f64], total: f64) -> f64 {
             .iter()
             .fold((0_usize, 0.0), |all, part| (all.0 + part.0, all.1 + part.1));
         let next = (above - total) / count as f64;
-        // Strictly rising until the set above θ stands still; rounding may then let it fall.
+        // Strictly increasing until the set above θ is unchanged; rounding may then decrease it.
         if count == 0 || next <= theta {
             return theta;
         }

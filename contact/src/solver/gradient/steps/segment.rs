@@ -1,4 +1,4 @@
-//! A step from one admissible pressure towards another, and how much of it to take.
+//! A step from one admissible pressure towards another, and the fraction of it to take.
 
 use crate::solver::gradient::state::State;
 use crate::{
@@ -6,15 +6,15 @@ use crate::{
     vector::{add_scaled, dot, each, update, update_with},
 };
 
-/// A step `s` that keeps to the control, with `p + s ≥ 0`, and its image `y = (K + η) s`. Every part `t ∈ [0, 1]` of it
-/// leads to an admissible pressure, and the energy there is known without a product:
+/// A step `s` that satisfies the load control, with `p + s ≥ 0`, and its image `y = (K + η) s`. Every fraction
+/// `t ∈ [0, 1]` of it leads to an admissible pressure, whose energy is known without a product:
 /// `E(p + t s) = E(p) + t s·∂E + ½ t² s·y`.
 pub struct Segment {
     pub step: Vec<f64>,
     pub image: Vec<f64>,
 }
 
-/// How much of a step was taken.
+/// The part of a step that was taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
     Whole,
@@ -30,7 +30,7 @@ impl Segment {
         }
     }
 
-    /// `s = max(p + α d, 0)`, brought to the total that is to be kept, less `p`.
+    /// `s = max(p + α d, 0)`, scaled to the total to be preserved, less `p`.
     pub fn clip(&mut self, state: &State, alpha: f64, direction: &[f64]) {
         update_with(&mut self.step, direction, &state.pressure, |s, d, p| {
             *s = (p + alpha * d).max(0.0);
@@ -49,8 +49,8 @@ impl Segment {
         dot(&self.step, &self.image)
     }
 
-    /// Takes the step: all of it unless the energy would rise above `ceiling`, then up to its minimum on the segment.
-    /// One product.
+    /// Takes the whole step, or only up to the minimum of the energy on the segment if the energy would rise above
+    /// `ceiling`. One product.
     pub fn take(&mut self, problem: &mut DiscreteProblem, state: &mut State, ceiling: f64) -> Part {
         state.image_into(problem, &self.step, &mut self.image);
         let (slope, curvature) = (self.slope(state), self.curvature());
@@ -61,7 +61,7 @@ impl Segment {
         } else {
             (-slope / curvature).clamp(0.0, 1.0)
         };
-        // A step of nothing has no curvature, and no part of it is worth taking.
+        // A zero step has no curvature; none of it is taken.
         let part = if part.is_finite() { part } else { 0.0 };
         let growth = state.advance(problem, part, &self.step, &self.image);
         if growth != 0.0 {
@@ -71,7 +71,7 @@ impl Segment {
         if whole { Part::Whole } else { Part::Cut }
     }
 
-    /// The part of the step that was taken and its image, with the growth after it: `s ← t s + μ/(1 + μ) p`,
+    /// Replaces the step and its image by the part taken, including the growth by balancing: `s ← t s + μ/(1 + μ) p`,
     /// `y ← t y + μ/(1 + μ) (v − g0)`.
     fn count_growth(&mut self, state: &State, part: f64, growth: f64) {
         let ratio = growth / (1.0 + growth);

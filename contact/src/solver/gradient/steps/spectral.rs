@@ -1,26 +1,26 @@
-//! Spectral steps: one product each, for as long as the working set changes.
+//! Spectral steps, one product each, used as long as the working set changes.
 //!
-//! `p' = max(p + α z, 0)` brought to the total that is kept, with `z = M⁻¹(λ − v)` the preconditioned residual and the
-//! step `α = s·y / (y·M⁻¹y)`, `s = Δp`, `y = Δv` of the step before (Barzilai and Borwein 1988, in the preconditioner's
-//! metric). `M⁻¹y` is not computed but taken from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, as far as the set is the
-//! same.
+//! `p' = max(p + α z, 0)` scaled to the preserved total, with `z = M⁻¹(λ − v)` the preconditioned residual and the step
+//! `α = s·y / (y·M⁻¹y)`, `s = Δp`, `y = Δv` of the previous step (Barzilai and Borwein 1988, in the preconditioner's
+//! metric). `M⁻¹y` is not computed but obtained from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, exactly if the set is
+//! the same.
 
 use crate::solver::gradient::steps::projection::project;
 use crate::solver::gradient::steps::segment::{Part, Segment};
 use crate::solver::gradient::{context::Context, preconditioner::residual_into};
 use crate::vector::dot;
 
-/// Bounds of the step `α`; 1 is the preconditioner's own idea. Steps seen in practice lie between 0.02 and 3.
+/// Bounds of the step length `α`; 1 is the preconditioner's own step. Steps in practice lie between 0.02 and 3.
 const STEP_BOUNDS: [f64; 2] = [0.02, 4.0];
-/// A step may end above the energy before it, but not above the largest of this many energies
-/// (Grippo, Lampariello and Lucidi 1986).
+/// A step may raise the energy, but not above the largest of this many previous energies (Grippo, Lampariello and
+/// Lucidi 1986).
 const ENERGY_WINDOW: usize = 4;
 
-/// The spectral step's memory and buffers.
+/// The memory and buffers of the spectral steps.
 pub struct SpectralSteps {
     energies: Vec<f64>,
     direction: Vec<f64>,
-    /// The direction of the step before and its `λ`; none after a step of another kind.
+    /// `λ` of the previous direction; none after a step of another kind.
     before: Option<f64>,
     direction_before: Vec<f64>,
 }
@@ -35,18 +35,19 @@ impl SpectralSteps {
         }
     }
 
-    /// Forgets the steps and energies before.
+    /// Discards the previous steps and energies.
     pub fn restart(&mut self) {
         self.forget_direction();
         self.energies.clear();
     }
 
-    /// Forgets the step before: one of another kind has been taken.
+    /// Discards the previous direction, after a step of another kind.
     pub fn forget_direction(&mut self) {
         self.before = None;
     }
 
-    /// One step of the state along `segment`, which holds the step before; one product, two where it must fall back.
+    /// Takes one step along the context's segment, which holds the previous step: one product, two if it falls back to
+    /// the plain gradient.
     pub fn step(&mut self, context: &mut Context<'_>) -> Part {
         self.remember_energy(context.state.energy());
         std::mem::swap(&mut self.direction, &mut self.direction_before);
@@ -75,7 +76,7 @@ impl SpectralSteps {
     }
 
     /// `s = Π(p + α r) − p` on the working set, which starts downhill for every `α > 0`; `α` minimises the energy along
-    /// the plain residual `r`: one product.
+    /// the plain residual `r`. One product.
     fn project_plain_gradient(&mut self, context: &mut Context<'_>) {
         let Context {
             problem,

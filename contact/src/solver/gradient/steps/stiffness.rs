@@ -1,12 +1,12 @@
-//! The contact stiffness `dQ/dD`: how the force grows with the penetration while the set of elements in contact stays.
+//! The contact stiffness `dQ/dD`: the change of force with penetration for a fixed set of elements in contact.
 //!
 //! Differentiating `(K + η) p + g0 = D` on the contact `I` gives `(K + η)_II q = 1` for `q = dp/dD`, and
-//! `dQ/dD = 4a² Σ q`. Conjugate gradients raise `Σ q = qᵀ (K + η) q` at each step by `α r·z` to its largest value, so
-//! the error of the sum is the square of that of the solution.
+//! `dQ/dD = 4a² Σ q`. Each conjugate gradient step raises `Σ q = qᵀ (K + η) q` by `α r·z` towards its maximum, so the
+//! error of the sum is the square of that of the solution.
 //!
 //! The pressure is a free first search direction, because its image `(K + η) p = v − g0` is known already. The
 //! iteration starts from `q = c p`, with `c` chosen to maximise the sum, and keeps all later directions conjugate to
-//! `p`. (Deflation; Nicolaides 1987.) That spares a product of four on a homogeneous body, and two of seven under a
+//! `p`. (Deflation; Nicolaides 1987.) This saves one product of four on a homogeneous body, and two of seven under a
 //! stiff coating.
 
 use crate::solver::gradient::{
@@ -15,24 +15,24 @@ use crate::solver::gradient::{
 };
 use crate::vector::{add_scaled, dot, sum, update, update_with};
 
-/// Part of the sum that the next step would add, by the last one's `α`, from which on it is not taken but estimated:
-/// true to a third of itself.
+/// Relative gain of the sum by the next step, predicted with the last `α`, below which that step is replaced by its
+/// estimate, which is right to a third.
 const SMALLEST_GAIN: f64 = 1e-6;
-/// The same where the field is wanted: its error is the root of this.
+/// The same if the field is wanted: its error is the square root of this.
 const SMALLEST_GAIN_OF_FIELD: f64 = 1e-20;
-/// Steps after which the stiffness is held not to be found.
+/// Steps after which the stiffness counts as not found.
 const MOST_STEPS: usize = 300;
 
 /// The quantity to compute from `q`, with its accuracy.
 pub enum Wanted<'a> {
-    /// Its sum, to some 1e-7 of itself.
+    /// Its sum, to a relative accuracy of about 1e-7.
     Sum,
-    /// Its values, to some 1e-9 of the largest, written here.
+    /// Its values, to about 1e-9 of the largest, written here.
     Field(&'a mut [f64]),
 }
 
-/// `Σ q`, in the units of the problem's scale, on the set of the state's elements that press, which is not empty; and
-/// the products that it took. None if the system does not converge.
+/// Computes `Σ q`, in the units of the problem's scale, on the elements that press (the working set, which must not be
+/// empty), and the products taken. The sum is none if the system does not converge.
 pub fn pressure_sum_per_penetration(
     context: &mut Context<'_>,
     conjugate: &mut ConjugateDirections,

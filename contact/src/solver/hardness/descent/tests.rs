@@ -1,4 +1,4 @@
-//! One step of the descent after the other, and the energy that falls with it.
+//! Single steps of the descent, and their energy.
 
 use approx::assert_relative_eq;
 
@@ -24,8 +24,8 @@ fn what_the_limit_takes_is_carried_by_the_others_in_proportion() {
     pressure[..4].copy_from_slice(&[5.0, 1.0, 1.5, 0.5]);
     let load = Load::Force(problem.loaded_area() * 6.5);
     let cut = cut(&problem, load, &pressure);
-    // 3 are taken from the first, and a factor of two would bring the third to 3: it is at the limit too, and the
-    // others share 2.5.
+    // The first loses 3, and a factor of two would raise the third to 3: it is at the limit too, and the others share
+    // 2.5.
     let wanted = [2.0, 2.5 / 1.5, 2.0, 2.5 / 3.0];
     for (found, wanted) in cut.iter().zip(wanted) {
         assert_relative_eq!(*found, wanted, max_relative = 1e-13);
@@ -126,20 +126,21 @@ fn the_slope_at_the_end_of_a_step_is_that_of_the_energy_there() {
         let both = from.iter().zip(&to);
         both.map(|(from, to)| from + part * (to - from)).collect()
     };
-    // Central differences of a quadratic are its derivative.
+    // The central difference of a quadratic is its exact derivative.
     let wanted = energy(&beyond(1.5)) - energy(&beyond(0.5));
     let load = Load::Penetration(depth);
     let mut descent = Descent::begin(&mut problem, load, &to);
     let found = descent.slope_from(&problem, &from);
     assert_relative_eq!(found, wanted, max_relative = 1e-9);
-    // Under a force nothing is gained by pressing more.
+    // Under a force, no energy is gained by more pressure.
     let more = sum(&to) - sum(&from);
     descent.load = Load::Force(1.0);
     let found = descent.slope_from(&problem, &from);
     assert_relative_eq!(found, wanted + depth * more, max_relative = 1e-9);
 }
 
-/// A descent at an even pressure of 0.5 below a limit of 2, and a pressure that is 0.7 but on the first elements.
+/// A descent at a uniform pressure of 0.5 below a limit of 2, and a target pressure that is 0.7 except on the first
+/// elements.
 fn at_half(problem: &mut DiscreteProblem, load: Load, to: &[f64]) -> (Descent, Vec<f64>, Vec<f64>) {
     let mut pressure = vec![0.7; problem.elements()];
     pressure[..to.len()].copy_from_slice(to);
@@ -149,7 +150,7 @@ fn at_half(problem: &mut DiscreteProblem, load: Load, to: &[f64]) -> (Descent, V
     (descent, pressure, displacement)
 }
 
-/// Asserts the pressure after this part of the way, cut at the limit, and that its displacement is known.
+/// Asserts the pressure after this fraction of the step, cut at the limit, and its displacement.
 #[track_caller]
 fn assert_at(descent: &Descent, problem: &mut DiscreteProblem, to: &[f64], part: f64) {
     for (found, to) in descent.pressure.iter().zip(to) {
@@ -181,9 +182,9 @@ fn a_step_with_one_element_above_ends_where_it_is_at_the_limit() {
 
 #[test]
 fn a_step_downhill_goes_on_until_a_part_of_the_elements_are_at_the_limit() {
-    // The deep indenter presses whatever it can.
+    // So deep that any more pressure lowers the energy.
     let (mut problem, load) = (with_hardness(2.0), Load::Penetration(1e3));
-    // At the limit after 1/2, 1/3, 1/4 and 1/6 of the way.
+    // At the limit after 1/2, 1/3, 1/4 and 1/6 of the step.
     let above = [3.5, 5.0, 6.5, 9.5];
     for (caution, part, next) in [(0, 1.0, 0), (1, 0.25, 0), (2, 1.0 / 6.0, 1)] {
         let (mut descent, to, u) = at_half(&mut problem, load, &above);
@@ -201,7 +202,7 @@ fn a_step_downhill_goes_on_until_a_part_of_the_elements_are_at_the_limit() {
 
 #[test]
 fn a_step_that_is_uphill_at_its_end_stops_at_the_first_and_the_next_is_more_cautious() {
-    // The indenter hangs above: every pressure is too much.
+    // The indenter is above the surface: any pressure raises the energy.
     let (mut problem, load) = (with_hardness(2.0), Load::Penetration(-1e3));
     let (mut descent, to, u) = at_half(&mut problem, load, &[3.5, 5.0, 6.5, 9.5]);
     assert_eq!(descent.step(&mut problem, &to, &u), 1);

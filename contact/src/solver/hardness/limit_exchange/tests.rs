@@ -1,4 +1,4 @@
-//! One exchange by its parts, on sixteen elements that all sink by the same.
+//! The parts of an exchange, on sixteen elements with the same displacement.
 
 use pellicle_influence::ElasticOperator;
 
@@ -8,10 +8,10 @@ use crate::GradientSolver;
 const LIMIT: f64 = 2.0;
 const AREA: f64 = 0.25;
 
-/// By how much all elements sink for 1 Pa on one of them, in m.
+/// Displacement of all elements under 1 Pa on one of them, in m.
 const SINKING: f64 = 0.125;
 
-/// A body of 4 × 4 elements that only moves as a whole.
+/// A body of 4 × 4 elements that moves only as a whole.
 struct Raft;
 
 impl ElasticOperator for Raft {
@@ -24,20 +24,20 @@ impl ElasticOperator for Raft {
     }
 }
 
-/// Springs of compliance `eta` under this gap.
+/// Springs of compliance `eta` with this gap.
 fn problem(eta: f64, gap: impl Fn(usize) -> f64) -> DiscreteProblem {
     let gap = (0..16).map(gap).collect();
     let problem = DiscreteProblem::new(Box::new(Raft), vec![eta; 16], gap, AREA).unwrap();
     problem.with_hardness(LIMIT).unwrap()
 }
 
-/// A field that has these values first and 0 on the others.
+/// A field that begins with these values and is 0 on the other elements.
 fn field(values: &[f64]) -> Vec<f64> {
     let others = std::iter::repeat_n(0.0, 16 - values.len());
     values.iter().copied().chain(others).collect()
 }
 
-/// The exchanges of a load from a pressure that begins with these values.
+/// The exchanges for a load, starting from a pressure that begins with these values.
 fn begun(problem: &mut DiscreteProblem, load: Load, start: &[f64]) -> LimitExchange {
     LimitExchange::start(problem, load, &field(start), 1e-6)
 }
@@ -55,7 +55,7 @@ fn of_a_start_what_is_near_the_limit_is_held_and_the_rest_is_free() {
     assert_eq!(held(&exchange), [0, 2]);
     assert_eq!(exchange.free, field(&[0.0, 1.89, 0.0, 5.0, 0.5]));
     assert_eq!(exchange.total.operator_applications, 0);
-    // Far from a solution nothing is solved to the last digit, and never closer than asked for.
+    // Far from a solution the accuracy is coarse, and never finer than the tolerance.
     assert_eq!(exchange.accuracy, COARSEST);
     let coarse = LimitExchange::start(&mut problem, Load::Penetration(1.0), &field(&[]), 0.05);
     assert_eq!(coarse.accuracy, 0.05);
@@ -63,11 +63,11 @@ fn of_a_start_what_is_near_the_limit_is_held_and_the_rest_is_free() {
 
 #[test]
 fn elements_at_the_limit_that_carry_all_of_a_force_are_held_where_they_overlap_most() {
-    // v = η p + g0 is least where the gap is, at the last of those that press.
+    // v = η p + g0 is smallest where the gap is, at the last of the pressed elements.
     let mut problem = problem(1.0, |e| -0.1 * e as f64);
     let force = |elements: f64| Load::Force(elements * LIMIT * AREA);
     let start = [4.0; 6];
-    // Of ten elements' force six are no part too large; of four elements' force, four are held.
+    // Under the force of ten elements all six are held; under the force of four, four are held.
     let all = begun(&mut problem, force(10.0), &start);
     assert_eq!(held(&all), [0, 1, 2, 3, 4, 5]);
     let most = begun(&mut problem, force(4.0), &start);
@@ -87,12 +87,12 @@ fn what_is_held_presses_once_and_leaves_the_rest_of_the_force_and_of_the_work() 
     exchange.press(&mut problem);
     assert_eq!(exchange.total.operator_applications, 1);
     assert_eq!(exchange.held.total, 2.0 * LIMIT);
-    // Where it is held nothing touches; the others are as much farther away as those held sink.
+    // Held elements cannot touch; the gap of the others grows by the displacement due to the held ones.
     let sunk = SINKING * 2.0 * LIMIT;
     let gaps = &exchange.held.gap;
     assert!(gaps[..2].iter().all(|gap| *gap == f64::INFINITY));
     assert!(gaps[2..].iter().all(|gap| *gap == sunk));
-    // K p of the whole pressure: a product, where that of the free part is not known.
+    // K p of the whole pressure: one product if that of the free part is unknown.
     let all = exchange.displacement(&mut problem, None);
     assert!(all.iter().all(|u| *u == sunk + SINKING));
     assert_eq!(exchange.total.operator_applications, 2);
@@ -112,7 +112,7 @@ fn what_is_held_presses_once_and_leaves_the_rest_of_the_force_and_of_the_work() 
         (options.tolerance, options.max_applications),
         (COARSEST, 19)
     );
-    // The stiffness of a set that is not the last is of no use.
+    // The stiffness of an intermediate set is useless.
     assert!(!options.contact_stiffness);
     exchange.accuracy = 1e-8;
     assert!(exchange.options(wanted).contact_stiffness);
@@ -160,10 +160,10 @@ fn the_penetration_is_the_mean_of_what_is_free_or_the_least_that_the_conditions_
     exchange.load = Load::Force(1.0);
     // (1 · 4.5 + 3 · 4.9)/4
     assert!((exchange.penetration(&values) - 4.8).abs() < 1e-15);
-    // Where nothing is free, any between the largest of those held and the least of the others would do.
+    // If no free element presses, any value between the largest of the held and the smallest of the others would do.
     exchange.free = field(&[]);
     assert_eq!(exchange.penetration(&values), 2.0);
-    // If a held one is higher than others, these others would overlap.
+    // If a held element is higher than others, these others would overlap.
     assert_eq!(exchange.penetration(&v(&[-3.0, 1.0, -0.5])), 3.5);
 }
 
@@ -175,7 +175,7 @@ fn elements_above_the_limit_and_held_ones_with_a_gap_are_on_the_wrong_side() {
     let mut exchange = begun(&mut problem, load, &[5.0, 5.0, 5.0]);
     exchange.accuracy = 1e-2;
     let v = field(&[1.0, 4.01, 4.03, 4.0, 4.0]);
-    // Rounding above the limit is none, nor is a gap of half the residual solved to.
+    // Rounding above the limit is ignored, and so is a gap of half the residual of the solution.
     exchange.free = field(&[0.0, 0.0, 0.0, 2.5, LIMIT * (1.0 + 1e-15)]);
     let wrong = exchange.wrong(&problem, &v);
     assert_eq!((&wrong.above[..], &wrong.open[..]), (&[3][..], &[2][..]));
@@ -191,8 +191,8 @@ fn elements_above_the_limit_and_held_ones_with_a_gap_are_on_the_wrong_side() {
 fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
     let mut problem = problem(1.0, |_| 0.0);
     let mut exchange = begun(&mut problem, Load::Penetration(1.0), &[LIMIT]);
-    // Two limits too much on the second and one and a half on the third: three others, first those that press most,
-    // then of those without pressure the one with the narrowest gap, but none that cannot touch.
+    // The second exceeds the limit by twice its value and the third by 1.5 times: three others are needed, first those
+    // with the largest pressure, then the unpressed one with the smallest gap, but none that cannot touch.
     exchange.free = field(&[0.0, 3.0 * LIMIT, 2.5 * LIMIT, 0.3, 0.9]);
     let mut v: Vec<f64> = (0..16).map(|e| 2.0 - 0.1 * f64::from(e)).collect();
     v[15] = f64::INFINITY;
@@ -205,7 +205,7 @@ fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
     exchange.exchange(LIMIT, &wrong, &v);
     assert_eq!(held(&exchange), [0, 1, 2, 3, 4, 14]);
     assert_eq!(exchange.free, field(&[]));
-    // Half a limit too much makes none; nor does anything once elements have been let go.
+    // An excess of half the limit adds none; nor does any excess once elements have been released.
     exchange.free = field(&[0.0, 1.5 * LIMIT]);
     assert!(exchange.next(LIMIT, &[1], &v).is_empty());
     exchange.let_go(LIMIT, &[3]);
@@ -237,7 +237,7 @@ fn exchanges_stall_after_four_that_let_go_without_halving_what_they_are_wrong_by
     let halved = [0.1, 0.08, 0.06, 0.055, 0.04, 0.03, 0.03, 0.03, 0.03];
     let halved = stalls(&halved.map(|by| (by, open)));
     assert_eq!(halved.iter().position(|stalls| *stalls), Some(8));
-    // Those that only hold more come to an end by themselves.
+    // Exchanges that only hold more elements always end.
     let none: &[usize] = &[];
     assert!(!stalls(&[(0.1, none); 9]).contains(&true));
 }
@@ -258,7 +258,7 @@ fn where_those_held_carry_the_whole_force_nothing_is_solved() {
         (field(&[]), 0)
     );
     assert_eq!(displacement, Some(field(&[])));
-    // A little more, and the others carry it.
+    // The others carry a little more force.
     exchange.load = Load::Force(3.5 * LIMIT * AREA);
     exchange.free = field(&[]);
     let found = exchange.solve(&mut solver, &mut problem, &mut watch);
@@ -278,13 +278,14 @@ fn a_set_that_is_right_is_solved_once_more_to_the_tolerance_and_no_further() {
     assert!(exchange.advance(&mut problem, &u));
     assert_eq!(exchange.accuracy, 1e-6);
     assert!(!exchange.advance(&mut problem, &u));
-    // A pressure a thousandth above the limit is wrong by that, and the next problem is solved to a part of it.
+    // A pressure a thousandth above the limit is an error of that size, and the next problem is solved to a fraction of
+    // it.
     exchange.free[0] = 1.001 * LIMIT;
     assert!(exchange.advance(&mut problem, &u));
     assert_eq!(held(&exchange), [0]);
     assert!((exchange.accuracy / (REFINEMENT * 1e-3) - 1.0).abs() < 1e-9);
     assert!(!exchange.is_pressed);
-    // One held at v = g0 + w* + u = 5 under a penetration of 4 is let go at the limit.
+    // An element held at v = g0 + w* + u = 5 under a penetration of 4 is released at the limit.
     exchange.press(&mut problem);
     let u = vec![3.0; 16];
     assert!(exchange.advance(&mut problem, &u));
@@ -307,17 +308,17 @@ fn exchanges_that_stall_give_way_to_a_descent_from_an_admissible_pressure() {
     assert_eq!(held(&exchange), [0, 1]);
     assert_eq!(exchange.free, field(&[]));
     assert_eq!(exchange.total.operator_applications, 1);
-    // Nothing above the limit, and both have a gap: both are let go.
+    // No element exceeds the limit and both have a gap: both are released.
     assert!(exchange.advance(&mut problem, &u));
     assert_eq!(held(&exchange), [0; 0]);
     assert_eq!(exchange.free, field(&[LIMIT, LIMIT]));
     assert_eq!(exchange.total.operator_applications, 1);
-    // They press above the limit again: held once more, at no product.
+    // They exceed the limit again and are held again, without a product.
     exchange.free[..2].fill(1.25 * LIMIT);
     assert!(exchange.advance(&mut problem, &u));
     assert_eq!(held(&exchange), [0, 1]);
     assert_eq!(exchange.total.operator_applications, 1);
-    // Another one comes to the limit: the pressure goes there, and it is held too.
+    // Another element reaches the limit: the pressure moves there, and it is held too.
     exchange.free[5] = 2.0 * LIMIT;
     let u = vec![0.0; 16];
     assert!(exchange.advance(&mut problem, &u));

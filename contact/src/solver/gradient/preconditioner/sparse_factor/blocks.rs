@@ -1,11 +1,11 @@
-//! The blocks of the factor as they are kept and multiplied.
+//! Storage of the factor's blocks and products with them.
 
-/// Numbers of a block side by side, so that their arithmetic fills the registers.
+/// Numbers processed together, so that the arithmetic fills the registers.
 const LANES: usize = 4;
-/// The most lanes that a tile's own elements fill.
+/// Most lanes filled by a tile's own elements.
 const MOST_LANES: usize = 3;
 
-/// Numbers of a block in lanes. Single precision is enough for a preconditioner.
+/// One lane of a block. Single precision is enough for a preconditioner.
 type Lane = [f32; LANES];
 
 /// `G r` of a tile.
@@ -15,30 +15,30 @@ pub type Product = [[f64; LANES]; MOST_LANES];
 #[derive(Default)]
 pub struct FactorBlocks {
     heads: Vec<BlockHead>,
-    /// Of each unknown of each block: its distance in the field's index from the tile's first place.
+    /// For each unknown of each block, its distance in the field's index from the tile's first place.
     distances: Vec<i32>,
-    /// Of each unknown: its entries in the rows of the tile's own elements, the last lane filled up with zeros.
+    /// For each unknown, its entries in the rows of the tile's own elements; the last lane is padded with zeros.
     entries: Vec<Lane>,
 }
 
-/// A block of `G`.
+/// The layout of a block of `G`.
 #[derive(Clone, Copy, Default)]
 struct BlockHead {
-    /// Lanes of an unknown.
+    /// Lanes per unknown.
     lanes: usize,
-    /// Where its distances and entries end; they begin where those of the block before end.
+    /// The ends of its distances and entries; they begin at the ends of the previous block.
     distances_end: usize,
     entries_end: usize,
 }
 
-/// One block.
+/// A view of one block.
 pub struct Block<'a> {
     lanes: usize,
     distances: &'a [i32],
     entries: &'a [Lane],
 }
 
-/// Where a block's numbers go.
+/// Reserved space for a block.
 pub struct Room<'a> {
     lanes: usize,
     distances: &'a mut [i32],
@@ -46,7 +46,7 @@ pub struct Room<'a> {
 }
 
 impl Room<'_> {
-    /// Takes a block of these columns one after the other, one for each of the tile's own elements.
+    /// Stores a block given by its columns in succession, one for each of the tile's own elements.
     pub fn fill(self, distances: impl Iterator<Item = i32>, columns: &[f64]) {
         let unknowns = self.distances.len();
         (self.distances.iter_mut().zip(distances)).for_each(|(room, distance)| *room = distance);
@@ -71,7 +71,7 @@ impl FactorBlocks {
         self.entries.len() * LANES
     }
 
-    /// Makes room after these for blocks of so many unknowns and own elements each, and returns it.
+    /// Appends space for blocks with these numbers of unknowns and own elements, and returns it.
     pub fn make_room(&mut self, sizes: &[[usize; 2]]) -> Vec<Room<'_>> {
         let from = [self.distances.len(), self.entries.len()];
         let [mut distances_end, mut entries_end] = from;
@@ -100,7 +100,7 @@ impl FactorBlocks {
         rooms.collect()
     }
 
-    /// The block of this number.
+    /// The block with this number.
     pub fn block(&self, block: u32) -> Block<'_> {
         let block = block as usize;
         let before = block.checked_sub(1).map(|before| self.heads[before]);
@@ -114,7 +114,7 @@ impl FactorBlocks {
 }
 
 impl Block<'_> {
-    /// `G r` of the tile whose first place has the index `first`.
+    /// Computes `G r` for the tile whose first place has the index `first`.
     pub fn multiply(&self, first: i32, field: &[f64]) -> Product {
         match self.lanes {
             1 => self.multiply_lanes::<1>(first, field),
@@ -123,7 +123,7 @@ impl Block<'_> {
         }
     }
 
-    /// Adds `Gᵀ y` of that tile.
+    /// Adds `Gᵀ y` for that tile to the field.
     pub fn add_transposed(&self, first: i32, y: &Product, field: &mut [f64]) {
         match self.lanes {
             1 => self.add_transposed_lanes::<1>(first, y, field),
@@ -132,7 +132,7 @@ impl Block<'_> {
         }
     }
 
-    /// The product where the tile's own elements fill `N` lanes.
+    /// The product for a tile whose own elements fill `N` lanes.
     fn multiply_lanes<const N: usize>(&self, first: i32, field: &[f64]) -> Product {
         let mut sums = [[0.0; LANES]; N];
         let (columns, _) = self.entries.as_chunks::<N>();
@@ -164,7 +164,7 @@ impl Block<'_> {
     }
 }
 
-/// The element at a distance in the field's index, which lies on the grid.
+/// The element at a distance in the field's index, which must be on the grid.
 #[expect(clippy::cast_sign_loss, reason = "a place on the grid, below 2²⁸")]
 fn at(first: i32, distance: i32) -> usize {
     (first + distance) as usize
@@ -200,14 +200,14 @@ mod tests {
         let distances = [-3, 0, 2, 7, 8, 11, 12, 15, 16, 20, 21, 25, 30, 31];
         let field: Vec<f64> = (0..64).map(|i| f64::from(i * i % 17) - 8.0).collect();
         let mut blocks = FactorBlocks::default();
-        // Quarters, which single precision has exactly.
+        // Quarters, which are exact in single precision.
         let g = |a: usize, own: usize| ((a * 5 + own * 3) % 11) as f64 / 4.0 - 1.0;
         let columns = |of: usize| -> Vec<f64> {
             let columns = (0..of).flat_map(|own| (0..distances.len()).map(move |a| g(a, own)));
             columns.collect()
         };
         let own = [1, 4, 5, 8, 9, 12];
-        // In two parts, one after the other.
+        // In two parts, in succession.
         for own in own.chunks(4) {
             let sizes: Vec<_> = own.iter().map(|own| [distances.len(), *own]).collect();
             for (room, own) in blocks.make_room(&sizes).into_iter().zip(own) {

@@ -1,4 +1,4 @@
-//! The system of a small set, solved directly.
+//! Direct solution of the system of a small set.
 
 use faer::{
     Mat, Side,
@@ -14,7 +14,7 @@ pub struct DirectFactor {
 }
 
 impl DirectFactor {
-    /// Of the elements of `mask` on a grid; none if rounding leaves the system indefinite.
+    /// Factorises the system of the elements of `mask` on a grid; none if rounding makes it indefinite.
     pub fn new(
         elasticity: &SurfaceElasticity,
         grid: SectorGrid,
@@ -26,7 +26,7 @@ impl DirectFactor {
         let place = |member: usize| [members[member] / size, members[member] % size];
         let matrix = Mat::from_fn(members.len(), members.len(), |a, b| {
             if a < b {
-                // The factor takes the lower triangle alone.
+                // The factorisation uses only the lower triangle.
                 return 0.0;
             }
             let elastic = elasticity.coefficient_on(grid, place(a), place(b));

@@ -12,12 +12,12 @@ use faer::{
 };
 use pellicle_influence::SurfaceElasticity;
 
-/// Compliances of relief, relative to an element's own elastic compliance, from which on the relief counts.
+/// Smallest compliance of the relief that is included, relative to an element's own elastic compliance.
 const SMALLEST_COMPLIANCE: f64 = 1e-3;
-/// Classes of compliance to a factor of two: a preconditioner needs no more than two digits of it.
+/// Classes of compliance per factor of two: a preconditioner needs no more than two digits.
 const CLASSES_PER_OCTAVE: f64 = 16.0;
 
-/// The class of compliances `η/K₀₀` that are treated as one.
+/// The class of a compliance `η/K₀₀`; compliances of one class are treated as equal.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -31,7 +31,7 @@ pub fn class(relative_compliance: f64) -> u16 {
     1 + (CLASSES_PER_OCTAVE * octaves).round().clamp(0.0, 60_000.0) as u16
 }
 
-/// The `η/K₀₀` that stands for a class.
+/// The representative `η/K₀₀` of a class.
 pub fn compliance_of(class: u16) -> f64 {
     if class == 0 {
         return 0.0;
@@ -39,19 +39,19 @@ pub fn compliance_of(class: u16) -> f64 {
     SMALLEST_COMPLIANCE * (f64::from(class - 1) / CLASSES_PER_OCTAVE).exp2()
 }
 
-/// Distance, in the spacing of a level, below which coefficients are looked up in a table of their own.
+/// Distance, in the spacing of a level, below which coefficients are taken from a separate table.
 const NEAR: i32 = 32;
 /// Entries of a row of that table, for distances of either sign.
 const WIDTH: i32 = 2 * NEAR;
-/// Unknowns up to which a factor is computed column by column, and by blocks beyond: at the library's own 64, a system
-/// of 93 takes a third more time.
+/// Unknowns up to which a factor is computed column by column, and by blocks beyond: with the library's default of 64,
+/// a system of 93 takes a third more time.
 const COLUMN_BY_COLUMN: usize = 16;
 
 /// The coefficients of elements few places apart, in the spacing of one level.
 pub struct NearCoefficients(Vec<f64>);
 
 impl NearCoefficients {
-    /// Those at distances of whole multiples of 2^`level` elements; 0 where the grid has no two such elements.
+    /// Coefficients at distances of multiples of 2^`level` elements; 0 at distances larger than the grid.
     pub fn of(elasticity: &SurfaceElasticity, level: u32) -> Self {
         let size = elasticity.size();
         let along = |distance: i32| {
@@ -68,8 +68,8 @@ impl NearCoefficients {
         Self(offsets.map(value).collect())
     }
 
-    /// Replaces `keys` by those of places, of which any two differ by that of their distance; false if some places are
-    /// too far apart.
+    /// Replaces `keys` by the keys of `places`; the difference of two keys is the key of the offset. Returns false if
+    /// some places are too far apart.
     fn keys(places: &[[i32; 2]], keys: &mut Vec<i32>) -> bool {
         let are_near = [0, 1].into_iter().all(|axis: usize| {
             let along = || places.iter().map(|place| place[axis]);
@@ -81,7 +81,7 @@ impl NearCoefficients {
         are_near
     }
 
-    /// The coefficient between places whose keys differ by so much.
+    /// The coefficient between places whose keys differ by `apart`.
     #[inline]
     fn at(&self, apart: i32) -> f64 {
         let zero = NEAR * WIDTH + NEAR;
@@ -89,7 +89,7 @@ impl NearCoefficients {
     }
 }
 
-/// The memory of one thread that solves local systems one after the other.
+/// The buffers of one thread that solves local systems in succession.
 pub struct Workspace {
     matrix: Vec<f64>,
     columns: Vec<f64>,
@@ -108,19 +108,19 @@ impl Workspace {
     }
 }
 
-/// The system of a tile's own elements, last, and their neighbours before them.
+/// The system of a tile's neighbours and, after them, its own elements.
 pub struct LocalSystem<'a> {
     pub elasticity: &'a SurfaceElasticity,
     pub near: &'a NearCoefficients,
     /// The spacing of places is 2^level elements.
     pub level: u32,
-    /// Where its unknowns lie, from the tile's first place.
+    /// Offsets of the unknowns from the tile's first place.
     pub places: &'a [[i32; 2]],
-    /// Class of compliance of each.
+    /// Class of compliance of each unknown.
     pub classes: &'a [u16],
-    /// How many are the tile's own.
+    /// Number of the tile's own elements.
     pub own: usize,
-    /// Index of the tile's first place from each axis beyond which mirror images press too.
+    /// Index of the tile's first place from each axis with mirror images beyond it.
     pub to_axis: [Option<u32>; 2],
 }
 
@@ -128,7 +128,7 @@ impl LocalSystem<'_> {
     /// The columns `G` of the tile's own elements, one after the other, `Lᵀ G = (0, 1)ᵀ`: the last rows of the inverse
     /// of `L`, transposed.
     ///
-    /// A system that is not positive definite up to rounding gives each element's own `1/√(K₀₀ + η)` and nothing else.
+    /// If the system is not positive definite up to rounding, only each element's own `1/√(K₀₀ + η)` is returned.
     pub fn columns<'w>(&self, workspace: &'w mut Workspace) -> &'w [f64] {
         let order = self.places.len();
         let first = order - self.own;
@@ -160,7 +160,7 @@ impl LocalSystem<'_> {
         columns
     }
 
-    /// The lower triangle of `K + η`, which is all that its factor takes.
+    /// Writes the lower triangle of `K + η`, all that the factorisation needs.
     fn fill_lower_triangle(&self, workspace: &mut Workspace) {
         let order = self.places.len();
         let Workspace { matrix, keys, .. } = workspace;
@@ -186,7 +186,7 @@ impl LocalSystem<'_> {
         self.elasticity.coefficient([0, 0]) * compliance_of(self.classes[a])
     }
 
-    /// `K` between two places, with the images beyond the axes.
+    /// `K` between two places, including images beyond the axes.
     fn elastic(&self, p: [i32; 2], q: [i32; 2]) -> f64 {
         // The image of index j lies at −1 − j: i + j + 1 from the index i.
         let along = |axis: usize| {
@@ -204,7 +204,8 @@ impl LocalSystem<'_> {
     }
 }
 
-/// Replaces the lower triangle of `A` by its Cholesky factor; false if it is not positive definite up to rounding.
+/// Replaces the lower triangle of `A` by its Cholesky factor; returns false if it is not positive definite up to
+/// rounding.
 fn factor_in_place(matrix: MatMut<'_, f64>, stack: &mut MemBuffer) -> bool {
     let params: Spec<LltParams, f64> = LltParams {
         recursion_threshold: COLUMN_BY_COLUMN,
@@ -253,7 +254,7 @@ mod tests {
         let table = CoefficientTable::assemble(&tables, 1.0 / 64.0, 64).unwrap();
         let elasticity = SurfaceElasticity::new(Arc::new(table), body);
         let near = NearCoefficients::of(&elasticity, 1);
-        // A tile of every second element, eight from the axes; four neighbours and three elements of its own.
+        // A tile of every second element, eight from the axes, with four neighbours and three elements of its own.
         let first = 8;
         let places = [[5, 1], [-4, 0], [0, -3], [6, 6], [0, 1], [1, 1], [3, 2]];
         let (classes, own) = ([0, 150, 60, 3, 100, 0, 30], 3);
@@ -296,7 +297,7 @@ mod tests {
             let mut workspace = Workspace::new();
             let g = system.columns(&mut workspace);
             let g = |a: usize, column: usize| g[column * places.len() + a];
-            // A G = (0, L_own)ᵀ of a lower triangle: A = L Lᵀ, Lᵀ G = (0, 1)ᵀ. And Gᵀ A G = 1.
+            // A G = (0, L_own)ᵀ with a lower triangle L_own: A = L Lᵀ, Lᵀ G = (0, 1)ᵀ. And Gᵀ A G = 1.
             let order = places.len();
             for column in 0..own {
                 let image = |a: usize| (0..order).map(|b| matrix(a, b) * g(b, column)).sum();

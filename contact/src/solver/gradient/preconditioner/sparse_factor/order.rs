@@ -1,17 +1,16 @@
-//! The order from coarse to fine, by tiles, and where the nearest earlier elements of a tile lie.
+//! The order from coarse to fine, by tiles, and the offsets of the nearest earlier elements of a tile.
 //!
-//! An element of indices (i, j) is of the level `l` for which 2ˡ is the largest power of two that divides both. Higher
-//! levels come first. The elements of a level are shared out among tiles of [`TILE`] × [`TILE`] places of spacing 2ˡ,
-//! whose colour is that of a board of four colours; within a level the colours come one after the other, and tiles of
-//! one colour by index. So which offsets from a tile lead to earlier elements depends on its colour alone, in units of
-//! 2ˡ.
+//! An element with indices (i, j) is on the level `l` for which 2ˡ is the largest power of two that divides both.
+//! Higher levels come first. The elements of a level are grouped into tiles of [`TILE`] × [`TILE`] places with spacing
+//! 2ˡ, coloured with four colours; a level is ordered by colour, and tiles of one colour by index. So the offsets from
+//! a tile to earlier elements, in units of 2ˡ, depend only on its colour.
 
 /// Places along the side of a tile, an even number.
 pub const TILE: i32 = 4;
 /// Number of colours.
 pub const COLOURS: u32 = 4;
 
-/// The colour of a tile by its indices: earlier ones touch at corners alone.
+/// The colour of a tile by its indices; tiles of the first two colours touch only at corners.
 pub fn colour(x: i32, y: i32) -> u32 {
     match (x & 1, y & 1) {
         (0, 0) => 0,
@@ -21,8 +20,8 @@ pub fn colour(x: i32, y: i32) -> u32 {
     }
 }
 
-/// The places of a tile's own elements, from its first place and in units of the level's spacing: those that no
-/// coarser level has.
+/// The places of a tile's own elements, from its first place and in units of the level's spacing: those not on a
+/// coarser level.
 pub fn own_offsets() -> Vec<[i32; 2]> {
     let places = (0..TILE).flat_map(|x| (0..TILE).map(move |y| [x, y]));
     places.filter(|[x, y]| (x | y) & 1 == 1).collect()
@@ -61,7 +60,7 @@ fn distance_squared(offset: [i32; 2]) -> i32 {
 
 fn is_earlier(of: u32, [x, y]: [i32; 2]) -> bool {
     let is_coarser = (x | y) & 1 == 0;
-    // A tile whose first indices have the parities of the colour.
+    // A tile whose indices have the parities of the colour.
     let first = [[0, 0], [1, 1], [0, 1], [1, 0]][of as usize];
     let away = [x, y].map(|along| along.div_euclid(TILE));
     let other = colour(first[0] + away[0], first[1] + away[1]);
@@ -77,7 +76,7 @@ mod tests {
         (i | j | 1 << 20).trailing_zeros()
     }
 
-    /// The order of tiles, smallest first.
+    /// The sort key of tiles.
     fn place([i, j]: [i32; 2]) -> (u32, u32, [i32; 2]) {
         let level = level(i, j);
         let tile = [i, j].map(|along| (along >> level).div_euclid(TILE));

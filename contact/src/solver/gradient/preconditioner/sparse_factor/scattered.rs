@@ -1,4 +1,4 @@
-//! The same factor among candidates, whose rows are their own: in a contact of scattered summits few elements have
+//! The same factor among candidates, with a separate row for each: in a contact of scattered summits few elements have
 //! neighbours in the same places.
 
 mod order;
@@ -16,13 +16,13 @@ use super::{
 use crate::grid::candidates::Candidates;
 use crate::solver::gradient::working_set::WorkingSet;
 
-/// Places where an element's neighbours are looked for, nearest first: with all of the other factor's, products are 12
-/// instead of 13 on 0.1 % of 1024 × 1024 elements, and take a fifth more time with all else.
+/// Places searched for an element's neighbours, nearest first: with as many as in the other factor, 0.1 % of 1024 ×
+/// 1024 elements take 12 products instead of 13, in a fifth more total time.
 const SEARCHED: usize = 300;
-/// Of each colour: where earlier elements lie.
+/// Offsets of earlier elements, by colour.
 static EARLIER: LazyLock<[Vec<[i32; 2]>; 3]> =
     LazyLock::new(|| [0, 1, 2].map(|colour| earlier_offsets(colour, SEARCHED)));
-/// Rows that one thread looks at together.
+/// Rows per parallel chunk.
 const PART: usize = 256;
 
 /// The factor `G` on the working set among candidates.
@@ -34,7 +34,7 @@ pub struct ScatteredFactor {
     classes: Vec<u16>,
     /// Coefficients between elements of each level.
     near: Vec<NearCoefficients>,
-    /// The row of every candidate; of those outside the set without any entry.
+    /// The row of every candidate; empty for those outside the set.
     rows: Vec<Row>,
     product: Vec<f64>,
 }
@@ -50,7 +50,7 @@ struct Row {
 }
 
 impl ScatteredFactor {
-    /// A factor with `neighbours` entries a row beside the diagonal.
+    /// Creates a factor with `neighbours` entries per row in addition to the diagonal.
     pub fn new(
         elasticity: Arc<SurfaceElasticity>,
         candidates: Arc<Candidates>,
@@ -70,13 +70,13 @@ impl ScatteredFactor {
         }
     }
 
-    /// Takes other compliances of the relief, in m/Pa.
+    /// Sets other compliances of the relief, in m/Pa.
     pub fn take_compliance(&mut self, relief_compliance: &[f64]) {
         self.classes = classes(&self.elasticity, relief_compliance);
         self.rows.fill_with(Row::default);
     }
 
-    /// Computes the rows of those elements of the set whose neighbours have changed.
+    /// Recomputes the rows of elements of the set whose neighbours have changed.
     pub fn update(&mut self, set: &WorkingSet) {
         let mut rows = std::mem::take(&mut self.rows);
         let parts = rows.par_chunks_mut(PART).enumerate();
@@ -133,7 +133,7 @@ impl ScatteredFactor {
         Rank::of(i, j)
     }
 
-    /// The nearest earlier elements of the set: their offsets in the spacing of the level, and themselves.
+    /// The nearest earlier elements of the set: their offsets in the spacing of the level, and their candidate indices.
     fn neighbours_of(&self, candidate: usize, mask: &[bool]) -> (Vec<[i32; 2]>, Vec<u32>) {
         let Rank { level, colour } = self.rank(candidate);
         let place = self.candidates.place(candidate).map(index);

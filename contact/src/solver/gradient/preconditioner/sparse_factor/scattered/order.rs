@@ -1,11 +1,11 @@
-//! The order from coarse to fine, and where the nearest earlier elements of an element lie.
+//! The order from coarse to fine, and the offsets of the nearest earlier elements.
 //!
-//! An element of indices (i, j) is of the level `l` for which 2ˡ is the largest power of two that divides both, and of
-//! one of three colours by the parities of (i, j)/2ˡ. Higher levels come first; within a level first the elements with
-//! both odd, then those with the first odd, then the rest; within a colour by index. Which offsets lead to earlier
-//! elements then depends on the colour alone, in units of 2ˡ.
+//! An element with indices (i, j) is on the level `l` for which 2ˡ is the largest power of two that divides both, and
+//! has one of three colours by the parities of (i, j)/2ˡ. Higher levels come first; within a level, the elements with
+//! both odd, then those with the first odd, then the rest; within a colour, by index. The offsets to earlier elements,
+//! in units of 2ˡ, then depend only on the colour.
 
-/// Where an element stands in the order.
+/// The level and colour of an element, which determine its rank in the order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Rank {
     /// `l`: the spacing of elements of this level and above is 2ˡ.
@@ -14,7 +14,7 @@ pub struct Rank {
     pub colour: u32,
 }
 
-/// A level above all of any grid, for the element (0, 0).
+/// A level above those of any grid, for the element (0, 0).
 pub const TOP: u32 = 20;
 
 impl Rank {
@@ -43,7 +43,7 @@ pub fn earlier_offsets(colour: u32, count: usize) -> Vec<[i32; 2]> {
     offsets
 }
 
-/// The offsets to earlier elements within a circle.
+/// The offsets to earlier elements within a radius.
 fn within(colour: u32, reach: i32) -> Vec<[i32; 2]> {
     let places = (-reach..=reach).flat_map(|x| (-reach..=reach).map(move |y| [x, y]));
     places
@@ -55,7 +55,7 @@ fn is_earlier(colour: u32, [x, y]: [i32; 2]) -> bool {
     match (colour, x & 1, y & 1) {
         // The same colour: by index.
         (_, 0, 0) => x < 0 || (x == 0 && y < 0),
-        // To the coarser levels, and from the second colour to the first; from the third to everything else.
+        // To coarser levels, and from the second colour to the first; from the third to all others.
         (0, 1, 1) | (1, 1, 0) | (1, 0, 1) | (2, _, _) => true,
         _ => false,
     }
@@ -65,7 +65,7 @@ fn is_earlier(colour: u32, [x, y]: [i32; 2]) -> bool {
 mod tests {
     use super::{Rank, earlier_offsets};
 
-    /// The whole order as one number, smallest first.
+    /// The sort key of the whole order.
     fn place(i: i32, j: i32) -> (u32, u32, i32, i32) {
         let Rank { level, colour } = Rank::of(i, j);
         (20 - level, colour, i, j)

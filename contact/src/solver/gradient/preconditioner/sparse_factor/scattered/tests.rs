@@ -1,4 +1,4 @@
-//! The factor among candidates on small sets, whose systems are known entry by entry.
+//! The factor among candidates on small sets whose systems are known entry by entry.
 
 use pellicle_influence::{CoefficientTable, RadialTables};
 use pellicle_kernel::{Foundation, Material};
@@ -11,7 +11,7 @@ use crate::{
 };
 
 const SIZE: usize = 40;
-/// Rows that are candidates from their first element to their last, after those of a first few rows.
+/// Rows all of whose elements are candidates, after those of a first few rows.
 const ROWS: [usize; 2] = [20, 32];
 const ELEMENTS: usize = SIZE * SIZE;
 
@@ -23,7 +23,7 @@ fn elasticity() -> Arc<SurfaceElasticity> {
     Arc::new(SurfaceElasticity::new(Arc::new(table), body))
 }
 
-/// The candidates, more than one thread looks at together.
+/// The candidates, more than one parallel chunk.
 fn candidates() -> Arc<Candidates> {
     let rows = ROWS[0] + 1..ROWS[1];
     let members = elements_where(SIZE, |[row, column]| {
@@ -34,9 +34,9 @@ fn candidates() -> Arc<Candidates> {
     Arc::new(candidates)
 }
 
-/// The set of those candidates for whose row and column this holds.
+/// The set of candidates whose row and column satisfy `belongs`.
 fn set(candidates: &Candidates, belongs: impl Fn([usize; 2]) -> bool) -> WorkingSet {
-    // A state of as many elements that presses there; what it presses on does not matter.
+    // A state of as many elements that presses there; the problem does not matter.
     let field = |value| vec![value; ELEMENTS];
     let mut problem =
         DiscreteProblem::elastic(elasticity(), SIZE, field(0.0), field(0.0), 1.0).unwrap();
@@ -53,12 +53,12 @@ fn set(candidates: &Candidates, belongs: impl Fn([usize; 2]) -> bool) -> Working
     set
 }
 
-/// Seven rows and columns of every other element or so: all within the places where neighbours are looked for.
+/// About every other element of seven rows and columns, all within the places searched for neighbours.
 fn patch([i, j]: [usize; 2]) -> bool {
     (23..30).contains(&i) && (26..33).contains(&j) && (3 * i + 5 * j) % 7 < 4
 }
 
-/// `(K + η) p` on a set of the candidates, summed up term by term.
+/// `(K + η) p` on a set of the candidates, summed term by term.
 fn deformed(candidates: &Candidates, set: &WorkingSet, eta: &[f64], p: &[f64]) -> Vec<f64> {
     let elasticity = elasticity();
     let members: Vec<usize> = (0..candidates.len()).filter(|c| set.mask()[*c]).collect();
@@ -74,7 +74,7 @@ fn deformed(candidates: &Candidates, set: &WorkingSet, eta: &[f64], p: &[f64]) -
     image
 }
 
-/// The largest error of `GᵀG (K + η) p` beside `p`, which lies between 1 and 3 on the set and is 0 outside.
+/// The largest difference between `GᵀG (K + η) p` and `p`, which lies between 1 and 3 on the set and is 0 outside.
 fn error(factor: &mut ScatteredFactor, set: &WorkingSet, eta: &[f64]) -> f64 {
     let candidates = candidates();
     let pressure = (0..candidates.len()).map(|c| 2.0 + (c as f64).sin());
@@ -83,7 +83,7 @@ fn error(factor: &mut ScatteredFactor, set: &WorkingSet, eta: &[f64]) -> f64 {
         .map(|(p, member)| if *member { p } else { 0.0 });
     let pressure: Vec<f64> = pressure.collect();
     let mut field = deformed(&candidates, set, eta, &pressure);
-    // Values outside the set must not count.
+    // Values outside the set must be ignored.
     for (value, member) in field.iter_mut().zip(set.mask()) {
         *value = if *member { *value } else { 7.0 };
     }
@@ -92,7 +92,7 @@ fn error(factor: &mut ScatteredFactor, set: &WorkingSet, eta: &[f64]) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
-/// A compliance that its class stands for exactly: 16 classes to a factor of two from `10⁻³ K₀₀` on.
+/// A compliance that its class represents exactly: 16 classes per factor of two, starting from `10⁻³ K₀₀`.
 fn springs(candidates: &Candidates) -> Vec<f64> {
     let own = elasticity().coefficient([0, 0]);
     let of_class = |class: usize| 1e-3 * (class as f64 / 16.0).exp2() * own;
@@ -109,11 +109,11 @@ fn with_all_earlier_elements_as_neighbours_the_factor_is_the_inverse() {
     let elasticity = elasticity();
     let mut factor = ScatteredFactor::new(elasticity, candidates.clone(), &rigid, SEARCHED);
     let whole = set(&candidates, patch);
-    // Rows in single precision, of a system whose condition is some hundreds.
+    // Rows in single precision, of a system with a condition number of some hundreds.
     factor.update(&whole);
     let fresh = error(&mut factor, &whole, &rigid);
     assert!(fresh < 1e-4, "{fresh:e}");
-    // The set loses elements and gains others; rows whose neighbours stay are kept, and they are right.
+    // The set loses elements and gains others; rows whose neighbours stay are kept and are right.
     let other = set(&candidates, |[i, j]| {
         patch([i, j]) != ((23..26).contains(&i) && (27..32).contains(&j))
     });
