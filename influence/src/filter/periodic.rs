@@ -79,7 +79,7 @@ impl PeriodicFilter {
     /// `field ← F⁻¹ multiplier F field`, in place.
     ///
     /// # Panics
-    /// If the field has not one value per element.
+    /// If the field does not have one value per element.
     pub fn apply(&mut self, field: &mut [f64]) {
         let most = |part: &[f64]| {
             part.iter()
