@@ -48,7 +48,7 @@ pub enum KernelError {
         /// The sum of their thicknesses, m.
         found: f64,
     },
-    /// The moduli of two adjacent bodies differ too much for their ratio to be computed with.
+    /// The moduli of two adjacent bodies differ too much to compute with their ratio.
     #[error(
         "found {found:e} for the ratio of the moduli of layer {layer} and of what lies below it, \
          wanted {smallest:e} to {largest:e}"

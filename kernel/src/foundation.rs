@@ -180,8 +180,8 @@ impl Foundation {
     }
 }
 
-/// Largest ratio of the shear moduli of neighbours. It is far beyond any pair of materials, and the squares of such
-/// moduli and the products of a few layers neither overflow nor underflow.
+/// Largest ratio of the shear moduli of neighbours, far beyond any pair of materials. The squares of such ratios and
+/// the products of a few layers neither overflow nor underflow.
 const LARGEST_RATIO: f64 = 1e30;
 
 fn check_ratios(layers: &[Layer], base: Base) -> Result<(), KernelError> {

@@ -129,7 +129,7 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> GradedLayer<F> {
 }
 
 /// Sublayers that change `C` by at least this fraction of the largest change are halved together: one halving reduces
-/// the change of a sublayer 4 to 8 times, so these would be the worst next.
+/// the change of a sublayer 4 to 8 times, so the others among them would be the worst next.
 const WORTH_HALVING: f64 = 0.2;
 
 /// Top and bottom of a sublayer, m below the top of the graded layer.

@@ -55,7 +55,7 @@ impl Foundation {
     /// frictionless interface, where a long wave of traction leaves stresses of the order of `k H`, their error is
     /// 1e-16 of the traction. Amplitudes that have decayed below the smallest number are 0.
     ///
-    /// `k = 0` is refused; any small `k` is as accurate as others. For `k → 0` displacements grow like `1/k` on a
+    /// `k = 0` is refused; small `k` are as accurate as any other. For `k → 0` displacements grow like `1/k` on a
     /// half-space, where `k u` has the limit of the base alone; on a rigid base they have finite limits. Layers above a
     /// frictionless interface are not held along the surface: under the tractions, their `u_x` and `u_y` grow like
     /// `1/k²` and their `σ_xx` and `σ_xy` like `1/k`.

@@ -39,9 +39,9 @@ const LARGEST_OSCILLATIONS: f64 = 400.0;
 ///
 /// The error is at most 1e-11 of [`love::coefficient`] at the same offset, plus the rounding of the inner integrals,
 /// some 1e-15 of Love's coefficient at offset 0 times the largest `|Φ − 1|`. The cost is the square of the number of
-/// oscillations, about `8 (m+n+1) a/h1` with half a side a and the thickness h1 of the top layer: the 400 at which the
-/// integral is refused cost 160,000 times as much as one. [`crate::RadialTables`] has no such limits; this function is
-/// an independent check of it.
+/// oscillations, about `8 (m+n+1) a/h1`, where a is half a side and h1 the thickness of the top layer: the 400 at which
+/// the integral is refused cost 160,000 times as much as one. [`crate::RadialTables`] has no such limits; this function
+/// is an independent check of it.
 ///
 /// ```
 /// use pellicle_influence::{RadialTables, direct};

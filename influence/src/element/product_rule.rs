@@ -37,11 +37,12 @@ static LINES: LazyLock<[ProductRule; 5]> = LazyLock::new(|| {
 pub(crate) struct Borders([usize; 5]);
 
 impl Borders {
-    /// For `1/ρ` alone.
+    /// The offsets for `1/ρ` alone.
     pub(crate) const HOMOGENEOUS: Self =
         Self([RULES[0].1, RULES[1].1, RULES[2].1, RULES[3].1, RULES[4].1]);
 
-    /// For a layered foundation whose far displacement is `floor = min(1, Φ(0))` times that of its surface material.
+    /// The offsets for a layered foundation whose far displacement is `floor = min(1, Φ(0))` times that
+    /// of its surface material.
     pub(crate) fn new(floor: f64) -> Self {
         Self(RULES.map(|(points, border)| {
             let power = f64::from(2 * points);

@@ -195,8 +195,8 @@ pub(super) fn scale(limit: f64, largest: f64, ln_t: f64) -> f64 {
 /// The scale of T, evaluated at ascending radii: the largest of `|T|`, of its limit far away, and of `P/t`, the mean of
 /// T up to the radius (with the largest P so far, where P falls again).
 ///
-/// An error δT changes the coefficient at the distance r by `4a² c δT/r`, with `c = (1−ν1²)/(πE1)` and half an
-/// element's side a. The coefficient of the loaded element itself is about `2πcH P(a/H)`. The displacement around a
+/// An error δT changes the coefficient at the distance r by `4a² c δT/r`, where `c = (1−ν1²)/(πE1)` and a is half an
+/// element's side. The coefficient of the loaded element itself is about `2πcH P(a/H)`. The displacement around a
 /// point force, T/t, falls with the distance, so `P(t)` is at most `(tH/a)² P(a/H)`. With `δT ≤ ε P(t)/t`,
 /// therefore, the error of any coefficient is at most ε of the largest, whatever the element; the error of all of
 /// them together is ε of their sum, up to the logarithm of the radius. On a rigid base, where T falls exponentially,

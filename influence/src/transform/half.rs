@@ -31,8 +31,9 @@ impl<T: Real> HalfLines<T> {
         }
     }
 
-    /// Plans for padded fields, with room for 2 · `length` numbers in a row, given and wanted together, and in a
-    /// column: `loaded` rows and columns are given, `shown` wanted, of whose rows `above` precede the first given one.
+    /// Plans for padded fields, with room for 2 · `length` numbers in a row, given and wanted together, and
+    /// in a column. `loaded` rows and columns are given and `shown` wanted; `above` of the wanted rows
+    /// precede the first given one.
     pub(crate) fn padded(
         loaded: [usize; 2],
         shown: [usize; 2],

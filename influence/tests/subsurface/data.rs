@@ -112,7 +112,7 @@ fn every_field_agrees_with_data_of_sixty_digits() {
                         None => assert!(found.is_nan() || depth >= 1.0, "{}", at()),
                         Some(expected) => {
                             let error = (found - expected).abs();
-                            // The data have 13 digits of the largest value.
+                            // The data have 13 digits relative to the largest value.
                             assert!(
                                 error <= 2e-11 * largest[f] + 1e-13,
                                 "{}, {expected:e}",

@@ -86,7 +86,7 @@ const PLAIN_DIFFERENCE: f64 = 0.25;
 
 /// Relative rounding error of the minors, per layer, with four layers added: measured 1.1e-15 with eight layers.
 ///
-/// Where contrast and subtraction differ by more, the contrast is wrong: thin layers that differ much leave it as the
+/// Where contrast and subtraction differ by more, the contrast is wrong: thin layers that differ much reduce it to a
 /// small difference of large terms (a factor 1e6 in modulus costs 6 of 16 digits). Where they agree, the contrast has
 /// all the digits that subtraction lost.
 const ROUNDING: f64 = 1e-15;

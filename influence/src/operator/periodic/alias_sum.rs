@@ -22,8 +22,8 @@ use crate::numerics::lagrange;
 
 /// Number of aliases on each side.
 const REACH: usize = 40;
-/// Where the taper is one half, as a fraction of the reach, and how steep it is: it keeps 1e-16 of the last aliases and
-/// removes 1e-16 of the first.
+/// Position of the taper's half value, as a fraction of the reach, and steepness of the taper: 1e-16 of the last
+/// aliases remain, and 1e-16 of the first are removed.
 const MIDDLE: f64 = 0.5;
 const STEEPNESS: f64 = 11.5;
 /// `2 q H` from which on `Φ − 1` is below rounding.
