@@ -1,5 +1,4 @@
-//! Coefficients read from disk beside the same coefficients computed: where the border lies below which reading
-//! does not pay.
+//! Coefficients read from disk, compared with computing them: the threshold below which reading does not pay.
 
 use std::hint::black_box;
 

@@ -1,4 +1,4 @@
-//! Radial tables, single coefficients, tables of coefficients, and the direct quadrature they are to be compared with.
+//! Radial tables, single coefficients, tables of coefficients, and the direct quadrature for comparison.
 
 use std::hint::black_box;
 

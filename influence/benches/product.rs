@@ -1,5 +1,5 @@
-//! `K p` beside its floor: the bare zero-padded pair of transforms, 2N × 2N real to complex and back, with the same
-//! library.
+//! `K p` compared with its lower bound: the bare zero-padded pair of transforms, 2N × 2N real to complex and back,
+//! with the same library.
 
 use std::hint::black_box;
 use std::sync::Arc;
@@ -27,7 +27,7 @@ fn product(criterion: &mut Criterion) {
     products(criterion, "product", operator);
 }
 
-/// Products on the quadrant that stands for a grid as large.
+/// Products on the quadrant that stands for a grid of the same size.
 fn product_on_a_quadrant(criterion: &mut Criterion) {
     let operator = |size| {
         let quadrant = SectorGrid::of_square(Sector::Quadrant, size);
@@ -63,8 +63,8 @@ fn products<O: ElasticOperator>(
     group.finish();
 }
 
-/// Rows real to complex, transpose, columns there and back, transpose, rows back: everything at full length, one
-/// thread.
+/// Rows real to complex, transpose, columns there and back, transpose, rows back: everything at full
+/// length, on one thread.
 fn bare_pair(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("bare padded pair");
     group.sample_size(10);

@@ -57,7 +57,7 @@ fn element(criterion: &mut Criterion) {
     });
 }
 
-/// Prints the cost of a plane in products on a grid of the same size, on one thread.
+/// Prints the cost of a plane in units of products on a grid of the same size, on one thread.
 #[expect(clippy::print_stdout, reason = "criterion has no ratios")]
 fn ratios(_: &mut Criterion) {
     let pool = ThreadPoolBuilder::new().num_threads(1).build();
@@ -79,8 +79,8 @@ fn ratios(_: &mut Criterion) {
     });
 }
 
-/// The tables of a plane, and its nine fields with the spectra of the tables, in products: means of ten rounds in turn,
-/// so that whatever else the machine does slows all of them.
+/// The times of the tables of a plane, and of its nine fields with the spectra of the tables, in products: means of ten
+/// alternating rounds, so that other load on the machine slows all of them.
 fn in_products(
     size: usize,
     pressure: &[f64],

@@ -1,4 +1,4 @@
-//! The two bodies whose displacements a pressure adds up.
+//! The two elastic bodies whose displacements under a pressure add up.
 
 mod direction;
 mod parameter;
@@ -8,8 +8,8 @@ pub use parameter::ElasticParameter;
 
 use pellicle_kernel::{Foundation, Material};
 
-/// A foundation, and the body that is pressed against it where that is elastic, too: a half-space, as an indenter much
-/// larger than the contact is.
+/// A foundation and, if it is elastic too, the counterbody pressed against it: a half-space, like an indenter much
+/// larger than the contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElasticBodies {
     foundation: Foundation,
@@ -17,7 +17,7 @@ pub struct ElasticBodies {
 }
 
 impl ElasticBodies {
-    /// A foundation under a counterbody, a rigid one if there is no material.
+    /// A foundation under a counterbody; rigid if there is no material.
     #[must_use]
     pub fn new(foundation: Foundation, counterbody: Option<Material>) -> Self {
         Self {
@@ -32,7 +32,7 @@ impl ElasticBodies {
         &self.foundation
     }
 
-    /// The material of the counterbody; none of a rigid one.
+    /// The material of the counterbody; `None` if it is rigid.
     #[must_use]
     pub fn counterbody(&self) -> Option<&Material> {
         self.counterbody.as_ref()

@@ -1,10 +1,9 @@
-//! Radial tables and coefficients, kept in memory for the run and on disk for the next.
+//! Radial tables and coefficients, kept in memory for this run and on disk for the next.
 //!
-//! The name of a file is a hash (BLAKE3) of all that determines the data: every bit of the bodies and of the
-//! side of an element, the size of the grid, and the version of the algorithm. A file is written under a temporary
-//! name and renamed, and has a checksum. So any number of threads and processes may use one folder at once, and a
-//! file that is damaged, cut off or foreign is computed again. The cache never causes an error: at worst nothing is
-//! cached.
+//! The name of a file is a hash (BLAKE3) of everything that determines the data: every bit of the bodies and of the
+//! side of an element, the size of the grid, and the version of the algorithm. A file is written under a temporary name
+//! and renamed, and has a checksum. So any number of threads and processes may share one folder, and data in a damaged,
+//! truncated or foreign file are computed again. The cache never causes an error: at worst nothing is cached.
 
 mod disk;
 mod memory;
@@ -27,20 +26,20 @@ use crate::{CoefficientTable, ElasticBodies, InfluenceError, RadialTables};
 
 pub use report::{CacheWarning, Cached, Origin, Usage};
 
-/// Version of the numbers and of the structs that are kept. To be raised whenever either changes: when a
-/// coefficient or a number of the radial tables may change by a single bit, because this crate's or the kernel's
-/// arithmetic, tolerances or panels do, or when a struct gets another field. The test
-/// `the_algorithm_has_the_version_of_its_numbers` in this crate's `tests/cache/contents.rs` notices most of it.
+/// Version of the cached numbers and structs. Raise it whenever either changes: when a coefficient or a number of the
+/// radial tables may change by a single bit, because the arithmetic, tolerances or panels of this crate or of the
+/// kernel change, or when a struct gains a field. The test `the_algorithm_has_the_version_of_its_numbers` in this
+/// crate's `tests/cache/contents.rs` detects most such changes.
 const VERSION: u32 = 4;
 
-/// Bytes in memory of each kind of data: the coefficients of grids of up to 8000² elements together, next to which
-/// a solver needs a hundred times as much.
+/// Bytes in memory for each kind of data: enough for the coefficients of grids of up to 8000² elements together, for
+/// which a solver needs a hundred times as much.
 const LIMIT: usize = 1 << 28;
 
-/// Bytes that radial tables may take: twenty times the largest seen.
+/// Largest size of radial tables in bytes: twenty times the largest seen.
 const LARGEST_TABLES: usize = 1 << 21;
 
-/// Keeps [`RadialTables`] and [`CoefficientTable`]s; clones share what they keep.
+/// A cache of [`RadialTables`] and [`CoefficientTable`]s; clones share their contents.
 ///
 /// ```
 /// use pellicle_influence::{Cache, Origin};
@@ -63,50 +62,49 @@ struct Parts {
     coefficients: Memory<CoefficientTable>,
     disk: Option<Disk>,
     smallest: usize,
-    /// Whether radial tables are those of the foundation's shape.
+    /// Whether radial tables are shared by foundations of the same shape.
     by_shape: bool,
     warnings: Mutex<Vec<CacheWarning>>,
 }
 
 impl Cache {
-    /// Smallest number of elements a side, N, from which tables of coefficients are kept on disk.
+    /// Smallest number of elements per side, N, for which tables of coefficients are kept on disk.
     ///
-    /// Measured with `cargo bench -p pellicle-influence --bench cache`: a homogeneous body's table is computed
-    /// faster than it is read below N = 8. A coated body's never is, but below N = 16 it takes no longer than
-    /// creating a file does.
+    /// Measured with `cargo bench -p pellicle-influence --bench cache`: below N = 8 computing a homogeneous body's
+    /// table is faster than reading it. A coated body's is always faster to read, but below N = 16 computing it takes
+    /// no longer than creating a file.
     pub const SMALLEST_STORED: usize = 16;
 
-    /// Keeps nothing.
+    /// A cache that keeps nothing.
     #[must_use]
     pub fn none() -> Self {
         Self::new(0, None, Self::SMALLEST_STORED, false)
     }
 
-    /// Keeps up to 256 MB in memory for as long as it or a clone lives; the data not used for longest go first.
+    /// A cache that keeps up to 256 MB in memory while it or a clone lives; the least recently used
+    /// data are dropped first.
     #[must_use]
     pub fn in_memory() -> Self {
         Self::new(LIMIT, None, Self::SMALLEST_STORED, false)
     }
 
-    /// As [`Self::in_memory`], for many foundations of few shapes, as a fit tries them: radial tables are those of the
-    /// ratios of moduli and thicknesses and of Poisson's ratios alone, so that a foundation of another size or
-    /// stiffness finds them in memory. The ratios are rounded to 1e-12 of themselves, and coefficients
-    /// with them; those are not kept.
+    /// As [`Self::in_memory`], for many foundations of few shapes, as in a fit: radial tables depend only on the ratios
+    /// of moduli and thicknesses and on Poisson's ratios, so a foundation of another size or stiffness finds them in
+    /// memory. The ratios, and with them the coefficients, are rounded to a relative 1e-12; coefficients are not kept.
     #[must_use]
     pub fn of_shapes() -> Self {
         Self::new(LIMIT, None, Self::SMALLEST_STORED, true)
     }
 
-    /// Keeps in memory and in this folder, which is created when there is something to write.
+    /// A cache in memory and in this folder, which is created at the first write.
     ///
-    /// If the folder or the disk refuses something, there is a warning, and the folder is not written to again.
+    /// If the folder or the disk refuses a write, there is a warning, and the folder is not written to again.
     #[must_use]
     pub fn at(folder: impl Into<PathBuf>) -> Self {
         Self::storing_from(Self::SMALLEST_STORED, folder)
     }
 
-    /// As [`Self::at`], with another border than [`Self::SMALLEST_STORED`]: to find out where it lies on other
-    /// machines.
+    /// As [`Self::at`], with another threshold than [`Self::SMALLEST_STORED`]: to find the best one on other machines.
     #[must_use]
     pub fn storing_from(smallest: usize, folder: impl Into<PathBuf>) -> Self {
         Self::new(LIMIT, Some(Disk::new(folder.into())), smallest, false)
@@ -127,7 +125,7 @@ impl Cache {
     ///
     /// # Errors
     ///
-    /// As [`RadialTables::build`]; the cache adds none.
+    /// Those of [`RadialTables::build`]; the cache adds none.
     pub fn radial_tables(
         &self,
         foundation: &Foundation,
@@ -153,7 +151,7 @@ impl Cache {
     ///
     /// # Errors
     ///
-    /// As [`Self::radial_tables`].
+    /// Those of [`Self::radial_tables`].
     pub fn radial_tables_of(
         &self,
         bodies: &ElasticBodies,
@@ -167,7 +165,7 @@ impl Cache {
     ///
     /// # Errors
     ///
-    /// As [`CoefficientTable::assemble`]; the cache adds none.
+    /// Those of [`CoefficientTable::assemble`]; the cache adds none.
     pub fn coefficients(
         &self,
         tables: &RadialTables,
@@ -189,13 +187,13 @@ impl Cache {
         self.get(&self.0.coefficients, &wanted, compute)
     }
 
-    /// The folder on disk, if there is to be one.
+    /// The folder on disk, if there is one.
     #[must_use]
     pub fn folder(&self) -> Option<&Path> {
         self.0.disk.as_ref().map(Disk::path)
     }
 
-    /// The warnings since this was last asked, in order.
+    /// The warnings since the last call, in order.
     #[must_use]
     pub fn take_warnings(&self) -> Vec<CacheWarning> {
         std::mem::take(&mut self.warnings())
@@ -205,18 +203,18 @@ impl Cache {
     ///
     /// # Errors
     ///
-    /// The system's if the folder cannot be listed; a folder that is not there yet is empty.
+    /// The system's error if the folder cannot be listed; a missing folder counts as empty.
     pub fn usage(&self) -> std::io::Result<Usage> {
         let disk = self.0.disk.as_ref();
         disk.map_or(Ok(Usage::default()), Disk::usage)
     }
 
-    /// Removes the cache's own files from the folder, and nothing else, and tells how much that was. Memory stays
-    /// as it is.
+    /// Removes the cache's own files from the folder, and nothing else, and returns their number and size.
+    /// Memory is not affected.
     ///
     /// # Errors
     ///
-    /// The system's if a file cannot be removed.
+    /// The system's error if a file cannot be removed.
     pub fn clear(&self) -> std::io::Result<Usage> {
         let disk = self.0.disk.as_ref();
         disk.map_or(Ok(Usage::default()), Disk::clear)
@@ -259,7 +257,7 @@ impl Cache {
         Ok(Cached { value, origin })
     }
 
-    /// The disk's answer, none if it failed; a warning is kept for [`Self::take_warnings`].
+    /// The result of a disk operation, or the default if it failed; then a warning is kept for [`Self::take_warnings`].
     fn told<T: Default>(&self, outcome: Result<T, CacheWarning>) -> T {
         outcome.unwrap_or_else(|warning| {
             self.warnings().push(warning);
@@ -273,18 +271,18 @@ impl Cache {
     }
 }
 
-/// Data that may be kept.
+/// Data that may be cached.
 struct Wanted {
     key: Hash,
-    /// The bytes they take, or a bound.
+    /// Their size in bytes, or a bound.
     bytes: usize,
-    /// Whether computing takes no longer than reading.
+    /// Whether computing them takes no longer than reading.
     is_immediate: bool,
 }
 
-/// The name of data: a hash of all that determines them, every bit of the bodies (`Debug` writes the shortest
-/// digits that are one `f64` only), the release, and the platform, whose exponentials and logarithms may differ in
-/// the last bit.
+/// The key of data: a hash of everything that determines them, every bit of the bodies (`Debug` writes the
+/// shortest digits that identify one `f64`), the release, and the platform, whose exponentials and logarithms may
+/// differ in the last bit.
 fn key(data: &str, bodies: &impl Debug) -> Hash {
     const RELEASE: &str = concat!(env!("CARGO_PKG_NAME"), " ", env!("CARGO_PKG_VERSION"));
     let platform = [std::env::consts::ARCH, std::env::consts::OS];
@@ -298,7 +296,7 @@ mod tests {
 
     use super::key;
 
-    /// One layer on a half-space or a rigid base, of these numbers.
+    /// One layer on a half-space or a rigid base, with these parameters.
     fn foundation(numbers: [f64; 5], interface: Interface, is_rigid: bool) -> Foundation {
         let [thickness, e1, nu1, e2, nu2] = numbers;
         let material = |e, nu| Material::new(e, nu).unwrap();

@@ -7,14 +7,15 @@ use crate::element::check_element_side;
 use crate::error::InfluenceError;
 use crate::radial::RadialTables;
 
-/// The largest number of elements a side: 16,384² elements are 2 GB of pressure alone.
+/// The largest number of elements per side: the pressure alone on 16,384² elements takes 2 GB.
 const LARGEST_SIZE: usize = 1 << 14;
-/// Rows that one thread searches at once.
+/// Rows that one thread searches at a time.
 const ROWS: usize = 64;
 
 /// The coefficients `k(m, n)` of the square elements of an N × N grid, m/Pa, by the offset in elements.
 ///
-/// Translation and the symmetry of the square leave `0 ≤ n ≤ m < N`: N(N+1)/2 numbers, 4 bytes an element of the grid.
+/// By translation and the symmetry of the square, `0 ≤ n ≤ m < N` suffices: N(N+1)/2 numbers, 4 bytes
+/// per element of the grid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CoefficientTable {
     element_side: f64,
@@ -40,8 +41,8 @@ impl CoefficientTable {
         })
     }
 
-    /// The table of any kernel: `coefficient(offset)` is called once for every offset with `offset[1] ≤ offset[0]`,
-    /// in parallel.
+    /// The table of any kernel: `coefficient(offset)` is called once for every offset with
+    /// `offset[1] ≤ offset[0]`, in parallel.
     ///
     /// ```
     /// use pellicle_influence::{CoefficientTable, love};
@@ -55,7 +56,7 @@ impl CoefficientTable {
     ///
     /// # Errors
     ///
-    /// A side that is not finite and positive, a size of 0 or beyond 16,384, a coefficient that is not finite.
+    /// A side that is not finite and positive, a size of 0 or above 16,384, a coefficient that is not finite.
     pub fn from_fn(
         element_side: f64,
         size: usize,
@@ -91,9 +92,8 @@ impl CoefficientTable {
         self.triangle[m * (m + 1) / 2 + n]
     }
 
-    /// The smallest coefficient (m/Pa) at each offset and beyond: entry m is that of all elements no nearer than m
-    /// along one axis or the other. It is negative where a surface bulges beside the load, as over an
-    /// incompressible layer.
+    /// The smallest coefficient (m/Pa) at or beyond each offset: entry m covers all elements at least m away along one
+    /// axis or the other. It is negative where a surface bulges beside the load, as over an incompressible layer.
     #[must_use]
     pub fn least_from(&self) -> Vec<f64> {
         let row = |m: usize| &self.triangle[m * (m + 1) / 2..][..=m];
@@ -120,8 +120,8 @@ impl CoefficientTable {
         self.element_side
     }
 
-    /// The coefficients of the offsets `first` … `first` + C − 1 along one axis and `offset`, which is below the
-    /// size, along the other; 0 of those that the table does not have.
+    /// The coefficients of the offsets `first` … `first` + C − 1 along one axis and `offset`, which is below the size,
+    /// along the other; 0 where the table has none.
     pub(crate) fn side_by_side<const C: usize>(&self, first: usize, offset: usize) -> [f64; C] {
         let row = &self.triangle[offset * (offset + 1) / 2..][..=offset];
         match row.get(first..).and_then(<[f64]>::first_chunk) {
@@ -137,11 +137,11 @@ impl CoefficientTable {
         }
     }
 
-    /// Bytes of the table of a grid.
+    /// Size of the table of a grid in bytes.
     ///
     /// # Errors
     ///
-    /// As [`Self::from_fn`] for a side or a size that no table has.
+    /// Those of [`Self::from_fn`] for an invalid side or size.
     pub(crate) fn bytes(element_side: f64, size: usize) -> Result<usize, InfluenceError> {
         check(element_side, size)?;
         Ok(size_of::<f64>() * (size * (size + 1) / 2))
@@ -168,7 +168,7 @@ fn check(element_side: f64, size: usize) -> Result<(), InfluenceError> {
     })
 }
 
-/// The rows of the triangle, of 1, 2, 3 … entries.
+/// The rows of the triangle, with 1, 2, 3 … entries.
 fn split_rows(triangle: &mut [f64]) -> Vec<&mut [f64]> {
     let mut rows = Vec::new();
     let mut rest = triangle;

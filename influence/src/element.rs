@@ -1,4 +1,4 @@
-//! One square element: its boundary, rules for integrals over it, and the coefficients that need no radial tables.
+//! One square element: its boundary, quadrature rules over it, and the coefficients that need no radial tables.
 
 pub mod direct;
 pub(crate) mod edges;
@@ -7,7 +7,7 @@ pub(crate) mod product_rule;
 
 use crate::error::InfluenceError;
 
-/// Refuses a side that is not a finite positive length.
+/// Returns an error unless the side is a finite positive length.
 pub(crate) fn check_element_side(element_side: f64) -> Result<(), InfluenceError> {
     if element_side.is_finite() && element_side > 0.0 {
         return Ok(());

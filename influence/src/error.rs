@@ -1,4 +1,4 @@
-//! Every error of this crate, with its numbers.
+//! The errors of this crate, with their numbers.
 
 use pellicle_kernel::KernelError;
 use thiserror::Error;
@@ -18,18 +18,18 @@ pub enum InfluenceError {
     Depth {
         /// The depth given, m.
         found: f64,
-        /// The largest depth, m; infinite above a half-space.
+        /// The largest depth, m; infinite if the base is a half-space.
         largest: f64,
     },
-    /// The kernel refuses a body or a wave.
+    /// The kernel rejects a body or a wave.
     #[error(transparent)]
     Kernel(#[from] KernelError),
-    /// A table of coefficients needs at least one element a side, and no more than fit in memory.
+    /// A table of coefficients needs at least one element per side, and no more than fit in memory.
     #[error("found {found} elements per side for a table of coefficients, wanted 1 to {largest}")]
     TableSize {
-        /// The number of elements a side that was asked for.
+        /// The requested number of elements per side.
         found: usize,
-        /// The largest number of elements a side.
+        /// The largest number of elements per side.
         largest: usize,
     },
     /// A coefficient is NaN or infinite.
@@ -45,7 +45,7 @@ pub enum InfluenceError {
         "found {value} for the integrand at {at} between {lower} and {upper}, wanted a finite number"
     )]
     IntegrandNotFinite {
-        /// Where.
+        /// The position.
         at: f64,
         /// Its value there.
         value: f64,
@@ -73,9 +73,9 @@ pub enum InfluenceError {
         lower: f64,
         /// Upper end of the interval.
         upper: f64,
-        /// The absolute error asked for.
+        /// The requested absolute error.
         wanted: f64,
-        /// The absolute error that was reached, as estimated.
+        /// The estimate of the absolute error reached.
         found: f64,
     },
     /// The direct quadrature of a coefficient oscillates too often to be affordable.
@@ -85,29 +85,29 @@ pub enum InfluenceError {
     TooManyOscillations {
         /// Oscillations of the integrand in each of two directions.
         found: f64,
-        /// The largest number taken.
+        /// The largest number allowed.
         largest: f64,
     },
-    /// The layers together are too thick for the top one.
+    /// The total thickness of the layers is too large for that of the top one.
     #[error(
         "found layers {found:e} times as thick together as the top one, wanted at most {largest:e} times for radial tables"
     )]
     LayerThicknesses {
         /// Thickness of all layers over that of the top one.
         found: f64,
-        /// The largest ratio taken.
+        /// The largest ratio allowed.
         largest: f64,
     },
-    /// The radial tables of this foundation cannot be made accurate enough to be of use.
+    /// The radial tables of this foundation cannot be made accurate enough to be useful.
     #[error(
         "found a relative accuracy of {found:.1e} for the influence coefficients at a radius of {radius:.1e}, wanted {wanted:e}"
     )]
     TableAccuracy {
         /// The largest relative error allowed.
         wanted: f64,
-        /// The relative error as estimated.
+        /// The estimated relative error.
         found: f64,
-        /// The radius at which it was found, m.
+        /// The radius at which it occurs, m.
         radius: f64,
     },
 }

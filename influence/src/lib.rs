@@ -32,7 +32,7 @@
 //!
 //! # In a solver of one's own
 //!
-//! Any iteration that needs `K p` takes an [`ElasticOperator`]. Conjugate gradients for the pressure under a flat,
+//! Any iteration that needs `K p` can use an [`ElasticOperator`]. Conjugate gradients for the pressure under a flat,
 //! rigid, frictionless square that sinks by 1 nm:
 //!
 //! ```

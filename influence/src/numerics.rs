@@ -1,4 +1,4 @@
-//! Expansions, quadrature and sums that know nothing of elasticity.
+//! Expansions, quadrature and sums, independent of elasticity.
 
 pub(crate) mod chebyshev;
 pub(crate) mod chebyshev_panels;

@@ -1,5 +1,5 @@
-//! The response Φ of a foundation as a table over the wavenumber, so that the thousands of values a radial table
-//! takes cost as little for 200 layers as for one.
+//! The response Φ of a foundation as a table over the wavenumber, so that the thousands of values in a radial table
+//! cost as little for 200 layers as for one.
 
 use pellicle_kernel::{Base, Foundation};
 
@@ -9,16 +9,16 @@ use crate::numerics::chebyshev_panels::ChebyshevPanels;
 /// Beyond this wavenumber, in units of 1/thickness of the top layer, `|Φ−1|` is below 4s² e^{−2s} = 3e-18.
 const NOTHING_BELOW: f64 = 24.0;
 
-/// Terms of the polynomial that is Φ at small wavenumbers.
+/// Terms of the polynomial for Φ at small wavenumbers.
 const LOW_TERMS: usize = 16;
 
-/// Samples it is fitted to: many, because rounding errors in Φ then average out.
+/// Number of samples for its fit: many, because rounding errors in Φ then average out.
 const LOW_SAMPLES: usize = 400;
 
-/// Halvings of the first guess of the polynomial's reach before giving up.
+/// Halvings of the initial reach of the polynomial before giving up.
 const HALVINGS: usize = 60;
 
-/// Wanted accuracy of the expansions, relative to the largest Φ in a panel.
+/// Target accuracy of the expansions, relative to the largest Φ in a panel.
 const TOLERANCE: f64 = 4e-16;
 
 /// Φ(s) of one foundation; `s = k H` with H the total thickness of its layers.
@@ -28,10 +28,10 @@ pub(crate) struct ResponseTable {
     low: Vec<f64>,
     reach: f64,
     panels: ChebyshevPanels,
-    /// Φ = 1 beyond.
+    /// Φ = 1 beyond this s.
     end: f64,
     limit: f64,
-    /// Relative accuracy of the expansions that was asked for.
+    /// Requested relative accuracy of the expansions.
     tolerance: f64,
 }
 
@@ -45,8 +45,8 @@ impl ResponseTable {
         Self::of(foundation, response, limit, TOLERANCE)
     }
 
-    /// A response by the wavenumber, with this limit at 0 and known to this relative error, that tends to 1 as fast as
-    /// the foundation's.
+    /// A response as a function of the wavenumber, with this limit at 0 and this relative error, that tends to 1 as
+    /// fast as the foundation's.
     pub(crate) fn of(
         foundation: &Foundation,
         response: impl Fn(f64) -> f64,
@@ -95,17 +95,17 @@ impl ResponseTable {
         self.limit
     }
 
-    /// Below half of this s, Φ is a polynomial of low degree.
+    /// Φ is a polynomial of low degree below half of this s.
     pub(crate) fn reach(&self) -> f64 {
         self.reach
     }
 
-    /// Beyond this s, Φ is 1.
+    /// Φ is 1 beyond this s.
     pub(crate) fn end(&self) -> f64 {
         self.end
     }
 
-    /// Relative accuracy of the expansions that was asked for.
+    /// Requested relative accuracy of the expansions.
     pub(crate) fn tolerance(&self) -> f64 {
         self.tolerance
     }
@@ -122,11 +122,11 @@ impl ResponseTable {
     }
 }
 
-/// Chebyshev coefficients over `0 ≤ s ≤ reach`, and the reach: the largest for which they have converged.
+/// Chebyshev coefficients over `0 ≤ s ≤ reach`, and the largest reach for which they have converged.
 fn low_polynomial(response: &impl Fn(f64) -> f64, limit: f64, tolerance: f64) -> (Vec<f64>, f64) {
     let transform = ChebyshevTransform::new(LOW_SAMPLES, LOW_TERMS);
     let fit = |reach: f64| -> Vec<f64> {
-        // Only the limit itself is known without rounding; the fit is shifted onto it.
+        // Only the limit itself is known without rounding; the fit is shifted to match it.
         let values = nodes(LOW_SAMPLES).map(|x| response(reach * (1.0 + x) / 2.0) - limit);
         let mut coefficients = transform.coefficients(&values.collect::<Vec<_>>());
         coefficients[0] -= sum(&coefficients, -1.0);

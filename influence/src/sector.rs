@@ -1,23 +1,23 @@
-//! The part of a grid that stands for all of it, where everything is symmetric: in y a half, in x and y a quadrant.
+//! The part of a grid that stands for all of it under symmetry: a half if symmetric in y, a quadrant if in x and y.
 
 use rayon::prelude::*;
 
-/// Which part of a square grid stands for all of it.
+/// The part of a square grid that stands for all of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sector {
     /// The whole grid.
     Whole,
-    /// The elements at y > 0 of a grid of an even number per side, each of which stands for its mirror image too. The
-    /// first of every row lies at the axis.
+    /// The elements at y > 0 of a grid with an even number per side, each of which also stands for its mirror image.
+    /// The first of every row lies at the axis.
     Half,
-    /// The elements at x, y > 0 of a grid of an even number per side, each of which stands for its three mirror images
-    /// too. Element (0, 0) lies at the axis.
+    /// The elements at x, y > 0 of a grid with an even number per side, each of which also stands for its three mirror
+    /// images. Element (0, 0) lies at the axis.
     Quadrant,
 }
 
-/// The elements of a square grid that a problem is solved on: all, or a sector that stands for them.
+/// The elements of a square grid on which a problem is solved: all, or a sector that stands for them.
 ///
-/// Its size is the number of elements of a row; a half of a grid has twice as many rows.
+/// Its size is the number of elements per row; a half of a grid has twice as many rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SectorGrid {
     sector: Sector,
@@ -31,7 +31,7 @@ impl SectorGrid {
         Self::new(Sector::Whole, size)
     }
 
-    /// A sector of `size` elements a row.
+    /// A sector of `size` elements per row.
     #[must_use]
     pub fn new(sector: Sector, size: usize) -> Self {
         Self { sector, size }
@@ -44,13 +44,13 @@ impl SectorGrid {
         one.with_size(side.div_ceil(one.whole_size()))
     }
 
-    /// The same sector with `size` elements a row.
+    /// The same sector with `size` elements per row.
     #[must_use]
     pub fn with_size(self, size: usize) -> Self {
         Self { size, ..self }
     }
 
-    /// The same sector of another square, as [`Self::of_square`].
+    /// The same sector of another square; see [`Self::of_square`].
     #[must_use]
     pub fn for_square(self, side: usize) -> Self {
         Self::of_square(self.sector, side)
@@ -61,7 +61,7 @@ impl SectorGrid {
         self.sector
     }
 
-    /// Elements of a row.
+    /// Number of elements per row.
     #[must_use]
     pub fn size(self) -> usize {
         self.size
@@ -74,7 +74,7 @@ impl SectorGrid {
         parts * self.size
     }
 
-    /// Rows, and elements of each.
+    /// Number of rows, and of elements in each.
     #[must_use]
     pub fn lengths(self) -> [usize; 2] {
         self.parts().map(|parts| self.whole_size() / parts)
@@ -114,7 +114,7 @@ impl SectorGrid {
         self.parts().iter().product()
     }
 
-    /// How many elements of the whole grid so many stand for.
+    /// Number of elements of the whole grid that `elements` of the sector stand for.
     #[must_use]
     pub fn with_images(self, elements: usize) -> usize {
         self.images() * elements
@@ -126,22 +126,22 @@ impl SectorGrid {
         self.images() as f64 * element_area
     }
 
-    /// Index along each axis of the whole grid of the first element.
+    /// Index of the first element along each axis of the whole grid.
     #[must_use]
     pub fn first_index(self) -> [usize; 2] {
         let whole = self.whole_size();
         self.parts().map(|parts| whole - whole / parts)
     }
 
-    /// Lines of elements before the first along each axis, of `reach` looked at, that are mirror images of those on
-    /// this side.
+    /// Number of lines before the first element along each axis, out of `reach`, that are mirror images
+    /// of those on this side.
     #[must_use]
     pub fn mirrored_lines(self, reach: usize) -> [usize; 2] {
         self.mirrored()
             .map(|mirrored| if mirrored { reach } else { 0 })
     }
 
-    /// The index along an axis of an element, or of the one that an element across the axis is the mirror image of.
+    /// The index of an element along an axis; for an element across the axis, that of its mirror image.
     #[must_use]
     pub fn on_this_side(self, axis: usize, index: isize) -> isize {
         if index < 0 && self.mirrored()[axis] {
@@ -151,7 +151,7 @@ impl SectorGrid {
         }
     }
 
-    /// The first, by index on the whole grid, of the elements that an element stands for.
+    /// The first, by index on the whole grid, of the elements for which `element` stands.
     #[must_use]
     pub fn first_image(self, element: [usize; 2]) -> [usize; 2] {
         let image = |axis: usize| {
@@ -164,7 +164,7 @@ impl SectorGrid {
         [image(0), image(1)]
     }
 
-    /// The first of the points that a point of the sector stands for.
+    /// The first of the points for which a point of the sector stands.
     #[must_use]
     pub fn first_image_of_point(self, point: [f64; 2]) -> [f64; 2] {
         let image = |axis: usize| {
@@ -190,7 +190,7 @@ impl SectorGrid {
         along(0).flat_map(move |x| along(1).map(move |y| [x, y]))
     }
 
-    /// These elements' part of a field on the whole grid.
+    /// The part of a field on the whole grid that belongs to these elements.
     #[must_use]
     pub fn cut<T: Copy + Default + Send + Sync>(self, field: &[T]) -> Vec<T> {
         let [above, left] = self.first_index();

@@ -1,10 +1,10 @@
 //! Displacements and stresses inside the body under a uniformly loaded square element.
 //!
-//! Waves are [solved for](waves) on a lattice of wavenumbers and added up to [functions of the radius](radial_panels),
-//! fifteen for each depth, from which come the fields of [point loads](point_kernels). Far from its centre an element
-//! has such functions [of its own](under_load); near it the field is a sum over Gauss points of the element, which near
-//! the surface is only the smooth correction to the [closed form](homogeneous) of a half-space of the top layer's
-//! material.
+//! Waves are [solved for](waves) on a lattice of wavenumbers and summed to [functions of the
+//! radius](radial_panels), fifteen for each depth, which give the fields of [point loads](point_kernels). Far from
+//! its centre an element has such functions [of its own](under_load). Near it the field is a sum over Gauss points
+//! of the element; near the surface this sum is only the smooth correction to the [closed form](homogeneous) for a
+//! half-space of the top layer's material.
 
 mod centre_stresses;
 mod depth;

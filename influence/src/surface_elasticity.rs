@@ -1,4 +1,4 @@
-//! The elasticity of a surface of square elements, from which operators and symbols of any part of a grid are made.
+//! The elasticity of a surface of square elements, which provides operators and symbols for any part of a grid.
 
 use std::sync::Arc;
 
@@ -11,8 +11,8 @@ use crate::transform::half_length;
 
 /// The influence coefficients of elements of one size, and the operators of square windows of a grid.
 ///
-/// The coefficients depend on the offset alone, so one table serves every window: [`Self::operator`] makes `K p` for
-/// a window of any size up to the table's, at that window's cost.
+/// The coefficients depend only on the offset, so one table serves every window: [`Self::operator`] makes `K p` for a
+/// window of any size up to the table's, at that window's cost.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -30,13 +30,13 @@ use crate::transform::half_length;
 #[derive(Clone, Debug)]
 pub struct SurfaceElasticity {
     table: Arc<CoefficientTable>,
-    /// The smallest coefficient at each offset and beyond.
+    /// The smallest coefficient at or beyond each offset.
     least_from: Arc<[f64]>,
     bodies: ElasticBodies,
 }
 
 impl SurfaceElasticity {
-    /// The elasticity of the bodies, a foundation alone for one, that `table` holds the coefficients of.
+    /// The elasticity of the bodies, or of a foundation alone, whose coefficients are in `table`.
     #[must_use]
     pub fn new(table: Arc<CoefficientTable>, bodies: impl Into<ElasticBodies>) -> Self {
         let least_from = table.least_from().into();
@@ -47,8 +47,8 @@ impl SurfaceElasticity {
         }
     }
 
-    /// The smallest coefficient (m/Pa) of elements no nearer than `offset` along one axis or the other; +∞ beyond
-    /// the table. See [`CoefficientTable::least_from`].
+    /// The smallest coefficient (m/Pa) of elements at least `offset` away along one axis or the other; +∞ beyond the
+    /// table. See [`CoefficientTable::least_from`].
     #[must_use]
     pub fn least_coefficient_from(&self, offset: usize) -> f64 {
         let least = self.least_from.get(offset);
@@ -81,7 +81,7 @@ impl SurfaceElasticity {
         offsets.map(|offset| self.coefficient(offset)).sum()
     }
 
-    /// The smallest size ≥ `size` whose products are fast: it is padded to twice its length and no further.
+    /// The smallest size ≥ `size` whose products are fast: padding takes it to twice its length and no further.
     #[must_use]
     pub fn fast_size(size: usize) -> usize {
         half_length(size)
@@ -105,8 +105,8 @@ impl SurfaceElasticity {
         ConvolutionOperator::on(&self.table, grid)
     }
 
-    /// `C(k)` of the longest wave in a periodic cell of `size` × `size` elements, m/Pa: how far a pressure on the cell
-    /// alone would press it in, to order of magnitude.
+    /// `C(k)` of the longest wave in a periodic cell of `size` × `size` elements, m/Pa: the order of magnitude of the
+    /// indentation by a pressure on the cell alone.
     #[must_use]
     pub fn cell_response(&self, size: usize) -> f64 {
         let side = size as f64 * self.table.element_side();
@@ -119,8 +119,8 @@ impl SurfaceElasticity {
         PeriodicOperator::new(&self.bodies, self.table.element_side(), size)
     }
 
-    /// `K p` on the `shown` elements for pressures on a window of `size` a row, the first of which is the element
-    /// `origin`.
+    /// `K p` on the `shown` elements for pressures on a window of `size` elements per row, the first of
+    /// which is `origin`.
     ///
     /// # Panics
     /// As [`WindowOperator::new`].
@@ -134,8 +134,8 @@ impl SurfaceElasticity {
         WindowOperator::new(&self.table, shown, origin, size)
     }
 
-    /// `K p` among some elements, by their ascending indices, of a window of `size` × `size`; none where the window is
-    /// too small to be worth it.
+    /// `K p` among some elements, given by ascending indices, of a window of `size` × `size`; `None` if the window
+    /// is too small for a gain.
     ///
     /// # Panics
     /// As [`ScatteredOperator::new`].

@@ -1,5 +1,4 @@
-//! One two-dimensional transform for operators and filters: of fields that are zero around themselves, periodic, or
-//! mirrored.
+//! One two-dimensional transform for operators and filters: of fields that are zero-padded, periodic, or mirrored.
 
 pub(crate) mod cosine;
 mod even;
@@ -23,7 +22,7 @@ pub(crate) use plane::{PlaneSpectrum, PlaneTransform};
 pub(crate) enum Parity {
     /// By its mirror image.
     Even,
-    /// By its mirror image with the other sign.
+    /// By its mirror image with the opposite sign.
     Odd,
 }
 

@@ -1,4 +1,4 @@
-//! Influence coefficients: two paths, limits, symmetries, scaling.
+//! Influence coefficients: two methods, limits, symmetries, scaling.
 
 use pellicle_influence::{CoefficientTable, InfluenceError, RadialTables, direct, love};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
@@ -33,7 +33,7 @@ fn on_rigid_base(poisson_ratio: f64) -> Foundation {
     Foundation::new(vec![layer], Base::Rigid).expect("valid input")
 }
 
-/// Difference of the two paths relative to Love's coefficient.
+/// Difference of the two methods relative to Love's coefficient.
 fn disagreement(foundation: &Foundation, side: f64, offset: [usize; 2]) -> f64 {
     let tables = RadialTables::build(foundation).expect("valid input");
     let fast = tables.coefficient(side, offset);
@@ -154,7 +154,7 @@ fn an_incompressible_layer_bulges_beside_the_load() {
 
 #[test]
 fn near_and_far_rules_join_smoothly() {
-    // k r is smooth in the offset: its fourth differences across the border at 5 stay as small as beside it.
+    // k r is smooth in the offset: its fourth differences are as small across the border at 5 as beside it.
     let tables = RadialTables::build(&coated(10.0, 0.3, 0.3)).unwrap();
     let line: Vec<f64> = (0..12)
         .map(|m| tables.coefficient(1.0, [m, 0]) * m as f64)
@@ -186,14 +186,14 @@ fn the_table_holds_the_coefficients_of_the_radial_tables() {
 
 #[test]
 fn a_film_of_a_millionth_of_the_stiffness_is_tabulated() {
-    // Far from the load T changes sign and settles at a millionth: the hardest of single coatings for the expansions.
+    // Far from the load T changes sign and settles at a millionth: the hardest single coating for the expansions.
     for (ratio, coating) in [(3.273e-6, 0.198), (6.533e-6, 0.4106), (1e-6, 0.2)] {
         let tables = RadialTables::build(&coated(ratio, coating, 0.0)).unwrap();
         assert!(tables.error_estimate() < 5e-13, "{ratio}");
     }
 }
 
-/// Layers (thickness, modulus, Poisson's ratio, whether they slide on what is below) on a half-space or a rigid base.
+/// Layers (thickness, modulus, Poisson's ratio, whether they slide on the body below) on a half-space or a rigid base.
 fn stack(layers: &[(f64, f64, f64, bool)], base: Option<(f64, f64)>) -> Foundation {
     let layers = layers.iter().map(|(thickness, modulus, ratio, slides)| {
         let interface = if *slides {
@@ -209,7 +209,7 @@ fn stack(layers: &[(f64, f64, f64, bool)], base: Option<(f64, f64)>) -> Foundati
     Foundation::new(layers.collect(), base).expect("valid input")
 }
 
-/// Foundations with a layer far softer than what is above and below: gold on PDMS on a stage, and random ones.
+/// Foundations with a layer far softer than its neighbours: gold on PDMS on a stage, and random ones.
 fn with_soft_middle() -> [Foundation; 4] {
     [
         stack(&[(1e-7, 78e9, 0.44, false), (2e-5, 2e6, 0.49, false)], None),
@@ -254,8 +254,8 @@ fn quadrature_and_tables_agree_where_a_soft_layer_is_between_stiff_bodies() {
             let found = tables.coefficient(side, offset);
             let error = found - direct::coefficient(&foundation, side, offset).unwrap();
             let love = love::coefficient(&foundation.surface_material(), side, offset);
-            // The quadrature's tolerance, and the rounding of its inner integrals, which the largest Φ, up to 1e5,
-            // multiplies.
+            // The quadrature's tolerance, and the rounding of its inner integrals, multiplied by the
+            // largest Φ, up to 1e5.
             let own = tables.coefficient(side, [0, 0]);
             let allowed = QUADRATURE * love + 1e-13 * own;
             assert!(

@@ -1,4 +1,4 @@
-//! Derivatives of coefficients against differences between tables.
+//! Derivatives of coefficients, compared with differences between tables.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
 
@@ -20,7 +20,7 @@ fn foundations() -> Vec<Foundation> {
         Foundation::half_space(material([2.0, 0.3])),
         Foundation::coated(1.0, material([10.0, 0.25]), material([1.0, 0.3])).unwrap(),
         Foundation::coated(1.0, material([0.02, 0.48]), material([1.0, 0.1])).unwrap(),
-        // A layer that nothing tells from its base, until it changes.
+        // A layer identical to its base, until a parameter changes.
         Foundation::coated(1.0, material([1.0, 0.3]), material([1.0, 0.3])).unwrap(),
         Foundation::new(stack.clone(), half_space).unwrap(),
         Foundation::new(stack, Base::Rigid).unwrap(),
@@ -57,7 +57,7 @@ fn derivatives_agree_with_differences_between_tables() {
             for side in [1e-3, 0.3, 20.0] {
                 for offset in [[0, 0], [2, 1], [7, 3], [60, 11]] {
                     let at = |tables: &RadialTables| tables.coefficient(side, offset);
-                    // A difference of the fourth order.
+                    // A fourth-order difference.
                     let expected =
                         (8.0 * (at(&high) - at(&low)) - (at(&higher) - at(&lower))) / (12.0 * step);
                     let found = derivative.coefficient(side, offset);
@@ -104,7 +104,7 @@ fn tables_of_a_shape_serve_every_size_and_stiffness() {
         let exact = RadialTables::build(&foundation).unwrap();
         for offset in [[0, 0], [6, 2], [90, 17]] {
             let of = |tables: &RadialTables| tables.coefficient(0.1 * length, offset);
-            // Ratios rounded to 5e-13, and tables good to 1e-12.
+            // Ratios are rounded to 5e-13, and tables accurate to 1e-12.
             let error = of(&found.value) / of(&exact) - 1.0;
             assert!(error.abs() < 3e-12, "{offset:?}: {error:e}");
         }

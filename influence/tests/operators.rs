@@ -14,7 +14,7 @@ fn steel_table(size: usize) -> CoefficientTable {
         .expect("valid input")
 }
 
-/// Numbers between 0 and 1 without pattern, the same every time.
+/// Reproducible numbers between 0 and 1 without a pattern.
 fn scattered(count: usize) -> Vec<f64> {
     let next = |state: &u64| {
         Some(
@@ -54,7 +54,7 @@ fn both_operators_agree_to_rounding() {
     }
 }
 
-/// The whole grid's field of a quadrant's: mirrored in both axes.
+/// The field on the whole grid from that on a quadrant, mirrored in both axes.
 fn unfolded(quadrant: &[f64], size: usize) -> Vec<f64> {
     let along = |i: usize| if i < size { size - 1 - i } else { i - size };
     (0..4 * size * size)

@@ -1,22 +1,21 @@
 //! `Φ` and `C` for waves much longer and much shorter than the layers are thick.
 //!
-//! **Long waves.** Through layers much thinner than the wave the pressure passes unchanged; the base
-//! gives `A/k`, and each layer adds its shortening, which depends on the in-plane strain `ε` per
-//! pressure it is given (`n = ν/(1−ν)`, `E' = E/(1−ν²)`, `M = (1−2ν)(1+ν)/((1−ν)E)`):
+//! **Long waves.** The pressure passes unchanged through layers much thinner than the wavelength. The base gives `A/k`,
+//! and each layer adds its shortening, which depends on its in-plane strain `ε` per pressure (`n = ν/(1−ν)`,
+//! `E' = E/(1−ν²)`, `M = (1−2ν)(1+ν)/((1−ν)E)`):
 //!
 //! ```text
 //! C(k) = A/k + B + O(k)      A = 2 (1 − ν₀²)/E₀      B = Σ H (M + 2 n ε − E' ε²)
 //! ```
 //!
-//! Layers bonded to the base take its strain, `ε = −(1 − 2ν₀)(1 + ν₀)/E₀` on a half-space, 0 on a
-//! rigid base. Layers above a frictionless interface stretch freely together, `ε = Σ H n / Σ H E'`
-//! over those bonded to each other. (The second term in `2 n ε` is the work of the in-plane force
-//! on the base, by reciprocity.) A spring interface adds its normal compliance `c_n`; its shear compliance, if
-//! finite, does not matter to a wave long enough.
+//! Layers bonded to the base take its strain, `ε = −(1 − 2ν₀)(1 + ν₀)/E₀` on a half-space, 0 on a rigid base. Layers
+//! above a frictionless interface stretch freely together, `ε = Σ H n / Σ H E'` over those bonded to each other. (The
+//! second term in `2 n ε` is the work of the in-plane force on the base, by reciprocity.) A spring interface adds its
+//! normal compliance `c_n`; its shear compliance, if finite, does not affect sufficiently long waves.
 //!
-//! **Short waves.** What comes back from the first interface has decayed like `e^{−2s}`, `s = k H₁`:
-//! `Φ − 1 → e^{−2s} (α + β s + γ s²)`, from the contrast of the two materials there. Above a spring the
-//! coefficients depend on `k`, from those of a bond for `c 2Gk ≪ 1` to those of a free surface.
+//! **Short waves.** The wave reflected from the first interface has decayed like `e^{−2s}`, `s = k H₁`:
+//! `Φ − 1 → e^{−2s} (α + β s + γ s²)`, with coefficients from the contrast of the two materials there. Above a spring
+//! the coefficients depend on `k`: they go from those of a bond for `c 2Gk ≪ 1` to those of a free surface.
 
 use crate::response::OneLayer;
 use crate::{Base, Foundation, Layer, Material};
@@ -36,11 +35,11 @@ pub struct ShortWaves {
 }
 
 impl Foundation {
-    /// How the compliance behaves for waves much longer than the layers are thick.
+    /// Returns the limit of the compliance for waves much longer than the layers are thick.
     ///
-    /// The remainder is `O(k)`, with a factor that grows with the contrast of the moduli: a coating
-    /// `χ` times as stiff as its base needs `k H χ ≪ 1` (`the_remainder_is_of_first_order`), one held by a spring
-    /// of shear compliance `c_s` needs `k² H E' c_s ≪ 1`, too.
+    /// The remainder is `O(k)`, with a factor that grows with the contrast of the moduli: a coating `χ` times as stiff
+    /// as its base needs `k H χ ≪ 1` (`the_remainder_is_of_first_order`). A coating held by a spring of shear
+    /// compliance `c_s` also needs `k² H E' c_s ≪ 1`.
     ///
     /// ```
     /// use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
@@ -78,11 +77,11 @@ impl Foundation {
         LongWaves { inverse, constant }
     }
 
-    /// How the response behaves for waves much shorter than the first layer is thick; `None` for a
-    /// half-space, where `Φ − 1 = 0`.
+    /// Returns the limit of the response for waves much shorter than the first layer is thick; `None` for a half-space,
+    /// where `Φ − 1 = 0`.
     ///
-    /// Only the first layer and what lies directly below it matter. The relative error is
-    /// `O(s⁴ e^{−2s})` plus, if there is a second layer, `O(e^{−2 k H₂})` with powers of `k H₂`.
+    /// Only the first layer and the body directly below it matter. The relative error is `O(s⁴ e^{−2s})` plus, if there
+    /// is a second layer, `O(e^{−2 k H₂})` with powers of `k H₂`.
     #[must_use]
     pub fn short_waves(&self) -> Option<ShortWaves> {
         let (first, rest) = self.layers().split_first()?;
@@ -120,7 +119,7 @@ impl LongWaves {
 }
 
 impl ShortWaves {
-    /// `α`, `β`, `γ`, the same for every wavenumber unless the first layer is on a spring.
+    /// The coefficients `α`, `β`, `γ`; the same for every wavenumber unless the first layer is on a spring.
     #[must_use]
     pub fn coefficients(&self, wavenumber: f64) -> [f64; 3] {
         OneLayer::at(&self.first, self.below, wavenumber.abs()).short_wave_coefficients()
@@ -157,7 +156,7 @@ fn widening(layer: &Layer) -> f64 {
     nu / (1.0 - nu)
 }
 
-/// In-plane strain per pressure of layers that nothing holds in the plane: `Σ H n / Σ H E'`.
+/// In-plane strain per pressure of layers that are free to stretch: `Σ H n / Σ H E'`.
 fn free_strain(group: &[Layer]) -> f64 {
     let force: f64 = group.iter().map(|l| l.thickness() * widening(l)).sum();
     let stiffness: f64 = group

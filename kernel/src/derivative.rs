@@ -1,19 +1,20 @@
-//! Derivatives of the response by a number of the foundation.
+//! Derivatives of the response with respect to a parameter of the foundation.
 
 use crate::{Foundation, FoundationParameter, KernelError};
 
-/// Steps to each side of the value, or beyond it where the value lies at an end of its range.
+/// Points of the difference: the value and three steps on each side, or beyond it where the value lies at an end of its
+/// range.
 const POINTS: usize = 7;
-/// Relative step of positive numbers, and step of Poisson's ratio over its range's length.
+/// Relative step of positive parameters; for Poisson's ratio, the step over the length of its range.
 ///
-/// `∂Φ/∂ ln H` of a wave of `s = kH` falls like `e^{−2s}`, and its seventh derivative by `ln H` is below 800: the error
-/// `h⁶/140` of it is 6e-12. Rounding leaves `2 ε/h` = 5e-14.
+/// `∂Φ/∂ ln H` of a wave of `s = kH` falls like `e^{−2s}`, and its seventh derivative with respect to `ln H` is below
+/// 800: its error, `h⁶/140` times that, is 6e-12. Rounding leaves `2 ε/h` = 5e-14.
 const STEP: f64 = 1e-2;
 
-/// `∂Φ/∂θ` at any wavenumber, where `Φ` is the response and θ a number of a foundation, by differences of the sixth
-/// order between foundations with other values of it.
+/// `∂Φ/∂θ` at any wavenumber, for the response `Φ` and a parameter θ of a foundation, by sixth-order differences
+/// between foundations with other values of θ.
 ///
-/// The differences are central, or lie on one side near 0 and ½ of Poisson's ratio. Error: 1e-10 of `Φ/θ` for moduli,
+/// The differences are central, or one-sided near 0 and ½ of Poisson's ratio. Error: 1e-10 of `Φ/θ` for moduli,
 /// thicknesses and compliances, 1e-10 of Φ for Poisson's ratio (`tests/derivative.rs`). A value costs six responses.
 ///
 /// ```
@@ -29,17 +30,17 @@ const STEP: f64 = 1e-2;
 /// ```
 #[derive(Debug, Clone)]
 pub struct ResponseDerivative {
-    /// Foundations with other values, and the weight of each, per unit of the number.
+    /// Foundations with other values of the parameter, and the weight of each, per unit of the parameter.
     terms: Vec<(f64, Foundation)>,
 }
 
 impl Foundation {
-    /// The derivative of its response by one of its numbers.
+    /// The derivative of the response with respect to one parameter.
     ///
     /// # Errors
     ///
-    /// [`KernelError::NoBody`] where it has no such number; as [`Foundation::with_parameter`] where a value a hundredth
-    /// away makes no foundation.
+    /// [`KernelError::NoBody`] if the foundation has no such parameter; the errors of [`Foundation::with_parameter`] if
+    /// a value a hundredth away gives no foundation.
     pub fn response_derivative(
         &self,
         parameter: FoundationParameter,
@@ -76,10 +77,10 @@ impl ResponseDerivative {
     }
 }
 
-/// The points of the difference in steps from the value: central, or moved into the range.
+/// The points of the difference in steps from the value: central, or shifted into the range.
 fn offsets(value: f64, step: f64, [low, high]: [f64; 2]) -> [f64; POINTS] {
     let reach = (POINTS / 2) as f64;
-    // The value itself must be a point, so that it has weight 0 where the others lie evenly around it.
+    // The value itself must be a point, so that it has weight 0 where the others lie symmetrically around it.
     let room = |distance: f64| (distance / step + 0.5).floor().clamp(0.0, reach);
     let shift = (reach - room(value - low)) - (reach - room(high - value));
     std::array::from_fn(|i| i as f64 - reach + shift)

@@ -1,13 +1,13 @@
-//! Directions in the space of a foundation's numbers: a change of scale, and changes that leave the compliance.
+//! Directions in the space of a foundation's parameters: changes of scale, and changes that preserve the compliance.
 
 use crate::{Base, Foundation, FoundationParameter, Material};
 
-/// Changes `dθ/dt` of some numbers, each in its own unit.
+/// Rates of change `dθ/dt` of some parameters, each in its own unit.
 pub type FoundationDirection = Vec<(FoundationParameter, f64)>;
 
 impl Foundation {
-    /// The change of all numbers under `H → e^(lt) H` for every thickness, `E → e^(mt) E` for every modulus and
-    /// `c → e^((l−m)t) c` for every compliance of an interface, `l` the exponent of lengths and `m` of moduli.
+    /// The change of all parameters under `H → e^(lt) H` for every thickness, `E → e^(mt) E` for every modulus and
+    /// `c → e^((l−m)t) c` for every compliance of an interface, with the exponents `l` of lengths and `m` of moduli.
     ///
     /// It takes the compliance `C(k)` to `e^((l−m)t) C(e^(lt) k)`.
     #[must_use]
@@ -27,14 +27,14 @@ impl Foundation {
         changes.collect()
     }
 
-    /// Changes of the materials that leave the compliance `C(k)` at every wavenumber: what no normal load on the
-    /// surface can tell.
+    /// Changes of the materials that preserve the compliance `C(k)` at every wavenumber, so that no normal load on the
+    /// surface can detect them.
     ///
     /// Under a given pressure the stresses depend on `1/E*` of each body, `E* = E/(1 − ν²)`, and on the differences of
     /// `1/(2G)` between bodies that are bonded or joined by springs. A common change of `1/(2G)` adds the gradient of
-    /// Airy's function to the displacements, whose normal part is zero on a surface without shear traction. So there is
-    /// one direction for each block of bodies between frictionless interfaces, but none for a block bonded to a rigid
-    /// base (Dundurs 1967 for two bodies; Cherkaev, Lurie and Milton 1992 for any).
+    /// Airy's function to the displacements, and its normal part is zero on a surface without shear traction. So there
+    /// is one direction for each block of bodies between frictionless interfaces, but none for a block bonded to a
+    /// rigid base (Dundurs 1967 for two bodies; Cherkaev, Lurie and Milton 1992 for any number).
     ///
     /// ```
     /// use pellicle_kernel::{Foundation, Material};

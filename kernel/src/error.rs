@@ -1,8 +1,8 @@
-//! The one error type of this crate, with the values wanted and found.
+//! The error type of this crate, with the values found and wanted.
 
 use thiserror::Error;
 
-/// Why a material, a layer or a foundation cannot be built.
+/// Reasons why a material, a layer or a foundation cannot be built.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum KernelError {
@@ -38,17 +38,17 @@ pub enum KernelError {
         /// The compliance given, m/Pa.
         found: f64,
     },
-    /// The thicknesses of all layers together are too large for a number.
+    /// The total thickness of all layers overflows.
     #[error(
         "found {found} for the thickness of all {layers} layers together, wanted a finite number"
     )]
     TotalThickness {
-        /// How many layers there are.
+        /// Number of layers.
         layers: usize,
         /// The sum of their thicknesses, m.
         found: f64,
     },
-    /// Two bodies that touch differ so much that their ratio cannot be computed with.
+    /// The moduli of two adjacent bodies differ too much to compute with their ratio.
     #[error(
         "found {found:e} for the ratio of the moduli of layer {layer} and of what lies below it, \
          wanted {smallest:e} to {largest:e}"
@@ -56,14 +56,14 @@ pub enum KernelError {
     ModulusRatio {
         /// Number of the upper layer, 0 at the surface.
         layer: usize,
-        /// Its shear modulus over that of what lies below.
+        /// Its shear modulus over that of the body below.
         found: f64,
         /// The smallest ratio accepted.
         smallest: f64,
         /// The largest ratio accepted.
         largest: f64,
     },
-    /// A wavenumber is zero, negative, infinite or not a number where a wave is needed.
+    /// A wavenumber is zero, negative, infinite or not a number where a wave is required.
     #[error("found {found} for the wavenumber, wanted a positive finite number")]
     Wavenumber {
         /// The wavenumber given, 1/m.
@@ -75,26 +75,26 @@ pub enum KernelError {
         /// Wavenumber times thickness.
         s: f64,
     },
-    /// A graded layer was split as finely as allowed and its compliance had not converged.
+    /// A graded layer was split as finely as allowed, but its compliance had not converged.
     #[error(
         "found a relative error of {reached:e} in the compliance with {sublayers} sublayers, wanted {wanted:e}"
     )]
     Grading {
-        /// How many sublayers there were.
+        /// Number of sublayers.
         sublayers: usize,
-        /// Estimated relative error of `C(k)` that halving all of them would leave.
+        /// Estimated relative error of `C(k)` that would remain after halving all of them.
         reached: f64,
-        /// The tolerance asked for.
+        /// The requested tolerance.
         wanted: f64,
     },
-    /// A number of a body that the foundation does not have, or that a body has not.
+    /// A parameter of a body that does not exist or does not have this parameter.
     #[error(
         "found body {found}, which has no such number, wanted a layer (0 to {layers}, exclusive) or the elastic half-space below"
     )]
     NoBody {
-        /// The body asked for, from 0 at the surface.
+        /// The requested body, from 0 at the surface.
         found: usize,
-        /// How many layers there are.
+        /// Number of layers.
         layers: usize,
     },
     /// A rigid base without any layer: nothing can deform.

@@ -1,7 +1,7 @@
 //! A layered elastic foundation and its compliance `C(k)`.
 //!
-//! `u̅(k) = C(k) p̅(k)` with `C(k) = 2 (1 − ν₁²) / (E₁ k) · Φ(k)`, where `E₁`, `ν₁` belong to the
-//! body at the surface, `p` is compressive positive and `u` points into the body.
+//! `u̅(k) = C(k) p̅(k)` with `C(k) = 2 (1 − ν₁²) / (E₁ k) · Φ(k)`, where `E₁`, `ν₁` belong to the body at the surface,
+//! `p` is positive in compression and `u` points into the body.
 
 use crate::response::Response;
 use crate::{Base, Interface, KernelError, Layer, Material};
@@ -122,8 +122,8 @@ impl Foundation {
 
     /// Compliance `C(k) = 2 (1 − ν₁²) / (E₁ k) · Φ(k)`, m/Pa, at the wavenumber `k` (1/m).
     ///
-    /// As accurate as [`response`](Self::response). `C(0)` is the limit: infinite on a half-space, the
-    /// compliance of a bed of springs on a rigid base ([`long_waves`](Self::long_waves)).
+    /// As accurate as [`response`](Self::response). `C(0)` is the limit: infinite on a half-space, the compliance of a
+    /// bed of springs on a rigid base ([`long_waves`](Self::long_waves)).
     #[must_use]
     pub fn compliance(&self, wavenumber: f64) -> f64 {
         if wavenumber == 0.0 {
@@ -134,13 +134,13 @@ impl Foundation {
         2.0 / (modulus * wavenumber.abs()) * self.response(wavenumber)
     }
 
-    /// Response `Φ(k)`: the compliance over that of a half-space of the surface's material.
+    /// Response `Φ(k)`: the compliance over that of a half-space of the surface material.
     ///
     /// `Φ → 1` for large `k` and [`response_at_zero`](Self::response_at_zero) for `k → 0`. `k` is
     /// the length of the wave vector, 1/m; its sign does not matter.
     ///
     /// Accuracy: relative error below 1.5e-15 for one layer, 4e-15 for a stack, 1e-14 for 200 layers
-    /// (`tests/reference.rs`). About 40 ns for one layer, 60 ns a layer in a stack.
+    /// (`tests/reference.rs`). Cost: about 40 ns for one layer, 60 ns per layer in a stack.
     #[must_use]
     pub fn response(&self, wavenumber: f64) -> f64 {
         if wavenumber == 0.0 {
@@ -151,11 +151,10 @@ impl Foundation {
 
     /// `Φ(k) − 1` without cancellation: relatively accurate also where `Φ` is almost 1.
     ///
-    /// Accuracy, `s = k` times the total thickness: for one layer a relative error below
-    /// `2e-15 (1 + 2s)`, where the factor is what `e^{−2s}` makes of the rounding of `s`; for stacks
-    /// `1e-13 (1 + 2s)` or, near a zero of `Φ − 1`, an absolute error of the roundings of `Φ` in `n`
-    /// layers, at most `(4 + n) 1e-15 (Φ + 1)` (`tests/reference.rs`, `tests/property.rs`). Below the
-    /// smallest normal number, `s > 350`, digits end.
+    /// Accuracy, with `s` = `k` times the total thickness: for one layer, a relative error below `2e-15 (1 + 2s)`,
+    /// where the factor comes from the rounding of `s` in `e^{−2s}`; for stacks, `1e-13 (1 + 2s)` or, near a zero of
+    /// `Φ − 1`, an absolute error of the roundings of `Φ` in `n` layers, at most `(4 + n) 1e-15 (Φ + 1)`
+    /// (`tests/reference.rs`, `tests/property.rs`). Below the smallest normal number, for `s > 350`, precision is lost.
     #[must_use]
     pub fn response_minus_one(&self, wavenumber: f64) -> f64 {
         if wavenumber == 0.0 {
@@ -167,8 +166,8 @@ impl Foundation {
     /// `lim Φ` for `k → 0`: `χ (1 − ν₂²) / (1 − ν₁²)`, `χ = E₁/E₂`, with `E₂`, `ν₂` of the base;
     /// 0 for a rigid base.
     ///
-    /// Layers in between and the kind of their interfaces do not matter: a wave much longer than
-    /// they are thick sees the base alone.
+    /// The layers in between and their interfaces do not matter: a wave much longer than they are thick sees only the
+    /// base.
     #[must_use]
     pub fn response_at_zero(&self) -> f64 {
         match self.base {
@@ -181,8 +180,8 @@ impl Foundation {
     }
 }
 
-/// The shear moduli of neighbours may differ by this factor, far beyond any pair of materials;
-/// their squares and the products of a few layers then neither overflow nor vanish.
+/// Largest ratio of the shear moduli of neighbours, far beyond any pair of materials. The squares of such ratios and
+/// the products of a few layers neither overflow nor underflow.
 const LARGEST_RATIO: f64 = 1e30;
 
 fn check_ratios(layers: &[Layer], base: Base) -> Result<(), KernelError> {

@@ -1,11 +1,10 @@
 //! A layer whose material changes with depth, split into homogeneous sublayers.
 //!
-//! Every sublayer takes the material at its mid-depth, an error of second order in its thickness.
-//! Halving sublayer `i` changes the compliance by `δᵢ(k)`, and the changes of different sublayers
-//! add up. The halves are still wrong by `δᵢ/3` where the second order has set in, somewhat more
-//! where a sublayer is as thick as the wave is long; `δᵢ/2` is taken. Sublayers with large changes are
-//! halved until `Σ |δᵢ(k)| / 2` is below the tolerance for all wavenumbers up to the largest asked
-//! for. Near the surface short waves ask for thin sublayers.
+//! Every sublayer takes the material at its mid-depth, an error of second order in its thickness. Halving sublayer `i`
+//! changes the compliance by `δᵢ(k)`, and the changes of different sublayers add up. The remaining error of the halves
+//! is `δᵢ/3` in the second-order regime and somewhat more where a sublayer is as thick as the wave is long; `δᵢ/2` is
+//! assumed. Sublayers with large changes are halved until `Σ |δᵢ(k)| / 2` is below the tolerance for all wavenumbers up
+//! to the largest requested. Near the surface, short waves require thin sublayers.
 
 use crate::{Base, Foundation, Interface, KernelError, Layer, Material};
 
@@ -33,25 +32,26 @@ pub struct GradedLayer<F> {
     profile: F,
 }
 
-/// How finely a graded layer is split.
+/// Options for splitting a graded layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GradingOptions {
-    /// Relative error of `C(k)` that the splitting may cause; 1e-4. Second order: a hundredth of it
-    /// takes ten times as many sublayers.
+    /// Relative error of `C(k)` that the splitting may cause; 1e-4 by default. The error is of second order: a
+    /// hundredth of it takes ten times as many sublayers.
     pub tolerance: f64,
-    /// Largest `k H` at which the tolerance holds, `H` the layer's thickness; 100, waves of a
-    /// sixteenth of the thickness.
+    /// Largest `k H` at which the tolerance holds, with the layer's thickness `H`; 100 by default, waves of a sixteenth
+    /// of the thickness.
     pub largest_wavenumber: f64,
-    /// Most sublayers; 1000, and never fewer than 8. The work of splitting grows with the square of their number.
+    /// Largest number of sublayers; 1000 by default, and never fewer than 8. The work of splitting grows with its
+    /// square.
     pub most_sublayers: usize,
 }
 
-/// A graded layer split into sublayers, with its support.
+/// A graded layer split into sublayers, with the bodies below it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SplitLayer {
     /// The sublayers and everything below as one foundation.
     pub foundation: Foundation,
-    /// How many sublayers the graded layer became.
+    /// Number of sublayers that replace the graded layer.
     pub sublayers: usize,
     /// Estimated relative error of `C(k)` caused by the splitting.
     pub error_estimate: f64,
@@ -68,8 +68,8 @@ impl Default for GradingOptions {
 }
 
 impl<F: Fn(f64) -> Result<Material, KernelError>> GradedLayer<F> {
-    /// A layer of `thickness` (m) on an `interface`; `profile` gives the material at a depth (m) below
-    /// its top and is asked only inside it. It should be smooth; a jump converges slowly.
+    /// A layer of `thickness` (m) on an `interface`; `profile` gives the material at a depth (m) below its top and is
+    /// called only inside it. It should be smooth; convergence is slow across a jump.
     ///
     /// # Errors
     ///
@@ -87,13 +87,13 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> GradedLayer<F> {
 
     /// Splits the layer, on top of `layers` (surface down) and a `base`, until `C(k)` has converged.
     ///
-    /// The largest cost is some evaluations of `C` of `n` layers for each of the `n` sublayers, at 4
-    /// wavenumbers per decade. Accuracy: `an_exponential_layer_converges_to_its_closed_form`.
+    /// The cost is dominated by a few evaluations of `C` of `n` layers for each of the `n` sublayers, at 4 wavenumbers
+    /// per decade. Accuracy: `an_exponential_layer_converges_to_its_closed_form`.
     ///
     /// # Errors
     ///
-    /// [`KernelError::Grading`] if the tolerance is not reached with the sublayers allowed, or if the
-    /// tolerance is not positive; whatever `profile` or [`Foundation::new`] refuse.
+    /// [`KernelError::Grading`] if the tolerance is not reached with the allowed number of sublayers, or if the
+    /// tolerance is not positive; any error of `profile` or of [`Foundation::new`].
     pub fn split(
         &self,
         layers: &[Layer],
@@ -128,14 +128,14 @@ impl<F: Fn(f64) -> Result<Material, KernelError>> GradedLayer<F> {
     }
 }
 
-/// Sublayers that change `C` by at least this part of the largest change are halved at once: one
-/// halving reduces the change of a sublayer 4 to 8 times, so the others would be the worst next.
+/// Sublayers that change `C` by at least this fraction of the largest change are halved together: one halving reduces
+/// the change of a sublayer 4 to 8 times, so the others among them would be the worst next.
 const WORTH_HALVING: f64 = 0.2;
 
-/// From the top to the bottom of a sublayer, m below the top of the graded layer.
+/// Top and bottom of a sublayer, m below the top of the graded layer.
 type DepthRange = (f64, f64);
 
-/// Four sublayers of equal thickness to begin with.
+/// The initial four sublayers of equal thickness.
 fn even_cells(thickness: f64) -> Vec<DepthRange> {
     let cut = |i: u8| thickness * f64::from(i) / 4.0;
     (0..4).map(|i| (cut(i), cut(i + 1))).collect()
@@ -173,7 +173,7 @@ fn largest(values: &[f64]) -> f64 {
         .fold(0.0, |largest, value| value.abs().max(largest))
 }
 
-/// `max_k Σᵢ |δᵢ(k)| / 2`, NaN if any change is.
+/// `max_k Σᵢ |δᵢ(k)| / 2`, NaN if any change is NaN.
 fn error_of_halves(changes: &[Vec<f64>]) -> f64 {
     let count = changes.first().map_or(0, Vec::len);
     let sums = (0..count).map(|j| changes.iter().map(|change| change[j].abs()).sum::<f64>() / 2.0);
@@ -186,7 +186,7 @@ fn error_of_halves(changes: &[Vec<f64>]) -> f64 {
     })
 }
 
-/// A graded layer, its support, and the wavenumbers at which the compliance is compared.
+/// A graded layer, the bodies below it, and the wavenumbers at which the compliance is compared.
 struct Splitting<'a, F> {
     layer: &'a GradedLayer<F>,
     layers: &'a [Layer],
@@ -195,7 +195,7 @@ struct Splitting<'a, F> {
 }
 
 impl<F: Fn(f64) -> Result<Material, KernelError>> Splitting<'_, F> {
-    /// `δᵢ(k) = Cᵢ(k)/C(k) − 1` by sublayer and wavenumber, `Cᵢ` with sublayer `i` halved.
+    /// `δᵢ(k) = Cᵢ(k)/C(k) − 1` by sublayer and wavenumber, where `Cᵢ` has sublayer `i` halved.
     fn changes(&self, cells: &[DepthRange]) -> Result<Vec<Vec<f64>>, KernelError> {
         let present = self.compliances(cells)?;
         let change = |i| {
@@ -250,8 +250,8 @@ mod tests {
 
     /// `k`, `C(k)` of `E = 4 e^{−1.5 z}`, `ν = 0.25`, `z < 1`, bonded to `E = 0.9`, `ν = 0.3`.
     ///
-    /// In tractions divided by `e^{−1.5 z}` the equations have constant coefficients, so their
-    /// solution is one matrix exponential, computed with mpmath, 60 digits or more.
+    /// In tractions divided by `e^{−1.5 z}` the equations have constant coefficients, so their solution is one matrix
+    /// exponential, computed with mpmath to 60 digits or more.
     const EXPONENTIAL: [(f64, f64); 8] = [
         (0.01, 201.595_992_673_744_15),
         (0.1, 19.675_552_556_496_5),
@@ -293,7 +293,7 @@ mod tests {
                 error <= split.error_estimate && split.error_estimate <= tolerance,
                 "{error:e}"
             );
-            // The estimate adds magnitudes, so it is larger, but not by orders.
+            // The estimate adds magnitudes, so it is larger, but not by orders of magnitude.
             assert!(error >= 0.02 * split.error_estimate, "{error:e}");
         }
     }
@@ -370,7 +370,7 @@ mod tests {
     #[test]
     fn the_compliance_is_compared_at_four_wavenumbers_a_decade() {
         let found = wavenumbers(50.0, 2.0);
-        // k H from 0.01 to 10^1.5 and the end, at H = 2
+        // k H from 0.01 to 10^1.5, then the largest, at H = 2
         assert_eq!(found.len(), 16);
         assert!((found[15] - 25.0).abs() <= 0.0);
         for (i, k) in (0..15).zip(&found) {

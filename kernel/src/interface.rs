@@ -1,13 +1,13 @@
-//! How two bodies of a foundation touch.
+//! The interface between two bodies of a foundation.
 
 use crate::KernelError;
 
 /// The boundary between a layer and the body below it.
 ///
-/// All kinds are *bilateral*: tension is transmitted like compression, so that the foundation stays
-/// linear and a layer cannot lift off. A layer on a frictionless interface is therefore held normal to
-/// the surface at every wavenumber; in the plane it slides freely, and only a wave of zero wavenumber (a
-/// rigid translation) could carry it away, which a normal pressure never excites.
+/// All kinds are *bilateral*: they transmit tension like compression, so that the foundation stays linear and a layer
+/// cannot lift off. A layer on a frictionless interface is therefore held normal to the surface at every wavenumber. In
+/// the plane it slides freely; only a wave of zero wavenumber (a rigid translation) could carry it away, and a normal
+/// pressure never excites one.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Interface {
     /// Displacements and tractions are continuous.
@@ -15,7 +15,7 @@ pub enum Interface {
     Bonded,
     /// The shear traction is zero; normal displacement and traction are continuous.
     Frictionless,
-    /// Tractions are continuous, displacements jump in proportion to them; built by [`Interface::spring`].
+    /// Tractions are continuous and displacements jump in proportion to them; built by [`Interface::spring`].
     Spring(Spring),
 }
 
@@ -27,8 +27,8 @@ pub struct Spring {
 }
 
 impl Interface {
-    /// An imperfect bond: from the body above to the one below, `u_z` jumps by `c_n σ_zz` and `u_x`, `u_y`
-    /// by `c_s` times the shear traction. Both compliances in m/Pa; 0 is bonded, `c_s = ∞` frictionless.
+    /// An imperfect bond: from the body above to the one below, `u_z` jumps by `c_n σ_zz` and `u_x`, `u_y` by `c_s`
+    /// times the shear traction. Both compliances are in m/Pa; 0 is bonded, `c_s = ∞` frictionless.
     ///
     /// A thin interlayer of thickness `t` that is much softer than its neighbours is such a bond:
     /// `c_n = t (1 − 2ν)(1 + ν) / ((1 − ν) E)`, `c_s = t/G`.
@@ -82,7 +82,7 @@ impl Interface {
         }
     }
 
-    /// Whether no shear passes.
+    /// Whether the interface transmits no shear.
     #[must_use]
     pub fn is_frictionless(&self) -> bool {
         self.shear_compliance().is_infinite()

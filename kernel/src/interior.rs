@@ -11,8 +11,8 @@ pub use state::{Amplitudes, Antiplane, InPlane, Side};
 use crate::wave::PlaceInLayer;
 use crate::{Base, Foundation, KernelError, Layer, Material};
 
-/// The interior of a foundation under waves of one wavenumber on its surface: a pressure, a traction along the
-/// wave vector, a traction across it. [`Amplitudes`] has the phases and signs.
+/// The interior of a foundation under waves of one wavenumber on its surface: a pressure, a traction along the wave
+/// vector, a traction across it. Phases and signs: [`Amplitudes`].
 ///
 /// ```
 /// use pellicle_kernel::{Foundation, Material, Side};
@@ -48,17 +48,17 @@ struct Body {
 impl Foundation {
     /// Displacements and stresses at every depth under waves of wavenumber `k` (1/m).
     ///
-    /// The work grows with the number of layers, that of [`Interior::at`] hardly does.
+    /// The work grows with the number of layers; that of [`Interior::at`] hardly depends on it.
     ///
     /// Accuracy: 1e-13 of the larger components of the state (displacements times `2 G k`, stresses) at every depth,
     /// plus `2e-15 k z` from the rounding of `e^{−kz}` (`tests/interior_reference.rs`, `tests/dense.rs`). Below a
     /// frictionless interface, where a long wave of traction leaves stresses of the order of `k H`, their error is
-    /// 1e-16 of the traction. What has decayed below the smallest number is 0.
+    /// 1e-16 of the traction. Amplitudes that have decayed below the smallest number are 0.
     ///
-    /// `k = 0` is refused, every small `k` is as accurate as others. For `k → 0` displacements grow like `1/k` on
-    /// a half-space, where `k u` has the limit of the base alone; on a rigid base they have finite limits. Under the
-    /// tractions on layers above a frictionless interface, which nothing holds along the surface, `u_x` and `u_y`
-    /// grow like `1/k²` and `σ_xx` and `σ_xy` like `1/k`.
+    /// `k = 0` is refused; small `k` are as accurate as any other. For `k → 0` displacements grow like `1/k` on a
+    /// half-space, where `k u` has the limit of the base alone; on a rigid base they have finite limits. Layers above a
+    /// frictionless interface are not held along the surface: under the tractions, their `u_x` and `u_y` grow like
+    /// `1/k²` and their `σ_xx` and `σ_xy` like `1/k`.
     ///
     /// # Errors
     ///
@@ -73,7 +73,7 @@ impl Foundation {
         let mut bottom = 0.0;
         let body = |(i, (in_plane, antiplane))| {
             let top = bottom;
-            // The same sums as `interface_depth`.
+            // The same sums as in `interface_depth`.
             bottom += self.layers().get(i).map_or(f64::INFINITY, Layer::thickness);
             Body {
                 top,
@@ -92,7 +92,7 @@ impl Foundation {
         })
     }
 
-    /// Of layer `i`, or of the base; in a rigid base, where nothing moves, any.
+    /// The material of layer `i`, or of the base; for a rigid base, where nothing moves, any material.
     fn material_of(&self, i: usize) -> Material {
         match (self.layers().get(i), self.base()) {
             (Some(layer), _) => layer.material(),
@@ -111,8 +111,8 @@ impl Interior {
 
     /// Amplitudes at `depth` (m, from the surface).
     ///
-    /// On an interface, which lies exactly at [`Foundation::interface_depth`], they are those on the `side` asked
-    /// for; elsewhere the side does not matter. Above the surface they are those on it, inside a rigid base zero.
+    /// On an interface, which lies exactly at [`Foundation::interface_depth`], they are those on the requested `side`;
+    /// elsewhere the side does not matter. Above the surface they equal those on it; inside a rigid base they are zero.
     #[must_use]
     pub fn at(&self, depth: f64, side: Side) -> Amplitudes {
         // The last body has no bottom.
@@ -124,15 +124,15 @@ impl Interior {
         self.bodies[index.min(last)].at(depth, self.wavenumber)
     }
 
-    /// The amplitudes in the top layer less those in a half-space of its material, without the
-    /// cancellation of a difference: of the order of `e^{−k (2H − z)}` where the amplitudes are of `e^{−kz}`.
+    /// The amplitudes in the top layer minus those in a half-space of its material, computed without cancellation: of
+    /// the order of `e^{−k (2H − z)}` where the amplitudes are of the order of `e^{−kz}`.
     ///
     /// Zero for a half-space; `None` below the top layer, where the amplitudes themselves have decayed by `e^{−kH}`.
     /// The homogeneous amplitudes are `Foundation::half_space(foundation.surface_material()).interior(k)`.
     ///
-    /// Accuracy: 3e-13 of the larger components of the difference, times `1 + 2kH`, `H` the top layer's thickness, as
-    /// `e^{−2kH}` magnifies roundings (`tests/interior_reference.rs`); where reflections of several interfaces cancel,
-    /// a rounding of the largest.
+    /// Accuracy: 3e-13 of the larger components of the difference, times `1 + 2kH` with the top layer's thickness `H`,
+    /// since `e^{−2kH}` magnifies roundings (`tests/interior_reference.rs`); where reflections from several interfaces
+    /// cancel, a rounding of the largest.
     #[must_use]
     pub fn correction(&self, depth: f64) -> Option<Amplitudes> {
         let body = &self.bodies[0];
@@ -163,7 +163,7 @@ impl Body {
         self.material.shear_modulus() * wavenumber
     }
 
-    /// The place, none below the body.
+    /// The place at `depth`; `None` below the body.
     fn place(&self, depth: f64, wavenumber: f64) -> Option<PlaceInLayer> {
         (depth <= self.bottom).then(|| self.clamped(depth, wavenumber))
     }

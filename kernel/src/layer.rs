@@ -2,7 +2,7 @@
 
 use crate::{Interface, KernelError, Material};
 
-/// An elastic layer: thickness `H` (m), material, and the interface with what lies *below* it.
+/// An elastic layer: thickness `H` (m), material, and the interface with the body *below* it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layer {
     thickness: f64,
@@ -11,7 +11,7 @@ pub struct Layer {
 }
 
 impl Layer {
-    /// A layer of `thickness` (m, positive and finite) that touches what lies below by `interface`.
+    /// A layer of `thickness` (m, positive and finite) that is joined to the body below by `interface`.
     ///
     /// # Errors
     ///
@@ -43,7 +43,7 @@ impl Layer {
         self.material
     }
 
-    /// How the layer touches what lies below it.
+    /// The interface with the body below the layer.
     #[must_use]
     pub fn interface(&self) -> Interface {
         self.interface

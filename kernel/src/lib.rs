@@ -1,17 +1,16 @@
 //! Compliance of layered elastic foundations in the wavenumber domain.
 //!
-//! A [`Foundation`] is any number of elastic layers, bonded, frictionless or on springs ([`Interface`]), on
-//! an elastic half-space or on a rigid base. Under a pressure wave `p = p̅ cos kx` its surface moves by `u = u̅ cos kx`
-//! with
+//! A [`Foundation`] is any number of elastic layers, bonded, frictionless or on springs ([`Interface`]), on an elastic
+//! half-space or on a rigid base. Under a pressure wave `p = p̅ cos kx` its surface moves by `u = u̅ cos kx` with
 //!
 //! ```text
 //! u̅(k) = C(k) p̅(k)      C(k) = 2 (1 − ν₁²) / (E₁ k) · Φ(k)
 //! ```
 //!
-//! `E₁`, `ν₁` belong to the body at the surface; pressure is positive in compression, `u` and the depth
-//! axis point into the body. For a wave in both directions `k = √(k_x² + k_y²)`, and whatever
-//! convention the Fourier transform follows, `C` is the factor between the two transforms. Units are the
-//! caller's as long as they agree; the documentation writes SI: `E` in Pa, `k` in 1/m, `C` in m/Pa.
+//! `E₁`, `ν₁` belong to the body at the surface. Pressure is positive in compression; `u` and the depth axis point into
+//! the body. For a wave in both directions `k = √(k_x² + k_y²)`, and `C` is the factor between the two transforms,
+//! whatever the convention of the Fourier transform. Any consistent units will do; the documentation uses SI: `E` in
+//! Pa, `k` in 1/m, `C` in m/Pa.
 //!
 //! [`Foundation::interior`] gives displacements and stresses at every depth, under tractions as well.
 //!
@@ -41,16 +40,16 @@
 //!
 //! # Accuracy
 //!
-//! `Φ` of one layer is right to 1.5e-15, of stacks to 4e-15 (200 layers: 1e-14), `Φ − 1` of one layer
-//! relatively to `2e-15 (1 + 2 k H)`, for moduli in any ratio from 1e-6 to 1e6, `ν` from 0 to 0.5 and every
-//! `k`; measured against data of 20 and 40 digits (`tests/reference.rs`), and three independent paths
-//! agree (`tests/agreement.rs`). States inside are right to 1e-13 of their larger components
-//! (`tests/interior_reference.rs`, `tests/dense.rs`). There are no special cases to avoid: `ν = 0.5`, equal materials,
-//! `k → 0` and `k → ∞` are limits the formulas reach.
+//! The relative error of `Φ` is 1.5e-15 for one layer and 4e-15 for stacks (200 layers: 1e-14), that of `Φ − 1` of one
+//! layer `2e-15 (1 + 2 k H)`, for moduli in any ratio from 1e-6 to 1e6, `ν` from 0 to 0.5 and every `k`. It was
+//! measured against data of 20 and 40 digits (`tests/reference.rs`), and three independent methods agree
+//! (`tests/agreement.rs`). States inside are accurate to 1e-13 of their larger components
+//! (`tests/interior_reference.rs`, `tests/dense.rs`). No special cases need to be avoided: `ν = 0.5`, equal materials,
+//! `k → 0` and `k → ∞` are limits that the formulas reach.
 //!
 //! # Where to start reading
 //!
-//! `response/minors.rs` holds the one idea of the crate: what lies below a plane as five numbers.
+//! `response/minors.rs` holds the central idea of the crate: the bodies below a plane as five numbers.
 
 mod asymptotics;
 mod base;

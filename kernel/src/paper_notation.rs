@@ -1,9 +1,9 @@
 //! `Δ(γ, φ, λ, χ)` and `q̄` in the notation of the paper.
 //!
-//! F. I. Stepanov and E. V. Torskaya, Mech. Solids 57 (2022), DOI 10.3103/S0025654422010034, (3.1)
-//! and (3.2). Lengths are in units of `a`, half the side of a square element: `γ = k a`,
-//! `λ = H/a`; `χ = E₁/E₂`; `φ` is the direction of the wave vector. The paper's depth axis points out
-//! of the body, so its `Δ` has the other sign; here `Δ ≥ 0` gives displacements into the body.
+//! F. I. Stepanov and E. V. Torskaya, Mech. Solids 57 (2022), DOI 10.3103/S0025654422010034, (3.1) and (3.2). Lengths
+//! are in units of `a`, half the side of a square element: `γ = k a`, `λ = H/a`; `χ = E₁/E₂`; `φ` is the direction of
+//! the wave vector. The paper's depth axis points out of the body, so its `Δ` has the opposite sign; here `Δ ≥ 0` gives
+//! displacements into the body.
 
 use crate::{Foundation, KernelError, Material};
 
@@ -35,7 +35,7 @@ pub struct TwoLayer {
 }
 
 impl TwoLayer {
-    /// Moduli in the ratio `χ = E₁/E₂`, Poisson's ratios of the layer and of the half-space.
+    /// A layer and a half-space with moduli in the ratio `χ = E₁/E₂` and these Poisson's ratios, the layer's first.
     ///
     /// # Errors
     ///

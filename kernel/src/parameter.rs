@@ -1,41 +1,41 @@
-//! The numbers that a foundation is made of, one by one: read, or replaced by another.
+//! The parameters of a foundation, one by one: read, or replaced.
 
 use crate::{Base, Foundation, Interface, KernelError, Layer, Material};
 
-/// One number of a [`Foundation`].
+/// One parameter of a [`Foundation`].
 ///
 /// Bodies are counted from the surface: the layers from 0, then the half-space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FoundationParameter {
     /// Young's modulus `E` of a body, Pa.
     YoungModulus {
-        /// Layer, or the number of layers for the half-space.
+        /// Index of the layer, or the number of layers for the half-space.
         body: usize,
     },
     /// Poisson's ratio `ν` of a body.
     PoissonRatio {
-        /// Layer, or the number of layers for the half-space.
+        /// Index of the layer, or the number of layers for the half-space.
         body: usize,
     },
     /// Thickness `H` of a layer, m.
     Thickness {
-        /// Layer, from 0 at the surface.
+        /// Index of the layer, from 0 at the surface.
         layer: usize,
     },
     /// Normal compliance `c_n` of the springs below a layer, m/Pa.
     NormalCompliance {
-        /// Layer, from 0 at the surface.
+        /// Index of the layer, from 0 at the surface.
         layer: usize,
     },
     /// Shear compliance `c_s` of the springs below a layer, m/Pa.
     ShearCompliance {
-        /// Layer, from 0 at the surface.
+        /// Index of the layer, from 0 at the surface.
         layer: usize,
     },
 }
 
 impl Foundation {
-    /// All its numbers, body by body from the surface down; compliances only where they are neither 0 nor infinite.
+    /// All parameters, body by body from the surface down; compliances only where they are neither 0 nor infinite.
     #[must_use]
     pub fn parameters(&self) -> Vec<FoundationParameter> {
         use FoundationParameter::{
@@ -64,7 +64,7 @@ impl Foundation {
         (0..count).flat_map(of_layer).chain(of_base).collect()
     }
 
-    /// The value of one of its numbers, in SI units; none where it has no such body.
+    /// The value of one parameter, in SI units; `None` if the foundation has no such body.
     #[must_use]
     pub fn parameter(&self, parameter: FoundationParameter) -> Option<f64> {
         let layer = |layer: usize| self.layers().get(layer);
@@ -85,7 +85,7 @@ impl Foundation {
         }
     }
 
-    /// The same foundation with another value of one of its numbers.
+    /// The same foundation with another value of one parameter.
     ///
     /// ```
     /// use pellicle_kernel::{Foundation, FoundationParameter, Material};
@@ -99,8 +99,8 @@ impl Foundation {
     ///
     /// # Errors
     ///
-    /// [`KernelError::NoBody`] where it has no such body; those of [`Material::new`], [`Layer::new`],
-    /// [`Interface::spring`] and [`Foundation::new`] for a value that no body has.
+    /// [`KernelError::NoBody`] if the foundation has no such body; the errors of [`Material::new`], [`Layer::new`],
+    /// [`Interface::spring`] and [`Foundation::new`] for an invalid value.
     pub fn with_parameter(
         &self,
         parameter: FoundationParameter,
@@ -149,7 +149,7 @@ impl Foundation {
         Self::new(layers, base)
     }
 
-    /// The material of a body; none of a rigid base.
+    /// The material of a body; `None` for a rigid base.
     fn material(&self, body: usize) -> Option<Material> {
         match (self.layers().get(body), self.base()) {
             (Some(layer), _) => Some(layer.material()),

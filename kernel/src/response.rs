@@ -1,4 +1,4 @@
-//! The response `Φ(k)` of a foundation, by the path that suits it.
+//! The response `Φ(k)` of a foundation, by the method that suits it.
 
 pub(crate) mod contrast;
 mod decay;
@@ -19,9 +19,9 @@ pub(crate) use stack::{HeldBottom, Stack};
 /// The constants from which `Φ` is evaluated, prepared once per foundation.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Response {
-    /// Nothing but a half-space: `Φ = 1`.
+    /// A half-space alone: `Φ = 1`.
     HalfSpace,
-    /// One layer, bonded or frictionless, any base: the closed form.
+    /// One layer, bonded or frictionless, on any base: the closed form.
     OneLayer(OneLayer),
     /// Two layers or more, or one on a spring: the recursion.
     Stack(Stack),

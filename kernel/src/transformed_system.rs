@@ -1,15 +1,13 @@
 //! The transformed problem of one layer on a half-space as four linear equations.
 //!
-//! This is the defining path: Hooke's law, equilibrium and the boundary conditions as they stand,
-//! solved by elimination. The fast paths ([`Foundation::response`](crate::Foundation::response))
-//! are checked against it.
+//! This is the defining method: Hooke's law, equilibrium and the boundary conditions in their original form, solved by
+//! elimination. The fast methods ([`Foundation::response`](crate::Foundation::response)) are checked against it.
 //!
-//! The paper has six unknowns, four in the layer and two in the half-space. A half-space offers the
-//! stiffness `p τ = −(g U + q V)`, `p σ = −(q U + f V)` with `p = 3 − 4ν₂`, `q = 1 − 2ν₂`,
-//! `f = g = 2 (1 − ν₂)` and tractions in units of `2 G₂ k`, which eliminates its two. The layer's
-//! four are the state at its mid-depth while `s < 2`, where decaying and growing waves look alike, and
-//! above the amplitudes of two waves that decay from the top and two that decay from the bottom: no
-//! exponential is large and no two columns become alike.
+//! The paper has six unknowns, four in the layer and two in the half-space. The latter are eliminated by the stiffness
+//! of the half-space, `p τ = −(g U + q V)`, `p σ = −(q U + f V)` with `p = 3 − 4ν₂`, `q = 1 − 2ν₂`,
+//! `f = g = 2 (1 − ν₂)` and tractions in units of `2 G₂ k`. For `s < 2`, where decaying and growing waves look alike,
+//! the layer's four unknowns are the state at its mid-depth. For larger `s` they are the amplitudes of two waves that
+//! decay from the top and two that decay from the bottom: no exponential is large and no two columns become alike.
 
 use crate::response::Poisson;
 use crate::wave::{DepthFactors, LayerEquations, PlaceInLayer, TopPair, U, V};
@@ -18,8 +16,7 @@ use nalgebra::{Matrix4, RowVector4, Vector4};
 
 /// The four equations of a layer on a half-space at one `s = k H`.
 ///
-/// Accuracy of [`response`](Self::response): 1e-14 for every `s` and whatever the materials
-/// (`tests/agreement.rs`).
+/// Accuracy of [`response`](Self::response): 1e-14 for every `s` and all materials (`tests/agreement.rs`).
 ///
 /// ```
 /// use pellicle_kernel::{Foundation, Material, TransformedSystem};
@@ -45,8 +42,8 @@ impl TransformedSystem {
         Self::on(s, coating, Interface::Bonded, substrate)
     }
 
-    /// The equations at `s = k H > 0` of a `coating` on any `interface`, whose compliances are in units of `H` per
-    /// unit of pressure.
+    /// The equations at `s = k H > 0` of a `coating` on any `interface`, with compliances in units of `H` per unit of
+    /// pressure.
     #[must_use]
     pub fn on(s: f64, coating: Material, interface: Interface, substrate: Material) -> Self {
         let (upper, lower) = (Poisson::new(coating), Poisson::new(substrate));
@@ -66,8 +63,8 @@ impl TransformedSystem {
         }
     }
 
-    /// The matrix: rows shear on top, pressure on top, shear and normal traction at the interface;
-    /// columns the state `(U, V, τ, σ)` at mid-depth (`s < 2`) or the four waves.
+    /// The matrix. Its rows are shear on top, pressure on top, shear and normal traction at the interface; its columns
+    /// are the state `(U, V, τ, σ)` at mid-depth (`s < 2`) or the four waves.
     #[must_use]
     pub fn matrix(&self) -> Matrix4<f64> {
         self.equations.matrix
@@ -111,8 +108,8 @@ impl TransformedSystem {
     }
 }
 
-/// `μ p τ + g U' + q V' = 0` and `μ p σ + q U' + f V' = 0`, `U' = U + ĉ_s τ`, `V' = V + ĉ_n σ`, of size 1 for the
-/// pivoting.
+/// `μ p τ + g U' + q V' = 0` and `μ p σ + q U' + f V' = 0`, `U' = U + ĉ_s τ`, `V' = V + ĉ_n σ`, scaled to size 1 for
+/// the pivoting.
 fn rows(mu: f64, [normal, shear]: [f64; 2], lower: &Poisson) -> [RowVector4<f64>; 2] {
     let &Poisson { a, b, w, .. } = lower;
     let rows = [

@@ -61,8 +61,8 @@ enum Basis {
     Faces,
 }
 
-/// From this `s = k H` on a layer is thick: the waves of its two faces differ enough, and those of
-/// the middle begin to lose digits like `s²`. Both are as good between 1 and 4.
+/// A layer is thick from this `s = k H` on: the waves of its two faces differ enough, and those of the middle begin to
+/// lose digits like `s²`. Both are equally accurate between 1 and 4.
 const THICK: f64 = 2.0;
 
 impl Basis {
@@ -87,7 +87,7 @@ impl PlaceInLayer {
         }
     }
 
-    /// On its bottom.
+    /// On the bottom of a layer of `s = k H`.
     pub(crate) fn bottom(s: f64) -> Self {
         Self {
             below_top: s,
@@ -96,10 +96,10 @@ impl PlaceInLayer {
     }
 }
 
-/// The functions of depth that a layer's waves are sums of, at one place.
+/// The functions of depth at one place whose sums are a layer's waves.
 ///
-/// `cosh t`, `t sinh t`, `sinh t`, `t cosh t − sinh t`, `t` from mid-depth, in thin layers; `e^{−ζ}`,
-/// `ζ e^{−ζ}` from the top and from the bottom in thick ones.
+/// In thin layers, with `t` from mid-depth: `cosh t`, `t sinh t`, `sinh t`, `t cosh t − sinh t`. In thick ones:
+/// `e^{−ζ}`, `ζ e^{−ζ}` from the top and from the bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct DepthFactors([f64; 4]);
 
@@ -121,7 +121,7 @@ impl DepthFactors {
     }
 }
 
-/// `e^{−ζ}` and `ζ e^{−ζ}`; 0 beyond the smallest number, also for infinite `ζ`.
+/// `e^{−ζ}` and `ζ e^{−ζ}`; 0 below the smallest number, and for infinite `ζ`.
 pub(crate) fn decayed(zeta: f64) -> [f64; 2] {
     let decay = (-zeta).exp();
     if decay == 0.0 {
@@ -169,16 +169,15 @@ fn mirrored(state: Vector4<f64>) -> Vector4<f64> {
     Vector4::new(state[U], -state[V], -state[TAU], state[SIGMA])
 }
 
-/// A wave that decays downward as `v₀` and `v₁` in `e^{−ζ} (v₀ + ζ v₁)`, from its displacements on top
-/// over `a = 3 − 4ν`: states of a half-space, `a τ = −(w U + b V)`, `a σ = −(b U + w V)`, and
-/// `v₁ = (A + 1) v₀`.
+/// A wave that decays downward as `v₀` and `v₁` in `e^{−ζ} (v₀ + ζ v₁)`, from its displacements on top over
+/// `a = 3 − 4ν`: `v₀` is a state of a half-space, `a τ = −(w U + b V)`, `a σ = −(b U + w V)`, and `v₁ = (A + 1) v₀`.
 fn decaying(poisson: &Poisson, [u, v]: [f64; 2]) -> [Vector4<f64>; 2] {
     let &Poisson { a, b, w, .. } = poisson;
     let top = Vector4::new(a * u, a * v, -(w * u + b * v), -(b * u + w * v));
     [top, slope(v - u)]
 }
 
-/// `(A + 1) v` for a state `v` of a half-space, from its `τ − σ = (V − U)/a`.
+/// `(A + 1) v` for a state `v` of a half-space, from `τ − σ = (V − U)/a`.
 pub(crate) fn slope(difference: f64) -> Vector4<f64> {
     Vector4::new(1.0, 1.0, -1.0, -1.0) * difference
 }
@@ -192,7 +191,7 @@ impl TopPair {
     pub(crate) const TRACTIONS: Self = Self([TAU, SIGMA]);
 }
 
-/// The four equations of one layer: two components of the state on its top, what holds its bottom.
+/// The four equations of one layer: two components of the state on its top, two for the support of its bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LayerEquations {
     poisson: Poisson,
@@ -201,7 +200,7 @@ pub(crate) struct LayerEquations {
 }
 
 impl LayerEquations {
-    /// A layer of `s = k H`, known by two components on its top and two `bottom` equations `row · v`.
+    /// A layer of `s = k H`, given by two components on its top and two `bottom` equations `row · v`.
     pub(crate) fn new(
         poisson: &Poisson,
         s: f64,
@@ -233,8 +232,8 @@ impl LayerEquations {
         let mut waves = [LayerWave::NONE; N];
         for (wave, load) in waves.iter_mut().zip(&loads) {
             let mut amplitudes = factors.solve(load)?;
-            // One step of refinement makes the error of every component one of a few roundings of the equations,
-            // however different their sizes are (Skeel 1980).
+            // One step of refinement reduces the error of every component to a few roundings of the equations, however
+            // different their sizes are (Skeel 1980).
             amplitudes += factors.solve(&(load - self.matrix * amplitudes))?;
             *wave = LayerWave::new(&self.poisson, self.basis, &amplitudes);
         }

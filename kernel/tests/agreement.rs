@@ -38,8 +38,8 @@ fn the_closed_form_solves_the_transformed_system() {
         let system = TransformedSystem::new(s, layer, half_space)
             .response()
             .unwrap();
-        // The error is the elimination's: a few tens of roundings, and for large s the square of
-        // the size s of the linear parts of its waves.
+        // The error is that of the elimination: a few tens of roundings and, for large s, the square of the size s of
+        // the linear parts of its waves.
         let bound = 1e-14 + 3.3e-16 * s * s;
         assert!(
             relative(system, closed) <= bound,
@@ -48,7 +48,7 @@ fn the_closed_form_solves_the_transformed_system() {
     });
 }
 
-/// The layer cut where a thickness of 1 is divided into exact doubles.
+/// The layer, of thickness 1, cut into pieces whose thicknesses are exact doubles.
 fn cut(layer: Material, half_space: Material) -> Foundation {
     let pieces = [0.25, 0.5, 0.25];
     let layers = pieces.map(|h| Layer::new(h, layer, Interface::Bonded).unwrap());
@@ -66,7 +66,7 @@ fn the_recursion_through_three_pieces_is_the_closed_form() {
             "s = {s:e}, {layer:?}"
         );
         let (found, wanted) = (pieces.response_minus_one(s), closed.response_minus_one(s));
-        // e^{−2s} magnifies roundings by 2s; below the smallest normal number digits end.
+        // e^{−2s} magnifies roundings by 2s; below the smallest normal number precision is lost.
         let bound = 1e-13 * (1.0 + 2.0 * s) * wanted.abs() + f64::MIN_POSITIVE;
         assert!(
             (found - wanted).abs() <= bound,
@@ -75,7 +75,7 @@ fn the_recursion_through_three_pieces_is_the_closed_form() {
     });
 }
 
-/// Calls `check(s, layer, interface, half-space)` with springs from stiffer than the layers to softer.
+/// Calls `check(s, layer, interface, half-space)` with springs from stiffer to softer than the layers.
 fn on_springs(mut check: impl FnMut(f64, Material, Interface, Material)) {
     for s in [1e-6, 1e-3, 0.1, 1.0, 5.0, 30.0] {
         for chi in [1e-3, 0.3, 1.0, 30.0] {
@@ -105,7 +105,7 @@ fn springs_in_the_recursion_are_springs_in_the_transformed_system() {
         let foundation = Foundation::new(vec![coating], Base::HalfSpace(half_space)).unwrap();
         let system = TransformedSystem::on(s, layer, interface, half_space);
         let response = system.response().unwrap();
-        // The error is the elimination's, a few tens of roundings.
+        // The error is that of the elimination, a few tens of roundings.
         assert!(
             relative(response, foundation.response(s)) <= 2e-14,
             "s = {s:e}, {layer:?}, {interface:?}"

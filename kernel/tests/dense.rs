@@ -1,7 +1,7 @@
-//! Amplitudes inside against one dense system of all layers, in the four classical waves of each.
+//! Amplitudes inside, compared with one dense system of all layers, in the four classical waves of each.
 //!
 //! In a layer `U = (A + B ζ) e^{−ζ}`, `V = (A + B (ζ + 3 − 4ν)) e^{−ζ}` from its top and the mirror image from its
-//! bottom; the equations are the conditions on the surface and at the interfaces as they stand.
+//! bottom; the equations are the original conditions on the surface and at the interfaces.
 
 #![allow(
     clippy::unwrap_used,
@@ -93,7 +93,7 @@ fn solve(foundation: &Foundation, bodies: &[Body], tractions: [f64; 2]) -> DVect
     equilibrated(matrix, load)
 }
 
-/// Full pivoting after rows and columns are scaled to 1.
+/// Solves with full pivoting after rows and columns are scaled to 1.
 fn equilibrated(mut matrix: DMatrix<f64>, mut load: DVector<f64>) -> DVector<f64> {
     let scales: Vec<f64> = matrix
         .column_iter()
@@ -113,7 +113,7 @@ fn equilibrated(mut matrix: DMatrix<f64>, mut load: DVector<f64>) -> DVector<f64
     solution.component_mul(&DVector::from_vec(scales))
 }
 
-/// The conditions at an interface, as products with the states above and below, whose sum is zero.
+/// The conditions at an interface, as products with the states above and below; their sum is zero.
 fn conditions(interface: Interface, is_rigid_below: bool) -> Vec<[Vector4<f64>; 2]> {
     let axis = |i: usize, x: f64| {
         let mut axis = Vector4::zeros();
@@ -217,7 +217,8 @@ fn random_stacks_solve_the_dense_system() {
                     let wanted: Vector4<f64> =
                         waves.enumerate().map(|(j, x)| columns.column(j) * *x).sum();
                     let error = (state(found) - wanted).component_mul(&size).amax();
-                    // The errors of the dense system, whose waves look alike where k H is 0.1: measured 1.9e-13.
+                    // The errors are those of the dense system, whose waves look alike where k H is 0.1: measured
+                    // 1.9e-13.
                     let bound = 1e-12 * wanted.component_mul(&size).amax();
                     assert!(error <= bound, "{error:e} {bound:e} k = {k} {foundation:?}");
                 }

@@ -1,5 +1,4 @@
-//! Derivatives of the compliance against work done inside, against scaling, and along materials that nothing tells
-//! apart.
+//! Derivatives of the compliance: against the work done inside, under scaling, and along indistinguishable materials.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
 
@@ -47,8 +46,8 @@ fn compliance_derivative(body: &Foundation, parameter: Parameter, wavenumber: f6
     compliance * (value / body.response(wavenumber) - of_modulus)
 }
 
-/// `∂C/∂ ln E` of a body is minus the work on it, `∮ t·u`, since the field stays the minimum of the energy; and `∂C/∂c`
-/// of springs the square of the traction on them.
+/// `∂C/∂ ln E` of a body is minus the work on it, `∮ t·u`, since the field remains the minimum of the energy; `∂C/∂c`
+/// of springs is the square of the traction on them.
 #[test]
 fn a_stiffer_body_saves_the_work_done_on_it() {
     for foundation in foundations() {
@@ -82,7 +81,7 @@ fn a_stiffer_body_saves_the_work_done_on_it() {
                 };
                 let found = compliance_derivative(&foundation, parameter, k);
                 let value = foundation.parameter(parameter).unwrap();
-                // The difference of the sixth order: 4e-11 found.
+                // The difference is of sixth order: 4e-11 found.
                 let error = (found - expected).abs() * value / compliance;
                 assert!(error < 1e-10, "{parameter:?} at {k}: {error:e}");
             }
@@ -90,7 +89,7 @@ fn a_stiffer_body_saves_the_work_done_on_it() {
     }
 }
 
-/// `C(k)` of all thicknesses times b is `b C(b k)`, with compliances times b, too.
+/// If all thicknesses and compliances are multiplied by b, `C(k)` becomes `b C(b k)`.
 #[test]
 fn thicknesses_and_compliances_scale_with_the_wavelength() {
     for foundation in foundations() {
@@ -103,7 +102,7 @@ fn thicknesses_and_compliances_scale_with_the_wavelength() {
                 }
             };
             let found: f64 = foundation.parameters().iter().map(scaled).sum();
-            // C + k C', the slope by a difference of the sixth order
+            // C + k C', the slope by a sixth-order difference
             let slope: f64 = [(1.0, 0.75), (2.0, -0.15), (3.0, 1.0 / 60.0)]
                 .map(|(steps, weight): (f64, f64)| {
                     let at = |sign: f64| foundation.compliance(k * (sign * steps * 0.01).exp());
@@ -132,8 +131,8 @@ fn dundurs([young_1, nu_1, young_2, nu_2]: [f64; 4]) -> Vector3<f64> {
     )
 }
 
-/// A bonded layer's compliance depends on three numbers of its four, so its derivatives by Poisson's ratios follow from
-/// those by moduli.
+/// A bonded layer's compliance depends on three combinations of its four constants, so its derivatives with respect to
+/// Poisson's ratios follow from those with respect to moduli.
 #[test]
 fn along_materials_of_equal_dundurs_numbers_the_compliance_stands_still() {
     for numbers in [
@@ -147,7 +146,7 @@ fn along_materials_of_equal_dundurs_numbers_the_compliance_stands_still() {
             dundurs(moved)
         };
         let column = |i: usize| (by(i, 1e-5) - by(i, -1e-5)) / 2e-5;
-        // The change of the other three that undoes a change of ν₁.
+        // The change of the other three that compensates a change of ν₁.
         let system = Matrix3::from_columns(&[column(0), column(2), column(3)]);
         let change = system.lu().solve(&-column(1)).unwrap();
         let [young_1, nu_1, young_2, nu_2] = numbers;
@@ -160,7 +159,7 @@ fn along_materials_of_equal_dundurs_numbers_the_compliance_stands_still() {
                 + change[0] * by(Parameter::YoungModulus { body: 0 })
                 + change[1] * by(Parameter::YoungModulus { body: 1 })
                 + change[2] * by(Parameter::PoissonRatio { body: 1 });
-            // The direction by a difference of the second order: 1e-9.
+            // The direction by a second-order difference: 1e-9.
             assert!(found.abs() < 1e-8 * body.compliance(k), "at {k}: {found:e}");
         }
     }
@@ -176,7 +175,7 @@ fn along(body: &Foundation, direction: &[(Parameter, f64)], wavenumber: f64) -> 
 
 #[test]
 fn along_null_directions_no_compliance_changes() {
-    // One block; one; two, above and below the frictionless interface; one, since the other is held.
+    // The blocks: one; one; two, above and below the frictionless interface; one, since the other is held.
     for (foundation, blocks) in foundations().into_iter().zip([1, 1, 2, 1]) {
         let directions = foundation.null_directions();
         assert_eq!(directions.len(), blocks);
@@ -187,7 +186,7 @@ fn along_null_directions_no_compliance_changes() {
                 });
                 let largest = largest.fold(0.0, f64::max);
                 let error = along(&foundation, &direction, k).abs();
-                // Differences of the sixth order: 4e-11 of C by each number in its own unit.
+                // Sixth-order differences: 4e-11 of C for each number in its own unit.
                 let bound = 1e-8 * largest + 1e-9 * foundation.compliance(k);
                 assert!(error < bound, "at {k}: {error:e} of {largest:e}");
             }

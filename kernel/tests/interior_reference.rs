@@ -1,4 +1,4 @@
-//! Amplitudes inside against data of 17 digits (`tests/data/interior.txt`, which says what computed it).
+//! Amplitudes inside, compared with data of 17 digits (`tests/data/interior.txt`, which names their source).
 
 #![allow(
     clippy::unwrap_used,
@@ -142,7 +142,7 @@ fn states_are_right_to_the_last_digits_of_their_larger_components() {
         };
         let found = interior.at(case.depth(), side);
         let (unit, wanted) = (case.unit(), &case.values);
-        // Measured 1.2e-13 in the worst of 4000 places, and 2e-15 k z where e^{−kz} has decayed far.
+        // Measured 1.2e-13 at the worst of 4000 places, plus 2e-15 k z where e^{−kz} has decayed far.
         let relative = 1e-13 + 2e-15 * case.wavenumber * case.depth();
         let comparisons = [
             Comparison::in_plane(&found.normal, &wanted[0..4], unit),
@@ -150,7 +150,8 @@ fn states_are_right_to_the_last_digits_of_their_larger_components() {
             Comparison::antiplane(&found.antiplane, &wanted[8..10], 0.5 * unit),
         ];
         for Comparison { error, size } in comparisons {
-            // Below a frictionless interface a long shear wave leaves next to nothing, to a rounding of the load.
+            // Below a frictionless interface a long shear wave leaves very small amplitudes, with an error of a
+            // rounding of the load.
             let bound = relative * size + if size < 1e-3 { 1e-16 } else { 0.0 };
             assert!(error <= bound, "{error:e} of {size:e}, {}", case.line);
         }

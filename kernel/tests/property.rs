@@ -1,4 +1,4 @@
-//! Properties of every foundation, on many random ones.
+//! Properties of every foundation, tested on many random ones.
 
 #![expect(
     clippy::unwrap_used,
@@ -79,8 +79,7 @@ proptest! {
         let (length, modulus) = (1e-6, 1e9);
         let same = scaled(&foundation, length, modulus).compliance(k / length);
         let wanted = foundation.compliance(k) * length / modulus;
-        // Lengths and moduli are rounded anew: a rounding per layer, and k H in e^{−2kH} hardly
-        // matters for C.
+        // Lengths and moduli are rounded anew: one rounding per layer; that of k H in e^{−2kH} hardly matters for C.
         assert_relative_eq!(same, wanted, max_relative = 1e-13);
     }
 
@@ -137,7 +136,7 @@ proptest! {
     #[test]
     fn the_two_forms_of_the_response_agree(foundation in foundation(), k in wavenumber()) {
         let (response, difference) = (foundation.response(k), foundation.response_minus_one(k));
-        // The roundings of Φ that `response_minus_one` allows itself, and those of Φ − 1 here.
+        // The roundings of Φ that `response_minus_one` allows, and those of Φ − 1 here.
         let bound = 1e-15 * (5 + foundation.layers().len()) as f64 * (response + 1.0);
         prop_assert!((response - 1.0 - difference).abs() <= bound);
     }

@@ -1,14 +1,14 @@
-//! Directions in the space of two bodies' numbers: a change of scale, and changes that leave their compliance.
+//! Directions in the space of two bodies' parameters: changes of scale, and changes that preserve their compliance.
 
 use pellicle_kernel::FoundationParameter;
 
 use super::{ElasticBodies, ElasticParameter};
 
-/// Changes `dθ/dt` of some numbers, each in its own unit.
+/// Rates of change `dθ/dt` of some parameters, each in its own unit.
 pub type ElasticDirection = Vec<(ElasticParameter, f64)>;
 
 impl ElasticBodies {
-    /// The change of all numbers under a change of scale; see
+    /// The change of all parameters under a change of scale; see
     /// [`Foundation::scaling`](pellicle_kernel::Foundation::scaling).
     #[must_use]
     pub fn scaling(&self, length: f64, modulus: f64) -> ElasticDirection {
@@ -22,9 +22,9 @@ impl ElasticBodies {
         of_foundation.chain(of_counterbody).collect()
     }
 
-    /// Changes that leave the compliance of both bodies together at every wavenumber: those of the
-    /// [foundation](pellicle_kernel::Foundation::null_directions), that of the counterbody's constants at constant
-    /// `E_i*`, and on a homogeneous body that of both moduli at constant `1/E* + 1/E_i*`.
+    /// Changes that preserve the compliance of both bodies together at every wavenumber: those of the
+    /// [foundation](pellicle_kernel::Foundation::null_directions), the change of the counterbody's constants at
+    /// constant `E_i*`, and on a homogeneous body the change of both moduli at constant `1/E* + 1/E_i*`.
     #[must_use]
     pub fn null_directions(&self) -> Vec<ElasticDirection> {
         let own = |(of, change)| (ElasticParameter::Foundation(of), change);

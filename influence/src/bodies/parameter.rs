@@ -1,14 +1,14 @@
-//! The numbers of two elastic bodies, one by one: read, or replaced by another.
+//! The parameters of two elastic bodies, one by one: read, or replaced.
 
 use pellicle_kernel::{FoundationParameter, KernelError, Material};
 
 use super::ElasticBodies;
 use crate::error::InfluenceError;
 
-/// One number of [`ElasticBodies`].
+/// One parameter of [`ElasticBodies`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ElasticParameter {
-    /// Of the foundation.
+    /// A parameter of the foundation.
     Foundation(FoundationParameter),
     /// Young's modulus `E_i` of the counterbody, Pa.
     CounterbodyYoungModulus,
@@ -17,7 +17,7 @@ pub enum ElasticParameter {
 }
 
 impl ElasticBodies {
-    /// All numbers, the foundation's first.
+    /// All parameters, the foundation's first.
     #[must_use]
     pub fn parameters(&self) -> Vec<ElasticParameter> {
         let of_foundation = self.foundation().parameters();
@@ -33,7 +33,7 @@ impl ElasticBodies {
             .collect()
     }
 
-    /// The value of a number, in SI units; none where there is no such body.
+    /// The value of one parameter, in SI units; `None` if there is no such body.
     #[must_use]
     pub fn parameter(&self, parameter: ElasticParameter) -> Option<f64> {
         match parameter {
@@ -47,12 +47,13 @@ impl ElasticBodies {
         }
     }
 
-    /// The same bodies with another value of one number.
+    /// The same bodies with another value of one parameter.
     ///
     /// # Errors
     ///
-    /// [`InfluenceError::Kernel`]: as [`Foundation::with_parameter`](pellicle_kernel::Foundation::with_parameter) and
-    /// [`Material::new`], or [`KernelError::NothingElastic`] where the counterbody is rigid.
+    /// [`InfluenceError::Kernel`]: the errors of
+    /// [`Foundation::with_parameter`](pellicle_kernel::Foundation::with_parameter) and [`Material::new`], or
+    /// [`KernelError::NothingElastic`] if the counterbody is rigid.
     pub fn with_parameter(
         &self,
         parameter: ElasticParameter,

@@ -1,7 +1,7 @@
 //! A folder of files, one for each value of any type that serde can write.
 //!
-//! A file holds the BLAKE3 of its key and of its payload, then the payload in postcard's format, which keeps every
-//! bit of an `f64`. It is written under a temporary name and renamed, so that a reader sees all of it or none,
+//! A file holds the BLAKE3 hash of its key and its payload, then the payload in postcard's format, which keeps every
+//! bit of an `f64`. It is written under a temporary name and renamed, so that a reader sees all of it or nothing,
 //! whatever other threads and processes do at the same time.
 
 use std::fs::{self, DirEntry, File, Metadata};
@@ -15,26 +15,26 @@ use serde::de::DeserializeOwned;
 
 use super::report::{CacheWarning, Usage};
 
-/// End of the names of complete files.
+/// Suffix of the names of complete files.
 const EXTENSION: &str = ".pellicle";
 
-/// Beginning and end of the names of incomplete files.
+/// Prefix and suffix of the names of incomplete files.
 const PARTIAL: [&str; 2] = [".pellicle-", ".partial"];
 
-/// Bytes read and hashed at once: BLAKE3 is twice as slow when it is given a few thousand at a time.
+/// Bytes read and hashed at a time: BLAKE3 is half as fast on blocks of a few thousand.
 const BUFFER: usize = 1 << 18;
 
-/// Bytes of the widest single number.
+/// Bytes of the widest number.
 const WIDEST: usize = 8;
 
-/// Bytes that a file may have beyond those of its numbers.
+/// Bytes that a file may have in addition to those of its numbers.
 const OVERHEAD: usize = 1 << 10;
 
 /// The files of one folder, by key.
 #[derive(Debug)]
 pub(super) struct Disk {
     path: PathBuf,
-    /// Set by the first failure to write; nothing is written from then on.
+    /// Set by the first write that fails; nothing is written after that.
     refused: AtomicBool,
 }
 
@@ -50,7 +50,7 @@ impl Disk {
         &self.path
     }
 
-    /// The value of a key, which has at most `bytes` bytes; none if there is no file.
+    /// The value of a key, of at most `bytes` bytes; `None` if there is no file.
     pub(super) fn read<T: DeserializeOwned>(
         &self,
         key: &Hash,
@@ -60,7 +60,7 @@ impl Disk {
         match read(&path, key, bytes + OVERHEAD) {
             Ok(value) => Ok(Some(value)),
             Err(error) => match error.kind() {
-                // If a file stands in the folder's place, writing will tell.
+                // If there is a file in the folder's place, writing will report it.
                 ErrorKind::NotFound | ErrorKind::NotADirectory => Ok(None),
                 ErrorKind::InvalidData | ErrorKind::UnexpectedEof => {
                     Err(CacheWarning::Damaged { path })
@@ -70,7 +70,7 @@ impl Disk {
         }
     }
 
-    /// Keeps a value, unless the folder has refused one before.
+    /// Keeps a value, unless an earlier write failed.
     pub(super) fn write<T: Serialize>(&self, key: &Hash, value: &T) -> Result<(), CacheWarning> {
         if self.refused.load(Ordering::Relaxed) {
             return Ok(());
@@ -84,7 +84,7 @@ impl Disk {
         })
     }
 
-    /// Nothing waits for the disk: the checksum reveals a file that a power failure has cut off.
+    /// Does not wait for the disk: the checksum reveals a file truncated by a power failure.
     fn write_whole<T: Serialize>(&self, key: &Hash, value: &T) -> io::Result<()> {
         let payload = postcard::to_stdvec(value).map_err(io::Error::other)?;
         let checksum = checksum_of(key).update(&payload).finalize();
@@ -92,14 +92,14 @@ impl Disk {
         let [prefix, suffix] = PARTIAL;
         let mut builder = tempfile::Builder::new();
         builder.prefix(prefix).suffix(suffix);
-        // Temporary files are private by default; the user's umask decides instead, as for any new file.
+        // Temporary files are private by default; here the user's umask decides, as for any new file.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let mut partial = builder.tempfile_in(&self.path)?;
         partial.write_all(checksum.as_bytes())?;
         partial.write_all(&payload)?;
         match partial.persist(self.file(key)) {
-            // Another process has cleared the cache meanwhile.
+            // Another process has cleared the cache in the meantime.
             Err(failure) if failure.error.kind() == ErrorKind::NotFound => Ok(()),
             Err(failure) => Err(failure.error),
             Ok(_) => Ok(()),
@@ -115,7 +115,7 @@ impl Disk {
         Ok(usage)
     }
 
-    /// Removes the cache's own files, and tells which.
+    /// Removes the cache's own files and returns their number and size.
     pub(super) fn clear(&self) -> io::Result<Usage> {
         let mut usage = Usage::default();
         for (path, metadata) in self.own_files()? {
@@ -148,7 +148,7 @@ impl Disk {
     }
 }
 
-/// The value in a file of at most `longest` bytes. The file is never in memory as a whole.
+/// The value in a file of at most `longest` bytes. The file is never held in memory as a whole.
 fn read<T: DeserializeOwned>(path: &Path, key: &Hash, longest: usize) -> io::Result<T> {
     let metadata = fs::metadata(path)?;
     // A pipe would never end.
@@ -165,7 +165,7 @@ fn read<T: DeserializeOwned>(path: &Path, key: &Hash, longest: usize) -> io::Res
     let mut payload = BufReader::with_capacity(BUFFER, hashed);
     let mut number = [0; WIDEST];
     let value = postcard::from_io((&mut payload, &mut number)).map(|(value, _)| value);
-    // The decoder stops at the first byte that makes no sense.
+    // The decoder stops at the first invalid byte.
     io::copy(&mut payload, &mut io::sink())?;
     let is_whole = payload.get_ref().hasher.finalize() == checksum;
     match value {
@@ -174,14 +174,14 @@ fn read<T: DeserializeOwned>(path: &Path, key: &Hash, longest: usize) -> io::Res
     }
 }
 
-/// The start of a checksum. With the key in it, a file under another file's name is found out.
+/// The start of a checksum. It includes the key, so that a file under another file's name is detected.
 fn checksum_of(key: &Hash) -> Hasher {
     let mut hasher = Hasher::new();
     hasher.update(key.as_bytes());
     hasher
 }
 
-/// A source whose bytes are hashed as they are read.
+/// A reader that hashes its bytes as they are read.
 struct Hashed<R> {
     source: R,
     hasher: Hasher,
@@ -202,7 +202,7 @@ fn unless_missing<T>(result: io::Result<T>) -> io::Result<Option<T>> {
     }
 }
 
-/// Whether a file has a name that the cache gives.
+/// Whether a file has one of the cache's names.
 fn is_own(entry: &DirEntry) -> bool {
     let name = entry.file_name();
     let Some(name) = name.to_str() else {

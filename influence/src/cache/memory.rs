@@ -5,10 +5,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use blake3::Hash;
 
-/// Values of one type by key; finding one takes no longer for a hundred thousand than for ten.
+/// Values of one type by key; finding one among a hundred thousand takes no longer than among ten.
 #[derive(Debug)]
 pub(super) struct Memory<T> {
-    /// Bytes that the values may take together.
+    /// Bytes that the values may take in total.
     limit: usize,
     entries: Mutex<Entries<T>>,
 }
@@ -16,7 +16,7 @@ pub(super) struct Memory<T> {
 #[derive(Debug)]
 struct Entries<T> {
     by_key: BTreeMap<[u8; 32], KeptEntry<T>>,
-    /// Keys by the time of their last use.
+    /// Keys by time of last use.
     by_use: BTreeMap<u64, [u8; 32]>,
     /// The time: number of uses so far.
     uses: u64,
@@ -53,7 +53,7 @@ impl<T> Memory<T> {
         Some(value)
     }
 
-    /// Keeps a value of about so many bytes; those that were not used for longest make room.
+    /// Keeps a value of about `bytes` bytes; the least recently used ones make room.
     pub(super) fn insert(&self, key: Hash, value: &Arc<T>, bytes: usize) {
         if bytes > self.limit {
             return;
@@ -82,7 +82,7 @@ impl<T> Entries<T> {
         Some(entry)
     }
 
-    /// Adds an entry that is not there, as the one used last.
+    /// Adds a missing entry as the most recently used one.
     fn put(&mut self, key: [u8; 32], value: Arc<T>, bytes: usize) {
         self.uses += 1;
         let used = self.uses;

@@ -5,13 +5,12 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-/// The origin of data. The largest of several origins is that of all of them together.
+/// The origin of data; data from several origins have the largest of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Origin {
-    /// Computed, and never kept on disk, because reading is no faster: a homogeneous body's radial tables, a small
-    /// grid.
+    /// Computed, and never kept on disk because reading is no faster: a homogeneous body's radial tables, a small grid.
     Immediate,
-    /// In memory already.
+    /// Already in memory.
     Memory,
     /// Read from disk.
     Disk,
@@ -37,7 +36,7 @@ pub struct Cached<T> {
 }
 
 impl<T> Cached<T> {
-    /// Other data of the same origin.
+    /// Other data with the same origin.
     pub fn map<U>(self, function: impl FnOnce(T) -> U) -> Cached<U> {
         Cached {
             value: function(self.value),
@@ -51,7 +50,7 @@ impl<T> Cached<T> {
 pub struct Usage {
     /// Number of files.
     pub files: usize,
-    /// Their lengths together.
+    /// Their total length.
     pub bytes: u64,
 }
 
@@ -67,13 +66,13 @@ impl Usage {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum CacheWarning {
-    /// A file is cut off, altered, or not the cache's own; it is replaced.
+    /// A file is truncated, altered or foreign; it is replaced.
     #[error("the cached file {} is damaged: its contents are computed again", path.display())]
     Damaged {
         /// The file.
         path: PathBuf,
     },
-    /// The system does not let a file be read; it is replaced.
+    /// A file cannot be read; it is replaced.
     #[error("the cached file {} cannot be read and its contents are computed again: {kind}", path.display())]
     Unreadable {
         /// The file.
@@ -81,7 +80,7 @@ pub enum CacheWarning {
         /// The system's reason.
         kind: ErrorKind,
     },
-    /// The folder cannot be written to; nothing more is written to it.
+    /// The folder cannot be written to; no further writes are attempted.
     #[error("nothing is cached: the folder {} cannot be written to: {kind}", path.display())]
     Folder {
         /// The folder.
@@ -92,7 +91,7 @@ pub enum CacheWarning {
 }
 
 impl CacheWarning {
-    /// A short name that does not change, for programs.
+    /// A short, stable name for programs.
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {

@@ -1,14 +1,14 @@
-//! A foundation without dimension: what its radial functions depend on.
+//! The dimensionless form of a foundation, which determines its radial functions.
 
 use pellicle_kernel::{Base, Foundation, Interface, KernelError, Layer, Material};
 
-/// Bits of a number's fraction that are kept: 1e-12 of it.
+/// Bits kept of a number's fraction: a relative precision of 1e-12.
 const KEPT_BITS: u32 = 40;
-/// The others, of the 52 there are.
+/// The remaining ones of the 52 bits.
 const DROPPED: u32 = 52 - KEPT_BITS;
 
-/// The foundation in units of its total thickness and of the modulus at its surface, all numbers but Poisson's ratios
-/// rounded, so that foundations that differ in size and stiffness alone have one shape to the bit.
+/// The foundation in units of its total thickness and of the modulus at its surface. All numbers except Poisson's
+/// ratios are rounded, so that foundations that differ only in size and stiffness have the same shape to the bit.
 pub(super) fn of(foundation: &Foundation) -> Result<Foundation, KernelError> {
     let length = foundation.thickness();
     let modulus = foundation.surface_material().young_modulus();
@@ -35,7 +35,7 @@ pub(super) fn of(foundation: &Foundation) -> Result<Foundation, KernelError> {
     Foundation::new(layers.collect::<Result<_, _>>()?, base)
 }
 
-/// The nearest number of [`KEPT_BITS`]; 0 and ∞ are themselves.
+/// The nearest number with [`KEPT_BITS`] bits; 0 and ∞ are unchanged.
 fn rounded(value: f64) -> f64 {
     if !value.is_finite() {
         return value;

@@ -1,7 +1,6 @@
-//! The reference path: the coefficient (3.4) of Stepanov and Torskaya (2022) by adaptive quadrature, with nothing
-//! tabulated.
+//! The reference method: the coefficient (3.4) of Stepanov and Torskaya (2022) by adaptive quadrature, without tables.
 //!
-//! In polar wavenumbers, with `γ = k a` and the homogeneous part taken out and added in closed form,
+//! In polar wavenumbers, with `γ = k a` and the homogeneous part subtracted and added in closed form,
 //!
 //! `k = k_Love + 8(1−ν1²)a/(π²E1) ∫₀^∞ (Φ(γ/a) − 1) A(γ) dγ`,
 //! `A(γ) = ∫₀^{π/2} sinc(γ cos φ) sinc(γ sin φ) cos(2mγ cos φ) cos(2nγ sin φ) dφ`.
@@ -23,26 +22,26 @@ use crate::numerics::rounding;
 /// `Φ − 1` is below 3e-18 beyond this wavenumber, in units of 1/thickness of the top layer.
 const LAST_WAVENUMBER: f64 = 24.0;
 
-/// Wanted error, relative to Love's coefficient at the same offset.
+/// Requested error, relative to Love's coefficient at the same offset.
 const TOLERANCE: f64 = 1e-11;
 
-/// The inner integrals get this share of the error.
+/// Fraction of the error allowed to the inner integrals.
 const INNER_SHARE: f64 = 0.1;
 
-/// Smallest absolute error of an inner integral, of order one, in 16 digits.
+/// Smallest absolute error of an inner integral, which is of order one, in 16 digits.
 const ROUNDING: f64 = 1e-15;
 
-/// More oscillations than this in either direction are refused: their square is the cost.
+/// More oscillations than this in either direction are refused: the cost is their square.
 const LARGEST_OSCILLATIONS: f64 = 400.0;
 
 /// Influence coefficient `k`, m/Pa, of a square element of side `element_side` (m), `offset` elements away, by
 /// adaptive quadrature.
 ///
-/// Error at most 1e-11 of [`love::coefficient`] at the same offset, and the rounding of the inner integrals, some
-/// 1e-15 of Love's coefficient at offset 0 times the largest `|Φ − 1|`. Cost: the square of the number of
-/// oscillations, about `8 (m+n+1) a/h1` with a half a side and h1 the thickness of the top layer: the 400 at
-/// which the integral is refused cost 160,000 times as much as one. [`crate::RadialTables`] has no such limits; this
-/// is the independent check of it.
+/// The error is at most 1e-11 of [`love::coefficient`] at the same offset, plus the rounding of the inner integrals,
+/// some 1e-15 of Love's coefficient at offset 0 times the largest `|Φ − 1|`. The cost is the square of the number of
+/// oscillations, about `8 (m+n+1) a/h1`, where a is half a side and h1 the thickness of the top layer: the 400 at which
+/// the integral is refused cost 160,000 times as much as one. [`crate::RadialTables`] has no such limits; this function
+/// is an independent check of it.
 ///
 /// ```
 /// use pellicle_influence::{RadialTables, direct};
@@ -99,7 +98,7 @@ fn outer_integral(
     let failure = Cell::new(None);
     let integrand = |gamma: f64| {
         let response = foundation.response_minus_one(gamma / half_side);
-        // An inner integral need not be better than its factor asks for.
+        // An inner integral need not be more accurate than its factor requires.
         let wanted = inner_tolerance / response.abs().max(f64::MIN_POSITIVE);
         match inner_integral(gamma, offset, wanted.clamp(ROUNDING, TOLERANCE)) {
             Ok(inner) => response * inner,

@@ -6,10 +6,10 @@ use pellicle_kernel::Material;
 use crate::element::edges::{Edge, edges};
 use crate::element::product_rule::{Borders, ProductRule};
 
-/// From this offset on the series of [`far`] is true to rounding: its next term is below 2e-17 there.
+/// From this offset on the series of [`far`] is accurate to rounding: its next term is below 2e-17.
 const FAR: usize = 48;
 
-/// From this offset on the closed form would lose more than a digit to the cancellation between opposite edges.
+/// From this offset on the closed form would lose more than one digit to the cancellation between opposite edges.
 const CANCELLATION: usize = 8;
 
 /// Influence coefficient `k` of a homogeneous half-space, m/Pa: the displacement of the centre of one square
@@ -39,8 +39,8 @@ pub fn coefficient(material: &Material, element_side: f64, offset: [usize; 2]) -
 /// `S(m, n) = ∫∫ dξ dη / ρ` over the square of side 2 centred at (2m, 2n), ρ the distance from the origin;
 /// dimensionless.
 ///
-/// Near elements by Love's closed form, more distant ones by a Gauss product rule, which there is the more accurate
-/// of the two, far ones by a series. Relative error below 2e-15 (checked against 50 digits in the tests).
+/// Near elements use Love's closed form, more distant ones a Gauss product rule, which is more accurate there, and far
+/// ones a series. Relative error below 2e-15 (checked against 50 digits in the tests).
 #[must_use]
 pub fn shape_factor(offset: [usize; 2]) -> f64 {
     let distance = offset[0].max(offset[1]);
@@ -54,7 +54,7 @@ pub fn shape_factor(offset: [usize; 2]) -> f64 {
     }
 }
 
-/// `S` by a product rule.
+/// `S` by a Gauss product rule.
 fn by_rule(rule: &ProductRule, offset: [usize; 2]) -> f64 {
     let points = rule.points(offset);
     points.map(|(square, weight)| weight / square.sqrt()).sum()
@@ -62,8 +62,7 @@ fn by_rule(rule: &ProductRule, offset: [usize; 2]) -> f64 {
 
 /// `S` by the Taylor series of `1/r` about the centre of the square, with `r` = 2 (m² + n²)^½ and θ the angle from
 /// an axis.
-///
-/// The square's even moments leave, of the derivatives of orders 2, 4 and 6,
+/// Of the derivatives of orders 2, 4 and 6 the even moments of the square leave
 ///
 /// ```text
 /// S = (4/r) (1 + t/6 + t² (7/80 − 7/48 cos 4θ) + t³ (15/224 − 3/32 cos 4θ) + O(t⁴)),    t = 1/r²,
@@ -103,7 +102,7 @@ mod tests {
     use super::{FAR, by_rule, far, shape_factor};
     use crate::element::product_rule::Borders;
 
-    /// mpmath 1.3, 50 digits, the edge sum of asinh as it stands.
+    /// mpmath 1.3, 50 digits, the edge sum of asinh evaluated directly.
     const FIFTY_DIGITS: [([usize; 2], f64); 22] = [
         ([0, 0], 7.050_988_696_156_344),
         ([1, 0], 2.076_099_471_809_512),
@@ -148,7 +147,7 @@ mod tests {
                 assert!(error.abs() < 4e-15, "{m} {n}: {error:e}");
             }
         }
-        // Half as far the next term shows.
+        // At half the distance the next term is visible.
         let error = far([FAR / 2, 0]) / shape_factor([FAR / 2, 0]) - 1.0;
         assert!((1e-15..1e-14).contains(&error.abs()), "{error:e}");
     }

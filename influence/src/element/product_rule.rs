@@ -1,11 +1,11 @@
 //! Integrals over a far element by a product of Gauss–Legendre rules.
 //!
-//! Lengths are in units of half the element's side, as in [`crate::element::edges`]. Two things limit the p-point
+//! Lengths are in units of half the element's side, as in [`crate::element::edges`]. Two effects limit the p-point
 //! rule at the distance ρ:
 //! - the singularity of `1/ρ` at the field point leaves about `(2ρ)^(−2p)`;
-//! - around a layer `T` holds terms `e^(−κρ)` of any rate κ, for which the rule is wrong by `c_p κ^(2p) e^(−κρ)`,
-//!   at most `c_p (2p/(eρ))^(2p)`, where `c_p = 2^(2p+1) (p!)⁴ / ((2p+1) ((2p)!)³)`. Around a soft layer on a stiff
-//!   base the displacement far away, Φ(0), is small, and so the error relatively large.
+//! - around a layer `T` contains terms `e^(−κρ)` of any rate κ, for which the error of the rule is
+//!   `c_p κ^(2p) e^(−κρ)`, at most `c_p (2p/(eρ))^(2p)`, where `c_p = 2^(2p+1) (p!)⁴ / ((2p+1) ((2p)!)³)`. Around a
+//!   soft layer on a stiff base the displacement far away, Φ(0), is small, so the relative error is large.
 
 use std::f64::consts::E;
 use std::sync::LazyLock;
@@ -15,10 +15,10 @@ use serde::{Deserialize, Serialize};
 use crate::numerics::quadrature::{Node, legendre_of};
 use crate::numerics::rounding;
 
-/// Points a direction of the rules, and the offsets (the larger of the two) from which the singularity allows them.
+/// Points per direction of the rules, and the offsets (the larger of the two) from which the singularity allows them.
 const RULES: [(i32, usize); 5] = [(6, 5), (5, 8), (4, 20), (3, 96), (2, 2048)];
 
-/// Error that a rule may leave, relative to `min(1, Φ(0))`.
+/// Allowed error of a rule, relative to `min(1, Φ(0))`.
 const TOLERANCE: f64 = 1e-13;
 
 static LINES: LazyLock<[ProductRule; 5]> = LazyLock::new(|| {
@@ -32,16 +32,17 @@ static LINES: LazyLock<[ProductRule; 5]> = LazyLock::new(|| {
     .map(|line| ProductRule { line })
 });
 
-/// The offsets, in elements, from which each of the rules holds for one foundation.
+/// The offsets, in elements, from which each rule is valid for one foundation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Borders([usize; 5]);
 
 impl Borders {
-    /// For `1/ρ` alone.
+    /// The offsets for `1/ρ` alone.
     pub(crate) const HOMOGENEOUS: Self =
         Self([RULES[0].1, RULES[1].1, RULES[2].1, RULES[3].1, RULES[4].1]);
 
-    /// For a layered foundation whose far displacement is `floor = min(1, Φ(0))` of that of its surface's material.
+    /// The offsets for a layered foundation whose far displacement is `floor = min(1, Φ(0))` times that
+    /// of its surface material.
     pub(crate) fn new(floor: f64) -> Self {
         Self(RULES.map(|(points, border)| {
             let power = f64::from(2 * points);
@@ -52,7 +53,7 @@ impl Borders {
         }))
     }
 
-    /// The rule for an element `offset` elements away, or none if that is too near for any.
+    /// The rule for an element `offset` elements away; `None` if that is too near for any.
     pub(crate) fn rule(&self, offset: [usize; 2]) -> Option<&'static ProductRule> {
         let distance = offset[0].max(offset[1]);
         let held = self.0.iter().take_while(|border| **border <= distance);
@@ -70,15 +71,15 @@ impl Borders {
     }
 }
 
-/// A rule at the nearest offset it is used for.
+/// A rule at the nearest offset for which it is used.
 pub(crate) struct AtBorder {
     pub rule: &'static ProductRule,
-    /// The rule with one point more, if there is one.
+    /// The rule with one more point, if there is one.
     pub finer: Option<&'static ProductRule>,
     pub offset: [usize; 2],
 }
 
-/// `c_p = 2^(2p+1) (p!)⁴ / ((2p+1) ((2p)!)³)`: the p-point rule is wrong by this times a derivative of order 2p.
+/// `c_p = 2^(2p+1) (p!)⁴ / ((2p+1) ((2p)!)³)`: the error of the p-point rule is this times a derivative of order 2p.
 fn error_constant(points: i32) -> f64 {
     let factorial = |n: i32| -> f64 { (1..=n).map(f64::from).product() };
     let twice = 2 * points;

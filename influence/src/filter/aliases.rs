@@ -1,4 +1,4 @@
-//! The contribution of wavenumbers that a grid cannot tell from its own.
+//! The contribution of wavenumbers that a grid cannot distinguish from its own.
 
 use std::f64::consts::PI;
 
@@ -6,7 +6,7 @@ use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
 use crate::numerics::lagrange;
 
-/// Aliases counted to each side. Their terms alternate and fall like `n⁻³`: the rest is a hundredth of the sum.
+/// Aliases included on each side. Their terms alternate and fall like `n⁻³`; the remainder is a hundredth of the sum.
 const REACH: i32 = 4;
 /// Nodes of the interpolation along each direction: its error is 1e-3 of the sum on a homogeneous body, 7e-3 under
 /// a stiff coating.
@@ -15,7 +15,7 @@ const NODES: usize = 4;
 /// One value for each node.
 pub type NodeWeights = [f64; NODES];
 
-/// Bodies that square elements lie between.
+/// Bodies with a grid of square elements between them.
 pub struct GriddedBodies<'a> {
     pub bodies: &'a ElasticBodies,
     /// Half the side of an element, `a`, in m.
@@ -28,7 +28,7 @@ impl GriddedBodies<'_> {
         self.response_of(wave, wave.map(|k| self.sinc(k)))
     }
 
-    /// The same for known `sinc(k_x a)` and `sinc(k_y a)`.
+    /// The same with `sinc(k_x a)` and `sinc(k_y a)` given.
     pub fn response_of(&self, [kx, ky]: [f64; 2], [of_x, of_y]: [f64; 2]) -> f64 {
         self.bodies.compliance((kx * kx + ky * ky).sqrt()) * (of_x * of_y)
     }
@@ -53,7 +53,7 @@ impl GriddedBodies<'_> {
     }
 }
 
-/// The sum over the aliases as a polynomial in the squares of both wavenumbers, in which it is smooth.
+/// The sum over the aliases as a polynomial in the squares of both wavenumbers, of which it is a smooth function.
 pub struct Aliases {
     values: [NodeWeights; NODES],
 }
@@ -68,7 +68,7 @@ impl Aliases {
         }
     }
 
-    /// The polynomial in `k_y²` at the `k_x` of these weights.
+    /// The polynomial in `k_y²` at the `k_x` with these weights.
     pub fn along(&self, weights: &NodeWeights) -> AliasRow {
         let mut row = [0.0; NODES];
         for (weight, values) in weights.iter().zip(&self.values) {
@@ -84,13 +84,13 @@ impl Aliases {
 pub struct AliasRow(NodeWeights);
 
 impl AliasRow {
-    /// The sum at the `k_y` of these weights, in m/Pa.
+    /// The sum at the `k_y` with these weights, in m/Pa.
     pub fn at(&self, weights: &NodeWeights) -> f64 {
         self.0.iter().zip(weights).map(|(v, w)| v * w).sum()
     }
 }
 
-/// Lagrange's weights of the nodes at the wavenumber that is `part` of the grid's largest, `π/2a`.
+/// Lagrange weights of the nodes at the wavenumber that is `part` of the grid's largest, `π/2a`.
 pub fn weights(part: f64) -> NodeWeights {
     lagrange::weights(part * part)
 }

@@ -1,7 +1,7 @@
-//! Multiplication of a field's Fourier series by a function of the symbol, on the periodic grid or a sector of one.
+//! Multiplication of a field's Fourier series by a function of the symbol, on the periodic grid or a sector of it.
 //!
-//! In single precision: the result only preconditions, and seven digits of a direction are more than it needs. The
-//! field is scaled to a largest value of 1 first, so that no unit can overflow.
+//! The arithmetic is in single precision: the result is only a preconditioned direction, for which seven digits are
+//! more than enough. The field is first scaled to a largest value of 1, so that no choice of units can overflow.
 
 use std::f64::consts::TAU;
 
@@ -11,15 +11,15 @@ use super::symbol::PeriodicSymbol;
 use crate::sector::{Sector, SectorGrid};
 use crate::transform::{Columns, EvenLines, FourierLines, HalfLines, Lines, PlaneTransform};
 
-/// Numbers of a field looked through at once.
+/// Numbers of a field searched at a time.
 const PART: usize = 1 << 14;
 
 /// `F⁻¹ f(K̂) F` on one grid, with the [symbol](PeriodicSymbol) `K̂` and any function f of it.
 pub struct PeriodicFilter {
     symbol: PeriodicSymbol,
     transform: SectorTransform,
-    /// The factor over the largest one, and the normalisation, of each frequency along one axis and of each along
-    /// the other.
+    /// For each frequency along one axis and each along the other, the factor divided by the largest one,
+    /// times the normalisation.
     multipliers: Vec<f32>,
     largest_multiplier: f64,
 }
@@ -31,10 +31,11 @@ enum SectorTransform {
 }
 
 impl PeriodicFilter {
-    /// For fields on the symbol's grid or a sector of it; multiplies by 0 until [`Self::multiply_by`] is called.
+    /// A filter for fields on the symbol's grid or a sector of it; it multiplies by 0 until
+    /// [`Self::multiply_by`] is called.
     ///
     /// # Panics
-    /// If the symbol is that of another grid.
+    /// If the symbol belongs to another grid.
     #[must_use]
     pub fn new(symbol: PeriodicSymbol, grid: SectorGrid) -> Self {
         assert_eq!(grid.whole_size(), symbol.size(), "the symbol of the grid");
@@ -57,14 +58,14 @@ impl PeriodicFilter {
         }
     }
 
-    /// Takes `multiplier(symbol)` as the factor of every frequency from now on.
+    /// Sets the factor of every frequency to `multiplier(symbol)`.
     pub fn multiply_by(&mut self, multiplier: impl Fn(f64) -> f64 + Sync) {
         let quarter = self.symbol.quarter();
         let multipliers = quarter.iter().map(|symbol| multiplier(*symbol));
         let largest = multipliers.fold(0.0, f64::max);
         self.largest_multiplier = largest;
         let (symbol, size) = (&self.symbol, self.symbol.size());
-        // There and back the transforms multiply by the elements of the period.
+        // The forward and backward transforms multiply by the number of elements of the period.
         let scale = 1.0 / narrow((size * size) as f64);
         let [_, width] = self.transform.frequencies();
         let rows = self.multipliers.par_chunks_exact_mut(width);
@@ -78,7 +79,7 @@ impl PeriodicFilter {
     /// `field ← F⁻¹ multiplier F field`, in place.
     ///
     /// # Panics
-    /// If the field has not one value per element.
+    /// If the field does not have one value per element.
     pub fn apply(&mut self, field: &mut [f64]) {
         let most = |part: &[f64]| {
             part.iter()
@@ -99,7 +100,7 @@ impl PeriodicFilter {
         }
     }
 
-    /// The answer of the filter of `multiplier(symbol)` on the whole periodic grid to a unit, at the offsets below
+    /// The response of the filter with `multiplier(symbol)` on the whole periodic grid to a unit, at the offsets below
     /// `REACH` along both axes: `F_mn = N⁻² Σ_ij multiplier cos(2πim/N) cos(2πjn/N)`.
     pub fn answers<const REACH: usize>(
         &self,
@@ -107,7 +108,7 @@ impl PeriodicFilter {
     ) -> [[f64; REACH]; REACH] {
         let size = self.symbol.size();
         let half = size / 2 + 1;
-        // Each of the quarter's frequencies stands for its mirror images, the ends of the range for themselves.
+        // Each frequency of the quarter stands for its mirror images as well; those at the ends of the range have none.
         let wave = |i: usize| {
             let images = if i == 0 || 2 * i == size { 1.0 } else { 2.0 };
             let cosine = |m: usize| (TAU * (i * m % size) as f64 / size as f64).cos();
@@ -149,7 +150,7 @@ impl SectorTransform {
     }
 }
 
-/// Transforms a field, times the first scale, multiplies it, and transforms it back, times the second.
+/// Transforms a field times the first scale, multiplies it, and transforms it back times the second.
 fn filter<L: Lines<Real = f32>>(
     transform: &mut PlaneTransform<L>,
     (multipliers, width): (&[f32], usize),

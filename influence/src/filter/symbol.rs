@@ -7,21 +7,21 @@ use rayon::prelude::*;
 use super::aliases::{Aliases, GriddedBodies, NodeWeights, weights};
 use crate::bodies::ElasticBodies;
 
-/// `∫∫ dA/k` over a square of side 1 centred at k = 0: 4 ln(1+√2). The mean of `1/k` over the zero frequency's
-/// cell, in units of that at its neighbour.
+/// `∫∫ dA/k` over a square of side 1 centred at k = 0: 4 ln(1+√2). It is the mean of `1/k` over the cell of the zero
+/// frequency, in units of `1/k` at the next frequency.
 const MEAN_OF_RECIPROCAL: f64 = 3.525_494_348_078_172;
 
 /// `Σ C(k) sinc(k_x a) sinc(k_y a)`, m/Pa, at the frequencies of an unpadded, periodic N × N grid of elements of
 /// side 2a.
 ///
-/// The displacement of the element centres under pressures, uniform on each element, that alternate with one
-/// wavenumber: the sum runs over that wavenumber and its aliases, which are `π/a` apart and cannot be told from it
-/// at the centres. Without the aliases the response to the shortest waves would be a third of the true one. Only a
-/// preconditioner should use it: the domain it describes is periodic, the true one is not.
+/// It is the displacement of the element centres under pressures, uniform on each element, that alternate with one
+/// wavenumber. The sum runs over that wavenumber and its aliases, which are `π/a` apart and indistinguishable from it
+/// at the centres. Without the aliases the response to the shortest waves would be a third of the true one. Use it only
+/// for preconditioning: it describes a periodic domain, and the true one is not periodic.
 ///
-/// A quarter is stored, frequencies 0 … N/2 in both directions; the others mirror these. At zero frequency, where C
-/// is infinite on a half-space, it holds the mean of `1/k` over that frequency's cell, 4 ln(1+√2) times the value at
-/// the smallest wavenumber: finite, positive, and right for a pressure that fills the domain once.
+/// One quarter is stored, frequencies 0 … N/2 in both directions; the others mirror these. At zero frequency, where C
+/// is infinite on a half-space, the value is the mean of `1/k` over that frequency's cell, 4 ln(1+√2) times the value
+/// at the smallest wavenumber: finite, positive, and correct for a pressure that fills the domain once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicSymbol {
     size: usize,
@@ -77,7 +77,7 @@ impl PeriodicSymbol {
         self.quarter[i * (self.size / 2 + 1) + j]
     }
 
-    /// The stored quarter: frequencies i = 0 … N/2, of each all j = 0 … N/2, at index `i (N/2 + 1) + j`.
+    /// The stored quarter: for each frequency i = 0 … N/2 all j = 0 … N/2, at index `i (N/2 + 1) + j`.
     #[must_use]
     pub fn quarter(&self) -> &[f64] {
         &self.quarter
@@ -111,7 +111,7 @@ mod tests {
         }
     }
 
-    /// `Σ k cos cos` over the offsets up to 200 elements, faded out towards the end, where the terms alternate.
+    /// `Σ k cos cos` over the offsets up to 200 elements, tapered towards the end, where the terms alternate.
     fn sum_of_coefficients(wave: [f64; 2]) -> f64 {
         const REACH: i32 = 200;
         let steel = Material::new(1.0, 0.0).unwrap();
@@ -136,7 +136,7 @@ mod tests {
         for frequency in [[0, 2], [1, 3], [0, 4], [4, 4]] {
             let wave = frequency.map(|f: usize| f as f64 * PI / 4.0);
             let (expected, found) = (sum_of_coefficients(wave), symbol(8).value(frequency));
-            // The aliases beyond the fourth.
+            // The error of the aliases beyond the fourth.
             assert!((found / expected - 1.0).abs() < 0.02, "{found} {expected}");
         }
     }

@@ -1,5 +1,4 @@
-//! Chebyshev expansions: from values to coefficients, their sum, their integral, and the error that their tail
-//! suggests.
+//! Chebyshev expansions: coefficients from values, sums, integrals, and the error estimated from the tail.
 
 use std::f64::consts::PI;
 
@@ -8,7 +7,7 @@ pub(crate) fn nodes(count: usize) -> impl Iterator<Item = f64> {
     (0..count).map(move |i| (PI * (i as f64 + 0.5) / count as f64).cos())
 }
 
-/// Values at the [`nodes`] to coefficients, for one number of terms.
+/// The transform from values at the [`nodes`] to coefficients, for one number of terms.
 #[derive(Clone, Debug)]
 pub(crate) struct ChebyshevTransform {
     samples: usize,
@@ -17,8 +16,8 @@ pub(crate) struct ChebyshevTransform {
 }
 
 impl ChebyshevTransform {
-    /// The transform for `samples` values to the first `terms` coefficients; with more samples than terms, a
-    /// least-squares fit.
+    /// The transform from `samples` values to the first `terms` coefficients; with more samples than
+    /// terms, a least-squares fit.
     pub(crate) fn new(samples: usize, terms: usize) -> Self {
         let entry = |j: usize, i: usize| {
             let turn = (j * (2 * i + 1)) % (4 * samples);
@@ -54,7 +53,7 @@ pub(crate) fn sum(coefficients: &[f64], x: f64) -> f64 {
     first + (x * near - far)
 }
 
-/// Coefficients of the integral from −1 of `Σ c_j T_j`; one more than were given.
+/// Coefficients of the integral from −1 of `Σ c_j T_j`; one more than given.
 pub(crate) fn integral(coefficients: &[f64]) -> Vec<f64> {
     let c = |j: usize| coefficients.get(j).copied().unwrap_or(0.0);
     let entry = |j: usize| match j {

@@ -13,7 +13,7 @@ pub(crate) const TERMS: usize = 20;
 /// Levels of halving below the widest panels, which are one octave.
 const DEPTH: u32 = 4;
 
-/// Narrowest panels in an octave.
+/// Number of narrowest panels per octave.
 const FINEST: usize = 1 << DEPTH;
 
 /// Width of the narrowest panels.
@@ -28,7 +28,7 @@ pub(crate) struct ChebyshevPanel {
 }
 
 impl ChebyshevPanel {
-    /// The place of ln x in the panel, −1 … 1.
+    /// Position of ln x in the panel, −1 … 1.
     #[inline]
     pub(crate) fn position(&self, ln_x: f64) -> f64 {
         (ln_x - self.centre) / self.half_width
@@ -45,7 +45,7 @@ impl ChebyshevPanel {
         tail(&self.coefficients)
     }
 
-    /// Bound of the function's absolute value in the panel.
+    /// Bound on the function's absolute value in the panel.
     pub(crate) fn bound(&self) -> f64 {
         self.coefficients.iter().map(|c| c.abs()).sum()
     }
@@ -57,20 +57,19 @@ impl ChebyshevPanel {
     }
 }
 
-/// Panels side by side, found in constant time.
+/// Adjacent panels, found in constant time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct ChebyshevPanels {
     start: f64,
     end: f64,
-    /// Panel of each cell of the finest width.
+    /// Index of the panel over each cell of the finest width.
     cells: Vec<usize>,
     all: Vec<ChebyshevPanel>,
 }
 
 impl ChebyshevPanels {
-    /// Fits `function(ln x)` from `start` to at least `end` (both ln x), halving panels of width ln 2 until their
-    /// tail is below `allowed(largest value in the panel, ln x of its centre)`, or they are as narrow as they may
-    /// be.
+    /// Fits `function(ln x)` from `start` to at least `end` (both ln x), halving panels of width ln 2 until their tail
+    /// is below `allowed(largest value in the panel, ln x of its centre)` or they have the smallest width.
     pub(crate) fn fit(
         [start, end]: [f64; 2],
         function: impl Fn(f64) -> f64,
@@ -87,7 +86,7 @@ impl ChebyshevPanels {
         let total = count * FINEST;
         while fitted.cells.len() < total {
             let left = fitted.cells.len();
-            // The widest panel that begins here: the largest power of two that divides its place.
+            // The widest panel that can begin here: the largest power of two that divides its position.
             let mut cells = FINEST.min(1 << left.trailing_zeros().min(DEPTH));
             let panel = loop {
                 let (panel, largest) = fitted.panel(left, cells, &function, &transform);
@@ -133,7 +132,7 @@ impl ChebyshevPanels {
         &self.all
     }
 
-    /// Index of the panel that holds ln x; the nearest one outside the range.
+    /// Index of the panel that contains ln x; outside the range, of the nearest one.
     #[inline]
     pub(crate) fn index(&self, ln_x: f64) -> usize {
         let cell = rounding::floor((ln_x - self.start) / CELL);
@@ -158,7 +157,7 @@ mod tests {
         assert!(panels.panels().len() < 60);
         for i in 0..=700 {
             let ln_x = -3.0 + 0.01 * f64::from(i);
-            // Ten times the tail allowed for.
+            // Ten times the allowed tail.
             assert!((panels.value(ln_x) - feature(ln_x)).abs() < 1e-13, "{ln_x}");
         }
     }

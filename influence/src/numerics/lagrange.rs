@@ -2,13 +2,13 @@
 
 use super::chebyshev;
 
-/// The nodes, from the last to the first.
+/// The nodes in descending order.
 pub(crate) fn nodes<const COUNT: usize>() -> [f64; COUNT] {
     let mut nodes = chebyshev::nodes(COUNT);
     std::array::from_fn(|_| 0.5 + 0.5 * nodes.next().unwrap_or_default())
 }
 
-/// Lagrange's weights of the nodes at a place.
+/// Lagrange weights of the nodes at `place`.
 pub(crate) fn weights<const COUNT: usize>(place: f64) -> [f64; COUNT] {
     let nodes = nodes::<COUNT>();
     std::array::from_fn(|i| {

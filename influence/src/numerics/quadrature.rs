@@ -1,10 +1,10 @@
 //! Gauss–Legendre rules, and adaptive integrals to a tolerance.
 //!
-//! This is the one door to the `quadrature` crate. Its double-exponential rule is fast and silent: it replaces NaN
-//! and ±∞ by 0, stops after 385 evaluations whether or not the tolerance is met, and gives 31.7 for the divergent
-//! `∫₀¹ dx/x`. Here every value is checked, and every interval is compared with its two halves. Their difference is
-//! the error; the interval with the largest error is halved until the sum of the errors is below the tolerance. If
-//! the budget of intervals is used up before that, an error is returned.
+//! Only this module uses the `quadrature` crate. Its double-exponential rule is fast but does not report failures: it
+//! replaces NaN and ±∞ by 0, stops after 385 evaluations whether or not the tolerance is met, and gives 31.7 for the
+//! divergent `∫₀¹ dx/x`. Here every value is checked, and every interval is compared with its two halves. Their
+//! difference is the error; the interval with the largest error is halved until the sum of the errors is below the
+//! tolerance. If the budget of intervals is used up first, an error is returned.
 
 use std::cell::Cell;
 use std::num::NonZeroUsize;
@@ -13,7 +13,7 @@ use gauss_quad::GaussLegendre;
 
 use crate::error::InfluenceError;
 
-/// Intervals after which an integral is given up.
+/// Number of intervals after which an integral is abandoned.
 const LARGEST_COUNT: usize = 4096;
 
 /// One point of a rule on [−1, 1].
@@ -33,7 +33,7 @@ pub(crate) fn legendre(points: NonZeroUsize) -> Vec<Node> {
         .collect()
 }
 
-/// `legendre` for a number of points written in the source.
+/// `legendre` for a number of points fixed at compile time.
 pub(crate) fn legendre_of<const POINTS: usize>() -> Vec<Node> {
     const { assert!(POINTS > 0) };
     NonZeroUsize::new(POINTS).map_or_else(Vec::new, legendre)
@@ -47,9 +47,9 @@ pub(crate) struct Integral {
     pub error: f64,
 }
 
-/// `∫ f dx` from `lower` to `upper` to the absolute `tolerance`, beginning with `pieces` intervals of equal length.
+/// `∫ f dx` from `lower` to `upper` to the absolute `tolerance`, starting with `pieces` intervals of equal length.
 ///
-/// The integrand must be finite on the closed interval. One piece for each period or two of an oscillating
+/// The integrand must be finite on the closed interval. One piece per one or two periods of an oscillating
 /// integrand saves halvings.
 ///
 /// # Errors
@@ -123,12 +123,12 @@ impl Interval {
 /// The crate's rule for one integrand.
 struct IntegrandRule<F> {
     f: F,
-    /// Absolute error asked of one application.
+    /// Absolute error requested of one application.
     target: f64,
 }
 
 impl<F: Fn(f64) -> f64> IntegrandRule<F> {
-    /// Halves an interval whose integral is known to be `whole` if the rule can be believed.
+    /// Halves an interval whose integral by the rule is `whole`.
     fn interval(&self, ends: [f64; 2], whole: f64) -> Result<Interval, InfluenceError> {
         let middle = f64::midpoint(ends[0], ends[1]);
         let left = self.apply([ends[0], middle])?;
@@ -141,7 +141,7 @@ impl<F: Fn(f64) -> f64> IntegrandRule<F> {
         })
     }
 
-    /// The rule itself, with the values of the integrand checked.
+    /// The rule itself, with a check of the integrand's values.
     fn apply(&self, [lower, upper]: [f64; 2]) -> Result<f64, InfluenceError> {
         let offence = Cell::new(None);
         let checked = |x: f64| {

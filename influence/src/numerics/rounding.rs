@@ -1,6 +1,6 @@
-//! Whole numbers from real ones, saturating, and sums whose rounding error does not grow with their length.
+//! Saturating conversion of real numbers to integers, and sums whose rounding error does not grow with their length.
 
-/// The largest whole number not above x; 0 for what is negative or not a number.
+/// The largest integer not above x; 0 if x is negative or NaN.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -11,12 +11,12 @@ pub(crate) fn floor(x: f64) -> usize {
     x as usize
 }
 
-/// The smallest whole number not below x; 0 for what is negative or not a number.
+/// The smallest integer not below x; 0 if x is negative or NaN.
 pub(crate) fn ceil(x: f64) -> usize {
     floor(x.ceil())
 }
 
-/// A running sum with its rounding error carried along (Neumaier 1974, *Rundungsfehleranalyse einiger Verfahren zur
+/// A running sum that carries its rounding error along (Neumaier 1974, *Rundungsfehleranalyse einiger Verfahren zur
 /// Summation endlicher Summen*, ZAMM 54, 39–51).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Sum {
@@ -29,7 +29,7 @@ impl Sum {
     #[inline]
     pub(crate) fn add(&mut self, term: f64) {
         let next = self.sum + term;
-        // Both halves of what was rounded away, whichever operand is the larger (Knuth's TwoSum).
+        // Both parts of the rounding error, whichever operand is larger (Knuth's TwoSum).
         let shadow = next - self.sum;
         self.lost += (self.sum - (next - shadow)) + (term - shadow);
         self.sum = next;

@@ -5,16 +5,16 @@ use rayon::prelude::*;
 use super::elastic::ElasticOperator;
 use crate::coefficient_table::CoefficientTable;
 
-/// `u = K p` by N⁴ multiplications, from the table of coefficients alone.
+/// `u = K p` by N⁴ multiplications, directly from the table of coefficients.
 ///
-/// At N = 256 they are 800 times as many as at N = 48: use [`crate::ConvolutionOperator`] there.
+/// N = 256 takes 800 times as many as N = 48: use [`crate::ConvolutionOperator`] there.
 #[derive(Clone, Debug)]
 pub struct DenseOperator {
     table: CoefficientTable,
 }
 
 impl DenseOperator {
-    /// The operator of the grid the table was made for.
+    /// The operator of the grid for which the table was made.
     #[must_use]
     pub fn new(table: &CoefficientTable) -> Self {
         Self {

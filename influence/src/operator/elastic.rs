@@ -2,8 +2,8 @@
 
 /// The linear map `u = K p` from the pressures to the displacements of the N × N square elements of a grid.
 ///
-/// Fields have N² entries, entry `i N + j` belonging to the element i along x and j along y. Pressure in Pa,
-/// compressive positive; displacement in m, positive into the body.
+/// Fields have N² entries; entry `i N + j` belongs to the element i along x and j along y. Pressure is in Pa, positive
+/// in compression; displacement in m, positive into the body.
 ///
 /// ```
 /// use pellicle_influence::ElasticOperator;
@@ -25,7 +25,7 @@
 /// assert_eq!(u, [1.0; 4]); // exact in binary
 /// ```
 pub trait ElasticOperator: Send {
-    /// Number of elements N of a row: along one side of the grid.
+    /// Number of elements N per row, along one side of the grid.
     fn size(&self) -> usize;
 
     /// Writes `u = K p`; both fields have N² entries.

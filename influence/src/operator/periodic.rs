@@ -1,16 +1,16 @@
-//! The product `K p` of a periodic cell: pressures that repeat themselves with the grid's side, and no padding.
+//! The product `K p` of a periodic cell: pressures repeat with the grid's side, and there is no padding.
 //!
-//! Pressures, uniform on each element, that alternate with one wavenumber `k` of the cell displace the centres of the
-//! elements by `S(k)` times themselves, the sum of the responses to `k` and its aliases, which the centres cannot tell
-//! from it:
+//! Pressures that are uniform on each element and alternate with one wavenumber `k` of the cell displace the centres of
+//! the elements by `S(k)` times themselves. `S` is the sum of the responses to `k` and its aliases, which are
+//! indistinguishable from it at the centres:
 //!
 //! ```text
 //! S(k) = Σ C(|q|) sinc(q_x a) sinc(q_y a),    q = k + (m, n) π/a
 //! ```
 //!
-//! so `K` is exact for the grid, as the coefficients of a single square are. On a half-space the mean displacement
-//! under a mean pressure is infinite; displacements are those from the mean plane of the deformed surface, so
-//! `S(0) = 0`. On a base that does not give way at `k = 0`, a rigid one, `S(0) = C(0)`.
+//! so `K` is exact for the grid, like the coefficients of a single square. On a half-space the mean displacement under
+//! a mean pressure is infinite; displacements are measured from the mean plane of the deformed surface, so `S(0) = 0`.
+//! On a rigid base, which does not give way at `k = 0`, `S(0) = C(0)`.
 
 mod alias_sum;
 
@@ -25,19 +25,19 @@ use crate::transform::{FourierLines, Lines, PlaneTransform};
 /// `u = K p` of a periodic cell in O(N² log N), by a real FFT without padding: less than half the work of
 /// [`crate::ConvolutionOperator`].
 ///
-/// Memory: 2 bytes an element for the multipliers, 8 for the half-transformed field. Accuracy: 1e-12 of the largest
-/// displacement; sums of a single square's coefficients over all cells agree to that (test
-/// `it_is_the_sum_of_the_coefficients_over_all_cells`). Uses the current rayon pool; the result does not depend on it,
-/// bit for bit.
+/// Memory: 2 bytes per element for the multipliers, 8 for the half-transformed field. Accuracy: 1e-12 of
+/// the largest displacement; sums of a single square's coefficients over all cells agree to that (test
+/// `it_is_the_sum_of_the_coefficients_over_all_cells`). Uses the current rayon pool; the result has the
+/// same bits for every pool.
 pub struct PeriodicOperator {
     transform: PlaneTransform<FourierLines<f64>>,
-    /// `S/N²` of the frequencies 0 … N/2 in both directions, the others being their mirror images.
+    /// `S/N²` at the frequencies 0 … N/2 in both directions; the others are mirror images of these.
     multipliers: Vec<f64>,
     size: usize,
 }
 
 impl PeriodicOperator {
-    /// For `size` × `size` elements of side `element_side` (m), which fill the cell.
+    /// The operator for `size` × `size` elements of side `element_side` (m), which fill the cell.
     #[must_use]
     pub fn new(bodies: &ElasticBodies, element_side: f64, size: usize) -> Self {
         let transform = PlaneTransform::new(FourierLines::periodic(size));
@@ -71,7 +71,7 @@ impl PeriodicOperator {
     }
 }
 
-/// `S(0)`: the aliases of the mean vanish, as `sinc` does there.
+/// `S(0)`: the aliases of the mean vanish, since `sinc` does there.
 fn response_to_a_mean(bodies: &ElasticBodies) -> f64 {
     let mean = bodies.compliance(0.0);
     if mean.is_finite() { mean } else { 0.0 }
@@ -105,7 +105,7 @@ mod tests {
         Material::new(young_modulus, poisson_ratio).unwrap()
     }
 
-    /// The displacements by a unit pressure on the first element.
+    /// The displacements under a unit pressure on the first element.
     fn answer(bodies: &ElasticBodies, size: usize) -> Vec<f64> {
         let (mut unit, mut found) = (vec![0.0; size * size], vec![0.0; size * size]);
         unit[0] = 1.0;
@@ -113,8 +113,8 @@ mod tests {
         found
     }
 
-    /// On a rigid base coefficients fall off exponentially, so their sum over all cells ends; elements of 1 on layers
-    /// much thinner, as thin and thicker, compressible and not.
+    /// On a rigid base coefficients decay exponentially, so their sum over all cells converges; elements of side 1 on
+    /// layers much thinner, equally thin and thicker, compressible and incompressible.
     #[test]
     fn it_is_the_sum_of_the_coefficients_over_all_cells() {
         let size = 6;
@@ -163,8 +163,8 @@ mod tests {
         }
     }
 
-    /// `u(0) − u(x)` under a unit pressure in each cell: the sum of differences over a square of cells, less those of a
-    /// uniform pressure on the square, extrapolated from three squares.
+    /// `u(0) − u(x)` under a unit pressure in each cell: the sum of differences over a square of cells, minus those of
+    /// a uniform pressure on the square, extrapolated from three squares.
     #[test]
     fn on_a_half_space_the_differences_are_those_of_the_coefficients_over_all_cells() {
         let (size, steel) = (4_usize, material(1.0, 0.3));
@@ -221,7 +221,7 @@ mod tests {
             .collect();
         let mut found = vec![0.0; size * size];
         operator.apply_into(&pressure, &mut found);
-        // 2/(E* k) of a smooth wave, and (k a)²/6 less for the elements it is made of.
+        // 2/(E* k) for a smooth wave, reduced by (k a)²/6 because of the elements.
         let wavenumber = TAU / size as f64;
         let amplitude = 2.0 / (steel.plane_strain_modulus() * wavenumber);
         for (element, found) in found.iter().enumerate() {

@@ -1,5 +1,5 @@
-//! The product `K p` among scattered elements of a grid: near coefficients one by one, the smooth rest on a coarser
-//! grid.
+//! The product `K p` among scattered elements of a grid: near coefficients one by one, the smooth
+//! remainder on a coarser grid.
 //!
 //! Within a radius `R` of elements the coefficient is split,
 //!
@@ -7,15 +7,15 @@
 //! k = near + smooth,    smooth = P(r²) for r < R, k beyond,
 //! ```
 //!
-//! where the polynomial `P` goes through `k` at eleven distances around `R`. So `near` is exact by definition and
-//! vanishes beyond `R`, and `smooth` changes little over the spacing `h` of a coarser grid of nodes, from which it is
-//! interpolated among `q` × `q` of them at both ends:
+//! where the polynomial `P` interpolates `k` at eleven distances around `R`. So `near` is exact by definition and
+//! vanishes beyond `R`, and `smooth` varies little over the spacing `h` of a coarser grid of nodes. It is interpolated
+//! from `q` × `q` of these nodes at both ends:
 //!
 //! ```text
 //! smooth_ij ≈ Σ_ab L_a(i) smooth(h (a − b)) L_b(j)
 //! ```
 //!
-//! The sum over nodes is a convolution on a grid of 1/h² as many elements. (Brandt and Lubrecht 1990; the split as in
+//! The sum over nodes is a convolution on a grid with 1/h² as many elements. (Brandt and Lubrecht 1990; the split as in
 //! Skeel, Tezcan and Hardy 2002.)
 
 mod runs;
@@ -30,35 +30,36 @@ use super::convolution::ConvolutionOperator;
 use super::elastic::ElasticOperator;
 use crate::coefficient_table::CoefficientTable;
 
-/// Least elements along a side.
+/// Smallest number of elements along a side.
 const SMALLEST: usize = 2 * RADIUS;
-/// Runs worth a thread of their own.
+/// Number of runs that justify a thread of their own.
 const RUNS: usize = 64;
 
 /// `u = K p` among listed elements of a grid.
 ///
-/// Its cost is that of the near pairs of elements and of a product on a grid of a sixth of the elements per side. It
-/// is right to 2e-9 of the largest displacement (test `scattered_elements_move_as_the_whole_grid_does`): a solution by
-/// it is exact, or one step of iterative refinement from exact. The bits are the same for every number of threads.
+/// The cost is that of the near pairs of elements and of a product on a grid with a sixth of the elements per side.
+/// The error is 2e-9 of the largest displacement (test `scattered_elements_move_as_the_whole_grid_does`): a
+/// solution obtained with it is exact, or one step of iterative refinement from exact. The bits are the same for
+/// every number of threads.
 pub struct ScatteredOperator {
     runs: Runs,
-    /// Of each row or column of elements: the first of its nodes, and their weights.
+    /// For each row or column of elements: its first node, and the weights of its nodes.
     lines: Vec<(usize, [f64; ORDER])>,
-    /// `near` of the offsets (m, n), m and |n| < R, row after row from the least n on.
+    /// `near` at the offsets (m, n), m and |n| < R, row by row from the smallest n.
     near: Vec<f64>,
     coarse: ConvolutionOperator,
     /// Pressures and displacements of the nodes.
     nodes: [Vec<f64>; 2],
-    /// The part of each run that presses.
+    /// The loaded part of each run.
     pressing: Vec<[usize; 2]>,
 }
 
 impl ScatteredOperator {
-    /// For elements, by ascending indices `i N + j`, of a window of `size` × `size` elements; none where that is too
-    /// small to be worth it.
+    /// The operator for elements, given by ascending indices `i N + j`, of a window of `size` × `size` elements; `None`
+    /// if the window is too small for a gain.
     ///
     /// # Panics
-    /// If `size` is above the table's, or an index is not of the window.
+    /// If `size` is above the table's, or an index is outside the window.
     #[must_use]
     pub fn new(table: &CoefficientTable, size: usize, elements: &[u32]) -> Option<Self> {
         assert!(size <= table.size(), "a window within the coefficients");
@@ -82,10 +83,10 @@ impl ScatteredOperator {
         Some(operator)
     }
 
-    /// Goes over to other elements of the same window.
+    /// Switches to other elements of the same window.
     ///
     /// # Panics
-    /// If an index is not of the window.
+    /// If an index is outside the window.
     pub fn list(&mut self, elements: &[u32]) {
         let size = self.lines.len();
         let is_within = |element: &u32| (*element as usize) < size * size;
@@ -94,11 +95,11 @@ impl ScatteredOperator {
         self.pressing = vec![[0, 0]; self.runs.runs.len()];
     }
 
-    /// Writes the displacements (m, positive into the body) of the elements under their pressures (Pa, compressive
-    /// positive), both in the order of the list.
+    /// Writes the displacements (m, positive into the body) of the elements under their pressures (Pa, positive in
+    /// compression), both in the order of the list.
     ///
     /// # Panics
-    /// If a field has not one value per element.
+    /// If a field does not have one value per element.
     pub fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
         let elements = self.runs.runs.last().map_or(0, |run| run.end);
         assert_eq!([pressure.len(), displacement.len()], [elements; 2]);
@@ -129,7 +130,7 @@ impl ScatteredOperator {
         });
     }
 
-    /// Shares the pressures among the nodes.
+    /// Distributes the pressures over the nodes.
     fn press_nodes(&mut self, pressure: &[f64]) {
         let width = self.coarse.size();
         let nodes = &mut self.nodes[0];
@@ -182,7 +183,7 @@ impl ScatteredOperator {
 
 /// `Σ near(column − first − i) pᵢ`, over those within the table.
 fn dot_near(near: &[f64], column: usize, first: usize, pressure: &[f64]) -> f64 {
-    // Pressures too far to the left, and where in the table the first of the others is.
+    // The number of pressures too far to the left, and the table entry of the first remaining one.
     let skipped = column.saturating_sub(first + RADIUS - 1);
     let place = first + skipped + RADIUS - 1 - column;
     let (Some(near), Some(pressure)) = (near.get(place..), pressure.get(skipped..)) else {

@@ -1,9 +1,9 @@
-//! Eigenvalues of the circulant in which a matrix of coefficients that depend on the offset alone is embedded.
+//! Eigenvalues of the circulant in which a matrix of coefficients that depend only on the offset is embedded.
 //!
-//! The coefficients of all offsets up to M − 1 or M, extended to L × L = 2M × 2M and zero where none is needed, are a
-//! circulant whose product with a zero-padded pressure is exactly that of the matrix. Coefficients that are even in
-//! both offsets have a real, even spectrum; along an axis in which they are odd it is odd, and times `−i`. A quarter of
-//! real numbers determines it.
+//! The coefficients of all offsets up to M − 1 or M, extended to L × L = 2M × 2M with zeros where none is needed, form
+//! a circulant whose product with a zero-padded pressure is exactly that of the matrix. Coefficients that are even in
+//! both offsets have a real, even spectrum; along an axis in which they are odd, the spectrum is odd and has a factor
+//! `−i`. A quarter of real numbers determines it.
 
 use rayon::prelude::*;
 
@@ -15,7 +15,7 @@ use crate::transform::{LINES, MirrorTransform, Parity};
 pub(crate) struct Spectrum {
     /// M, half the padded length.
     half: usize,
-    /// Column after column, of each those at even frequencies before those at odd ones.
+    /// Column by column; in each, the values at even frequencies precede those at odd ones.
     values: Vec<f64>,
 }
 
@@ -30,7 +30,7 @@ impl Spectrum {
         spectrum
     }
 
-    /// Room for a spectrum.
+    /// A spectrum of zeros.
     pub(crate) fn zeros(half: usize) -> Self {
         let values = vec![0.0; (half + 1) * (half + 1)];
         Self { half, values }
@@ -44,7 +44,7 @@ impl Spectrum {
         [even, odd]
     }
 
-    /// Writes the spectrum of the coefficients with x and y in each other's place.
+    /// Writes the spectrum of the coefficients with x and y exchanged.
     pub(crate) fn transpose_into(&self, other: &mut Self) {
         let half = self.half;
         let width = half + 1;
@@ -64,7 +64,7 @@ impl Spectrum {
     }
 }
 
-/// The place of a frequency in a column: even ones before odd ones.
+/// The position of a frequency in a column: even ones before odd ones.
 fn place(frequency: usize, half: usize) -> usize {
     frequency / 2 + frequency % 2 * (half / 2 + 1)
 }
@@ -76,13 +76,13 @@ pub(crate) struct QuarterTransform {
     half: usize,
     even: MirrorTransform,
     odd: MirrorTransform,
-    /// The coefficients transformed along y: of [`LINES`] offsets side by side along x the frequencies one after
-    /// the other, and zeros up to a multiple of [`LINES`] frequencies.
+    /// The coefficients transformed along y: for [`LINES`] adjacent offsets along x, one frequency after the other,
+    /// with zeros up to a multiple of [`LINES`] frequencies.
     along_y: Vec<f64>,
 }
 
 impl QuarterTransform {
-    /// For `size` × `size` offsets, no more than `half` + 1 along a side, embedded in 2`half` × 2`half`.
+    /// The plans for `size` × `size` offsets, no more than `half` + 1 along a side, embedded in 2`half` × 2`half`.
     pub(crate) fn new(size: usize, half: usize) -> Self {
         assert!(size <= half + 1, "no offset is taken for another");
         let frequencies = (half + 1).next_multiple_of(LINES);
@@ -95,9 +95,10 @@ impl QuarterTransform {
         }
     }
 
-    /// The spectrum of coefficients of these parities along x and y, which are given for [`LINES`] offsets side by side
-    /// along x, the first of which is a multiple of it, and one along y; finite numbers beyond the last offset. It is
-    /// divided by the number of padded elements, the factor of an unnormalised forward and inverse transform.
+    /// Computes the spectrum of coefficients of these parities along x and y. They are given for [`LINES`]
+    /// adjacent offsets along x, the first of which is a multiple of it, and one along y, and are finite beyond
+    /// the last offset. The spectrum is divided by the number of padded elements, the factor of an unnormalised
+    /// forward and inverse transform.
     pub(crate) fn transform(
         &mut self,
         coefficients: impl Fn(usize, usize) -> [f64; LINES] + Sync,

@@ -1,4 +1,4 @@
-//! Derivatives of coefficients by a number of the bodies.
+//! Derivatives of coefficients with respect to a parameter of the bodies.
 
 use pellicle_kernel::{Base, Foundation, FoundationParameter};
 
@@ -9,17 +9,17 @@ use crate::element::love;
 use crate::error::InfluenceError;
 use crate::response::ResponseTable;
 
-/// Wavenumbers, over a reciprocal thickness, that the response's sensitivity is looked at: `10^(i/8)`.
+/// Wavenumbers, over a reciprocal thickness, at which the response's sensitivity is sampled: `10^(i/8)`.
 const SAMPLES: std::ops::RangeInclusive<i32> = -48..=24;
-/// The response is moved by at most this part of itself.
+/// Largest relative change of the response.
 const LARGEST_MOVE: f64 = 0.5;
-/// Relative error of a derivative of the response: 1e-10 by `ResponseDerivative`, most of it the same over many waves.
-/// Its rounding, which expansions cannot follow, is a hundredth.
+/// Relative error of a derivative of the response: 1e-10 by `ResponseDerivative`, most of it common to many waves. Its
+/// rounding, which expansions cannot follow, is a hundredth of that.
 const TOLERANCE: f64 = 2e-12;
 
-/// `∂k/∂θ` of the influence coefficients, where θ is one number of the bodies.
+/// `∂k/∂θ` of the influence coefficients for one parameter θ of the bodies.
 ///
-/// The response `Φ̃ = Φ + w ∂Φ/∂θ` is that of no body, but has functions T̃, P̃ and coefficients k̃ like any other, and
+/// The response `Φ̃ = Φ + w ∂Φ/∂θ` belongs to no body, but has functions T̃, P̃ and coefficients k̃ like any other, and
 /// all of them are linear in it:
 ///
 /// ```text
@@ -28,7 +28,7 @@ const TOLERANCE: f64 = 2e-12;
 ///
 /// A counterbody's part is inversely proportional to its `E*`.
 ///
-/// Accuracy: `θ ∂k/∂θ` to 1e-9 of k (`tests/derivative.rs`); of Poisson's ratio `∂k/∂ν`.
+/// Accuracy: `θ ∂k/∂θ` to 1e-9 of k (`tests/derivative.rs`); for Poisson's ratio, `∂k/∂ν`.
 ///
 /// ```
 /// use pellicle_influence::{ElasticParameter, RadialTables};
@@ -64,11 +64,11 @@ struct Moved {
 }
 
 impl RadialTables {
-    /// The derivative of every coefficient by one number of the bodies, in less time than new tables take.
+    /// The derivative of every coefficient with respect to one parameter, in less time than new tables take.
     ///
     /// # Errors
     ///
-    /// [`InfluenceError::Kernel`] where the foundation has no such number, or none beside its value.
+    /// [`InfluenceError::Kernel`] if the foundation has no such parameter, or no foundation has a value close to it.
     pub fn derivative(
         &self,
         parameter: ElasticParameter,
@@ -106,7 +106,7 @@ impl CoefficientDerivative {
 }
 
 impl Moved {
-    /// None where the response does not depend on the number.
+    /// `None` if the response does not depend on the parameter.
     fn along(
         tables: &RadialTables,
         parameter: FoundationParameter,
@@ -133,7 +133,7 @@ impl Moved {
     }
 }
 
-/// The number itself, or 1 of a ratio.
+/// The value of the parameter, or 1 for a Poisson's ratio.
 fn unit(foundation: &Foundation, parameter: FoundationParameter) -> f64 {
     match parameter {
         FoundationParameter::PoissonRatio { .. } => 1.0,

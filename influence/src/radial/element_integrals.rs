@@ -1,4 +1,4 @@
-//! `∫ T/ρ dA` over one element: by its edges where it is near, by a product rule where it is far.
+//! `∫ T/ρ dA` over one element: along its edges if it is near, by a product rule if it is far.
 
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
@@ -9,21 +9,21 @@ use crate::element::edges::{Edge, edges};
 use crate::element::product_rule::{AtBorder, ProductRule};
 use crate::numerics::quadrature::{Node, legendre_of};
 
-/// Largest error of the rules before their borders are put further out.
+/// Largest error of the rules before their borders are moved outwards.
 const LARGEST_LEFT: f64 = 2e-13;
 
-/// Times the borders are put further out before the remaining error is accepted.
+/// Number of times the borders are moved outwards before the remaining error is accepted.
 const ATTEMPTS: usize = 4;
 
-/// Ratio of the element sizes at which a rule is tried: the error of a rule of p points, `κ^(2p) e^(−κρ)`, has a
+/// Ratio of the element sizes with which a rule is tested: the error of a rule of p points, `κ^(2p) e^(−κρ)`, has a
 /// maximum half a decade wide.
 const STEP: f64 = 1.5;
 
-/// The rules are tried with elements from this share of the top layer's thickness on; smaller ones see a
-/// homogeneous body.
+/// Size of the smallest elements with which the rules are tested, as a fraction of the top layer's thickness; smaller
+/// ones see a homogeneous body.
 const SMALLEST: f64 = 0.1;
 
-/// Rounding of the sums over points and edges, at most: measured at the loaded element, where it is largest.
+/// Bound on the rounding of the sums over points and edges, measured at the loaded element, where it is largest.
 const ROUNDING: f64 = 2e-14;
 
 /// `∫ T/ρ dA` over a far element, in half sides; `scale` is half a side over the thickness.
@@ -39,13 +39,13 @@ pub(crate) fn far_integral(
     scale * rule.points(offset).map(term).sum::<f64>()
 }
 
-/// Twenty points an edge: `1/ρ²` seen from half a side away is singular at ±i, which leaves (1+√2)^(−40) = 5e-16.
+/// Twenty points per edge: `1/ρ²` seen from half a side away is singular at ±i, which leaves (1+√2)^(−40) = 5e-16.
 static LINE: LazyLock<Vec<Node>> = LazyLock::new(legendre_of::<20>);
 
 /// `∫ T/ρ dA` over a near element, in half sides; `scale` is half a side over the thickness.
 ///
-/// `Σ_e d_e ∫_e P/ρ² dl`. A constant in P adds `2π` times itself for the loaded element, and nothing for any other,
-/// so where the constant is most of P it is left out and added exactly.
+/// `Σ_e d_e ∫_e P/ρ² dl`. A constant in P adds `2π` times itself for the loaded element and nothing for any other, so
+/// where the constant is most of P it is left out and added exactly.
 pub(crate) fn near_integral(functions: &RadialFunctions, scale: f64, offset: [usize; 2]) -> f64 {
     let edges = edges(offset);
     let nearest = edges.iter().map(nearest).fold(f64::INFINITY, f64::min);
@@ -76,7 +76,7 @@ fn nearest(edge: &Edge) -> f64 {
     edge.distance.hypot(0_f64.max(edge.from))
 }
 
-/// Puts the borders of the rules where their errors are small, and adds those to the functions' error.
+/// Moves the borders of the rules to where their errors are small, and adds these errors to that of the functions.
 pub(crate) fn fit_borders(functions: &mut RadialFunctions) {
     let mut left = left_by_rules(functions);
     for _ in 0..ATTEMPTS {
@@ -112,7 +112,7 @@ fn left_at(functions: &RadialFunctions, border: &AtBorder) -> Worst {
                 Some(finer) => integral(finer),
                 None => near_integral(functions, scale, border.offset),
             };
-            // Over an element 4/ρ of T.
+            // The integral over an element is 4/ρ times T.
             let error = (integral(border.rule) - better).abs() * distance / 4.0;
             let t = scale * distance;
             let scale = yardstick.at(t, better.abs() * distance / 4.0);

@@ -1,17 +1,17 @@
-//! `T(t)/t` as a function of `u = t²`, for the millions of evaluations a table of coefficients takes.
+//! `T(t)/t` as a function of `u = t²`, for the millions of evaluations in a table of coefficients.
 //!
-//! The panel and the place in it are read off the bits of u: its exponent and the first [`BITS`] bits of its
-//! fraction number the panel, the rest is the place. So a value costs no logarithm, no root and no division, only a
+//! The panel and the position in it are read from the bits of u: the exponent and the first [`BITS`] bits of the
+//! fraction number the panel, and the rest is the position. So a value costs no logarithm, root or division, only a
 //! polynomial of degree 8.
 
 use serde::{Deserialize, Serialize};
 
 use crate::numerics::chebyshev::{ChebyshevTransform, nodes};
 
-/// Panels to an octave of u, as a power of two: 16, each 3 % wide in t.
+/// Panels per octave of u, as a power of two: 16, each 3 % wide in t.
 const BITS: u32 = 4;
 
-/// Bits of an f64's fraction that are left for the place in a panel.
+/// Bits of an f64's fraction that remain for the position in a panel.
 const PLACE_BITS: u32 = 52 - BITS;
 
 /// Terms of a panel's polynomial.
@@ -22,14 +22,14 @@ const TERMS: usize = 9;
 pub(crate) struct FarField {
     /// Number of the first panel.
     first: usize,
-    /// Powers of the place −1 … 1 in each panel.
+    /// Coefficients of the powers of the position −1 … 1 in each panel.
     panels: Vec<[f64; TERMS]>,
     error: f64,
 }
 
 impl FarField {
     /// Tabulates `function(t) = T(t)` for t in the whole panels between two ends; errors are relative to
-    /// `scale(largest value in the panel, t)`, which is asked in ascending order of t.
+    /// `scale(largest value in the panel, t)`, which is called in ascending order of t.
     pub(crate) fn new(
         [start, end]: [f64; 2],
         function: impl Fn(f64) -> f64,
@@ -45,7 +45,7 @@ impl FarField {
             let values: Vec<f64> = nodes(TERMS).map(wanted).collect();
             let powers = powers(&transform.coefficients(&values));
             let largest = values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-            // The first term left out, T_9, is nowhere larger than at the ends.
+            // The first omitted term, T_9, is largest at the ends.
             for end in [-1.0, 1.0] {
                 let t = u(end).sqrt();
                 let missed = t * (polynomial(&powers, end) - wanted(end)).abs();
@@ -61,7 +61,7 @@ impl FarField {
         }
     }
 
-    /// `T(√u)/√u`, or none outside the table.
+    /// `T(√u)/√u`; `None` outside the table.
     #[inline]
     pub(crate) fn value(&self, u: f64) -> Option<f64> {
         let powers = self.panels.get(number(u).wrapping_sub(self.first))?;
@@ -80,7 +80,7 @@ fn number(u: f64) -> usize {
     (u.to_bits() >> PLACE_BITS) as usize
 }
 
-/// The place of u in its panel, −1 … 1.
+/// The position of u in its panel, −1 … 1.
 #[inline]
 fn place(u: f64) -> f64 {
     const MASK: u64 = (1 << PLACE_BITS) - 1;
@@ -88,21 +88,21 @@ fn place(u: f64) -> f64 {
     fraction * f64::from(2_u32 << BITS) - 1.0
 }
 
-/// The u at a place of a panel.
+/// The u at a position in a panel.
 fn point(panel: usize, place: f64) -> f64 {
     let edge = |panel: usize| f64::from_bits((panel as u64) << PLACE_BITS);
     let (start, end) = (edge(panel), edge(panel + 1));
     start + (end - start) * (1.0 + place) / 2.0
 }
 
-/// The sum of the powers at a place.
+/// The polynomial with these coefficients at a position.
 #[inline]
 fn polynomial(powers: &[f64; TERMS], place: f64) -> f64 {
     let [lower @ .., highest] = powers;
     lower.iter().rev().fold(*highest, |sum, c| sum * place + c)
 }
 
-/// Chebyshev coefficients to powers.
+/// Converts Chebyshev coefficients to powers.
 fn powers(coefficients: &[f64]) -> [f64; TERMS] {
     let mut result = [0.0; TERMS];
     let (mut before, mut current) = ([0.0; TERMS], [0.0; TERMS]);

@@ -1,9 +1,9 @@
 //! The displacement around a point force on a layered foundation, as two functions of the dimensionless radius
 //! `t = r/H`.
 //!
-//! `T(t) = t ∫₀^∞ Φ(s) J0(st) ds` is the displacement over that of a homogeneous body of the surface's material;
-//! with `x = st`, `T(t) = ∫₀^∞ Φ(x/t) J0(x) dx`. Its integral `P(t) = ∫₀^t T dt'` turns area integrals into edge
-//! integrals, because `div(r P/r²) = T/r`. (`P = t W` with the `W(t) = ∫ Φ(s) J1(st)/s ds` of the transform.)
+//! `T(t) = t ∫₀^∞ Φ(s) J0(st) ds` is the displacement over that of a homogeneous body of the surface material; with
+//! `x = st`, `T(t) = ∫₀^∞ Φ(x/t) J0(x) dx`. Its integral `P(t) = ∫₀^t T dt'` turns area integrals into edge integrals,
+//! because `div(r P/r²) = T/r`. (`P = t W` with the `W(t) = ∫ Φ(s) J1(st)/s ds` of the transform.)
 
 use serde::{Deserialize, Serialize};
 
@@ -26,12 +26,12 @@ pub(crate) struct RadialFunctions {
     pub(super) ends: [f64; 2],
     /// Coefficients of t⁻², t⁻⁴, t⁻⁶, t⁻⁸ in `T − Φ(0)`, right of the panels.
     pub(super) series: [f64; 4],
-    /// From this panel on, `integrals` hold P less `constant`.
+    /// From this panel on, `integrals` hold P minus `constant`.
     pub(super) reduced_from: usize,
-    /// `∫₀^∞ (T − Φ(0)) dt`, the part of P that no radius changes any more.
+    /// `∫₀^∞ (T − Φ(0)) dt`, the part of P that does not depend on the radius.
     pub(super) constant: f64,
     pub(super) worst: Worst,
-    /// Error allowed to the product rules, as a share of a homogeneous body's coefficients; see [`Borders::new`].
+    /// Error allowed to the product rules, as a fraction of a homogeneous body's coefficients; see [`Borders::new`].
     pub(super) rule_floor: f64,
     pub(super) borders: Borders,
     pub(super) far_field: Option<FarField>,
@@ -56,7 +56,7 @@ impl Worst {
         }
     }
 
-    /// Both errors together, where the larger is.
+    /// The sum of both errors, at the place of the larger.
     fn and(self, other: Self) -> Self {
         Self {
             error: self.error + other.error,
@@ -70,12 +70,12 @@ impl Worst {
 pub(crate) enum Area {
     /// P itself.
     Whole,
-    /// P less `∫₀^∞ (T − Φ(0)) dt`, which is a point force's share that only the loaded element itself feels.
+    /// P minus `∫₀^∞ (T − Φ(0)) dt`, the contribution of a point force that only affects the loaded element itself.
     Reduced,
 }
 
 impl RadialFunctions {
-    /// The largest estimated error of T and of all that is made of it, relative to a [`Yardstick`].
+    /// The largest estimated error of T and of everything derived from it, relative to a [`Yardstick`].
     pub(crate) fn worst(&self) -> Worst {
         self.worst
     }
@@ -85,7 +85,7 @@ impl RadialFunctions {
         self.worst = self.worst.and(other);
     }
 
-    /// Puts the borders of the product rules further out, so that their error falls to this share.
+    /// Moves the borders of the product rules outwards to reduce their error by this factor.
     pub(crate) fn tighten_borders(&mut self, share: f64) {
         self.rule_floor *= share;
         self.borders = Borders::new(self.rule_floor);
@@ -96,7 +96,7 @@ impl RadialFunctions {
         self.ends
     }
 
-    /// The offsets from which product rules hold.
+    /// The offsets from which product rules are valid.
     pub(crate) fn borders(&self) -> &Borders {
         &self.borders
     }
@@ -123,7 +123,7 @@ impl RadialFunctions {
         })
     }
 
-    /// The constant by which [`Area::Reduced`] is less than [`Area::Whole`].
+    /// The difference between [`Area::Whole`] and [`Area::Reduced`].
     pub(crate) fn constant(&self) -> f64 {
         self.constant
     }
@@ -138,7 +138,7 @@ impl RadialFunctions {
         }
     }
 
-    /// `P(t)` in the form wanted.
+    /// `P(t)` in the requested form.
     pub(crate) fn area(&self, t: f64, form: Area) -> f64 {
         let (value, held) = self.area_as_held(t);
         match (form, held) {
@@ -181,10 +181,9 @@ impl RadialFunctions {
     }
 }
 
-/// The scale that the expansions of T are fitted to.
+/// The scale of the errors of the expansions of T.
 pub(super) fn scale(limit: f64, largest: f64, ln_t: f64) -> f64 {
-    // On a rigid base T vanishes far away; an element's own coefficient, about H/a = 1/t of Love's, is the measure
-    // there.
+    // On a rigid base T vanishes far away; the scale there is an element's own coefficient, about H/a = 1/t of Love's.
     let floor = if limit > 0.0 {
         limit.min(1.0)
     } else {
@@ -193,14 +192,15 @@ pub(super) fn scale(limit: f64, largest: f64, ln_t: f64) -> f64 {
     largest.max(floor)
 }
 
-/// The scale of T, asked at ascending radii: the largest of `|T|`, of its limit far away, and of `P/t`, the mean of
+/// The scale of T, evaluated at ascending radii: the largest of `|T|`, of its limit far away, and of `P/t`, the mean of
 /// T up to the radius (with the largest P so far, where P falls again).
 ///
-/// An error δT changes the coefficient at the distance r by `4a² c δT/r`, `c = (1−ν1²)/(πE1)`, a half an element's
-/// side. The loaded element itself feels about `2πcH P(a/H)`. The displacement around a point force, T/t, falls
-/// with the distance, so `P(t)` is at most `(tH/a)² P(a/H)`, and with `δT ≤ ε P(t)/t` no coefficient is wrong by
-/// more than ε of the largest, whatever the element; all of them together are wrong by ε of their sum, but for the
-/// logarithm of the radius. On a rigid base, where T falls exponentially, no finer error matters.
+/// An error δT changes the coefficient at the distance r by `4a² c δT/r`, where `c = (1−ν1²)/(πE1)` and a is half an
+/// element's side. The coefficient of the loaded element itself is about `2πcH P(a/H)`. The displacement around a
+/// point force, T/t, falls with the distance, so `P(t)` is at most `(tH/a)² P(a/H)`. With `δT ≤ ε P(t)/t`,
+/// therefore, the error of any coefficient is at most ε of the largest, whatever the element; the error of all of
+/// them together is ε of their sum, up to the logarithm of the radius. On a rigid base, where T falls exponentially,
+/// no finer error matters.
 #[derive(Debug)]
 pub(crate) struct Yardstick<'a> {
     functions: &'a RadialFunctions,
@@ -215,7 +215,7 @@ impl<'a> Yardstick<'a> {
         }
     }
 
-    /// The scale around t, where `|T|` is at most `largest`.
+    /// The scale near t, where `|T|` is at most `largest`.
     pub(crate) fn at(&mut self, t: f64, largest: f64) -> f64 {
         let area = self.functions.area(t, Area::Whole).abs();
         self.largest_area = self.largest_area.max(area);

@@ -1,9 +1,9 @@
-//! Hankel transforms `∫₀^∞ F(x) J0(x) dx` of an F that varies slowly.
+//! Hankel transforms `∫₀^∞ F(x) J0(x) dx` of a slowly varying F.
 //!
-//! A smooth taper, `w(x) = ½ erfc((x − X)/L)`, cuts the integral off. The rest, `∫ (1−w) F J0`, is the component of
-//! a smooth function at the wavenumber 1 of the Bessel function: it falls like `exp(−L²/4)` times the bound of F
-//! near the real axis. Unlike extrapolation over the zeros of the Bessel function, this does not need partial sums
-//! that alternate.
+//! A smooth taper, `w(x) = ½ erfc((x − X)/L)`, cuts the integral off. The remainder, `∫ (1−w) F J0`, is the
+//! component of a smooth function at the wavenumber 1 of the Bessel function: it falls like `exp(−L²/4)` times the
+//! bound of F near the real axis. Unlike extrapolation over the zeros of the Bessel function, this needs no
+//! alternating partial sums.
 
 use std::sync::LazyLock;
 
@@ -20,14 +20,14 @@ pub(crate) const TAPER_CENTRE: f64 = 82.0;
 /// Beyond this x the taper is below 2e-19.
 pub(crate) const END: f64 = 164.0;
 
-/// Up to here the panels double in width, so that F may have detail at any scale towards 0.
+/// Up to this x the panels double in width, so that F may have detail at any scale towards 0.
 pub(crate) const DOUBLING_END: f64 = 4.0;
 
-/// Doubling panels go down to 4 · 2⁻⁸⁰, so that the smallest radius of a table still sees the smallest wavenumber
-/// of its foundation.
+/// Doubling panels go down to 4 · 2⁻⁸⁰, so that the smallest radius of a table still reaches the smallest
+/// wavenumber of its foundation.
 const OCTAVES: i32 = 80;
 
-/// Width of the panels beyond: about one period of the Bessel function.
+/// Width of the panels beyond it: about one period of the Bessel function.
 pub(crate) const STRIDE: f64 = 5.0;
 
 /// One point of the rule.
@@ -43,12 +43,12 @@ pub(crate) struct HankelNode {
 /// Nodes of one panel.
 pub(crate) const PANEL: usize = 16;
 
-/// End of a panel of those that double: `4 · 2^(−octave)`.
+/// End of a doubling panel: `4 · 2^(−octave)`.
 pub(crate) fn head_end(octave: i32) -> f64 {
     DOUBLING_END * 0.5_f64.powi(octave)
 }
 
-/// The ends of all panels from small x to large: `octaves` that double, then those of one period.
+/// The ends of all panels from small x to large: `octaves` doubling ones, then those of one period.
 pub(crate) fn panel_ends(octaves: i32) -> impl Iterator<Item = [f64; 2]> {
     let doubling = (0..octaves)
         .rev()
@@ -61,7 +61,7 @@ pub(crate) fn panel_ends(octaves: i32) -> impl Iterator<Item = [f64; 2]> {
     doubling.chain(uniform)
 }
 
-/// The rule: one panel from 0, as wide as F is smooth there, then panels that double, then panels of one period.
+/// The rule: one panel from 0, as wide as F is smooth there, then doubling panels, then panels of one period.
 #[derive(Clone, Debug)]
 pub(crate) struct HankelRule {
     /// Entry j covers 0 to 4 · 2^(−j) at once.
@@ -75,7 +75,7 @@ pub(crate) struct HankelRule {
 static RULE: LazyLock<HankelRule> = LazyLock::new(HankelRule::new);
 
 impl HankelRule {
-    /// The rule, made once.
+    /// The rule, built once.
     pub(crate) fn shared() -> &'static Self {
         &RULE
     }
@@ -138,7 +138,7 @@ impl RoundedSum {
         Self { value, squares }
     }
 
-    /// Expected size of the rounding error: every term is wrong by about ε.
+    /// Expected size of the rounding error, with an error of about ε in every term.
     pub(crate) fn rounding(&self) -> f64 {
         f64::EPSILON * self.squares.sqrt()
     }

@@ -1,9 +1,9 @@
 //! `T(t) = ∫ Φ(x/t) J0(x) dx` in 32 digits, for layers so soft that the terms of the sum are far larger than the sum.
 //!
-//! Measured on 32 coatings of χ = 0.02 to 1e-8 and Poisson's ratios of 0 to 0.5, with H/a = 0.02 to 1000 and
-//! offsets up to 500: without these digits the coefficients lose 3e-16/Φ(0) of `Φ(0) k_Love`, that is 4e-14 at χ =
-//! 0.01, 3e-12 at 1e-4 and 3e-10 at 1e-6, where incompressible coatings lose 9e-11 of the largest coefficient, too;
-//! with them the reference values at χ = 1e-6 are met to 1e-13.
+//! Measured on 32 coatings of χ = 0.02 to 1e-8 and Poisson's ratios of 0 to 0.5, with H/a = 0.02 to 1000 and offsets up
+//! to 500: without these digits the coefficients lose 3e-16/Φ(0) of `Φ(0) k_Love`, which is 4e-14 at χ = 0.01, 3e-12 at
+//! 1e-4 and 3e-10 at 1e-6, where incompressible coatings also lose 9e-11 of the largest coefficient. With them, the
+//! error at the reference values at χ = 1e-6 is 1e-13.
 
 mod bessel;
 mod expansion;
@@ -29,7 +29,7 @@ pub(crate) struct Precise {
 }
 
 impl Precise {
-    /// The table for a foundation that needs it; `plain` is the one in 16 digits.
+    /// The table for a foundation that needs it; `plain` is the one with 16 digits.
     pub(crate) fn for_soft(foundation: &Foundation, plain: &ResponseTable) -> Option<Self> {
         let limit = plain.limit();
         let soft = limit > 0.0 && limit < SOFT;

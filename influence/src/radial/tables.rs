@@ -1,5 +1,5 @@
-//! The fast path to influence coefficients: two functions of the radius, tabulated once for a foundation, whatever
-//! the grid.
+//! The fast method for influence coefficients: two functions of the radius, tabulated once for a
+//! foundation, whatever the grid.
 
 use std::sync::Arc;
 
@@ -11,16 +11,16 @@ use crate::bodies::ElasticBodies;
 use crate::element::love;
 use crate::error::InfluenceError;
 
-/// Tables with a larger estimated error are refused. Contacts are solved to this accuracy, and an error of this
-/// size with one sign in all coefficients makes the smallest eigenvalue of their matrix negative where the largest
-/// is 1e7 times as large: that is a coating 1e4 times as stiff as its base, on 1000 elements a side.
+/// Tables with a larger estimated error are refused. Contacts are solved to this accuracy. An error of this size with
+/// the same sign in all coefficients makes the smallest eigenvalue of their matrix negative where the largest is 1e7
+/// times as large: for a coating 1e4 times as stiff as its base, on 1000 elements per side.
 const LARGEST_ERROR: f64 = 1e-8;
 
-/// The layers together may be this many times as thick as the top one: a film of atoms on a planet.
+/// Largest ratio of the total thickness of the layers to that of the top one: a film of atoms on a planet.
 const LARGEST_RATIO: f64 = 1e16;
 
-/// Radial tables of one foundation, from which the coefficient of any element size and offset follows in a thousandth
-/// of the time of direct quadrature or less.
+/// Radial tables of one foundation, which give the coefficient of any element size and offset in a thousandth of the
+/// time of direct quadrature or less.
 ///
 /// ```
 /// use pellicle_influence::{RadialTables, love};
@@ -36,32 +36,32 @@ const LARGEST_RATIO: f64 = 1e16;
 #[derive(Clone, Debug, PartialEq)]
 pub struct RadialTables {
     bodies: ElasticBodies,
-    /// None for a homogeneous body, whose coefficients are Love's.
+    /// `None` for a homogeneous body, whose coefficients are Love's.
     functions: Option<Arc<RadialFunctions>>,
-    /// Factor of every coefficient: 1, unless a check is being checked.
+    /// Factor of every coefficient: 1, except when a check is tested.
     factor: f64,
 }
 
 impl RadialTables {
-    /// Goal of [`Self::error_estimate`]: below it no digit that a grid resolves depends on the tables.
+    /// Goal of [`Self::error_estimate`]: below it, the tables do not affect any digit that a grid resolves.
     pub const GOAL: f64 = 1e-12;
 
-    /// Tabulates the foundation's radial functions, which takes about as long as the table of coefficients of a grid of
-    /// 512 × 512 elements.
+    /// Tabulates the radial functions of the foundation, which takes about as long as the table of coefficients of a
+    /// grid of 512 × 512 elements.
     ///
-    /// Tables that miss [`Self::GOAL`] are returned all the same up to an [`Self::error_estimate`] of 1e-8.
+    /// Tables that miss [`Self::GOAL`] are still returned, up to an [`Self::error_estimate`] of 1e-8.
     ///
     /// # Errors
     ///
-    /// [`InfluenceError::TableAccuracy`] if the estimated error exceeds 1e-8, with which the matrix of stiff coatings
-    /// need not be positive definite; [`InfluenceError::LayerThicknesses`] if the layers together are more than
-    /// 1e16 times as thick as the top one.
+    /// [`InfluenceError::TableAccuracy`] if the estimated error exceeds 1e-8, at which the matrix of stiff coatings
+    /// need not be positive definite; [`InfluenceError::LayerThicknesses`] if the layers together are more than 1e16
+    /// times as thick as the top one.
     pub fn build(foundation: &Foundation) -> Result<Self, InfluenceError> {
         let functions = Self::has_functions(foundation).then(|| accurate_functions(foundation));
         Ok(Self::new(foundation, functions.transpose()?.map(Arc::new)))
     }
 
-    /// The tables of these functions, which are none for a homogeneous body.
+    /// The tables with these functions; a homogeneous body has none.
     pub(crate) fn new(foundation: &Foundation, functions: Option<Arc<RadialFunctions>>) -> Self {
         Self {
             bodies: foundation.clone().into(),
@@ -70,8 +70,8 @@ impl RadialTables {
         }
     }
 
-    /// The tables of the same foundation under an elastic counterbody, or a rigid one. Nothing is tabulated anew: every
-    /// coefficient grows by the counterbody's own, [`love::coefficient`](crate::love::coefficient).
+    /// The tables of the same foundation under an elastic counterbody, or a rigid one. Nothing is tabulated again:
+    /// every coefficient grows by that of the counterbody, [`love::coefficient`](crate::love::coefficient).
     #[must_use]
     pub fn with_counterbody(&self, counterbody: Option<Material>) -> Self {
         Self {
@@ -85,9 +85,9 @@ impl RadialTables {
         !is_homogeneous(foundation)
     }
 
-    /// The same with every coefficient multiplied by `1 + relative`: wrong on purpose, to show that a check can fail.
+    /// The same with every coefficient multiplied by `1 + relative`: deliberately wrong, to show that a check can fail.
     ///
-    /// A [`Cache`](crate::Cache) neither keeps nor finds coefficients made from them.
+    /// A [`Cache`](crate::Cache) neither stores nor looks up coefficients made from them.
     #[must_use]
     pub fn perturbed(&self, relative: f64) -> Self {
         Self {
@@ -96,7 +96,7 @@ impl RadialTables {
         }
     }
 
-    /// Whether the coefficients are wrong on purpose.
+    /// Whether the coefficients are deliberately wrong.
     pub(crate) fn is_perturbed(&self) -> bool {
         self.factor.to_bits() != 1_f64.to_bits()
     }
@@ -134,7 +134,7 @@ impl RadialTables {
         self.functions.as_deref()
     }
 
-    /// The foundation the tables are of.
+    /// The foundation of the tables.
     #[must_use]
     pub fn foundation(&self) -> &Foundation {
         self.bodies.foundation()
@@ -151,13 +151,13 @@ impl RadialTables {
     /// - `|k|`; where k changes sign with the distance, the largest within an octave of the distance;
     /// - `min(1, Φ(0)) k_Love`, with `min(1, H/r)` for Φ(0) on a rigid base, at the distance r, for the total
     ///   thickness H;
-    /// - `P k_Love/r`, `P` the largest integral up to r of `k/k_Love` around a point force, over the distance. It
-    ///   is less than the loaded element's own coefficient, so the estimate bounds every error by its share of the
-    ///   largest coefficient, and the errors of all coefficients together by their share of the displacement under
-    ///   a uniform pressure, but for the logarithm of the radius.
+    /// - `P k_Love/r`, where `P` is the largest integral over the distance, up to r, of `k/k_Love` around a point
+    ///   force. It is less than the loaded element's own coefficient. So the estimate bounds every error relative to
+    ///   the largest coefficient, and the errors of all coefficients together relative to the displacement under a
+    ///   uniform pressure, up to the logarithm of the radius.
     ///
-    /// It adds the expansions' tails, rounding, and the errors of the rules over an element, with margins; an error
-    /// on purpose counts, too.
+    /// It adds the tails of the expansions, rounding, and the errors of the rules over an element, with margins; a
+    /// deliberate error counts, too.
     #[must_use]
     pub fn error_estimate(&self) -> f64 {
         let functions = self.functions.as_ref();

@@ -1,5 +1,4 @@
-//! From a foundation to its radial functions: panels of T, their integrals, the far field, and the errors of all of
-//! them.
+//! The radial functions of a foundation: panels of T, their integrals, the far field, and the errors of all of them.
 
 use pellicle_kernel::Foundation;
 
@@ -14,10 +13,11 @@ use crate::response::ResponseTable;
 /// Below this many thicknesses of the top layer `T = 1 + g t` to 1e-17: the next term is t³.
 pub(crate) const NEAR: f64 = 1.0 / 262_144.0;
 
-/// From this many reciprocals of the reach of Φ's Taylor series on, four even terms of it give T to rounding.
+/// From this many times the reciprocal reach of Φ's Taylor series on, four of its even terms give T to rounding.
 const FAR: f64 = 300.0;
 
-/// On a rigid base, where T vanishes far away, its errors are kept below this share of a homogeneous body's.
+/// On a rigid base, where T vanishes far away, its errors are kept below this fraction of a homogeneous
+/// body's coefficients.
 const RIGID_FLOOR: f64 = 1e-2;
 
 impl RadialFunctions {
@@ -28,7 +28,7 @@ impl RadialFunctions {
         functions
     }
 
-    /// The functions of a response that stands for no foundation, with the rules over an element of one that does.
+    /// The functions of a response that belongs to no foundation, with the rules over an element of one that does.
     pub(crate) fn of_response(response: &ResponseTable, rules: Option<&Self>) -> Self {
         let mut functions = Self::sampled(&Sampler::plain_only(response));
         if let Some(rules) = rules {
@@ -38,7 +38,7 @@ impl RadialFunctions {
         functions
     }
 
-    /// Panels of T, their integrals and the series far away.
+    /// Panels of T, their integrals and the far series.
     fn sampled(sampler: &Sampler<'_>) -> Self {
         let response = sampler.response();
         let ends = [NEAR * 24.0 / response.end(), FAR / response.reach()];
@@ -80,9 +80,9 @@ impl RadialFunctions {
         self.far_field = Some(table);
     }
 
-    /// Fills in P from left to right, and takes the constant out from where it is more than half of P.
+    /// Computes P from left to right, and subtracts the constant from where it is more than half of P.
     ///
-    /// The constant's own error does not matter: it is added again, and only the remainder must be accurate.
+    /// The error of the constant itself does not matter: it is added again, and only the remainder must be accurate.
     fn integrate(&mut self) {
         let growth: Vec<Vec<f64>> = self.panels.panels().iter().map(integral).collect();
         let [start, end] = self.ends;
@@ -108,7 +108,7 @@ impl RadialFunctions {
     }
 }
 
-/// Error allowed to the product rules over a base of this `Φ(0)`.
+/// Error allowed to the product rules over a base with this `Φ(0)`.
 fn rule_floor(limit: f64) -> f64 {
     if limit > 0.0 {
         limit.min(1.0)
@@ -160,7 +160,7 @@ mod tests {
             for t in radii(&functions) {
                 let step = 1e-4 * t;
                 let [less, more] = [t - step, t + step].map(|t| functions.area_as_held(t));
-                // Held in one form on both sides of most radii; P' = T, to (step/t)² of its curvature.
+                // Stored in the same form on both sides of most radii; P' = T, to (step/t)² of its curvature.
                 let growth = (more.0 - less.0) / (2.0 * step);
                 if less.1 == more.1 {
                     approx::assert_relative_eq!(growth, functions.value(t), max_relative = 1e-7);
@@ -169,7 +169,7 @@ mod tests {
         }
     }
 
-    /// A layer (thickness, modulus, Poisson's ratio) and whether it slides on what is below.
+    /// A layer (thickness, modulus, Poisson's ratio) on an interface.
     fn layer(numbers: [f64; 3], interface: Interface) -> Layer {
         let [thickness, modulus, ratio] = numbers;
         Layer::new(thickness, Material::new(modulus, ratio).unwrap(), interface).unwrap()

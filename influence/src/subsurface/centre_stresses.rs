@@ -1,7 +1,7 @@
 //! The stresses under the centres of elements at one depth, by sums over the loaded elements.
 //!
 //! The fields of one element are tabulated at the offsets of a quarter of a grid, once for each depth. A stress is then
-//! a sum of products, with no more work than the loaded elements: for a few places less than a plane by FFT.
+//! a sum of products over the loaded elements: for a few places this is less work than a plane by FFT.
 
 use pellicle_kernel::Foundation;
 
@@ -16,12 +16,12 @@ use crate::element::check_element_side;
 use crate::error::InfluenceError;
 use crate::transform::{LINES, Parity};
 
-/// Fields before the stresses.
+/// Number of fields before the stresses.
 const DISPLACEMENTS: usize = 3;
-/// Sums made side by side.
+/// Number of sums computed side by side.
 const LANES: usize = 8;
 
-/// Six stresses at the offsets of a quarter, row after row.
+/// Six stresses at the offsets of a quarter, row by row.
 type Rows = Vec<Vec<f64>>;
 
 /// The stresses of one element at the centres of those around it, and their sums under a pressure and friction.
@@ -33,14 +33,14 @@ pub struct CentreStresses {
     normal: ElementTable,
     tangential: Option<ElementTable>,
     under_pressure: Rows,
-    /// Under a traction along x at (m, n), and at (n, m); empty where there is none.
+    /// Under a traction along x, at (m, n) and at (n, m); empty if there is none.
     along_x: Rows,
     swapped: Rows,
 }
 
 impl CentreStresses {
-    /// Room for the stresses of elements of side `element_side` (m) at offsets below `offsets` along x and y, under a
-    /// pressure and a traction of `friction` times the pressure along x and y.
+    /// Buffers for the stresses of elements of side `element_side` (m) at offsets below `offsets` along x and y, under
+    /// a pressure and a traction of `friction` times the pressure along x and y.
     #[must_use]
     pub fn new(
         foundation: &Foundation,
@@ -67,7 +67,7 @@ impl CentreStresses {
         self.offsets
     }
 
-    /// Tabulates the stresses of an element at a depth, in place of those before.
+    /// Tabulates the stresses of an element at a depth, replacing the previous ones.
     ///
     /// # Errors
     /// As [`ElementFields::new`](super::ElementFields::new).
@@ -89,10 +89,10 @@ impl CentreStresses {
     }
 
     /// The stress under the centre of the element at `place`, counted from the first of a square of `size` × `size`
-    /// loaded elements, under their pressures (Pa), row after row along x; without displacements.
+    /// loaded elements, under their pressures (Pa), row by row along x; without displacements.
     ///
     /// # Panics
-    /// If an element with pressure is farther than the offsets.
+    /// If an element with pressure is farther away than the offsets.
     #[must_use]
     pub fn at(&self, pressure: &[f64], size: usize, place: [isize; 2]) -> SubsurfaceState {
         let mut sums = [[0.0; FIELDS]; 3];
@@ -125,15 +125,15 @@ impl CentreStresses {
     }
 }
 
-/// The axes in which the offsets of a table are taken.
+/// The axes in which the offsets of a table are read.
 #[derive(Clone, Copy)]
 enum Axes {
     Own,
-    /// x and y in each other's place.
+    /// x and y exchanged.
     Swapped,
 }
 
-/// Takes the stresses of a table, row after row.
+/// Copies the stresses of a table, row by row.
 fn take_rows(rows: &mut Rows, table: &ElementTable, axes: Axes) {
     let size = table.size();
     rows.resize_with(FIELDS - DISPLACEMENTS, || vec![0.0; size * size]);
@@ -156,11 +156,11 @@ fn take_rows(rows: &mut Rows, table: &ElementTable, axes: Axes) {
 /// A row of loaded elements as seen from a place.
 struct Line<'a> {
     pressures: &'a [f64],
-    /// Of the place, counted from the first of them.
+    /// Index of the place, counted from the first element.
     place: isize,
     /// −1 where the place lies before the row along x.
     mirror: f64,
-    /// The row of the tables.
+    /// The range of the row in the tables.
     row: std::ops::Range<usize>,
 }
 
@@ -169,7 +169,7 @@ impl Line<'_> {
     fn sum(&self, table: &[f64], [x, y]: [Parity; 2]) -> f64 {
         let values = &table[self.row.clone()];
         let (place, count) = (self.place, self.pressures.len());
-        // Elements up to the place are seen at falling offsets, those after it at rising ones.
+        // Elements up to the place have decreasing offsets, those after it increasing ones.
         let split = (place + 1).clamp(0, count.cast_signed()).unsigned_abs();
         let (before, after) = self.pressures.split_at(split);
         let falling = (place + 1 - split.cast_signed()).unsigned_abs();
@@ -206,7 +206,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     lanes.iter().sum::<f64>() + rest
 }
 
-/// The product of one list with the other from its end on.
+/// The product of one list with the reverse of the other.
 fn dot_reversed(a: &[f64], b: &[f64]) -> f64 {
     let mut lanes = [0.0; LANES];
     let (a, b) = (a.chunks_exact(LANES), b.rchunks_exact(LANES));

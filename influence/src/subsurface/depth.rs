@@ -9,7 +9,7 @@ use crate::error::InfluenceError;
 pub struct Depth {
     /// Distance below the surface, m.
     pub z: f64,
-    /// The body that it belongs to where it lies on an interface.
+    /// The body to which it belongs if it lies on an interface.
     pub side: Side,
 }
 
@@ -32,28 +32,28 @@ impl Depth {
         }
     }
 
-    /// Whether it lies above an interface at depth `bottom` (m), or on its upper side.
+    /// Whether the depth lies above an interface at depth `bottom` (m), or on its upper side.
     pub(super) fn is_above(&self, bottom: f64) -> bool {
         self.z < bottom || (self.z <= bottom && self.side == Side::Above)
     }
 
     /// Whether the fields are split into a half-space of the top layer's material and the layers' correction.
     ///
-    /// In the lower half of a layer both would be large where a stiff coating leaves little stress, and the fields
-    /// themselves are smooth over a distance of the depth.
+    /// In the lower half of a layer both parts would be large where a stiff coating leaves little stress, and the
+    /// fields themselves are smooth over a distance of the depth.
     pub(super) fn is_split(&self, foundation: &Foundation) -> bool {
         let top = foundation.layers().first();
         top.is_none_or(|top| self.z < top.thickness() / 2.0)
     }
 
-    /// Whether something below holds the body along the surface: no frictionless interface does.
+    /// Whether the body is held from below along the surface, with no frictionless interface in between.
     pub(super) fn is_held(&self, foundation: &Foundation) -> bool {
         let layers = foundation.layers().iter().enumerate();
         let mut slides = layers.filter(|(_, layer)| layer.interface().is_frictionless());
         !slides.any(|(i, _)| self.is_above(foundation.interface_depth(i + 1)))
     }
 
-    /// Refuses a depth outside the body.
+    /// Returns an error for a depth outside the body.
     pub(super) fn check(&self, foundation: &Foundation) -> Result<(), InfluenceError> {
         let largest = match foundation.base() {
             Base::HalfSpace(_) => f64::INFINITY,

@@ -56,7 +56,7 @@ impl ElementFields {
     /// # Errors
     ///
     /// A side that is not finite and positive; [`InfluenceError::Depth`] for a depth above the surface or inside a
-    /// rigid base; amplitudes that the kernel cannot give.
+    /// rigid base; amplitudes that the kernel cannot compute.
     pub fn new(
         foundation: &Foundation,
         element_side: f64,
@@ -93,10 +93,10 @@ impl ElementFields {
     }
 
     /// The state at `point` (x, y; m) under many elements, each given by its centre (m) and its pressure (Pa), which
-    /// also drags the surface along x and y by `friction` times itself: displacements in m, stresses in Pa.
+    /// also causes a traction of `friction` times itself along x and y: displacements in m, stresses in Pa.
     ///
-    /// The sum has one order, so that every number of threads gives the same bits. Where `u_x` and `u_y` are unbounded,
-    /// as [`Self::at`] says, they are NaN.
+    /// The order of the sum is fixed, so every number of threads gives the same bits. Unbounded `u_x` and `u_y` are
+    /// NaN, as in [`Self::at`].
     #[must_use]
     pub fn sum_over(
         &self,
@@ -129,12 +129,12 @@ impl ElementFields {
     }
 }
 
-/// Elements that one task sums over.
+/// Number of elements that one task sums over.
 const SUMMED: usize = 512;
 
 /// Fields of one element at many depths.
 ///
-/// The waves in the body are solved for at the first depth; each further one takes a part of that time.
+/// The waves in the body are solved for at the first depth; each further depth takes a fraction of that time.
 ///
 /// ```
 /// use pellicle_influence::{Depth, ElementDepths};
@@ -156,7 +156,7 @@ const SUMMED: usize = 512;
 pub struct ElementDepths(Waves);
 
 impl ElementDepths {
-    /// For elements of side `element_side` (m).
+    /// The fields of elements of side `element_side` (m).
     ///
     /// # Errors
     ///

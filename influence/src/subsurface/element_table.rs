@@ -1,8 +1,8 @@
 //! The fields of an element at the offsets of a quarter of a grid.
 //!
-//! The offsets are tabulated in square tiles. A tile (g, t) of the octant t ≤ g holds the fields at its own offsets
-//! (m, n) and those at (n, m), which share their distance and with it the work: under a pressure the ones are the
-//! others with x and y in each other's place.
+//! The offsets are tabulated in square tiles. A tile (g, t) of the octant t ≤ g holds the fields at its own offsets (m,
+//! n) and those at (n, m), which have the same distance and so share the work: under a pressure each set is the other
+//! with x and y exchanged.
 
 use rayon::prelude::*;
 
@@ -11,19 +11,19 @@ use super::state::{FIELDS, SubsurfaceState, SurfaceLoad};
 use super::under_load::UnderLoad;
 use crate::transform::LINES;
 
-/// The field that takes the place of each if x and y change places.
+/// The field that replaces each one when x and y are exchanged.
 pub const TRANSPOSED: [usize; FIELDS] = [1, 0, 2, 4, 3, 5, 6, 8, 7];
 
 /// The fields under one load at `size` × `size` offsets.
 pub struct ElementTable {
     size: usize,
     load: SurfaceLoad,
-    /// Tile after tile, (0, 0), (1, 0), (1, 1), (2, 0) …: of each, field after field, at (m, n) and, under a traction,
-    /// at (n, m).
+    /// Tile by tile, (0, 0), (1, 0), (1, 1), (2, 0) …; in each, field by field, at (m, n) and, under a
+    /// traction, at (n, m).
     tiles: Vec<Tile>,
 }
 
-/// One field in a tile, row after row.
+/// One field in a tile, row by row.
 type Tile = [[f64; LINES]; LINES];
 
 impl ElementTable {
@@ -39,7 +39,7 @@ impl ElementTable {
         table
     }
 
-    /// Fields that are held at each offset of a tile.
+    /// Number of fields stored at each offset of a tile.
     fn fields(&self) -> usize {
         match self.load {
             SurfaceLoad::Pressure => FIELDS,
@@ -52,7 +52,7 @@ impl ElementTable {
         self.size
     }
 
-    /// A field at the offsets (m, n) … (m + 7, n), m being a multiple of 8; zeros beyond the table.
+    /// A field at the offsets (m, n) … (m + 7, n), where m is a multiple of 8; zeros beyond the table.
     #[inline]
     pub fn side_by_side(&self, field: usize, m: usize, n: usize) -> [f64; LINES] {
         let (group, tile, row) = (m / LINES, n / LINES, n % LINES);
@@ -62,7 +62,7 @@ impl ElementTable {
                 .each_ref()
                 .map(|values| values[row]);
         }
-        // The row n of the tile on the other side of the diagonal.
+        // Row n of the tile on the other side of the diagonal.
         let field = match self.load {
             SurfaceLoad::Pressure => TRANSPOSED[field],
             SurfaceLoad::Traction => FIELDS + field,

@@ -3,7 +3,8 @@
 //! Under a pressure: A. E. H. Love (1929), as [`crate::love`]. Under a traction: the potentials of Cerruti in the form
 //! of K. L. Johnson, *Contact Mechanics* (1985), section 3.2, integrated over the square in the same way.
 //!
-//! With `V = ∬ dA/r`, `Λ = ∬ ln(r + z) dA` and `F = ∬ (z ln(r + z) − r) dA`, a pressure moves and stresses the body by
+//! With `V = ∬ dA/r`, `Λ = ∬ ln(r + z) dA` and `F = ∬ (z ln(r + z) − r) dA`, the displacements and
+//! stresses under a pressure are
 //!
 //! ```text
 //! 4πG u_x = −z V_x − (1−2ν) Λ_x             4πG u_z = 2 (1−ν) V − z V_z
@@ -11,7 +12,7 @@
 //! 2π σ_zz = V_z − z V_zz                    2π σ_xz = −z V_xz
 //! ```
 //!
-//! and a traction along x, with `ψ = Λ_x`, by
+//! and those under a traction along x, with `ψ = Λ_x`, are
 //!
 //! ```text
 //! 4πG u_x = 2 V + 2ν F_xx − z ψ_x     4πG u_y = 2ν F_xy − z ψ_y     4πG u_z = (1−2ν) ψ − z ψ_z
@@ -20,9 +21,9 @@
 //! 2π σ_xz = V_z − z ψ_xz                          2π σ_yz = −z ψ_yz
 //! ```
 //!
-//! Each integral over the square is a function of the place seen from a corner, summed over the corners with signs.
-//! Terms that depend on x or on y alone cancel in that sum and are left out, which saves the digits that they would
-//! cost.
+//! Each integral over the square is a function of the place seen from a corner, summed over the corners with
+//! signs. Terms that depend only on x or only on y cancel in that sum and are left out, which saves the
+//! digits that they would cost.
 
 use std::f64::consts::PI;
 
@@ -33,7 +34,7 @@ use super::state::{SubsurfaceState, SurfaceLoad};
 /// The state at `point` (x, y from the centre of the square, depth; m) for a unit load on a square of side
 /// `element_side` (m).
 ///
-/// Some fields are unbounded at the square's outline on the surface itself, where they are returned as ±∞ or NaN.
+/// Some fields are unbounded at the square's outline on the surface itself; there they are returned as ±∞ or NaN.
 pub fn loaded_square(
     load: SurfaceLoad,
     material: &Material,
@@ -68,12 +69,12 @@ struct Corner {
     v_x: f64,
     v_y: f64,
     v_z: f64,
-    /// `Λ_xx` and `ψ_x`; without a term that cancels.
+    /// `Λ_xx` and `ψ_x`, without a term that cancels.
     lambda_xx: f64,
     lambda_yy: f64,
     /// `Λ_xy`.
     ln: f64,
-    /// 1/(x² + z²), 1/(y² + z²); 0 where z/(x² + z²) is a limit of 0.
+    /// 1/(x² + z²), 1/(y² + z²); 0 where z/(x² + z²) has the limit 0.
     over_xz: f64,
     over_yz: f64,
 }
@@ -193,7 +194,7 @@ impl Corner {
     }
 }
 
-/// `asinh(a/c)` with `r² = a² + c²`, which is `ln(r + a)` less a part that does not depend on `a`.
+/// `asinh(a/c)` with `r² = a² + c²`, which is `ln(r + a)` minus a part that does not depend on `a`.
 fn logarithm(a: f64, c: f64, r: f64) -> f64 {
     if a == 0.0 {
         0.0

@@ -1,10 +1,10 @@
 //! Hankel transforms of orders 0 to 3 on a lattice of the logarithms of wavenumber and radius.
 //!
 //! `∫₀^∞ A(k) J_n(k r) k dk = r⁻² ∫ A(x/r) x² J_n(x) d ln x`, and with `ln k` and `ln r` on one lattice every radius
-//! takes the same values of A: no more of them are computed than the lattice has. The trapezoidal rule converges
-//! exponentially for what is analytic in `ln x`. As in [`crate::radial`]'s transforms a smooth taper ends the integral,
-//! which costs nothing but a component of A at the Bessel functions' own wavelength. Below x = 1, where nothing
-//! oscillates, a second smooth taper hands over to a coarser step.
+//! uses the same values of A: only as many are computed as the lattice has points. The trapezoidal rule converges
+//! exponentially for integrands that are analytic in `ln x`. As in [`crate::radial`]'s transforms, a smooth taper ends
+//! the integral; its only cost is a component of A at the wavelength of the Bessel functions. Below x = 1, where
+//! nothing oscillates, a second smooth taper hands over to a coarser step.
 
 use std::sync::LazyLock;
 
@@ -14,34 +14,34 @@ pub const STEP: f64 = 0.01;
 /// Step of `ln r`, in steps of `ln k`.
 pub const RADIUS_STRIDE: isize = 8;
 
-/// Step of `ln x` where nothing oscillates, in steps of `ln k`: with that of `ln r`, so that every radius takes the
-/// same amplitudes.
+/// Step of `ln x` where nothing oscillates, in steps of `ln k`: the same as that of `ln r`, so that every radius
+/// uses the same amplitudes.
 pub const COARSE_STRIDE: usize = 8;
 
-/// Orders of the Bessel functions.
+/// Number of orders of the Bessel functions.
 pub const ORDERS: usize = 4;
 
 /// The taper at the end: `½ erfc((x − 82)/13)`, whose Fourier transform is 4e-19 at wavenumber 1.
 const TAPER: [f64; 2] = [82.0, 13.0];
 
-/// Lattice points of `ln x` at which the taper is 2e-19.
+/// Lattice point of `ln x` at which the taper is 2e-19.
 pub const LAST: isize = 510;
 
 /// The taper between the steps: `½ erfc((ln x + 1.6)/0.34)`. Its Fourier transform is below 3e-18 at the coarse
 /// step's frequency, 2π/0.08.
 const HANDOVER: [f64; 2] = [-1.6, 0.34];
 
-/// Lattice points of `ln x` between which the taper between the steps changes: 6 of its widths to either side.
+/// Lattice points of `ln x` between which the second taper varies: 6 of its widths to either side.
 pub const FINE_FIRST: isize = -364;
 const COARSE_LAST: isize = 44;
 
-/// Lattice points of `ln x` below which `x² A` is below 1e-16 of the integral even for an A that grows like 1/k.
+/// Lattice point of `ln x` below which `x² A` is below 1e-16 of the integral even for an A that grows like 1/k.
 pub const FIRST: isize = -3720;
 
 /// Weights of the integrals `∫ A(x/r) x² J_n(x) d ln x`, n = 0 to 3.
 pub type HankelWeights = [f64; ORDERS];
 
-/// Weights at the lattice points of `ln x` from [`FIRST`] on in steps of [`COARSE_STRIDE`].
+/// Weights at every [`COARSE_STRIDE`]-th lattice point of `ln x` from [`FIRST`].
 pub static COARSE: LazyLock<Vec<HankelWeights>> = LazyLock::new(|| {
     let indices = (FIRST..=COARSE_LAST).step_by(COARSE_STRIDE);
     let width = COARSE_STRIDE as f64 * STEP;

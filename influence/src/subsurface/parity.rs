@@ -1,6 +1,6 @@
-//! How the fields of an element continue beyond its axes, and products with the spectra of such fields.
+//! The parities of an element's fields about its axes, and products with the spectra of such fields.
 //!
-//! A field of one load is even or odd in each offset, and so is its spectrum, which is real but for a factor `−i` for
+//! A field of one load is even or odd in each offset, and so is its spectrum, which is real up to a factor `−i` for
 //! each axis in which the field is odd.
 
 use rustfft::num_complex::Complex64;
@@ -23,7 +23,7 @@ pub const UNDER_PRESSURE: [[Parity; 2]; FIELDS] = [
     [Even, Odd],
 ];
 
-/// Parities of the fields under a traction along x: the other one along x.
+/// Parities of the fields under a traction along x: the opposite ones along x.
 pub fn under_traction(field: usize) -> [Parity; 2] {
     let [x, y] = UNDER_PRESSURE[field];
     let other = match x {
@@ -40,7 +40,7 @@ pub struct ParityPart<'a> {
     pub factor: f64,
 }
 
-/// Writes the product of a part of a column, of this frequency along y, with the sum of the spectra.
+/// Writes the product of a part of a column, at this frequency along y, with the sum of the spectra.
 pub fn write_products(
     parts: &[ParityPart],
     which: [usize; 2],
@@ -57,7 +57,7 @@ pub fn write_products(
 }
 
 impl ParityPart<'_> {
-    /// Has every entry take its product.
+    /// Calls `take` with every entry and its product.
     #[inline]
     fn take_product(
         &self,
@@ -69,7 +69,7 @@ impl ParityPart<'_> {
         let values = self.spectrum.column(frequency)[part];
         let (from_rising, from_falling) = from.split_at(values.len());
         let (rising, falling) = column.split_at_mut(values.len());
-        // The other frequencies are mirror images; 0 has none, and is in the first part.
+        // The other frequencies are mirror images; 0 has none and is in the first part.
         let mirrored = values[1 - part..][..falling.len()].iter().rev();
         let (x, y) = (self.parities[0].sign(), self.parities[1].sign());
         let rising = rising.iter_mut().zip(from_rising).zip(values);
@@ -89,7 +89,7 @@ impl ParityPart<'_> {
 }
 
 impl ParityPart<'_> {
-    /// Writes the products of a part of two real columns side by side, of a mirrored field.
+    /// Writes the products of a part of two adjacent real columns of a mirrored field.
     pub fn write_pair_of_products(
         &self,
         lines: &EvenLines<f64>,

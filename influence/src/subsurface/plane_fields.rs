@@ -1,10 +1,9 @@
 //! The fields on planes under a pressure on a grid, by convolution.
 //!
-//! The transform of the pressure is made once. For each plane the fields of one element are tabulated at the offsets of
-//! a quarter of the grid, transformed, multiplied and transformed back. Under a pressure `u_y`, `σ_yy` and `σ_yz` are
-//! `u_x`,
-//! `σ_xx` and `σ_xz` with x and y in each other's place, and so are their spectra; a traction in any direction is the
-//! sum of one along x and one along y.
+//! The pressure is transformed once. For each plane the fields of one element are tabulated at the offsets of a quarter
+//! of the grid, transformed, multiplied and transformed back. Under a pressure `u_y`, `σ_yy` and `σ_yz` are `u_x`,
+//! `σ_xx` and `σ_xz` with x and y exchanged, and so are their spectra; a traction in any direction is the sum of one
+//! along x and one along y.
 
 use pellicle_kernel::Foundation;
 
@@ -26,7 +25,7 @@ pub struct PlaneFields {
     /// Factors of a traction along x and y per pressure.
     friction: [f64; 2],
     pressed: TransformedPressure,
-    /// Of the tables of an element, of as many offsets as there are.
+    /// The transform of the tables of an element, for their number of offsets.
     quarter: QuarterTransform,
     /// The fields of one element under a pressure and, where there is friction, under a traction.
     normal: ElementTable,
@@ -36,11 +35,11 @@ pub struct PlaneFields {
     shown: Vec<f64>,
 }
 
-/// The spectra of two fields that are each other's with x and y in each other's place, or of one that is its own.
+/// The spectra of two fields that become each other when x and y are exchanged, or of one that is unchanged.
 struct Spectra {
     /// Under a pressure.
     normal: [Spectrum; 2],
-    /// Under a traction along x, and along y; none where there is no friction.
+    /// Under a traction along x, and along y; empty without friction.
     along_x: Vec<Spectrum>,
     along_y: Vec<Spectrum>,
 }
@@ -49,11 +48,12 @@ impl PlaneFields {
     /// Loads a foundation by the `pressure` (Pa) on a square of elements of side `element_side` (m), and by a traction
     /// of `friction` times the pressure along x and y, which drags the surface with it.
     ///
-    /// Where the pressure is symmetric in x and y, to the last bit, and the squares have one centre and even numbers of
-    /// elements, a quadrant is transformed: a third of the work and memory of each field.
+    /// If the pressure is symmetric in x and y, to the last bit, and the squares have one centre and even numbers of
+    /// elements, only a quadrant is transformed: a third of the work and memory of each field.
     ///
     /// # Panics
-    /// If the pressure has not one value per loaded element, or the loaded square does not lie within the shown one.
+    /// If the pressure does not have one value per loaded element, or the loaded square does not lie
+    /// within the shown one.
     #[must_use]
     pub fn new(
         foundation: &Foundation,
@@ -104,8 +104,8 @@ impl PlaneFields {
     }
 
     /// Calls `take` with each of the nine fields at a depth, in the order of
-    /// [`SubsurfaceState`](super::SubsurfaceState): at the centres of the shown elements, row after row, displacements
-    /// in m and stresses in Pa; NaN where they are unbounded.
+    /// [`SubsurfaceState`](super::SubsurfaceState): at the centres of the shown elements, row by row, displacements in
+    /// m and stresses in Pa; NaN where they are unbounded.
     ///
     /// # Errors
     /// As [`ElementFields::new`](super::ElementFields::new).
@@ -117,8 +117,7 @@ impl PlaneFields {
         self.chosen_fields_on(depth, &[0, 1, 2, 3, 4, 5, 6, 7, 8], take)
     }
 
-    /// As [`Self::fields_on`], with some of the nine alone, given by their indices there; each costs as much as the
-    /// others.
+    /// As [`Self::fields_on`], but only with some of the nine, given by their indices there; each costs the same.
     ///
     /// # Errors
     /// As [`ElementFields::new`](super::ElementFields::new).
@@ -139,7 +138,7 @@ impl PlaneFields {
             for field in of_pair.iter().filter(wanted) {
                 let parts = self.spectra.of(*field, self.friction);
                 self.pressed.convolve(&parts, &mut self.shown);
-                // Where nothing holds the body, a traction moves it without bounds.
+                // Where nothing holds the body, the displacements under a traction are unbounded.
                 if self.tangential.is_some() && !is_held && *field < 2 {
                     self.shown.fill(f64::NAN);
                 }
@@ -190,7 +189,7 @@ impl PlaneFields {
             let table = |m, n| tangential.side_by_side(*field, m, n);
             quarter.transform(table, under_traction(*field), spectrum);
         }
-        // Along y the fields are those along x with x and y in each other's place.
+        // The fields under a traction along y are those along x with x and y exchanged.
         let along_x = spectra.along_x[..pair.len()].iter().rev();
         along_x
             .zip(&mut spectra.along_y)
@@ -198,13 +197,13 @@ impl PlaneFields {
     }
 }
 
-/// Fields that are each other's with x and y in each other's place, and those that are their own.
+/// Fields that become each other when x and y are exchanged, and those that are unchanged.
 const PAIRS: [&[usize]; 6] = [&[0, 1], &[2], &[3, 4], &[5], &[6], &[7, 8]];
 
 impl Spectra {
-    /// The parts of a field whose spectra they are.
+    /// The parts of a field with these spectra.
     fn of(&self, field: usize, [along_x, along_y]: [f64; 2]) -> Vec<ParityPart<'_>> {
-        // The second of a pair stands behind its first.
+        // The second of a pair follows the first.
         let place = usize::from(TRANSPOSED[field] < field);
         let mut parts = vec![ParityPart {
             spectrum: &self.normal[place],

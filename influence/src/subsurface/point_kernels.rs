@@ -1,6 +1,6 @@
 //! The fields around point loads at one depth, from fifteen functions of the radius.
 //!
-//! A unit pressure on a point is the integral of all waves of pressure, `δ = (1/4π²) ∬ cos(k·x) d²k`, and each field
+//! A unit pressure on a point is the integral of all waves of pressure, `δ = (1/4π²) ∬ cos(k·x) d²k`, and each field is
 //! that of its waves with the [amplitudes](pellicle_kernel::Amplitudes) of a layered body. Over the directions of the
 //! waves the integrals are Bessel functions. With `⟨A⟩_n = (1/2π) ∫ A J_n(k r) k dk`, polar coordinates r, φ and the
 //! amplitudes of a pressure,
@@ -21,7 +21,7 @@
 //! ```
 
 //!
-//! The functions are known over `rⁿ`, n being the order of their Bessel function, so that cosines of `n φ` become
+//! The functions are stored divided by `rⁿ`, with the order n of their Bessel function, so that cosines of `n φ` become
 //! polynomials in x and y: `rⁿ cos n φ = Re (x + i y)ⁿ`.
 
 use pellicle_kernel::Amplitudes;
@@ -32,18 +32,18 @@ use super::state::{SubsurfaceState, SurfaceLoad};
 pub const NORMAL: usize = 6;
 pub const TANGENTIAL: usize = 9;
 
-/// A load on a point, whose fields are made of `F` functions of the radius.
+/// A point load, whose fields consist of `F` functions of the radius.
 pub trait PointLoad<const F: usize>: Sync {
     /// The load on the surface.
     const LOAD: SurfaceLoad;
 
-    /// Order of the Bessel function of each.
+    /// Order of the Bessel function of each function.
     const ORDERS: [usize; F];
 
-    /// The amplitudes that the functions are transforms of, in the order of the module's formulas.
+    /// The amplitudes whose transforms are the functions, in the order of the module's formulas.
     fn combined(amplitudes: &Amplitudes) -> [f64; F];
 
-    /// The fields at (x, y) from the functions over `rⁿ`.
+    /// The fields at (x, y) from the functions divided by `rⁿ`.
     fn state(functions: &[f64; F], place: [f64; 2]) -> SubsurfaceState;
 }
 

@@ -3,9 +3,9 @@
 /// Sweeps over the three pairs of axes; convergence is quadratic, and five reach rounding.
 const SWEEPS: usize = 8;
 
-/// The principal values of a symmetric tensor, each with its unit vector, in no order.
+/// The principal values of a symmetric tensor, each with its unit vector, in no particular order.
 pub fn axes_of(mut tensor: [[f64; 3]; 3]) -> [(f64, [f64; 3]); 3] {
-    // Rows are the axes reached so far.
+    // Rows are the current axes.
     let mut axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for _ in 0..SWEEPS {
         if tensor[0][1] == 0.0 && tensor[0][2] == 0.0 && tensor[1][2] == 0.0 {
@@ -18,7 +18,7 @@ pub fn axes_of(mut tensor: [[f64; 3]; 3]) -> [(f64, [f64; 3]); 3] {
     std::array::from_fn(|i| (tensor[i][i], axes[i]))
 }
 
-/// Turns the axes p and q so that the tensor's entry between them vanishes; r is the third.
+/// Rotates the axes p and q so that the tensor's component between them vanishes; r is the third axis.
 fn rotate(tensor: &mut [[f64; 3]; 3], axes: &mut [[f64; 3]; 3], [p, q, r]: [usize; 3]) {
     let between = tensor[p][q];
     if between.abs() <= f64::EPSILON * f64::EPSILON * (tensor[p][p].abs() + tensor[q][q].abs()) {

@@ -1,33 +1,33 @@
 //! Functions of the radius as polynomials in r² on panels.
 //!
-//! Waves that decay with the depth as `e^{−kz}` give functions of r² that are analytic but for `r² = −z²` and beyond.
-//! In `w = r² + z²`, on panels from w to 9/8 w, the end of which lies 17 half widths from that point at most,
-//! polynomials of degree 9 leave some 1e-13 of the functions. Eight panels fill one power of two, so that the leading
-//! bits of w are the number of its panel.
+//! Waves that decay with depth as `e^{−kz}` give functions of r² that are analytic except at `r² = −z²` and beyond.
+//! In `w = r² + z²`, on panels from w to 9/8 w, whose end lies at most 17 half widths from that point, polynomials
+//! of degree 9 leave some 1e-13 of the functions. Eight panels fill one power of two, so the leading bits of w are
+//! the number of its panel.
 
 use crate::numerics::chebyshev::{ChebyshevTransform, nodes, taylor_weight};
 
-/// Coefficients of a polynomial.
+/// Number of coefficients of a polynomial.
 const TERMS: usize = 10;
 
-/// Bits of a number's fraction below those that count panels, three.
+/// Bits of a number's fraction below the three that count panels.
 const SHIFT: u32 = 52 - 3;
 
 /// Panels in one power of two.
 const PER_OCTAVE: f64 = 8.0;
 
-/// The radii that panels cover, all lengths in sides of an element.
+/// The radii that panels cover; all lengths are in sides of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
     /// Depth with which the waves decay.
     reach: f64,
-    /// The smallest `w`, where the first panel begins.
+    /// The smallest `w`, at which the first panel begins.
     lowest: f64,
     count: u64,
 }
 
 impl Layout {
-    /// For radii from one to another; `reach` and the first radius are not both 0.
+    /// The layout for radii from one to another; `reach` and the first radius are not both 0.
     pub fn new(reach: f64, [from, to]: [f64; 2]) -> Self {
         let lowest = from * from + reach * reach;
         let last = ((to * to + reach * reach) / lowest).max(1.0);
@@ -42,7 +42,7 @@ impl Layout {
         self.reach
     }
 
-    /// The smallest and the largest radius at which the functions are asked for.
+    /// The smallest and the largest radius at which the functions are evaluated.
     pub fn ends(&self) -> [f64; 2] {
         let (mut first, mut last) = (f64::INFINITY, 0.0);
         for radius in self.radii_of(0) {
@@ -54,7 +54,7 @@ impl Layout {
         [first, last]
     }
 
-    /// The radii at which the functions are asked for on one panel.
+    /// The radii of one panel at which the functions are evaluated.
     fn radii_of(&self, panel: u64) -> impl Iterator<Item = f64> {
         let [begin, end] = [panel, panel + 1].map(beginning);
         let (lowest, reach) = (self.lowest, self.reach);
@@ -66,12 +66,12 @@ impl Layout {
     }
 }
 
-/// The panel of `w` over the smallest, at least 1.
+/// The panel of `relative`, which is `w` over the smallest `w` and at least 1.
 fn panel_of(relative: f64) -> u64 {
     (relative.to_bits() - 1_f64.to_bits()) >> SHIFT
 }
 
-/// Where a panel begins, over the smallest `w`.
+/// The beginning of a panel, over the smallest `w`.
 fn beginning(panel: u64) -> f64 {
     f64::from_bits(1_f64.to_bits() + (panel << SHIFT))
 }
@@ -81,7 +81,7 @@ fn beginning(panel: u64) -> f64 {
 pub struct RadialPanels<const F: usize> {
     reach_square: f64,
     per_lowest: f64,
-    /// Of each panel, from the highest power of the place in it on.
+    /// For each panel, from the highest power of the position in it down.
     powers: Vec<[[f64; F]; TERMS]>,
 }
 
@@ -121,7 +121,7 @@ impl<const F: usize> RadialPanels<F> {
         let Some(powers) = usize::try_from(panel).ok().and_then(|i| self.powers.get(i)) else {
             return [f64::NAN; F];
         };
-        // The bits below those that count panels are the place in one.
+        // The bits below those that count panels are the position in one.
         let fraction = relative.to_bits() & ((1 << SHIFT) - 1);
         let place = (f64::from_bits(1_f64.to_bits() | fraction) - 1.0) * PER_OCTAVE;
         let mut sums = powers[0];

@@ -1,4 +1,4 @@
-//! Displacements and stresses at one point, and the loads that they are of.
+//! Displacements and stresses at one point, and the loads that cause them.
 
 use std::ops::{Add, AddAssign, Mul};
 
@@ -18,7 +18,7 @@ pub const FIELDS: usize = 9;
 
 /// Displacements and stresses at a point of the body. Tension is positive, z into the body.
 ///
-/// Of a unit load, in Pa, displacements are in m/Pa and stresses without unit.
+/// For a unit load, in Pa, displacements are in m/Pa and stresses are dimensionless.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SubsurfaceState {
     /// `u_x`, `u_y`, `u_z`.
@@ -28,7 +28,7 @@ pub struct SubsurfaceState {
 }
 
 impl SubsurfaceState {
-    /// The state of displacements and stresses in one list.
+    /// The state with these displacements and stresses in one list.
     pub(super) fn from_fields(fields: [f64; FIELDS]) -> Self {
         Self {
             displacement: std::array::from_fn(|i| fields[i]),
@@ -36,7 +36,7 @@ impl SubsurfaceState {
         }
     }
 
-    /// The state in axes in which x and y have changed places.
+    /// The state in axes with x and y exchanged.
     #[must_use]
     pub fn transposed(&self) -> Self {
         let [ux, uy, uz] = self.displacement;
@@ -47,7 +47,7 @@ impl SubsurfaceState {
         }
     }
 
-    /// The displacements, then the stresses, by one index.
+    /// The displacements and then the stresses, by one index.
     ///
     /// # Panics
     /// If the index is above 8.

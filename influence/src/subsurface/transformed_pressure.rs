@@ -1,7 +1,7 @@
 //! The pressure on a grid, transformed once, and the fields that are its products with spectra.
 //!
-//! Where the pressure is symmetric in x and y, a quadrant stands for the grid. The part of a field of each parity is
-//! then known by its quadrant, too: even ones by cosine transforms, odd ones by sine transforms.
+//! If the pressure is symmetric in x and y, a quadrant stands for the grid. The part of a field of each parity is then
+//! determined by its quadrant, too: even ones by cosine transforms, odd ones by sine transforms.
 
 use rayon::prelude::*;
 
@@ -11,19 +11,19 @@ use crate::transform::{
     EvenLines, FourierLines, Lines, Parity, PlaneSpectrum, PlaneTransform, half_length,
 };
 
-/// The loaded square of elements and the one around it under which fields are wanted.
+/// The loaded square of elements and the square around it on which fields are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Squares {
     /// Loaded elements along a side.
     pub loaded: usize,
-    /// Elements along a side under whose centres the fields are wanted, no fewer.
+    /// Elements along a side under whose centres the fields are wanted; at least as many.
     pub shown: usize,
-    /// Of these, those before the first loaded one along x and y.
+    /// The number of these before the first loaded one along x and y.
     pub before: [usize; 2],
 }
 
 impl Squares {
-    /// The largest offset of a shown element from a loaded one is below this.
+    /// Exclusive upper bound on the offset of a shown element from a loaded one.
     pub(super) fn offsets(&self) -> usize {
         let reach = self
             .before
@@ -48,7 +48,7 @@ impl Squares {
     }
 }
 
-/// A pressure and the plans of its products.
+/// A pressure and the plans for its products.
 pub enum TransformedPressure {
     /// Any pressure.
     Whole(Transformed<FourierLines<f64>>),
@@ -73,7 +73,7 @@ impl<L: Lines<Real = f64>> Transformed<L> {
 }
 
 impl TransformedPressure {
-    /// The pressure, and M, half the padded length of the spectra.
+    /// Transforms the pressure; also returns M, half the padded length of the spectra.
     pub fn new(squares: Squares, pressure: &[f64]) -> (Self, usize) {
         let Squares {
             loaded,
@@ -96,7 +96,7 @@ impl TransformedPressure {
         (Self::Whole(Transformed::new(lines, pressure)), half)
     }
 
-    /// Writes the field on the shown square that is the sum of the parts.
+    /// Writes the field on the shown square, the sum of the parts.
     pub fn convolve(&mut self, parts: &[ParityPart], field: &mut [f64]) {
         match self {
             Self::Whole(Transformed {
@@ -129,7 +129,7 @@ impl TransformedPressure {
     }
 }
 
-/// Adds the field of which a quadrant is given, where numbers of odd lines have the signs `(−1)ⁿ`.
+/// Adds the field with this quadrant, in which numbers of odd lines have the signs `(−1)ⁿ`.
 fn unfold(quadrant: &[f64], [parity_x, parity_y]: [Parity; 2], field: &mut [f64]) {
     let half = quadrant.len().isqrt();
     let sign = |parity: Parity, n: usize| {

@@ -1,13 +1,14 @@
 //! The fields of one element under one load at one depth.
 //!
-//! Three zones, by the distance from the element's centre to the point, lengths in sides of the element:
+//! There are three zones, by the distance from the element's centre to the point. Lengths are in sides of the element.
 //!
-//! - far: the functions of the radius are those of the element itself. A wave `e^{ik·x}` has over the element the mean
-//!   `sinc(k_x/2) sinc(k_y/2)`, which is taken as its own mean over the directions, a factor of the amplitude. What
-//!   is left is of the order of `k⁴ cos 4θ / 11520`.
-//! - middle: the mean of four points `(±t, ±t)`, where `t⁴ = 1/240` leaves no `k⁴ cos 4θ`. Their own mean of a wave is
-//!   `cos(t k_x) cos(t k_y)`; the factor of the amplitude is the mean of the ratio over the directions, up to `k⁶`.
-//! - near: Gauss points, and near the surface the closed form of a half-space of the top layer's material.
+//! - far: the functions of the radius are those of the element itself. The mean of a wave `e^{ik·x}` over the element
+//!   is `sinc(k_x/2) sinc(k_y/2)`, which is replaced by its own mean over the directions, a factor of the amplitude.
+//!   The error is of the order of `k⁴ cos 4θ / 11520`.
+//! - middle: the mean of four points `(±t, ±t)`, where `t⁴ = 1/240` removes the term in `k⁴ cos 4θ`. Their own mean
+//!   of a wave is `cos(t k_x) cos(t k_y)`; the factor of the amplitude is the mean of the ratio over the
+//!   directions, up to `k⁶`.
+//! - near: Gauss points and, near the surface, the closed form for a half-space of the top layer's material.
 
 use std::f64::consts::PI;
 use std::marker::PhantomData;
@@ -24,17 +25,17 @@ use super::state::SubsurfaceState;
 use super::waves::{Sampled, Waves};
 use crate::numerics::quadrature::{Node, legendre_of};
 
-/// Distance from which the middle zone's means leave 1e-12 of the largest value of a field.
+/// Distance from which the error of the middle zone's means is 1e-12 of the largest value of a field.
 const MIDDLE_FROM: f64 = 40.0;
 
-/// Distance from which the far zone's functions leave 2e-12 of the largest value of a field.
+/// Distance from which the error of the far zone's functions is 2e-12 of the largest value of a field.
 const FAR_FROM: f64 = 300.0;
 
 /// Coordinates of the points of the middle zone, `240^(−1/4)`.
 const POINT: f64 = 0.254_067_078_995_166_5;
 
-/// Rules for square cells, and the distance, in half sides of the cell, from which each leaves less than 1e-14 of a
-/// point kernel: p points a direction leave `(2d)^(−2p)`.
+/// Rules for square cells, and the distance, in half sides of the cell, from which the error of each is below 1e-14 of
+/// a point kernel: p points per direction leave `(2d)^(−2p)`.
 static RULES: LazyLock<[(f64, Vec<Node>); 5]> = LazyLock::new(|| {
     [
         (200.0, legendre_of::<3>()),
@@ -45,8 +46,8 @@ static RULES: LazyLock<[(f64, Vec<Node>); 5]> = LazyLock::new(|| {
     ]
 });
 
-/// Lattice points of the wavenumber below which factors are 1 to 1e-17, and up to which either zone needs them: where
-/// [the rule](super::log_lattice) ends, at the smallest radius that the zone's functions are interpolated from.
+/// Lattice points of the wavenumber below which factors are 1 to 1e-17, and up to which either zone needs them: the end
+/// of [the rule](super::log_lattice) at the smallest radius from which the zone's functions are interpolated.
 const FACTORS: [isize; 2] = [-1950, 230];
 
 /// The factors of the far and of the middle zone.
@@ -75,7 +76,7 @@ fn factors(wavenumber: f64) -> [f64; 2] {
     [mean.iter().sum::<f64>() / 4.0, of_points]
 }
 
-/// A factor by the index of the wavenumber: 0 where nothing is asked for.
+/// The factor at the index of a wavenumber; 0 where none is needed.
 fn factor(zone: usize, index: isize) -> f64 {
     match usize::try_from(index - FACTORS[0]) {
         Err(_) => 1.0,
@@ -85,12 +86,12 @@ fn factor(zone: usize, index: isize) -> f64 {
     }
 }
 
-/// The amplitudes at one depth that the fields of any load are made of.
+/// The amplitudes at one depth from which the fields of any load are computed.
 pub struct DepthWaves {
     depth: Depth,
     /// Side of an element, m.
     side: f64,
-    /// Of the half-space whose fields are added in the near zone.
+    /// The material of the half-space whose fields are added in the near zone.
     material: Option<Material>,
     near: Option<Sampled>,
     middle: Option<Sampled>,
@@ -98,7 +99,7 @@ pub struct DepthWaves {
 }
 
 impl DepthWaves {
-    /// For points up to `largest_distance` (m) from the centre of an element.
+    /// The amplitudes for points up to `largest_distance` (m) from the centre of an element.
     pub fn new(
         waves: &mut Waves,
         depth: Depth,
@@ -107,7 +108,7 @@ impl DepthWaves {
         let (side, foundation) = (waves.unit(), waves.foundation().clone());
         let (z, largest) = (depth.z / side, largest_distance / side);
         let is_split = depth.is_split(&foundation);
-        // Radii from where one distance is reached to another, or to the largest.
+        // Radii from one distance to another, or to the largest.
         let zone = |[from, to]: [f64; 2], room: f64| {
             let radius = |distance: f64| (distance * distance - z * z).max(0.0).sqrt();
             let ends = [radius(from), radius(to).min(largest)];
@@ -164,9 +165,9 @@ pub type UnderTraction = UnderLoad<Traction, TANGENTIAL>;
 #[derive(Clone, Debug)]
 struct Homogeneous {
     material: Material,
-    /// Of the element, m.
+    /// Side of the element, m.
     side: f64,
-    /// Of the point, m.
+    /// Depth of the point, m.
     depth: f64,
 }
 
@@ -232,8 +233,8 @@ impl<L: PointLoad<F>, const F: usize> UnderLoad<L, F> {
         }
     }
 
-    /// Tells the weights and functions of the points of the element that the other part of the state is summed over,
-    /// and from where each is seen. The points lie symmetrically to the diagonal.
+    /// Calls `take` for the points of the element over which the rest of the state is summed, with their weights and
+    /// functions and the place as seen from each. The points are symmetric about the diagonal.
     #[inline]
     fn visit(&self, [x, y]: [f64; 2], mut take: impl FnMut(f64, &[f64; F], [f64; 2])) {
         let radius_square = x * x + y * y;
@@ -283,8 +284,8 @@ struct Cell {
 }
 
 impl Cell {
-    /// Tells weights and places, seen from its points, of a Gauss rule where kernels of this reach are smooth on the
-    /// cell's scale, or of its quarters else.
+    /// Calls `take` with the weights of a Gauss rule and the place as seen from its points, if kernels of this reach
+    /// are smooth on the cell's scale; otherwise visits the cell's quarters.
     fn visit(&self, place: [f64; 2], reach: f64, take: &mut impl FnMut(f64, [f64; 2])) {
         let [x, y] = [0, 1].map(|axis: usize| place[axis] - self.centre[axis]);
         // The kernels are analytic for radii within i times their reach.

@@ -1,7 +1,7 @@
-//! The waves in a body at the wavenumbers of the [lattice](super::log_lattice), and the functions of the radius that
-//! they add up to at one depth.
+//! The waves in a body at the wavenumbers of the [lattice](super::log_lattice), and their sums at one depth,
+//! functions of the radius.
 //!
-//! The waves are solved for once: every further depth takes its amplitudes from them. Lengths are in sides of an
+//! The waves are solved for once; every further depth takes its amplitudes from them. Lengths are in sides of an
 //! element, so that the lattice is the same for every depth.
 
 use std::collections::BTreeMap;
@@ -16,20 +16,20 @@ use super::log_lattice::{
 use super::point_kernels::PointLoad;
 use super::radial_panels::{Layout, RadialPanels};
 
-/// Amplitudes have fallen to e^{−60} at this wavenumber over the reach's.
+/// Amplitudes have fallen to e^{−60} where the wavenumber times the reach has this value.
 const DECAYED: f64 = 60.0;
 
 /// Step of `ln r`.
 const STRIDE: f64 = RADIUS_STRIDE as f64 * STEP;
 
-/// Points of the interpolation over `ln r`. The functions are analytic in it up to ±iπ/2, so that with steps of 0.08
-/// these leave 1e-13.
+/// Number of points of the interpolation over `ln r`. The functions are analytic in it up to ±iπ/2, so with steps of
+/// 0.08 the error is 1e-13.
 const STENCIL: usize = 20;
 
-/// Radii of the lattice before and behind one that is interpolated.
+/// Number of lattice radii on either side of an interpolated one.
 const MARGIN: isize = 10;
 
-/// The interiors of a foundation that some depth has asked for, by the index of the wavenumber.
+/// The interiors of a foundation that some depth has needed, by the index of the wavenumber.
 #[derive(Debug)]
 pub struct Waves {
     foundation: Foundation,
@@ -38,12 +38,12 @@ pub struct Waves {
     interiors: BTreeMap<isize, Interior>,
 }
 
-/// Amplitudes on the part of the lattice that the functions on some radii are made of.
+/// Amplitudes on the part of the lattice from which the functions at some radii are computed.
 pub struct Sampled {
     layout: Layout,
     /// Indices of the first and last radius of the lattice.
     radii: [isize; 2],
-    /// At the wavenumbers from the lowest on; where waves are long, at one of [`COARSE_STRIDE`].
+    /// At the wavenumbers from the lowest on; for long waves, only at one in [`COARSE_STRIDE`].
     amplitudes: Vec<Option<Amplitudes>>,
     /// Factors of the amplitudes.
     factors: Vec<f64>,
@@ -67,7 +67,7 @@ impl Waves {
         self.unit
     }
 
-    /// The amplitudes that `of` gives of each interior, with the factor of their wavenumber (in 1 over sides).
+    /// The amplitudes that `of` gives for each interior, with the factor of their wavenumber (in 1 over sides).
     pub fn sampled(
         &mut self,
         layout: Layout,
@@ -92,7 +92,7 @@ impl Waves {
         })
     }
 
-    /// Solves for the waves of these indices that have not been solved for.
+    /// Solves for the waves with these indices that are still missing.
     fn solve(&mut self, indices: impl Iterator<Item = isize>) -> Result<(), KernelError> {
         let is_missing = |index: &isize| !self.interiors.contains_key(index);
         let missing: Vec<isize> = indices.filter(is_missing).collect();
@@ -107,7 +107,7 @@ impl Waves {
     }
 }
 
-/// The whole number below a real one.
+/// The largest integer not above a real number.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "logarithms of floating-point numbers over steps of 0.01 are below 1e5"
@@ -122,8 +122,8 @@ impl Sampled {
         self.layout.reach()
     }
 
-    /// The functions of the radius under a load, each over `rⁿ`, n being the order of its Bessel function: the integral
-    /// of a unit force on each point of a unit square.
+    /// The functions of the radius under a load, each divided by `rⁿ` with the order n of its Bessel function: the
+    /// integral of a unit force on each point of a unit square.
     pub fn panels<L: PointLoad<F>, const F: usize>(&self) -> RadialPanels<F> {
         let [first, last] = self.radii;
         let with_factor = self.amplitudes.iter().zip(&self.factors);
@@ -173,7 +173,7 @@ impl Sampled {
     }
 }
 
-/// The values at a place between those of a table.
+/// The values at a position between those of a table.
 fn interpolated<const F: usize>(table: &[[f64; F]], place: f64) -> [f64; F] {
     let first = (index_of(place) - MARGIN + 1).unsigned_abs();
     let weights = lagrange_weights(place - first as f64);
@@ -186,7 +186,7 @@ fn interpolated<const F: usize>(table: &[[f64; F]], place: f64) -> [f64; F] {
     sums
 }
 
-/// The weights of the values at 0, 1, … in the polynomial through them at t.
+/// The weights of the values at 0, 1, … in the polynomial through them, evaluated at t.
 fn lagrange_weights(t: f64) -> [f64; STENCIL] {
     let mut weights = [1.0; STENCIL];
     // w_j = Π_{m ≠ j} (t − m)/(j − m), with (j − m) from one side and (m − j) from the other
@@ -226,7 +226,7 @@ mod tests {
         let first = solved(2.0);
         assert!((1000..3000).contains(&first), "{first}");
         assert_eq!(solved(2.0), 0);
-        // Deeper down none decays later, and the last panel ends within a tenth of the same radius.
+        // At a greater depth no wave decays later, and the last panel ends within a tenth of the same radius.
         let second = solved(4.0);
         assert!(second < 20, "{second}");
     }

@@ -1,5 +1,5 @@
-//! Cosine transforms of lines whose mirror image continues them, two lines at a time as one complex line, by
-//! complex fast Fourier transforms.
+//! Cosine transforms of lines continued by their mirror image, two lines at a time as one complex line, by complex
+//! fast Fourier transforms.
 //!
 //! A line `x_0 … x_(h−1)`, continued evenly beyond both ends or oddly beyond the far one, has the transforms
 //!
@@ -7,9 +7,9 @@
 //! X(κ) = Σ_n x_n cos(π (2n + 1) κ / 2h),    κ = 0, 1, 2 … (type II) or ½, 1½, 2½ … (type IV)
 //! ```
 //!
-//! Put in the order `v = x_0, x_2, x_4 … ± x_5, ± x_3, ± x_1` (Makhoul 1980; minus for the halves) they are
-//! `X(κ) = ½ (w V(κ) + w̄ V(−κ))` with `w = exp(−πiκ/2h)` and `V` the Fourier transform of `v`, at the halves that
-//! of `v_j exp(−πij/h)`. The partner of `κ` is `h − κ`: with `a = w V(κ)` and `b = w̄ V(−κ)`
+//! In the order `v = x_0, x_2, x_4 … ± x_5, ± x_3, ± x_1` (Makhoul 1980; minus for the halves) they are
+//! `X(κ) = ½ (w V(κ) + w̄ V(−κ))`, with `w = exp(−πiκ/2h)` and the Fourier transform `V` of `v`, or for the halves of
+//! `v_j exp(−πij/h)`. The partner of `κ` is `h − κ`: with `a = w V(κ)` and `b = w̄ V(−κ)`
 //!
 //! ```text
 //! 2 X(κ) = a + b,  2 X(h − κ) = i (a − b);    a = X(κ) − i X(h − κ),  b = X(κ) + i X(h − κ)
@@ -33,14 +33,14 @@ pub(crate) enum Frequencies {
     Half,
 }
 
-/// Transforms of one length `h`, unnormalised: there and back a line is multiplied by `2h`.
+/// Transforms of one length `h`, unnormalised: forward and back together multiply a line by `2h`.
 pub(crate) struct CosineTransform<T: Real> {
     frequencies: Frequencies,
     forward: Arc<dyn Fft<T>>,
     inverse: Arc<dyn Fft<T>>,
     /// `w` of the first half of the frequencies.
     phases: Vec<Complex<T>>,
-    /// The factor of the `n`-th number on its way to its place: 1 at whole frequencies.
+    /// The factor of the `n`-th number when it is put in its place; 1 at whole frequencies.
     turns: Vec<Complex<T>>,
 }
 
@@ -58,7 +58,7 @@ impl<T: Real> CosineTransform<T> {
         let phase = |k: usize| unit((k as f64 + first) / (2 * length) as f64);
         let turn = |n: usize| match frequencies {
             Frequencies::Whole => unit(0.0),
-            // exp(−πij/h) at the place j, and −1 of the odd numbers
+            // exp(−πij/h) at the place j, times −1 for odd numbers
             Frequencies::Half => unit(place(n, length) as f64 / length as f64 + (n % 2) as f64),
         };
         Self {
@@ -70,13 +70,13 @@ impl<T: Real> CosineTransform<T> {
         }
     }
 
-    /// Length of the scratch that the transforms ask for.
+    /// Length of the scratch that the transforms need.
     pub(crate) fn scratch_length(&self) -> usize {
         let forward = self.forward.get_inplace_scratch_len();
         forward.max(self.inverse.get_inplace_scratch_len())
     }
 
-    /// Puts the numbers of a line in their places, and zeros behind them.
+    /// Puts the numbers of a line in their places and fills the rest with zeros.
     pub(crate) fn put(&self, line: &mut [Complex<T>], numbers: impl Iterator<Item = Complex<T>>) {
         let length = line.len();
         let mut count = 0;
@@ -91,12 +91,12 @@ impl<T: Real> CosineTransform<T> {
         line[first..last].fill(Complex::default());
     }
 
-    /// The factor of the `n`-th number before it is put in its [place]; its conjugate brings it back.
+    /// The factor of the `n`-th number before it is put in its [place]; its conjugate restores the number.
     pub(crate) fn turn(&self, n: usize) -> Complex<T> {
         self.turns[n]
     }
 
-    /// From the numbers in their places to `2 X`, in place.
+    /// Transforms the numbers in their places to `2 X`, in place.
     pub(crate) fn analyse(&self, line: &mut [Complex<T>], scratch: &mut [Complex<T>]) {
         self.forward.process_with_scratch(line, scratch);
         self.of_partners(line, |_, [low, high], phase| analysed([low, high], phase));
@@ -105,7 +105,7 @@ impl<T: Real> CosineTransform<T> {
         }
     }
 
-    /// From `X` to the numbers in their places times `h`, in place.
+    /// Transforms `X` to the numbers in their places times `h`, in place.
     pub(crate) fn synthesise(&self, line: &mut [Complex<T>], scratch: &mut [Complex<T>]) {
         self.of_partners(line, |_, both, phase| synthesised(both, phase));
         self.inverse.process_with_scratch(line, scratch);
@@ -122,7 +122,7 @@ impl<T: Real> CosineTransform<T> {
         if parity == Parity::Odd {
             match self.frequencies {
                 Frequencies::Whole => {
-                    // The sine of h is the cosine of 0, and is not given: of a mirrored field it is 0.
+                    // The sine of h is the cosine of 0, and is not given: for a mirrored field it is 0.
                     line[0] = Complex::default();
                     line[1..].reverse();
                 }
@@ -153,14 +153,14 @@ impl<T: Real> CosineTransform<T> {
         self.inverse.process_with_scratch(line, scratch);
     }
 
-    /// Replaces all pairs of partners by a rule that is given their indices and phase. A number that is its own
-    /// partner becomes the first of the pair.
+    /// Replaces all pairs of partners by a rule that takes their indices and phase. A number that is its own partner
+    /// becomes the first of the pair.
     fn of_partners(
         &self,
         line: &mut [Complex<T>],
         rule: impl Fn([usize; 2], [Complex<T>; 2], Complex<T>) -> [Complex<T>; 2],
     ) {
-        // h − κ is the index h − k of whole frequencies, and h − 1 − k of halves.
+        // h − κ has the index h − k for whole frequencies, and h − 1 − k for halves.
         let first = usize::from(self.frequencies == Frequencies::Whole);
         let last = line.len() - 1;
         let numbers = Cell::from_mut(&mut line[first..]).as_slice_of_cells();

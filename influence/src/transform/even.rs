@@ -1,9 +1,8 @@
-//! Lines whose mirror image continues them, of which one half is given and wanted, by cosine transforms of length h.
+//! Lines continued by their mirror image, of which one half is given and wanted, by cosine transforms of length h.
 //!
-//! A field of period 2h has the whole frequencies alone. For a product that must not wrap around, the field is
-//! given room to 2h, with the period 4h: its even frequencies are the whole ones of length h and its odd ones the
-//! halves. Beyond h the whole ones continue a line evenly and the halves oddly: `y_n = e_n + o_n`,
-//! `y_(2h−1−n) = e_n − o_n`.
+//! A field of period 2h has only the whole frequencies. For a product that must not wrap around, the field is padded to
+//! 2h, with the period 4h: its even frequencies are the whole ones of length h and its odd ones the halves. Beyond h
+//! the whole ones continue a line evenly and the halves oddly: `y_n = e_n + o_n`, `y_(2h−1−n) = e_n − o_n`.
 //!
 //! Rows are transformed two at a time, as the real and imaginary parts of one complex line, and so are columns.
 
@@ -21,12 +20,12 @@ pub(crate) struct EvenLines<T: Real> {
     shown: usize,
     /// h.
     length: usize,
-    /// Of the whole frequencies, and of the halves where there is room.
+    /// For the whole frequencies and, for padded fields, the halves.
     transforms: Vec<CosineTransform<T>>,
 }
 
 impl<T: Real> EvenLines<T> {
-    /// For fields of period 2 · `length`, half of which is given and wanted.
+    /// Plans for fields of period 2 · `length`, half of which is given and wanted.
     pub(crate) fn periodic(length: usize) -> Self {
         let transforms = vec![CosineTransform::new(length, Frequencies::Whole)];
         Self {
@@ -37,8 +36,8 @@ impl<T: Real> EvenLines<T> {
         }
     }
 
-    /// For fields with room: `loaded` numbers along a side are given and `shown` wanted, no more than 2 · `length`
-    /// together.
+    /// Plans for padded fields: `loaded` numbers along a side are given and `shown` wanted, together at
+    /// most 2 · `length`.
     pub(crate) fn padded(loaded: usize, shown: usize, length: usize) -> Self {
         assert!(loaded <= length && loaded + shown <= 2 * length, "room");
         let transforms = [Frequencies::Whole, Frequencies::Half];
@@ -50,7 +49,7 @@ impl<T: Real> EvenLines<T> {
         }
     }
 
-    /// The real frequencies of a row: those of every transform, one after the other.
+    /// Number of real frequencies of a row: those of every transform, one after the other.
     fn frequencies_of_a_row(&self) -> usize {
         self.parts() * self.length
     }
@@ -64,14 +63,14 @@ impl<T: Real> EvenLines<T> {
         }
     }
 
-    /// The frequencies of the two columns of complex numbers `index`.
+    /// The frequencies of the two columns in the column `index` of complex numbers.
     pub(crate) fn frequencies(&self, index: usize) -> [usize; 2] {
         let one = 2 * index;
-        // The last column may have none beside it.
+        // The last column may have no neighbour.
         [one, (one + 1).min(self.frequencies_of_a_row() - 1)].map(|column| self.frequency(column))
     }
 
-    /// The `n`-th number that is wanted of a pair of rows.
+    /// The `n`-th wanted number of a pair of rows.
     fn number(&self, pair: &[Complex<T>], n: usize) -> Complex<T> {
         let (n, sign) = self.folded(n);
         let place = place(n, self.length);
@@ -167,7 +166,7 @@ impl<T: Real> Lines for EvenLines<T> {
         for (values, rows) in field.chunks_mut(2 * self.shown).zip(rows) {
             let (one, other) = rows.split_at(self.width());
             for (index, columns) in pair.chunks_mut(2).enumerate() {
-                // A last row alone is transformed with zeros.
+                // A single last row is transformed with zeros.
                 let (x, y) = (one[index], other.get(index).copied().unwrap_or_default());
                 columns[0] = Complex::new(x.re, y.re);
                 if let Some(next) = columns.get_mut(1) {

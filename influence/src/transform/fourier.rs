@@ -1,7 +1,7 @@
 //! Lines of real numbers that are zero beyond their ends, or periodic, by real and complex fast Fourier transforms.
 //!
 //! A column of no more than M numbers, padded to L = 2M, has even frequencies that are the M-point transform of the
-//! column itself, and odd ones that are the M-point transform of the column times `exp(−2πi n/L)`. The inverse too
+//! column itself, and odd ones that are the M-point transform of the column times `exp(−2πi n/L)`. The inverse also
 //! splits into an even and an odd half:
 //!
 //! `y_n = Σ_j Y_2j e^{2πi jn/M} + e^{2πi n/L} Σ_j Y_(2j+1) e^{2πi jn/M}`,
@@ -23,7 +23,7 @@ use super::lines::{Columns, Factors, Lines, Real, Space};
 pub(crate) struct FourierLines<T: Real> {
     loaded: usize,
     shown: usize,
-    /// Numbers of a row that are wanted before the first that is given. They stand at the end of the padded row.
+    /// Number of wanted numbers of a row before the first given one. They stand at the end of the padded row.
     before: usize,
     rows: Arc<dyn RealToComplex<T>>,
     rows_back: Arc<dyn ComplexToReal<T>>,
@@ -34,23 +34,24 @@ pub(crate) struct FourierLines<T: Real> {
 pub(crate) struct FourierColumns<T: Real> {
     loaded: usize,
     shown: usize,
-    /// Numbers that are wanted before the first that is given, as of rows.
+    /// Number of wanted numbers before the first given one, as for rows.
     before: usize,
-    /// L, of a column with its padding.
+    /// L, the length of a column with its padding.
     period: usize,
     forward: Arc<dyn Fft<T>>,
     back: Arc<dyn Fft<T>>,
-    /// `exp(−2πi n/L)` for n < M; none of a periodic field.
+    /// `exp(−2πi n/L)` for n < M; empty for a periodic field.
     turns: Vec<Complex<T>>,
 }
 
 impl<T: Real> FourierColumns<T> {
-    /// For columns of period `length`, all of which is given and wanted.
+    /// Plans for columns of period `length`, all of which is given and wanted.
     pub(crate) fn periodic(length: usize) -> Self {
         Self::new([length; 2], 0, [length; 2])
     }
 
-    /// For columns padded to 2 · `length`: `loaded` numbers are given, `shown` wanted from `before` of them on.
+    /// Plans for columns padded to 2 · `length`: `loaded` numbers are given, `shown` wanted, of which
+    /// `before` precede them.
     pub(crate) fn padded(loaded: usize, shown: usize, before: usize, length: usize) -> Self {
         Self::new([loaded, shown], before, [2 * length, length])
     }
@@ -81,7 +82,7 @@ impl<T: Real> FourierColumns<T> {
         self.shown
     }
 
-    /// Numbers of space that the transforms ask for.
+    /// Length of the scratch that the transforms need.
     pub(crate) fn scratch_length(&self) -> usize {
         let forward = self.forward.get_inplace_scratch_len();
         forward.max(self.back.get_inplace_scratch_len())
@@ -93,7 +94,7 @@ impl<T: Real> FourierColumns<T> {
             .process_with_scratch(column, &mut space.transform);
     }
 
-    /// The transform back.
+    /// The backward transform of one part of a column.
     pub(crate) fn synthesise(&self, column: &mut [Complex<T>], space: &mut Space<T>) {
         self.back.process_with_scratch(column, &mut space.transform);
     }
@@ -137,13 +138,13 @@ impl<T: Real> Columns for FourierColumns<T> {
 }
 
 impl<T: Real> FourierLines<T> {
-    /// For fields of period `length`, all of which is given and wanted.
+    /// Plans for fields of period `length`, all of which is given and wanted.
     pub(crate) fn periodic(length: usize) -> Self {
         Self::new([length; 2], [0; 2], [length; 2])
     }
 
-    /// For fields padded to 2 · `length`: `loaded` numbers along a side are given, `shown` wanted from `before` of
-    /// them on.
+    /// Plans for fields padded to 2 · `length`: `loaded` numbers along a side are given, `shown` wanted, of which
+    /// `before` precede them.
     pub(crate) fn padded(loaded: usize, shown: usize, before: [usize; 2], length: usize) -> Self {
         Self::new([loaded, shown], before, [2 * length, length])
     }
@@ -161,7 +162,7 @@ impl<T: Real> FourierLines<T> {
         }
     }
 
-    /// Of a row with its padding.
+    /// Length of a row with its padding.
     fn period(&self) -> usize {
         self.rows.len()
     }
@@ -238,7 +239,7 @@ impl<T: Real> Lines for FourierLines<T> {
         let (before, period) = (self.before, self.period());
         let rows = rows.chunks_exact_mut(self.width());
         for (values, row) in field.chunks_exact_mut(self.shown).zip(rows) {
-            // Real up to rounding; the plan wants it exact.
+            // Real up to rounding; the plan requires an exact zero.
             row[0].im = T::default();
             if period.is_multiple_of(2) {
                 row[period / 2].im = T::default();
@@ -267,7 +268,7 @@ impl<T: Real> Lines for FourierLines<T> {
         for (entry, factor) in rising.iter_mut().zip(factors) {
             *entry = *entry * factor;
         }
-        // The frequency 0 has no mirror image, and is in the first part.
+        // The frequency 0 has no mirror image and is in the first part.
         let mirrored = factors[1 - part..][..falling.len()].iter();
         for (entry, factor) in falling.iter_mut().zip(mirrored.rev()) {
             *entry = *entry * factor;

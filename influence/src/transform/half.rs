@@ -1,8 +1,8 @@
-//! Lines of a field whose mirror image in one axis continues it: the rows are [even](EvenLines), the columns those of
-//! any [field](FourierColumns).
+//! Lines of a field continued by its mirror image in one axis: the rows are [even](EvenLines), the columns those of any
+//! [field](FourierColumns).
 //!
-//! A transformed row is real, so two columns a, b are transformed as one, `V = A + i B`. With k' the partner of a
-//! frequency k, its negative, and real factors f, g that are even in k
+//! A transformed row is real, so two columns a, b are transformed as one, `V = A + i B`. With the negative k' of a
+//! frequency k, its partner, and real factors f, g that are even in k
 //!
 //! ```text
 //! A = ½ (V_k + V̄_k'),   i B = ½ (V_k − V̄_k');     f A + i g B = ½ (f + g) V_k + ½ (f − g) V̄_k'
@@ -22,7 +22,8 @@ pub(crate) struct HalfLines<T: Real> {
 }
 
 impl<T: Real> HalfLines<T> {
-    /// For fields of period 2 · `length` along both axes: half of each row is given and wanted, and of each column all.
+    /// Plans for fields of period 2 · `length` along both axes; half of each row and all of each column
+    /// is given and wanted.
     pub(crate) fn periodic(length: usize) -> Self {
         Self {
             rows: EvenLines::periodic(length),
@@ -30,8 +31,9 @@ impl<T: Real> HalfLines<T> {
         }
     }
 
-    /// For fields with room to 2 · `length` numbers of a row, given and wanted together, and of a column: `loaded` rows
-    /// and columns are given, `shown` wanted, the rows from `above` the first on.
+    /// Plans for padded fields, with room for 2 · `length` numbers in a row, given and wanted together, and
+    /// in a column. `loaded` rows and columns are given and `shown` wanted; `above` of the wanted rows
+    /// precede the first given one.
     pub(crate) fn padded(
         loaded: [usize; 2],
         shown: [usize; 2],

@@ -1,5 +1,5 @@
-//! The rows and columns of a field as the [plane transform](super::plane) sees them: how they continue beyond their
-//! ends, and how they are transformed.
+//! The rows and columns of a field for the [plane transform](super::plane): how they continue beyond their ends, and
+//! how they are transformed.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use rustfft::num_complex::Complex;
 
 use super::Parity;
 
-/// A number that fields are transformed in.
+/// A type of number for the transforms of fields.
 pub(crate) trait Real: FftNum + Default {
     fn narrowed(value: f64) -> Self;
     fn widened(self) -> f64;
@@ -41,20 +41,21 @@ impl Real for f32 {
 /// The factors of a column by frequency: those of its first part, and those of the second if there is one.
 pub(crate) type Factors<'a, T> = [&'a [T]; 2];
 
-/// The rows and columns of a field, which is given and wanted from its first corner on.
+/// The rows and columns of a field, which is given and wanted from its first corner.
 pub(crate) trait Lines: Sync {
     type Real: Real;
     type Columns: Columns<Real = Self::Real>;
 
     fn columns(&self) -> &Self::Columns;
 
-    /// Rows that are given, and numbers of each.
+    /// Number of given rows, and of numbers in each.
     fn loaded(&self) -> [usize; 2];
 
-    /// Rows that are wanted, and numbers of each, no fewer.
+    /// Number of wanted rows, and of numbers in each; at least as many.
     fn shown(&self) -> [usize; 2];
 
-    /// Complex numbers of a transformed row. Each belongs to one column or, as its real and imaginary part, to two.
+    /// Number of complex numbers in a transformed row. Each belongs to one column or, as its real and
+    /// imaginary part, to two.
     fn width(&self) -> usize;
 
     /// Buffers for the other functions.
@@ -69,10 +70,10 @@ pub(crate) trait Lines: Sync {
         space: &mut Space<Self::Real>,
     );
 
-    /// Transforms up to [`ROWS`] rows back and keeps the numbers that are wanted, times `scale`.
+    /// Transforms up to [`ROWS`] rows back and keeps the wanted numbers, times `scale`.
     ///
-    /// Where mirror images continue the rows, they do so with this parity. The number n of an odd row comes out with
-    /// the sign `(−1)ⁿ`.
+    /// Where mirror images continue the rows, they do so with this parity. The number n of an odd row is returned
+    /// with the sign `(−1)ⁿ`.
     fn restore_rows(
         &self,
         rows: &mut [Complex<Self::Real>],
@@ -95,16 +96,16 @@ pub(crate) trait Lines: Sync {
 
 /// The columns of a field.
 ///
-/// A column is transformed in one part where the field is periodic. In two where it is padded to twice its length:
-/// at the even frequencies of the padded column, which are those of the column itself, and at the odd ones, which
-/// are those of the column turned by a phase. The padding is neither stored nor transformed.
+/// A column of a periodic field is transformed in one part. A column padded to twice its length is transformed in two:
+/// at the even frequencies of the padded column, which are those of the column itself, and at the odd ones, which are
+/// those of the column turned by a phase. The padding is neither stored nor transformed.
 pub(crate) trait Columns: Sync {
     type Real: Real;
 
-    /// Complex numbers of one part of a column.
+    /// Number of complex numbers in one part of a column.
     fn length(&self) -> usize;
 
-    /// Parts of a column, 1 or 2.
+    /// Number of parts of a column, 1 or 2.
     fn parts(&self) -> usize;
 
     /// The place of the `n`-th number in each part.
@@ -112,7 +113,7 @@ pub(crate) trait Columns: Sync {
         n
     }
 
-    /// The places that no given number takes.
+    /// The places without a given number.
     fn padding(&self) -> Range<usize>;
 
     /// The phase of the `n`-th number in the second part.
@@ -129,7 +130,7 @@ pub(crate) trait Columns: Sync {
         space: &mut Space<Self::Real>,
     );
 
-    /// Transforms one part of a column of this parity back, as [`Lines::restore_rows`].
+    /// Transforms one part of a column of this parity back; see [`Lines::restore_rows`].
     fn restore(
         &self,
         part: usize,
@@ -139,7 +140,8 @@ pub(crate) trait Columns: Sync {
     );
 }
 
-/// Rows transformed at once: long enough stretches of each block for the memory, few enough for the cache; even.
+/// Number of rows transformed at once: enough for long stretches of each block in memory, few enough
+/// for the cache; even.
 pub(crate) const ROWS: usize = 8;
 
 /// Buffers of one thread.
@@ -148,6 +150,6 @@ pub(crate) struct Space<T> {
     pub reals: Vec<T>,
     /// The transforms of two rows at once.
     pub pair: Vec<Complex<T>>,
-    /// Space the transforms ask for.
+    /// Scratch that the transforms need.
     pub transform: Vec<Complex<T>>,
 }

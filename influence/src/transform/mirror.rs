@@ -1,6 +1,6 @@
 //! Fourier transforms of sequences that are even or odd with period 2M, by complex transforms of length M.
 //!
-//! Of even sequences they are cosine transforms of type I, of odd ones `−i` times sine transforms of type I:
+//! For even sequences they are cosine transforms of type I, for odd ones `−i` times sine transforms of type I:
 //!
 //! ```text
 //! X_k = a_0 + (−1)^k a_M + 2 Σ_(0<j<M) a_j cos(πjk/M),    S_k = 2 Σ_(0<j<M) a_j sin(πjk/M),    k = 0 … M
@@ -14,9 +14,9 @@
 //! y_j = d_j + 2 sin(πj/M) s_j:     S_2k = ½i (Y_k − Y_(M−k)),     S_(2k+1) = S_(2k−1) + ½ (Y_k + Y_(M−k))
 //! ```
 //!
-//! because `2 sin a sin b = cos(a − b) − cos(a + b)` and its like. The recurrences begin with
-//! `X_1 = Σ_(j<M) d_j cos(πj/M)` and
-//! `S_1 = ½ Y_0`. Two sequences are transformed at a time, as the parts of one complex sequence.
+//! because `2 sin a sin b = cos(a − b) − cos(a + b)` and similar identities. The recurrences begin with
+//! `X_1 = Σ_(j<M) d_j cos(πj/M)` and `S_1 = ½ Y_0`. Two sequences are transformed at a time, as the parts
+//! of one complex sequence.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -26,7 +26,7 @@ use rustfft::{Fft, FftPlanner};
 
 use super::Parity;
 
-/// Lines transformed together; even. Their entries lie side by side in memory and fill one cache line of 64 bytes.
+/// Lines transformed together; even. Their entries are adjacent in memory and fill one cache line of 64 bytes.
 pub(crate) const LINES: usize = 8;
 
 /// Transforms of one length and parity.
@@ -42,14 +42,14 @@ pub(crate) struct MirrorTransform {
 /// One number of each of the lines.
 type Across = [f64; LINES];
 
-/// Pairs of lines.
+/// Number of pairs of lines.
 const PAIRS: usize = LINES / 2;
 
 /// Buffers for one group of lines.
 pub(crate) struct MirrorBuffers {
     /// `a_0 … a_M`.
     given: Vec<Across>,
-    /// The lines two by two, M numbers each.
+    /// The lines in pairs, M numbers each.
     pairs: Vec<Complex64>,
     scratch: Vec<Complex64>,
 }
@@ -77,8 +77,8 @@ impl MirrorTransform {
         }
     }
 
-    /// Transforms [`LINES`] lines, of which `entries` gives the entries below `length`; the others are 0. Tells every
-    /// frequency with the values of all lines.
+    /// Transforms [`LINES`] lines, where `entries` gives the entries below `length` and the others are 0. Calls `tell`
+    /// with every frequency and the values of all lines.
     pub(crate) fn transform(
         &self,
         length: usize,
@@ -116,7 +116,7 @@ impl MirrorTransform {
         self.unfold::<EVEN>(&lines, first, tell);
     }
 
-    /// Writes `y_0 … y_(M−1)`, and gives `X_1`.
+    /// Writes `y_0 … y_(M−1)` and returns `X_1`.
     #[inline]
     fn fold<const EVEN: bool>(
         &self,
@@ -142,7 +142,7 @@ impl MirrorTransform {
                 across(near, far, |a, b| a - b),
             );
             if EVEN {
-                // The cosine at M − j is the opposite, and so is the difference.
+                // The cosine at M − j has the opposite sign, and so has the difference.
                 let weight = if 2 * j == half { 1.0 } else { 2.0 } * cosine;
                 first = across(&first, &difference, |first, d| first + weight * d);
                 write(j, &across(&sum, &difference, |s, d| s - sine * d));
@@ -155,7 +155,7 @@ impl MirrorTransform {
         first
     }
 
-    /// Tells the transforms of the lines from those of y.
+    /// Calls `tell` with the transforms of the lines, computed from those of y.
     #[inline]
     fn unfold<const EVEN: bool>(
         &self,

@@ -2,7 +2,7 @@
 
 /// Half the padded length, M: the smallest M ≥ `size` for which the transform is fast.
 ///
-/// M is a multiple of four with at most three odd factors, all of them 3 but for one 5 or 7. Measured: a second
+/// M is a multiple of four with at most three odd factors, all of them 3 except for one 5 or 7. Measured: a second
 /// factor 5 makes a transform of 100 numbers slower than one of 128, and half as fast as one of 96.
 ///
 /// Any L = 2M ≥ 2N − 1 makes the circulant embedding exact.
@@ -15,7 +15,7 @@ pub(crate) fn half_length(size: usize) -> usize {
     half
 }
 
-/// Lengths below which all are as good as each other.
+/// Length below which all transforms are equally good.
 const SHORT: usize = 16;
 
 /// Whether a transform of this length is fast.

@@ -1,13 +1,13 @@
 //! Multiplication of the Fourier series of a field, a block of columns at a time so that each block stays in
 //! the cache.
 //!
-//! Three passes, none of which touches a number that is known to be zero or not wanted:
+//! There are three passes, none of which touches a number that is known to be zero or not wanted:
 //! 1. the rows are transformed;
 //! 2. the columns are transformed, multiplied and transformed back, 16 complex numbers wide;
 //! 3. the rows are transformed back.
 //!
-//! [`Lines`] says how. Every row and every column is computed by itself, or with the same neighbour, so the result
-//! has the same bits for every number of threads.
+//! [`Lines`] defines the transforms. Every row and every column is computed by itself, or with the same neighbour, so
+//! the result has the same bits for every number of threads.
 
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 
@@ -17,33 +17,33 @@ use rustfft::num_complex::Complex;
 use super::Parity;
 use super::lines::{Columns, Factors, Lines, ROWS, Space};
 
-/// Complex numbers of a row in a block: four cache lines in double precision.
+/// Number of complex numbers of a row in a block: four cache lines in double precision.
 const WIDTH: usize = 16;
 
-/// Extra numbers between columns, so that the columns of a block do not all fall into one cache set when their
+/// Extra numbers between columns, so that the columns of a block do not all map to one cache set when their
 /// length is a power of two.
 const SKEW: usize = 8;
 
 /// Plans and buffers for one size.
 pub(crate) struct PlaneTransform<L: Lines> {
     lines: L,
-    /// Block b holds, row after row, the numbers 16 b … 16 b + 15 of the transformed rows; the last may be narrower.
+    /// Block b holds, row by row, the numbers 16 b … 16 b + 15 of the transformed rows; the last may be narrower.
     blocks: Vec<RwLock<Vec<Complex<L::Real>>>>,
     scratch: Vec<Mutex<Scratch<L::Real>>>,
 }
 
-/// The buffers of one thread beside the shared field.
+/// The buffers of one thread in addition to the shared field.
 struct Scratch<T> {
     /// The transforms of [`ROWS`] rows.
     rows: Vec<Complex<T>>,
-    /// The columns of one block, of each its parts one after the other.
+    /// The columns of one block; the parts of each are stored one after the other.
     columns: Vec<Complex<T>>,
     space: Space<T>,
 }
 
-/// The transform of a field in both directions, of which several products are made.
+/// The transform of a field in both directions, from which several products are computed.
 pub(crate) struct PlaneSpectrum {
-    /// The columns of each block, of each its parts one after the other.
+    /// The columns of each block; the parts of each column are stored one after the other.
     blocks: Vec<Vec<Complex<f64>>>,
 }
 
@@ -71,10 +71,10 @@ impl<L: Lines> PlaneTransform<L> {
         &self.lines
     }
 
-    /// Pass 1: takes a field, times `scale`.
+    /// Pass 1: loads a field, times `scale`.
     ///
     /// # Panics
-    /// If the field has not as many numbers as the lines say.
+    /// If the field does not have as many numbers as the lines require.
     pub(crate) fn load(&mut self, field: &[f64], scale: f64) {
         let [rows, loaded] = self.lines.loaded();
         assert_eq!(field.len(), rows * loaded, "as many numbers are given");
@@ -82,8 +82,8 @@ impl<L: Lines> PlaneTransform<L> {
         groups.for_each(|(group, rows)| self.transform_rows(group * ROWS, rows, scale));
     }
 
-    /// Pass 2: multiplies by the factors of every frequency along the rows. They hold the normalisation, too: there
-    /// and back the transforms multiply a field by the number of elements of its period.
+    /// Pass 2: multiplies by the factors of every frequency along the rows. They include the normalisation: the forward
+    /// and backward transforms multiply a field by the number of elements of its period.
     pub(crate) fn multiply<'a>(&mut self, factors: impl Fn(usize) -> Factors<'a, L::Real> + Sync)
     where
         L::Real: 'a,
@@ -100,12 +100,12 @@ impl<L: Lines> PlaneTransform<L> {
     /// Pass 3: writes the field, times `scale`.
     ///
     /// # Panics
-    /// If the field has not as many numbers as the lines say.
+    /// If the field does not have as many numbers as the lines require.
     pub(crate) fn restore(&mut self, field: &mut [f64], scale: f64) {
         self.restore_with(Parity::Even, field, scale);
     }
 
-    /// [`Self::restore`] for rows of a parity, as [`Lines::restore_rows`].
+    /// [`Self::restore`] for rows of a parity; see [`Lines::restore_rows`].
     ///
     /// # Panics
     /// As [`Self::restore`].
@@ -123,7 +123,7 @@ impl<L: Lines> PlaneTransform<L> {
         scratch.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Pass 1 for up to [`ROWS`] rows, the first of which is `first`.
+    /// Pass 1 for up to [`ROWS`] rows, from the row `first`.
     fn transform_rows(&self, first: usize, field: &[f64], scale: f64) {
         let mut scratch = self.scratch();
         let Scratch { rows, space, .. } = &mut *scratch;
@@ -144,7 +144,7 @@ impl<L: Lines> PlaneTransform<L> {
         }
     }
 
-    /// Pass 3 for up to [`ROWS`] rows, the first of which is `first`.
+    /// Pass 3 for up to [`ROWS`] rows, from the row `first`.
     fn restore_rows(&self, first: usize, parity: Parity, field: &mut [f64], scale: f64) {
         let mut scratch = self.scratch();
         let Scratch { rows, space, .. } = &mut *scratch;
@@ -161,7 +161,7 @@ impl<L: Lines> PlaneTransform<L> {
         self.lines.restore_rows(rows, parity, field, scale, space);
     }
 
-    /// Pass 2 for one block, the first column of which is `first`.
+    /// Pass 2 for one block, from the column `first`.
     fn multiply_block<'a>(
         &self,
         first: usize,
@@ -185,7 +185,7 @@ impl<L: Lines> PlaneTransform<L> {
         self.scatter(columns, block);
     }
 
-    /// Copies the numbers that are given of every column of the block into each part, and pads them.
+    /// Copies the given numbers of every column of the block into each part, and pads them.
     fn gather(&self, block: &[Complex<L::Real>], columns: &mut [Complex<L::Real>]) {
         let (pitch, stride) = (self.pitch(), self.stride());
         for part in columns.chunks_exact_mut(pitch) {
@@ -205,7 +205,7 @@ impl<L: Lines> PlaneTransform<L> {
         }
     }
 
-    /// Adds the parts of every column into the block, at the numbers that are wanted.
+    /// Adds the parts of every column into the block, at the wanted numbers.
     fn scatter(&self, columns: &[Complex<L::Real>], block: &mut [Complex<L::Real>]) {
         let (pitch, stride) = (self.pitch(), self.stride());
         let rows = block.chunks_exact_mut(columns.len() / stride);
@@ -227,7 +227,7 @@ impl<L: Lines> PlaneTransform<L> {
         }
     }
 
-    /// Numbers of a row in a block of so many.
+    /// Numbers per row of a block with `numbers` in total.
     fn width_of(&self, numbers: usize) -> usize {
         numbers / self.lines.shown()[0]
     }
@@ -266,8 +266,8 @@ impl<L: Lines<Real = f64>> PlaneTransform<L> {
         }
     }
 
-    /// The second half of pass 2: the product of a spectrum with factors. `weigh` writes that of each column, given its
-    /// number along the rows and its part. The columns go back with this parity.
+    /// The second half of pass 2: the product of a spectrum with factors. `weigh` writes the product of each column,
+    /// given its number along the rows and its part. The columns are transformed back with this parity.
     pub(crate) fn take_product(
         &mut self,
         spectrum: &PlaneSpectrum,

@@ -1,4 +1,4 @@
-//! Tables come out as they were put in, to the bit, and are kept where it pays.
+//! Tables are read back to the bit, and are kept where it pays.
 
 use std::fs;
 use std::sync::Arc;
@@ -19,12 +19,12 @@ fn what_is_read_is_what_was_computed_to_the_bit() {
             [computed.origin, read.origin],
             [Origin::Computed, Origin::Disk]
         );
-        // f64's == is not that of bits: the debug form tells −0 from 0 and gives every digit.
+        // `==` of f64 does not compare bits: the debug form distinguishes −0 from 0 and gives every digit.
         assert_eq!(
             format!("{computed:?}").replace("Computed", "Disk"),
             format!("{read:?}")
         );
-        // Finer and coarser than the layers, so that near, far and farthest rules are all met.
+        // Finer and coarser than the layers, so that near, far and farthest rules are all used.
         for element_side in [0.01, 1.0, 50.0] {
             let get = |cache: &Cache, tables| cache.coefficients(tables, element_side, SIZE);
             let plain = CoefficientTable::assemble(&computed.value, element_side, SIZE).unwrap();
@@ -43,8 +43,8 @@ fn what_is_read_is_what_was_computed_to_the_bit() {
 #[test]
 fn the_algorithm_has_the_version_of_its_numbers() {
     // If this fails after a change of the arithmetic, put the new numbers here and raise `VERSION` in
-    // `src/cache.rs`: files that were written before must not be read any more. Length of the file of the tables,
-    // and two coefficients of each foundation.
+    // `src/cache.rs`: files written before must no longer be read. Length of the file of the tables, and two
+    // coefficients of each foundation.
     const WANTED: [(u64, [f64; 2]); 3] = [
         (88_694, [0.027_990_277_932_129_31, 0.015_399_846_106_460_89]),
         (
@@ -152,7 +152,7 @@ fn what_is_wrong_on_purpose_is_wrong_by_the_factor_and_never_kept() {
     let ratio = wrong.coefficient([5, 2]) / right.value.coefficient([5, 2]);
     // Two roundings.
     assert!((ratio - 1.001).abs() < 1e-15);
-    // Nor is what is right found for it.
+    // And the correct data are not found for it.
     let again = get(&plain().perturbed(1e-3)).value;
     assert_eq!(bits(&again), bits(&wrong));
 }

@@ -1,4 +1,4 @@
-//! Files that are damaged, foreign or of other data: found out, replaced, told.
+//! Files that are damaged, foreign or of other data are detected, replaced and reported.
 
 use std::fs;
 use std::io::ErrorKind;
@@ -22,7 +22,7 @@ fn a_file_cut_off_anywhere_is_computed_again() {
 fn a_turned_bit_is_found_wherever_it_is() {
     let (folder, file) = filled();
     let whole = fs::read(&file).unwrap();
-    // In the checksum, the side of an element, the size of the grid, how many coefficients follow, and those.
+    // In the checksum, the side of an element, the size of the grid, the number of coefficients, and the coefficients.
     for place in [0, 31, 32, 39, 40, 41, 42, 43, 1000, whole.len() - 1] {
         let mut bytes = whole.clone();
         bytes[place] ^= 0x10;

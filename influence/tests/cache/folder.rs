@@ -1,4 +1,4 @@
-//! Folders that are not there, not writable or full cost no more than time.
+//! Folders that are missing, not writable or full cost no more than time.
 
 use std::fs;
 use std::path::Path;
@@ -33,7 +33,7 @@ fn a_file_in_the_folders_place_costs_only_the_cache() {
         let found = cache.coefficients(&plain(), ELEMENT_SIDE, size).unwrap();
         assert_eq!(found.origin, Origin::Computed);
     }
-    // One warning, however many files: after the first refusal the folder is left alone.
+    // One warning, however many files: after the first failure the folder is not used for writing.
     let warnings = cache.take_warnings();
     assert!(
         matches!(&warnings[..], [CacheWarning::Folder { path: found, .. }] if *found == path),
@@ -66,7 +66,7 @@ fn a_read_only_folder_gives_what_it_has_and_takes_nothing() {
     let new = cache.coefficients(&plain(), 0.2, SIZE).unwrap();
     set(0o755);
     assert_eq!([known.origin, new.origin], [Origin::Disk, Origin::Computed]);
-    // The superuser writes everywhere.
+    // The superuser can write everywhere.
     assert_eq!(cache.take_warnings().len(), usize::from(is_powerless));
 }
 
@@ -83,8 +83,8 @@ fn a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    // A process whose files cannot grow beyond 8 blocks, half the size of the coefficients, and that gets an error from
-    // the write.
+    // A process whose files cannot grow beyond 8 blocks, half the size of the coefficients, and whose
+    // write returns an error.
     let name = "folder::a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache";
     let line = format!("trap '' XFSZ; ulimit -f 8; exec \"$0\" {name} --exact");
     let mut limited = Command::new("sh");
@@ -111,7 +111,7 @@ fn clearing_removes_the_caches_own_files_and_no_other() {
         fs::write(folder.path().join(name), "mine").unwrap();
     }
     fs::create_dir(folder.path().join(name.replace(['0', '1', '2', '3'], "f"))).unwrap();
-    // A process that was killed leaves such a file behind.
+    // A killed process leaves such a file behind.
     fs::write(folder.path().join(".pellicle-abc.partial"), "half").unwrap();
     let cache = Cache::at(folder.path());
     let usage = cache.usage().unwrap();

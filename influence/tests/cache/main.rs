@@ -1,4 +1,4 @@
-//! The cache returns what was put in, to the bit, and damage to the disk costs no more than time.
+//! The cache returns the stored data to the bit, and damage to the disk costs no more than time.
 
 #![expect(
     clippy::unwrap_used,

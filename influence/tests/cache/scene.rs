@@ -1,4 +1,4 @@
-//! Foundations, folders and files of the cache's tests.
+//! Foundations, folders and files for the cache's tests.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use pellicle_influence::{Cache, CacheWarning, CoefficientTable, Origin, RadialTa
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use tempfile::TempDir;
 
-/// Elements a side; above the border from which tables are kept on disk.
+/// Elements per side; above the threshold from which tables are kept on disk.
 pub const SIZE: usize = 64;
 
 /// m.
@@ -39,7 +39,7 @@ pub fn foundations() -> [Foundation; 3] {
     ]
 }
 
-/// Tables of a homogeneous body: they cost nothing, and are enough where only coefficients matter.
+/// Tables of a homogeneous body: they cost nothing, and suffice where only coefficients matter.
 pub fn plain() -> RadialTables {
     RadialTables::build(&Foundation::half_space(material(1.0, 0.3))).unwrap()
 }
@@ -51,7 +51,7 @@ pub fn bits(table: &CoefficientTable) -> Vec<u64> {
         .collect()
 }
 
-/// The coefficients of `plain` by a cache that has nothing in memory, their origin, and its warnings.
+/// The coefficients of `plain` from a cache with nothing in memory, their origin, and its warnings.
 pub fn coefficients(folder: &Path) -> (Arc<CoefficientTable>, Origin, Vec<CacheWarning>) {
     let cache = Cache::at(folder);
     let found = cache.coefficients(&plain(), ELEMENT_SIDE, SIZE).unwrap();
@@ -77,7 +77,7 @@ pub fn only_file(folder: &Path) -> PathBuf {
     file
 }
 
-/// Replaces the file by these bytes: they must be detected, reported and replaced, and the file be good the next time.
+/// Replaces the file by these bytes: they must be detected, reported and replaced, and the file valid the next time.
 pub fn assert_replaced(folder: &TempDir, file: &Path, bytes: &[u8]) {
     fs::write(file, bytes).unwrap();
     let (table, origin, warnings) = coefficients(folder.path());

@@ -1,4 +1,4 @@
-//! The fields of one element against data of 60 digits.
+//! The fields of one element, compared with data of 60 digits.
 
 use pellicle_influence::{Depth, ElementFields};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side};
@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::{KEYS, nine};
 
-/// Nine fields of one load, in the order of the data's keys; none where unbounded.
+/// Nine fields of one load, in the order of the data's keys; `None` where unbounded.
 type Nine = [Option<f64>; 9];
 
 /// One point of the data: x, y, z, its side, the fields of both loads.
@@ -79,8 +79,8 @@ fn largest(entries: &[Entry], depth: f64, load: usize) -> [f64; 9] {
 }
 
 /// Far from a shallow point the data are wrong by up to a tenth of a field's value there: at (4, 2.5, 0.15) on the
-/// half-space they give −6.0e-7 for `σ_zz`, and integrals of Boussinesq's solution in 20 digits −7.218e-7, as
-/// `a_square_is_the_sum_of_its_points` does.
+/// half-space they give −6.0e-7 for `σ_zz`, while integrals of Boussinesq's solution in 20 digits give −7.218e-7, as
+/// does `a_square_is_the_sum_of_its_points`.
 fn is_doubtful([x, y, depth]: [f64; 3]) -> bool {
     depth < 0.4 && x.hypot(y) > 2.0
 }
@@ -108,11 +108,11 @@ fn every_field_agrees_with_data_of_sixty_digits() {
                         )
                     };
                     match loads[load][f] {
-                        // Below the interface that slides they are bounded, though the data have none.
+                        // Below the sliding interface they are bounded, although the data have none.
                         None => assert!(found.is_nan() || depth >= 1.0, "{}", at()),
                         Some(expected) => {
                             let error = (found - expected).abs();
-                            // The data have 13 digits of the largest value.
+                            // The data have 13 digits relative to the largest value.
                             assert!(
                                 error <= 2e-11 * largest[f] + 1e-13,
                                 "{}, {expected:e}",

@@ -1,4 +1,4 @@
-//! Planes of fields by convolution against sums over the elements.
+//! Planes of fields by convolution, compared with sums over the elements.
 
 use pellicle_influence::{
     CentreStresses, Depth, ElementFields, PlaneFields, Squares, SubsurfaceState,
@@ -7,18 +7,18 @@ use pellicle_kernel::{Foundation, Side};
 
 use super::{KEYS, stacks};
 
-/// A pressure that is nowhere its mirror image, by the element and the number of them along a side.
+/// A pressure without mirror symmetry, by the element and the number of elements along a side.
 fn uneven(element: usize, _: usize) -> f64 {
     1.0 + (element * element % 7) as f64
 }
 
-/// One that is its mirror image in x and y, but not with x and y in each other's place.
+/// A pressure that is symmetric in x and y, but not under their exchange.
 fn mirrored(element: usize, loaded: usize) -> f64 {
     let [i, j] = [element / loaded, element % loaded].map(|i| i.min(loaded - 1 - i));
     1.0 + ((3 * i + 5 * j) % 4) as f64
 }
 
-/// The fields on a plane against sums over the elements, under pressures of order 1 and each friction.
+/// Compares the fields on a plane with sums over the elements, under pressures of order 1 and each friction.
 fn check_plane(
     foundation: &Foundation,
     squares: Squares,
@@ -59,7 +59,7 @@ fn check_plane(
             let values = states.iter().map(|state| state.field(f).abs());
             values.fold(0.0, f64::max)
         };
-        // The sums under single centres have the stresses alone.
+        // The sums under single centres have stresses only.
         let mut centres = CentreStresses::new(foundation, 1.0, shown, *friction);
         centres.move_to(plane).unwrap();
         for (e, state) in states.iter().enumerate() {
@@ -109,7 +109,7 @@ fn planes_are_the_sums_over_the_elements() {
     }
 }
 
-/// Then a quadrant stands for all.
+/// Here a quadrant stands for the whole grid.
 #[test]
 fn planes_under_a_mirrored_pressure_are_the_sums_over_the_elements() {
     for (loaded, shown) in [(4, 8), (2, 14), (6, 6)] {

@@ -1,4 +1,4 @@
-//! A loaded square on a half-space against sums of point loads.
+//! A loaded square on a half-space, compared with sums of point loads.
 
 use std::f64::consts::PI;
 
@@ -14,7 +14,7 @@ fn point_loads(material: Material, [x, y, z]: [f64; 3]) -> [[f64; 9]; 2] {
     let displacement = 1.0 / (4.0 * PI * material.shear_modulus());
     let stress = 1.0 / (2.0 * PI);
     let r5 = r.powi(5);
-    // of the horizontal force: c (x²/(r³ (r+z)²) + 2 x²/(r² (r+z)³)) and its like
+    // for the horizontal force: c (x²/(r³ (r+z)²) + 2 x²/(r² (r+z)³)) and similar terms
     let mixed = c * (1.0 / (r.powi(3) * depth.powi(2)) + 2.0 / (r.powi(2) * depth.powi(3)));
     let along = |u: f64| {
         c * (z / r.powi(3) - 1.0 / (r * depth)
@@ -98,7 +98,7 @@ fn a_square_is_the_sum_of_its_points() {
             }
             for (found, expected) in [fields.normal, fields.tangential].iter().zip(sums) {
                 for (f, (found, expected)) in nine(found).iter().zip(expected).enumerate() {
-                    // The rule leaves 3e-12 of the nearest point's value.
+                    // The error of the rule is 3e-12 of the nearest point's value.
                     let scale = 0.1;
                     assert!(
                         (found - expected).abs() < 1e-11 * scale,
@@ -111,8 +111,8 @@ fn a_square_is_the_sum_of_its_points() {
     }
 }
 
-/// By the distance an element's fields come from the closed form and Gauss points, from four points, or from functions
-/// of its own, and those of its sixteenths from others.
+/// Depending on the distance, an element's fields come from the closed form and Gauss points, from four points, or from
+/// functions of its own, and those of its sixteenths from others.
 #[test]
 fn an_element_is_the_sum_of_its_sixteenths() {
     for (foundation, z) in stacks().iter().zip([0.0, 0.3, 20.0, 0.6, 0.2, 60.0, 3.0]) {
@@ -144,7 +144,7 @@ fn an_element_is_the_sum_of_its_sixteenths() {
                     .fold(0.0, |most: f64, values| most.max(values[f].abs()));
                 for ((found, expected), point) in found.iter().zip(&expected).zip(&points) {
                     let error = (found[f] - expected[f]).abs();
-                    // On the surface under a pressure the shear stresses are 0 but for rounding.
+                    // On the surface under a pressure the shear stresses are 0 except for rounding.
                     assert!(
                         error < 3e-12 * largest + 1e-15,
                         "{foundation:?} {z} {friction:?} {point:?} {}: {error:e}",

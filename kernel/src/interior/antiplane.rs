@@ -1,20 +1,20 @@
-//! The antiplane problem: displacement across the wave vector alone.
+//! The antiplane problem: displacement only across the wave vector.
 //!
-//! `W = u_y` and `S = σ_yz/(G k)` obey `dW/dζ = S`, `dS/dζ = W`. What lies below a plane fixes the ratio of
-//! `W` and `T = −S`, both positive; it is carried upward with `W − T`, which vanishes on a half-space:
+//! `W = u_y` and `S = σ_yz/(G k)` obey `dW/dζ = S`, `dS/dζ = W`. The bodies below a plane fix the ratio of `W` and
+//! `T = −S`, both positive. It is carried upward together with `W − T`, which vanishes on a half-space. Across a layer,
 //!
 //! ```text
 //! W' = W (1 + θ) + T (1 − θ)     T' = T (1 + θ) + W (1 − θ)     W' − T' = 2θ (W − T)     θ = e^{−2s}
 //! ```
 //!
-//! across a layer. Every sum is one of positive terms, so each value is relatively accurate.
+//! All terms of a sum are positive, so each value has a small relative error.
 
 use super::Antiplane;
 use crate::response::ComplianceShare;
 use crate::wave::PlaceInLayer;
 use crate::{Base, Layer, Material};
 
-/// `W : T` of what lies below a plane, and `W − T`.
+/// The ratio `W : T` of the bodies below a plane, and `W − T`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Held {
     w: f64,
@@ -25,7 +25,7 @@ pub(super) struct Held {
 /// The wave in one body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum AntiplaneWave {
-    /// `s = k H`, what holds the bottom, and what that is to be multiplied by.
+    /// `s = k H`, the support of the bottom, and the factor that scales it.
     Layer { s: f64, held: Held, scale: f64 },
     /// `T` on the top.
     HalfSpace(f64),
@@ -46,7 +46,7 @@ impl Held {
         difference: -1.0,
     };
 
-    /// From below an interface to above it: `W' = W + ĉ T/μ`, `T' = T/μ`, all times `μ/(1 + ĉ)`.
+    /// Carries the ratio across an interface, upward: `W' = W + ĉ T/μ`, `T' = T/μ`, all times `μ/(1 + ĉ)`.
     fn onto(self, mu: f64, mu_minus_one: f64, shear: ComplianceShare) -> Self {
         let Self { w, t, difference } = self;
         Self {
@@ -58,7 +58,7 @@ impl Held {
         .normalised()
     }
 
-    /// From the bottom of a layer to its top.
+    /// Carries the ratio from the bottom of a layer to its top.
     fn through(self, s: f64) -> Self {
         let theta = (-2.0 * s).exp();
         Self {
@@ -100,7 +100,7 @@ impl AntiplaneWave {
             let s = wavenumber * layer.thickness();
             let scale = traction / carried(s, held.t, held.w);
             waves.push(Self::Layer { s, held, scale });
-            // T on the bottom, in the units of what lies below
+            // T on the bottom, in the units of the body below
             traction = mu * (2.0 * held.t * scale * (-s).exp());
         }
         waves.push(match base {
@@ -128,7 +128,7 @@ impl AntiplaneWave {
         antiplane(w, t, stiffness)
     }
 
-    /// The amplitudes in the top layer less those in a half-space of its material.
+    /// The amplitudes in the top layer minus those in a half-space of its material.
     pub(super) fn correction(&self, place: &PlaceInLayer, stiffness: f64) -> Antiplane {
         let Self::Layer { s, held, scale } = *self else {
             return antiplane(0.0, 0.0, stiffness);
@@ -148,8 +148,8 @@ fn antiplane(w: f64, t: f64, stiffness: f64) -> Antiplane {
     }
 }
 
-/// The support of the bottom of every layer, surface first, with `μ`, the layer's shear modulus over that of what
-/// lies below (1 on a rigid base).
+/// The support of the bottom of every layer, surface first, with `μ`, the layer's shear modulus over that of the body
+/// below (1 on a rigid base).
 fn held_bottoms(layers: &[Layer], base: Base, wavenumber: f64) -> Vec<(Held, f64)> {
     let (mut held, mut below) = match base {
         Base::HalfSpace(material) => (Held::HALF_SPACE, Some(material)),

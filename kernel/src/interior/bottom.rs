@@ -1,12 +1,12 @@
-//! Two equations that say how the bottom of a layer is held.
+//! Two equations for the support of the bottom of a layer.
 //!
-//! The states that minors allow fulfil
+//! The states that the minors allow satisfy
 //!
 //! ```text
 //! q U + f V + p σ = 0     d U + f τ − q σ = 0     g U + q V + p τ = 0     d V + g σ − q τ = 0
 //! ```
 //!
-//! of which two are independent: those with the largest minor, which says that no error is magnified.
+//! of which two are independent. Those with the largest minor are used, as they magnify no error.
 
 use super::crossing::best_pair;
 use crate::response::contrast::Contrast;
@@ -27,8 +27,8 @@ enum Equation {
     Down,
 }
 
-/// The two equations that give the other components from the pair of the largest minor, and from `U` and `σ` where
-/// theirs is not much smaller: they keep more digits of a thin layer's membrane stress.
+/// The two equations that give the other components from the pair with the largest minor, or from `U` and `σ` if theirs
+/// is not much smaller: these keep more digits of a thin layer's membrane stress.
 fn equations(minors: &Minors) -> [Equation; 2] {
     let &Minors { p, f, g, d, .. } = minors;
     if f >= NEARLY_LARGEST * p.max(g).max(d) {
@@ -41,8 +41,8 @@ fn equations(minors: &Minors) -> [Equation; 2] {
     }
 }
 
-/// A part of the largest minor. Before solutions were refined, errors on 4000 random places were the same from 1e-4 to
-/// 0.1 and seven times as large at 1.
+/// Fraction of the largest minor. Before solutions were refined, errors at 4000 random places were the same from 1e-4
+/// to 0.1 and seven times as large at 1.
 const NEARLY_LARGEST: f64 = 0.1;
 
 /// The two equations as rows, `row · v = 0`.
@@ -50,10 +50,10 @@ pub(super) fn rows(minors: &Minors) -> [RowVector4<f64>; 2] {
     equations(minors).map(|equation| equation.row(minors) / equation.size(minors))
 }
 
-/// [`rows`] for states of a half-space of the layer's material: less what vanishes for these.
+/// [`rows`] for states of a half-space of the layer's material, without the part that vanishes for them.
 ///
-/// The equations are linear in the minors and hold for such a state with the minors of the half-space, so that
-/// only the deviation from them is left.
+/// The equations are linear in the minors and hold for such a state with the minors of the half-space, so only the
+/// deviation from those minors is left.
 pub(super) fn rows_of_half_space(
     held: &HeldBottom,
     poisson: &Poisson,
@@ -79,7 +79,7 @@ impl Equation {
     }
 }
 
-/// Minors less `d` times those of a half-space, from the contrast or by subtraction where that is better.
+/// The minors minus `d` times those of a half-space, from the contrast, or by subtraction where that is more accurate.
 fn deviation(minors: &Minors, contrast: &Contrast, poisson: &Poisson, layers: usize) -> Minors {
     let &Minors { p, q, f, g, d } = minors;
     let &Poisson { a, b, w, x, .. } = poisson;

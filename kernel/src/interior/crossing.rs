@@ -1,15 +1,15 @@
-//! From the bottom of a layer to the top of what lies below, without loss of digits.
+//! The state from the bottom of a layer to the top of the body below, without loss of digits.
 //!
-//! The body below a plane allows a two-dimensional set of states, so two components give the others, and by the
-//! [minors](crate::response::Minors) alone: `(XY) Z = (ZY) X + (XZ) Y`. Of the four pairs that do not vanish in
-//! general, the one of the largest minor magnifies no error. Of what is known above an interface, in the units of
-//! the body above, the components below it follow so directly, without the difference that a spring's jump would be.
+//! The body below a plane allows a two-dimensional set of states, so two components determine the others through the
+//! [minors](crate::response::Minors): `(XY) Z = (ZY) X + (XZ) Y`. Of the four pairs that do not vanish in general, the
+//! one with the largest minor magnifies no error. The components below an interface follow in this way directly from
+//! those above it, in the units of the body above, without the subtraction of a spring's jump.
 
 use crate::response::{ComplianceShare, HeldBottom, Minors};
 use crate::wave::{SIGMA, TAU, TopPair, U, V};
 use nalgebra::Vector4;
 
-/// The two components of the largest minor.
+/// The two components with the largest minor.
 pub(super) fn best_pair(minors: &Minors) -> TopPair {
     let &Minors { p, f, g, d, .. } = minors;
     let pairs = [
@@ -65,7 +65,7 @@ pub(super) fn cross(held: &HeldBottom, state: &Vector4<f64>) -> Vector4<f64> {
     }
 }
 
-/// Minors of a displacement above with another component below a spring.
+/// Minors of a displacement above a spring with another component below it.
 struct Mixed {
     /// `(U V')`, prime above
     uv: f64,

@@ -1,9 +1,9 @@
 //! The plane-strain problem: displacements along the wave vector and into the body.
 //!
-//! Upward, the [minors](crate::response::Minors) say how every layer's bottom is held. Downward, each layer is then
-//! four equations: two components of the state on its top, and two that say how its bottom is held; its solution
-//! gives the state on the top of the next. No step amplifies an error, so what has decayed to `e^{−kz}` of the
-//! surface's value keeps its relative accuracy.
+//! On the way up, the [minors](crate::response::Minors) give the support of every layer's bottom. On the way down, each
+//! layer is then four equations: two components of the state on its top, and two for the support of its bottom. The
+//! solution gives the state on the top of the next layer. No step amplifies an error, so amplitudes that have decayed
+//! to `e^{−kz}` of the surface value keep their relative accuracy.
 
 use super::InPlane;
 use super::bottom::{rows, rows_of_half_space};
@@ -19,7 +19,7 @@ use nalgebra::Vector4;
 /// Normal and shear load, in this order.
 pub(super) type Pair<T> = [T; 2];
 
-/// The waves of one body under both loads; states with tractions in its `2 G k`.
+/// The waves of one body under both loads; the tractions of its states are in units of its `2 G k`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum InPlaneWave {
     /// `s = k H` and the waves.
@@ -58,9 +58,9 @@ impl InPlaneWave {
 
 /// All waves of a foundation.
 pub(super) struct Waves {
-    /// Of every body, surface first, the base last.
+    /// The waves of every body, surface first, the base last.
     pub(super) bodies: Vec<InPlaneWave>,
-    /// The waves of the top layer less those of a half-space of its material.
+    /// The waves of the top layer minus those of a half-space of its material.
     pub(super) correction: InPlaneWave,
 }
 
@@ -89,7 +89,7 @@ impl Waves {
     }
 }
 
-/// From the surface down.
+/// Computes the waves of all bodies, from the surface down.
 fn descend(
     foundation: &Foundation,
     wavenumber: f64,
@@ -137,8 +137,8 @@ fn in_units_below(state: Vector4<f64>, mu: f64) -> Vector4<f64> {
     Vector4::new(state[U], state[V], mu * state[TAU], mu * state[SIGMA])
 }
 
-/// The waves that a layered body adds to those of the homogeneous one inside its top layer: no tractions on the
-/// surface, and on the bottom what the homogeneous waves lack there.
+/// The waves that the layers add to those of the homogeneous body inside the top layer: they have no tractions on the
+/// surface, and on the bottom they supply the part missing from the homogeneous waves.
 fn correction(
     layer: &Layer,
     wavenumber: f64,

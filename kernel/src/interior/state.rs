@@ -27,10 +27,10 @@ pub enum Side {
 /// σ_xy = lateral_shear_stress ·                                                            cos kx
 /// ```
 ///
-/// Tractions are those that act on the body: along `+x` and `+y` they drag the surface there. All that is
-/// not named is zero. In complex notation the fields under a pressure `e^{ikx}` have the factor `e^{ikx}` where
-/// the table says cosine and `−i e^{ikx}` where it says sine; under a traction `e^{ikx}` along `x` or `y` they
-/// have `e^{ikx}` for sine and `i e^{ikx}` for cosine.
+/// Tractions act on the body: along `+x` and `+y` they drag the surface in that direction. Fields without an entry are
+/// zero. In complex notation the fields under a pressure `e^{ikx}` have the factor `e^{ikx}` where the table has a
+/// cosine and `−i e^{ikx}` where it has a sine; under a traction `e^{ikx}` along `x` or `y` they have `e^{ikx}` for a
+/// sine and `i e^{ikx}` for a cosine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Amplitudes {
     /// Under a pressure.

@@ -1,4 +1,4 @@
-//! How far everything below a plane is from a half-space of the material above it.
+//! The difference between everything below a plane and a half-space of the material above it.
 //!
 //! Four combinations of the [minors](super::minors) vanish on such a half-space:
 //!
@@ -7,8 +7,8 @@
 //! c₂ = g − f + x c₁          c₄ = g − w d               x = 1/w, w = 2 (1 − ν)
 //! ```
 //!
-//! They are the minors of the reflected waves. Carried beside the minors, and not computed from
-//! them, they keep their digits however small they are, and `Φ − 1 = c₄ / (w d)`.
+//! They are the minors of the reflected waves. Carried alongside the minors instead of being computed from them, they
+//! keep their digits however small they are, and `Φ − 1 = c₄ / (w d)`.
 
 use super::decay::Decay;
 use super::minors::Minors;
@@ -31,7 +31,7 @@ impl Contrast {
         c4: 0.0,
     };
 
-    /// From the definitions; right where what lies below is nothing like a half-space.
+    /// From the definitions; accurate where the bodies below are very different from a half-space.
     pub(crate) fn of(minors: &Minors, poisson: &Poisson) -> Self {
         let &Minors { p, q, f, g, d } = minors;
         let c1 = p - 2.0 * q - d;
@@ -43,7 +43,7 @@ impl Contrast {
         }
     }
 
-    /// From the bottom of a layer to its top: every term carries `θ`.
+    /// Carries the contrast from the bottom of a layer to its top: every term has the factor `θ`.
     pub(crate) fn through(&self, poisson: &Poisson, decay: &Decay) -> Self {
         let &Self { c1, c2, c3, c4 } = self;
         let &Decay { s, theta4, e, .. } = decay;
@@ -59,8 +59,8 @@ impl Contrast {
         }
     }
 
-    /// A difference from a `contrast` if that can be trusted, else the `plain` one of two numbers that were computed
-    /// to a few roundings of their `size`; `layers` lie below.
+    /// Returns a difference of two numbers that were computed to a few roundings of their `size`: the `contrast` if it
+    /// can be trusted, else the `plain` difference; `layers` lie below.
     pub(crate) fn judged(contrast: f64, plain: f64, size: f64, layers: usize) -> f64 {
         let far_from_one = plain.abs() > PLAIN_DIFFERENCE * size;
         let rounding = ROUNDING * (4.0 + layers as f64) * size;
@@ -84,9 +84,9 @@ impl Contrast {
 /// Where `|Φ − 1| / (Φ + 1)` is larger, subtraction loses less than a factor 4.
 const PLAIN_DIFFERENCE: f64 = 0.25;
 
-/// Relative rounding of the minors, per layer and for four more: measured 1.1e-15 with eight layers.
+/// Relative rounding error of the minors, per layer, with four layers added: measured 1.1e-15 with eight layers.
 ///
-/// Where contrast and subtraction differ by more, the contrast is the one that is wrong: thin layers
-/// that differ much leave it the small difference of large terms (a factor 1e6 in modulus costs 6
-/// of 16 digits). Where they agree, the contrast has all the digits that subtraction lost.
+/// Where contrast and subtraction differ by more, the contrast is wrong: thin layers that differ much reduce it to a
+/// small difference of large terms (a factor 1e6 in modulus costs 6 of 16 digits). Where they agree, the contrast has
+/// all the digits that subtraction lost.
 const ROUNDING: f64 = 1e-15;

@@ -1,4 +1,4 @@
-//! How waves of wavenumber `k` decay across a layer of thickness `H`, `s = k H`.
+//! The decay of waves of wavenumber `k` across a layer of thickness `H`, `s = k H`.
 //!
 //! All functions carry the factor `4θ`, `θ = e^{−2s}`, so nothing grows:
 //!
@@ -8,9 +8,9 @@
 //! 4θ (sinh² s − s²) = q₂        q₂ = (1 − θ)² − 4θs²
 //! ```
 //!
-//! For small `s` the differences are summed as series, for large `s` taken as they stand.
+//! For small `s` the differences are summed as series; for large `s` they are computed as written.
 
-/// The functions of `s = k H` that the propagation through one layer is made of.
+/// The functions of `s = k H` in the propagation through one layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Decay {
     /// `s = k H`
@@ -25,8 +25,8 @@ pub(crate) struct Decay {
     pub(crate) q2: f64,
 }
 
-/// Above this `s` every term with `θ` is below the smallest normal number: the layer is a
-/// half-space to its surface. 2 · 360 > 708 = −ln(smallest normal), room left for `s²`.
+/// Above this `s` every term with `θ` is below the smallest normal number: the layer acts as a half-space. 2 · 360 >
+/// 708 = −ln(smallest normal), with room left for `s²`.
 const DEEP: f64 = 360.0;
 
 impl Decay {
@@ -82,7 +82,7 @@ fn horner(coefficients: &[f64; TERMS], z: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| sum * z + c)
 }
 
-/// With 12 terms the first one left out is below 1e-17 of the sum at `z = 4`, the end of the range:
+/// With 12 terms the first omitted one is below 1e-17 of the sum at `z = 4`, the end of the range:
 /// `4^12 · 3! / 27! = 9e-21`.
 const TERMS: usize = 12;
 

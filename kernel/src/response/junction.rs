@@ -1,8 +1,8 @@
 //! From the top of one body to the bottom of the layer above it.
 //!
-//! Tractions change their unit from `2 G₂ k` to `2 G₁ k`, `μ = G₁/G₂`; across a frictionless
-//! interface the minors start anew from the compliance `g/d` alone, with no shear on either side. Springs come on
-//! top of a bond ([`spring`](super::spring)).
+//! The unit of tractions changes from `2 G₂ k` to `2 G₁ k`, `μ = G₁/G₂`. Across a frictionless interface the minors
+//! start anew from the compliance `g/d` alone, with no shear on either side. Springs are added on top of a bond
+//! ([`spring`](super::spring)).
 
 use super::contrast::Contrast;
 use super::minors::Minors;
@@ -22,7 +22,7 @@ pub(crate) enum Junction {
     Sliding(Poisson),
 }
 
-/// How two elastic bodies that touch differ.
+/// The difference between two adjacent elastic bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct MaterialStep {
     /// `μ = G₁/G₂`, upper over lower
@@ -61,7 +61,7 @@ impl Junction {
         }
     }
 
-    /// The response of the base itself; never asked of a rigid one.
+    /// The minors of the base itself; those of a rigid base are not used.
     pub(crate) fn base_minors(&self) -> Minors {
         match self {
             Self::Bonded(step) | Self::Frictionless(step) => Minors::half_space(&step.lower),
@@ -98,7 +98,7 @@ impl Junction {
         }
     }
 
-    /// Minors and contrast in the layer above if it were bonded, whatever the interface is.
+    /// Minors and contrast in the layer above if it were bonded, whatever the interface.
     pub(crate) fn bonded(&self, below: &Minors, contrast: &Contrast) -> (Minors, Contrast) {
         match self {
             Self::Bonded(step) | Self::Frictionless(step) => (
@@ -130,7 +130,7 @@ impl MaterialStep {
         }
     }
 
-    /// Multiplied by μ throughout: a common factor means nothing.
+    /// All are multiplied by μ: a common factor has no meaning.
     fn bonded_minors(&self, &Minors { p, q, f, g, d }: &Minors) -> Minors {
         Minors {
             p: self.mu * p,

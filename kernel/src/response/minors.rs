@@ -1,20 +1,20 @@
 //! Everything that lies below a horizontal plane, as five numbers.
 //!
-//! At wavenumber `k` the state on a plane is `(U, V, τ, σ)`: horizontal and vertical displacement,
-//! shear and normal traction, the tractions in units of `2 G k`. Whatever lies below restricts it
-//! to a plane spanned by two such columns, which their 2 × 2 minors describe (rows named by index):
+//! At wavenumber `k` the state on a plane is `(U, V, τ, σ)`: horizontal and vertical displacement, shear and normal
+//! traction, the tractions in units of `2 G k`. The bodies below restrict it to a plane spanned by two such columns,
+//! which is described by their 2 × 2 minors (rows named by index):
 //!
 //! ```text
 //! p = (UV)   q = −(Uτ) = (Vσ)   f = −(Uσ)   g = (Vτ)   d = (τσ)
 //! ```
 //!
-//! With `τ = 0` on the plane, `V = −(g/d) σ`: `g/d` is the compliance and `Φ = g / (w d)`,
-//! `w = 2 (1 − ν)`. A common factor means nothing. `p d = f g − q²`, and `p, f, g, d ≥ 0`.
+//! With `τ = 0` on the plane, `V = −(g/d) σ`: `g/d` is the compliance and `Φ = g / (w d)`, `w = 2 (1 − ν)`. A common
+//! factor has no meaning. `p d = f g − q²`, and `p, f, g, d ≥ 0`.
 //!
-//! The minors on the top of a homogeneous layer are *linear* in those on its bottom. Carrying them,
-//! and not the columns, is what keeps the recursion stable: the growing exponential `e^{2s}` is a
-//! common factor and is dropped, and no difference of large numbers is left. (The compound, or
-//! delta, matrix of seismology.) The map follows from `dv/dζ = A v`, `ζ = k z`,
+//! The minors on the top of a homogeneous layer are *linear* in those on its bottom. Carrying the minors instead of the
+//! columns keeps the recursion stable: the growing exponential `e^{2s}` is a common factor and is dropped, and no
+//! difference of large numbers is left. (This is the compound, or delta, matrix of seismology.) The map follows from
+//! `dv/dζ = A v`, `ζ = k z`,
 //!
 //! ```text
 //! A = ⎡  0      1     2      0   ⎤      n = ν / (1 − ν)
@@ -26,7 +26,7 @@
 use super::decay::Decay;
 use super::poisson::Poisson;
 
-/// The five independent minors; tractions in units of `2 G k` of the body whose boundary it is.
+/// The five independent minors; tractions in units of `2 G k` of the body that the plane bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Minors {
     pub(crate) p: f64,
@@ -72,9 +72,9 @@ impl Minors {
         self.p + 2.0 * poisson.b * self.q + poisson.a * self.d
     }
 
-    /// From the bottom of a layer to its top.
+    /// Carries the minors from the bottom of a layer to its top.
     ///
-    /// With `k' = 4θ sinh s cosh s`, `h = 4θ sinh² s`, `S₂ = p − 2q − d` and `x = 1/w` it reads
+    /// With `k' = 4θ sinh s cosh s`, `h = 4θ sinh² s`, `S₂ = p − 2q − d` and `x = 1/w`,
     ///
     /// ```text
     /// A = x² h S₁ + x k'(f + g)      B = 4θ [x² s² S₂ + x s (g − f)]
@@ -83,7 +83,7 @@ impl Minors {
     /// d' = 4θ d +   A − B
     /// ```
     ///
-    /// Here `h = q₂ + 4θ s²` and `k' = q₁ + 4θ s` are inserted, and what cancels has cancelled.
+    /// The code inserts `h = q₂ + 4θ s²` and `k' = q₁ + 4θ s` and omits the terms that cancel.
     pub(crate) fn through(&self, poisson: &Poisson, decay: &Decay) -> Self {
         let &Self { p, q, f, g, d } = self;
         let &Poisson { nu, a, b, w, x } = poisson;
@@ -116,7 +116,7 @@ impl Minors {
         }
     }
 
-    /// A number of the size of the largest minor.
+    /// The order of magnitude of the largest minor.
     pub(crate) fn magnitude(&self) -> f64 {
         self.p + self.f + self.g + self.d
     }

@@ -1,9 +1,8 @@
 //! `Φ` of one layer in closed form, for any base.
 //!
-//! The [minors](super::minors) below the layer do not depend on `k`, so `Φ` is a ratio of two short
-//! sums of the functions in [`Decay`] with constants prepared once. For a bonded half-space it is,
-//! term by term, the known two-layer form (O'Sullivan and King 1988; Nogi and Kato 1997) rewritten
-//! so that nothing cancels at small `s`.
+//! The [minors](super::minors) below the layer do not depend on `k`, so `Φ` is a ratio of two short sums of the
+//! functions in [`Decay`], with constants prepared once. For a bonded half-space it is, term by term, the known
+//! two-layer form (O'Sullivan and King 1988; Nogi and Kato 1997), rewritten so that nothing cancels at small `s`.
 
 use super::contrast::Contrast;
 use super::decay::Decay;
@@ -45,7 +44,7 @@ impl OneLayer {
         Self::held(layer, &spring.minors(&below), &contrast)
     }
 
-    /// With these minors and this contrast on the bottom.
+    /// A layer with these minors and this contrast on its bottom.
     fn held(layer: &Layer, minors: &Minors, contrast: &Contrast) -> Self {
         let poisson = Poisson::new(layer.material());
         let &Contrast { c1, c2, c3, c4 } = contrast;

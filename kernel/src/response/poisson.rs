@@ -1,4 +1,4 @@
-//! The combinations of Poisson's ratio that the transformed equations are made of.
+//! The combinations of Poisson's ratio in the transformed equations.
 
 use crate::Material;
 

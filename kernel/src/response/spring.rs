@@ -1,13 +1,13 @@
 //! The imperfect bond between two bodies at one wavenumber.
 //!
-//! Where `U` and `V` jump by `ĉ_s τ` and `ĉ_n σ`, `ĉ = 2 G k c` in the units of the upper body, the minors
-//! of a perfect bond become, with positive terms alone,
+//! If `U` and `V` jump by `ĉ_s τ` and `ĉ_n σ`, `ĉ = 2 G k c` in the units of the upper body, the minors of a perfect
+//! bond become, with positive terms only,
 //!
 //! ```text
 //! p' = p + ĉ_n f + ĉ_s g + ĉ_s ĉ_n d     f' = f + ĉ_s d     g' = g + ĉ_n d     q' = q     d' = d
 //! ```
 //!
-//! All are divided by `(1 + ĉ_s)(1 + ĉ_n)`, so that a frictionless bond, `ĉ_s = ∞`, is one of them.
+//! All are divided by `(1 + ĉ_s)(1 + ĉ_n)`, so that the frictionless bond, `ĉ_s = ∞`, is included.
 
 use super::contrast::Contrast;
 use super::minors::Minors;
@@ -22,7 +22,7 @@ pub(crate) struct ComplianceShare {
 }
 
 impl ComplianceShare {
-    /// Of a dimensionless compliance `ĉ` from 0 to ∞.
+    /// The shares of a dimensionless compliance `ĉ` from 0 to ∞.
     pub(crate) fn new(compliance: f64) -> Self {
         if compliance > 1.0 {
             let inverse = 1.0 / compliance;
@@ -49,7 +49,7 @@ pub(crate) struct SpringWave {
 }
 
 impl SpringWave {
-    /// Of an interface below a body of `unit = 2 G k`.
+    /// The compliances of an interface below a body of `unit = 2 G k`.
     pub(crate) fn new(interface: Interface, unit: f64) -> Self {
         let share = |compliance: f64| ComplianceShare::new(scaled(compliance, unit));
         Self {
@@ -100,7 +100,7 @@ impl SpringWave {
     }
 }
 
-/// `c · 2 G k`, 0 for a bond also where `2 G k` overflows.
+/// `c · 2 G k`; 0 for a bond even if `2 G k` overflows.
 fn scaled(compliance: f64, unit: f64) -> f64 {
     if compliance == 0.0 {
         0.0

@@ -30,18 +30,18 @@ struct LayerStep {
 /// The support of the bottom of one layer, in the units of the layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct HeldBottom {
-    /// The minors of what lies below the interface.
+    /// The minors of the bodies below the interface.
     pub(crate) below: Minors,
     /// The interface.
     pub(crate) spring: SpringWave,
     /// The minors of both together.
     pub(crate) minors: Minors,
-    /// How far both together are from a half-space of the layer's material.
+    /// The difference between both together and a half-space of the layer's material.
     pub(crate) contrast: Contrast,
 }
 
-/// Minors are scaled back to 1 when they leave the range from 1e-100 to 1e100: from inside it
-/// two more layers, of the largest ratio of moduli, 1e30, cannot overflow.
+/// Minors are scaled back to 1 when they leave the range from 1e-100 to 1e100. Starting inside it, two more layers with
+/// the largest ratio of moduli, 1e30, cannot overflow.
 const LARGE: f64 = 1e100;
 
 impl Stack {
@@ -80,8 +80,8 @@ impl Stack {
         minors.g / (self.surface.w * minors.d)
     }
 
-    /// How what lies below holds the bottom of every layer, surface first, and the minors on the top of
-    /// every layer but the first and of the base, each in its body's units.
+    /// The support of the bottom of every layer, surface first, and the minors on the top of every layer but the first
+    /// and of the base, each in the units of its body.
     pub(crate) fn held_bottoms(&self, wavenumber: f64) -> Vec<(HeldBottom, Minors)> {
         let (mut top, mut contrast) = (self.base, Contrast::NONE);
         let mut bottoms = Vec::with_capacity(self.steps.len());
@@ -98,7 +98,7 @@ impl Stack {
         bottoms
     }
 
-    /// `Φ − 1 = c₄ / (w d)` on the surface, or `(g − w d) / (w d)` where that is better.
+    /// `Φ − 1 = c₄ / (w d)` on the surface, or `(g − w d) / (w d)` where that is more accurate.
     pub(crate) fn minus_one(&self, wavenumber: f64) -> f64 {
         let (mut minors, mut contrast) = (self.base, Contrast::NONE);
         for step in &self.steps {
@@ -115,7 +115,7 @@ impl Stack {
 }
 
 impl LayerStep {
-    /// From the top of what lies below to the top of the layer.
+    /// Carries the minors from the top of the body below to the top of the layer.
     fn minors(&self, below: &Minors, decay: &Decay, wavenumber: f64) -> Minors {
         let bonded = self.junction.minors(below);
         let bottom = match self.interface {
@@ -139,7 +139,7 @@ impl LayerStep {
         bottom.through(&self.poisson, decay)
     }
 
-    /// The bottom as a bond below a spring, of whatever kind the interface is.
+    /// The support of the bottom as a bond below a spring, whatever the kind of the interface.
     fn held_bottom(&self, below: &Minors, contrast: &Contrast, wavenumber: f64) -> HeldBottom {
         let (below, contrast) = self.junction.bonded(below, contrast);
         let spring = self.spring(wavenumber);
@@ -156,7 +156,7 @@ impl LayerStep {
     }
 }
 
-/// The factor that brings the minors back to 1 when they have left the middle of the range.
+/// The factor that brings the minors back to 1 if they have left the range.
 fn rescaling(minors: &Minors) -> f64 {
     let magnitude = minors.magnitude();
     if (1.0 / LARGE..=LARGE).contains(&magnitude) {

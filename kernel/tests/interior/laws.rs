@@ -1,4 +1,4 @@
-//! Hooke's law and equilibrium at every depth, the surface, the interfaces.
+//! Hooke's law and equilibrium at every depth, and the conditions on the surface and at the interfaces.
 
 use super::*;
 
@@ -8,7 +8,7 @@ fn the_surface_carries_the_loads_and_moves_by_the_compliance() {
         for k in WAVENUMBERS {
             let surface = foundation.interior(k).unwrap().at(0.0, Side::Below);
             let moved = surface.normal.vertical_displacement / foundation.compliance(k) - 1.0;
-            // The error of the elimination, a few tens of roundings.
+            // The error is that of the elimination, a few tens of roundings.
             assert!(moved.abs() < 2e-14, "{moved:e} k = {k} {foundation:?}");
             let unit = 2.0 * foundation.surface_material().shear_modulus() * k;
             let loads = [[0.0, -1.0], [-1.0, 0.0]];
@@ -34,7 +34,7 @@ fn what_pressure_moves_along_traction_lifts() {
             );
             let larger =
                 surface.normal.vertical_displacement + surface.shear.horizontal_displacement;
-            // Betti; the errors are those of the larger components.
+            // Betti; the errors are relative to the larger components.
             assert!(
                 (along - lifted).abs() < 1e-13 * larger,
                 "k = {k} {foundation:?}"
@@ -159,10 +159,10 @@ fn body_below(foundation: &Foundation, i: usize) -> Option<Material> {
     }
 }
 
-/// An interface; a rigid body below has no tractions of its own to compare.
+/// An interface; a rigid body below has no tractions to compare.
 struct Meeting {
     interface: Interface,
-    /// `2 G k` of the softer side, where a small error of traction is the larger displacement
+    /// `2 G k` of the softer side, where a small error of traction causes the larger displacement
     unit: f64,
     rigid: bool,
 }
@@ -174,7 +174,7 @@ impl Meeting {
         let (normal, shear) = self.jumps();
         let close =
             |difference: f64| assert!(difference.abs() <= bound, "{difference:e} {bound:e}");
-        // 1 + c 2 G k: the error of the traction makes one of the displacement.
+        // 1 + c 2 G k: the error of the traction causes one of the displacement.
         let opening = below.vertical_displacement - above.vertical_displacement;
         close(self.unit * (opening - normal * above.normal_stress) / (1.0 + normal * self.unit));
         let sliding = below.horizontal_displacement - above.horizontal_displacement;
@@ -221,7 +221,7 @@ fn an_interface_has_two_sides() {
     let interior = foundation.interior(2.0).unwrap();
     let stress = |depth, side| interior.at(depth, side).normal.longitudinal_stress;
     let (above, below) = (stress(0.5, Side::Above), stress(0.5, Side::Below));
-    // 1e-9 of the thickness away, the stress is another by about as much; below it is a tenth as the modulus is.
+    // 1e-9 of the thickness away, the stress changes by about as much; below, it is a tenth, like the modulus.
     assert!((above - stress(0.5 * (1.0 - 1e-9), Side::Below)).abs() < 1e-7);
     assert!((below - stress(0.5 * (1.0 + 1e-9), Side::Above)).abs() < 1e-7);
     assert!((above - below).abs() > 0.1);

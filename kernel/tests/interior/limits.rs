@@ -83,7 +83,7 @@ fn the_homogeneous_body_and_the_correction_are_the_layered_body() {
                     [&layered, &plain].map(|of| numbers(&of.at(depth, Side::Above)));
                 let correction = numbers(&layered.correction(depth).unwrap());
                 for i in 0..15 {
-                    // Displacements and stresses times 2 G k H are compared by the same loose size: the state's.
+                    // Displacements times 2 G k and stresses are compared on one loose scale: the size of the state.
                     let unit = 2.0 * foundation.surface_material().shear_modulus() * k;
                     let scale = |list: &[f64]| {
                         let of = |i: usize, x: &f64| {
@@ -96,7 +96,7 @@ fn the_homogeneous_body_and_the_correction_are_the_layered_body() {
                     let size = scale(&whole) + scale(&plain);
                     let error = (plain[i] + correction[i] - whole[i]).abs()
                         * if IS_DISPLACEMENT[i] { unit } else { 1.0 };
-                    // Both eliminations, and e^{−kz} of a rounded k z.
+                    // The errors of both eliminations, and of e^{−kz} for a rounded k z.
                     assert!(
                         error <= 1e-13 * size,
                         "{i} {error:e} {size:e} k = {k} {foundation:?}"

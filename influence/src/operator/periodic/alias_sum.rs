@@ -1,4 +1,4 @@
-//! The response of all aliases of a wave together, to the last digits.
+//! The combined response of all aliases of a wave, to full precision.
 //!
 //! With `α = k_x a`, `β = k_y a` the terms are
 //!
@@ -6,9 +6,9 @@
 //! C(q) sinc(α + πm) sinc(β + πn),    q = |(α + πm, β + πn)|/a,    (m, n) ≠ (0, 0)
 //! ```
 //!
-//! They alternate in sign with m and n and fall like `q⁻³`. A sum that is faded out smoothly loses of an alternating
-//! series exponentially little, so 40 aliases to each side do. The sum is even and smooth in α and β, whose nearest
-//! singularity lies at the first alias, so a polynomial in α² and β² holds it.
+//! They alternate in sign with m and n and fall like `q⁻³`. Tapering an alternating series smoothly changes its sum
+//! exponentially little, so 40 aliases on each side suffice. The sum is even and smooth in α and β, and its nearest
+//! singularity lies at the first alias, so it is stored as a polynomial in α² and β².
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
@@ -20,16 +20,16 @@ use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
 use crate::numerics::lagrange;
 
-/// Aliases to each side.
+/// Number of aliases on each side.
 const REACH: usize = 40;
-/// Where half of an alias counts, as a part of the reach, and how steeply the others fade: 1e-16 of the last ones and
-/// of the first.
+/// Position of the taper's half value, as a fraction of the reach, and steepness of the taper: 1e-16 of the last
+/// aliases remain, and 1e-16 of the first are removed.
 const MIDDLE: f64 = 0.5;
 const STEEPNESS: f64 = 11.5;
 /// `2 q H` from which on `Φ − 1` is below rounding.
 const FADED: f64 = 20.0;
-/// Nodes of the polynomial along each axis: the first alias is at 14 in the metric of their ellipse, 14⁻¹⁶ = 5e-19,
-/// and less far where a coating is much thinner than an element.
+/// Nodes of the polynomial along each axis: the first alias is at 14 in the metric of their ellipse, 14⁻¹⁶ = 5e-19, and
+/// nearer where a coating is much thinner than an element.
 const NODES: usize = 16;
 
 /// The sum for every wave of a grid.
@@ -41,12 +41,12 @@ pub struct AliasSum {
 pub struct AliasSumRow([f64; NODES]);
 
 impl AliasSum {
-    /// For elements of half side `a`.
+    /// The sums for elements of half side `a`.
     pub fn new(bodies: &ElasticBodies, half_side: f64) -> Self {
         let foundation = bodies.foundation();
         let moduli =
             std::iter::once(foundation.surface_material()).chain(bodies.counterbody().copied());
-        // 2/(E* k) of the surfaces alone
+        // 2/(E* k) of the surface materials alone
         let homogeneous: f64 = moduli.map(|body| 2.0 / body.plane_strain_modulus()).sum();
         let layered = LayeredPart::of(bodies, half_side);
         let along = wave_nodes();
@@ -89,7 +89,7 @@ static HOMOGENEOUS: LazyLock<[[f64; NODES]; NODES]> =
 struct LayeredPart<'a> {
     bodies: &'a ElasticBodies,
     half_side: f64,
-    /// `q a` beyond which that is nothing to rounding.
+    /// `q a` beyond which the correction is below rounding.
     largest: f64,
 }
 
@@ -106,7 +106,7 @@ impl<'a> LayeredPart<'a> {
 
     fn sum(&self, wave: [f64; 2]) -> f64 {
         if self.largest <= FRAC_PI_2 {
-            // No alias is as long.
+            // All aliases are shorter.
             return 0.0;
         }
         let foundation = self.bodies.foundation();
@@ -135,7 +135,7 @@ fn sum(wave: [f64; 2], response: impl Fn(f64) -> f64) -> f64 {
     sum
 }
 
-/// `α + πm` of every alias along one axis, and its factor in the sum: `sinc`, faded out.
+/// `α + πm` of every alias along one axis, and its factor in the sum: `sinc`, tapered.
 fn aliases_along(alpha: f64) -> [(f64, f64); 2 * REACH + 1] {
     std::array::from_fn(|i| {
         let x = alpha + PI * (i as f64 - REACH as f64);
@@ -153,7 +153,7 @@ static FADE: LazyLock<[f64; REACH + 1]> = LazyLock::new(|| {
     std::array::from_fn(|m| erfc(STEEPNESS * (m as f64 / REACH as f64 - MIDDLE)) / 2.0)
 });
 
-/// Lagrange's weights of the nodes at `x`, from 0 to π/2.
+/// Lagrange weights of the nodes at `x`, from 0 to π/2.
 fn weights(x: f64) -> [f64; NODES] {
     lagrange::weights((x / FRAC_PI_2).powi(2))
 }
@@ -164,7 +164,7 @@ mod tests {
 
     use super::*;
 
-    /// Elements a hundred times as large as the coating is thick, as large, and a tenth.
+    /// Elements a hundred times as large as the coating is thick, equally large, and a tenth as large.
     #[test]
     fn the_polynomial_is_the_sum_between_its_nodes_too() {
         let material = |modulus| Material::new(modulus, 0.3).unwrap();

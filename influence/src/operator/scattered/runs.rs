@@ -1,14 +1,14 @@
-//! Listed elements as runs of neighbours, and how many pairs of them are near.
+//! Listed elements as runs of neighbours, and the number of near pairs among them.
 
 use super::smooth::{ORDER, RADIUS};
 
-/// Elements side by side in one row.
+/// Adjacent elements in one row.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Run {
     pub row: usize,
     /// The first column.
     pub first: usize,
-    /// Where its elements stand in the list.
+    /// The position of its first element in the list; `end` is that after its last.
     pub start: usize,
     pub end: usize,
 }
@@ -22,7 +22,7 @@ pub(super) struct Runs {
 }
 
 impl Runs {
-    /// Of ascending indices `i N + j`.
+    /// The runs of ascending indices `i N + j`.
     pub fn of(size: usize, elements: &[u32]) -> Self {
         let mut runs: Vec<Run> = Vec::new();
         for (at, element) in elements.iter().enumerate() {
@@ -46,7 +46,7 @@ impl Runs {
         }
     }
 
-    /// The indices of the runs that reach within `RADIUS` of one, along both axes.
+    /// The indices of the runs within `RADIUS` of one, along both axes.
     pub fn near(&self, of: Run) -> impl Iterator<Item = usize> {
         let rows = of.row.saturating_sub(RADIUS - 1)..(of.row + RADIUS).min(self.of_row.len() - 1);
         let (left, right) = (of.first, of.first + of.len() + RADIUS - 1);
@@ -70,8 +70,8 @@ impl Run {
     }
 }
 
-/// Multiplications of a product among these elements (ascending indices `i N + j` of N × N elements), at most, beside
-/// those on the coarser grid: near coefficients, and interpolations at both ends.
+/// Upper bound on the multiplications of a product among these elements (ascending indices `i N + j` of N × N
+/// elements), not counting those on the coarser grid: near coefficients, and interpolations at both ends.
 #[must_use]
 pub fn scattered_work(size: usize, elements: &[u32]) -> usize {
     let tiles = size.div_ceil(RADIUS);

@@ -1,10 +1,10 @@
-//! The coefficients split into a near part and a smooth one, and the nodes that the smooth one is interpolated from.
+//! The coefficients split into a near part and a smooth one, and the nodes from which the smooth one is interpolated.
 
 use crate::coefficient_table::CoefficientTable;
 use crate::error::InfluenceError;
 
-/// Distances from `R`, in elements, at which the polynomial meets the coefficient: with seven, six elements apart,
-/// the kink at `R` alone is an error twenty times as large.
+/// Distances from `R`, in elements, at which the polynomial equals the coefficient: with seven, six elements apart, the
+/// kink at `R` alone causes an error twenty times as large.
 const MEETINGS: [isize; 11] = [-20, -16, -12, -8, -4, 0, 4, 8, 12, 16, 20];
 
 /// `R`, in elements.
@@ -16,10 +16,10 @@ pub(super) const ORDER: usize = 12;
 /// Columns of the table of near coefficients.
 pub(super) const NEAR_WIDTH: usize = 2 * RADIUS - 1;
 
-/// Points in the outer half of the table from which coefficients beyond it are continued along an axis.
+/// Points in the outer half of the table from which coefficients are extrapolated beyond it along an axis.
 const POINTS: usize = 8;
 
-/// The first node of a line of elements and Lagrange's weights of its nodes, which start at the element `origin`.
+/// The first node of a line of elements and the Lagrange weights of its nodes, which start at the element `origin`.
 pub(super) fn weights(line: usize, origin: isize, nodes: usize) -> (usize, [f64; ORDER]) {
     let from_origin = (line.cast_signed() - origin) as f64 / SPACING as f64;
     #[expect(clippy::cast_possible_truncation, reason = "a line of a grid")]
@@ -33,7 +33,7 @@ pub(super) fn weights(line: usize, origin: isize, nodes: usize) -> (usize, [f64;
     (first, std::array::from_fn(weight))
 }
 
-/// Lagrange's weight at a place of one of the nodes 0, 1 … `nodes` − 1.
+/// Lagrange weight at `place` of one of the nodes 0, 1 … `nodes` − 1.
 fn lagrange(nodes: usize, node: usize, place: f64) -> f64 {
     let others = (0..nodes).filter(|other| *other != node);
     let factors = others.map(|other| (place - other as f64) / (node as f64 - other as f64));
@@ -43,7 +43,7 @@ fn lagrange(nodes: usize, node: usize, place: f64) -> f64 {
 /// The smooth part of the coefficients.
 pub(super) struct Smooth<'a> {
     table: &'a CoefficientTable,
-    /// `(r/R)²` and `k` where the polynomial meets the coefficient.
+    /// `(r/R)²` and `k` where the polynomial equals the coefficient.
     meetings: [[f64; 2]; MEETINGS.len()],
 }
 
@@ -76,8 +76,8 @@ impl<'a> Smooth<'a> {
         }
     }
 
-    /// The coefficient of an offset m ≥ n that may lie beyond the table, by the polynomials through some within: nodes
-    /// beside the elements have such offsets, and little weight.
+    /// The coefficient of an offset m ≥ n that may lie beyond the table, extrapolated by polynomials through points
+    /// within it. Only nodes beside the elements have such offsets, and their weights are small.
     fn beyond(&self, [m, n]: [usize; 2]) -> f64 {
         let last = self.table.size() - 1;
         if m <= last {

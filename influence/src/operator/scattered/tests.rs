@@ -1,4 +1,4 @@
-//! Products among scattered elements against those on the whole window.
+//! Products among scattered elements, compared with those on the whole window.
 
 use rayon::ThreadPoolBuilder;
 
@@ -38,7 +38,7 @@ fn islands(size: usize) -> Vec<u32> {
         .collect()
 }
 
-/// Displacements of the elements by the restricted and by the whole product under pressures on two of three.
+/// Displacements of the elements by the restricted and by the whole product, with pressures on two of three elements.
 fn both(table: &CoefficientTable, size: usize) -> [Vec<f64>; 2] {
     let elements = islands(size);
     let pressure: Vec<f64> = (0..elements.len())
@@ -81,7 +81,7 @@ fn scattered_elements_move_as_the_whole_grid_does() {
     let soft = Material::new(2e9, 0.49).unwrap();
     let coatings = [1e-6, 1e-5, 1e-4].map(|h| Foundation::coated(h, soft, steel()).unwrap());
     for foundation in [Foundation::half_space(steel())].iter().chain(&coatings) {
-        // On all of a table's grid nodes lie beyond its offsets, of a small one far beyond.
+        // On the whole grid of a table, nodes lie beyond its offsets; with a small table, far beyond.
         for (of, size, bound) in [(SIZE, SIZE, 2e-9), (SIZE, 213, 2e-9), (200, 200, 2e-8)] {
             let off = difference(&both(&table(foundation, of), size));
             assert!(off < bound, "{of} {size}: {off}");

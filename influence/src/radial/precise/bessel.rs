@@ -5,8 +5,8 @@ use std::sync::LazyLock;
 use super::twofold::{PI, Twofold};
 use crate::numerics::rounding;
 
-/// `J0(x)` by Miller's backward recurrence (Olver 1964): from an order far beyond x down, normalised by
-/// `J0 + 2 Σ J_2k = 1`.
+/// `J0(x)` by Miller's backward recurrence (Olver 1964): from an order far beyond x downwards, normalised
+/// by `J0 + 2 Σ J_2k = 1`.
 pub(crate) fn j0(x: Twofold) -> Twofold {
     let order = |x: f64| 2 * rounding::ceil((x + 30.0 + 12.0 * x.cbrt()) / 2.0);
     let two_over_x = Twofold::from(2.0) / x;

@@ -2,13 +2,13 @@
 
 use super::twofold::Twofold;
 
-/// Terms an expansion is made with.
+/// Number of terms with which an expansion is made.
 const TERMS: usize = 26;
 
-/// Coefficients below this share of the largest are summed in 16 digits: their rounding is 1e-24 of the whole.
+/// Coefficients below this fraction of the largest are summed in 16 digits: their rounding is 1e-24 of the whole.
 const MINOR: f64 = 1e-8;
 
-/// Coefficients below this share of the largest are left out.
+/// Coefficients below this fraction of the largest are dropped.
 const NEGLIGIBLE: f64 = 1e-24;
 
 /// `Σ c_j T_j(x)`, x in [−1, 1].
@@ -57,7 +57,7 @@ impl Expansion {
     }
 }
 
-/// `cos(π j (2i+1)/2n)`, from which nodes and expansions are made.
+/// `cos(π j (2i+1)/2n)`, from which nodes and expansions are computed.
 pub(crate) struct Cosines {
     rows: Vec<[Twofold; TERMS]>,
 }

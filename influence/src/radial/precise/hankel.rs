@@ -11,7 +11,7 @@ use crate::radial::hankel::{DOUBLING_END, PANEL, TAPER_CENTRE, TAPER_WIDTH, head
 /// Doubling panels go down to 4 · 2⁻²⁰, for radii beyond the smallest wavelengths of Φ.
 const OCTAVES: i32 = 20;
 
-/// And to 4 · 2⁻⁸⁰ where Φ has its largest wavelength far beyond them.
+/// Used instead where the largest wavelength of Φ is far beyond these: panels down to 4 · 2⁻⁸⁰.
 const DEEP_OCTAVES: i32 = 80;
 
 /// One point of the rule.
@@ -23,7 +23,7 @@ pub(crate) struct PreciseNode {
     pub weight: Twofold,
 }
 
-/// The rule: one panel from 0, then panels that double, then panels of one period.
+/// The rule: one panel from 0, then doubling panels, then panels of one period.
 #[derive(Debug)]
 pub(crate) struct PreciseRule {
     /// Entry j covers 0 to 4 · 2^(−j) at once.
@@ -37,7 +37,7 @@ static RULE: LazyLock<PreciseRule> = LazyLock::new(|| PreciseRule::new(OCTAVES))
 static DEEP_RULE: LazyLock<PreciseRule> = LazyLock::new(|| PreciseRule::new(DEEP_OCTAVES));
 
 impl PreciseRule {
-    /// The rule for a function that is a low polynomial below `smooth_below`; made once.
+    /// The rule for a function that is a low polynomial below `smooth_below`; built once.
     pub(crate) fn shared(smooth_below: f64) -> &'static Self {
         if smooth_below < head_end(OCTAVES) {
             &DEEP_RULE
@@ -66,7 +66,7 @@ impl PreciseRule {
     }
 }
 
-/// Position and weight of a Gauss–Legendre node in 32 digits, by Newton's method from 16.
+/// Position and weight of a Gauss–Legendre node in 32 digits, by Newton's method from 16 digits.
 fn refined(node: &Node) -> (Twofold, Twofold) {
     let mut x = Twofold::from(node.position);
     let mut slope = Twofold::ONE;

@@ -23,7 +23,7 @@ pub(crate) struct PreciseResponse {
 }
 
 impl PreciseResponse {
-    /// Tabulates Φ, which is to be a low polynomial up to `reach` and 1 beyond `end`.
+    /// Tabulates Φ, which must be a low polynomial up to `reach` and 1 beyond `end`.
     pub(crate) fn new(foundation: &Foundation, [reach, end]: [f64; 2]) -> Self {
         let start = (reach / 2.0).ln();
         let count = rounding::ceil((end.ln() - start) / WIDTH);
@@ -43,7 +43,7 @@ impl PreciseResponse {
         }
     }
 
-    /// Up to this s, Φ is one polynomial.
+    /// The s up to which Φ is one polynomial.
     pub(crate) fn reach(&self) -> f64 {
         self.reach
     }
@@ -70,7 +70,8 @@ impl PreciseResponse {
         [2_i32, 4, 6, 8].map(|power| {
             let terms = self.low.coefficients().enumerate();
             let sum = terms.fold(Twofold::ZERO, |sum, (j, c)| {
-                // Weights are ratios of integers far below 2^106; 1e-16 of them is 1e-16 of a term that hardly cancels.
+                // Weights are ratios of integers far below 2^106; an error of 1e-16 of them is one of 1e-16 of a
+                // term that hardly cancels.
                 sum + c * Twofold::from(taylor_weight(j, power))
             });
             sum.rounded() / self.reach.powi(power)
@@ -81,7 +82,7 @@ impl PreciseResponse {
 /// Half of [`WIDTH`].
 const HALF_WIDTH: Twofold = Twofold::from_head(WIDTH / 2.0);
 
-/// Centre of a panel as ln s; computed in one way only, for fit and value must mean the same point.
+/// Centre of a panel as ln s. It is computed only here, as fitting and evaluation must use the same point.
 #[inline]
 fn centre(start: f64, panel: usize) -> f64 {
     start + WIDTH * (panel as f64 + 0.5)

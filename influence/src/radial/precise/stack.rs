@@ -1,16 +1,16 @@
 //! Φ in 32 digits at one wavenumber, by recursion over the layers.
 //!
-//! Everything below a horizontal plane is described, for one wavenumber, by the 2 × 2 minors of the two columns
-//! (horizontal and vertical displacement, shear and normal traction) it admits: `p = (UV)`, `q = (Vσ)`,
-//! `f = −(Uσ)`, `g = (Vτ)`, `d = (τσ)`, tractions in units of 2Gk. They are carried upward by linear maps with only
-//! decaying exponentials, as in `pellicle_kernel`, whose `response` this must equal (test); here the formulas may
-//! cancel, 32 digits bear it.
+//! For one wavenumber, everything below a horizontal plane is described by the 2 × 2 minors of the two columns
+//! (horizontal and vertical displacement, shear and normal traction) that it admits: `p = (UV)`, `q = (Vσ)`,
+//! `f = −(Uσ)`, `g = (Vτ)`, `d = (τσ)`, with tractions in units of 2Gk. They are carried upward by linear maps with
+//! decaying exponentials only, as in `pellicle_kernel`, whose `response` this must equal (test). Here the formulas may
+//! cancel, since there are 32 digits.
 
 use pellicle_kernel::{Base, Foundation, Layer, Material};
 
 use super::twofold::Twofold;
 
-/// The minors of what lies below a plane.
+/// The minors of the bodies below a plane.
 #[derive(Clone, Copy, Debug)]
 struct Minors {
     p: Twofold,
@@ -77,9 +77,9 @@ struct LayerStep {
     thickness: Twofold,
     poisson: Poisson,
     is_frictionless: bool,
-    /// The interface's normal and shear compliance times 2G/H, H the total thickness; no shear if frictionless.
+    /// The interface's normal and shear compliance times 2G/H, H the total thickness; the latter is 0 if frictionless.
     compliances: [Twofold; 2],
-    /// Ratio of shear moduli, layer over what is below; none on a rigid base.
+    /// Ratio of shear moduli, layer over the body below; `None` on a rigid base.
     contrast: Option<Twofold>,
 }
 
@@ -181,7 +181,7 @@ impl Minors {
         }
     }
 
-    /// In the layer above the interface, in its units, and scaled to the size of 1: a common factor means nothing.
+    /// The minors in the layer above the interface, in its units and scaled to size 1: a common factor has no meaning.
     fn onto(&self, step: &LayerStep, s: Twofold) -> Self {
         let &Self { p, q, f, g, d } = self;
         let held = match (step.is_frictionless, step.contrast) {
@@ -205,7 +205,7 @@ impl Minors {
             .normalised()
     }
 
-    /// Above springs whose normal and shear compliances, times 2Gk, these are.
+    /// The minors above springs with these normal and shear compliances times 2Gk.
     fn on_springs(self, [normal, shear]: [Twofold; 2]) -> Self {
         let Self { p, q, f, g, d } = self;
         Self {
@@ -219,7 +219,7 @@ impl Minors {
 
     fn normalised(self) -> Self {
         let size = (self.p + self.f + self.g + self.d).rounded();
-        // An exact power of two, so that nothing is rounded.
+        // An exact power of two, so that there is no rounding.
         let factor = Twofold::power_of_two(-size.log2());
         Self {
             p: self.p.scaled(factor),
@@ -230,7 +230,7 @@ impl Minors {
         }
     }
 
-    /// From the bottom of a layer to its top.
+    /// Carries the minors from the bottom of a layer to its top.
     fn through(self, poisson: &Poisson, decay: &Decay) -> Self {
         let Self { p, q, f, g, d } = self;
         let &Poisson { a, b, x, .. } = poisson;

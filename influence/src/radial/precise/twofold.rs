@@ -31,7 +31,7 @@ impl Twofold {
         tail: 0.0,
     };
 
-    /// A number with nothing behind its 16th digit.
+    /// A number with no digits beyond its 16th.
     pub(crate) const fn from_head(head: f64) -> Self {
         Self { head, tail: 0.0 }
     }
@@ -51,7 +51,7 @@ impl Twofold {
         }
     }
 
-    /// 2 to the whole power nearest to `exponent`.
+    /// 2 to the integer power nearest to `exponent`.
     #[expect(
         clippy::cast_possible_truncation,
         reason = "exponents of f64 are small; larger ones saturate"
@@ -91,7 +91,7 @@ impl Twofold {
     }
 
     pub(crate) fn ln(self) -> Self {
-        // One step of Newton: y + x e^(−y) − 1
+        // One step of Newton's method: y + x e^(−y) − 1
         let y = Self::from(self.head.ln());
         y + (self * (-y).exp() - Self::ONE)
     }
@@ -172,8 +172,8 @@ impl Div for Twofold {
     }
 }
 
-/// `a b − product` exactly, `product` being the rounded `a b` (Dekker's splitting; a fused multiply-add is not
-/// everywhere in hardware).
+/// `a b − product` exactly, where `product` is the rounded `a b` (Dekker's splitting; not all hardware has
+/// a fused multiply-add).
 #[inline]
 fn product_error(a: f64, b: f64, product: f64) -> f64 {
     let (a_high, a_low) = split(a);
