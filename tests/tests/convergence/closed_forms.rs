@@ -177,7 +177,7 @@ fn a_penetration_off_by_a_part_of_an_element_is_seen_to_be_of_first_order() {
 
 #[test]
 fn the_contact_area_on_springs_alone_is_winklers() {
-    // Film compliance 0.01; the body yields less than 1e-9 of that.
+    // Film compliance 0.01; the body deforms by less than 1e-9 of that.
     let foundation = Foundation::half_space(material(1e9, 0.3));
     let film = Relief::Film(Film::new(0.01, 1.0).expect("a film"));
     let winkler = reference::winkler::from_penetration(1.0, 0.01, 0.005);
