@@ -26,7 +26,7 @@ const WALKERS: usize = 16;
 /// Steps discarded at the start, ten autocorrelation times.
 const BURN_IN: usize = 400;
 
-/// One of this many steps is kept, or more often if few samples are wanted.
+/// One step in this many is kept, or fewer if few samples are wanted.
 const THINNING: usize = 16;
 
 /// Minimum number of steps after the burn-in, about 25 autocorrelation times, so that convergence can be judged.

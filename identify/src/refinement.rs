@@ -101,7 +101,7 @@ impl<'p> Refinement<'_, 'p> {
     }
 
     /// Takes one more step without checking `χ²`, whose decrease is below the error of the predicted derivatives, while
-    /// the step itself has only that relative error. Without a prediction there, the point stays.
+    /// the step itself has only that relative error. If there is no such step, the fit is unchanged.
     fn polished(
         &self,
         predictor: &mut Predictor,

@@ -99,7 +99,7 @@ impl<P: Copy + Send + 'static, T: Send + 'static> Work<P, T> {
 
     /// Asks the work to end.
     pub fn cancel(&self) {
-        // It may have been asked before.
+        // An earlier request does not matter.
         let _ = self.watched.stop.raise();
     }
 

@@ -1,7 +1,7 @@
 //! The bend of a profile at the best fit, by which one side predicts the start of the other.
 //!
 //! With `z < 0` below the best fit, `x(z)` is smooth there, and so are the others as functions of `s = x − x₀`. Values
-//! and slopes at the best fit and at one point define the cubics
+//! and slopes at the best fit and at one point define the cubics:
 //!
 //! ```text
 //! x − x₀ = σ z + c z² + d z³          x_k − x_k0 = τ_k s + q_k s² + r_k s³

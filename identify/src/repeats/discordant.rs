@@ -7,8 +7,8 @@
 use super::curve_fit::CurveFit;
 use crate::Exclusion;
 
-/// The 99.5 % quantile of the largest deviation among a number of normal variates, in those units, from 10⁵ samples
-/// each.
+/// Numbers of normal variates, each with the 99.5 % quantile of their largest deviation in those units, from 10⁵
+/// samples.
 const LIMITS: [(f64, f64); 13] = [
     (4.0, 22.8),
     (5.0, 26.5),

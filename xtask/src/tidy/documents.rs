@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::violation::Violation;
 use crate::Tree;
 
-/// Pages that name tests, in a table's last column headed `test` or on a line of their own.
+/// Pages that name tests, in a table's last column headed `test` or on a separate line.
 const PROMISES: [&str; 2] = ["docs/evidence.md", "docs/claims.md"];
 
 /// Every relative link in a `.md` file without a target file or heading. Links to other sites are not followed.
