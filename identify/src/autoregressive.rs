@@ -1,11 +1,11 @@
 //! Correlated noise: a first-order autoregression plus white noise, whitened exactly in one pass.
 //!
-//! Of unit variance, with `φ` the correlation from one point to the next of the part that persists and `w` the part of
-//! the variance that is white: `R_ij = w δ_ij + (1 − w) φ^|i − j|`. The Kalman filter of this state-space model gives
-//! the innovations, which are the product of the inverse Cholesky factor of `R` and the series, in O(n): J. Durbin and
-//! S. J. Koopman, Time Series Analysis by State Space Methods (Oxford, 2nd ed. 2012), sections 4.3 and 7.2.
+//! For unit variance, `R_ij = w δ_ij + (1 − w) φ^|i − j|`, where `φ` is the correlation of the persistent part from one
+//! point to the next and `w` the white fraction of the variance. The Kalman filter of this state-space model gives the
+//! innovations, the product of the inverse Cholesky factor of `R` and the series, in O(n): J. Durbin and S. J. Koopman,
+//! Time Series Analysis by State Space Methods (Oxford, 2nd ed. 2012), sections 4.3 and 7.2.
 
-/// The whitening of a series, as gains of the filter.
+/// The whitening of a series, stored as the gains of the filter.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Innovations {
     persistence: f64,
@@ -45,7 +45,7 @@ impl Innovations {
         }
     }
 
-    /// `ln det R` of a series of so many points.
+    /// `ln det R` for a series of `points` points.
     pub fn log_determinant(&self, points: usize) -> f64 {
         self.variance[..points].iter().map(|f| f.ln()).sum()
     }
@@ -74,7 +74,7 @@ mod tests {
         let mut whitened = series.clone();
         filter.whiten(&mut whitened);
         let sum: f64 = whitened.iter().map(|v| v * v).sum();
-        // Rounding of twelve numbers in a matrix whose condition is about 30.
+        // Rounding of twelve numbers, with a matrix of condition number about 30.
         assert_relative_eq!(sum, quadratic, max_relative = 1e-12);
         assert_relative_eq!(
             filter.log_determinant(points),

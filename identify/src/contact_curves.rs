@@ -1,9 +1,9 @@
-//! The forward model: penetrations of a contact by its parameters, and their derivatives.
+//! The forward model: penetrations of a contact as functions of its parameters, and their derivatives.
 //!
-//! A measured curve has up to a hundred thousand points; the contact is solved at a few loads alone. Their energies
+//! A measured curve has up to a hundred thousand points, but the contact is solved at only a few loads. Their energies
 //! `E(Q) = ∫ D dQ` and the derivatives `∂E/∂θ` are extrapolated from two grids, and [`ForceCurve`]s through them give
-//! `D = dE/dQ`, `dD/dQ` and `∂D/∂θ` at every point. As the parameters change, each load's domain follows its contact,
-//! so that the same elements press and no step comes from one that enters.
+//! `D = dE/dQ`, `dD/dQ` and `∂D/∂θ` at every point. As the parameters change, each load's domain scales with its
+//! contact, so the same elements stay in contact and none of them causes a jump by entering.
 
 mod curve;
 mod fixed_number;
@@ -26,16 +26,17 @@ pub use validity::Invalidity;
 
 use crate::{ForwardError, ForwardModel, Prediction};
 
-/// Relative step of a parameter by which a stiffness is differentiated: 1e-3 by its square, and as much by the grid.
+/// Relative step of a parameter for differentiating a stiffness. The error is 1e-3 from its square, and as much from
+/// the grid.
 const STIFFNESS_STEP: f64 = 0.03;
 
-/// The curves of some models that share the parameters to be found: a [`ForwardModel`].
+/// The curves of several models that share the parameters to be found: a [`ForwardModel`].
 #[derive(Debug)]
 pub struct ContactCurves {
     curves: Vec<ContactCurve>,
     nodes: Vec<Nodes>,
     parameters: Vec<ModelParameter>,
-    /// Of each curve.
+    /// One entry per curve.
     scales: Vec<Option<ForceScale>>,
     options: CurveOptions,
     loads_solved: AtomicUsize,
@@ -43,7 +44,7 @@ pub struct ContactCurves {
 }
 
 impl ContactCurves {
-    /// The curves, and the parameters in the order in which a fit gives their values.
+    /// Curves, with the parameters in the order in which a fit passes their values.
     ///
     /// # Errors
     ///
@@ -74,8 +75,8 @@ impl ContactCurves {
         })
     }
 
-    /// The same curves with scales of their forces, of each curve its own or none. Their constants are parameters after
-    /// those of the model, in the order of their places.
+    /// The same curves with force scales, one or none for each curve. Their constants are further parameters, after
+    /// those of the model and ordered by [`ForceScale::constant`].
     #[must_use]
     pub fn with_force_scales(mut self, mut scales: Vec<Option<ForceScale>>) -> Self {
         scales.resize(self.curves.len(), None);
@@ -83,7 +84,7 @@ impl ContactCurves {
         self
     }
 
-    /// Loads at which all curves together are solved for one prediction.
+    /// Number of loads solved for one prediction of all curves.
     #[must_use]
     pub fn loads(&self) -> usize {
         self.nodes.iter().map(Nodes::len).sum()
@@ -134,13 +135,13 @@ impl ContactCurves {
         parameters.filter(is_own).map(|(index, _)| index)
     }
 
-    /// The constants of scales among the parameters.
+    /// The constants of the force scales among the parameters.
     pub(super) fn constants<'p>(&self, parameters: &'p [f64]) -> &'p [f64] {
         parameters.get(self.parameters.len()..).unwrap_or_default()
     }
 
-    /// One curve at these parameters: its points as they are read, their slopes, and their derivatives, by the
-    /// parameters of the model, the constants of scales, and the numbers `fixed` of its model.
+    /// One curve at these parameters: its points as read, their slopes, and their derivatives with respect to the
+    /// parameters of the model, the constants of the scales, and the numbers `fixed` of its model.
     pub(super) fn predicted(
         &self,
         curve: usize,
@@ -168,8 +169,8 @@ impl ContactCurves {
         Ok(prediction)
     }
 
-    /// One curve at these parameters, at its abscissae or, where they are forces, at so many times them: its points,
-    /// their slopes, and their derivatives by the parameters of the model, then by the numbers `fixed` of it.
+    /// One curve at these parameters, at its abscissae, multiplied by `factor` where they are forces: its points, their
+    /// slopes, and their derivatives with respect to the parameters of the model, then the numbers `fixed` of it.
     fn true_curve(
         &self,
         curve: usize,
@@ -206,7 +207,7 @@ impl ContactCurves {
         Ok(prediction)
     }
 
-    /// A curve solved at its nodes, and counted.
+    /// Solves a curve at its nodes and counts the work.
     fn solved(
         &self,
         nodes: &Nodes,
@@ -219,7 +220,7 @@ impl ContactCurves {
         Ok(solved)
     }
 
-    /// Stiffnesses at contact radii, differentiated by solving again: the radius of the contact has no derivative of
+    /// Stiffnesses at contact radii, differentiated by solving again, because the contact radius has no derivative of
     /// its own.
     fn stiffnesses(
         &self,

@@ -32,8 +32,8 @@ impl Curve {
     ///
     /// # Errors
     ///
-    /// [`IdentifyError::Length`] where there are more or fewer times than points, [`IdentifyError::Point`] where a time
-    /// is not finite or does not come after the one before.
+    /// [`IdentifyError::Length`] where the numbers of times and points differ, [`IdentifyError::Point`] where a time is
+    /// not finite or not after the previous one.
     pub fn with_time(mut self, time: Vec<f64>) -> Result<Self, IdentifyError> {
         check_length("time", &time, self.points())?;
         check_finite("time", &time)?;

@@ -2,7 +2,7 @@
 
 use statrs::distribution::{ChiSquared, ContinuousCDF as _, FisherSnedecor, Normal, StudentsT};
 
-/// Degrees of freedom from which Student's distribution is the normal one to five digits.
+/// Degrees of freedom above which Student's distribution equals the normal one to five digits.
 const MANY: f64 = 1e6;
 
 /// The two-sided quantile of Student's distribution, such as 1.96 for level 0.95 and many degrees of freedom.
@@ -17,10 +17,10 @@ pub(crate) fn student_quantile(level: f64, degrees: f64) -> f64 {
 /// Degrees of freedom of Student's distribution with the same quantiles of level 0.95 as a normal number over a
 /// standard error whose square `C` is lognormal about the true one, `Var(ln C) = variance`.
 ///
-/// A variance that hangs on an estimated correlation is so distributed: in 400 measurements of 60, 120, 240 and 800
-/// points each, its geometric mean was that of the unknown's within 4 %, and 95 % of the quotients were below 2.7,
-/// 2.3, 2.1 and 2.05. Here they are 2.75, 2.45, 2.16 and 2.01, where Satterthwaite's `2/Var(ln C)` degrees give 4.3
-/// for 60.
+/// A variance that depends on an estimated correlation has this distribution. In 400 measurements of 60, 120, 240 and
+/// 800 points each, its geometric mean equalled the variance of the unknown within 4 %, and 95 % of the quotients were
+/// below 2.7, 2.3, 2.1 and 2.05. This function gives 2.75, 2.45, 2.16 and 2.01; Satterthwaite's `2/Var(ln C)` degrees
+/// give 4.3 for 60 points.
 pub(crate) fn lognormal_degrees(variance: f64) -> f64 {
     let wanted = lognormal_quantile(variance);
     let (mut low, mut high) = (1.0_f64.ln(), MANY.ln());
@@ -35,7 +35,7 @@ pub(crate) fn lognormal_degrees(variance: f64) -> f64 {
     f64::midpoint(low, high).exp()
 }
 
-/// The `q` for which `|z| < q e^{x/2}` is 0.95 probable, for normal `z` and `x` of variances one and `variance`.
+/// The `q` for which `|z| < q e^{x/2}` has probability 0.95, with `z` and `x` normal with variances one and `variance`.
 fn lognormal_quantile(variance: f64) -> f64 {
     // The trapezoidal rule over eight standard deviations is exact to rounding for a smooth integrand.
     let nodes: Vec<(f64, f64)> = (-64..=64)
@@ -63,12 +63,12 @@ fn lognormal_quantile(variance: f64) -> f64 {
     f64::midpoint(low, high)
 }
 
-/// The probability of χ² above a value.
+/// The probability that χ² exceeds a value.
 pub(crate) fn chi_squared_above(value: f64, degrees: f64) -> f64 {
     ChiSquared::new(degrees).map_or(f64::NAN, |chi| chi.sf(value))
 }
 
-/// The probability of Fisher's F above a value.
+/// The probability that Fisher's F exceeds a value.
 pub(crate) fn fisher_above(value: f64, numerator: f64, denominator: f64) -> f64 {
     if denominator >= MANY {
         return chi_squared_above(value * numerator, numerator);
@@ -76,7 +76,7 @@ pub(crate) fn fisher_above(value: f64, numerator: f64, denominator: f64) -> f64 
     FisherSnedecor::new(numerator, denominator).map_or(f64::NAN, |f| f.sf(value))
 }
 
-/// The probability of a standard normal number below a value.
+/// The probability that a standard normal variable is below a value.
 pub(crate) fn normal_below(value: f64) -> f64 {
     Normal::standard().cdf(value)
 }
@@ -109,7 +109,7 @@ mod tests {
                 max_relative = 1e-9
             );
         }
-        // By the quotients themselves: of a million, 95 % are below 2.78 with Var(ln C) = 1, to 0.01.
+        // Checked on the quotients themselves: of a million, 95 % are below 2.78 with Var(ln C) = 1, to 0.01.
         let mut state = 1_u64;
         let mut uniform = || {
             state = state
@@ -120,7 +120,7 @@ mod tests {
         let wanted = lognormal_quantile(1.0);
         let below = (0..1_000_000)
             .filter(|_| {
-                // G. E. P. Box and M. E. Muller, Ann. Math. Stat. 29, 610 (1958): two normal numbers.
+                // G. E. P. Box and M. E. Muller, Ann. Math. Stat. 29, 610 (1958): two normal variates.
                 let (radius, angle) = (
                     (-2.0 * uniform().ln()).sqrt(),
                     std::f64::consts::TAU * uniform(),
@@ -128,7 +128,7 @@ mod tests {
                 (radius * angle.cos()).abs() < wanted * (0.5 * radius * angle.sin()).exp()
             })
             .count();
-        // Four standard deviations of a binomial number.
+        // Four standard deviations of a binomial variable.
         assert!((below as f64 - 950_000.0).abs() < 900.0, "{below}");
     }
 

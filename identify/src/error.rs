@@ -1,11 +1,11 @@
-//! Errors between measured curves and their fit.
+//! Errors in the input of a fit, and failures of it.
 
 use thiserror::Error;
 
 use crate::ForwardError;
 
-/// Errors of the crate. A fit that does not converge, or that misses its data, is not among them: it is returned with
-/// a verdict that says so.
+/// Errors of the crate. A fit that does not converge or does not follow its data is not an error: it is returned with a
+/// verdict that says so.
 #[derive(Debug, Error)]
 pub enum IdentifyError {
     /// A number outside its range.
@@ -30,7 +30,7 @@ pub enum IdentifyError {
         /// The values allowed.
         wanted: &'static str,
     },
-    /// A list of another length than the one it goes with.
+    /// A list whose length does not match the list it belongs to.
     #[error("found {found} values of the {list}, wanted {wanted}")]
     Length {
         /// Name of the list.
@@ -40,7 +40,7 @@ pub enum IdentifyError {
         /// Values wanted.
         wanted: usize,
     },
-    /// A value in a curve that is not a number, or a time that does not increase.
+    /// A value in a curve that is not finite, or a time that does not increase.
     #[error("found {found} for the {list} of point {point}, wanted {wanted}")]
     Point {
         /// Name of the list.
@@ -58,16 +58,16 @@ pub enum IdentifyError {
         /// Index of the curve, from 0.
         curve: usize,
     },
-    /// Nothing to find.
+    /// No unknown to find.
     #[error("found no unknown, wanted at least one")]
     NoUnknown,
-    /// Two unknowns of one name.
+    /// Two unknowns with the same name.
     #[error("found {name} twice among the unknowns, wanted it once")]
     Twice {
         /// The name.
         name: String,
     },
-    /// Fewer points than numbers to find.
+    /// Too few points for the numbers to be found.
     #[error("found {points} points for {wanted} numbers to be found, wanted more points than that")]
     TooFewPoints {
         /// Points found.
@@ -89,12 +89,12 @@ pub enum IdentifyError {
         /// The model's own error.
         source: ForwardError,
     },
-    /// A surrogate that does not come near enough to its model.
+    /// A surrogate that is not accurate enough.
     #[error(
         "found a surrogate that misses its model by {reached:e} after {predictions} predictions, wanted {wanted:e}"
     )]
     Surrogate {
-        /// Largest relative error at the points of the check; infinite where the model has no prediction at one.
+        /// Largest relative error at the check points; infinite if the model has no prediction at one of them.
         reached: f64,
         /// Largest error wanted.
         wanted: f64,
@@ -107,7 +107,7 @@ pub enum IdentifyError {
         /// Predictions made so far.
         predictions: usize,
     },
-    /// A matrix that has no decomposition, because a number in it is not finite.
+    /// A matrix without a decomposition, because an entry is not finite.
     #[error("found a matrix of size {size} without a decomposition, wanted finite numbers in it")]
     Decomposition {
         /// Rows of the matrix.

@@ -25,16 +25,16 @@ mod stopped;
 pub use exponents::exponents;
 use intervals::{Interval, Scanned, Sought, missing_profiles};
 
-/// Finds the unknowns of a problem, their intervals, and what the data cannot tell.
+/// Finds the unknowns of a problem and their intervals, and states what the data cannot determine.
 ///
-/// A model that ends the fit, by [`ForwardError::Stopped`](crate::ForwardError::Stopped), leaves what is found by then:
-/// see [`Fit::stopped`].
+/// If the model ends the fit with [`ForwardError::Stopped`](crate::ForwardError::Stopped), the result so far is
+/// returned: see [`Fit::stopped`].
 ///
 /// # Errors
 ///
-/// [`IdentifyError::NoStart`] where the model has no prediction at any start, [`IdentifyError::Stopped`] where it ended
-/// the fit before its first, [`IdentifyError::Number`] for wrong options. A search that does not converge and a model
-/// that does not follow the data are verdicts of the fit.
+/// [`IdentifyError::NoStart`] if the model has no prediction at any start, [`IdentifyError::Stopped`] if it ended the
+/// fit before its first prediction, [`IdentifyError::Number`] for invalid options. A search that does not converge and
+/// a model that does not follow the data are verdicts of the fit, not errors.
 pub fn identify(
     model: &dyn ForwardModel,
     problem: &Problem,
@@ -53,7 +53,7 @@ pub fn identify(
     }
 }
 
-/// The fit, or the error that the model ended it before the best fit was found.
+/// Searches and refines; [`IdentifyError::Stopped`] if the model ended the fit before the best one was found.
 fn searched(
     predictor: &mut Predictor,
     problem: &Problem,
@@ -78,9 +78,9 @@ fn searched(
     }
 }
 
-/// Jitter is reported from here on, in units of χ²: a tenth of a standard error.
+/// Jitter is reported from this gain in χ² on: a tenth of a standard error.
 const TOLD_JITTER: f64 = 0.01;
-/// Restarts from better fits that profiles find.
+/// Maximum number of restarts from better fits found by profiles.
 const MOST_RESTARTS: usize = 3;
 
 /// A fit under way.
@@ -113,7 +113,7 @@ impl<'p> Fitting<'p> {
         })
     }
 
-    /// Refines the fit and scans the profiles, again where a profile finds a better fit.
+    /// Refines the fit and scans the profiles; starts again from a better fit if a profile finds one.
     fn run(
         mut self,
         predictor: &mut Predictor,
@@ -135,7 +135,7 @@ impl<'p> Fitting<'p> {
             };
             return Ok(self.finish(predictor, &refined, &sought, intervals, search));
         }
-        // Profiles that go on finding better fits belong to no minimum.
+        // If the profiles keep finding better fits, this is not a minimum.
         refined.minimum.converged = false;
         let sought = self.sought(&refined)?;
         let intervals = sought
@@ -177,7 +177,7 @@ impl<'p> Fitting<'p> {
         RestrictedLikelihood::new(vec![part], *self.problem.noise(), refined.levels)
     }
 
-    /// Gathers the result.
+    /// Assembles the result.
     fn finish(
         mut self,
         predictor: &Predictor,

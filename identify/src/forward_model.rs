@@ -1,4 +1,4 @@
-//! The interface of a model to a fit: the points of all curves and their derivatives.
+//! The interface between a model and a fit: the points of all curves and their derivatives.
 
 use std::error::Error;
 
@@ -6,31 +6,32 @@ use thiserror::Error;
 
 /// A model of measured curves.
 pub trait ForwardModel: Sync {
-    /// The points of all curves, in the order of the curves, under the values of the unknowns, in their own units and
-    /// in the order of the problem's [`Unknown`](crate::Unknown)s.
+    /// Predicts the points of all curves, in the order of the curves. The values of the unknowns are in their own units
+    /// and in the order of the problem's [`Unknown`](crate::Unknown)s.
     ///
-    /// A fit never asks twice for the same parameters.
+    /// A fit never calls this twice with the same parameters.
     ///
     /// # Errors
     ///
-    /// [`ForwardError::OutOfRange`] where the model has no prediction: the fit takes a shorter step.
+    /// [`ForwardError::OutOfRange`] where the model has no prediction: the fit then takes a shorter step.
     /// [`ForwardError::Stopped`] ends the fit.
     fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError>;
 }
 
-/// The points of all curves under given parameters.
+/// The points of all curves for given parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prediction {
     /// The observable `y`, such as a penetration, one value for each point.
     pub value: Vec<f64>,
-    /// Its derivative by the abscissa, `∂y/∂Q`, one value for each point. Errors of the abscissa enter through it.
+    /// Its derivative with respect to the abscissa, `∂y/∂Q`, one value for each point. Errors of the abscissa enter
+    /// through it.
     pub slope: Vec<f64>,
-    /// Its derivatives `∂y/∂θ_j` by each unknown: one list of points for each unknown.
+    /// Its derivatives `∂y/∂θ_j` with respect to each unknown: one list of points for each unknown.
     pub derivatives: Vec<Vec<f64>>,
 }
 
 impl Prediction {
-    /// The points of some curves after each other, with derivatives by so many unknowns.
+    /// Joins the points of several curves, with derivatives with respect to `unknowns` unknowns.
     pub(crate) fn joined(curves: Vec<Self>, unknowns: usize) -> Self {
         let mut all = Self {
             value: Vec::new(),
@@ -61,13 +62,13 @@ impl Prediction {
 /// Why a forward model has no prediction for some parameters.
 #[derive(Debug, Error)]
 pub enum ForwardError {
-    /// Parameters outside what the model covers. A fit turns back from there with a shorter step.
+    /// Parameters outside the range of the model. A fit retreats from there with a shorter step.
     #[error("the model has no prediction for these parameters")]
     OutOfRange {
         /// The model's own error.
         source: Box<dyn Error + Send + Sync>,
     },
-    /// Other than one finite number for each point, and for each point and unknown.
+    /// A prediction that lacks a finite number for some point, or for some point and unknown.
     #[error(
         "found a prediction that is not a finite number for each point and unknown, wanted one"
     )]

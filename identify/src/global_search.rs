@@ -11,25 +11,25 @@ use crate::{
     start::start,
 };
 
-/// Tolerance of a first search, in units of χ²: a third of a standard error, less than the noise's own estimate will
-/// move it.
+/// Tolerance of a first search, in units of χ²: a third of a standard error, less than the later estimate of the noise
+/// will move the fit.
 const COARSE: f64 = 0.1;
-/// Two searches agree where they end within this many standard errors of each other.
+/// Two searches agree if they end within this many standard errors of each other.
 const AGREEMENT: f64 = 1.0;
 
-/// A fit whose χ² per degree of freedom is above this is plainly wrong, and may be the wrong one of several minima.
+/// A fit with χ² per degree of freedom above this is clearly wrong, and may be in the wrong one of several minima.
 const IMPLAUSIBLE: f64 = 3.0;
 
-/// A fit whose χ² per degree of freedom is below this needs no second start.
+/// A fit with χ² per degree of freedom below this needs no second start.
 const GOOD: f64 = 1.5;
 
-/// Where the best of several searches ended, and whether another one led elsewhere.
+/// The end of the best of several searches, and whether another one led elsewhere.
 pub(crate) struct Found {
     pub at: Rc<Evaluation>,
     pub several_minima: bool,
 }
 
-/// Searches from one start after the other until two agree on a fit that is not plainly wrong, or one is good.
+/// Searches from one start after another until two agree on a plausible fit, or one is good.
 pub(crate) fn search(
     problem: &Problem,
     predictor: &mut Predictor,
@@ -92,7 +92,7 @@ pub(crate) fn no_start(predictor: &mut Predictor, starts: usize) -> IdentifyErro
     IdentifyError::NoStart { starts, source }
 }
 
-/// The prediction nearest to the data, all weighed alike; none where there is none.
+/// The prediction nearest to the data, all measured with the same weights; `None` if there is none.
 pub(crate) fn best_so_far(predictor: &Predictor, problem: &Problem) -> Option<Rc<Evaluation>> {
     let metric = provisional_metric(problem, predictor.evaluations().next()?);
     let misfits = predictor
@@ -102,13 +102,13 @@ pub(crate) fn best_so_far(predictor: &Predictor, problem: &Problem) -> Option<Rc
     best.map(|(_, at)| Rc::clone(at))
 }
 
-/// White noise of guessed or given size, at the observed values, so that all searches are measured alike.
+/// White noise of guessed or given size, at the observed values, so that all searches use the same measure.
 fn provisional_metric<'p>(problem: &'p Problem, first: &Evaluation) -> Metric<'p> {
     let levels = first_levels(problem);
     Metric::new(problem, &levels, problem.observed(), &first.slope)
 }
 
-/// Levels of the noise before any residual is known.
+/// Noise levels before any residual is known.
 pub(crate) fn first_levels(problem: &Problem) -> crate::NoiseLevels {
     let mean_square = |values: &[f64]| (dot(values, values) / values.len() as f64).sqrt();
     let noise = problem.noise();
@@ -123,17 +123,17 @@ fn degrees(problem: &Problem) -> f64 {
     problem.points().saturating_sub(fitted).max(1) as f64
 }
 
-/// Whether a fit comes as near to the data as their noise allows, as far as that is known.
+/// Whether a fit is as near to the data as their noise allows; always true if the noise is not given.
 fn is_plausible(problem: &Problem, minimum: &Minimum) -> bool {
     !problem.noise().is_given() || minimum.system.chi_squared <= IMPLAUSIBLE * degrees(problem)
 }
 
-/// Whether a fit follows the data within noise that is known: no other minimum can tell them better.
+/// Whether a fit follows the data within known noise, so that no other minimum can do better.
 fn is_good(problem: &Problem, minimum: &Minimum) -> bool {
     problem.noise().is_given() && minimum.system.chi_squared <= GOOD * degrees(problem)
 }
 
-/// Whether a point lies within the standard error of a minimum, by the distance `‖J (x − x₀)‖²`.
+/// Whether a point lies within a standard error of a minimum, measured by `‖J (x − x₀)‖²`.
 fn agree(known: &Minimum, at: &Evaluation, stopping: &Stopping) -> bool {
     let step = difference(&at.position, &known.at.position);
     let system = &known.system;

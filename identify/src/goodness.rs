@@ -1,10 +1,10 @@
-//! Whether the model follows the data, or only comes near them.
+//! Tests of whether the model follows the data.
 //!
-//! Up to six tests, each with its own probability under a true model: χ² where the noise is known, runs of signs and
-//! the statistic of Durbin and Watson for correlated residuals, the lower half of the abscissae against the whole, a
-//! smooth change of the curve that the model does not have, and the persistence of a correlated noise, which must not
-//! be long enough to hide a misfit. The misfit's probability is that of the worst, times their number (Bonferroni), so
-//! that a true model is refused no more often than that says, whatever the tests have in common.
+//! There are up to six tests, each with its own probability under a true model: χ² if the noise is known, runs of signs
+//! and the Durbin–Watson statistic for correlated residuals, the lower half of the abscissae against the whole, a
+//! smooth change of the curve that the model lacks, and the persistence of correlated noise, which must not be long
+//! enough to hide a misfit. The misfit probability is the smallest of these times their number (Bonferroni), so a true
+//! model is refused no more often than this, however the tests are correlated.
 
 use crate::{
     Correlation, Problem,
@@ -17,41 +17,41 @@ use crate::{
 /// A fit is refused below this probability.
 pub const REFUSAL: f64 = 0.01;
 
-/// Degree of the polynomials that a smooth misfit is looked for with: a wrong shape of the indenter or a layer too few
-/// bends a curve once or twice.
+/// Highest degree of the polynomials used to find a smooth misfit. A wrong indenter shape or a missing layer bends a
+/// curve once or twice.
 const HIGHEST_DEGREE: u8 = 4;
 
 /// How well the model follows the data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Goodness {
-    /// Points that were fitted.
+    /// Number of fitted points.
     pub points: usize,
-    /// Points and priors, less unknowns and nuisances.
+    /// Points plus priors, minus unknowns and nuisances.
     pub degrees_of_freedom: f64,
     /// `χ²/ν`; near one by construction where the noise is estimated.
     pub chi_squared_per_degree: f64,
-    /// Probability of a larger χ²; nothing where the noise is estimated.
+    /// Probability of a larger χ²; `None` if the noise is estimated.
     pub chi_squared_p: Option<f64>,
-    /// Probability of as few runs of one sign among the whitened residuals.
+    /// Probability of as few runs of equal sign among the whitened residuals.
     pub runs_p: f64,
     /// `d = Σ (r_i − r_{i−1})²/Σ r_i²` of the whitened residuals, 2 without correlation.
     pub durbin_watson: f64,
-    /// Probability of as small a `d`.
+    /// Probability of a `d` as small as this.
     pub durbin_watson_p: f64,
-    /// Probability of as great a difference between the unknowns of the lower half of the abscissae and of all;
-    /// nothing where the halves cannot tell them.
+    /// Probability of as large a difference between the unknowns fitted to the lower half of the abscissae and to all;
+    /// `None` if the halves do not determine them.
     pub lower_half_p: Option<f64>,
-    /// Probability that noise which forgets itself within a tenth of its curve looks as persistent as the estimated
-    /// one; nothing where no correlation is estimated.
+    /// Probability that noise with a correlation length of at most a tenth of its curve looks as persistent as the
+    /// estimated noise; `None` if no correlation is estimated.
     pub persistence_p: Option<f64>,
-    /// Probability of as great a smooth part of the residuals: the curve times a polynomial in the logarithm of the
-    /// abscissa, beyond what unknowns and nuisances can do; nothing where they can do all of it.
+    /// Probability of as large a smooth part of the residuals: the curve times a polynomial in the logarithm of the
+    /// abscissa, beyond what unknowns and nuisances can reproduce; `None` if they reproduce all of it.
     pub smooth_p: Option<f64>,
-    /// The least of these, times their number, at most 1. Below [`REFUSAL`] the fit is a misfit.
+    /// The smallest of these times their number, at most 1. Below [`REFUSAL`] the fit is a misfit.
     pub misfit_p: f64,
 }
 
-/// The residuals that the tests look at.
+/// The residuals that are tested.
 pub(crate) struct Residuals<'a> {
     /// Whitened residuals of each curve.
     pub series: Vec<&'a [f64]>,
@@ -59,13 +59,12 @@ pub(crate) struct Residuals<'a> {
     pub chi_squared: f64,
     pub points: usize,
     pub degrees: f64,
-    /// Whether the noise is known altogether.
+    /// Whether the noise is fully known.
     pub known: bool,
 }
 
 impl Residuals<'_> {
-    /// Judges the residuals, with the probabilities of the lower half, of a smooth part and of the persistence from
-    /// elsewhere.
+    /// Judges the residuals. The probabilities of the lower half, of the smooth part and of the persistence are given.
     pub fn judge(
         &self,
         [lower_half_p, smooth_p]: [Option<f64>; 2],
@@ -105,9 +104,9 @@ impl Residuals<'_> {
     }
 }
 
-/// The probability of so few runs, all series together: with `n₊` and `n₋` signs in one series, the number of runs
-/// has mean `1 + 2n₊n₋/n` and variance `2n₊n₋(2n₊n₋ − n)/(n²(n − 1))` (A. Wald and J. Wolfowitz, Ann. Math. Stat.
-/// 11, 147 (1940)); normal, with the correction for continuity.
+/// The probability of as few runs, over all series. With `n₊` and `n₋` signs in one series, the number of runs has mean
+/// `1 + 2n₊n₋/n` and variance `2n₊n₋(2n₊n₋ − n)/(n²(n − 1))` (A. Wald and J. Wolfowitz, Ann. Math. Stat. 11, 147
+/// (1940)). It is taken as normal, with the continuity correction.
 fn runs(series: &[&[f64]]) -> f64 {
     let (mut found, mut mean, mut variance) = (0.0, 0.0, 0.0);
     for residuals in series.iter().filter(|r| r.len() > 1) {
@@ -137,7 +136,7 @@ fn durbin_watson(series: &[&[f64]]) -> (f64, f64) {
             .windows(2)
             .map(|w| (w[1] - w[0]).powi(2))
             .sum::<f64>();
-        // The first and the last point count half in the differences, so that d is 2 for short series too.
+        // The first and last points count half in the differences, so that d is 2 for short series too.
         let ends =
             residuals.first().map_or(0.0, |r| r * r) + residuals.last().map_or(0.0, |r| r * r);
         differences += ends;
@@ -151,11 +150,11 @@ fn durbin_watson(series: &[&[f64]]) -> (f64, f64) {
     (d, normal_below((d - 2.0) * points.sqrt() / 2.0))
 }
 
-/// How much the unknowns of the lower half of the abscissae differ from those of all: the score and its degrees of
+/// The score of a difference between the unknowns of the lower half of the abscissae and of all, and its degrees of
 /// freedom.
 ///
-/// The score test of a second set of unknowns for the upper half, which needs no second fit: with `Z` the derivatives
-/// at the upper half alone, after nuisances and unknowns have taken their part, `S = rᵀZ(ZᵀZ)⁻¹Zᵀr` is χ² (C. R. Rao,
+/// This is the score test of a second set of unknowns for the upper half, which needs no second fit. With `Z` the
+/// derivatives at the upper half alone, projected off the nuisances and unknowns, `S = rᵀZ(ZᵀZ)⁻¹Zᵀr` is χ² (C. R. Rao,
 /// Proc. Camb. Phil. Soc. 44, 50 (1948)).
 pub(crate) fn lower_half_score(
     problem: &Problem,
@@ -173,8 +172,8 @@ pub(crate) fn lower_half_score(
     score(metric, at, told, columns)
 }
 
-/// The smooth part of the residuals: the score of the model's curve times Chebyshev polynomials in `ln` of the
-/// abscissa, of all degrees up to the fourth, and its degrees of freedom (J. Neyman, Skand. Aktuarietidskr. 20, 149
+/// The score of a smooth part of the residuals, and its degrees of freedom: the model's curve times Chebyshev
+/// polynomials in `ln` of the abscissa, of all degrees up to the fourth (J. Neyman, Skand. Aktuarietidskr. 20, 149
 /// (1937), in the form of Rao's test).
 pub(crate) fn smooth_score(
     problem: &Problem,
@@ -198,8 +197,8 @@ pub(crate) fn smooth_score(
     score(metric, at, told, columns)
 }
 
-/// `S = rᵀZ(ZᵀZ)⁻¹Zᵀr` of some columns over the points, after nuisances and unknowns have taken their part, and its
-/// degrees of freedom.
+/// `S = rᵀZ(ZᵀZ)⁻¹Zᵀr` for columns `Z` over the points, projected off the nuisances and unknowns, and its degrees of
+/// freedom.
 fn score(
     metric: &Metric,
     at: &Evaluation,
@@ -220,14 +219,14 @@ fn score(
     [before - dot(&residual, &residual), rank as f64]
 }
 
-/// How the size of the noise that a score is measured by is known.
+/// How the noise level that scales a score is known.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum NoiseScale {
-    /// All.
+    /// Exactly.
     Known,
-    /// It was estimated with these degrees of freedom from residuals that hold the score.
+    /// Estimated with these degrees of freedom from residuals that contain the score.
     OfResiduals(f64),
-    /// It was estimated, with a correlation that takes up part of a misfit, with these degrees of freedom.
+    /// Estimated with these degrees of freedom, together with a correlation that absorbs part of a misfit.
     OfCorrelated(f64),
 }
 
@@ -244,8 +243,8 @@ impl NoiseScale {
         }
     }
 
-    /// The probability of so great a score `S` of `q` columns; nothing where there is no freedom. With `ν` degrees of
-    /// freedom that hold the score, `(S/q)/((ν − S)/(ν − q))` is Fisher's F, otherwise `S/q` is.
+    /// The probability of a score `S` of `q` columns as large as this; `None` for no columns. If the `ν` degrees of
+    /// freedom contain the score, `(S/q)/((ν − S)/(ν − q))` is Fisher's F; otherwise `S/q` is.
     pub fn probability(self, [score, q]: [f64; 2]) -> Option<f64> {
         (q > 0.0).then(|| match self {
             Self::Known => chi_squared_above(score, q),
@@ -281,7 +280,7 @@ mod tests {
     fn runs_of_a_known_series_have_their_probability() {
         // + + + + + − − − − −: 2 runs, mean 6, variance 50·40/(100·9) = 20/9; Φ((2.5 − 6)/1.4907) = 0.00944.
         let residuals = [1.0, 1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0, -1.0];
-        // The digits written above.
+        // To the digits written above.
         assert_relative_eq!(runs(&[&residuals]), 0.00944, max_relative = 2e-3);
     }
 

@@ -1,19 +1,19 @@
-//! Products of powers of unknowns that the data tell although they do not tell the unknowns.
+//! Products of powers of unknowns that the data determine although they do not determine the unknowns.
 
 use crate::Unknown;
 
-/// A product of powers of unknowns that the data tell although they do not tell the unknowns.
+/// A product of powers of unknowns that the data determine although they do not determine the unknowns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct KnownCombination {
-    /// Such as `E * R^0.5`.
+    /// The product in symbols, such as `E * R^0.5`.
     pub expression: String,
     /// Its value, in the units of its factors.
     pub value: f64,
-    /// Its interval; nothing on a side that is open.
+    /// Its interval; `None` on an open side.
     pub interval: [Option<f64>; 2],
 }
 
-/// The product of an unknown and powers of others, in words.
+/// The product of an unknown and powers of others, as text.
 pub(crate) fn expression(unknowns: &[Unknown], unknown: usize, powers: &[(usize, f64)]) -> String {
     powers.iter().fold(
         unknowns[unknown].name().to_owned(),
@@ -21,7 +21,7 @@ pub(crate) fn expression(unknowns: &[Unknown], unknown: usize, powers: &[(usize,
     )
 }
 
-/// Why an unknown is not identifiable, and what is known instead.
+/// Explains that an unknown is not identifiable, and names the combination that is known instead.
 pub(crate) fn not_identifiable(known: Option<&KnownCombination>) -> String {
     match known {
         Some(known) => format!(
@@ -32,7 +32,7 @@ pub(crate) fn not_identifiable(known: Option<&KnownCombination>) -> String {
     }
 }
 
-/// An exponent as it is written, one not at all.
+/// An exponent as text; empty for one.
 fn power(exponent: f64) -> String {
     if (exponent - 1.0).abs() < f64::EPSILON {
         String::new()

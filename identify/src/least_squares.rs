@@ -9,10 +9,10 @@
 //! ρ > 0: go there, λ ← λ max(⅓, 1 − (2ρ − 1)³);  else: λ ← λ ν, ν ← 2ν, and the next step a quarter as long
 //! ```
 //!
-//! The rule for λ: H. B. Nielsen, Damping parameter in Marquardt's method, IMM-REP-1999-05, Technical University of
-//! Denmark (1999). The bounds: an unknown at a bound towards which χ² falls is held there. One that a step leads beyond
-//! a bound goes to it and no farther, and the others follow to where this leaves them: cut alone, it would lose what it
-//! gains along a valley.
+//! Rule for λ: H. B. Nielsen, Damping parameter in Marquardt's method, IMM-REP-1999-05, Technical University of Denmark
+//! (1999). Bounds: an unknown at a bound towards which χ² falls is held there. If a step would carry an unknown beyond
+//! a bound, it stops at the bound and the step of the others is computed again. Merely clipping that one unknown would
+//! lose the gain of a step along a valley.
 
 use std::rc::Rc;
 
@@ -24,36 +24,36 @@ use crate::{
     predictor::{Evaluation, Predictor},
 };
 
-/// Least damping, above the rounding of a matrix of unit diagonal, so that it stays regular where the data see
-/// nothing.
+/// Smallest damping, above the rounding of a matrix of unit diagonal, so that the matrix stays regular in directions
+/// that the data do not determine.
 const LEAST_DAMPING: f64 = 1e-11;
-/// Longest step of a coordinate, a factor of two for a logarithm: beyond, a linearisation is worth nothing.
+/// Longest step of a coordinate, a factor of two for a logarithm. Beyond it a linearisation is worthless.
 const LONGEST_STEP: f64 = 0.7;
-/// First damping. The problems are nearly linear in logarithms, and the longest step guards the rest.
+/// Initial damping. The problems are nearly linear in logarithms, and the longest step guards against the rest.
 const FIRST_DAMPING: f64 = 1e-4;
-/// A step shorter than this in every coordinate leads nowhere.
+/// A step shorter than this in every coordinate ends the search.
 const SHORTEST_STEP: f64 = 1e-10;
-/// After a step that gained other than its derivatives promised, what a linear problem could still gain, in units of
-/// χ², counts as reached: a hundredth of a standard error, where the jitter of a prediction from a grid may be all that
-/// is left.
+/// After a step whose gain differs from the linear prediction, a search ends if the linear problem could gain no more
+/// than this, in units of χ²: a hundredth of a standard error, where only the jitter of a prediction from a grid may be
+/// left.
 const WITHIN_JITTER: f64 = 1e-4;
-/// Each further step in a row that failed so multiplies that, up to one standard error.
+/// Each further such step in a row multiplies the limit by this, up to one standard error.
 const MORE_JITTER: f64 = 4.0;
-/// A step that gained less or more than this much of what was promised, as a part of it.
+/// A gain deviates from the linear prediction if it differs by more than this fraction of it.
 const OTHER_THAN_PROMISED: f64 = 0.5;
-/// A step to the least of the linear problem that is longer than this leads along what the data do not tell.
+/// A longer step than this to the minimum of the linear problem runs along a direction that the data do not determine.
 const FAR: f64 = 0.05;
-/// Part of a step that is tried after one that failed.
+/// Fraction of a step that is tried after it failed.
 const RETREAT: f64 = 0.25;
-/// Trials before a search ends without convergence.
+/// Number of trials after which a search ends without convergence.
 const MOST_TRIALS: usize = 60;
 
 /// When a search ends.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stopping {
-    /// χ² that could still be gained, in units of χ², or of χ² per degree of freedom where `degrees` is given.
+    /// Possible remaining gain in χ², in units of χ², or of χ² per degree of freedom where `degrees` is given.
     pub tolerance: f64,
-    /// Degrees of freedom, where the size of the noise is not known.
+    /// Degrees of freedom, if the size of the noise is unknown.
     pub degrees: Option<f64>,
 }
 
@@ -71,11 +71,11 @@ pub(crate) struct Minimum {
     pub converged: bool,
     /// Whether it ended within the jitter of the predictions.
     pub within_jitter: bool,
-    /// χ² that a linear problem could still gain.
+    /// Gain in χ² that the linear problem still predicts.
     pub remaining: f64,
 }
 
-/// A search in some of the unknowns.
+/// A search over some of the unknowns.
 pub(crate) struct LeastSquares<'s, 'p> {
     pub problem: &'p Problem,
     pub metric: &'s Metric<'p>,
@@ -142,8 +142,8 @@ impl LeastSquares<'_, '_> {
         Ok(now)
     }
 
-    /// The evaluation to which the linear problem leads from a minimum, within the bounds; none where that is far, as
-    /// along what the data do not tell, or where the model has no prediction.
+    /// Evaluates the minimum of the problem linearised at `now`, within the bounds. `None` if it is far away, along a
+    /// direction that the data do not determine, or if the model has no prediction there.
     pub fn full_step(
         &self,
         predictor: &mut Predictor,
@@ -162,7 +162,7 @@ impl LeastSquares<'_, '_> {
         predictor.evaluate(&target)
     }
 
-    /// Where the problem linearised at an evaluation is least with one unknown held at `x`, and that problem there.
+    /// The minimum of the problem linearised at an evaluation, with one unknown held at `x`, and that problem there.
     pub fn linear_minimum(
         &self,
         known: &Evaluation,
@@ -191,8 +191,7 @@ impl LeastSquares<'_, '_> {
         Ok((target, system))
     }
 
-    /// Goes to the trial where χ² falls, and adapts the damping. Gives what was gained as a part of what was
-    /// promised.
+    /// Accepts the trial if χ² falls, and adapts the damping. Returns the ratio of the actual to the predicted gain.
     fn judge(
         &self,
         now: &mut Minimum,
@@ -202,7 +201,7 @@ impl LeastSquares<'_, '_> {
     ) -> f64 {
         let Some(trial) = trial else {
             damping.longest = RETREAT * size(step);
-            // It tells nothing of the jitter.
+            // A missing prediction says nothing about jitter.
             return 1.0;
         };
         let promised = now.system.decrease(step);
@@ -223,7 +222,7 @@ impl LeastSquares<'_, '_> {
         ratio
     }
 
-    /// The free unknowns that no bound holds against the fall of χ².
+    /// The free unknowns that are not held at a bound.
     pub fn moving(&self, now: &Minimum) -> Vec<usize> {
         let falls_up = |j: usize| dot(&now.system.jacobian[j], &now.system.residual) > 0.0;
         self.free
@@ -237,7 +236,7 @@ impl LeastSquares<'_, '_> {
             .collect()
     }
 
-    /// Where a damped step leads, no farther than allowed and between the bounds.
+    /// The end of a damped step, limited in length and kept within the bounds.
     fn target(
         &self,
         now: &Minimum,
@@ -272,12 +271,12 @@ impl LeastSquares<'_, '_> {
     }
 }
 
-/// The greatest of a step's coordinates.
+/// The largest absolute coordinate of a step.
 fn size(step: &[f64]) -> f64 {
     step.iter().fold(0.0, |most, s| most.max(s.abs()))
 }
 
-/// The greatest difference of two lists.
+/// The largest absolute difference between two lists.
 pub(crate) fn farthest(a: &[f64], b: &[f64]) -> f64 {
     a.iter()
         .zip(b)

@@ -1,16 +1,16 @@
 //! The misfit under one covariance of the noise, with the linear nuisances eliminated.
 //!
-//! For residuals `r = W (y − f(θ))` and whitened columns `B` of the nuisances, the least misfit over their coefficients
-//! is that of `P r`, `P = I − B (BᵀB)⁻¹ Bᵀ`. As `B` does not depend on θ, the Jacobian of `P r` is exactly `P` times
-//! that of `r`: G. H. Golub and V. Pereyra, SIAM J. Numer. Anal. 10, 413 (1973), of whose two terms one is zero here,
-//! which makes the simplification of L. Kaufman, BIT 15, 49 (1975), exact. A prior is one more row.
+//! For residuals `r = W (y − f(θ))` and whitened columns `B` of the nuisances, the smallest misfit over their
+//! coefficients is that of `P r`, `P = I − B (BᵀB)⁻¹ Bᵀ`. Since `B` does not depend on θ, the Jacobian of `P r` is
+//! exactly `P` times that of `r`: G. H. Golub and V. Pereyra, SIAM J. Numer. Anal. 10, 413 (1973). One of their two
+//! terms is zero here, which makes the simplification of L. Kaufman, BIT 15, 49 (1975), exact. A prior is one more row.
 
 use crate::{
     NoiseLevels, Problem, noise::whitener::Whitener, orthonormal_basis::OrthonormalBasis,
     orthonormal_basis::dot, predictor::Evaluation,
 };
 
-/// A covariance of the noise and the nuisances under it.
+/// A covariance of the noise, and the nuisances whitened by it.
 #[derive(Debug, Clone)]
 pub(crate) struct Metric<'a> {
     problem: &'a Problem,
@@ -43,8 +43,9 @@ impl<'a> Metric<'a> {
         }
     }
 
-    /// The covariance at an evaluation. Relative noise is a part of what is read from its zero: of the model's value
-    /// and what a frame's compliance and a drift add, found under the model's values alone, but not of a shift.
+    /// The covariance at an evaluation. Relative noise scales with the reading measured from its zero: the model's
+    /// value plus the frame compliance and the drift, but not a shift. These are first found under the model's values
+    /// alone.
     pub fn at(problem: &'a Problem, levels: &NoiseLevels, at: &Evaluation) -> Self {
         let of_model = Self::new(problem, levels, &at.value, &at.slope);
         if levels.relative == 0.0 || problem.columns().iter().all(|column| column.is_zero) {
@@ -108,7 +109,7 @@ impl<'a> Metric<'a> {
         (residual, jacobian)
     }
 
-    /// Leaves of a column over the points what no nuisance explains.
+    /// Reduces a column over the points to the part that no nuisance explains.
     pub fn reduce(&self, mut column: Vec<f64>) -> Vec<f64> {
         self.whitener.whiten(&mut column);
         column.resize(rows(self.problem), 0.0);
@@ -132,7 +133,7 @@ impl<'a> Metric<'a> {
     }
 }
 
-/// Points and priors.
+/// Number of points plus priors of nuisances.
 fn rows(problem: &Problem) -> usize {
     problem.points()
         + problem
@@ -170,7 +171,7 @@ mod tests {
     use super::*;
     use crate::{Curve, LinearNuisance, Noise, Prior, Unknown};
 
-    /// `y = a q^b` on two curves with shifts, a frame compliance of known size, and a prior of `b`.
+    /// `y = a q^b` on two curves with shifts, a frame compliance of known size, and a prior on `b`.
     fn problem() -> Problem {
         let curve = |from: f64| {
             let q: Vec<f64> = (1..=12).map(|i| from * f64::from(i)).collect();
@@ -250,7 +251,7 @@ mod tests {
             let (up, down) = (shifted(1.0), shifted(-1.0));
             for (i, derivative) in system.jacobian[j].iter().enumerate() {
                 let quotient = -(up[i] - down[i]) / (2.0 * step);
-                // A central difference errs by step² of numbers up to 10³ and by rounding over step.
+                // A central difference has an error of step² times numbers up to 10³, and of rounding over step.
                 assert!(
                     (derivative - quotient).abs() < 1e-6,
                     "{j} {i}: {derivative} {quotient}"

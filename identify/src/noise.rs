@@ -1,4 +1,4 @@
-//! The noise of the measured points: how large it is, and which parts of it are to be estimated.
+//! The noise of the measured points: its size, and which parts of it are to be estimated.
 
 use crate::IdentifyError;
 
@@ -22,7 +22,7 @@ pub enum Correlation {
     None,
     /// A first-order autoregression plus white noise, both estimated from the residuals.
     Estimated,
-    /// A known one: `R_ij = w δ_ij + (1 − w) φ^|i − j|`.
+    /// A known correlation: `R_ij = w δ_ij + (1 − w) φ^|i − j|`.
     Given {
         /// `φ`, from 0 to below 1.
         persistence: f64,
@@ -31,7 +31,7 @@ pub enum Correlation {
     },
 }
 
-/// The noise of all curves. With errors in both axes the variance of a point is the effective one,
+/// The noise of all curves. With errors in both axes, the variance of a point is the effective variance
 /// `σ_i² = σ_D² + (ρ y_i)² + (∂y/∂Q)_i² σ_Q²` (J. Orear, Am. J. Phys. 50, 912 (1982)).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Noise {
@@ -39,7 +39,7 @@ pub struct Noise {
     pub observed: Amount,
     /// Standard deviation `σ_Q` of the abscissa, in its unit.
     pub abscissa: Amount,
-    /// Standard deviation `ρ` of the observable as a part of its value.
+    /// Standard deviation `ρ` of the observable as a fraction of its value.
     pub relative: Amount,
     /// Correlation between points.
     pub correlation: Correlation,
@@ -57,18 +57,18 @@ impl Default for Noise {
     }
 }
 
-/// The noise with a number for each part.
+/// The noise, with a number for each part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NoiseLevels {
     /// Standard deviation `σ_D` of the observable.
     pub observed: f64,
     /// Standard deviation `σ_Q` of the abscissa.
     pub abscissa: f64,
-    /// Standard deviation `ρ` of the observable as a part of its value.
+    /// Standard deviation `ρ` of the observable as a fraction of its value.
     pub relative: f64,
     /// Correlation `φ` of the persistent part from one point to the next.
     pub persistence: f64,
-    /// White part `w` of the variance.
+    /// White fraction `w` of the variance.
     pub white_fraction: f64,
 }
 
@@ -87,14 +87,14 @@ impl NoiseLevels {
         noise.check()
     }
 
-    /// The effective variance `σ_D² + (ρ y)² + (∂y/∂Q)² σ_Q²` of a point of value `y` where the curve has this slope.
+    /// The effective variance `σ_D² + (ρ y)² + (∂y/∂Q)² σ_Q²` of a point with this value and slope.
     #[must_use]
     pub fn variance(&self, value: f64, slope: f64) -> f64 {
         self.observed.powi(2) + (self.relative * value).powi(2) + (slope * self.abscissa).powi(2)
     }
 }
 
-/// An amount that is to be estimated starts as this part of the typical observable or abscissa.
+/// An amount to be estimated starts at this fraction of the typical observable or abscissa.
 const FIRST_GUESS: f64 = 0.01;
 
 impl Noise {
@@ -156,24 +156,24 @@ impl Noise {
         Ok(())
     }
 
-    /// Whether every size is known, so that χ² has a known scale.
+    /// Whether every size is given, so that χ² has a known scale.
     pub(crate) fn is_given(&self) -> bool {
         [self.observed, self.abscissa, self.relative]
             .iter()
             .all(|amount| matches!(amount, Amount::Given(_)))
     }
 
-    /// Whether nothing of it is estimated.
+    /// Whether no part of it is estimated.
     pub(crate) fn is_known(&self) -> bool {
         self.is_given() && self.correlation != Correlation::Estimated
     }
 
-    /// Whether the variances of the points are in known proportions and do not depend on the model.
+    /// Whether the ratios of the points' variances are known and independent of the model.
     pub(crate) fn is_uniform(&self) -> bool {
         self.abscissa == Amount::Given(0.0) && self.relative == Amount::Given(0.0)
     }
 
-    /// Numbers to start from, with the root mean squares of the observable and the abscissa.
+    /// Initial levels, from the root mean squares of the observable and the abscissa.
     pub(crate) fn first_guess(&self, observable: f64, abscissa: f64) -> NoiseLevels {
         let level = |amount, guess| match amount {
             Amount::Given(value) => value,

@@ -1,4 +1,4 @@
-//! Steps of a linearised problem in the unknowns that may move.
+//! Steps of a linearised problem in the moving unknowns.
 
 use faer::{Mat, Side, linalg::solvers::Solve as _};
 
@@ -8,8 +8,8 @@ use crate::{
     orthonormal_basis::{dot, norm},
 };
 
-/// A direction whose eigenvalue is below this part of one, with columns of unit length, is beyond the rounding of the
-/// matrix and counts as one that the data do not see.
+/// A direction with an eigenvalue below this, for columns of unit length, is lost in the rounding of the matrix and
+/// counts as undetermined by the data.
 const UNSEEN: f64 = 1e-12;
 
 /// `JᵀJ` and `Jᵀr` of the moving unknowns, each scaled by the length of its column (D. W. Marquardt, J. Soc. Indust.
@@ -26,7 +26,7 @@ pub(crate) struct NormalEquations {
 impl NormalEquations {
     pub fn new(system: &System, moving: &[usize]) -> Self {
         let column = |k: usize| &system.jacobian[moving[k]];
-        // A column of zeros gets length one, and never moves.
+        // A column of zeros gets length one; its unknown never moves.
         let length: Vec<f64> = (0..moving.len())
             .map(|k| norm(column(k)))
             .map(|length| if length > 0.0 { length } else { 1.0 })
@@ -67,7 +67,7 @@ impl NormalEquations {
         Ok(step)
     }
 
-    /// The step to the least χ² if the problem is linear, the shortest where it is not unique, `(JᵀJ)⁺ Jᵀr`.
+    /// The step `(JᵀJ)⁺ Jᵀr` to the minimum of χ² of the linear problem; the shortest one if it is not unique.
     pub fn full_step(&self) -> Result<Vec<f64>, IdentifyError> {
         let mut step = vec![0.0; self.unknowns];
         let size = self.moving.len();
@@ -87,7 +87,7 @@ impl NormalEquations {
         Ok(step)
     }
 
-    /// By how much χ² falls to its least if the problem is linear, `rᵀJ (JᵀJ)⁺ Jᵀr`.
+    /// The decrease of χ² to its minimum in the linear problem, `rᵀJ (JᵀJ)⁺ Jᵀr`.
     pub fn possible_decrease(&self) -> Result<f64, IdentifyError> {
         let step = self.full_step()?;
         Ok(self
@@ -100,7 +100,7 @@ impl NormalEquations {
 }
 
 impl System {
-    /// The residual after a step if the problem is linear.
+    /// The residual of the linear problem after a step.
     pub fn after(&self, step: &[f64]) -> Vec<f64> {
         let mut rest = self.residual.clone();
         for (column, &s) in self.jacobian.iter().zip(step) {
@@ -111,7 +111,7 @@ impl System {
         rest
     }
 
-    /// The problem linearised at the end of a step if it is linear.
+    /// The linear problem at the end of a step.
     pub fn shifted(&self, step: &[f64]) -> System {
         let residual = self.after(step);
         System {
@@ -121,7 +121,7 @@ impl System {
         }
     }
 
-    /// By how much χ² falls along a step if the problem is linear.
+    /// The decrease of χ² of the linear problem along a step.
     pub fn decrease(&self, step: &[f64]) -> f64 {
         let rest = self.after(step);
         self.chi_squared - dot(&rest, &rest)

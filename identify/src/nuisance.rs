@@ -17,12 +17,12 @@ pub enum NuisanceShape {
     Given(Vec<f64>),
 }
 
-/// The points that share one coefficient.
+/// The set of points that share one coefficient.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
-    /// All of them.
+    /// All points.
     Common,
-    /// Those of one curve: there are as many coefficients as curves.
+    /// The points of one curve: there is one coefficient per curve.
     PerCurve,
 }
 
@@ -37,7 +37,7 @@ pub struct LinearNuisance {
 }
 
 impl LinearNuisance {
-    /// A nuisance of any shape, of which nothing is known.
+    /// A nuisance of any shape, without a prior.
     #[must_use]
     pub fn new(name: impl Into<String>, shape: NuisanceShape, scope: Scope) -> Self {
         Self {
@@ -60,7 +60,7 @@ impl LinearNuisance {
         Self::new("frame_compliance", NuisanceShape::Abscissa, Scope::Common)
     }
 
-    /// A drift of each curve in proportion to time.
+    /// A drift of each curve, proportional to time.
     #[must_use]
     pub fn drift() -> Self {
         Self::new("drift", NuisanceShape::Time, Scope::PerCurve)
@@ -72,11 +72,11 @@ impl LinearNuisance {
         Self::new("baseline", NuisanceShape::Constant, Scope::Common)
     }
 
-    /// The same nuisance with coefficients that are known to be normal.
+    /// The same nuisance with a normal prior on its coefficients.
     ///
     /// # Errors
     ///
-    /// [`IdentifyError::NumberOf`] where the standard deviation is not positive and finite, or the mean not finite.
+    /// [`IdentifyError::NumberOf`] where the standard deviation is not positive and finite, or the mean is not finite.
     pub fn with_normal_prior(mut self, mean: f64, sd: f64) -> Result<Self, IdentifyError> {
         Prior::Normal { mean, sd }.check(&self.name)?;
         self.prior = Some([mean, sd]);
@@ -88,7 +88,7 @@ impl LinearNuisance {
         self.scope == Scope::Common
     }
 
-    /// Mean and standard deviation of its coefficients, where known before.
+    /// Mean and standard deviation of its coefficients' prior, if it has one.
     pub(crate) fn prior(&self) -> Option<[f64; 2]> {
         self.prior
     }
@@ -142,16 +142,16 @@ impl LinearNuisance {
     }
 }
 
-/// One coefficient: what one unit of it adds to each point of all curves.
+/// The contribution of one unit of a coefficient to each point of all curves.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct NuisanceColumn {
     pub name: String,
-    /// The curve it belongs to, if to one.
+    /// Its curve, if it belongs to only one.
     pub curve: Option<usize>,
     pub values: Vec<f64>,
-    /// Whether it moves the zero alone: no noise is relative to it.
+    /// Whether it is a shift of the zero, on which relative noise does not depend.
     pub is_zero: bool,
-    /// Mean and standard deviation known before.
+    /// Mean and standard deviation of the prior.
     pub prior: Option<[f64; 2]>,
 }
 

@@ -1,9 +1,9 @@
-//! Directions in which no curve changes, and the combinations that stay known.
+//! Directions in which no curve changes, and the combinations that remain known.
 //!
-//! A direction is a list of exponents: multiplying each parameter `θ_k` by `b^{d_k}` leaves every curve as it is. Of
-//! the directions that a model has, those count that can be combined so that no fixed parameter and none with a prior
-//! moves. An unknown with a part in one is not identifiable by any data. With a basis `U` of the directions that count,
-//! the product `θ_j Π θ_k^{c_k}` is known where `U_j + Σ c_k U_k = 0`.
+//! A direction is a list of exponents: multiplying each parameter `θ_k` by `b^{d_k}` leaves every curve unchanged. Only
+//! those combinations of a model's directions count that move no fixed parameter and none with a prior. An unknown that
+//! takes part in one of them is not identifiable from any data. With a basis `U` of the directions that count, the
+//! product `θ_j Π θ_k^{c_k}` is known where `U_j + Σ c_k U_k = 0`.
 
 mod common;
 
@@ -14,7 +14,7 @@ use crate::{IdentifyError, Unknown, curve::check_length};
 /// Singular values below this part of the largest are zero: exponents are small numbers such as ½, 1, 2.
 const ZERO: f64 = 1e-9;
 
-/// Directions in the logarithms of a model's parameters in which no curve changes.
+/// Directions in the logarithms of a model's parameters along which no curve changes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct NullDirections {
     parameters: Vec<String>,
@@ -22,11 +22,11 @@ pub struct NullDirections {
 }
 
 impl NullDirections {
-    /// Directions over the named parameters, the unknown and the fixed ones: one exponent for each parameter.
+    /// Directions over the named parameters, both unknown and fixed: one exponent per parameter.
     ///
     /// # Errors
     ///
-    /// [`IdentifyError::Length`] where a direction has more or fewer exponents than there are parameters.
+    /// [`IdentifyError::Length`] where the number of exponents of a direction is not that of the parameters.
     pub fn new(parameters: Vec<String>, vectors: Vec<Vec<f64>>) -> Result<Self, IdentifyError> {
         for vector in &vectors {
             check_length("null direction", vector, parameters.len())?;
@@ -37,7 +37,7 @@ impl NullDirections {
         })
     }
 
-    /// The directions that move nothing but unknowns without a prior.
+    /// The directions that move only unknowns without a prior.
     pub(crate) fn among(&self, unknowns: &[Unknown]) -> Result<NullSpace, IdentifyError> {
         let is_free = |name: &String| {
             unknowns
@@ -80,7 +80,7 @@ pub(crate) struct NullSpace {
     unknowns: usize,
 }
 
-/// Unknowns that are held so that the data determine one unknown, and the combination that it then stands for.
+/// Unknowns held so that the data determine one unknown, and the combination that it then represents.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Hold {
     /// Indices of the unknowns held.
@@ -95,14 +95,14 @@ impl NullSpace {
         self.basis.len()
     }
 
-    /// Whether the unknown has a part in a direction.
+    /// Whether the unknown takes part in a direction.
     pub fn moves(&self, unknown: usize) -> bool {
         self.basis
             .iter()
             .any(|direction| direction[unknown].abs() > ZERO)
     }
 
-    /// The unknowns to hold so that the data determine `unknown`, with the fewest others in its combination; none where
+    /// The unknowns to hold so that the data determine `unknown`, with the fewest others in its combination; `None` if
     /// no combination with it is known.
     pub fn hold_for(&self, unknown: usize) -> Result<Option<Hold>, IdentifyError> {
         let mut best: Option<Hold> = None;
@@ -128,7 +128,7 @@ impl NullSpace {
         Ok(Vec::new())
     }
 
-    /// The exponents with these unknowns held, if holding them stops every direction.
+    /// The exponents with these unknowns held, if holding them blocks every direction.
     fn solve(&self, unknown: usize, held: Vec<usize>) -> Result<Option<Hold>, IdentifyError> {
         let matrix = self.part(&held);
         if !kernel(&matrix)?.is_empty() {
@@ -146,7 +146,7 @@ impl NullSpace {
         Ok(Some(Hold { held, exponents }))
     }
 
-    /// The basis at some unknowns, one row for each direction.
+    /// The entries of the basis for some unknowns, one row per direction.
     fn part(&self, unknowns: &[usize]) -> Mat<f64> {
         Mat::from_fn(self.rank(), unknowns.len(), |b, k| {
             self.basis[b][unknowns[k]]
@@ -154,7 +154,7 @@ impl NullSpace {
     }
 }
 
-/// An exponent without the rounding of the algebra that gave it.
+/// An exponent, freed of the rounding of the algebra.
 fn round_off(exponent: f64) -> f64 {
     (exponent * 1e9).round() / 1e9
 }
@@ -211,7 +211,7 @@ fn least_norm(matrix: &Mat<f64>, right: &Mat<f64>) -> Result<Vec<f64>, IdentifyE
     Err(IdentifyError::Decomposition { size })
 }
 
-/// All sets of so many of the numbers below `count`, but for one.
+/// All sets of `size` numbers below `count`, leaving out `without`.
 fn subsets(count: usize, size: usize, without: Option<usize>) -> Vec<Vec<usize>> {
     let mut all = vec![Vec::new()];
     for _ in 0..size {

@@ -1,27 +1,27 @@
-//! How a fit is done.
+//! Options of a fit.
 
 use crate::IdentifyError;
 
 /// How the interval of an unknown is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Intervals {
-    /// From the profile of the likelihood, at one to three predictions a point.
+    /// From the profile of the likelihood, at one to three predictions per point.
     Profile,
-    /// From the covariance alone, at none. It promises too much where the data are weak.
+    /// From the covariance alone, without predictions. It is too narrow where the data are weak.
     Wald,
 }
 
-/// How a fit is done.
+/// Options of a fit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitOptions {
     /// Level of the intervals, 0.95 by default.
     pub level: f64,
-    /// How they are found, from the profile by default.
+    /// Method of the intervals, the profile by default.
     pub intervals: Intervals,
-    /// Most starts of the search, 4 by default. It ends when a second one leads to the same place.
+    /// Maximum number of starts of the search, 4 by default. It ends when two lead to the same place.
     pub starts: usize,
-    /// `χ²` that a linear problem could still gain where the search ends, 10⁻⁴ by default: a hundredth of a standard
-    /// error. One more step takes most of that.
+    /// Gain in `χ²` that the linear problem may still predict when the search ends, 10⁻⁴ by default: a hundredth of a
+    /// standard error. One more step realises most of it.
     pub tolerance: f64,
 }
 

@@ -3,10 +3,10 @@
 //! Modified Gram–Schmidt, each column orthogonalised twice, is orthogonal to rounding: L. Giraud, J. Langou,
 //! M. Rozložník and J. van den Eshof, Numer. Math. 101, 87 (2005).
 
-/// A column that keeps less than this part of its length beside the earlier ones depends on them.
+/// A column is dependent if less than this fraction of its length remains after projection off the earlier ones.
 const DEPENDENT: f64 = 1e-10;
 
-/// `A = Q R` of the independent ones of some columns.
+/// The factorisation `A = Q R` of the independent columns among those given.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct OrthonormalBasis {
     basis: Vec<Vec<f64>>,
@@ -27,7 +27,7 @@ impl OrthonormalBasis {
         basis
     }
 
-    /// Adds a column where it does not depend on the earlier ones.
+    /// Adds a column if it is independent of the earlier ones.
     pub fn push(&mut self, mut column: Vec<f64>) {
         let length = norm(&column);
         let mut components = self.remove_from(&mut column);
@@ -42,7 +42,7 @@ impl OrthonormalBasis {
         self.columns += 1;
     }
 
-    /// Reduces a column to its part orthogonal to the basis, and gives its components `Qᵀ v`.
+    /// Reduces a column to its part orthogonal to the basis, and returns its components `Qᵀ v`.
     pub fn remove_from(&self, column: &mut [f64]) -> Vec<f64> {
         let mut components = vec![0.0; self.basis.len()];
         for _ in 0..2 {
@@ -134,7 +134,7 @@ mod tests {
         let mut y: Vec<f64> = x.iter().map(|x| 5.0 + 0.5 * x).collect();
         let components = line.remove_from(&mut y);
         let coefficients = line.coefficients(&components);
-        // Rounding of four points.
+        // Rounding with four points.
         assert_relative_eq!(coefficients[0], 5.0, max_relative = 1e-14);
         assert_relative_eq!(coefficients[1], 0.5, max_relative = 1e-13);
         assert_eq!(coefficients[2], 0.0);

@@ -1,8 +1,8 @@
 //! The expected accuracy of a measurement, before it is made.
 //!
-//! At the true parameters the information of a measurement is `JᵀJ` of its whitened derivatives, with the nuisances of
-//! each curve eliminated. Measurements add up, a prior is one more row, and the inverse of the sum is the covariance
-//! that a fit will have (Wald).
+//! At the true parameters, the information of a measurement is `JᵀJ` of its whitened derivatives, with the nuisances of
+//! each curve eliminated. The information of several measurements adds up, a prior is one more row, and the inverse of
+//! the sum is the (Wald) covariance that a fit will have.
 
 mod information;
 
@@ -26,13 +26,13 @@ pub struct Plan {
     pub unknowns: Vec<Unknown>,
     /// The true values of the unknowns.
     pub truth: Vec<f64>,
-    /// Linear nuisances; those common to curves are common to all measurements.
+    /// Linear nuisances; those common to all curves are common to all measurements.
     pub nuisances: Vec<LinearNuisance>,
     /// The noise of every point.
     pub noise: NoiseLevels,
-    /// Standard deviation of each unknown between curves, in its coordinate: 0 where it is the same for all.
+    /// Standard deviation of each unknown between curves, in its coordinate: 0 if it is the same for all.
     pub scatter: Vec<f64>,
-    /// Degrees of freedom behind the interval of each unknown, infinite where the noise is given.
+    /// Degrees of freedom behind the interval of each unknown, infinite if the noise is given.
     pub degrees_of_freedom: Vec<f64>,
 }
 
@@ -45,11 +45,12 @@ pub struct Expected {
     pub role: Role,
     /// Its true value.
     pub value: f64,
-    /// Standard error in its coordinate, of `ln θ` for a positive one; infinite where the data do not determine it.
+    /// Standard error in its coordinate, that of `ln θ` for a positive unknown; infinite if the data do not determine
+    /// it.
     pub standard_error: f64,
-    /// Half the interval in its coordinate, as if there were no bounds.
+    /// Half width of the interval in its coordinate, ignoring bounds.
     pub half_width: f64,
-    /// The interval from the covariance; nothing on a side that is open or beyond its bound.
+    /// The interval from the covariance; `None` on a side that is open or beyond its bound.
     pub interval: [Option<f64>; 2],
     /// How well the measurements will determine it.
     pub verdict: Verdict,
@@ -58,13 +59,14 @@ pub struct Expected {
 }
 
 impl Plan {
-    /// The information of curves that follow this prediction of their model, with derivatives by all unknowns.
+    /// Computes the information of curves that follow this prediction of their model, which has derivatives with
+    /// respect to all unknowns.
     ///
     /// # Errors
     ///
     /// [`IdentifyError::NoPlan`] where the prediction is not complete, [`IdentifyError::Length`] where a list of the
-    /// plan does not fit the unknowns, [`IdentifyError::Number`] for noise that is none, [`IdentifyError::NoTime`] for
-    /// a drift of curves without times.
+    /// plan does not match the unknowns, [`IdentifyError::Number`] for invalid noise, [`IdentifyError::NoTime`] for a
+    /// drift of curves without times.
     pub fn information(
         &self,
         prediction: &Prediction,
@@ -83,9 +85,9 @@ impl Plan {
         Information::of(self, prediction, curves)
     }
 
-    /// The expected estimate of each unknown from some measurements together, with intervals of this level.
+    /// Computes the expected estimate of each unknown from several measurements together, with intervals of this level.
     ///
-    /// `directions` are those in which none of these measurements changes.
+    /// None of these measurements changes along the `directions`.
     ///
     /// # Errors
     ///
@@ -140,7 +142,7 @@ impl Plan {
         Ok(expected)
     }
 
-    /// The known combination: the unknown times powers of those held, with its interval while they are held.
+    /// The known combination: the unknown times powers of the held unknowns, with its interval while they are held.
     fn combination(&self, expected: &Expected, unknown: usize, hold: &Hold) -> KnownCombination {
         let factor = |&(k, exponent): &(usize, f64)| self.truth[k].powf(exponent);
         let factor: f64 = hold.exponents.iter().map(factor).product();
@@ -152,7 +154,7 @@ impl Plan {
     }
 }
 
-/// `√((JᵀJ)⁻¹_jj)` with some unknowns held. The unknown comes last, so that it is the one to be dropped where it
+/// `√((JᵀJ)⁻¹_jj)` with some unknowns held. The unknown comes last, so that it is the column to be dropped if it
 /// depends on the others.
 fn standard_error(jacobian: &[Vec<f64>], unknown: usize, held: &[usize]) -> f64 {
     let others = (0..jacobian.len()).filter(|j| *j != unknown && !held.contains(j));

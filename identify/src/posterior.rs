@@ -1,9 +1,9 @@
 //! Samples of the posterior of the unknowns.
 //!
-//! The density is that of the fit's own noise, with the linear nuisances integrated out, over the coordinates of the
-//! unknowns, in which what is unknown before is flat. An ensemble of walkers samples it (J. Goodman and J. Weare, Comm.
-//! App. Math. Comp. Sci. 5, 65 (2010)) on a [`Surrogate`]. Four ensembles that know nothing of each other tell whether
-//! they have arrived. Each walker has its own random numbers, so that no sample depends on the number of threads.
+//! The density uses the fit's own noise, with the linear nuisances integrated out. It is a density over the coordinates
+//! of the unknowns, in which a missing prior is flat. An ensemble of walkers samples it (J. Goodman and J. Weare, Comm.
+//! App. Math. Comp. Sci. 5, 65 (2010)) on a [`Surrogate`]. Convergence is judged from four independent ensembles. Each
+//! walker has its own random numbers, so no sample depends on the number of threads.
 
 mod convergence;
 mod density;
@@ -17,28 +17,28 @@ use density::Density;
 
 use crate::{Fit, IdentifyError, Problem, Surrogate};
 
-/// Ensembles, from seeds of their own.
+/// Number of ensembles, each with its own seed.
 const ENSEMBLES: usize = 4;
 
-/// Walkers of each; at least twice the unknowns, of which there are four at most.
+/// Walkers per ensemble: at least twice the number of unknowns, which is at most four.
 const WALKERS: usize = 16;
 
-/// Steps before the first that counts, ten autocorrelation times.
+/// Steps discarded at the start, ten autocorrelation times.
 const BURN_IN: usize = 400;
 
-/// Of so many steps one is kept, or more where few samples are wanted.
+/// One step in this many is kept, or fewer if few samples are wanted.
 const THINNING: usize = 16;
 
-/// Fewest steps after the burn-in, some 25 autocorrelation times, so that convergence can be judged.
+/// Minimum number of steps after the burn-in, about 25 autocorrelation times, so that convergence can be judged.
 const FEWEST_STEPS: usize = 1000;
 
-/// A sample so near a face of the surrogate's box, in half sides, counts as one at it.
+/// A sample this close to a face of the surrogate's box, in half sides, counts as being at the face.
 const AT_FACE: f64 = 0.02;
 
-/// How a posterior is sampled.
+/// Options for sampling a posterior.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PosteriorOptions {
-    /// Samples wanted, 4000 by default; there are as many as whole steps of all walkers give, or a few more.
+    /// Samples wanted, 4000 by default. The number is rounded up to whole steps of all walkers.
     pub samples: usize,
     /// Seed of the random numbers.
     pub seed: u64,
@@ -58,25 +58,25 @@ impl Default for PosteriorOptions {
 pub struct Posterior {
     /// One list of values of the unknowns, in their units, for each sample.
     pub samples: Vec<Vec<f64>>,
-    /// Whether the walkers have arrived.
+    /// The convergence of the walkers.
     pub convergence: Convergence,
-    /// Part of the samples at a face of the surrogate's box that is no bound of the unknown: what lies beyond is
-    /// missing.
+    /// Fraction of the samples at a face of the surrogate's box that is not a bound of the unknown: the tail beyond it
+    /// is missing.
     pub cut_off: f64,
 }
 
 impl Posterior {
-    /// The value that an unknown, by its index, lies below with a probability.
+    /// The value below which an unknown, by its index, lies with this probability.
     ///
     /// # Panics
     ///
-    /// Where there is no such unknown.
+    /// If there is no such unknown.
     #[must_use]
     pub fn quantile(&self, unknown: usize, probability: f64) -> f64 {
         let mut values: Vec<f64> = self.samples.iter().map(|one| one[unknown]).collect();
         values.sort_by(f64::total_cmp);
         let intervals = (values.len() - 1) as f64;
-        // The first place k with k/(n − 1) not below the probability, and the one before.
+        // The first index k with k/(n − 1) not below the probability, and the one before.
         let below = |k: usize| (k as f64) < probability * intervals;
         let above = (0..values.len() - 1).take_while(|k| below(*k)).count();
         let before = above.saturating_sub(1);
@@ -85,11 +85,11 @@ impl Posterior {
     }
 }
 
-/// Samples the posterior of a problem about its best fit. Only a surrogate is asked.
+/// Samples the posterior of a problem around its best fit, using only a surrogate of the model.
 ///
 /// # Errors
 ///
-/// [`IdentifyError::Number`] for no samples, [`IdentifyError::Length`] for a surrogate of another problem.
+/// [`IdentifyError::Number`] for zero samples, [`IdentifyError::Length`] for a surrogate of another problem.
 pub fn posterior(
     surrogate: &Surrogate,
     problem: &Problem,
@@ -152,7 +152,7 @@ impl Ensemble {
     }
 }
 
-/// A place in the box within a standard error of the best fit, evenly drawn.
+/// A point of the box drawn uniformly within a standard error of the best fit.
 fn start(density: &Density, fit: &Fit, random: &mut ChaCha8Rng) -> Vec<f64> {
     let sides = density.sides().iter().zip(&density.best).enumerate();
     sides
@@ -164,7 +164,7 @@ fn start(density: &Density, fit: &Fit, random: &mut ChaCha8Rng) -> Vec<f64> {
         .collect()
 }
 
-/// Part of the samples at a face of the box that is no bound.
+/// Fraction of the samples at a face of the box that is not a bound.
 fn cut_off(surrogate: &Surrogate, problem: &Problem, positions: &[&Vec<f64>]) -> f64 {
     let sides = surrogate.region().coordinates();
     let bounds: Vec<[f64; 2]> = problem

@@ -1,26 +1,26 @@
-//! The forward model asked once for each set of parameters, and counted.
+//! The forward model, evaluated once for each set of parameters, with a count of the predictions.
 
 use std::{ops::Range, rc::Rc};
 
 use crate::{ForwardError, ForwardModel, IdentifyError, Prediction, Problem, Unknown};
 
-/// The model at one point of the coordinates `x` of the unknowns.
+/// The model evaluated at one point of the coordinates `x` of the unknowns.
 #[derive(Debug, Clone)]
 pub(crate) struct Evaluation {
     /// Coordinates of the unknowns.
     pub position: Vec<f64>,
     /// The unknowns themselves.
     pub parameters: Vec<f64>,
-    /// Observable of each point.
+    /// Observable at each point.
     pub value: Vec<f64>,
-    /// `∂y/∂Q` of each point.
+    /// `∂y/∂Q` at each point.
     pub slope: Vec<f64>,
-    /// `∂y/∂x_j` of each point, one list for each unknown.
+    /// `∂y/∂x_j` at each point, one list per unknown.
     pub jacobian: Vec<Vec<f64>>,
 }
 
 impl Evaluation {
-    /// A prediction with its derivatives by the coordinates.
+    /// A prediction, with its derivatives converted to the coordinates.
     pub fn of(unknowns: &[Unknown], parameters: &[f64], prediction: Prediction) -> Self {
         let mut jacobian = prediction.derivatives;
         for ((column, unknown), &value) in jacobian.iter_mut().zip(unknowns).zip(parameters) {
@@ -52,7 +52,7 @@ impl Evaluation {
     }
 }
 
-/// A forward model with a memory. Its predictions are dear, its memory is not.
+/// A forward model with a memory, because predictions are expensive and memory is not.
 pub(crate) struct Predictor<'a> {
     model: &'a dyn ForwardModel,
     problem: &'a Problem,
@@ -70,7 +70,7 @@ impl<'a> Predictor<'a> {
         }
     }
 
-    /// The model at a point, or nothing where it has no prediction.
+    /// Evaluates the model at a point; `None` where it has no prediction.
     pub fn evaluate(&mut self, position: &[f64]) -> Result<Option<Rc<Evaluation>>, IdentifyError> {
         if let Some((_, known)) = self.memory.iter().find(|(at, _)| at == position) {
             return Ok(known.clone());
@@ -80,7 +80,7 @@ impl<'a> Predictor<'a> {
         Ok(evaluation)
     }
 
-    /// How often the model was asked.
+    /// Number of evaluations of the model.
     pub fn predictions(&self) -> usize {
         self.memory.len()
     }
@@ -90,7 +90,7 @@ impl<'a> Predictor<'a> {
         self.memory.iter().filter_map(|(_, known)| known.as_ref())
     }
 
-    /// The model's latest error, handed out once.
+    /// Takes the model's latest error.
     pub fn take_last_failure(&mut self) -> Option<ForwardError> {
         self.last_failure.take()
     }

@@ -2,14 +2,14 @@
 
 use crate::IdentifyError;
 
-/// Knowledge of a parameter from elsewhere, as one more observation of it.
+/// Prior knowledge of a parameter, treated as one more observation of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Prior {
     /// `ln θ` is normal about `ln(median)` with standard deviation `ln(factor)`.
     Lognormal {
         /// Median of θ, positive.
         median: f64,
-        /// Factor that is one standard deviation, above 1.
+        /// Factor that corresponds to one standard deviation, above 1.
         factor: f64,
     },
     /// θ is normal.
@@ -58,7 +58,7 @@ impl Prior {
         }
     }
 
-    /// The derivative of [`Self::deviation`] by θ.
+    /// The derivative of [`Self::deviation`] with respect to θ.
     pub(crate) fn deviation_slope(&self, value: f64) -> f64 {
         match *self {
             Self::Lognormal { factor, .. } => 1.0 / (value * factor.ln()),
@@ -93,7 +93,7 @@ mod tests {
             let (value, step) = (1.7, 1e-6);
             let quotient =
                 (prior.deviation(value + step) - prior.deviation(value - step)) / (2.0 * step);
-            // The central difference errs by step² and by rounding over step, both about 1e-10.
+            // The central difference has errors of step² and of rounding over step, both about 1e-10.
             assert_relative_eq!(prior.deviation_slope(value), quotient, max_relative = 1e-8);
             assert_eq!(prior.deviation(prior.centre()), 0.0);
         }

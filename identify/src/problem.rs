@@ -6,12 +6,12 @@ use crate::{
     Curve, IdentifyError, LinearNuisance, Noise, NullDirections, Unknown, nuisance::NuisanceColumn,
 };
 
-/// How the parameters scatter between curves.
+/// Scatter of the parameters between curves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scatter {
-    /// All have the same parameters, and differ by noise.
+    /// All curves have the same parameters and differ only by noise.
     None,
-    /// They are repeats at different places or of different specimens: the parameters of each scatter about common
+    /// The curves are repeats at different places or on different specimens: their parameters scatter about common
     /// ones, and a curve that disagrees with the rest is left out.
     BetweenCurves,
 }
@@ -30,13 +30,13 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// A problem of curves that have the same parameters.
+    /// A problem with curves that have the same parameters.
     ///
     /// # Errors
     ///
-    /// [`IdentifyError::NoUnknown`], [`IdentifyError::Twice`] and [`IdentifyError::TooFewPoints`] for what cannot be
-    /// found; [`IdentifyError::NoTime`], [`IdentifyError::Length`] and [`IdentifyError::Number`] for nuisances and
-    /// noise that do not fit the curves.
+    /// [`IdentifyError::NoUnknown`], [`IdentifyError::Twice`] and [`IdentifyError::TooFewPoints`] for unknowns that
+    /// cannot be found; [`IdentifyError::NoTime`], [`IdentifyError::Length`] and [`IdentifyError::Number`] for
+    /// nuisances and noise that do not match the curves.
     pub fn new(
         curves: Vec<Curve>,
         unknowns: Vec<Unknown>,
@@ -71,14 +71,14 @@ impl Problem {
         })
     }
 
-    /// The same problem with directions in which no curve changes.
+    /// The same problem with the directions along which no curve changes.
     #[must_use]
     pub fn with_null_directions(mut self, null_directions: NullDirections) -> Self {
         self.null_directions = null_directions;
         self
     }
 
-    /// The same problem with curves that are, or are not, repeats with scatter between them.
+    /// The same problem with the given scatter between curves.
     #[must_use]
     pub fn with_scatter(mut self, scatter: Scatter) -> Self {
         self.scatter = scatter;
@@ -103,7 +103,7 @@ impl Problem {
         &self.noise
     }
 
-    /// Points of all curves.
+    /// Number of points of all curves.
     #[must_use]
     pub fn points(&self) -> usize {
         self.observed.len()
@@ -117,8 +117,8 @@ impl Problem {
         self.scatter
     }
 
-    /// The problem of one curve alone: its own nuisances, and no prior of an unknown, as priors are of what all curves
-    /// have in common.
+    /// The problem of one curve alone: with its own nuisances, and without the priors of unknowns, which apply to the
+    /// values common to all curves.
     pub(crate) fn of_curve(&self, index: usize) -> Self {
         let span = self.spans[index].clone();
         let own = |column: &&NuisanceColumn| column.curve == Some(index);
@@ -140,7 +140,7 @@ impl Problem {
         }
     }
 
-    /// Points of the longest curve.
+    /// Number of points of the longest curve.
     pub(crate) fn points_of_longest(&self) -> usize {
         self.curves.iter().map(Curve::points).max().unwrap_or(0)
     }
@@ -170,7 +170,7 @@ impl Problem {
     }
 }
 
-/// Where the points of each curve are among those of all, for so many points a curve.
+/// The range of each curve's points among all points, from the number of points of each curve.
 pub(crate) fn spans(points: impl Iterator<Item = usize>) -> Vec<Range<usize>> {
     let mut first = 0;
     points

@@ -1,11 +1,11 @@
-//! The profile of the likelihood: how far an unknown can go while the others follow.
+//! The profile of the likelihood: how far an unknown can move while the others adjust.
 //!
 //! `Δ(x_j) = min over the others of χ² − least χ²` reaches the squared quantile of Student's distribution at the ends
 //! of the interval: D. M. Bates and D. G. Watts, Nonlinear Regression Analysis and Its Applications (Wiley, 1988),
 //! section 6.1. The scan goes outward in `z = √Δ`, which is nearly linear. Derivatives make it cheap: the others start
-//! where their tangent leads, what a linear problem could still gain is taken off without another prediction, and
-//! `dΔ/dx_j = −2 J_jᵀ r` of the constrained fit leads to the next point and corrects the last. With `z` below zero on
-//! one side, `x_j(z)` and the others run smoothly through the best fit: one side tells where the other begins
+//! from their tangent, the remaining gain of the linear problem is subtracted without another prediction, and
+//! `dΔ/dx_j = −2 J_jᵀ r` of the constrained fit leads to the next point and corrects the last. With `z` negative on one
+//! side, `x_j(z)` and the others run smoothly through the best fit, so one side predicts the start of the other
 //! (`bend.rs`).
 
 mod bend;
@@ -26,60 +26,60 @@ use crate::{
     predictor::{Evaluation, Predictor},
 };
 
-/// A scan may end where `z` is this near its target, as a part of it; a cubic leads the rest of the way, …
+/// A scan may end when `z` is within this fraction of its target, and a cubic bridges the rest, …
 const NEAR: f64 = 0.25;
-/// this near it where a bound of another unknown bends the profile, …
+/// … or within this fraction where a bound of another unknown bends the profile, …
 const NEAR_A_KINK: f64 = 0.05;
-/// … if the tangent at the last point leads to the same place but for this part of the standard error: what the cubic
-/// itself misses is a power of `z` higher, a fraction of that.
+/// … provided that the tangent at the last point leads to the same end within this fraction of the standard error. The
+/// error of the cubic itself is one power of `z` higher, a fraction of that.
 const AGREEMENT: f64 = 0.03;
-/// Longest stride of a scan, a factor of four for a logarithm.
+/// Longest stride of a scan: a factor of four for a logarithm.
 const LONGEST_STRIDE: f64 = 1.4;
-/// Tolerance of the constrained fits, in units of χ²; the gain left is taken off as if the problem were linear.
+/// Tolerance of the constrained fits, in units of χ²; the remaining gain is subtracted as if the problem were linear.
 const CONSTRAINED: f64 = 0.1;
-/// A profile lower than the best fit by this has found a better one: a twentieth of χ² at level 0.95, so that the
-/// jitter of a prediction from a grid is not taken for one.
+/// A profile lower than the best fit by this has found a better fit. It is a twentieth of χ² at level 0.95, so that the
+/// jitter of a prediction from a grid does not count as one.
 const BETTER: f64 = 0.2;
-/// No linearisation is trusted farther than this, a factor of 1.4 for a logarithm.
+/// No linearisation is trusted farther than this: a factor of 1.4 for a logarithm.
 const TRUSTED: f64 = 0.35;
-/// Constrained fits on one side before it counts as open.
+/// Number of constrained fits on one side before it counts as open.
 const MOST_POINTS: usize = 24;
-/// Halvings of a stride to where the model has no prediction.
+/// Number of halvings of a stride that ends where the model has no prediction.
 const MOST_RETREATS: usize = 4;
 
 /// One point of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProfilePoint {
-    /// The unknown.
+    /// Value of the unknown.
     pub value: f64,
-    /// `Δ`, how much worse the best fit with this value is than the best of all, in units of χ².
+    /// `Δ`, the increase of χ² of the best fit with this value over the overall best fit.
     pub delta_chi_squared: f64,
 }
 
 /// Why a side of an interval is open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Open {
-    /// The bound of the range came first.
+    /// The bound of the range is reached first.
     Bound,
-    /// The model ends before.
+    /// The model has no prediction that far out.
     Model,
 }
 
 /// One side of a profile.
 #[derive(Debug, Clone)]
 pub(crate) struct ProfileSide {
-    /// Where `Δ` reaches the target, in the coordinate of the unknown, or why nowhere.
+    /// Coordinate of the unknown at which `Δ` reaches the target, or the reason why it does not.
     pub end: Result<f64, Open>,
-    /// Points in the coordinate, outward from the best fit, which is not among them: `x` and `Δ`.
+    /// Points `x` and `Δ`, in the coordinate, outward from the best fit, which is not included.
     pub points: Vec<(f64, f64)>,
-    /// How the profile bends, if it came to its end.
+    /// The bend of the profile, if the scan reached its end.
     pub bend: Option<Bend>,
 }
 
 /// The result of a scan.
 pub(crate) enum Scan {
     Side(ProfileSide),
-    /// A better fit than the best.
+    /// A fit better than the best one so far.
     Better(Rc<Evaluation>),
 }
 
@@ -89,7 +89,7 @@ pub(crate) struct LikelihoodProfile<'s, 'p> {
     pub metric: &'s Metric<'p>,
     pub best: &'s Minimum,
     pub unknown: usize,
-    /// The unknowns that follow.
+    /// The other unknowns, which adjust.
     pub others: &'s [usize],
     /// Standard error of the unknown in its coordinate.
     pub standard_error: f64,
@@ -98,8 +98,8 @@ pub(crate) struct LikelihoodProfile<'s, 'p> {
 }
 
 impl LikelihoodProfile<'_, '_> {
-    /// Scans outward from the best fit, up for `sign` 1 and down for −1, first to where the bend of the other side
-    /// leads, if it is known.
+    /// Scans outward from the best fit, up for `sign` 1 and down for −1. The first stride follows the bend of the other
+    /// side, if it is known.
     pub fn side(
         &self,
         predictor: &mut Predictor,
@@ -170,14 +170,14 @@ impl LikelihoodProfile<'_, '_> {
         done(Err(Open::Bound), points)
     }
 
-    /// The bound that a scan goes towards.
+    /// The bound in the direction of the scan.
     fn bound(&self, sign: f64) -> f64 {
         let [low, high] = self.problem.unknowns()[self.unknown].bounds();
         if sign > 0.0 { high } else { low }
     }
 
-    /// Where the end is, if that is known well enough: by the cubic `x(z)` through two points with its slopes, where it
-    /// agrees with the tangent at the second.
+    /// The end of the interval, if it is known well enough: from the cubic `x(z)` through two points with their slopes,
+    /// if it agrees with the tangent at the second.
     fn end(&self, inner: &Point, point: &Point, sign: f64) -> Option<f64> {
         let left = self.target - point.z;
         if left.abs() > NEAR * self.target || !(point.slope > 0.0 && inner.slope > 0.0) {
@@ -188,14 +188,14 @@ impl LikelihoodProfile<'_, '_> {
         let cubic = hermite(ends, self.target);
         let end = point.x + sign * cubic;
         let is_smooth = self.keeps_bounds(inner, point, end);
-        // Where the profile bends much, the standard error is longer than what a step of one in z really takes.
+        // Where the profile bends strongly, the standard error exceeds the actual length of a unit step in z.
         let one = (end - self.best.at.position[self.unknown]).abs() / self.target;
         let agrees = (cubic - tangent).abs() <= AGREEMENT * one.min(self.standard_error);
         (agrees && (is_smooth || left.abs() <= NEAR_A_KINK * self.target)).then_some(end)
     }
 
-    /// Whether no bound begins or ceases to hold another unknown from the first point to the end, where the profile has
-    /// a kink, and the end itself is within the bounds.
+    /// Whether no bound begins or ceases to hold another unknown between the first point and the end, which would put a
+    /// kink in the profile, and the end itself is within the bounds.
     fn keeps_bounds(&self, inner: &Point, point: &Point, end: f64) -> bool {
         let step = end - point.x;
         let is_held = |of: &Point, k: usize| {
@@ -213,8 +213,8 @@ impl LikelihoodProfile<'_, '_> {
         (low..=high).contains(&end) && self.others.iter().all(keeps)
     }
 
-    /// Where the bend of the other side leads: the unknown at its end, and the others; none where that is as far as no
-    /// scan goes.
+    /// The end predicted by the bend of the other side: the unknown and the others there; `None` if that is farther
+    /// than a scan may stride.
     fn guess(&self, bend: &Bend, first: &Point, sign: f64) -> Option<Vec<f64>> {
         let bound = self.bound(sign);
         let stride = sign * bend.stride(self.standard_error, sign * self.target);
@@ -247,7 +247,7 @@ impl LikelihoodProfile<'_, '_> {
     fn next(&self, inner: &Point, outer: Option<&Point>, sign: f64, bound: f64) -> f64 {
         let Some(outer) = outer else {
             let stride = (self.target - inner.z) / inner.slope;
-            // A profile that no longer rises tells nothing about the distance.
+            // A profile that no longer rises says nothing about the distance.
             let stride = if stride > 0.0 {
                 stride.min(LONGEST_STRIDE)
             } else {
@@ -261,7 +261,8 @@ impl LikelihoodProfile<'_, '_> {
         inner.x + sign * width * part
     }
 
-    /// The constrained fit from a place, or nearer where the model has no prediction there. `Err` is a better fit.
+    /// The constrained fit from a starting point, or from a nearer one if the model has no prediction there. `Err`
+    /// holds a better fit.
     fn reach(
         &self,
         predictor: &mut Predictor,
@@ -278,13 +279,13 @@ impl LikelihoodProfile<'_, '_> {
         Ok(None)
     }
 
-    /// Where the tangent of the others leads.
+    /// The point predicted by the tangent of the others.
     fn follow(&self, inner: &Point, x: f64) -> Vec<f64> {
         let step = x - inner.x;
         self.placed(x, |k| inner.least[k] + step * inner.tangent[k])
     }
 
-    /// The unknown at a coordinate and the others at theirs, within the bounds.
+    /// The point with the unknown at `x` and the others at their own coordinates, within the bounds.
     fn placed(&self, x: f64, of_other: impl Fn(usize) -> f64) -> Vec<f64> {
         let mut position = self.best.at.position.clone();
         for &k in self.others {
@@ -307,7 +308,7 @@ impl LikelihoodProfile<'_, '_> {
         if above < -BETTER {
             return Ok(Err(fit.at));
         }
-        // The gain left to a search that found no end is not known.
+        // The remaining gain is unknown if the search did not converge.
         let gain = if fit.converged { fit.remaining } else { 0.0 };
         let z = (above - gain).max(0.0).sqrt();
         let equations = NormalEquations::new(&fit.system, &search.moving(&fit));
@@ -337,8 +338,8 @@ impl LikelihoodProfile<'_, '_> {
     }
 }
 
-/// Where a linear problem has its least, if that is no farther than its derivatives are trusted; the fit itself
-/// otherwise.
+/// The minimum of the linear problem, if it lies within the range where its derivatives are trusted; otherwise the fit
+/// itself.
 fn least(fit: &Minimum, step: &[f64]) -> Vec<f64> {
     let pairs = fit.at.position.iter().zip(step);
     let least: Vec<f64> = pairs.map(|(x, s)| x + s).collect();

@@ -1,4 +1,4 @@
-//! The best fit under the noise that its own residuals show.
+//! The best fit under the noise estimated from its own residuals.
 
 use std::rc::Rc;
 
@@ -11,10 +11,10 @@ use crate::{
     predictor::{Evaluation, Predictor},
 };
 
-/// Rounds of noise and fit; each changes the other less than the one before.
+/// Maximum number of alternations between noise and fit; each changes the other less than the one before.
 const MOST_ROUNDS: usize = 12;
 
-/// With so little `χ²` to be gained a fit is as good as a number of 64 bits tells.
+/// Below this remaining gain in `χ²`, a fit is as accurate as double precision allows.
 const NOTHING_LEFT: f64 = 1e-12;
 
 /// The best fit, and the covariance of the noise under which it is the best.
@@ -33,10 +33,10 @@ pub(crate) struct Refinement<'s, 'p> {
 }
 
 impl<'p> Refinement<'_, 'p> {
-    /// Estimates the noise and fits under it, in turns, until neither moves. The weights are those of the present
-    /// point and do not pull at the unknowns: iterated weights solve `Jᵀ V⁻¹ r = 0`, which is free of the bias that
-    /// weights inside the minimum would bring and that a determinant would have to undo (R. J. Carroll and
-    /// D. Ruppert, Transformation and Weighting in Regression, 1988, section 2.1).
+    /// Estimates the noise and fits under it, in turn, until neither changes. The weights are those of the present
+    /// point and do not act on the unknowns: iterated weights solve `Jᵀ V⁻¹ r = 0`. Weights inside the minimised
+    /// function would bring a bias, which a determinant would have to remove (R. J. Carroll and D. Ruppert,
+    /// Transformation and Weighting in Regression, 1988, section 2.1).
     pub fn run(
         &self,
         predictor: &mut Predictor,
@@ -65,7 +65,7 @@ impl<'p> Refinement<'_, 'p> {
         }
     }
 
-    /// A fit that is not the best: the noise that its residuals show, and the problem there.
+    /// The noise estimated at a fit that is not the best, and the problem linearised there.
     pub fn unfinished(
         &self,
         at: Rc<Evaluation>,
@@ -88,7 +88,7 @@ impl<'p> Refinement<'_, 'p> {
         })
     }
 
-    /// The noise that the residuals at a point show, and the metric under it.
+    /// The noise estimated from the residuals at a point, and the metric under it.
     fn weighed(&self, at: &Evaluation, levels: NoiseLevels) -> (Metric<'p>, NoiseLevels) {
         let part = Part {
             problem: self.problem,
@@ -100,8 +100,8 @@ impl<'p> Refinement<'_, 'p> {
         (Metric::at(self.problem, &levels, at), levels)
     }
 
-    /// One more step, taken whatever `χ²` says of it: its fall is less than what the derivatives of a prediction are
-    /// wrong by, and the step is right to that part of itself. Where it leads nowhere, the point stays.
+    /// Takes one more step without checking `χ²`, whose decrease is below the error of the predicted derivatives, while
+    /// the step itself has only that relative error. If there is no such step, the fit is unchanged.
     fn polished(
         &self,
         predictor: &mut Predictor,
@@ -161,7 +161,7 @@ impl<'p> Refinement<'_, 'p> {
         }
     }
 
-    /// Whether the covariance of the noise depends on no fit.
+    /// Whether the covariance of the noise is independent of the fit.
     fn is_fixed(&self) -> bool {
         let noise = self.problem.noise();
         noise.is_known() && noise.is_uniform()

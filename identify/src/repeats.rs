@@ -1,4 +1,4 @@
-//! Repeats: curves whose parameters scatter about common ones.
+//! Repeats: curves whose parameters scatter about common values.
 //!
 //! ```text
 //! at x:  noise of all curves, each with parameters of its own       restricted_likelihood.rs
@@ -8,9 +8,10 @@
 //! leave out the worst of the discordant curves, and go on             discordant.rs
 //! ```
 //!
-//! An interval of a common value is `x ± √(t² C_c + z² C_p)`: `C_c` the variance from the scatter and the noise of the
-//! `k` curves, `t` Student's quantile with `k − 1` degrees of freedom as for the mean of a sample (J. Hartung and
-//! G. Knapp, Stat. Med. 20, 1771 (2001)), `C_p` what the priors of common nuisances add. It costs no profile.
+//! An interval of a common value is `x ± √(t² C_c + z² C_p)`: `C_c` is the variance from the scatter and the noise of
+//! the `k` curves, `t` Student's quantile with `k − 1` degrees of freedom, as for the mean of a sample (J. Hartung and
+//! G. Knapp, Stat. Med. 20, 1771 (2001)), and `C_p` the variance added by the priors of common nuisances. No profile is
+//! needed.
 
 use std::rc::Rc;
 
@@ -29,14 +30,14 @@ mod result;
 use curve_fit::{CurveFit, Share};
 use mixed_model::{Common, MixedModel};
 
-/// Corrections below this part of a standard error end the iteration.
+/// Corrections below this fraction of a standard error end the iteration.
 const SETTLED: f64 = 0.02;
-/// Rounds before it ends without convergence; each takes one prediction.
+/// Maximum number of rounds; each takes one prediction.
 const MOST_ROUNDS: usize = 25;
-/// Longest correction of a coordinate at once.
+/// Largest correction of a coordinate in one round.
 const LONGEST_STEP: f64 = 0.7;
 
-/// Repeats under fit.
+/// A fit of repeats in progress.
 pub(crate) struct Repeats<'p> {
     problem: &'p Problem,
     options: &'p FitOptions,
@@ -127,14 +128,14 @@ impl<'p> Repeats<'p> {
         self.result(predictor, &state, &curves, &common, false)
     }
 
-    /// The noise of the included curves, each of which has parameters of its own.
+    /// The noise of the included curves, each with its own parameters.
     fn noise(&self, state: &State) -> NoiseLevels {
         let parts = self.parts(state);
         self.likelihood(&parts, state).estimate()
     }
 
-    /// See [`RestrictedLikelihood::persistence_p`]: that of the median curve. What lasts in one repeat and is another
-    /// in the next is in the scatter between them; a misfit lasts in every one.
+    /// The [`RestrictedLikelihood::persistence_p`] of the median curve. A persistent deviation that differs from repeat
+    /// to repeat is part of the scatter between them; a misfit persists in every repeat.
     fn persistence_p(&self, state: &State) -> Option<f64> {
         let parts = self.parts(state);
         let of_curve = |part: &(&Share, Evaluation)| {
@@ -215,7 +216,7 @@ impl<'p> Repeats<'p> {
         }
     }
 
-    /// The told unknowns that are answers, by their place among the told: they may differ from curve to curve.
+    /// The indices, among the determined unknowns, of those that are answers: they may differ from curve to curve.
     fn scattered(&self) -> Vec<usize> {
         let unknowns = self.problem.unknowns();
         (0..self.told.len())
@@ -239,7 +240,7 @@ impl<'p> Repeats<'p> {
             .collect()
     }
 
-    /// Whether every correction is small beside its standard error, or leads out of the range from a bound.
+    /// Whether every correction is small compared with its standard error, or leads out of the range from a bound.
     fn is_settled(&self, state: &State, common: &Common) -> bool {
         self.told.iter().enumerate().all(|(k, &j)| {
             let [low, high] = self.problem.unknowns()[j].bounds();
@@ -250,7 +251,7 @@ impl<'p> Repeats<'p> {
         })
     }
 
-    /// Goes to the common parameters, part of the way where the model has no prediction there.
+    /// Moves to the common parameters, or part of the way if the model has no prediction there.
     fn advance(
         &self,
         predictor: &mut Predictor,

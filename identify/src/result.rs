@@ -10,23 +10,23 @@ use crate::{
 pub enum FitVerdict {
     /// The model follows the data.
     Fitted,
-    /// It does not, by the tests of [`Goodness`]: no interval holds what it says.
+    /// The model does not follow the data, by the tests of [`Goodness`]: the intervals cannot be trusted.
     Misfit,
-    /// The search ended before the least misfit.
+    /// The search ended before the minimum.
     NotConverged,
 }
 
-/// How far a fit came that its model ended.
+/// How far a fit got that was ended by its model.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Stopped {
-    /// Not to the best fit: the values are the best so far, and have no intervals.
+    /// Not as far as the best fit: the values are the best so far, and have no intervals.
     Search,
-    /// To the best fit, but not to the profiles of these unknowns, by their index: they have the interval from the
-    /// covariance alone.
+    /// As far as the best fit, but not the profiles of these unknowns, by their index: these have only the interval
+    /// from the covariance.
     Profiles(Vec<usize>),
 }
 
-/// A parameter as found.
+/// The estimate of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
     /// Name of the unknown.
@@ -35,22 +35,22 @@ pub struct Estimate {
     pub role: Role,
     /// Its value in the best fit.
     pub value: f64,
-    /// The interval; nothing on a side that is open.
+    /// The interval; `None` on an open side.
     pub interval: [Option<f64>; 2],
-    /// The interval from the covariance alone; nothing where there is no covariance.
+    /// The interval from the covariance alone; `None` if there is no covariance.
     pub wald: Option<[f64; 2]>,
-    /// Degrees of freedom behind the intervals, infinite where the noise is known.
+    /// Degrees of freedom behind the intervals, infinite if the noise is known.
     pub degrees_of_freedom: f64,
     /// How well the data determine it.
     pub verdict: Verdict,
-    /// Why, in a sentence.
+    /// The reason for the verdict, in a sentence.
     pub why: String,
     /// The combination that is known if the unknown is not identifiable.
     pub known_combination: Option<KnownCombination>,
-    /// Its profile, in the order of its values; of the combination, with the others held, where there is one. Empty
-    /// without profiles.
+    /// Its profile, in the order of its values. If there is a known combination, its profile with the others held.
+    /// Empty without profiles.
     pub profile: Vec<ProfilePoint>,
-    /// How it scatters between curves, where they are repeats and it is an answer.
+    /// Its scatter between curves, if they are repeats and it is an answer.
     pub between_curves: Option<BetweenCurves>,
 }
 
@@ -62,7 +62,7 @@ impl Estimate {
     }
 }
 
-/// How a parameter scatters between repeats.
+/// The scatter of a parameter between repeats.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BetweenCurves {
     /// Standard deviation of the parameter between curves, in its unit.
@@ -71,25 +71,25 @@ pub struct BetweenCurves {
     pub values: Vec<(usize, f64)>,
 }
 
-/// The coefficient of a linear nuisance as found.
+/// The estimated coefficient of a linear nuisance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coefficient {
     /// Name of the nuisance, with the index of its curve if it has one.
     pub name: String,
-    /// Index of the curve it belongs to, if to one.
+    /// Index of its curve, if it belongs to only one.
     pub curve: Option<usize>,
     /// Its value in the best fit.
     pub value: f64,
-    /// Its interval from the covariance; infinite where other nuisances and unknowns can replace it.
+    /// Its interval from the covariance; infinite if other nuisances and unknowns can replace it.
     pub interval: [f64; 2],
 }
 
 /// The points of all curves in the best fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FittedPoints {
-    /// Observable of the model, nuisances added; of repeats, with the parameters of each.
+    /// Observable of the model, with nuisances added; for repeats, with the parameters of each curve.
     pub model: Vec<f64>,
-    /// Observed less model.
+    /// Observed minus model.
     pub residual: Vec<f64>,
     /// Residuals whitened by the covariance of the noise; zero in curves left out.
     pub whitened: Vec<f64>,
@@ -98,41 +98,41 @@ pub struct FittedPoints {
 /// The cost of a fit, in predictions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FitWork {
-    /// Predictions of all curves, all in all.
+    /// Total number of predictions of all curves.
     pub curves_solved: usize,
-    /// Of these, those to the best fit.
+    /// Predictions up to the best fit.
     pub search: usize,
 }
 
 /// A warning about a fit that its verdict does not carry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FitWarning {
-    /// Another start led to another minimum, which is worse.
+    /// Another start led to a different, worse minimum.
     SeveralMinima,
-    /// The predictions jump about what their derivatives promise near the best fit, which is known to no better than a
-    /// part of a standard error.
+    /// Near the best fit the predictions scatter about their linearisation, so the best fit is known only to a fraction
+    /// of a standard error.
     Jitter,
     /// The best fit lies at a bound of this unknown, by its index.
     AtBound(usize),
-    /// A profile of this unknown, by its index, found a better fit than the search, and the fit went on from there.
+    /// A profile of this unknown, by its index, found a better fit than the search, and the fit continued from there.
     BetterFitFound(usize),
 }
 
-/// A curve that was left out, and why.
+/// A curve that was left out, and the reason.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Exclusion {
-    /// Its parameters are not those of the others.
+    /// Its parameters differ from those of the others.
     Discordant {
         /// Index of the curve, from 0.
         curve: usize,
-        /// How far they are from the median, in units of the standard deviation of the others or of its own.
+        /// Their distance from the median, in units of the standard deviation of the others or of its own.
         deviation: f64,
     },
     /// Its residuals are larger than those of the others.
     Rough {
         /// Index of the curve, from 0.
         curve: usize,
-        /// How many times as large as those of the median curve.
+        /// Ratio to those of the median curve.
         factor: f64,
     },
 }
@@ -147,19 +147,19 @@ impl Exclusion {
     }
 }
 
-/// The best fit and what the data tell.
+/// The best fit, and what the data determine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
     /// The verdict on the fit.
     pub verdict: FitVerdict,
-    /// How far it came, if its model ended it.
+    /// How far it got, if its model ended it.
     pub stopped: Option<Stopped>,
     /// The unknowns and nonlinear nuisances, in the order of the problem.
     pub estimates: Vec<Estimate>,
     /// The linear nuisances.
     pub coefficients: Vec<Coefficient>,
-    /// Covariance of the unknowns in their coordinates, `ln θ` or `θ` itself; infinite variances and no covariances for
-    /// what is not identifiable.
+    /// Covariance of the unknowns in their coordinates, `ln θ` or `θ` itself; for those not identifiable, infinite
+    /// variances and zero covariances.
     pub covariance: Vec<Vec<f64>>,
     /// Correlation of the unknowns.
     pub correlation: Vec<Vec<f64>>,
@@ -173,6 +173,6 @@ pub struct Fit {
     pub points: FittedPoints,
     /// Its cost.
     pub work: FitWork,
-    /// Warnings to its reader.
+    /// Warnings for the reader.
     pub warnings: Vec<FitWarning>,
 }

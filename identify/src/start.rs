@@ -1,13 +1,13 @@
-//! Where searches begin.
+//! Starting points of searches.
 //!
-//! First where the problem says, then at the points of Halton's sequence, which fill the ranges evenly without chance:
-//! J. H. Halton, Numer. Math. 2, 84 (1960).
+//! The first is given by the problem. The others are points of Halton's sequence, which fills the ranges evenly and
+//! deterministically: J. H. Halton, Numer. Math. 2, 84 (1960).
 
 use crate::Unknown;
 
-/// Bases of the sequence, one for each unknown; those after the tenth begin again.
+/// Bases of the sequence, one per unknown; they repeat after the tenth.
 const PRIMES: [usize; 10] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29];
-/// The middle part of each range that starts are taken from. From nearer the bounds a search only takes longer.
+/// Starts are taken from this middle fraction of each range. Nearer the bounds a search only takes longer.
 const MIDDLE: f64 = 0.6;
 
 /// The coordinates of start `index`.
@@ -26,7 +26,7 @@ pub(crate) fn start(unknowns: &[Unknown], index: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The digits of a number mirrored at the point.
+/// The digits of a number mirrored at the radix point.
 fn radical_inverse(mut number: usize, base: usize) -> f64 {
     let (mut value, mut place) = (0.0, 1.0);
     while number > 0 {

@@ -1,20 +1,20 @@
-//! The wish of a user that work ends.
+//! A request by the user to end the work.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Asks work to end; all clones are of the same wish.
+/// A request to end the work; all clones share the same flag.
 #[derive(Debug, Clone, Default)]
 pub struct StopFlag(Arc<AtomicBool>);
 
 impl StopFlag {
-    /// Asks the work to end; whether nobody has before.
+    /// Asks the work to end. Returns whether this is the first request.
     #[must_use = "the work may have been asked before"]
     pub fn raise(&self) -> bool {
         !self.0.swap(true, Ordering::SeqCst)
     }
 
-    /// Whether the work is to end.
+    /// Whether the work should end.
     #[must_use]
     pub fn is_raised(&self) -> bool {
         self.0.load(Ordering::SeqCst)

@@ -1,10 +1,10 @@
-//! A forward model made from predictions of another: as good to a stated error, and free.
+//! A forward model built from predictions of another: free to evaluate, with a stated error.
 //!
-//! Curves over a box of the coordinates `x` of the unknowns (`ln θ`) are combinations of few; their amplitudes are
-//! polynomials of a total degree in `x`, fitted to the model at points as dense as the nodes of Chebyshev. Twice as
-//! many points as coefficients keep that stable (G. Migliorati, F. Nobile, E. von Schwerin and R. Tempone, Found.
-//! Comput. Math. 14, 419 (2014)). The degree rises, then the box shrinks, until the model is met at points that no fit
-//! saw.
+//! Curves over a box of the coordinates `x` of the unknowns (`ln θ`) are combinations of a few basis curves. Their
+//! amplitudes are polynomials of bounded total degree in `x`, fitted to the model at points distributed like Chebyshev
+//! nodes. Twice as many points as coefficients keep the fit stable (G. Migliorati, F. Nobile, E. von Schwerin and R.
+//! Tempone, Found. Comput. Math. 14, 419 (2014)). The degree is raised, then the box is shrunk, until the surrogate
+//! matches the model at points not used in the fit.
 
 mod chebyshev;
 mod reduced_curves;
@@ -23,29 +23,29 @@ use crate::{
     orthonormal_basis::{OrthonormalBasis, dot},
 };
 
-/// Total degrees, in turn.
+/// Total degrees tried, in order.
 const DEGREES: [usize; 6] = [3, 5, 7, 9, 11, 13];
 
-/// Sides of the box, in turn, as parts of those wanted.
+/// Sides of the box tried, in order, as fractions of those wanted.
 const SIDES: [f64; 3] = [1.0, 0.75, 0.5];
 
-/// Predictions to a coefficient.
+/// Predictions per coefficient.
 const OVERSAMPLING: usize = 2;
 
-/// Points of the check to a dimension.
+/// Check points per dimension.
 const CHECKS: usize = 12;
 
-/// Largest error of a curve as a combination of few, as a part of the tolerance.
+/// Largest error of a curve as a combination of basis curves, as a fraction of the tolerance.
 const COMPRESSION: f64 = 1e-2;
 
-/// How a surrogate is made.
+/// Options for building a surrogate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurrogateOptions {
-    /// Largest relative error of the observable at the points of the check, 10⁻⁴ by default.
+    /// Largest relative error of the observable at the check points, 10⁻⁴ by default.
     pub tolerance: f64,
-    /// Most predictions of the model, 1500 by default.
+    /// Maximum number of predictions of the model, 1500 by default.
     pub most_predictions: usize,
-    /// Seed of the points.
+    /// Seed of the sample points.
     pub seed: u64,
 }
 
@@ -59,7 +59,7 @@ impl Default for SurrogateOptions {
     }
 }
 
-/// Polynomials of one to four unknowns in place of a model.
+/// Polynomials of one to four unknowns that replace a model.
 #[derive(Debug, Clone)]
 pub struct Surrogate {
     region: Region,
@@ -72,13 +72,12 @@ pub struct Surrogate {
 }
 
 impl Surrogate {
-    /// A surrogate over a box: for each unknown the least and the greatest value.
+    /// Builds a surrogate over a box, given the smallest and largest value of each unknown.
     ///
     /// # Errors
     ///
-    /// [`IdentifyError::Surrogate`] where it does not come near enough to the model, [`IdentifyError::Length`] for
-    /// another number of sides than of unknowns, or for more than four, [`IdentifyError::NumberOf`] for a side of no
-    /// length.
+    /// [`IdentifyError::Surrogate`] if it is not accurate enough, [`IdentifyError::Length`] if the numbers of sides and
+    /// unknowns differ or exceed four, [`IdentifyError::NumberOf`] for a side of zero length.
     pub fn over(
         model: &dyn ForwardModel,
         unknowns: &[Unknown],
@@ -88,12 +87,13 @@ impl Surrogate {
         Self::built(model, &Region::new(unknowns, sides)?, options)
     }
 
-    /// A surrogate about the best fit of a problem: two and a half times as far as the intervals reach, the wider of
-    /// profile and covariance (five standard errors of a level of 95 %), or to the bounds where they are open.
+    /// Builds a surrogate around the best fit of a problem. The box reaches two and a half times as far as the wider of
+    /// the profile and covariance intervals (five standard errors at level 95 %), or to the bounds where these are
+    /// open.
     ///
     /// # Errors
     ///
-    /// As [`Self::over`].
+    /// See [`Self::over`].
     pub fn around(
         model: &dyn ForwardModel,
         problem: &Problem,
@@ -103,19 +103,19 @@ impl Surrogate {
         Self::built(model, &Region::around(problem.unknowns(), fit)?, options)
     }
 
-    /// Largest relative error of the observable at the points of the check.
+    /// Largest relative error of the observable at the check points.
     #[must_use]
     pub fn error(&self) -> f64 {
         self.error
     }
 
-    /// Predictions of the model that it took.
+    /// Number of predictions of the model used.
     #[must_use]
     pub fn predictions(&self) -> usize {
         self.predictions
     }
 
-    /// Least and greatest value of each unknown.
+    /// Smallest and largest value of each unknown.
     #[must_use]
     pub fn sides(&self) -> Vec<[f64; 2]> {
         self.region.sides()
@@ -162,7 +162,7 @@ impl Surrogate {
         })
     }
 
-    /// Values and slopes at a place in the cube, as interpolated.
+    /// Values and slopes at a point of the cube, in the scale of interpolation.
     fn curve(&self, at: &[f64]) -> Vec<f64> {
         self.curves
             .expand(&self.amplitudes(&self.products.values(at)))
@@ -173,7 +173,7 @@ impl Surrogate {
         self.coefficients.iter().map(amplitude).collect()
     }
 
-    /// The values of all points alone, at coordinates inside the box.
+    /// The values of all points, without slopes, at coordinates inside the box.
     pub(crate) fn values(&self, position: &[f64]) -> Vec<f64> {
         let mut curve = self.curve(&self.region.cube(position));
         curve.truncate(self.curves.points);
@@ -183,7 +183,7 @@ impl Surrogate {
         curve
     }
 
-    /// Largest relative error of the observable against predictions of the model.
+    /// Largest relative error of the observable with respect to predictions of the model.
     fn misses(&self, checks: &[Sample]) -> f64 {
         let scale = self.curves.scales[0];
         let of_point = |(found, value): (&f64, &f64)| {
@@ -225,10 +225,10 @@ impl ForwardModel for Surrogate {
     }
 }
 
-/// A place in the cube, and what the model says there.
+/// A point of the cube, and the prediction there.
 type Sample = (Vec<f64>, Prediction);
 
-/// A surrogate under way: its box, and the predictions there so far.
+/// A surrogate under construction: its box, and the predictions there so far.
 struct Building<'m> {
     model: &'m dyn ForwardModel,
     region: Region,
@@ -237,7 +237,8 @@ struct Building<'m> {
 }
 
 impl Building<'_> {
-    /// Raises the degree until the model is met; the least error, and the surrogate that reached it.
+    /// Raises the degree until the error is within tolerance. Returns the smallest error, and the surrogate if one
+    /// succeeded.
     fn raise_degree(&mut self, before: usize) -> Result<(f64, Option<Surrogate>), IdentifyError> {
         let dimensions = self.region.dimensions();
         let points = SamplePoints::new(dimensions, self.options.seed);
@@ -276,7 +277,7 @@ impl Building<'_> {
         before + self.samples.len() + self.checks()
     }
 
-    /// The model at places in the cube, or nothing where it has no prediction at one of them.
+    /// Evaluates the model at points of the cube; `None` if it has no prediction at one of them.
     fn predicted(&self, places: Vec<Vec<f64>>) -> Result<Option<Vec<Sample>>, IdentifyError> {
         let predict = |at: Vec<f64>| {
             let prediction = self.model.predict(&self.region.parameters(&at))?;
@@ -300,7 +301,7 @@ impl Building<'_> {
         prediction.is_complete(prediction.value.len(), self.region.dimensions())
     }
 
-    /// Least squares of the amplitudes at the points so far.
+    /// Fits the amplitudes at the points so far by least squares.
     fn fitted(&self, products: Products) -> Surrogate {
         let predictions: Vec<Prediction> = self.samples.iter().map(|one| one.1.clone()).collect();
         let tolerance = COMPRESSION * self.options.tolerance;

@@ -5,18 +5,18 @@ use crate::{IdentifyError, Prior};
 /// The coordinate in which a parameter is sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Coordinate {
-    /// `x = ln θ`, for what is positive: moduli, thicknesses, radii, compliances.
+    /// `x = ln θ`, for positive parameters: moduli, thicknesses, radii, compliances.
     Logarithmic,
-    /// `x = 4θ/(high − low)`, for what may have either sign.
+    /// `x = 4θ/(high − low)`, for parameters of either sign.
     Linear,
 }
 
 /// The role of a parameter in a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
-    /// It is an answer.
+    /// It is one of the answers.
     Sought,
-    /// It is not known exactly, and the intervals of the others allow for that.
+    /// It is not known exactly; the intervals of the others allow for that.
     Nuisance,
 }
 
@@ -31,11 +31,11 @@ pub struct Unknown {
     role: Role,
 }
 
-/// A range in a linear coordinate is this long, so that the greatest step, 0.7, means a sixth of the range.
+/// Length of a range in a linear coordinate, which makes the longest step, 0.7, a sixth of the range.
 const LINEAR_RANGE: f64 = 4.0;
 
 impl Unknown {
-    /// A positive parameter between two bounds, sought by its logarithm from the middle of them.
+    /// A positive parameter between two bounds, sought in its logarithm, starting from the middle.
     ///
     /// # Errors
     ///
@@ -52,7 +52,7 @@ impl Unknown {
         Self::between(name, range, Coordinate::Logarithmic)
     }
 
-    /// A parameter of either sign between two bounds, sought from the middle of them.
+    /// A parameter of either sign between two bounds, sought from the middle.
     ///
     /// # Errors
     ///
@@ -89,7 +89,7 @@ impl Unknown {
         })
     }
 
-    /// The same unknown, sought first at `start`.
+    /// The same unknown, with its search starting at `start`.
     ///
     /// # Errors
     ///
@@ -102,11 +102,11 @@ impl Unknown {
         Ok(self)
     }
 
-    /// The same unknown with knowledge from elsewhere.
+    /// The same unknown with a prior.
     ///
     /// # Errors
     ///
-    /// [`IdentifyError::NumberOf`] where the prior has no width or its centre lies outside the range.
+    /// [`IdentifyError::NumberOf`] if the prior has no width or its centre lies outside the range.
     pub fn with_prior(mut self, prior: Prior) -> Result<Self, IdentifyError> {
         prior.check(&self.name)?;
         let inside = (self.range[0]..=self.range[1]).contains(&prior.centre());
@@ -142,7 +142,7 @@ impl Unknown {
         &self.name
     }
 
-    /// Where the search begins.
+    /// Starting value of the search.
     #[must_use]
     pub fn start(&self) -> f64 {
         self.start
@@ -154,7 +154,7 @@ impl Unknown {
         self.range
     }
 
-    /// Knowledge from elsewhere.
+    /// Its prior, if any.
     #[must_use]
     pub fn prior(&self) -> Option<Prior> {
         self.prior
@@ -180,7 +180,7 @@ impl Unknown {
         }
     }
 
-    /// θ at `x`, never outside the range by rounding.
+    /// θ at `x`, clamped to the range.
     pub(crate) fn value(&self, position: f64) -> f64 {
         let value = match self.coordinate {
             Coordinate::Logarithmic => position.exp(),
@@ -189,7 +189,7 @@ impl Unknown {
         value.clamp(self.range[0], self.range[1])
     }
 
-    /// θ at `x`, also beyond the range.
+    /// θ at `x`, not clamped to the range.
     pub(crate) fn value_beyond(&self, position: f64) -> f64 {
         match self.coordinate {
             Coordinate::Logarithmic => position.exp(),
@@ -205,7 +205,7 @@ impl Unknown {
         }
     }
 
-    /// The range in `x`.
+    /// The range in the coordinate `x`.
     pub(crate) fn bounds(&self) -> [f64; 2] {
         self.range.map(|bound| self.position(bound))
     }
@@ -256,7 +256,7 @@ mod tests {
             let quotient = (unknown.value(unknown.position(value) + step)
                 - unknown.value(unknown.position(value) - step))
                 / (2.0 * step);
-            // A central difference errs by step²/6 of the value.
+            // The relative error of a central difference is step²/6.
             assert_relative_eq!(unknown.value_slope(value), quotient, max_relative = 1e-8);
         }
     }

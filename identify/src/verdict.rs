@@ -1,4 +1,4 @@
-//! The verdict on one unknown, in one word and one sentence.
+//! The verdict on one unknown, as a word and a sentence.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use crate::{Coordinate, Unknown, profile::Open};
 
 /// An interval that closes within this factor on both sides makes an unknown identified.
 pub const IDENTIFIED_WITHIN: f64 = 1.2;
-/// An unknown whose standard deviation is above this part of its prior's has learned nothing from the data.
+/// If an unknown's standard deviation is above this fraction of its prior's, the data add nothing.
 pub const PRIOR_DRIVEN_ABOVE: f64 = 0.9;
 
 /// How well the data determine one unknown.
@@ -14,13 +14,13 @@ pub const PRIOR_DRIVEN_ABOVE: f64 = 0.9;
 pub enum Verdict {
     /// The interval closes on both sides within a factor 1.2.
     Identified,
-    /// It closes on both sides, farther out.
+    /// It closes on both sides, but farther out.
     Weak,
     /// It closes on one side.
     OneSided,
     /// These data allow every value between the bounds.
     NotIdentified,
-    /// No data whatever can tell: another value, with others changed too, gives the same curves.
+    /// No data can determine it: another value, with others changed too, gives the same curves.
     NotIdentifiable,
     /// The interval is that of the prior.
     PriorDriven,
@@ -39,10 +39,10 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// The two ends of an interval in the coordinate of the unknown, each with what keeps it open.
+/// The two ends of an interval in the coordinate of the unknown, or the reason why a side is open.
 pub(crate) type Ends = [Result<f64, Open>; 2];
 
-/// The ends of `x ± half`, as far as the bounds.
+/// The ends of `x ± half`, open where they exceed the bounds.
 pub(crate) fn wald_ends(unknown: &Unknown, position: f64, half: f64) -> Ends {
     let [low, high] = unknown.bounds();
     let (down, up) = (position - half, position + half);
@@ -50,7 +50,7 @@ pub(crate) fn wald_ends(unknown: &Unknown, position: f64, half: f64) -> Ends {
     [closed(down >= low, down), closed(up <= high, up)]
 }
 
-/// The verdict on an unknown that the data may tell, and why.
+/// The verdict on an identifiable unknown, and the reason.
 pub(crate) fn judge(
     unknown: &Unknown,
     position: f64,
@@ -80,7 +80,7 @@ pub(crate) fn judge(
     }
 }
 
-/// The standard deviation as a part of the prior's.
+/// The standard deviation as a fraction of the prior's.
 fn part_of_prior(unknown: &Unknown, position: f64, standard_error: f64) -> Option<f64> {
     let value = unknown.value(position);
     let prior = unknown.prior()?;
@@ -104,7 +104,7 @@ fn closed(unknown: &Unknown, position: f64, low: f64, high: f64) -> (Verdict, St
     (Verdict::Weak, why)
 }
 
-/// The factor within which the interval closes: `max(high/θ, θ/low)`, or `1 + max|θ − end|/|θ|` for what may have
+/// The factor within which the interval closes: `max(high/θ, θ/low)`, or `1 + max|θ − end|/|θ|` for a parameter of
 /// either sign.
 fn factor(unknown: &Unknown, position: f64, low: f64, high: f64) -> f64 {
     match unknown.coordinate() {

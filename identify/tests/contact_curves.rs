@@ -1,4 +1,4 @@
-//! Curves of contacts against closed forms, finer grids and exact identities.
+//! Contact curves compared with closed forms, finer grids and exact identities.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
 
@@ -69,7 +69,7 @@ fn curves(
     ContactCurves::new(vec![curve], parameters.to_vec(), CurveOptions::default()).unwrap()
 }
 
-/// The curve of a model at its own values.
+/// Predicts the curve of a model at its own parameter values.
 fn predicted(
     model: &Model,
     observable: Observable,
@@ -130,7 +130,7 @@ fn forces_read_with_another_constant_are_those_of_the_true_one() {
             assert_relative_eq!(found.value[i], value[i], max_relative = 1e-9);
             assert_relative_eq!(found.slope[i], slope[i], max_relative = 1e-9);
             let quotient = (more.value[i] - less.value[i]) / (2.0 * step);
-            // Predictions jump by 1e-6 of themselves and the quotient by that over the step; its slope is 1e-4 off.
+            // Predictions jump by a relative 1e-6, and the quotient by that over the step; its slope is off by 1e-4.
             assert_relative_eq!(found.derivatives[1][i], quotient, max_relative = 3e-3);
         }
     }
@@ -160,13 +160,13 @@ fn hertz_is_met_with_slope_and_derivatives() {
         ];
         for (quantity, (found, expected)) in pairs.into_iter().enumerate() {
             let error = found / expected - 1.0;
-            // Extrapolated from 64 and 32 elements a side; 1.8e-4 by the radius.
+            // Extrapolated from 64 and 32 elements per side; 1.8e-4 for the radius.
             assert!(error.abs() < 2.5e-4, "{quantity} at {force}: {error:e}");
         }
     }
 }
 
-/// The cost of a load: its products, times the elements of their sector.
+/// The cost of a load is its products times the elements of their sector.
 #[test]
 fn a_berkovich_curve_takes_hardly_more_products_than_a_paraboloids_and_those_on_half_a_grid() {
     let paraboloid = || Indenter::from(Paraboloid::new(RADIUS).unwrap());
@@ -185,7 +185,7 @@ fn a_berkovich_curve_takes_hardly_more_products_than_a_paraboloids_and_those_on_
         });
         assert_eq!((quadrant.0, half.0), (Sector::Quadrant, Sector::Half));
         assert_eq!(quadrant.1, half.1);
-        // 112 and 125 for 105 and 104.
+        // 112 and 125, against 105 and 104.
         assert!(4 * half.2 <= 5 * quadrant.2, "{half:?} {quadrant:?}");
     }
 }
@@ -216,7 +216,8 @@ fn the_force_at_a_depth_is_the_inverse_of_the_depth_at_a_force() {
         ];
         for (quantity, (found, expected)) in pairs.into_iter().enumerate() {
             let error = found / expected - 1.0;
-            // Two splines through other loads; of the coating's modulus, which is a twentieth of D.
+            // Two splines through different loads; largest for the coating's modulus, whose derivative is a twentieth
+            // of D.
             assert!(error.abs() < 1e-3, "{quantity} at {force}: {error:e}");
         }
     }
@@ -284,12 +285,12 @@ fn derivatives_keep_to_the_identities_of_the_paraboloid() {
     }
 }
 
-/// The paraboloid's gauge, a film's compliance, the materials of a coating; the slope of a sharp cone; two moduli that
-/// only their sum counts of.
+/// The gauge of the paraboloid, the compliance of a film, the materials of a coating, the slope of a sharp cone, and
+/// two moduli that enter only as a sum.
 #[test]
 fn along_null_directions_no_penetration_changes() {
     let film = Film::new(20e-9, 1e9).unwrap();
-    // Thickness and modulus of springs that stiffen count each for itself.
+    // The thickness and modulus of stiffening springs matter separately.
     let stiffening = Relief::Film(film.stiffening());
     let film = Relief::Film(film);
     let diamond = Some(material(1141e9, 0.07));
@@ -323,7 +324,7 @@ fn along_null_directions_no_penetration_changes() {
                     .iter()
                     .fold(0.0, |most: f64, change| most.max(change.abs()));
                 let sum: f64 = changes.iter().sum();
-                // The grid's error in each.
+                // The grid error of each.
                 assert!(
                     sum.abs() < 2e-3 * largest,
                     "{direction:?}: {sum:e} of {largest:e}"
@@ -342,7 +343,7 @@ fn many_points_cost_no_more_loads() {
     );
     let dense = (0..10_000).map(|i| 1e-2 * f64::from(i + 1) / 1e4).collect();
     let loads = |abscissae| curves(&model, Observable::DepthAtForce, abscissae, &[]).loads();
-    // Two decades at six a decade; three, which is as far as loads are solved.
+    // Two decades at six loads per decade; then three decades, the widest range that is solved.
     assert_eq!((loads(forces()), loads(dense)), (15, 21));
 }
 
@@ -368,7 +369,7 @@ fn the_stiffness_at_a_contact_radius_is_that_of_a_flat_punch() {
                 found.slope[i] * radii[i] / expected[i] - 1.0,
                 found.derivatives[0][i] * young / expected[i] - 1.0,
             ];
-            // The grid's error in the area.
+            // The grid error of the area.
             for error in errors {
                 assert!(error.abs() < 5e-3, "{errors:?} at {}", radii[i]);
             }

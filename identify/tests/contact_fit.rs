@@ -1,4 +1,4 @@
-//! Fits of contacts, whose predictions come from grids.
+//! Fits of contacts, with predictions computed on grids.
 
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
@@ -25,7 +25,7 @@ fn young_modulus(body: usize) -> ModelParameter {
     ))
 }
 
-/// A coating of half a micrometre under a ball of ten, between 0.1 and 10 mN.
+/// A half-micrometre coating under a ball of ten micrometres, between 0.1 and 10 mN.
 fn coating(parameters: usize) -> (ContactCurves, Vec<f64>) {
     let [hard, soft] =
         [(TRUTH[0], 0.25), (TRUTH[1], 0.3)].map(|(e, nu)| Material::new(e, nu).unwrap());
@@ -57,7 +57,7 @@ fn coating(parameters: usize) -> (ContactCurves, Vec<f64>) {
     )
 }
 
-/// The first of the coating's numbers from a curve of its own with noise of 1 % and an unknown zero.
+/// Fits the first of the coating's parameters to its own curve with noise of 1 % and an unknown zero.
 fn fit(parameters: usize) -> Fit {
     let (curves, forces) = coating(parameters);
     let mut random = ChaCha8Rng::seed_from_u64(1);
@@ -124,7 +124,7 @@ fn with_the_thickness_unknown_the_modulus_of_the_coating_is_weak() {
     assert_truth_inside(&fit);
     assert_eq!(fit.estimates[0].verdict, Verdict::Weak);
     assert_eq!(fit.estimates[1].verdict, Verdict::Identified);
-    // Six to the best fit and two to each of the six ends, or fewer.
+    // At most six to the best fit and two to each of the six ends.
     assert!(
         fit.work.search <= 12 && fit.work.curves_solved <= 20,
         "{:?}",
@@ -155,7 +155,7 @@ fn moduli_and_thickness_follow_a_radius_that_is_taken_as_exact_as_the_gauge_says
     let (at_fit, fixed) = curves.predict_with_fixed(&values, &[numbers]).unwrap();
     let kinds: Vec<_> = fixed.iter().map(|of| of.parameter).collect();
     let radius = ModelParameter::Indenter(IndenterQuantity::Radius);
-    // Two ratios and the radius.
+    // Two Poisson's ratios and the radius.
     assert_eq!((kinds.len(), kinds[2]), (3, radius));
     assert_eq!(fixed[2].value.to_bits(), 10e-6_f64.to_bits());
     let changes: Vec<Vec<f64>> = fixed
@@ -163,7 +163,7 @@ fn moduli_and_thickness_follow_a_radius_that_is_taken_as_exact_as_the_gauge_says
         .map(|of| of.derivative.iter().map(|d| d * of.value).collect())
         .collect();
     let found = exponents(&problem, &fit, at_fit, &changes).unwrap();
-    // (R, H, E) and (b² R, b H, E/b) give the same curve; the derivatives are those of two grids.
+    // (R, H, E) and (b² R, b H, E/b) give the same curve; the derivatives come from two grids.
     for (exponent, gauge) in found[2].iter().zip([-0.5, -0.5, 0.5]) {
         assert!((exponent.unwrap() - gauge).abs() < 2e-3, "{:?}", found[2]);
     }

@@ -1,4 +1,4 @@
-"""A study on a cluster of Dask, whose workers may die and come back: python on_dask.py study.toml results/study"""
+"""A study on a Dask cluster, whose workers may die and restart: python on_dask.py study.toml results/study"""
 
 import sys
 

@@ -7,6 +7,6 @@ import joblib
 import pellicle as pl
 
 if __name__ == "__main__":
-    # Without `return_as` results come, and are written, when the last case has ended.
+    # Without `return_as`, results are returned and written only after the last case.
     parallel = joblib.Parallel(n_jobs=-1, return_as="generator_unordered")
     print(pl.study(sys.argv[1]).map(parallel, out=sys.argv[2], progress=True))

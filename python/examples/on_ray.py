@@ -1,4 +1,4 @@
-"""A study on a cluster of Ray, whose workers may die and come back: python on_ray.py study.toml results/study"""
+"""A study on a Ray cluster, whose workers may die and restart: python on_ray.py study.toml results/study"""
 
 import sys
 from concurrent.futures import Future
@@ -14,7 +14,7 @@ def call(function, *arguments):
 
 
 class Ray:
-    """Tasks of Ray as futures."""
+    """Ray tasks as futures."""
 
     def submit(self, function, /, *arguments) -> Future:
         return call.remote(function, *arguments).future()

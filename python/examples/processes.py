@@ -1,4 +1,4 @@
-"""A study on processes of this machine: python processes.py study.toml results/study"""
+"""A study on local processes: python processes.py study.toml results/study"""
 
 import sys
 from concurrent.futures import ProcessPoolExecutor

@@ -1,4 +1,4 @@
-"""The compiled module: cases are read and solved here."""
+"""The compiled module, which reads and solves cases."""
 
 import os
 import pathlib
@@ -38,10 +38,10 @@ __all__ = [
 ]
 
 class Error(Exception):
-    """Whatever keeps a case from being read or solved."""
+    """Any error in reading or solving a case."""
 
 class CaseError(Error):
-    """A case is wrong at one place."""
+    """A case is wrong in one place."""
 
     key: str | None
     line: int
@@ -50,7 +50,7 @@ class CaseError(Error):
     help: str | None
 
 class KernelError(Error):
-    """The elastic body is refused, or has no compliance."""
+    """The elastic body is invalid, or has no compliance."""
 
     found: float
     largest: float
@@ -81,7 +81,7 @@ class InfluenceError(Error):
     wanted: Any
 
 class TextureError(Error):
-    """The surface is refused."""
+    """The surface is invalid."""
 
     found: float
     index: tuple[int, int]
@@ -92,7 +92,7 @@ class TextureError(Error):
     shape: tuple[int, int]
 
 class IndenterError(Error):
-    """The indenter is refused."""
+    """The indenter is invalid."""
 
     found: float
     least: int
@@ -136,7 +136,7 @@ class ContactError(Error):
     worst: float
 
 class IdentifyError(Error):
-    """A fit cannot be posed or made."""
+    """A fit cannot be posed or carried out."""
 
     curve: int
     found: float
@@ -163,7 +163,7 @@ class RunError(Error):
     reason: str
 
 class InternalError(Error):
-    """An error of the program itself, which should not be."""
+    """An error of the program itself, which should not occur."""
 
 
 def read_text(path: str | os.PathLike[str]) -> str: ...

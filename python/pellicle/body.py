@@ -15,8 +15,8 @@ from .table import Table
 class Grading(Table):
     """A Young's modulus that changes with depth, from the top of a layer to its bottom.
 
-    Moduli are in Pa. A `"linear"` profile changes by the same amount over equal depths, an `"exponential"` one by the
-    same factor.
+    Moduli are in Pa. A `"linear"` profile changes by equal amounts over equal depths, an `"exponential"` one by equal
+    factors.
     """
 
     _names: ClassVar[Mapping[str, str]] = {"top": "from", "bottom": "to"}
@@ -28,10 +28,11 @@ class Grading(Table):
 
 @dataclass(frozen=True)
 class Material(Table):
-    """An isotropic elastic material: Young's modulus in Pa, Poisson's ratio in [0, 0.5], and the strengths it bears.
+    """An isotropic elastic material: Young's modulus in Pa, Poisson's ratio in [0, 0.5], and strengths.
 
-    `yield_strength` is of von Mises' stress, `tensile_strength` of the largest principal stress, both in Pa; critical
-    loads are found for those that are given. The `hardness` of the topmost body cuts the contact pressure, in Pa.
+    `yield_strength` limits the von Mises stress and `tensile_strength` the largest principal stress, both in Pa;
+    critical loads are found for the strengths given. The `hardness` of the topmost body, in Pa, limits the contact
+    pressure.
     """
 
     young_modulus: Quantity | Grading
@@ -43,7 +44,8 @@ class Material(Table):
 
 @dataclass(frozen=True)
 class Spring(Table):
-    """An imperfect bond: the bodies part and slide in proportion to the traction, by these compliances in m/Pa."""
+    """An imperfect bond: the bodies separate and slide in proportion to the traction, with these compliances in
+    m/Pa."""
 
     normal_compliance: Quantity
     shear_compliance: Quantity
@@ -51,7 +53,7 @@ class Spring(Table):
 
 @dataclass(frozen=True)
 class Layer(Table):
-    """A layer: its thickness in m, its material, and the interface with what lies below it.
+    """A layer: its thickness in m, its material, and its interface with the body below.
 
     Only the material of a layer may have a `Grading` as its Young's modulus. Interface strengths are in Pa.
     """
@@ -72,7 +74,7 @@ class Layer(Table):
 
 @dataclass(frozen=True)
 class Foundation(Table):
-    """The elastic body: a substrate, and the layers on it from the surface down.
+    """The elastic body: a substrate and the layers on it, from the surface down.
 
     The substrate is a material or `"rigid"`, a base that does not deform.
     """

@@ -1,4 +1,4 @@
-"""A case, one contact problem, which is a case file and the arrays that it names; and its path, once it is solved."""
+"""A case (one contact problem: a case file and the arrays that it names), and the path of a solved case."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ class Case:
 
     Exactly one of `force`, `forces`, `penetration` and `penetrations` is the load. Numbers are in SI units (m, Pa, N,
     rad, m/Pa), or in any consistent system if no quantity has a unit; strings such as `"5 nm"` and quantities of pint
-    carry units. Whatever is left out has the default of the case file.
+    carry units. Anything left out takes the default of the case file.
 
-    A function `f(x, y)` of two arrays (m) that gives heights (m) is an indenter or a surface too, as in
+    An indenter or a surface may also be a function `f(x, y)` of two arrays (m) that returns heights (m), as in
     `IndenterFunction` and `ReliefFunction`.
     """
 
@@ -112,19 +112,21 @@ class Case:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Case:
-        """The case of a file, as `pellicle run` reads it."""
+        """Reads a case from a file, as `pellicle run` does."""
         folder, file = os.path.split(os.path.abspath(path))
         return cls._restored(_pellicle.read_text(path), os.fspath(path), os.path.splitext(file)[0], folder, {}, {})
 
     @classmethod
     def from_string(cls, text: str, folder: str | os.PathLike[str] = ".") -> Case:
-        """The case of the text of a case file, which names maps by their paths from `folder`."""
+        """Reads a case from the text of a case file, whose maps have paths relative to `folder`."""
         return cls._restored(text, "case", "case", os.path.abspath(folder), {}, {})
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
-        """The text of the case file; written to `path` if one is given, with its arrays beside it as `.npy` files.
+        """Returns the text of the case file, and writes it to `path` if given, with its arrays beside it as `.npy`
+        files.
 
-        `pellicle run` gives the same bits for it as `solve` does. A case of functions is refused: no file holds them.
+        `pellicle run` gives the same bits for it as `solve` does. Cases with functions are refused, since no file can
+        hold them.
         """
         text, _, _, folder, arrays, functions = self._state
         refuse_functions(functions)
@@ -142,9 +144,9 @@ class Case:
         return text
 
     def replaced(self, values: Mapping[str, Any]) -> Case:
-        """The same case with other values of some keys, as `--set` replaces them: `{"load.force": "3 mN"}`.
+        """Returns the case with some keys replaced, as by `--set`: `{"load.force": "3 mN"}`.
 
-        Items of lists are numbered from 0, as in `foundation.layer[0].thickness`; keys that are not there are added.
+        Items of lists are numbered from 0, as in `foundation.layer[0].thickness`; missing keys are added.
         """
         text, source, name, folder, arrays, functions = self._state
         document = tomllib.loads(text)
@@ -165,7 +167,7 @@ class Case:
 
     @property
     def title(self) -> str:
-        """The title; the name of the file unless it has one."""
+        """The title, or else the name of the file."""
         title: str = self.resolved["title"]
         return title
 
@@ -173,11 +175,11 @@ class Case:
         """Solves the case.
 
         `progress` shows a bar, or is a function that receives a `Progress` a few times a second. `threads` is the
-        number of threads; without it that of `RAYON_NUM_THREADS`, or of cores. The result has the same bits for every
-        number.
+        number of threads; by default that of `RAYON_NUM_THREADS`, or of cores. The result has the same bits for any
+        number of threads.
 
-        Python's other threads go on meanwhile. Ctrl-C raises `Interrupted`, whose `path` has the steps finished so
-        far. A solution that is not certified is returned with a `NotCertifiedWarning`.
+        Other Python threads continue to run meanwhile. Ctrl-C raises `Interrupted`, whose `path` holds the steps
+        finished so far. A solution that is not certified is returned with a `NotCertifiedWarning`.
         """
         run = self._case.start(checked_threads(threads))
         return finished(run, lambda solution: _path(self, solution), reporting(progress, self, Progress))
@@ -279,7 +281,7 @@ class Path(Sequence[Step]):
 
 
 def _path(case: Case, solution: _pellicle.Solution) -> Path:
-    """The path of a solution; warns if it is not certified."""
+    """Makes the path of a solution; warns if it is not certified."""
     summary = json.loads(solution.summary())
     curve = Curve.of_csv(solution.curve())
     path = Path(case, summary, curve, SolvedFields(solution, case.foundation_table), solution.is_whole)
@@ -291,7 +293,7 @@ def _path(case: Case, solution: _pellicle.Solution) -> Path:
 
 
 def _table(value: Any, kind: type[Table], name: str) -> dict[str, toml.Value]:
-    """The table of a part of the case, if it is of this kind."""
+    """The table of a part of the case; an error if the part is not of this kind."""
     if not isinstance(value, kind):
         raise ArgumentError(f"{name}: found {type(value).__name__}, wanted a pellicle.{kind.__name__}")
     return value.as_table()
@@ -302,21 +304,21 @@ def _given(values: Mapping[str, Any]) -> dict[str, toml.Value]:
 
 
 def checked_threads(threads: int | None) -> int | None:
-    """A number of threads, if it is one."""
+    """Checks a number of threads."""
     if threads is not None and (isinstance(threads, bool) or not 1 <= threads <= 4096):
         raise ArgumentError(f"threads: found {threads}, wanted a number from 1 to 4096")
     return threads
 
 
 def refuse_functions(functions: Mapping[str, CheckedFunction]) -> None:
-    """Refuses to write functions."""
+    """Refuses functions, which cannot be written."""
     if functions:
         found = " and ".join(functions)
         raise ArgumentError(f"{found}: found a function, which no file can hold, wanted a map, such as HeightMap.sampled")
 
 
 def _put(document: dict[str, Any], key: str, value: toml.Value) -> None:
-    """Puts the value of a dotted key into nested tables; missing tables are created."""
+    """Sets a dotted key in nested tables, and creates missing tables."""
     *parents, last = key.replace("[", ".").replace("]", "").split(".")
     place: Any = document
     try:
@@ -328,7 +330,7 @@ def _put(document: dict[str, Any], key: str, value: toml.Value) -> None:
 
 
 def with_files(text: str, renamed: Any) -> str:
-    """The case with other paths of its maps; the text itself if it has no maps."""
+    """The text of the case with other paths for its maps; the same text if it has none."""
     document = tomllib.loads(text)
     tables = [document[name] for name in ("surface", "indenter") if "file" in document.get(name, {})]
     for table in tables:

@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 
 class Curve(dict[str, npt.NDArray[Any]]):
-    """Columns by their names in the file, such as `"force [N]"`; `curve["force"]` finds it, too.
+    """Columns by their names in the file, such as `"force [N]"`; `curve["force"]` works, too.
 
     `pandas.DataFrame(path.curve)` is a table of them.
     """
@@ -25,17 +25,17 @@ class Curve(dict[str, npt.NDArray[Any]]):
 
     @classmethod
     def of_csv(cls, text: str) -> Curve:
-        """The columns of the text of a table."""
+        """Reads the columns from the text of a table."""
         header, *rows = csv.reader(io.StringIO(text, newline=""))
         cells = zip(*rows, strict=True) if rows else ((),) * len(header)
         return cls(zip(header, map(_column, cells), strict=True))
 
 
 def _column(cells: Sequence[str]) -> npt.NDArray[Any]:
-    """Truth values, integers, floats, NaN where there is no number, or texts."""
+    """Converts a column to booleans, integers, floats (NaN for missing numbers) or strings."""
     if all(cell in ("true", "false") for cell in cells):
         return np.array([cell == "true" for cell in cells], dtype=np.bool_)
-    # A float is always written with an exponent, an integer never.
+    # Floats are always written with an exponent, integers never.
     if all(cell.isdecimal() for cell in cells):
         return np.array([int(cell) for cell in cells], dtype=np.int64)
     try:

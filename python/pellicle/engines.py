@@ -1,4 +1,4 @@
-"""Engines: whatever runs a function on many arguments, here or on a cluster."""
+"""Engines: objects that run a function on many arguments, locally or on a cluster."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ TURN = 0.2
 
 
 class Submits(Protocol):
-    """An executor of `concurrent.futures`, a client of Dask, and others that hand out futures."""
+    """An executor of `concurrent.futures`, a Dask client, and others that return futures."""
 
     def submit(self, function: Callable[..., Any], /, *arguments: Any) -> Any:
         """A future of the function's result, with `add_done_callback`, `cancel` and `result`."""
@@ -24,7 +24,7 @@ class Submits(Protocol):
 
 
 class Maps(Protocol):
-    """A pool of `multiprocessing`, of Ray, and others."""
+    """A pool of `multiprocessing` or Ray, and others."""
 
     def map(self, function: Callable[..., Any], tasks: Iterable[Any], /) -> Iterable[Any]:
         """The function's results, in the order of the tasks."""
@@ -44,13 +44,13 @@ Engine: TypeAlias = Submits | Maps | Calls
 
 
 def outcomes(engine: Any, function: Callable[[Task], Outcome], tasks: Sequence[Task]) -> Iterator[Outcome]:
-    """The function's result for each task, as soon as the engine hands it out, in any order.
+    """Yields the function's result for each task as soon as the engine returns it, in any order.
 
-    A task that fails does not keep the others from ending: the first failure is raised last.
+    A failing task does not stop the others: the first failure is raised at the end.
     """
     if hasattr(engine, "submit"):
         return _submitted(engine, function, tasks)
-    # In the order in which they end, where a pool can.
+    # In order of completion, if the pool supports it.
     for name in ("imap_unordered", "map"):
         if hasattr(engine, name):
             return iter(getattr(engine, name)(function, tasks))

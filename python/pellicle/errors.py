@@ -34,11 +34,11 @@ __all__ = [
 
 
 class ArgumentError(Error, ValueError):
-    """An argument is of the wrong type, shape or value; the message begins with its name."""
+    """An argument has the wrong type, shape or value; the message begins with its name."""
 
 
 class FitWarning(UserWarning):
-    """A fit is not to be used: its model does not follow the measurements, or it has not converged."""
+    """A fit should not be used: its model does not follow the measurements, or it has not converged."""
 
 
 class StudyWarning(UserWarning):

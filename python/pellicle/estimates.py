@@ -1,4 +1,4 @@
-"""The numbers that fits find and plans expect, with intervals, verdicts and known combinations."""
+"""Estimates found by fits or expected by plans, with intervals, verdicts and known combinations."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class KnownCombination:
 
 @dataclass(frozen=True)
 class FitEstimate:
-    """A number as found, in SI units."""
+    """The estimate of a number, in SI units."""
 
     key: str
     unit: str
@@ -69,7 +69,7 @@ class Expected:
 
 @dataclass(frozen=True)
 class ExpectedDesign:
-    """One curve or several, and the accuracy to expect of them."""
+    """One or several curves, and the accuracy to expect from them."""
 
     curves: Sequence[Mapping[str, Any]]
     """The curves to measure; none for the existing measurements alone."""
@@ -89,7 +89,7 @@ def _combination(found: Mapping[str, Any] | None) -> KnownCombination | None:
 
 
 def estimate_of(found: Mapping[str, Any]) -> FitEstimate:
-    """An estimate in the words of `fit.json`."""
+    """Converts an estimate from its form in `fit.json`."""
     changed = {
         "interval": _interval(found["interval"]),
         "wald": _interval(found["wald"]),
@@ -100,7 +100,7 @@ def estimate_of(found: Mapping[str, Any]) -> FitEstimate:
 
 
 def design_of(found: Mapping[str, Any]) -> ExpectedDesign:
-    """A design in the words of `fit.json` and `plan.json`."""
+    """Converts a design from its form in `fit.json` and `plan.json`."""
     unknowns, nuisances = (list(map(_expected, found[name])) for name in ("unknowns", "nuisances"))
     return ExpectedDesign(found["curves"], unknowns, nuisances)
 

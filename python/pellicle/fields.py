@@ -1,4 +1,4 @@
-"""Where the fields of a path come from: the solution itself, or arrays that were stored."""
+"""The sources of a path's fields: the solution itself, or stored arrays."""
 
 from __future__ import annotations
 
@@ -35,24 +35,24 @@ class Fields(Protocol):
         ...
 
     def warnings_of(self, step: int) -> list[str]:
-        """The messages of the warnings that are about this step."""
+        """The messages of the warnings about this step."""
         ...
 
     def stress(self, step: int, text: str) -> Planes:
-        """Displacements and stresses on the planes that a table `[stress]` asks for."""
+        """Displacements and stresses on the planes requested by a table `[stress]`."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class SolvedFields:
-    """The fields of a solution: the pressure in its own memory, the others computed from it."""
+    """The fields of a solution: its own pressure in place, the others computed from it."""
 
     solution: Solution
     foundation: str
     """The table of the body in the case."""
 
     def pressure(self, step: int) -> Field:
-        """Pressure, Pa; cannot be written to."""
+        """Pressure, Pa; read-only."""
         return np.asarray(self.solution.pressure(step))
 
     def surface(self, step: int) -> tuple[Field, Field, Field]:
@@ -65,17 +65,17 @@ class SolvedFields:
         return self.solution.geometry()
 
     def warnings_of(self, step: int) -> list[str]:
-        """The messages of the warnings that are about this step."""
+        """The messages of the warnings about this step."""
         return self.solution.warnings_of(step)
 
     def stress(self, step: int, text: str) -> Planes:
-        """Displacements and stresses on the planes that a table `[stress]` asks for."""
+        """Displacements and stresses on the planes requested by a table `[stress]`."""
         return self.solution.stress(step, text)
 
 
 @dataclass(frozen=True, slots=True)
 class StoredFields:
-    """Fields as a pickle keeps them, of some of the steps of a path."""
+    """Stored fields of some steps of a path, as kept in a pickle."""
 
     foundation: str
     """The table of the body in the case."""
@@ -90,7 +90,7 @@ class StoredFields:
 
     @classmethod
     def of(cls, fields: Fields, steps: range, side: float, radii: dict[int, float]) -> StoredFields:
-        """The fields of these steps on a grid of this side, with these contact radii, all of them computed."""
+        """Computes and stores the fields of these steps, on a grid of this side, with these contact radii."""
         return cls(
             fields.foundation,
             side,
@@ -102,7 +102,7 @@ class StoredFields:
         )
 
     def pressure(self, step: int) -> Field:
-        """Pressure, Pa; cannot be written to."""
+        """Pressure, Pa; read-only."""
         pressure = self.pressures[step].view()
         pressure.flags.writeable = False
         return pressure
@@ -116,10 +116,10 @@ class StoredFields:
         return self.relief
 
     def warnings_of(self, step: int) -> list[str]:
-        """The messages of the warnings that are about this step."""
+        """The messages of the warnings about this step."""
         return self.warnings[step]
 
     def stress(self, step: int, text: str) -> Planes:
-        """Displacements and stresses on the planes that a table `[stress]` asks for."""
+        """Displacements and stresses on the planes requested by a table `[stress]`."""
         foundation = Foundation(self.foundation, "case")
         return foundation.stress(self.pressures[step], self.side, self.radii[step], text)

@@ -1,4 +1,4 @@
-"""A fit: measurements, a model and its unknowns, which is a fit file and the arrays that it names."""
+"""A fit: measurements, a model and its unknowns, as a fit file and the arrays that it names."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ from .table import Table, value_of
 
 @dataclass(frozen=True)
 class Unknown(Table):
-    """A number that is sought: between bounds, with a prior, or both.
+    """A number to be found: between bounds, with a prior, or both.
 
-    A lognormal prior has a `median` and a `factor` that is one standard deviation, a normal one a `mean` and an `sd`.
+    A lognormal prior has a `median` and a `factor` equal to one standard deviation, a normal one a `mean` and an `sd`.
     """
 
     _names: ClassVar[Mapping[str, str]] = {"low": "from", "high": "to"}
@@ -47,8 +47,8 @@ Arrays: TypeAlias = dict[str, npt.NDArray[np.float64]]
 
 @dataclass(frozen=True)
 class Nuisances(Table):
-    """Other influences on the measurements: a shift and a drift of each curve, the compliance of the frame in m/N, and
-    numbers of the model, by their keys, that are not known exactly."""
+    """Other influences on the measurements: a shift and a drift of each curve, the frame compliance in m/N, and
+    inexactly known numbers of the model, by their keys."""
 
     shift: bool | None = None
     frame_compliance: Literal["off", "free"] | Unknown | None = None
@@ -56,7 +56,7 @@ class Nuisances(Table):
     parameters: Mapping[str, Bounds] | None = None
 
     def as_table(self) -> dict[str, toml.Value]:
-        """The keys of `[nuisance]`: those of the numbers of the model stand beside the others."""
+        """The keys of `[nuisance]`, with those of the numbers of the model beside the others."""
         found: dict[str, toml.Value] = {}
         for name, is_free in (("shift", self.shift), ("drift", self.drift)):
             if is_free is not None:
@@ -68,7 +68,7 @@ class Nuisances(Table):
 
 @dataclass(frozen=True)
 class Design(Table):
-    """Curves that could be measured: each radius of the indenter (m) with each largest force (N)."""
+    """Curves that could be measured: each indenter radius (m) with each largest force (N)."""
 
     forces: Sequence[Quantity] | npt.NDArray[np.float64] | Range | None = None
     radii: Sequence[Quantity] | npt.NDArray[np.float64] | Range | None = None
@@ -77,7 +77,7 @@ class Design(Table):
 
 @dataclass(frozen=True)
 class Report(Table):
-    """How the result is reported: level and kind of the intervals, samples of the posterior, what to measure next."""
+    """Options of the report: level and kind of the intervals, samples of the posterior, what to measure next."""
 
     level: float | None = None
     intervals: Literal["profile", "wald"] | None = None
@@ -90,9 +90,9 @@ class Report(Table):
 class Fit:
     """Measurements, a model, and its unknowns.
 
-    `model` is a case, of which fixed values and starts are taken; its loads do not matter. `unknown` has what is sought
-    by its keys, such as `"foundation.layer[0].young_modulus"`, each between bounds or with a prior. A fit without
-    `data` can only be planned.
+    `model` is a case that provides fixed values and starts; its loads are ignored. `unknown` maps the keys of the
+    numbers sought, such as `"foundation.layer[0].young_modulus"`, to bounds or priors. A fit without `data` can only be
+    planned.
     """
 
     def __init__(
@@ -132,21 +132,21 @@ class Fit:
 
     def _read(self, *state: Any) -> None:
         self._state: tuple[str, str, str, str, Arrays, dict[str, CheckedFunction], dict[str, str]] = state
-        # Errors are raised where the fit is made, not where it is used.
+        # Raises errors where the fit is created, not where it is used.
         self.begun(is_measured=self.is_measured)
 
     def begun(self, *, is_measured: bool) -> _pellicle.Fit:
-        """The fit, read once more, for one use."""
+        """Reads the fit again, for a single use."""
         return _pellicle.Fit(*self._state, is_measured)
 
     @property
     def is_measured(self) -> bool:
-        """Whether it names measurements."""
+        """Whether the fit has measurements."""
         return "data" in tomllib.loads(self._state[0])
 
     @property
     def title(self) -> str:
-        """The title; the name of the file unless it has one."""
+        """The title, or else the name of the file."""
         title: str = tomllib.loads(self._state[0]).get("title", self._state[2])
         return title
 
@@ -158,21 +158,21 @@ class Fit:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Fit:
-        """The fit of a file, as `pellicle identify` reads it."""
+        """Reads a fit from a file, as `pellicle identify` does."""
         folder, file = os.path.split(os.path.abspath(path))
         text = _pellicle.read_text(path)
         return cls._restored(text, os.fspath(path), os.path.splitext(file)[0], folder, {}, {}, {})
 
     @classmethod
     def from_string(cls, text: str, folder: str | os.PathLike[str] = ".") -> Fit:
-        """The fit of the text of a fit file, which names its files by their paths from `folder`."""
+        """Reads a fit from the text of a fit file, whose files have paths relative to `folder`."""
         return cls._restored(text, "fit", "fit", os.path.abspath(folder), {}, {}, {})
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
-        """The text of the fit file; written to `path` if one is given, with its arrays beside it.
+        """Returns the text of the fit file, and writes it to `path` if given, with its arrays beside it.
 
-        `pellicle identify` gives the same bits for it as `identify` does. A fit of functions is refused: no file holds
-        them.
+        `pellicle identify` gives the same bits for it as `identify` does. Fits with functions are refused, since no
+        file can hold them.
         """
         text, _, _, folder, arrays, functions, texts = self._state
         refuse_functions(functions)
@@ -225,7 +225,7 @@ class Fit:
 
 
 class _Elsewhere(dict[str, str]):
-    """Other paths of files that lie in a folder, and the new names of arrays."""
+    """New paths for the files in a folder, and new names for arrays."""
 
     def __init__(self, own: Mapping[str, str], folder: str) -> None:
         super().__init__(own)
@@ -249,7 +249,7 @@ def _optional(name: str, part: Table | None, kind: type[Table]) -> dict[str, tom
 
 
 def _bounds(unknown: Mapping[str, Bounds]) -> dict[str, toml.Value]:
-    """The tables of numbers of the model, by their keys."""
+    """The tables for numbers of the model, by their keys."""
     found: dict[str, toml.Value] = {}
     for key, bounds in unknown.items():
         if isinstance(bounds, tuple) and len(bounds) == 2:
@@ -262,7 +262,7 @@ def _bounds(unknown: Mapping[str, Bounds]) -> dict[str, toml.Value]:
 
 
 def _flattened(table: Mapping[str, Any]) -> list[str]:
-    """The keys of the unknowns, however they are nested."""
+    """The keys of the unknowns, at any level of nesting."""
     kinds = {"from", "to", "prior"}
     keys: list[str] = []
     for key, value in table.items():

@@ -1,4 +1,4 @@
-"""Fits as others want to see them: rows of tables, and pictures of matplotlib."""
+"""Views of fits: rows of tables, and figures of matplotlib."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def design_cells(design: ExpectedDesign) -> list[str]:
 
 
 def curve(table: Curve, title: str) -> Any:
-    """Every point and the model through them, and below the residuals over their standard deviations."""
+    """Draws all points with the model, and below them the residuals over their standard deviations."""
     import matplotlib.pyplot as plt
 
     heights = {"height_ratios": [3, 1]}
@@ -58,7 +58,7 @@ def curve(table: Curve, title: str) -> Any:
 
 
 def profiles(estimates: Sequence[FitEstimate], table: Curve) -> Any:
-    """The rise of χ² along each unknown, and its interval."""
+    """Draws the rise of χ² along each unknown, with its interval."""
     import matplotlib.pyplot as plt
 
     name, value, rise, *_ = table
@@ -71,7 +71,7 @@ def profiles(estimates: Sequence[FitEstimate], table: Curve) -> Any:
         at = table[name] == estimate.key
         order = np.argsort(table[value][at])
         x, y = table[value][at][order], table[rise][at][order]
-        # Between two points the root of the rise is nearly straight.
+        # The root of the rise is nearly linear between two points.
         root = np.sqrt(np.maximum(y, 0)) * np.sign(x - estimate.value)
         along = np.linspace(x[0], x[-1], 200)
         (line,) = ax.plot(along, np.interp(along, x, root) ** 2, lw=1)
@@ -87,7 +87,7 @@ def profiles(estimates: Sequence[FitEstimate], table: Curve) -> Any:
 
 
 def corner(estimates: Sequence[FitEstimate], samples: Mapping[str, npt.NDArray[np.float64]]) -> Any:
-    """The samples of the posterior, each unknown against each."""
+    """Draws the samples of the posterior, each pair of unknowns."""
     import matplotlib.pyplot as plt
 
     unknowns = [estimate for estimate in estimates if estimate.key in samples]
@@ -114,7 +114,7 @@ def corner(estimates: Sequence[FitEstimate], samples: Mapping[str, npt.NDArray[n
 
 
 def _quantity(axis: Any, label: str, unit: str) -> None:
-    """An axis of a quantity in SI units, its numbers with prefixes."""
+    """Labels an axis for a quantity in SI units, with prefixes on its numbers."""
     from matplotlib.ticker import EngFormatter
 
     axis.set_label_text(label)

@@ -1,4 +1,4 @@
-"""Shapes that are functions, asked for their values at the centres of the elements, with no map in between."""
+"""Shapes given by functions, evaluated at the centres of the elements without a map in between."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ Function: TypeAlias = Callable[[Coordinates, Coordinates], npt.ArrayLike]
 
 @dataclass(frozen=True)
 class IndenterFunction(Indenter):
-    """An indenter that is a function: its height (m) at points x and y (m), +inf where it ends.
+    """An indenter given by a function: its height (m) at points x and y (m), +inf where it ends.
 
-    The height is that above the plane z = 0, from which the penetration is measured. The points are the centres of the
-    elements of every grid, and some more where a side is chosen or checked.
+    The height is measured above the plane z = 0, the origin of the penetration. The points are the centres of the
+    elements of each grid, and some others where a side is chosen or checked.
     """
 
     _kind: ClassVar[str] = "function"
@@ -38,16 +38,16 @@ class IndenterFunction(Indenter):
         _check(self.function, "function")
 
     def functions(self) -> dict[str, CheckedFunction]:
-        """The function by its name, checked."""
+        """The function by its name, with checks."""
         return {"indenter": CheckedFunction(self.function, "indenter", highest=np.inf)}
 
 
 @dataclass(frozen=True)
 class ReliefFunction(Surface):
-    """A relief that is a function: its profile (m) at points x and y (m), at best 0 on its tops and negative elsewhere.
+    """A relief given by a function: its profile (m) at points x and y (m), best 0 on the tops and negative elsewhere.
 
-    `compliance` is that of its springs, which are linear, in m/Pa: a function too, or a quantity, 0 if the relief is as
-    rigid as a part of the body.
+    `compliance` is the compliance of its linear springs in m/Pa: a function or a quantity, 0 for a relief that does not
+    shorten.
     """
 
     _kind: ClassVar[str] = "function"
@@ -63,7 +63,7 @@ class ReliefFunction(Surface):
         return {"kind": self._kind} if callable(self.compliance) else super().as_table()
 
     def functions(self) -> dict[str, CheckedFunction]:
-        """The functions by their names, checked."""
+        """The functions by their names, with checks."""
         found = {"profile": CheckedFunction(self.profile, "profile")}
         if callable(self.compliance):
             found["compliance"] = CheckedFunction(self.compliance, "compliance", lowest=0.0)
@@ -72,7 +72,7 @@ class ReliefFunction(Surface):
 
 @dataclass(frozen=True)
 class CheckedFunction:
-    """A function whose values are checked; a wrong one is refused by the function's name."""
+    """A function whose values are checked; the error of a wrong value names the function."""
 
     function: Function
     name: str
@@ -80,7 +80,7 @@ class CheckedFunction:
     highest: float = np.finfo(np.float64).max
 
     def __call__(self, x: Coordinates, y: Coordinates, is_estimate: bool) -> npt.NDArray[np.float64]:
-        # What overflows is refused or an end; estimates ask for points far away, where the function may have ended.
+        # An overflow is refused or marks an end; estimates evaluate far points, where the function may have ended.
         with np.errstate(all="ignore" if is_estimate else None, over="ignore", under="ignore"):
             values = np.asarray(self.function(x.copy(), y.copy()))
         if values.shape != x.shape:
@@ -103,7 +103,7 @@ class CheckedFunction:
 
 
 def as_part(value: Any, kind: type[Table], of_function: Callable[[Function], Table]) -> Any:
-    """The part of a case, made of a bare function if it is one."""
+    """The part of a case; a bare function is converted to one."""
     is_function = callable(value) and not isinstance(value, (kind, type))
     return of_function(value) if is_function else value
 

@@ -1,4 +1,4 @@
-"""Maps of heights: arrays, or files that the case names."""
+"""Height maps: arrays, or files named by the case."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ Height: TypeAlias = Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64]],
 
 @dataclass(frozen=True, eq=False)
 class HeightMap(Table):
-    """A map of heights.
+    """A height map.
 
     `heights` is an array, first index along x and second along y, or the path of a file (.npy, .csv, .txt, .gsf).
-    `side` is the length of the map along x in m, with square pixels, or `sides` are its lengths along x and y; a file
-    may say them itself. `height_unit` is the length of a 1 in the array, in m unless it has a unit.
+    `side` is the length of the map along x in m, for square pixels; `sides` are its lengths along x and y. A file may
+    contain them. `height_unit` is the length represented by 1 in the array, in m unless it has a unit.
     """
 
     heights: Heights
@@ -54,10 +54,10 @@ class HeightMap(Table):
     def sampled(
         cls, function: Height, samples: int | tuple[int, int], *, sides: tuple[float, float], **keys: Any
     ) -> Self:
-        """The map of a function of x and y (m), which is called once with two arrays and gives heights (m).
+        """Samples a function of x and y (m), which is called once with two arrays and returns heights (m).
 
-        The map has so many samples along each side, at the centres of its pixels, and the height between them is
-        interpolated. The middle of the map lies at x = y = 0.
+        The map has `samples` samples along each side, at the centres of its pixels, and heights between them are
+        interpolated. The centre of the map lies at x = y = 0.
         """
         counts = (samples, samples) if isinstance(samples, int) else samples
         axes = [side * ((np.arange(count) + 0.5) / count - 0.5) for count, side in zip(counts, sides, strict=True)]
@@ -74,14 +74,14 @@ class HeightMap(Table):
         return table
 
     def file_or_array(self, name: str) -> tuple[str, npt.NDArray[np.float64] | None]:
-        """The map's file by its path, or a name for its array and the array."""
+        """The path of the map's file, or a name for its array and the array."""
         if isinstance(self.heights, np.ndarray):
             return name, self.heights
         return os.path.abspath(os.fspath(self.heights)), None  # type: ignore[arg-type]
 
 
 def checked(values: Any, name: str) -> npt.NDArray[np.float64]:
-    """A copy of the array that cannot be written to, if it is one of finite real numbers in two dimensions."""
+    """Returns a read-only copy of an array, checked to have two dimensions and finite real numbers."""
     array = np.asarray(values)
     if array.ndim != 2 or array.size == 0:
         raise ArgumentError(f"{name}: found an array of shape {array.shape}, wanted two dimensions, not empty")

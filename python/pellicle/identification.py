@@ -1,4 +1,4 @@
-"""The results of a fit and of a plan, and the functions that ask for them."""
+"""The results of fits and plans, and the functions that compute them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ Files = tuple[str, list[tuple[str, str]], list[tuple[str, list[float]]], bool]
 
 
 class Result:
-    """The result of a fit or a plan, in the words of its file of results."""
+    """The result of a fit or a plan, as in its results file."""
 
     def __init__(
         self, fit: Fit, found: dict[str, Any], tables: Mapping[str, str], samples: Mapping[str, Any], is_whole: bool
@@ -41,7 +41,7 @@ class Result:
         """Whether everything that was asked for is here; otherwise it was interrupted."""
 
     def to_dict(self) -> dict[str, Any]:
-        """The content of the file of results: numbers, texts, lists and dicts alone."""
+        """The content of the results file: only numbers, strings, lists and dicts."""
         found: dict[str, Any] = json.loads(json.dumps(self._found))
         return found
 
@@ -74,7 +74,7 @@ class Result:
 
 
 class Identification(Result):
-    """A fit made. `result["indenter.radius"]` is the estimate of a key."""
+    """The result of a fit. `result["indenter.radius"]` is the estimate for a key."""
 
     @property
     def verdict(self) -> str:
@@ -89,7 +89,7 @@ class Identification(Result):
 
     @cached_property
     def nuisances(self) -> list[FitEstimate]:
-        """Estimates of the numbers that were not known exactly."""
+        """Estimates of the inexactly known numbers."""
         return [estimate_of(found) for found in self._found["nuisances"]]
 
     def __getitem__(self, key: str) -> FitEstimate:
@@ -108,7 +108,8 @@ class Identification(Result):
 
     @cached_property
     def curve(self) -> Curve:
-        """The columns of `fit.csv`: every point with model and residual; `pandas.DataFrame(result.curve)` is one."""
+        """The columns of `fit.csv`: every point with model and residual; `pandas.DataFrame(result.curve)` is a
+        table."""
         return Curve.of_csv(self._tables["fit.csv"])
 
     @cached_property
@@ -129,8 +130,8 @@ class Identification(Result):
 
     @property
     def taken_as_exact(self) -> list[dict[str, Any]]:
-        """Numbers that the model holds fixed: `key`, `unit`, `value`, and `exponents`, the percent by which 1 % more of
-        it changes each unknown."""
+        """Numbers that the model holds fixed: `key`, `unit`, `value`, and `exponents`, the change of each unknown in
+        percent for an increase of 1 %."""
         numbers: list[dict[str, Any]] = self._found["taken_as_exact"]
         return numbers
 
@@ -148,25 +149,25 @@ class Identification(Result):
 
     @property
     def excluded(self) -> Curve | None:
-        """The points at which the model does not hold, and why; None without such."""
+        """The points at which the model does not hold, with reasons; None if there are none."""
         table = self._tables.get("excluded.csv")
         return None if table is None else Curve.of_csv(table)
 
     @cached_property
     def design(self) -> list[ExpectedDesign]:
-        """The expected gain from curves of the report's design, the best first."""
+        """The expected gain from the curves of the report's design, best first."""
         return [design_of(found) for found in self._found.get("design", [])]
 
     def plot(self) -> Any:
-        """Data, model and residuals; returns the figure of matplotlib."""
+        """Plots data, model and residuals; returns the matplotlib figure."""
         return fit_views.curve(self.curve, f"{self.fit.title}: {self.verdict}")
 
     def plot_profiles(self) -> Any:
-        """The likelihood along each unknown with its interval; returns the figure of matplotlib."""
+        """Plots the likelihood along each unknown with its interval; returns the matplotlib figure."""
         return fit_views.profiles(self.unknowns, self.profiles)
 
     def plot_corner(self) -> Any:
-        """The posterior, each unknown against each; returns the figure of matplotlib."""
+        """Plots the posterior for each pair of unknowns; returns the matplotlib figure."""
         return fit_views.corner(self.unknowns, self.posterior)
 
     def __str__(self) -> str:
@@ -185,7 +186,7 @@ class Plan(Result):
 
     @cached_property
     def designs(self) -> list[ExpectedDesign]:
-        """The designs, the best first."""
+        """The designs, best first."""
         return [design_of(found) for found in self._found["designs"]]
 
     @property
@@ -213,11 +214,11 @@ class Plan(Result):
 def identify(
     fit: Fit | str | os.PathLike[str], *, progress: bool | FitReport = False, threads: int | None = None
 ) -> Identification:
-    """Makes a fit, or that of a fit file, as `pellicle identify` does.
+    """Carries out a fit, or that of a fit file, as `pellicle identify` does.
 
     `progress` shows a bar, or is a function that receives a `FitProgress` a few times a second. `threads` is as for
-    `Case.solve`; every number gives the same bits. Ctrl-C raises `Interrupted`, whose `result` has the best values and
-    the intervals found so far. A misfit and a fit that has not converged are returned with a `FitWarning`.
+    `Case.solve`; any number gives the same bits. Ctrl-C raises `Interrupted`, whose `result` holds the best values and
+    the intervals found so far. A misfit or an unconverged fit is returned with a `FitWarning`.
     """
     fit = _fit(fit)
     run = fit.begun(is_measured=True).start_fit(checked_threads(threads))
@@ -225,7 +226,7 @@ def identify(
 
 
 def plan(fit: Fit | str | os.PathLike[str], *, progress: bool | FitReport = False, threads: int | None = None) -> Plan:
-    """Predicts the accuracy from the curves of a design, as `pellicle identify --plan` does; no data are needed."""
+    """Predicts the accuracy of designs, as `pellicle identify --plan` does; no data are needed."""
     fit = _fit(fit)
     run = fit.begun(is_measured=fit.is_measured).start_plan(checked_threads(threads))
     return finished(run, lambda found: Plan(*_parts(fit, found)), reporting(progress, fit, FitProgress))
@@ -245,7 +246,7 @@ def _parts(fit: Fit, found: Files) -> tuple[Fit, dict[str, Any], dict[str, str],
 
 
 def _identification(fit: Fit, found: Files) -> Identification:
-    """The fit as found; warns if it is finished and may not be used."""
+    """Makes the result of a fit; warns if it is finished but should not be used."""
     made = Identification(*_parts(fit, found))
     if not made.is_whole:
         return made

@@ -1,4 +1,4 @@
-"""The indenters of a case. Each may be elastic: `young_modulus` in Pa and `poisson_ratio`, both or none."""
+"""The indenters of a case. Each may be elastic: give both `young_modulus` in Pa and `poisson_ratio`, or neither."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Indenter(Table):
 
 @dataclass(frozen=True)
 class Paraboloid(Indenter):
-    """A paraboloid of revolution of height ρ²/(2R), R its radius of curvature in m."""
+    """A paraboloid of revolution of height ρ²/(2R), with R the radius of curvature in m."""
 
     _kind: ClassVar[str] = "paraboloid"
     radius: Quantity
@@ -53,21 +53,21 @@ class Pyramid(Indenter):
 
 @dataclass(frozen=True)
 class Berkovich(Pyramid):
-    """A three-sided pyramid, its faces at 65.03° to the axis unless said."""
+    """A three-sided pyramid, with faces at 65.03° to the axis by default."""
 
     _kind: ClassVar[str] = "berkovich"
 
 
 @dataclass(frozen=True)
 class Vickers(Pyramid):
-    """A four-sided pyramid, its faces at 68° to the axis unless said."""
+    """A four-sided pyramid, with faces at 68° to the axis by default."""
 
     _kind: ClassVar[str] = "vickers"
 
 
 @dataclass(frozen=True)
 class CubeCorner(Pyramid):
-    """The corner of a cube, its faces at 35.26° to the axis unless said."""
+    """The corner of a cube, with faces at 35.26° to the axis by default."""
 
     _kind: ClassVar[str] = "cube-corner"
 
@@ -82,6 +82,6 @@ class FlatPunch(Indenter):
 
 @dataclass(frozen=True, eq=False)
 class IndenterMap(HeightMap, Indenter):
-    """A measured indenter: the heights of its surface above the plane, the lowest of which touches first."""
+    """A measured indenter: heights of its surface above the plane; the lowest point touches first."""
 
     _kind: ClassVar[str] = "map"

@@ -9,13 +9,13 @@ from typing import Any
 
 
 def number(value: float | None) -> float:
-    """A number of a summary, where null stands for a value that is not finite."""
+    """A number of a summary, in which null stands for a non-finite value."""
     return math.nan if value is None else float(value)
 
 
 @dataclass(frozen=True, slots=True)
 class Certificate:
-    """How well a pressure satisfies the contact conditions, computed afresh from it. True if it does.
+    """How well a pressure satisfies the contact conditions, computed afresh from it. True if they are satisfied.
 
     All lines but `min_pressure` and `over_limit` (Pa) are dimensionless.
     """
@@ -51,7 +51,7 @@ class Certificate:
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """The grid error of one number, in its unit, with the order at which it falls and whether that is seen."""
+    """The grid error of one number, in its unit, with the order of convergence and whether it is observed."""
 
     estimate: float
     order: float | None
@@ -67,7 +67,7 @@ class Estimate:
 
 @dataclass(frozen=True, slots=True)
 class GridError:
-    """How far the numbers of a step are from those of an infinitely fine grid, from the coarser grids before it."""
+    """The distance of a step's numbers from those of an infinitely fine grid, estimated from coarser grids."""
 
     penetration: Estimate | None
     force: Estimate | None
@@ -90,7 +90,7 @@ class GridError:
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """The work of a step: iterations and products with the operator on the finest grid, and seconds."""
+    """The work of a step: iterations and operator products on the finest grid, and seconds."""
 
     iterations: int
     operator_applications: int
@@ -111,7 +111,7 @@ class Work:
 
 @dataclass(frozen=True, slots=True)
 class Sensitivity:
-    """The derivatives of a step by one number θ of the case, per unit of θ; None where there is none."""
+    """The derivatives of a step with respect to one number θ of the case, per unit of θ; None if undefined."""
 
     value: float
     """θ itself."""
@@ -138,7 +138,7 @@ class Sensitivity:
 
 @dataclass(frozen=True, slots=True)
 class ResultWarning:
-    """A doubt about a result: a word for programs and a sentence for people."""
+    """A doubt about a result: a code for programs and a sentence for people."""
 
     code: str
     message: str

@@ -1,4 +1,4 @@
-"""The measurements of a fit: files of an instrument, or arrays."""
+"""The measurements of a fit: instrument files or arrays."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ UNITS = {
 
 @dataclass(frozen=True)
 class Text(Table):
-    """How the text of a file is written."""
+    """The text format of a file."""
 
     decimal: Literal[".", ","] | None = None
     separator: Literal["auto", ",", ";", "tab", "space"] | None = None
@@ -41,8 +41,8 @@ class Text(Table):
 class Segment(Table):
     """The part of a curve that is used.
 
-    `start` and `stop` are forces (`"0.8 mN"`) or times (`"3 s"`), the number of a row from 1, or tables such as
-    `{"force": 1e-3}` and `{"marker": "hold"}`.
+    `start` and `stop` are forces (`"0.8 mN"`), times (`"3 s"`), row numbers from 1, or tables such as `{"force": 1e-3}`
+    and `{"marker": "hold"}`.
     """
 
     _names: ClassVar[Mapping[str, str]] = {"start": "from", "stop": "to"}
@@ -56,7 +56,7 @@ class Segment(Table):
 
 @dataclass(frozen=True)
 class Noise(Table):
-    """Standard deviations of the measured values: in m, in N, and in parts of the value observed."""
+    """Standard deviations of the measured values: in m, in N, and as a fraction of the observed value."""
 
     depth: Quantity | None = None
     force: Quantity | None = None
@@ -66,7 +66,7 @@ class Noise(Table):
 
 @dataclass(frozen=True)
 class SpringConstant(Table):
-    """The spring constant of a cantilever with its standard deviation, in N/m."""
+    """The spring constant of a cantilever and its standard deviation, in N/m."""
 
     mean: Quantity
     sd: Quantity | None = None
@@ -74,7 +74,7 @@ class SpringConstant(Table):
 
 @dataclass(frozen=True)
 class Data(Table):
-    """Measured curves: a file or a pattern for several, and how they are read. `Data.of_arrays` takes arrays."""
+    """Measured curves: a file, or a pattern for several, and how to read them. `Data.of_arrays` takes arrays."""
 
     file: str
     columns: Mapping[str, int | str]
@@ -108,9 +108,9 @@ class Data(Table):
         set: Mapping[str, Any] | None = None,
         name: str | None = None,
     ) -> Data:
-        """One curve as arrays of equal lengths in SI units, in the order of the measurement.
+        """One curve, as arrays of equal length in SI units, in the order of the measurement.
 
-        `name` is what the result calls it. A stiffness in N/m is observed at a contact radius in m, see `observe`.
+        The result refers to it by `name`. A stiffness in N/m is observed at a contact radius in m, see `observe`.
         """
         given = {
             "depth": depth,
@@ -136,13 +136,13 @@ class Data(Table):
         )
 
     def rows_or_none(self) -> str | None:
-        """The text of arrays; None where a file is read."""
+        """The text of the arrays; None if a file is read."""
         return None
 
 
 @dataclass(frozen=True)
 class MeasuredArrays(Data):
-    """A curve of arrays, written as the text that the program reads: the digits give the same bits back."""
+    """A curve of arrays, written as text for the program with enough digits to restore the same bits."""
 
     _hidden: ClassVar[frozenset[str]] = frozenset({"rows"})
 
@@ -158,7 +158,7 @@ class MeasuredArrays(Data):
 
 
 def _column(name: str, values: npt.ArrayLike) -> npt.NDArray[np.float64]:
-    """The values of a column, if they are numbers along one axis."""
+    """Converts a column to numbers along one axis, or raises an error."""
     try:
         column = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -172,7 +172,7 @@ def _column(name: str, values: npt.ArrayLike) -> npt.NDArray[np.float64]:
 
 
 def _rows(arrays: Mapping[str, npt.NDArray[np.float64]]) -> str:
-    """The columns as text, each number with the digits that read back as the same."""
+    """The columns as text, each number with enough digits to be restored exactly."""
     sizes = {name: column.size for name, column in arrays.items()}
     first = next(iter(sizes.values()), 0)
     for name, size in sizes.items():

@@ -1,4 +1,4 @@
-"""The parts by themselves: compliance, influence coefficients, and the product of a body with a pressure."""
+"""The building blocks: compliance, influence coefficients, and the product of a body with a pressure."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def compliance(foundation: Foundation, wavenumber: npt.ArrayLike) -> npt.NDArray[np.float64]:
-    """The compliance C(k) of a body at wavenumbers k (1/m), in m/Pa: displacement over pressure of a wave.
+    """The compliance C(k) of a body at wavenumbers k (1/m), in m/Pa: displacement over pressure for a wave.
 
     The result has the shape of `wavenumber`. Displacements are positive into the body.
     """
@@ -28,19 +28,18 @@ def compliance(foundation: Foundation, wavenumber: npt.ArrayLike) -> npt.NDArray
 
 
 def influence_coefficients(foundation: Foundation, element_side: float, elements: int) -> npt.NDArray[np.float64]:
-    """The displacement of an element under unit pressure on another, by their offset, in m/Pa.
+    """The displacement of one element under unit pressure on another, by their offset, in m/Pa.
 
-    Coefficient `[m, n]` of the N × N array belongs to elements of side `element_side` (m) that are m apart along x and
-    n along y.
+    Coefficient `[m, n]` of the N × N array is for elements of side `element_side` (m), m apart along x and n along y.
     """
     return ElasticOperator(foundation, element_side, elements).coefficients
 
 
 class ElasticOperator:
-    """The product u = K p of a body with a pressure on N × N square elements of one side (m).
+    """The product u = K p of a body with a pressure on N × N square elements of side `element_side` (m).
 
-    `operator @ pressure` is the displacement (m, positive into the body) under an N × N pressure (Pa), or under the N²
-    values of one, row by row.
+    `operator @ pressure` is the displacement (m, positive into the body) under an N × N pressure (Pa), or under its N²
+    values row by row.
     """
 
     def __init__(self, foundation: Foundation, element_side: float, elements: int) -> None:

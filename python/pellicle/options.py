@@ -1,4 +1,4 @@
-"""The further tables of a case: ranges of loads, stresses, and output."""
+"""Further tables of a case: ranges of loads, stresses, and output."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .table import Table
 
 @dataclass(frozen=True)
 class Range(Table):
-    """So many values from the first to the last, evenly spaced or, with `"log"`, in equal ratios."""
+    """`count` values from `start` to `stop`, evenly spaced or, with `"log"`, in equal ratios."""
 
     _names: ClassVar[Mapping[str, str]] = {"start": "from", "stop": "to"}
 
@@ -31,10 +31,10 @@ Depths: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
 
 @dataclass(frozen=True)
 class Stress(Table):
-    """Asks for the stresses inside the body.
+    """Requests the stresses inside the body.
 
-    `depths` are those of the planes, and `extent` the side of the square, that the program writes, in m. An indenter
-    that slides has a coefficient of `friction` and a `direction` in rad, from +x to +y.
+    The program writes planes at `depths`, squares of side `extent`, in m. A sliding indenter has a coefficient of
+    `friction` and a `direction` in rad, from +x to +y.
     """
 
     depths: Depths | None = None
@@ -45,7 +45,7 @@ class Stress(Table):
 
 @dataclass(frozen=True)
 class Output(Table):
-    """The fields, pictures and formats that `pellicle run` writes of this case; without effect in Python."""
+    """The fields, pictures and formats that `pellicle run` writes for this case; without effect in Python."""
 
     fields: Literal["all", "last", "none"] | None = None
     pictures: Literal["all", "last", "none"] | None = None

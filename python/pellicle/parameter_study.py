@@ -34,15 +34,15 @@ MOST_BYTES = 1 << 24
 
 
 def study(path: str | os.PathLike[str]) -> Study:
-    """The study of a file, as `pellicle study` reads it."""
+    """Reads a study from a file, as `pellicle study` does."""
     return Study(os.path.abspath(path))
 
 
 class Study:
-    """A base case and the keys that vary in it, read from a file.
+    """A base case and its varying keys, read from a file.
 
-    Its pickle names the file, which must be there under the same path wherever cases are solved. That it is the same
-    study, with the same maps and the same version of the package, is checked there.
+    Its pickle names the file, which must exist under the same path wherever cases are solved. Workers check that the
+    study, its maps and the version of the package are the same.
     """
 
     def __init__(self, path: str) -> None:
@@ -52,7 +52,7 @@ class Study:
 
     @property
     def name(self) -> str:
-        """The name of its file, without the ending."""
+        """The name of its file, without the extension."""
         return self._study.name
 
     @property
@@ -74,17 +74,17 @@ class Study:
         threads: int = 1,
         progress: bool | StudyReport = False,
     ) -> StudyTable:
-        """Solves the cases on the workers of an engine, and writes the table that `pellicle study` would have written.
+        """Solves the cases on the workers of an engine, and writes the same table as `pellicle study`.
 
         `executor` is anything with `submit` or `map`, or a `joblib.Parallel`. Its workers solve `chunk` cases at a
-        time, on so many `threads` each; rows are added to `results.csv` in the folder `out`, or else `results/NAME`,
-        as soon as a chunk is done. Fields that the study keeps travel with them, into the files that the program would
-        have written. Cases of which the table has rows are not solved again, unless it is to be `fresh`:
-        after Ctrl-C or a failure of the engine the same call goes on. `progress` shows a bar, or is a function that
-        receives a `StudyProgress`.
+        time, on `threads` threads each; rows are added to `results.csv` in the folder `out`, or else `results/NAME`, as
+        soon as a chunk is done. Fields that the study keeps travel with the rows, into the same files as the program
+        writes. Cases with rows in the table are not solved again unless `fresh` is set, so the same call continues
+        after Ctrl-C or a failure of the engine. `progress` shows a bar, or is a function that receives a
+        `StudyProgress`.
 
-        A chunk that is lost with its worker is solved again by engines that see to it, such as Dask and Ray. Others
-        break: what was finished is kept, the exception is raised, and the study can be mapped on a new executor.
+        Engines such as Dask and Ray solve a chunk again if its worker is lost. With others, finished cases are kept,
+        the exception is raised, and the study can be mapped on a new executor.
         """
         table = self._study.table(os.path.join("results", self.name) if out is None else out, fresh)
         try:
@@ -104,7 +104,7 @@ class Study:
         return found
 
     def _gather(self, table: _pellicle.Table, ended: Any, solve: _Solver, report: Any) -> set[str]:
-        """Adds the engine's results to the table; gives the warnings raised meanwhile."""
+        """Adds the engine's results to the table; returns the warnings raised meanwhile."""
         said: set[str] = set()
         forced = time.monotonic()
         try:
@@ -142,7 +142,7 @@ class Study:
 
 @dataclass(frozen=True)
 class StudyTable:
-    """The table of a study whose cases have all ended."""
+    """The table of a finished study."""
 
     path: str
     """Its file, `results.csv`."""
@@ -174,7 +174,7 @@ class StudyTable:
 
 
 class _Solver:
-    """Solves chunks of cases, in whatever process it finds itself."""
+    """Solves chunks of cases, in any process."""
 
     def __init__(self, study: Study | None, path: str, fingerprint: str, threads: int) -> None:
         self.study = study
@@ -186,7 +186,7 @@ class _Solver:
         """Set where nobody waits any more; seen by threads of the same process alone."""
 
     def __call__(self, cases: list[int]) -> tuple[list[tuple[int, str, str, bytes]], list[str]]:
-        """The rows of these cases with their kept fields, and warnings."""
+        """Solves these cases; returns their rows with kept fields, and warnings."""
         study = self.study or _restored(self.path, self.fingerprint)
         run = study._study.start(cases, self.threads)
         try:
@@ -213,7 +213,7 @@ def _chunks(cases: list[int], size: int | None, record_bytes: int) -> list[list[
 
 @functools.lru_cache(maxsize=4)
 def _restored(path: str, fingerprint: str) -> Study:
-    """The study of a file that another process has read; read once, since every chunk brings it along."""
+    """Reads the study of another process from its file; cached, since every chunk refers to it."""
     found = Study(path)
     if found._study.fingerprint != fingerprint:
         found_here = "another study, other maps or another version of pellicle"

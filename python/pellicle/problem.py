@@ -1,4 +1,4 @@
-"""The discrete problem of a case, for solvers of your own, and the certificate of any pressure."""
+"""The discrete problem of a case, for your own solvers, and the certificate of any pressure."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Judgement:
 class DiscreteProblem:
     """The problem of a case on its grid: find p ≥ 0 with g = K p + w* + g0 − D ≥ 0 and p g = 0.
 
-    `problem @ p` is K p. Springs with a compliance η shorten by w* = η p if their law is linear.
+    `problem @ p` is K p. Springs of compliance η shorten by w* = η p if their law is linear.
     """
 
     def __init__(self, case: Case) -> None:

@@ -1,4 +1,4 @@
-"""How far a solution is, shown as a bar or passed to a function."""
+"""The progress of a solution, shown as a bar or passed to a function."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any, Protocol, TypeAlias
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Where a solution stands."""
+    """The progress of a solution."""
 
     step: int
     """Loading step under way, counted from 0; on small grids several are solved at the same time."""
@@ -28,12 +28,12 @@ class Progress:
 
     @classmethod
     def of(cls, raw: tuple[int, int, int, int, int, float]) -> Progress:
-        """The progress of these numbers."""
+        """Makes a progress from its numbers."""
         return cls(*raw)
 
     @property
     def done(self) -> tuple[int, int | None, str]:
-        """Parts of the work that are finished, parts in all, and the name of a part."""
+        """Number of finished parts of the work, their total, and the name of a part."""
         return self.finished, self.steps, "step"
 
     def __str__(self) -> str:
@@ -42,7 +42,7 @@ class Progress:
 
 @dataclass(frozen=True, slots=True)
 class FitProgress:
-    """Where a fit or a plan stands."""
+    """The progress of a fit or a plan."""
 
     solved: int | None
     """Predictions of all curves that are made; None while a design is planned."""
@@ -51,12 +51,12 @@ class FitProgress:
 
     @classmethod
     def of(cls, raw: tuple[int | None, int | None]) -> FitProgress:
-        """The progress of these numbers."""
+        """Makes a progress from its numbers."""
         return cls(*raw)
 
     @property
     def done(self) -> tuple[int, int | None, str]:
-        """Parts of the work that are finished, parts in all, and the name of a part."""
+        """Number of finished parts of the work, their total, and the name of a part."""
         return self.solved or self.planned or 0, None, "curve"
 
     def __str__(self) -> str:
@@ -65,7 +65,7 @@ class FitProgress:
 
 @dataclass(frozen=True, slots=True)
 class StudyProgress:
-    """Where a study stands."""
+    """The progress of a study."""
 
     finished: int
     """Cases in its table."""
@@ -74,12 +74,12 @@ class StudyProgress:
 
     @classmethod
     def of(cls, raw: tuple[int, int]) -> StudyProgress:
-        """The progress of these numbers."""
+        """Makes a progress from its numbers."""
         return cls(*raw)
 
     @property
     def done(self) -> tuple[int, int | None, str]:
-        """Parts of the work that are finished, parts in all, and the name of a part."""
+        """Number of finished parts of the work, their total, and the name of a part."""
         return self.finished, self.cases, "case"
 
     def __str__(self) -> str:
@@ -108,7 +108,7 @@ class Titled(Protocol):
 def reporting(
     progress: bool | Callable[[Any], object], of: Titled, kind: Kind
 ) -> Iterator[Callable[[Any], None]]:
-    """A function that passes progress on: to a bar if `progress` is true, or to `progress` itself."""
+    """A function that reports progress to a bar if `progress` is true, or to `progress` itself."""
     if not progress:
         yield lambda raw: None
     elif callable(progress):
@@ -121,7 +121,7 @@ def reporting(
 def _telling(
     report: Callable[[Any], object], kind: Kind
 ) -> Callable[[Any], None]:
-    """Reports news, and nothing twice."""
+    """Reports only changes of the progress."""
     last: Any = None
 
     def tell(raw: Any) -> None:
@@ -135,7 +135,7 @@ def _telling(
 
 @contextmanager
 def _bar(title: str) -> Iterator[Callable[[Any], object]]:
-    """A bar of tqdm, or a line on standard error where it is not installed."""
+    """A tqdm bar, or a line on standard error if tqdm is not installed."""
     try:
         from tqdm.auto import tqdm
     except ImportError:

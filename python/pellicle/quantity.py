@@ -12,7 +12,7 @@ class UnitQuantity(Protocol):
     """A quantity of a units library: pint's, astropy's or unyt's."""
 
     def to(self, unit: str, /) -> Any:
-        """The same in another unit."""
+        """Converts the quantity to another unit."""
         ...
 
 
@@ -59,7 +59,7 @@ SI_UNITS = {
 
 
 def written(value: object, name: str, unit: str) -> float | int | str:
-    """The quantity as a case file has it: a number, or a string with a unit."""
+    """The quantity as written in a case file: a number, or a string with a unit."""
     if isinstance(value, str):
         return value
     if isinstance(value, numbers.Integral) and not isinstance(value, bool):

@@ -1,4 +1,4 @@
-"""One loading step of a path: its numbers, its fields, and how far they can be trusted."""
+"""One loading step of a path: its numbers, its fields, and how reliable they are."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Step:
 
     @property
     def summary(self) -> Mapping[str, Any]:
-        """The step as `summary.json` has it."""
+        """The step as in `summary.json`."""
         return self._summary
 
     @property
@@ -99,12 +99,12 @@ class Step:
 
     @property
     def area_at_limit(self) -> float:
-        """Area of the elements whose pressure is cut at the hardness, m²; 0 without one."""
+        """Area of the elements at the hardness, m²; 0 without a hardness."""
         return number(self._summary.get("area_at_limit", 0.0))
 
     @property
     def fraction_at_limit(self) -> float:
-        """The same over the contact area."""
+        """Area of the elements at the hardness over the contact area."""
         return number(self._summary.get("fraction_at_limit", 0.0))
 
     @property
@@ -120,13 +120,13 @@ class Step:
 
     @property
     def rough_contact(self) -> Mapping[str, Any] | None:
-        """Islands, mean gap, and histograms of pressures and gaps, as `summary.json` has them; None without a map."""
+        """Islands, mean gap, and histograms of pressures and gaps, as in `summary.json`; None without a map."""
         rough: Mapping[str, Any] | None = self._summary.get("rough_contact")
         return rough
 
     @property
     def status(self) -> Literal["certified", "cut-off", "not-converged"]:
-        """Whether the step may be used; only `"certified"` is good."""
+        """What the step may be used for; only `"certified"` is good."""
         status: Literal["certified", "cut-off", "not-converged"] = self._summary["status"]
         return status
 
@@ -137,7 +137,7 @@ class Step:
 
     @cached_property
     def grid_error(self) -> GridError:
-        """How far the numbers are from those of an infinitely fine grid."""
+        """The distance of the numbers from those of an infinitely fine grid."""
         return GridError.of(self._summary["grid_error"])
 
     @cached_property
@@ -152,7 +152,7 @@ class Step:
 
     @cached_property
     def pressure(self) -> Field:
-        """Pressure p, Pa, compression positive: an array in the memory of the solution, which cannot be written to."""
+        """Pressure p, Pa, compression positive: a read-only array in the memory of the solution."""
         return self._fields.pressure(self.index)
 
     @property
@@ -172,10 +172,10 @@ class Step:
 
     @property
     def plastic_depth(self) -> Field:
-        """Plastic depth −g where the pressure is cut at the hardness, m, 0 elsewhere."""
+        """Plastic depth −g where the pressure is at the hardness, m; 0 elsewhere."""
         if self.area_at_limit == 0.0:
             return np.zeros_like(self.pressure)
-        # An element is cut where it has the largest pressure, to the bit.
+        # The elements at the hardness are those with exactly the largest pressure.
         is_cut = self.pressure >= self.pressure.max()
         return np.where(is_cut, np.maximum(-self.gap, 0.0), 0.0)
 
@@ -196,14 +196,14 @@ class Step:
 
     @cached_property
     def x(self) -> npt.NDArray[np.float64]:
-        """Coordinates of the centres of the elements along x, which are those along y, m; the axis is at 0."""
+        """Coordinates of the element centres along x, the same as along y, m; the axis is at 0."""
         size, element_side = self._grid["elements"], self._grid["element_side"]
         coordinates: npt.NDArray[np.float64] = (2 * np.arange(size) + 1 - size) * (0.5 * element_side)
         return coordinates
 
     @property
     def y(self) -> npt.NDArray[np.float64]:
-        """Coordinates of the centres of the elements along y, m."""
+        """Coordinates of the element centres along y, m."""
         return self.x
 
     @cached_property
@@ -215,7 +215,8 @@ class Step:
         return self._fields.geometry()
 
     def sensitivities(self) -> dict[str, Sensitivity]:
-        """The derivatives of the step by the numbers of the case, by their keys; the case must have asked for them."""
+        """The derivatives of the step with respect to numbers of the case, by key; the case must have requested
+        them."""
         given = self._summary.get("sensitivities")
         if given is None:
             raise ArgumentError("sensitivities: the case does not ask for any, wanted Case(..., sensitivities=True)")
@@ -229,9 +230,9 @@ class Step:
         friction: float | None = None,
         direction: Quantity | None = None,
     ) -> StressFields:
-        """Displacements and stresses on planes at these depths (m) in the body, by default down to two contact radii.
+        """Displacements and stresses on planes at these depths (m) in the body; by default down to two contact radii.
 
-        The planes are squares of side `extent` (m), by default 1.5 contact diameters. An indenter that slides has a
+        The planes are squares of side `extent` (m), by default 1.5 contact diameters. A sliding indenter has a
         coefficient of `friction` and a `direction` (rad) from +x to +y.
         """
         table = Stress(depths, extent, friction, direction).as_table()
@@ -250,7 +251,7 @@ class Step:
         return xarray.Dataset(fields, axes, values)
 
     def plot(self, ax: Any = None) -> Any:
-        """Draws the pressure with matplotlib on `ax`, or on new axes, which it returns."""
+        """Draws the pressure with matplotlib on `ax` or on new axes, and returns the axes."""
         import matplotlib.pyplot as plt
         from matplotlib.ticker import EngFormatter, MaxNLocator
 

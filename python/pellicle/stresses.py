@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class StressFields(Mapping[str, npt.NDArray[np.float64]]):
-    """Fields by their names, each an array over plane, x and y: stresses in Pa, tension positive, displacements in m.
+    """Fields by name, each an array over plane, x and y: stresses in Pa, tension positive, and displacements in m.
 
     `ux`, `uy`, `uz`, `sxx`, `syy`, `szz`, `sxy`, `sxz`, `syz`, `von_mises` and `max_principal`.
     """

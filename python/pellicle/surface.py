@@ -1,4 +1,4 @@
-"""The surfaces of a case: the springs that the body carries, or its own roughness."""
+"""The surfaces of a case: springs on the body, or its own roughness."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ class Surface(Table):
 
 @dataclass(frozen=True)
 class Bare(Surface):
-    """The plane surface of the body itself."""
+    """The bare, plane surface of the body."""
 
     _kind: ClassVar[str] = "bare"
 
 
 @dataclass(frozen=True)
 class Cylinders(Surface):
-    """Elastic cylinders of one radius and height on a lattice of this period, all in m.
+    """Elastic cylinders of equal radius and height on a lattice of this period, all in m.
 
-    `offset` moves an axis away from the indenter's, in m. Without a Young's modulus (Pa) it is that of the top layer.
+    `offset` shifts an axis from that of the indenter, in m. The Young's modulus (Pa) defaults to that of the top layer.
     """
 
     _kind: ClassVar[str] = "cylinders"
@@ -44,7 +44,7 @@ class Cylinders(Surface):
 
 @dataclass(frozen=True)
 class Film(Surface):
-    """A film of springs that covers everything: its thickness in m and its Young's modulus in Pa."""
+    """A film of springs that covers the whole surface: its thickness in m and its Young's modulus in Pa."""
 
     _kind: ClassVar[str] = "film"
     thickness: Quantity

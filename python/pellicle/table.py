@@ -1,4 +1,4 @@
-"""The parts of a case or a fit that are tables of its file: frozen dataclasses whose fields are the table's keys."""
+"""The tables of a case or fit file, as frozen dataclasses whose fields are the table's keys."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .quantity import SI_UNITS, written
 
 @dataclasses.dataclass(frozen=True)
 class Table:
-    """A table of a case file. A field that is None is a key that is left out."""
+    """A table of a case file. Fields that are None are left out."""
 
     _kind: ClassVar[str | None] = None
     _names: ClassVar[Mapping[str, str]] = {}
@@ -21,11 +21,11 @@ class Table:
     """Fields that are no keys."""
 
     def as_table(self) -> dict[str, toml.Value]:
-        """The keys and values of the table as the file has them."""
+        """The keys and values of the table as in the file."""
         return self._given(None)
 
     def as_value(self, unit: str | None) -> toml.Value:
-        """The table as a value in another; without units of their own its values are in this one."""
+        """The table as a value in another; values without their own unit are in `unit`."""
         return self.as_table() if unit is None else self._given(unit)
 
     def _given(self, unit: str | None) -> dict[str, toml.Value]:
@@ -38,7 +38,7 @@ class Table:
 
 
 def value_of(name: str, value: Any, unit: str | None = None) -> toml.Value:
-    """One value of a table as the file has it; `unit` is that of quantities whose key has none of its own."""
+    """One value of a table as in the file; `unit` applies to quantities whose key has no unit."""
     unit = SI_UNITS.get(name.partition("[")[0], unit)
     if isinstance(value, Table):
         return value.as_value(unit)

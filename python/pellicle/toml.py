@@ -13,7 +13,7 @@ Value: TypeAlias = Any
 
 
 def text(document: Mapping[str, Value]) -> str:
-    """The document as TOML: its plain values, then each table under its own header."""
+    """The document as TOML: plain values first, then each table under its own header."""
     return "\n".join(_sections(document)).lstrip("\n") + "\n"
 
 
@@ -60,7 +60,7 @@ def _inline(value: Value) -> str:
         case bool():
             return "true" if value else "false"
         case str():
-            # JSON escapes as TOML does, but leaves the one control character that is above the others.
+            # JSON escapes like TOML, except for the control character DEL.
             return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007F")
         case Mapping():
             pairs = ", ".join(f"{_key(key)} = {_inline(item)}" for key, item in value.items())
@@ -68,7 +68,7 @@ def _inline(value: Value) -> str:
         case list():
             return f"[{', '.join(map(_inline, value))}]"
         case int() | float():
-            # The shortest digits that read back as the same number.
+            # The shortest digits that restore the same number.
             return repr(value)
         case _:
             raise ArgumentError(f"found {type(value).__name__}, wanted a value that a case file can hold")

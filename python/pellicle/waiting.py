@@ -1,4 +1,4 @@
-"""Waits for work under way, tells how far it is, and stops it with Ctrl-C."""
+"""Waits for running work, reports its progress, and stops it on Ctrl-C."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ Found = TypeVar("Found")
 
 
 class Run(Protocol):
-    """Work under way."""
+    """Running work."""
 
     def wait(self, milliseconds: int, /) -> bool:
-        """Waits at most so long; whether the work is finished."""
+        """Waits at most this long; returns whether the work is finished."""
         ...
 
     def cancel(self) -> None:
@@ -29,16 +29,16 @@ class Run(Protocol):
         ...
 
     def progress(self) -> Any:
-        """How far it is."""
+        """Its progress."""
         ...
 
     def result(self) -> Any:
-        """The result; None if the work was stopped before there was any."""
+        """The result; None if the work was stopped before there was one."""
         ...
 
 
 class Interrupted(KeyboardInterrupt):
-    """The user has stopped a solution or a fit with Ctrl-C."""
+    """The user stopped a solution or a fit with Ctrl-C."""
 
     def __init__(self, run: Run, made: Callable[[Any], Any]) -> None:
         super().__init__("stopped by the user; `.result` holds what was finished")
@@ -48,9 +48,10 @@ class Interrupted(KeyboardInterrupt):
 
     @property
     def result(self) -> Any:
-        """The finished part: the path of some loading steps, or a fit without some intervals; None if nothing was.
+        """The finished part: the path of some loading steps, or a fit without some intervals; None if nothing was
+        finished.
 
-        Waits for the iteration under way, which on large grids may take some tenths of a second.
+        Waits for the current iteration, which on large grids may take a few tenths of a second.
         """
         if self._run is not None:
             while not self._run.wait(20):
@@ -61,14 +62,14 @@ class Interrupted(KeyboardInterrupt):
 
     @property
     def path(self) -> Any:
-        """The path of the loading steps that were finished; None if there are none."""
+        """The path of the finished loading steps; None if there are none."""
         return self.result if isinstance(self.result, Sequence) else None
 
 
 def finished(
     run: Run, made: Callable[[Any], Found], reporting: AbstractContextManager[Callable[[Any], None]]
 ) -> Found:
-    """Waits for some work and converts its result. Ctrl-C raises `Interrupted`."""
+    """Waits for work and converts its result. Ctrl-C raises `Interrupted`."""
     try:
         with reporting as report:
             while not run.wait(TURN):

@@ -1,4 +1,4 @@
-//! A case as the program reads it.
+//! A case, read by the program's own reader.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ use crate::function::{Functions, with_functions};
 use crate::process::Threads;
 use crate::run::Run;
 
-/// The text of a case file, as the program reads it.
+/// Reads the text of a case file.
 #[pyfunction]
 #[expect(
     clippy::needless_pass_by_value,
@@ -24,8 +24,8 @@ pub fn read_text(path: PathBuf) -> Result<String, Refusal> {
     Ok(read_source(&path)?.inner().clone())
 }
 
-/// The data that a case names and does not hold: maps, which are arrays by their names or else files of the folder, and
-/// shapes that are functions.
+/// The data that a case refers to but does not contain: maps, as named arrays or else files of the folder, and shapes
+/// given by functions.
 pub fn map_sources(
     folder: &Path,
     arrays: BTreeMap<String, PyReadonlyArray2<'_, f64>>,
@@ -34,7 +34,7 @@ pub fn map_sources(
     let mut maps = MapSources::in_folder(folder);
     for (name, array) in arrays {
         let shape = [array.shape()[0], array.shape()[1]];
-        // Row by row, in whatever order they lie in memory.
+        // Row by row, whatever their order in memory.
         let heights = array.as_array().iter().copied().collect();
         maps = maps.with_array(&name, shape, heights);
     }
@@ -57,8 +57,8 @@ impl Case {
 
 #[pymethods]
 impl Case {
-    /// Reads a text that goes by the name `source`; `name` is its title unless it has one. Its maps are `arrays`, or
-    /// else files of `folder`; its shapes of kind `function` are `functions`.
+    /// Reads a text named `source`; `name` is the default title. Maps are taken from `arrays`, or else from files of
+    /// `folder`, and shapes of kind `function` from `functions`.
     #[new]
     #[expect(
         clippy::needless_pass_by_value,
@@ -83,17 +83,17 @@ impl Case {
         })
     }
 
-    /// The case as resolved, every default filled in, as JSON.
+    /// The resolved case, with every default filled in, as JSON.
     fn resolved(&self) -> Result<String, Refusal> {
         Ok(serde_json::to_string(&*self.case)?)
     }
 
-    /// Whether they are equal, functions aside.
+    /// Whether the cases are equal, ignoring functions.
     fn __eq__(&self, other: &Self) -> bool {
         self.case == other.case
     }
 
-    /// Starts to solve it, on so many threads.
+    /// Starts solving the case, on this many threads.
     #[pyo3(signature = (threads = None))]
     fn start(&self, threads: Option<u16>) -> Result<Run, Refusal> {
         let case = Arc::clone(&self.case);

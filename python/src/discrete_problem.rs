@@ -1,4 +1,4 @@
-//! The discrete problem of a case, for solvers of one's own, and the certificate of any pressure.
+//! The discrete problem of a case, for user-written solvers, and the certificate of any pressure.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -55,7 +55,7 @@ impl DiscreteProblem {
 
 #[pymethods]
 impl DiscreteProblem {
-    /// The problem of a case, on the side that it gives or that is chosen for its loads.
+    /// The problem of a case, on the side that it specifies or one chosen for its loads.
     #[new]
     fn new(py: Python<'_>, case: &Case) -> PyResult<Self> {
         let (case, shared) = (case.inner(), process::shared());

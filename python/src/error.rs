@@ -1,4 +1,4 @@
-//! The program's errors as exceptions: one class for each error enum, the message that of the program, the fields as
+//! The program's errors as exceptions: one class for each error enum, with the program's message and the fields as
 //! attributes.
 
 mod attributes;
@@ -81,7 +81,7 @@ create_exception!(
     "An error of the program itself, which should not be."
 );
 
-/// A failure of the program on its way to Python.
+/// A failure of the program, to be raised in Python.
 #[derive(Debug)]
 pub struct Refusal(Failure);
 
@@ -99,14 +99,14 @@ impl From<Refusal> for PyErr {
                 Failure::Case(diagnosis) => describe(py, &error, diagnosis),
                 other => attributes::set(py, error.value(py), other),
             }
-            // An attribute that cannot be set is no reason to lose the error.
+            // The error matters more than an attribute that cannot be set.
             .unwrap_or_default();
             error
         })
     }
 }
 
-/// The exception of the failure's class, with the program's sentence.
+/// The exception of the failure's class, with the program's message.
 fn exception(failure: &Failure) -> PyErr {
     let message = failure.to_string();
     match failure {
@@ -144,7 +144,7 @@ fn describe(py: Python<'_>, error: &PyErr, diagnosis: &Diagnosis) -> PyResult<()
     Ok(())
 }
 
-/// The exception of one of the caller's functions that has unwound the work, or else one for a panic, with its message.
+/// The exception from a caller's function that unwound the work, or else an exception with the message of a panic.
 pub fn of_panic(panic: Box<dyn Any + Send>) -> PyErr {
     let exception = panic.downcast::<PyErr>().map(|error| *error);
     exception.unwrap_or_else(|panic| of_mistake(&*panic))

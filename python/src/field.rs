@@ -1,4 +1,4 @@
-//! A field of a solution that NumPy reads where it is, without a copy.
+//! A field of a solution that NumPy reads in place, without a copy.
 
 use std::sync::Arc;
 
@@ -6,8 +6,8 @@ use pellicle_cli::solved::SolvedCase;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The pressure of a loading step. `numpy.asarray` makes a read-only array of it, in the very memory of the solution,
-/// and keeps the solution alive.
+/// The pressure of a loading step. `numpy.asarray` makes a read-only array of it in the solution's own memory, and
+/// keeps the solution alive.
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct Field {
     solved: Arc<SolvedCase>,
@@ -15,7 +15,7 @@ pub struct Field {
 }
 
 impl Field {
-    /// The pressure of this step; none if there is no such step.
+    /// The pressure of this step; `None` if there is no such step.
     pub fn pressure(solved: &Arc<SolvedCase>, step: usize) -> Option<Self> {
         (step < solved.path.steps.len()).then(|| Self {
             solved: Arc::clone(solved),

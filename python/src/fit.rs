@@ -39,9 +39,9 @@ impl Fit {
 
 #[pymethods]
 impl Fit {
-    /// Reads a text that goes by the name `source`; `name` is its title unless it has one. Its maps are `arrays`, its
-    /// measurements `texts`, or else files of `folder`, and its shapes of kind `function` are `functions`. Only with
-    /// measurements can it be fitted.
+    /// Reads a text named `source`; `name` is the default title. Maps are taken from `arrays` and measurements from
+    /// `texts`, or else from files of `folder`, and shapes of kind `function` from `functions`. It can be fitted only
+    /// with measurements.
     #[new]
     #[expect(
         clippy::needless_pass_by_value,
@@ -82,7 +82,7 @@ impl Fit {
         })
     }
 
-    /// Starts to fit it on so many threads.
+    /// Starts fitting on this many threads.
     #[pyo3(signature = (threads = None))]
     fn start_fit(&self, threads: Option<u16>) -> PyResult<FitRun> {
         let (file, start) = (self.take()?, self.start);
@@ -94,7 +94,7 @@ impl Fit {
         Ok(FitRun(work.map_err(Refusal::from)?))
     }
 
-    /// Starts to plan its design on so many threads.
+    /// Starts planning its design on this many threads.
     #[pyo3(signature = (threads = None))]
     fn start_plan(&self, threads: Option<u16>) -> PyResult<FitRun> {
         let (file, start) = (self.take()?, self.start);
@@ -115,7 +115,7 @@ fn counts(stage: Stage) -> (Option<usize>, Option<usize>) {
     }
 }
 
-/// Nothing where the user has stopped the work before there was anything, which is no failure.
+/// Converts the failure of work that the user stopped before it had a result to `None`.
 fn unless_stopped<T>(found: Result<T, Failure>) -> Result<Option<T>, Failure> {
     match found {
         Err(Failure::Identify(IdentifyError::Stopped { .. })) => Ok(None),
@@ -123,7 +123,7 @@ fn unless_stopped<T>(found: Result<T, Failure>) -> Result<Option<T>, Failure> {
     }
 }
 
-/// The result of a fit or a plan, in the words of its files.
+/// The result of a fit or a plan, as the texts of its files.
 #[derive(Debug)]
 struct Found {
     json: String,
@@ -155,32 +155,32 @@ impl Found {
     }
 }
 
-/// The texts of the files of a result, samples of its posterior, and whether the work was finished.
+/// The texts of a result's files, the samples of its posterior, and whether the work was finished.
 type Files = (String, Vec<(String, String)>, Vec<(String, Vec<f64>)>, bool);
 
-/// A fit or a plan being made. It is stopped when nobody holds this any more.
+/// A running fit or plan. It is stopped when this object is dropped.
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct FitRun(Work<(Option<usize>, Option<usize>), Option<Found>>);
 
 #[pymethods]
 impl FitRun {
-    /// Waits at most so many milliseconds; whether the work is finished.
+    /// Waits at most this many milliseconds; returns whether the work is finished.
     fn wait(&self, py: Python<'_>, milliseconds: u64) -> bool {
         self.0.wait(py, milliseconds)
     }
 
-    /// Asks the work to end; what is found so far is kept.
+    /// Asks the work to end; results found so far are kept.
     fn cancel(&self) {
         self.0.cancel();
     }
 
-    /// Curves solved, or else curves of the design judged; none before the first.
+    /// Curves solved, or else curves of the design judged; `None` before the first.
     fn progress(&self) -> Option<(Option<usize>, Option<usize>)> {
         self.0.progress()
     }
 
-    /// The result of work that is finished, handed out once: JSON, tables with the names of their files, samples of the
-    /// posterior, and whether it is whole; none if nothing was found before the stop.
+    /// Takes the result of finished work: JSON, tables with their file names, samples of the posterior, and whether it
+    /// is complete; `None` if nothing was found before the stop.
     fn result(&self) -> PyResult<Option<Files>> {
         let found = self.0.result()?;
         Ok(found.map(|found| (found.json, found.tables, found.samples, found.is_whole)))

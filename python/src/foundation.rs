@@ -1,4 +1,4 @@
-//! An elastic body by itself: its compliance, its influence coefficients and the product with a pressure.
+//! An elastic body on its own: its compliance, its influence coefficients and the product with a pressure.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -25,7 +25,7 @@ pub struct Foundation {
 
 #[pymethods]
 impl Foundation {
-    /// Reads the table `[foundation]` of a text that goes by the name `source`.
+    /// Reads the table `[foundation]` of a text named `source`.
     #[new]
     fn new(text: String, source: String) -> Result<Self, Refusal> {
         let source = Arc::new(Source::new(source, text));
@@ -34,7 +34,7 @@ impl Foundation {
         Ok(Self { case, foundation })
     }
 
-    /// The compliances at these wavenumbers (1/m), which must be positive, m/Pa.
+    /// The compliances (m/Pa) at these wavenumbers (1/m), which must be positive.
     #[expect(clippy::needless_pass_by_value, reason = "Python hands over a borrow")]
     fn compliance<'py>(
         &self,
@@ -46,8 +46,8 @@ impl Foundation {
         PyArray1::from_vec(py, compliances.collect())
     }
 
-    /// The stresses that the table `[stress]` of a text asks for, under a pressure (Pa) on a square of this side (m) of
-    /// which a contact of this radius (m) carries some.
+    /// The stresses requested by the table `[stress]` of a text, under a pressure (Pa) on a square of this side (m),
+    /// carried by a contact of this radius (m).
     #[expect(clippy::needless_pass_by_value, reason = "Python hands over a borrow")]
     fn stress(
         &self,
@@ -79,7 +79,7 @@ impl Foundation {
     }
 }
 
-/// Refuses a pressure of another length.
+/// Refuses a pressure of the wrong length.
 fn check_length(found: usize, wanted: usize) -> Result<(), ContactError> {
     let field = "pressure";
     let error = ContactError::FieldLength {
@@ -128,7 +128,7 @@ impl Operator {
         PyArray1::from_vec(py, values.collect()).reshape([size, size])
     }
 
-    /// The displacement (m) under a pressure (Pa) of as many elements.
+    /// The displacement (m) under a pressure (Pa) on the same elements.
     #[expect(clippy::needless_pass_by_value, reason = "Python hands over a borrow")]
     fn apply<'py>(
         &self,

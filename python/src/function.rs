@@ -1,8 +1,8 @@
-//! Shapes that are functions of Python, asked for whole arrays of points at once.
+//! Shapes given by Python functions, evaluated at whole arrays of points at once.
 //!
-//! They are called on the threads that solve, one at a time, each time with the interpreter attached: whoever waits for
-//! those threads has detached from it. A shape cannot fail, so an exception unwinds the work as a panic would, and is
-//! raised where the work is waited for.
+//! They are called on the solving threads, one at a time, with the interpreter attached each time: a thread that waits
+//! for the solving threads has detached from it. A shape cannot return an error, so an exception unwinds the work like
+//! a panic and is raised where the work is awaited.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -17,25 +17,25 @@ use pyo3::prelude::*;
 
 use crate::error::InternalError;
 
-/// Ratio of neighbouring radii of circles over which an indenter is averaged.
+/// Ratio of the radii of neighbouring circles over which an indenter is averaged.
 const RATIO: f64 = 1.1;
-/// Points on such a circle, of which a part may lie beyond the indenter's end.
+/// Points on such a circle, some of which may lie beyond the indenter's end.
 const ANGLES: u32 = 360;
 
 /// The functions of a case by their names: `indenter`; `profile` and `compliance` of a surface. Each takes two arrays
-/// of as many numbers and gives one of as many, checked by the package.
+/// of equal length and returns one of that length, checked by the package.
 pub type Functions = BTreeMap<String, Function>;
 
-/// The purpose of values, which sets how strictly they are checked.
+/// The purpose of values, which determines how strictly they are checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Purpose {
     /// The problem itself: every value must be valid.
     Problem,
-    /// A guess, for which points are asked that may be far away.
+    /// A guess, which may evaluate distant points.
     Estimate,
 }
 
-/// A function of arrays of x and y, and of whether they serve an estimate, that gives an array of numbers.
+/// A function of arrays of x and y, and of whether they are for an estimate, that returns an array of numbers.
 #[derive(Debug, FromPyObject)]
 #[pyo3(transparent)]
 pub struct Function(Py<PyAny>);
@@ -59,23 +59,23 @@ impl Function {
         Err(InternalError::new_err("a function's values are unchecked"))
     }
 
-    /// Its values at some points.
+    /// Its values at the given points.
     fn values(&self, points: &[[f64; 2]], purpose: Purpose) -> Vec<f64> {
         if points.is_empty() {
             return Vec::new();
         }
-        // There is no interpreter any more where Python has ended before the work.
+        // There is no interpreter if Python has ended before the work.
         let values = Python::try_attach(|py| self.call(py, points, purpose));
         let values = values.unwrap_or_else(|| Err(InternalError::new_err("Python has ended")));
         values.unwrap_or_else(|error| resume_unwind(Box::new(error)))
     }
 }
 
-/// An indenter that is a function.
+/// An indenter given by a function.
 #[derive(Debug)]
 struct FunctionProfile {
     function: Function,
-    /// Means over circles, of the radius `RATIOᵏ` by k. No lock is held while the function is called.
+    /// Means over circles of radius `RATIOᵏ`, by k. No lock is held while the function is called.
     means: Mutex<BTreeMap<i32, f64>>,
 }
 
@@ -89,7 +89,7 @@ impl FunctionProfile {
         self.means.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The mean over the circle with the radius `RATIOᵏ`, of what is not infinite; infinite if all is.
+    /// The mean of the finite values on the circle of radius `RATIOᵏ`; infinite if there are none.
     fn mean(&self, k: i32) -> f64 {
         if let Some(known) = self.means().get(&k) {
             return *known;
@@ -121,7 +121,7 @@ impl Profile for FunctionProfile {
         self.function.values(points, Purpose::Problem)
     }
 
-    /// Between neighbouring radii, at which it is kept: the first guess of a domain asks some thousand times a load.
+    /// Interpolates between cached radii, because the first guess of a domain needs about a thousand values per load.
     fn mean_profile(&self, radius: f64) -> f64 {
         if radius == 0.0 {
             return self.function.values(&[[0.0; 2]], Purpose::Estimate)[0];
@@ -145,7 +145,7 @@ impl Profile for FunctionProfile {
     }
 }
 
-/// A relief that is a function; its compliance is another, or a number of the case.
+/// A relief given by a function; its compliance is another function, or a number of the case.
 #[derive(Debug)]
 struct FunctionRelief {
     profile: Function,
@@ -162,7 +162,7 @@ impl ReliefShape for FunctionRelief {
         (self.compliance.as_ref()).map_or_else(|| vec![0.0; points.len()], values)
     }
 
-    /// The mean of the valid values: the radius may be far beyond any element.
+    /// The mean of the valid values, since the radius may be far beyond any element.
     fn mean_compliance(&self, radius: f64) -> f64 {
         let Some(function) = &self.compliance else {
             return 0.0;
@@ -173,7 +173,7 @@ impl ReliefShape for FunctionRelief {
     }
 }
 
-/// The sources, and the shapes that these functions are.
+/// Adds the shapes given by these functions to the sources.
 pub fn with_functions(mut sources: MapSources, functions: &Functions) -> MapSources {
     let function = |name| functions.get(name).cloned();
     if let Some(function) = function("indenter") {

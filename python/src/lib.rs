@@ -1,9 +1,9 @@
-//! The module `pellicle._pellicle`: what the Python package `pellicle` needs of the program, in arrays and exceptions
-//! of Python.
+//! The module `pellicle._pellicle`: the program's interface for the Python package `pellicle`, in Python arrays and
+//! exceptions.
 //!
 //! The package itself is Python: it writes cases as TOML, which the program's own reader resolves here, and it shows
-//! results. This module solves. Work is done on threads of its own while the interpreter goes on, and Python waits for
-//! it in short turns, so that signals are noticed.
+//! results. This module solves. Work runs on separate threads while the interpreter continues, and Python waits for it
+//! in short intervals, so that signals are noticed.
 
 mod case;
 mod discrete_problem;
@@ -21,8 +21,7 @@ mod work;
 
 use pyo3::pymodule;
 
-// Whatever threads share is behind a lock, and arrays are copied before they are read: no interpreter-wide lock is
-// needed.
+// Shared state is behind locks, and arrays are copied before they are read, so no interpreter-wide lock is needed.
 #[pymodule(gil_used = false)]
 mod _pellicle {
     #[pymodule_export]

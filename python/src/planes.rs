@@ -14,7 +14,7 @@ pub struct Planes {
 }
 
 impl Planes {
-    /// The planes in bodies of these names, from the surface down.
+    /// Planes in bodies with these names, from the surface down.
     pub fn new(found: StressFields, names: &[String]) -> Self {
         let of_plane = found.planes.iter().map(|plane| &names[plane.body]);
         let bodies = of_plane.cloned().collect();
@@ -24,12 +24,12 @@ impl Planes {
 
 #[pymethods]
 impl Planes {
-    /// Coordinates of the points along x, and along y, m.
+    /// Coordinates of the points, the same along x and y, m.
     fn centres<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         PyArray1::from_slice(py, &self.found.centres)
     }
 
-    /// Depths of the planes, m; two of an interface.
+    /// Depths of the planes, m; two for an interface.
     fn depths<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         let depths = self.found.planes.iter().map(|plane| plane.depth.z);
         PyArray1::from_vec(py, depths.collect())
@@ -40,7 +40,7 @@ impl Planes {
         self.bodies.clone()
     }
 
-    /// Every field by its name: its unit, its meaning, and its values by plane, x and y.
+    /// Each field by its name: its unit, its meaning, and its values over plane, x and y.
     fn fields<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let (planes, size) = (self.found.planes.len(), self.found.centres.len());
         let fields = PyDict::new(py);

@@ -1,11 +1,12 @@
-//! Resources shared by all solutions of this process: the cache, the memory, and threads that wait for work.
+//! Resources shared by all solutions of this process: the cache, the memory, and idle threads.
 //!
-//! Every solution has threads to itself while it runs. Threads shared by several solutions could take up one while they
-//! wait for a part of another, which would then wait for the first.
+//! Every solution has its own threads while it runs. Threads shared by several solutions could take up one while
+//! waiting for part of another, which would then have to wait for the first.
 //!
-//! A child that is forked from a process has its memory but none of its threads, so it begins anew. The lock is taken
-//! and released while attached to the interpreter, and whoever forks is attached alone: by its lock, or because a
-//! free-threaded one lets all others stop or detach first. No child finds it taken.
+//! A forked child has the memory of its parent but none of its threads, so it starts afresh. The lock is taken and
+//! released only while attached to the interpreter, and the forking thread is the only one attached: by the
+//! interpreter's lock, or because a free-threaded interpreter makes all others stop or detach first. So no child finds
+//! the lock taken.
 
 use std::mem;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -21,21 +22,21 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::error::{self, Refusal};
 
-/// The most pools of threads that wait; more are ended.
+/// Maximum number of idle thread pools; further ones are ended.
 const MOST_IDLE: usize = 8;
 
-/// The cache and the memory.
+/// The caches and the memory.
 #[derive(Debug)]
 pub struct Shared {
-    /// Radial tables and coefficients found so far.
+    /// Radial tables and coefficients computed so far.
     pub cache: Cache,
-    /// The same for the cases of studies, which leave fewer tables on disk.
+    /// The same for cases of studies, which store fewer tables on disk.
     pub study_cache: Cache,
     /// The memory of all cases.
     pub memory: MemoryBudget,
 }
 
-/// The shared things of one process, and its threads without work.
+/// The shared resources of one process, and its idle threads.
 struct Process {
     id: u32,
     shared: Arc<Shared>,
@@ -58,13 +59,13 @@ impl Process {
     }
 }
 
-/// Does something with what is of this very process, and not of the one that it was forked from.
+/// Runs an action on the resources of this process, not of the one that it was forked from.
 fn with_process<T>(action: impl FnOnce(&mut Process) -> T) -> T {
     let mut guard: MutexGuard<'_, Option<Process>> =
         PROCESS.lock().unwrap_or_else(PoisonError::into_inner);
     let id = process::id();
     if guard.as_ref().is_some_and(|process| process.id != id) {
-        // Its threads are the parent's, and cannot be ended here.
+        // The threads belong to the parent and cannot be ended here.
         mem::forget(guard.take());
     }
     action(guard.get_or_insert_with(|| Process::new(id)))
@@ -75,8 +76,7 @@ pub fn shared() -> Arc<Shared> {
     with_process(|process| Arc::clone(&process.shared))
 }
 
-/// Threads for one piece of work after the other. They wait for the next owner when they are released, and end when
-/// they are dropped.
+/// Threads for one piece of work after another. When released they wait for the next owner; when dropped they end.
 #[derive(Debug)]
 pub struct Threads {
     pool: ThreadPool,
@@ -85,7 +85,7 @@ pub struct Threads {
 }
 
 impl Threads {
-    /// So many threads; without a number as many as `RAYON_NUM_THREADS` says, or as there are cores.
+    /// Takes this many threads; by default as many as `RAYON_NUM_THREADS` specifies, or one per core.
     ///
     /// # Errors
     ///
@@ -103,8 +103,8 @@ impl Threads {
         })
     }
 
-    /// Does some work on threads of this process while Python's other threads go on. All work belongs on such threads:
-    /// rayon's global ones are gone after a fork.
+    /// Runs work on threads of this process while Python's other threads continue. All work must run on such threads,
+    /// because rayon's global ones are gone after a fork.
     ///
     /// # Errors
     ///
@@ -117,17 +117,17 @@ impl Threads {
         done.map_err(error::of_panic)
     }
 
-    /// The threads themselves.
+    /// The thread pool.
     pub fn pool(&self) -> &ThreadPool {
         &self.pool
     }
 
-    /// Whether they are those of the process that this one was forked from.
+    /// Whether the threads belong to the process that this one was forked from.
     pub fn are_of_parent(&self) -> bool {
         self.process != process::id()
     }
 
-    /// Lets the threads wait for other work; they must have none.
+    /// Returns the threads, which must be idle, for other work.
     pub fn release(self) {
         if self.are_of_parent() {
             // They cannot be ended here.

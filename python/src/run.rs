@@ -12,7 +12,7 @@ use crate::process::{self, Shared};
 use crate::solution::Solution;
 use crate::work::{Watched, Work};
 
-/// The solution is none if it was stopped before it began.
+/// The state of a solution, which is `None` if it was stopped before it began.
 type WatchedSolution = Watched<Progress, Option<SolvedCase>>;
 
 /// The observer of a solution.
@@ -33,7 +33,7 @@ fn signal(watched: &WatchedSolution) -> Signal {
     }
 }
 
-/// A case being solved. It is stopped when nobody holds this any more.
+/// A case being solved. It is stopped when this object is dropped.
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct Run {
     case: Arc<pellicle_cli::Case>,
@@ -42,7 +42,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Starts to solve a case on so many threads; whether its shapes are functions of Python.
+    /// Starts solving a case on this many threads; `has_functions` if its shapes are Python functions.
     pub fn start(
         case: Arc<pellicle_cli::Case>,
         has_functions: bool,
@@ -92,7 +92,7 @@ fn solve_watched(
 
 #[pymethods]
 impl Run {
-    /// Waits at most so many milliseconds; whether the work is finished.
+    /// Waits at most this many milliseconds; returns whether the work is finished.
     fn wait(&self, py: Python<'_>, milliseconds: u64) -> bool {
         self.work.wait(py, milliseconds)
     }
@@ -102,7 +102,7 @@ impl Run {
         self.work.cancel();
     }
 
-    /// Step, finished steps, steps, elements a side, iteration, residual; none before the first iteration.
+    /// Step, finished steps, steps, elements per side, iteration, residual; `None` before the first iteration.
     fn progress(&self) -> Option<(usize, usize, usize, usize, usize, f64)> {
         let progress = self.work.progress()?;
         Some((
@@ -115,7 +115,7 @@ impl Run {
         ))
     }
 
-    /// The solution of work that is finished, handed out once; none if not a single step is solved.
+    /// Takes the solution of finished work; `None` if no step was solved.
     fn result(&self) -> PyResult<Option<Solution>> {
         let solved = self.work.result()?;
         let solved = solved.filter(|solved| !solved.path.steps.is_empty());

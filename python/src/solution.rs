@@ -22,12 +22,13 @@ type Array<'py> = Bound<'py, PyArray2<f64>>;
 pub struct Solution {
     case: Arc<pellicle_cli::Case>,
     solved: Arc<SolvedCase>,
-    /// Relief and indenter on the grid, kept if they are functions, which are not called again; none otherwise.
+    /// Relief and indenter on the grid. They are kept if given by functions, which are not called again; otherwise
+    /// `None`.
     kept_geometry: Option<OnceLock<Arc<SampledModel>>>,
 }
 
 impl Solution {
-    /// The solution of a case, whose shapes may be functions of Python.
+    /// The solution of a case, whose shapes may be Python functions.
     pub fn new(case: Arc<pellicle_cli::Case>, solved: SolvedCase, has_functions: bool) -> Self {
         Self {
             case,
@@ -36,7 +37,7 @@ impl Solution {
         }
     }
 
-    /// Relief and indenter on the grid. Who asks has detached from the interpreter, which functions need.
+    /// Relief and indenter on the grid. The caller must have detached from the interpreter, which functions need.
     fn sampled(&self) -> Arc<SampledModel> {
         let sample = || Arc::new(self.solved.path.geometry());
         match &self.kept_geometry {
@@ -45,7 +46,7 @@ impl Solution {
         }
     }
 
-    /// N² values as an array, first index along x, in the memory that they are in.
+    /// N² values as an array, first index along x, without a copy.
     fn array<'py, T: numpy::Element>(
         &self,
         py: Python<'py>,
@@ -75,13 +76,13 @@ impl Solution {
         solved::curve(&self.solved.summary)
     }
 
-    /// Whether everything that the case asks for is there.
+    /// Whether everything that the case requests is there.
     #[getter]
     fn is_whole(&self) -> bool {
         self.solved.completeness == Completeness::Whole
     }
 
-    /// The numbers of the warnings of the path that are about this step.
+    /// The messages of the path's warnings about this step.
     fn warnings_of(&self, step: usize) -> Vec<String> {
         let warnings = self.solved.path.warnings.iter();
         let of_step = warnings.filter(|warning| warning.step() == Some(step));
@@ -108,7 +109,7 @@ impl Solution {
         ])
     }
 
-    /// The stresses of a step that the table `[stress]` of a text asks for.
+    /// The stresses of a step, as requested by the table `[stress]` of a text.
     fn stress(&self, py: Python<'_>, step: usize, text: String) -> PyResult<Planes> {
         self.check(step)?;
         let (case, path) = (&self.case, &self.solved.path);

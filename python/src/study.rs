@@ -1,4 +1,4 @@
-//! A study: its cases solved in chunks, wherever an engine of Python takes them, and the table they are gathered in.
+//! A study: its cases, solved in chunks by the workers of a Python engine, and the table that collects them.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -16,13 +16,13 @@ use crate::error::{InternalError, Refusal};
 use crate::process::{self, Shared, Threads};
 use crate::work::{Watched, Work};
 
-/// A case by its number from 0, the word of its status, its rows of the table, and the record of its kept fields.
+/// The index of a case, its status as a word, its rows of the table, and the record of its kept fields.
 type SolvedRows = (usize, &'static str, String, Vec<u8>);
 
-/// The same, as Python has it.
+/// The same for Python.
 type HandedRows<'py> = (usize, &'static str, String, Bound<'py, PyBytes>);
 
-/// Its progress is the number of cases solved so far.
+/// The state of a chunk; its progress is the number of cases solved so far.
 type WatchedChunk = Watched<usize, SolvedChunk>;
 
 /// A study, read and planned.
@@ -36,7 +36,7 @@ struct Planned {
 
 #[pymethods]
 impl Study {
-    /// Reads the file, with the values of `sets` in place of those of the base case, as `--set` takes them.
+    /// Reads the file, and replaces values of the base case by those in `sets`, as with `--set`.
     #[new]
     #[expect(
         clippy::needless_pass_by_value,
@@ -61,19 +61,19 @@ impl Study {
         &self.0.study.name
     }
 
-    /// Hash of all that the results depend on.
+    /// Hash of everything that the results depend on.
     #[getter]
     fn fingerprint(&self) -> &str {
         &self.0.plan.identity.fingerprint
     }
 
-    /// The error of the first invalid case among those tried; none if all are valid.
+    /// The error of the first invalid case among those tried; `None` if all are valid.
     #[getter]
     fn refused(&self) -> Option<String> {
         self.0.plan.refused.words()
     }
 
-    /// The most bytes of fields that are kept of a case; 0 if none are.
+    /// Maximum size of the kept fields of a case in bytes; 0 if none are kept.
     #[getter]
     fn record_bytes(&self) -> usize {
         let kept = self.0.plan.identity.kept.as_ref();
@@ -84,7 +84,7 @@ impl Study {
         })
     }
 
-    /// Starts to solve some cases, counted from 0, one after the other on so many threads.
+    /// Starts solving these cases, counted from 0, one after another on this many threads.
     fn start(&self, cases: Vec<usize>, threads: u16) -> Result<StudyRun, Refusal> {
         let (planned, shared) = (Arc::clone(&self.0), process::shared());
         let work = Work::start(Some(threads), move |watched| {
@@ -93,7 +93,8 @@ impl Study {
         Ok(StudyRun(work))
     }
 
-    /// Opens the table in a folder, which belongs to this study until the table is closed; `fresh` begins it again.
+    /// Opens the table in a folder, which is locked for this study until the table is closed; `fresh` starts a new
+    /// table.
     #[expect(
         clippy::needless_pass_by_value,
         reason = "Python hands over a path of its own"
@@ -136,13 +137,13 @@ fn signal(watched: &WatchedChunk) -> Signal {
     }
 }
 
-/// Some cases solved, and the warnings of the cache.
+/// The solved cases of a chunk, and the warnings of the cache.
 struct SolvedChunk {
     rows: Vec<SolvedRows>,
     warnings: Vec<String>,
 }
 
-/// Solves cases one after the other; those that are done if this is stopped.
+/// Solves cases one after another; returns those finished if this is stopped.
 fn solve(
     planned: &Planned,
     shared: &Shared,
@@ -180,13 +181,13 @@ fn solve(
     })
 }
 
-/// Cases being solved. They are left when nobody holds this any more.
+/// Cases being solved. The work is stopped when this object is dropped.
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct StudyRun(Work<usize, SolvedChunk>);
 
 #[pymethods]
 impl StudyRun {
-    /// Waits at most so many milliseconds; whether the work is finished.
+    /// Waits at most this many milliseconds; returns whether the work is finished.
     fn wait(&self, py: Python<'_>, milliseconds: u64) -> bool {
         self.0.wait(py, milliseconds)
     }
@@ -196,12 +197,12 @@ impl StudyRun {
         self.0.cancel();
     }
 
-    /// The number of cases solved; none before the first.
+    /// The number of cases solved; `None` before the first.
     fn progress(&self) -> Option<usize> {
         self.0.progress()
     }
 
-    /// The cases solved, each with the word of its status, its rows and its kept fields, and warnings; handed out once.
+    /// Takes the solved cases, each with its status as a word, its rows and its kept fields, and the warnings.
     fn result<'py>(&self, py: Python<'py>) -> PyResult<(Vec<HandedRows<'py>>, Vec<String>)> {
         let SolvedChunk { rows, warnings } = self.0.result()?;
         let rows = rows.into_iter();
@@ -211,7 +212,7 @@ impl StudyRun {
     }
 }
 
-/// A table, the fields kept beside it, and the rows of cases whose fields may not be on the disk yet.
+/// A table, the fields kept beside it, and the rows of cases whose fields may not yet be on disk.
 struct OpenTable {
     table: ResultsTable,
     kept: Option<KeptFields>,
@@ -219,7 +220,7 @@ struct OpenTable {
 }
 
 impl OpenTable {
-    /// Adds the rows of a case, or lets them wait if its fields go before them.
+    /// Adds the rows of a case, or queues them until its fields are on disk.
     fn add(
         &mut self,
         (case, status, rows, record): (usize, CaseStatus, String, &[u8]),
@@ -232,7 +233,7 @@ impl OpenTable {
         Ok(())
     }
 
-    /// Forces the fields to the disk, adds the rows of their cases, and forces these.
+    /// Flushes the fields to disk, then adds the rows of their cases and flushes these.
     fn force(&mut self) -> Result<(), Failure> {
         self.kept.as_ref().map_or(Ok(()), FieldKeeper::force)?;
         for (case, status, rows) in self.waiting.drain(..) {
@@ -249,7 +250,7 @@ impl OpenTable {
         tally
     }
 
-    /// Puts it in order, with its page beside it, if every case is done.
+    /// Sorts the table and writes its report page, if every case is done.
     fn close(mut self, identity: &StudyIdentity) -> Result<(), Failure> {
         self.force()?;
         if self.table.tally().done() < identity.case_count() {
@@ -262,7 +263,7 @@ impl OpenTable {
     }
 }
 
-/// The table of a study, open for this process alone until it is closed.
+/// The table of a study, open exclusively for this process until it is closed.
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct Table {
     identity: StudyIdentity,
@@ -275,7 +276,7 @@ impl Table {
         self.open.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Does something with the table, which must be open, while Python's other threads go on.
+    /// Runs an action on the table, which must be open, while Python's other threads continue.
     fn with<T: Send>(
         &self,
         py: Python<'_>,
@@ -299,14 +300,14 @@ impl Drop for Table {
 
 #[pymethods]
 impl Table {
-    /// The cases that it has no rows of, counted from 0.
+    /// The cases without rows, counted from 0.
     fn remaining(&self, py: Python<'_>) -> PyResult<Vec<usize>> {
         self.with(py, |table| {
             Ok(table.table.remaining(&self.identity).collect())
         })
     }
 
-    /// Appends the rows of cases, each with the word of its status and its kept fields.
+    /// Appends the rows of cases, each with its status as a word and its kept fields.
     #[expect(
         clippy::needless_pass_by_value,
         reason = "Python hands over a list of its own"
@@ -325,12 +326,12 @@ impl Table {
         self.with(py, |table| solved.try_for_each(|case| table.add(case)))
     }
 
-    /// Forces what was added to the disk.
+    /// Flushes the additions to disk.
     fn force(&self, py: Python<'_>) -> PyResult<()> {
         self.with(py, OpenTable::force)
     }
 
-    /// The numbers of cases that are certified, not converged, cut off, and failed.
+    /// The numbers of certified, not converged, cut-off and failed cases.
     fn tally(&self, py: Python<'_>) -> PyResult<(usize, usize, usize, usize)> {
         let Tally {
             certified,
@@ -346,7 +347,7 @@ impl Table {
         self.with(py, |table| Ok(table.table.path().to_owned()))
     }
 
-    /// Closes it, sorted and with its page beside it if every case is done, and lets others have the folder.
+    /// Closes the table, sorted and with its report page if every case is done, and unlocks the folder.
     fn close(&self, py: Python<'_>) -> Result<(), Refusal> {
         let table = self.lock().take();
         let close = |table: OpenTable| table.close(&self.identity);

@@ -1,4 +1,4 @@
-//! Work on threads of its own: Python starts it, waits for it in short turns, hears how far it is, and may stop it.
+//! Work on separate threads: Python starts it, waits for it in short intervals, receives its progress, and may stop it.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -15,18 +15,18 @@ use crate::process::Threads;
 /// A result, a failure, or a panic.
 type Finished<T> = Result<Result<T, Failure>, Box<dyn Any + Send>>;
 
-/// Where the work stands.
+/// The state of the work.
 struct State<P, T> {
     progress: Option<P>,
     is_finished: bool,
     outcome: Option<Finished<T>>,
 }
 
-/// The state shared by the work and those who wait for it.
+/// The state shared by the work and the threads that wait for it.
 pub struct Watched<P, T> {
     state: Mutex<State<P, T>>,
     finished: Condvar,
-    /// The wish that the work ends.
+    /// The request to end the work.
     pub stop: StopFlag,
 }
 
@@ -47,7 +47,7 @@ impl<P, T> Watched<P, T> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Tells how far the work is.
+    /// Reports the progress of the work.
     pub fn tell(&self, progress: P) {
         self.state().progress = Some(progress);
     }
@@ -61,14 +61,14 @@ impl<P, T> Watched<P, T> {
     }
 }
 
-/// Work under way. It is stopped when nobody holds this any more.
+/// Running work. It is stopped when this object is dropped.
 pub struct Work<P, T> {
     watched: Arc<Watched<P, T>>,
     threads: Mutex<Option<Threads>>,
 }
 
 impl<P: Copy + Send + 'static, T: Send + 'static> Work<P, T> {
-    /// Starts some work on so many threads.
+    /// Starts work on this many threads.
     pub fn start(
         threads: Option<u16>,
         work: impl FnOnce(&Watched<P, T>) -> Result<T, Failure> + Send + 'static,
@@ -86,7 +86,7 @@ impl<P: Copy + Send + 'static, T: Send + 'static> Work<P, T> {
         })
     }
 
-    /// Waits at most so many milliseconds; whether the work is finished.
+    /// Waits at most this many milliseconds; returns whether the work is finished.
     pub fn wait(&self, py: Python<'_>, milliseconds: u64) -> bool {
         py.detach(|| {
             let patience = Duration::from_millis(milliseconds);
@@ -99,7 +99,7 @@ impl<P: Copy + Send + 'static, T: Send + 'static> Work<P, T> {
 
     /// Asks the work to end.
     pub fn cancel(&self) {
-        // It may have been asked before.
+        // An earlier request does not matter.
         let _ = self.watched.stop.raise();
     }
 
@@ -108,7 +108,7 @@ impl<P: Copy + Send + 'static, T: Send + 'static> Work<P, T> {
         self.watched.state().progress
     }
 
-    /// The result of work that is finished, handed out once.
+    /// Takes the result of finished work.
     pub fn result(&self) -> PyResult<T> {
         let outcome = self.watched.state().outcome.take();
         let Some(outcome) = outcome else {
@@ -130,7 +130,7 @@ impl<P, T> Drop for Work<P, T> {
         let Some(threads) = threads.unwrap_or_else(PoisonError::into_inner).take() else {
             return;
         };
-        // In a forked child the state may be locked by a thread that is not there.
+        // In a forked child, the state may be locked by a thread that no longer exists.
         if threads.are_of_parent() || self.watched.state().is_finished {
             threads.release();
         } else {

@@ -1,4 +1,4 @@
-"""The body and cases that tests share. Nothing is cached on disk, and nothing outside the test's folder is written."""
+"""The body and cases shared by the tests. Nothing is cached on disk or written outside the test's folder."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def body() -> pl.Foundation:
 
 @pytest.fixture
 def case(body: pl.Foundation) -> pl.Case:
-    """Two loads of a ball on a hard coating, on few elements."""
+    """Two loads of a ball on a hard coating, with few elements."""
     return pl.Case(body, pl.Sphere("0.5 mm"), forces=["5 mN", "50 mN"], elements=32, title="two loads")
 
 

@@ -1,4 +1,4 @@
-"""Runs the README's example in Python, in an environment of nothing but the wheel and NumPy; for tests of wheels."""
+"""Runs the README's Python example in an environment with only the wheel and NumPy; for tests of wheels."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ OTHERS = {"matplotlib", "tqdm", "xarray", "scipy", "pandas", "pint"}
 
 
 def example() -> str:
-    """The README's block of Python."""
+    """The README's Python block."""
     readme = Path(__file__).resolve().parents[2] / "README.md"
     found = re.findall(r"^```python\n(.*?)^```", readme.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
     assert len(found) == 1, f"found {len(found)} blocks of Python in the README, wanted one"
@@ -36,7 +36,7 @@ def main() -> None:
     for thread in threads:
         thread.join()
     assert found == [path] * 4
-    # A free-threaded interpreter is still one with the module in it.
+    # The module must leave a free-threaded interpreter free-threaded.
     has_lock = getattr(sys, "_is_gil_enabled", lambda: True)()
     wants_lock = "free-threading" not in sys.version
     assert has_lock == wants_lock, "the module has switched the interpreter's lock on"

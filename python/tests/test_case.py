@@ -132,7 +132,7 @@ LEAST = {
 
 
 def keys_that_the_reader_knows(place: str, **values: Any) -> set[str]:
-    """The keys that the program's reader names when it meets another one in this table."""
+    """The keys that the program's reader lists when it finds an unknown one in this table."""
     document: dict[str, Any] = copy.deepcopy(LEAST)
     if place != "foundation.layer[0]":
         del document["foundation"]["layer"]
@@ -278,7 +278,7 @@ def test_a_map_of_a_function_is_the_shape_that_the_function_says(body: pl.Founda
     tip = pl.IndenterMap.sampled(lambda x, y: (x**2 + y**2) / (2 * radius), 101, sides=(50e-6, 50e-6))
     by_map = pl.Case(body, tip, **load).solve()[0]  # type: ignore[arg-type]
     by_name = pl.Case(body, pl.Paraboloid(radius), **load).solve()[0]  # type: ignore[arg-type]
-    # Cubic interpolation is exact for a parabola, but the map's lowest sample is what it is measured from: rounding.
+    # Cubic interpolation is exact for a parabola, but heights are measured from the map's lowest sample: rounding.
     assert by_map.penetration == pytest.approx(by_name.penetration, rel=1e-7)
     for function in (lambda x, y: x[:2], lambda x, y: x * np.nan, lambda x, y: x > 0):
         with pytest.raises(pl.ArgumentError, match="^function: found"):

@@ -1,4 +1,4 @@
-"""The examples in Python of the documents run as they are."""
+"""The Python examples in the documents run unchanged."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The classes of errors: their attributes are those that they document, and they survive a pickle."""
+"""Error classes: their attributes match their documentation, and they survive pickling."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pellicle import _pellicle
 
 PYTHON = Path(__file__).resolve().parents[1]
 
-# By the enum of the program whose fields become attributes; an error may pass on those of the errors within it.
+# The program's enums whose fields become attributes of each class; an error may pass on those of its inner errors.
 ENUMS = {
     "KernelError": ["KernelError"],
     "InfluenceError": ["InfluenceError", "KernelError"],

@@ -1,4 +1,4 @@
-"""Shapes that are functions: sampled at the elements' centres, checked, compared, pickled, called without deadlock."""
+"""Shapes given by functions: sampled at element centres, checked, compared, pickled, called without deadlock."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PERIOD, TOP, HEIGHT, MODULUS = 6e-6, 2e-6, 1e-6, 3e9
 
 
 def paraboloid(x: Array, y: Array) -> Array:
-    """The heights of `pl.Paraboloid`, in the order of its own sums."""
+    """The heights of `pl.Paraboloid`, with the same order of summation."""
     return (x * x + y * y) / (2 * RADIUS)
 
 
@@ -35,7 +35,7 @@ def plane(x: Array, y: Array) -> Array:
 
 @dataclass
 class Cylinders:
-    """The values of periodic cylinders: one between them, another on them."""
+    """A value on periodic cylinders and another between them."""
 
     between: float
     on: float
@@ -47,7 +47,7 @@ class Cylinders:
 
 
 def relief(offset: float = 0.3e-6) -> pl.ReliefFunction:
-    """Cylinders as functions; they lie beside the axis unless said, so that no quadrant is enough for either."""
+    """Cylinders as functions, off the axis by default, so that neither is solved on a quadrant."""
     compliance = Cylinders(0.0, HEIGHT / MODULUS, offset)
     return pl.ReliefFunction(Cylinders(-HEIGHT, 0.0, offset), compliance=compliance)
 
@@ -56,12 +56,12 @@ LOAD: dict[str, Any] = {"force": "20 mN", "side": "60 um", "elements": 64, "tole
 
 
 def test_a_function_is_the_very_problem_of_the_shape_that_it_says(body: pl.Foundation) -> None:
-    # A surface that is a function has no known mirrors, so both are solved on the whole grid.
+    # A surface given by a function has no known symmetry, so both are solved on the whole grid.
     load: dict[str, Any] = {"forces": ["5 mN", "50 mN"], "side": "40 um", "elements": 64, "surface": plane}
     cases = [pl.Case(body, shape, **load, tolerance=1e-13) for shape in (paraboloid, pl.Paraboloid(RADIUS))]
     assert np.array_equal(pl.DiscreteProblem(cases[0]).initial_gap, pl.DiscreteProblem(cases[1]).initial_gap)
     for found, wanted in zip(*(case.solve() for case in cases), strict=True):
-        # The guesses that the solutions start from differ in their last bits.
+        # The initial guesses differ in their last bits.
         assert found.penetration == pytest.approx(wanted.penetration, rel=1e-12)
         np.testing.assert_allclose(found.pressure, wanted.pressure, atol=2e-11 * wanted.max_pressure)
 
@@ -71,8 +71,7 @@ def test_on_a_side_that_is_chosen_a_function_is_solved_as_its_shape(body: pl.Fou
         pl.Case(body, indenter, force="50 mN", elements=64, tolerance=1e-12).solve()[0]
         for indenter in (paraboloid, pl.Paraboloid(RADIUS))
     )
-    # The side comes from means over circles that are summed, and one is solved on a quadrant: rounding, and what the
-    # tolerance leaves.
+    # The side comes from numerical means over circles, and one is solved on a quadrant: rounding, and the tolerance.
     assert found.x[0] == pytest.approx(wanted.x[0], rel=1e-12)
     assert found.penetration == pytest.approx(wanted.penetration, rel=1e-11)
     np.testing.assert_allclose(found.pressure, wanted.pressure, atol=1e-8 * wanted.max_pressure)
@@ -85,7 +84,7 @@ def test_periodic_functions_are_the_cylinders_that_they_say(body: pl.Foundation)
     )
     assert found.contact_elements == wanted.contact_elements and wanted.contact_elements < 64 * 64 / 4
     assert found.penetration == pytest.approx(wanted.penetration, rel=1e-12)
-    # What a tolerance of 1e-12 leaves.
+    # The effect of a tolerance of 1e-12.
     np.testing.assert_allclose(found.pressure, wanted.pressure, atol=1e-11 * wanted.max_pressure)
     assert np.array_equal(found.profile, wanted.profile)
     np.testing.assert_allclose(found.shortening, wanted.shortening, atol=1e-11 * wanted.penetration)
@@ -133,7 +132,7 @@ def test_a_function_sees_each_element_once_per_grid_and_once_more_for_fields(bod
     for step in path:
         assert step.gap.shape == step.shortening.shape == step.profile.shape
     assert seen[3:] == [finest]
-    # In the order of the elements, at their centres to the last bit.
+    # In the order of the elements, exactly at their centres.
     points = np.frombuffer(finest).reshape(64, 64, 2)
     assert np.array_equal(points[:, 5, 0], path[0].x) and np.array_equal(points[7, :, 1], path[0].y)
 
@@ -147,7 +146,7 @@ def test_an_estimate_asks_a_function_a_bounded_number_of_times(body: pl.Foundati
         return paraboloid(x, y)
 
     pl.Case(body, counted, forces=pl.Range("1 mN", "50 mN", 20), elements=32).solve()
-    # 190 radii of circles, which are kept, and the grids and surroundings of some trials.
+    # 190 radii of circles, which are cached, and the grids and surroundings of a few trials.
     assert calls < 400
 
 
@@ -203,11 +202,11 @@ def test_a_function_may_lose_its_way_far_beyond_what_is_asked(body: pl.Foundatio
 
 
 class Lost(KeyError):
-    """An exception of the caller's own."""
+    """An exception defined by the caller."""
 
 
 def fails_when(condition: Callable[[Array], bool]) -> Callable[[Array, Array], Array]:
-    """A paraboloid that fails for some arrays."""
+    """A paraboloid that fails for arrays satisfying the condition."""
 
     def failing(x: Array, y: Array) -> Array:
         if condition(x):
@@ -223,7 +222,7 @@ def test_an_exception_of_a_function_reaches_the_caller_as_it_is(body: pl.Foundat
     with pytest.raises(Lost, match="the way") as error:
         case.solve()
     assert type(error.value) is Lost and error.traceback[-1].name == "failing"
-    # Nothing is left behind that would keep others from solving.
+    # Nothing is left behind that would prevent other solutions.
     assert pl.Case(body, paraboloid, force="5 mN", side="40 um", elements=64).solve().status == "certified"
 
 
@@ -272,7 +271,7 @@ def test_stresses_and_derivatives_are_those_of_the_shape(body: pl.Foundation) ->
     of_mises, of_others = (path[1].stress(["1 um"])["von_mises"] for path in (found, wanted))
     np.testing.assert_allclose(of_mises, of_others, rtol=1e-9)
     derivatives, others = found[1].sensitivities(), wanted[1].sensitivities()
-    # A function has no numbers of its own.
+    # A function has no parameters.
     assert others.keys() - derivatives.keys() == {"indenter.radius"}
     for key, derivative in derivatives.items():
         assert derivative.penetration == pytest.approx(others[key].penetration, rel=1e-9), key
@@ -287,7 +286,8 @@ def test_a_fit_of_a_function_finds_what_that_of_its_shape_finds(body: pl.Foundat
     unknown = {"foundation.layer[0].young_modulus": ("50 GPa", "500 GPa")}
     fits = [pl.Fit(pl.Case(body, shape, **load), data, unknown=unknown) for shape in (paraboloid, pl.Paraboloid(RADIUS))]
     found, wanted = (pl.identify(fit).unknowns[0] for fit in fits)
-    # The sides are chosen from means that are summed for one and known for the other: nothing beside the interval.
+    # The sides are chosen from means that are numerical for one and exact for the other: negligible beside the
+    # interval.
     low, high = wanted.interval
     assert found.value == pytest.approx(wanted.value, abs=1e-4 * (high - low))
     assert pickle.loads(pickle.dumps(fits[0])) == fits[0] != fits[1]
@@ -318,7 +318,7 @@ def test_cases_of_functions_are_compared_and_pickled(body: pl.Foundation) -> Non
     assert case != pl.Case(body, paraboloid, **LOAD)
     assert case != pl.Case(body, paraboloid, surface=relief(), **LOAD | {"force": "21 mN"})
     assert case.replaced({"load.force": "21 mN"}) == pl.Case(body, paraboloid, surface=relief(), **LOAD | {"force": "21 mN"})
-    # What cannot be pickled says so itself.
+    # The function itself reports that it cannot be pickled.
     with pytest.raises((AttributeError, pickle.PicklingError)):
         pickle.dumps(pl.Case(body, lambda x, y: x * x + y * y, **LOAD))
 
@@ -340,7 +340,7 @@ def test_a_function_that_waits_for_another_threads_solution_is_not_waited_for(bo
 
     def waiting(x: Array, y: Array) -> Array:
         if not solved:
-            # One solution inside of another, and one on a thread for which the function waits.
+            # One solution inside another, and one on a thread for which the function waits.
             solved.append(other.solve())
             thread = threading.Thread(target=lambda: solved.append(other.solve()))
             thread.start()
@@ -365,13 +365,13 @@ def test_pythons_other_threads_go_on_while_a_case_of_functions_is_solved(body: p
     while not done.wait(0.001):
         turns += 1
     solving.join()
-    # It takes some tenths of a second. If it held the interpreter all the while, there would be a turn or two.
+    # It takes a few tenths of a second. If it held the interpreter throughout, there would be one or two turns.
     assert turns > 20
 
 
 def test_functions_are_let_go_with_their_case(body: pl.Foundation) -> None:
     class Ball:
-        """A paraboloid that can be referred to."""
+        """A paraboloid that allows weak references."""
 
         def __call__(self, x: Array, y: Array) -> Array:
             return paraboloid(x, y)

@@ -1,4 +1,4 @@
-"""Fits and plans: as the command makes them, from files and from arrays."""
+"""Fits and plans from files and from arrays, the same as those of the command."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def timeless(found: dict[str, Any]) -> dict[str, Any]:
 
 def test_the_truth_is_found(result: pl.Identification) -> None:
     assert result.verdict == "fitted" and result.is_whole
-    # Intervals of 95 % of this seed.
+    # The 95 % intervals for this seed.
     for key, truth in ((COATING, 100e9), (BASE, 10e9)):
         low, high = result[key].interval
         assert low < truth < high and result[key].verdict == "identified"
@@ -200,7 +200,7 @@ def test_ctrl_c_keeps_what_is_done(model: pl.Case, measured: tuple[Array, Array]
         pl.identify(fit, progress=tell)
     start = time.monotonic()
     result = interrupted.value.result
-    # The load under way ends, a fit is not begun anew.
+    # The current load is finished; the fit does not start again.
     assert time.monotonic() - start < 2
     assert isinstance(result, pl.Identification) and not result.is_whole
     assert interrupted.value.path is None
@@ -252,7 +252,7 @@ def test_priors_nuisances_and_repeats_are_written_as_the_fit_file_has_them(
     result = pl.identify(fit)
     assert [curve["file"] for curve in result.curves] == ["0.csv", "1.csv"]
     shifts = [curve["shift"] for curve in result.curves]
-    # The same curve twice, a nanometre deeper.
+    # The same curve again, a nanometre deeper.
     assert shifts[1] - shifts[0] == pytest.approx(1e-9, rel=1e-6)
     assert BASE in {estimate.key for estimate in result.nuisances}
     with pytest.raises(pl.ArgumentError, match="two arrays of the name"):
@@ -278,7 +278,7 @@ def test_a_measured_tip_as_an_array_is_the_indenter_of_a_fit(program: Program, t
 
 
 def known_keys(place: str) -> set[str]:
-    """The keys that the reader of fit files wants in a table."""
+    """The keys that the reader of fit files accepts in a table."""
     text = """
 [model]
 foundation = { substrate = { young_modulus = 1e9, poisson_ratio = 0.3 } }

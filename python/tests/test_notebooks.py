@@ -1,4 +1,4 @@
-"""The notebooks run from top to bottom, draw what they say, and are kept without outputs."""
+"""The notebooks run from top to bottom, draw the announced figures, and are stored without outputs."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def code_cells(notebook: Path) -> list[str]:
 
 
 def run_cell(code: str, names: dict[str, Any]) -> Any:
-    """Runs a cell; the value of its last line as a notebook shows it, None without one."""
+    """Runs a cell; returns the value of its last line as shown by a notebook, None without one."""
     tree = ast.parse(code)
     last = tree.body[-1]
     if not isinstance(last, ast.Expr):
@@ -75,7 +75,7 @@ def test_a_notebook_runs_and_draws(notebook: Path, monkeypatch: pytest.MonkeyPat
 
 
 def check(names: dict[str, Any], notebook: str) -> None:
-    """Checks the numbers that the text of a notebook states."""
+    """Checks the numbers stated in the text of a notebook."""
     if notebook == "first-curve":
         ratio, felt = names["radius"] / 2e-6, names["felt"]
         half = felt[abs(ratio - 0.5).argmin()] / 213.3e9

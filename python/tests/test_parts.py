@@ -1,4 +1,4 @@
-"""The parts by themselves: compliance, coefficients, operator."""
+"""The building blocks: compliance, coefficients, operator."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ COATED = pl.Foundation(pl.Material("3 GPa", 0.35), [pl.Layer("2 um", pl.Material
 
 def test_a_half_space_has_the_compliance_of_its_closed_form() -> None:
     k = np.array([[1e3, 1e6], [2e6, 1e9]])
-    # C = 2 (1 − ν²)/(E k), some roundings.
+    # C = 2 (1 − ν²)/(E k), to a few roundings.
     np.testing.assert_allclose(pl.compliance(GLASS, k), 2 * (1 - 0.22**2) / (70e9 * k), rtol=1e-14)
     assert pl.compliance(GLASS, 1e6).shape == ()
 
@@ -31,7 +31,7 @@ def test_what_is_no_wavenumber_is_refused(wavenumber: float) -> None:
 def test_coefficients_of_a_half_space_are_those_of_love() -> None:
     side = 1e-6
     coefficients = pl.influence_coefficients(GLASS, side, 16)
-    # Love 1929: under its own unit pressure the middle of a square sinks by 4 ln(1 + √2) (1 − ν²) L/(π E).
+    # Love 1929: under its own unit pressure, the centre of a square sinks by 4 ln(1 + √2) (1 − ν²) L/(π E).
     own = 4 * math.asinh(1) * (1 - 0.22**2) * side / (math.pi * 70e9)
     assert coefficients[0, 0] == pytest.approx(own, rel=1e-14)
     assert np.array_equal(coefficients, coefficients.T)
@@ -44,7 +44,7 @@ def test_the_operator_is_the_matrix_of_the_coefficients() -> None:
     matrix = operator.coefficients[abs(i[:, None] - i), abs(j[:, None] - j)]
     pressure = np.random.default_rng(1).uniform(0, 1e9, (size, size))
     wanted = (matrix @ pressure.ravel()).reshape(size, size)
-    # Transforms round relative to the largest displacement.
+    # The rounding of transforms is relative to the largest displacement.
     np.testing.assert_allclose(operator @ pressure, wanted, atol=1e-13 * wanted.max())
     assert np.array_equal((operator @ pressure.ravel()).reshape(size, size), operator @ pressure)
     assert np.array_equal(operator @ np.asfortranarray(pressure), operator @ pressure)
@@ -66,7 +66,7 @@ def test_scipy_solves_with_the_operator() -> None:
     pressure, failed = linalg.cg(operator.to_scipy(), sunk, rtol=1e-10)
     assert failed == 0
     stiffness = pressure.sum() * (1e-6 / 16) ** 2 / (70e9 / (1 - 0.22**2) * 1e-6 * 1e-9)
-    # 1.152 for a square punch; 16 elements a side give some 2 % less.
+    # 1.152 for a square punch; 16 elements per side give about 2 % less.
     assert 1.11 < stiffness < 1.152
 
 

@@ -1,4 +1,4 @@
-"""Paths and steps: their numbers, arrays, columns, and how they survive a pickle."""
+"""Paths and steps: their numbers, arrays and columns, also after pickling."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_fields_satisfy_the_contact_conditions(path: pl.Path) -> None:
     step = path[-1]
     assert step.certificate and step.status == "certified"
     assert (step.pressure >= 0).all()
-    # The gap is recomputed from the pressure; the certificate bounds it in parts of the penetration.
+    # The gap is recomputed from the pressure; the certificate bounds it relative to the penetration.
     rounding = 1e-14
     bound = 1.01 * step.certificate.gap_in_contact + rounding
     assert np.abs(step.gap[step.contact]).max() <= bound * step.penetration

@@ -14,7 +14,7 @@ import pellicle as pl
 
 @pytest.fixture
 def pillars(body: pl.Foundation) -> pl.Case:
-    """A ball on pillars, on a grid of a side of its own."""
+    """A ball on pillars, on a grid with a prescribed side."""
     relief = pl.Cylinders("2 um", "1 um", "6 um", young_modulus="3 GPa")
     return pl.Case(body, pl.Sphere("0.5 mm"), surface=relief, force="20 mN", side="60 um", elements=64)
 
@@ -23,7 +23,7 @@ def test_a_solution_is_certified_afresh(pillars: pl.Case) -> None:
     step, problem = pillars.solve()[0], pl.DiscreteProblem(pillars)
     judged = problem.judge(step.pressure, force=step.force)
     assert judged.certificate and judged.force == step.force
-    # The program judges on a window of the grid: sums and transforms round differently.
+    # The program judges on a window of the grid, so sums and transforms round differently.
     assert judged.penetration == pytest.approx(step.penetration, rel=1e-13)
     assert judged.certificate.worst == pytest.approx(step.certificate.worst, abs=1e-12)
     assert pickle.loads(pickle.dumps(problem)).judge(step.pressure, force=step.force) == judged
@@ -33,7 +33,7 @@ def test_the_gap_is_the_sum_of_its_parts(pillars: pl.Case) -> None:
     step, problem = pillars.solve()[0], pl.DiscreteProblem(pillars)
     springs = problem.relief_compliance * step.pressure
     gap = problem @ step.pressure + springs + problem.initial_gap - step.penetration
-    # Differences of numbers of the size of the initial gap.
+    # Differences of numbers as large as the initial gap.
     np.testing.assert_allclose(gap, step.gap, atol=1e-14 * problem.initial_gap.max())
     assert problem.element_side == pytest.approx(60e-6 / 64, rel=1e-15)
 

@@ -1,4 +1,4 @@
-"""The same bits as the command: what Python solves, `pellicle run` solves to the last bit."""
+"""Python and `pellicle run` give the same results to the last bit."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ CASES = sorted((Path(__file__).resolve().parents[2] / "cases").glob("*.toml"))
 
 
 def without_times(summary: dict[str, Any]) -> dict[str, Any]:
-    """A summary without the entries that differ from run to run: times, and where coefficients came from."""
+    """A summary without the entries that differ between runs: times, and the origin of coefficients."""
     steps = [step | {"work": step["work"] | {"seconds": None}} for step in summary["steps"]]
     return summary | {"timing": None, "steps": steps}
 
 
 def check(path: pl.Path, file: Path, program: Program, folder: Path) -> None:
-    """Runs the file with the command, and compares summary, curve and fields."""
+    """Runs the file with the command and compares summary, curve and fields."""
     out = folder / "results"
     program("run", file, "--out", out, "--quiet", "--fields", "all", "--pictures", "none", "--threads", 1)
     summary = json.loads((out / "summary.json").read_text())
@@ -43,7 +43,7 @@ def check(path: pl.Path, file: Path, program: Program, folder: Path) -> None:
 @pytest.mark.filterwarnings("ignore::pellicle.NotCertifiedWarning")
 @pytest.mark.parametrize("file", CASES, ids=lambda file: file.stem)
 def test_the_cases_of_the_repository(file: Path, program: Program, tmp_path: Path) -> None:
-    # Few elements, no stresses: they take long, and are not what differs between Python and the command.
+    # Few elements and no stresses, which take long and do not differ between Python and the command.
     few = {"grid.elements": 64, "output": {"formats": ["npz"], "fields": "all", "pictures": "none"}}
     case = pl.Case.from_toml(file).replaced(few)
     document = {key: value for key, value in tomllib.loads(case.to_toml()).items() if key != "stress"}

@@ -116,19 +116,19 @@ def test_an_error_of_the_function_ends_the_solution(case: pl.Case) -> None:
 
 
 def interrupt_in(seconds: float) -> None:
-    # A process started in the background is born deaf to the signal.
+    # A process started in the background ignores the signal by default.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT)).start()
 
 
 def test_ctrl_c_returns_at_once_with_what_is_finished(body: pl.Foundation) -> None:
     case = pl.Case(body, pl.Sphere("0.5 mm"), forces=pl.Range("5 mN", "50 mN", 2000), elements=256)
-    case.replaced({"load.forces": [0.005]}).solve()  # Coefficients are made, which nobody can interrupt.
+    case.replaced({"load.forces": [0.005]}).solve()  # Computes the coefficients, which cannot be interrupted.
     start = time.monotonic()
     interrupt_in(1.0)
     with pytest.raises(pl.Interrupted) as interrupted:
         case.solve()
-    # 0.2 s from the signal, and as much again for a machine that is busy.
+    # 0.2 s from the signal, and as much again for a busy machine.
     assert time.monotonic() - start < 1.4
     path = interrupted.value.path
     assert path is not None and 0 < len(path) < 2000 and not path.is_whole
@@ -163,10 +163,10 @@ print(peak_after(2000) - before)
 
 def test_memory_does_not_grow_with_the_number_of_solutions(body: pl.Foundation) -> None:
     case = pl.Case(body, pl.Sphere("0.5 mm"), force="5 mN", elements=16)
-    # In a process of its own, whose peak is not that of other tests.
+    # In a separate process, whose peak memory is not that of other tests.
     command = [sys.executable, "-c", SOLVE_MANY, case.to_toml()]
     found = subprocess.run(command, capture_output=True, text=True, check=True)
-    # In kB: a leak of a tenth of a field a solution would be 2000 × 0.2 kB.
+    # In kB: a leak of a tenth of a field per solution would be 2000 × 0.2 kB.
     assert int(found.stdout) < 400
 
 

@@ -25,8 +25,8 @@ def test_below_hertz_contact_the_stress_on_the_axis_is_the_closed_form(step: pl.
     found = step.stress(depths)
     assert found.body == ("substrate",) * 3 and np.allclose(found.depth, depths, rtol=1e-15)
     middle = np.abs(found.x).argmin()
-    # σ_zz = −p0/(1 + z²/a²) on the axis; the points nearest to it lie half an element beside it, and the grid's own
-    # error of the pressure is some 0.1 %.
+    # σ_zz = −p0/(1 + z²/a²) on the axis; the nearest points lie half an element off the axis, and the grid error of the
+    # pressure is about 0.1 %.
     wanted = -peak / (1 + (depths / radius) ** 2)
     np.testing.assert_allclose(found["szz"][:, middle, middle], wanted, rtol=0.01)
 
@@ -44,8 +44,8 @@ def test_an_interface_has_two_planes_with_one_traction(body: pl.Foundation) -> N
 def test_sliding_drags_the_surface_along(step: pl.Step) -> None:
     side = 2 * step.x[-1]
     still, sliding = (step.stress(["1 um"], extent=side, friction=friction)["sxz"] for friction in (0.0, 0.3))
-    # Equilibrium: below the surface the shear carries what friction puts on it, but for some depth over side that goes
-    # beyond the domain.
+    # Equilibrium: below the surface the shear carries the friction, except for a part of about depth over side that
+    # leaves the domain.
     assert abs(still.sum()) < 1e-9 * abs(sliding.sum())
     element = step.x[1] - step.x[0]
     assert abs(sliding.sum()) * element**2 == pytest.approx(0.3 * step.force, rel=0.02)

@@ -1,4 +1,4 @@
-"""Studies on engines of Python: the table of one machine to the byte, whoever solves the cases and whoever dies."""
+"""Studies on Python engines: the same table as on one machine, to the byte, whichever workers solve or die."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Program = Callable[..., object]
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 
-# Two loads a case. Where the ratio is 0.6 the case is invalid, and its row has the reason.
+# Two loads per case. Cases with a Poisson's ratio of 0.6 are invalid, and their rows give the reason.
 STUDY = """
 [study.vary]
 foundation.substrate.poisson_ratio = [0.1, 0.2, 0.3, 0.6]
@@ -62,14 +62,14 @@ def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def wanted(file: Path, program: Program) -> bytes:
-    """The table of one machine."""
+    """The table from one machine."""
     out = file.parent / "program"
     program("study", file, "--out", out, "--quiet", "--tolerate-failures")
     return (out / "results.csv").read_bytes()
 
 
 class Maps:
-    """An engine that can only map, as many pools do."""
+    """An engine that can only map, like many pools."""
 
     def map(self, function: Callable[[Any], Any], tasks: Any, /) -> Iterator[Any]:
         with multiprocessing.get_context("spawn").Pool(2) as pool:
@@ -93,7 +93,7 @@ def test_an_executor_gives_the_table_of_one_machine(
         table = pl.study(file).map(engine, out=tmp_path, chunk=chunk)
     assert (tmp_path / "results.csv").read_bytes() == wanted
     assert (table.cases, table.certified, table.failed) == (40, 30, 10)
-    # As the program leaves it: nothing but the table, its page and what it is of.
+    # As the program leaves it: only the table, its page and the identity of the study.
     assert sorted(path.name for path in tmp_path.iterdir()) == ["report.html", "results.csv", "study.json"]
 
 
@@ -111,14 +111,14 @@ def test_the_columns_of_the_table(file: Path, tmp_path: Path) -> None:
     assert (table.columns["penetration [m]"][~failed] > 0).all()
 
 
-# Two grids, all loading steps, a field of the surface; where the ratio is 0.6 the fields are NaN.
+# Two grids, all loading steps, and a surface field; for a Poisson's ratio of 0.6 the fields are NaN.
 KEEPING = STUDY.replace("[study.vary]", '[study]\nkeep = ["pressure", "gap"]\n\n[study.vary]\ngrid.elements = [16, 32]')
 KEEPING = KEEPING.replace("[grid]\nelements = 32", '[output]\nfields = "all"').replace("count = 10", "count = 3")
 
 
 @pytest.fixture(scope="module")
 def keeping(tmp_path_factory: pytest.TempPathFactory, program: Program) -> Path:
-    """A study of 24 cases whose fields are kept, solved by one machine in the folder `program`."""
+    """A study of 24 cases with kept fields, solved by one machine in the folder `program`."""
     file = tmp_path_factory.mktemp("keeping") / "keeping.toml"
     file.write_text(KEEPING)
     program("study", file, "--out", file.parent / "program", "--quiet", "--tolerate-failures")
@@ -152,7 +152,7 @@ def test_kept_fields_are_gone_on_with_by_engines_and_the_program(
     with ThreadPoolExecutor(2) as pool, pytest.raises(KeyboardInterrupt) as stopped:
         study.map(pool, out=tmp_path, chunk=1, progress=stop)
     assert "5 of 24 cases are in" in stopped.value.__notes__[0]
-    # Until all are there, the file says that it holds no case.
+    # Until all cases are there, the file declares that it holds none.
     assert (tmp_path / "fields-n32.nc").read_bytes()[4:8] == bytes(4)
     program("study", keeping, "--out", tmp_path, "--quiet", "--tolerate-failures")
     are_those_of_one_machine(tmp_path, keeping)
@@ -177,7 +177,7 @@ def test_progress_is_told_and_what_is_done_is_not_done_again(
         study.map(pool, out=tmp_path, progress=told.append, chunk=30)
     assert told[10:] == [pl.StudyProgress(40, 40)]
     assert (tmp_path / "results.csv").read_bytes() == wanted
-    # The program finds nothing left to do, and Python nothing after it.
+    # Neither the program nor then Python finds anything left to do.
     program("study", file, "--out", tmp_path, "--quiet", "--tolerate-failures")
     study.map(Maps(), out=tmp_path, progress=told.append)
     assert len(told) == 11 and (tmp_path / "results.csv").read_bytes() == wanted
@@ -191,7 +191,7 @@ def test_ctrl_c_ends_a_map_on_threads_at_once(file: Path, tmp_path: Path) -> Non
     start = time.monotonic()
     with pytest.raises(KeyboardInterrupt), ThreadPoolExecutor(2) as pool:
         pl.study(large).map(pool, out=tmp_path / "out", chunk=40)
-    # 1 s to the signal; tables and the iteration under way are waited for.
+    # 1 s to the signal; tables and the current iteration are waited for.
     assert time.monotonic() - start < 5
 
 
@@ -241,7 +241,7 @@ def test_what_cannot_be_is_refused_in_one_sentence(file: Path, tmp_path: Path) -
 
 
 def workers_of(process: subprocess.Popen[str], name: str) -> list[Any]:
-    """The processes below one whose command line has this in it."""
+    """The descendants of a process whose command line contains `name`."""
     import psutil
 
     below = psutil.Process(process.pid).children(recursive=True)
@@ -268,7 +268,7 @@ def test_an_example_whose_worker_is_killed(
     table = out / "results.csv"
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
-        # Not before the first case is written.
+        # Waits until the first case is written.
         while process.poll() is None and not (table.exists() and table.read_bytes().count(b"\n") > 1):
             time.sleep(0.01)
         killed = workers_of(process, worker)[:1] if process.poll() is None else []
@@ -279,7 +279,7 @@ def test_an_example_whose_worker_is_killed(
         process.kill()
     assert killed, errors
     if process.returncode != 0:
-        # Those who cannot do without a worker say so; again, and it is done.
+        # Engines that cannot replace a worker report it; a second run finishes the study.
         assert "cases are in" in errors and example in ("processes", "on_joblib"), errors
         said = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     assert said.splitlines()[-1] == "40 cases, 30 certified, 10 failed"

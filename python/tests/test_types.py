@@ -1,4 +1,4 @@
-"""The types that the package tells: complete, and those of the examples in the documents."""
+"""The package's types are complete, and the examples in the documents pass type checking."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_the_examples_of_the_documents_are_strictly_typed(tmp_path: Path) -> Non
         blocks = re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
         assert blocks
         (tmp_path / f"{document.replace('/', '_')}.py").write_text("\n".join(blocks), encoding="utf-8")
-    # A block may import again what another has, and a function of an example need not say its types.
+    # A block may repeat an import of another, and functions in examples need no type annotations.
     lax = ["DuplicateImport", "MissingParameterType", *(f"Unknown{of}Type" for of in ("Parameter", "Argument", "Variable"))]
     settings = {"typeCheckingMode": "strict"} | {f"report{rule}": False for rule in lax}
     (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings))

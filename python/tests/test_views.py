@@ -1,4 +1,4 @@
-"""Results as other packages want to see them."""
+"""Results in the forms of other packages."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def test_the_fields_are_a_data_set(case: pl.Case) -> None:
     assert fields.pressure.dims == ("x", "y") and fields.pressure.units == "Pa"
     assert np.array_equal(fields.gap.values, step.gap)
     assert fields.attrs["force"] == 0.05
-    # The largest pressure of a ball is on the axis, beside which two elements lie.
+    # The largest pressure under a ball is on the axis, between two elements.
     assert abs(float(fields.pressure.idxmax("x").max())) <= step.x[1] - step.x[0]
 
 
@@ -50,6 +50,6 @@ def test_derivatives_are_there_when_they_are_asked_for(case: pl.Case) -> None:
     step = case.replaced({"load.sensitivities": True}).solve()[1]
     found = step.sensitivities()["foundation.layer[0].thickness"]
     assert found.value == 2e-6 and found.penetration is not None
-    # A difference so small that no element enters: D is right to 1e-10 of 0.6 µm, its change is 1e-11 m.
+    # A difference so small that no element enters the contact: D is accurate to 1e-10 of 0.6 µm, its change is 1e-11 m.
     more, less = (case.replaced({"foundation.layer[0].thickness": t}).solve()[1] for t in (2.0002e-6, 1.9998e-6))
     assert found.penetration == pytest.approx((more.penetration - less.penetration) / 0.0004e-6, rel=1e-4)

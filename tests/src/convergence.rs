@@ -1,33 +1,33 @@
-//! Orders of convergence: observed, and demanded.
+//! Observed and required orders of convergence.
 
-/// Elements per side of the convergence studies; many, because single errors scatter with how the grid meets the
-/// contact's edge.
+/// Elements per side of the convergence studies. There are many, because single errors scatter with the position of the
+/// contact's edge on the grid.
 pub const GRIDS: [usize; 9] = [64, 80, 104, 128, 160, 208, 256, 320, 416];
 
-/// Why a sequence of errors does not converge as it should.
+/// The reason why a sequence of errors does not converge as required.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NoConvergence {
     /// The order is too low.
     Order {
-        /// Observed.
+        /// Observed order.
         found: f64,
-        /// The least that passes.
+        /// Smallest order that passes.
         wanted: f64,
     },
     /// The last error is too large, whatever the order.
     Error {
-        /// On the finest grid.
+        /// Error on the finest grid.
         found: f64,
-        /// The largest that passes.
+        /// Largest error that passes.
         wanted: f64,
     },
 }
 
-/// Demands of errors, by elements per side, an order of at least `order` and a last error of at most `error`; returns
-/// the order.
+/// Requires errors, by elements per side, to have an order of at least `order` and a last error of at most `error`;
+/// returns the order.
 ///
 /// # Errors
-/// [`NoConvergence`], also of what is no number.
+/// [`NoConvergence`], also for NaN.
 pub fn demand(errors: &[(usize, f64)], order: f64, error: f64) -> Result<f64, NoConvergence> {
     let found = observed_order(errors);
     if found.is_nan() || found < order {
@@ -43,7 +43,7 @@ pub fn demand(errors: &[(usize, f64)], order: f64, error: f64) -> Result<f64, No
     }
 }
 
-/// The order `o` of `error ∝ elements⁻ᵒ`: minus the slope of ln error over ln elements, by least squares.
+/// The order `o` in `error ∝ elements⁻ᵒ`: minus the least-squares slope of ln error over ln elements.
 #[must_use]
 pub fn observed_order(errors: &[(usize, f64)]) -> f64 {
     let points = || {
@@ -63,7 +63,7 @@ pub fn observed_order(errors: &[(usize, f64)]) -> f64 {
 mod tests {
     use super::{GRIDS, NoConvergence, demand, observed_order};
 
-    /// `0.1 (N/64)⁻ᵒ` on all grids, and a part that no grid takes away.
+    /// `0.1 (N/64)⁻ᵒ` on all grids, plus a part that does not converge.
     fn errors(order: f64, rest: f64) -> [(usize, f64); 9] {
         GRIDS.map(|elements| (elements, 0.1 * (elements as f64 / 64.0).powf(-order) + rest))
     }

@@ -1,4 +1,4 @@
-//! The error bars of the grid: how often they contain the truth, and how much wider than the error they are.
+//! The grid's error bars: how often they contain the true value, and how much wider than the error they are.
 
 mod benchmarks;
 
@@ -29,7 +29,7 @@ pub const QUANTITIES: [GridQuantity; 4] = [
     GridQuantity::MaxPressure,
 ];
 
-/// A contact whose numbers are known, in closed form or from its finest grid.
+/// A contact whose numbers are known in closed form or from its finest grid.
 pub struct Benchmark {
     /// Its name in the table.
     pub name: String,
@@ -37,7 +37,7 @@ pub struct Benchmark {
     pub model: Model,
     /// Side of the domain, in m.
     pub side: f64,
-    /// How hard.
+    /// Its load.
     pub load: Load,
     /// The numbers that are known in closed form.
     pub known: Vec<(GridQuantity, f64)>,
@@ -50,7 +50,7 @@ pub struct ErrorBar {
     pub elements: usize,
     /// Error over half the interval.
     pub ratio: f64,
-    /// Whether the number is called resolved.
+    /// Whether the number is reported as resolved.
     pub resolved: bool,
 }
 
@@ -61,13 +61,13 @@ pub struct ErrorBars {
     pub benchmark: String,
     /// The number.
     pub quantity: GridQuantity,
-    /// One a grid.
+    /// One per grid.
     pub bars: Vec<ErrorBar>,
 }
 
 impl Benchmark {
-    /// The error bars on `grids`; what is not known in closed form is taken from a grid of `finest` elements per side,
-    /// and judged on grids of at most half of them.
+    /// Computes the error bars on `grids`. Numbers without a closed form are taken from a grid of `finest` elements per
+    /// side, and judged on grids of at most half as many.
     ///
     /// # Panics
     /// If a grid cannot be solved.
@@ -153,18 +153,18 @@ impl ErrorBar {
 }
 
 impl ErrorBars {
-    /// Numbers called resolved.
+    /// Numbers reported as resolved.
     pub fn resolved(&self) -> impl Iterator<Item = &ErrorBar> {
         self.bars.iter().filter(|bar| bar.resolved)
     }
 
-    /// Resolved numbers whose error is above so many times half the interval.
+    /// Number of resolved values whose error exceeds `times` half the interval.
     #[must_use]
     pub fn above(&self, times: f64) -> usize {
         self.resolved().filter(|bar| bar.ratio > times).count()
     }
 
-    /// Half the interval over the error, its median; not a number where nothing is resolved.
+    /// Median of half the interval over the error; NaN if nothing is resolved.
     #[must_use]
     pub fn width(&self) -> f64 {
         1.0 / median(self.resolved().map(|bar| bar.ratio).collect())
@@ -177,7 +177,7 @@ impl ErrorBars {
     }
 }
 
-/// The part of all resolved numbers that lie within their interval, and the median of half the interval over the error.
+/// The fraction of resolved numbers that lie within their interval, and the median of half the interval over the error.
 #[must_use]
 pub fn coverage(rows: &[ErrorBars]) -> (f64, f64) {
     let ratios: Vec<f64> = rows
@@ -194,8 +194,8 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// `count` grids from `first` to `last` elements per side, as evenly in the logarithm as whole numbers allow, odd ones
-/// among them.
+/// `count` grids from `first` to `last` elements per side, as evenly spaced in the logarithm as integers allow,
+/// including odd ones.
 #[must_use]
 pub fn grids(count: usize, first: usize, last: usize) -> Vec<usize> {
     let (low, high) = ((first as f64).ln(), (last as f64).ln());

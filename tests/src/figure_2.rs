@@ -38,7 +38,7 @@ pub fn figure_2() -> [Fig2Panel; 4] {
     ]
 }
 
-/// Coating `H = 1e-4` with cylinders `r = 5e-3`, `h = 1e-4`, period 1/80 of its own modulus 1.
+/// Coating `H = 1e-4` with cylinders `r = 5e-3`, `h = 1e-4`, period 1/80, of the coating's modulus 1.
 fn textured(coating: Material, substrate: Material) -> Model {
     let relief = cylinders(5e-3, 1e-4, 1.0 / 80.0, 1.0);
     Model {

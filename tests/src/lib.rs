@@ -1,5 +1,5 @@
-//! Cross-crate evidence that Pellicle is right: scenes and judgements that the test binaries share. The example of the
-//! workspace's README is compiled and run here as a documentation test.
+//! Cross-crate evidence of correctness: scenes and criteria shared by the test binaries. The example in the workspace's
+//! README is compiled and run here as a documentation test.
 
 pub mod convergence;
 pub mod coverage;

@@ -1,5 +1,5 @@
-//! Bodies, models and certified solutions that the test binaries share. A scene that cannot be built or is not
-//! certified fails its test.
+//! Bodies, models and certified solutions shared by the test binaries. A scene that cannot be built or is not certified
+//! fails its test.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 /// A material.
 ///
 /// # Panics
-/// If no material has these numbers.
+/// If the numbers are invalid.
 #[must_use]
 pub fn material(young_modulus: f64, poisson_ratio: f64) -> Material {
     Material::new(young_modulus, poisson_ratio).expect("a material")
@@ -28,7 +28,7 @@ pub fn unit_half_space() -> Foundation {
 /// A coated half-space: thickness, coating, substrate.
 ///
 /// # Panics
-/// If there is no such body.
+/// If the body is invalid.
 #[must_use]
 pub fn coated(thickness: f64, coating: Material, substrate: Material) -> Foundation {
     Foundation::coated(thickness, coating, substrate).expect("a coated body")
@@ -60,7 +60,7 @@ pub fn cylinders(radius: f64, height: f64, period: f64, young_modulus: f64) -> R
     Relief::Cylinders(Cylinders::new(spec).expect("cylinders apart"))
 }
 
-/// A model that keeps no coefficients.
+/// A model without a cache of coefficients.
 ///
 /// # Panics
 /// If the foundation has no tables.
@@ -74,7 +74,7 @@ pub fn model(foundation: &Foundation, relief: Relief, indenter: Indenter) -> Mod
     }
 }
 
-/// The path of one load on a square of side `side`.
+/// Solves the path of one load on a square of side `side`.
 ///
 /// # Panics
 /// If it cannot be solved.
@@ -84,10 +84,10 @@ pub fn path(model: &Model, side: f64, elements: usize, load: Load) -> LoadingPat
     solve_path(model, domain, elements, &[load], &options, &mut ()).expect("a solution")
 }
 
-/// The same, certified.
+/// Solves the same path, and requires a certified solution.
 ///
 /// # Panics
-/// If it cannot be solved, or not to its tolerance.
+/// If it cannot be solved to its tolerance.
 #[must_use]
 pub fn solve(model: &Model, side: f64, elements: usize, load: Load) -> LoadingPath {
     let path = path(model, side, elements, load);
@@ -110,7 +110,7 @@ pub fn relative(found: f64, wanted: f64) -> f64 {
     (found / wanted - 1.0).abs()
 }
 
-/// Largest difference of two pressures over the largest of the first.
+/// Largest difference of two pressures over the peak of the first.
 #[must_use]
 pub fn largest_difference(one: &[f64], other: impl Fn(usize) -> f64) -> f64 {
     let peak = one.iter().copied().fold(0.0, f64::max);

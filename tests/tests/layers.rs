@@ -7,10 +7,10 @@ use pellicle_kernel::{Foundation, Material};
 use pellicle_tests::scene::{coated, material, model, paraboloid, relative, solve};
 use pellicle_texture::Relief;
 
-/// A dozen roundings, no cancellation: measured 9e-16 with one layer.
+/// A dozen roundings without cancellation: measured 9e-16 with one layer.
 const LAST_DIGITS: f64 = 2e-15;
 
-/// Penetration and pressures of a paraboloid on a body, on 64 elements per side.
+/// Penetration and pressures of a paraboloid on a body, with 64 elements per side.
 fn pressed(foundation: &Foundation) -> (f64, Vec<f64>) {
     let model = model(foundation, Relief::Bare, paraboloid(1.0));
     let mut path = solve(&model, 0.3, 64, Load::Force(1.3e-3));
@@ -23,12 +23,12 @@ fn a_coating_of_the_substrates_own_material_is_not_felt() {
     for nu in [0.0, 0.3, 0.5] {
         let body = material(0.91, nu);
         let (penetration, pressure) = pressed(&Foundation::half_space(body));
-        // The same but for a bit, so that it is computed as a coating: equal materials are known for a half-space at
-        // once.
+        // The same material except for one bit, so that it is computed as a coating: equal materials are reduced to a
+        // half-space.
         let coating = material(0.91_f64.next_up(), nu);
         for thickness in [1e-4, 0.05, 10.0] {
             let (found, pressures) = pressed(&coated(thickness, coating, body));
-            // The solver's own tolerance, 1e-8, bounds what rounding of the coefficients may start.
+            // The solver's own tolerance, 1e-8, bounds the effect of rounding in the coefficients.
             assert!(relative(found, penetration) < 1e-9, "{found} {penetration}");
             for (p, q) in pressure.iter().zip(pressures) {
                 assert!((p - q).abs() < 1e-6 * 0.06);
@@ -37,7 +37,7 @@ fn a_coating_of_the_substrates_own_material_is_not_felt() {
     }
 }
 
-/// How much less or more the paraboloid sinks in than into a homogeneous body.
+/// The relative change of the penetration from that into a homogeneous body.
 fn felt(thickness: f64, coating: Material, substrate: Material, alone: Material) -> f64 {
     let (wanted, _) = pressed(&Foundation::half_space(alone));
     relative(pressed(&coated(thickness, coating, substrate)).0, wanted)

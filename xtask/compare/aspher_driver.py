@@ -1,12 +1,12 @@
-"""aspher, in two ways, each its fastest to its accuracy.
+"""aspher, run in two ways, each the fastest for its accuracy.
 
 By default: nested grids with the exact FFT operator, the full-grid preconditioner, and coarse grids solved to 1e-6.
-With the option active-set: its H2 operator with active_set=True, which solves the finest grid on the elements near the
-coarse contact alone, all else by default. In a periodic cell: nested grids with its periodic operator, whose
-preconditioner is the full-grid one by itself.
+With the option active-set: its H2 operator with active_set=True, which solves the finest grid only on the elements near
+the coarse contact, with all else by default. In a periodic cell: nested grids with its periodic operator, which chooses
+the full-grid preconditioner by default.
 
-Its tolerance is relative to the range of the gap over the whole square: 11 times looser under the paraboloid than one
-relative to the Hertzian approach. It counts products on the finest grid. Threads are OpenMP's.
+Its tolerance is relative to the range of the gap over the whole square: for the paraboloid, 11 times looser than one
+relative to the Hertzian approach. It counts products on the finest grid. Its threads are OpenMP's.
 """
 
 import sys

@@ -1,29 +1,30 @@
-"""The same certificate for everyone, from nothing but a saved pressure.
+"""The same certificate for all programs, computed only from a saved pressure.
 
     python certificate.py CASE N OPERATOR PRESSURE_FILE [REFERENCE_FILE]
 
-One product with Love's coefficients (1929; uniform pressure on a square), computed here with numpy and scipy and shared
-with no program that is judged. With v = K p + g0, D = sum(p v) / sum(p), g = v - D and L the length of the problem:
+One product with Love's coefficients (1929; uniform pressure on a square), computed here with numpy and scipy,
+independently of the programs judged. With v = K p + g0, D = sum(p v) / sum(p), g = v - D and L the length of the
+problem:
 
     complementarity = sum(p |g|) / (L sum(p))        gap_in_contact = max over p > 0 of |g| / L
     overlap = max(0, -min g) / L                     load = |h^2 sum(p) - F| / F
 
-Where a hardness p_max cuts the pressure, D and these lines but the load are those of the elements below it, and
+Where a hardness p_max limits the pressure, D and these lines except the load are for the elements below it, and
 
     gap_at_limit = max over p = p_max of g / L       over_limit = max(0, max p / p_max - 1)
 
-`at_limit` is the part of the elements there; a pressure counts as p_max if it differs by 1e-9 of it at most.
+`at_limit` is the fraction of elements there; a pressure counts as p_max if it differs by at most 1e-9 of it.
 
-`contact` is the part of the elements in contact, `mean_gap` that of g over all elements, relative to L.
+`contact` is the fraction of elements in contact, `mean_gap` the mean of g over all elements, relative to L.
 
-Of `periodic` and `saturated` the product is one by the symbol of the cell, without a displacement of the mean.
-OPERATOR says by which: `elements`, pressures constant on each element and displacements at the centres, as of the other
-problems; or `continuum`, the half-space's own 2 / (E* |q|) at the waves that the grid has, as if pressures were waves
-themselves. A program solves one of the two, and is judged by its own.
+For `periodic` and `saturated` the product uses the symbol of the cell, without a displacement of the mean. OPERATOR
+selects it: `elements`, with pressures constant on each element and displacements at the centres, as in the other
+problems; or `continuum`, the half-space's 2 / (E* |q|) at the waves of the grid, as if pressures were waves themselves.
+A program solves one of the two, and is judged by the one that it solves.
 
-With a second pressure, `difference` is the largest difference of the two over the largest of the second.
+With a second pressure, `difference` is the largest difference between the two over the peak of the second.
 
-The coefficients of far elements carry rounding errors of about 1e-16 r each: 1e-12 of d_H in g for all of them.
+The coefficients of far elements have rounding errors of about 1e-16 r each: 1e-12 of d_H in g for all of them.
 """
 
 import json
@@ -35,20 +36,20 @@ import scipy.fft
 
 from problem import MODULUS, SIDE, Problem
 
-# Aliases on either side that the symbol of elements in a cell sums over.
+# Number of aliases on either side in the sum for the symbol of elements in a cell.
 ALIASES = 32
-# Part of the hardness by which a pressure that is at it may be short of it.
+# Relative tolerance for a pressure to count as at the hardness.
 NEAR = 1e-9
 
 
 def corner(x, y):
-    """The antiderivative of 1/r over a rectangle, at one of its corners."""
+    """The antiderivative of 1/r over a rectangle, at one corner."""
     return x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
 
 
 def love(n, side):
     """Displacement of an element's centre for unit pressure on another, by offset, folded into (2n, 2n)."""
-    # Offsets 0 ... n-1 and -n ... -1; the offset -n is nobody's.
+    # Offsets 0 ... n-1 and -n ... -1; the offset -n is unused.
     offset = np.fft.fftfreq(2 * n, 1.0 / (2 * n)) * side
     x, y, half = offset[:, None], offset[None, :], side / 2.0
     edges = (
@@ -59,7 +60,7 @@ def love(n, side):
 
 
 def displacement(pressure, side):
-    """K p by one zero-padded product."""
+    """Computes K p by one zero-padded product."""
     n = len(pressure)
     spectrum = scipy.fft.rfft2(love(n, side))
     spectrum *= scipy.fft.rfft2(pressure, s=(2 * n, 2 * n))
@@ -67,13 +68,13 @@ def displacement(pressure, side):
 
 
 def alternating_weights(count):
-    """Weights of the terms -count ... count of an alternating series, whose sum then errs by about 2^-count."""
+    """Weights of the terms -count ... count of an alternating series, whose sum then has an error of about 2^-count."""
     tail = np.cumsum([math.comb(count, k) for k in range(count + 1)])[:-1] / 2.0**count
     return np.concatenate([tail, [1.0], tail[::-1]])
 
 
 def symbol(n, operator):
-    """The displacement of a wave of unit pressure in a cell of n x n elements, the half of it that a real FFT has."""
+    """The displacement for waves of unit pressure in a cell of n x n elements, in the half spectrum of a real FFT."""
     m, k = np.fft.fftfreq(n, 1.0 / n)[:, None], np.arange(n // 2 + 1)[None, :]
 
     def continuum(m, k):
@@ -82,7 +83,7 @@ def symbol(n, operator):
 
     if operator == "continuum":
         return continuum(m, k)
-    # Pressures constant on elements hold each wave and its aliases; the sines of these alternate.
+    # Pressures constant on elements contain each wave and its aliases, whose sines alternate in sign.
     total = 0.0
     weights = alternating_weights(ALIASES)
     for one, across in zip(weights, range(-ALIASES, ALIASES + 1)):
@@ -94,13 +95,13 @@ def symbol(n, operator):
 
 
 def displacement_of_cell(pressure, operator):
-    """The displacement from its mean in a periodic cell."""
+    """The displacement relative to its mean in a periodic cell."""
     spectrum = scipy.fft.rfft2(pressure) * symbol(len(pressure), operator)
     return scipy.fft.irfft2(spectrum, s=pressure.shape)
 
 
 def certificate(problem, pressure, operator):
-    """The lines, the smallest pressure, and the penetration that they belong to."""
+    """The lines of the certificate, the smallest pressure, and the penetration."""
     if problem.is_periodic:
         v = displacement_of_cell(pressure, operator) + problem.gap
     else:

@@ -1,13 +1,12 @@
-"""Pellicle beside its rivals: makes an environment for each, runs them in pairs with Pellicle, writes the table.
+"""Compares Pellicle with its rivals: makes an environment for each, runs it in pairs with Pellicle, writes the table.
 
     python3 xtask/compare/compare.py                                                 everything: some hours
     python3 xtask/compare/compare.py --sizes 1024 --cases rough-2.5 --threads 1 --peers aspher --repeats 3
 
-Needs Python, cargo, and once the network: one virtual environment per rival, since their requirements exclude each
-other. Every run is a process of its own. Each run of a rival stands beside one of Pellicle on the same problem, so that
-whatever else the machine does hits both. A rival whose runs on one problem take longer than the budget together runs
-fewer times; if it did not finish once, it is stopped and marked. `rivals.md` and `rivals.json` are rewritten after
-every problem.
+Needs Python, cargo, and the network once: one virtual environment per rival, since their requirements are incompatible.
+Every run is a separate process. Each run of a rival is paired with one of Pellicle on the same problem, so that other
+load on the machine affects both. A rival that exceeds the time budget for a problem is run fewer times; if it does not
+finish even once, it is stopped and marked. `rivals.md` and `rivals.json` are rewritten after every problem.
 """
 
 import argparse
@@ -23,24 +22,24 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 TOLERANCE = 1e-8
 CASES = ("hertz", "pillars", "rough-0.1", "rough-2.5", "rough-20", "periodic", "saturated")
-# Elements per side from which a surface is resolved.
+# Minimum number of elements per side that resolves a surface.
 SMALLEST = {"rough": 1024, "periodic": 256, "saturated": 256}
 CELLS = ("periodic", "saturated")
-# The programs whose periodic cell has the symbol of the continuum, not of constant elements.
+# The programs that use the symbol of the continuum, not of constant elements, in a periodic cell.
 CONTINUUM = ("aspher", "tamaas", "contactmechanics")
 NOT_PERIODIC = ("slippy",)
-# The programs that cut the pressure at a hardness in a cell.
+# The programs that can limit the pressure by a hardness in a cell.
 SATURATED = ("pellicle", "tamaas")
 THREAD_VARIABLES = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS")
 INSTALLATION_SECONDS = 1800
-# For Pellicle, which is run as often as its rivals are.
+# Budget of Pellicle, which is run as often as its rivals.
 UNBOUNDED = 1e6
 
-# Arguments of `pip install`, one list an invocation.
+# Arguments of `pip install`, one list per invocation.
 REQUIREMENTS = {
     # From source; Eigen's headers must be installed.
     "aspher": [["aspher", "numpy"]],
-    # Its own requirements cannot be met on current Pythons: versions that it works with, without asking it.
+    # Its own requirements cannot be met with current Pythons, so they are bypassed with versions that work.
     "slippy": [
         ["numpy==1.23.5", "numba==0.57.1", "scipy==1.10.1", "pyfftw==0.13.1", "matplotlib==3.7.5",
          "scikit-image==0.21.0", "sympy", "tinydb"],
@@ -51,9 +50,10 @@ REQUIREMENTS = {
     "the-certificate": [["numpy", "scipy"]],
 }
 PEERS = ("aspher", "slippy", "tamaas", "contactmechanics")
-# The packages of the index that can use more than one thread.
+# The programs whose PyPI packages can use more than one thread.
 THREADED = ("pellicle", "aspher", "slippy")
-# aspher's tolerance is relative to the gap's range, 11 d_H under the paraboloid: at 1e-9 its certificate is comparable.
+# aspher's tolerance is relative to the range of the gap, 11 d_H for the paraboloid: at 1e-9 its certificate is
+# comparable.
 VARIANTS = {
     "aspher": [("aspher", 1e-8, []), ("aspher", 1e-9, []), ("aspher, active set", 1e-8, ["active-set"])],
     "slippy": [("slippy", TOLERANCE, [])],
@@ -75,7 +75,7 @@ def tell(line):
 
 
 def complaint(log):
-    """The first line that names a fatal error, else the last that names an error, else the last at all."""
+    """The first line with a fatal error, or else the last with an error, or else the last line."""
     lines = [line.strip() for line in log.splitlines() if line.strip()]
     fatal = [line for line in lines if "fatal error" in line.lower()][:1]
     errors = [line for line in lines if "error" in line.lower()][-1:]
@@ -83,7 +83,7 @@ def complaint(log):
 
 
 def environment(folder, name):
-    """The Python of a program's environment, and why there is none if there is none."""
+    """The Python of a program's environment, or the reason why there is none."""
     place = folder / name
     inside = place / ("Scripts" if os.name == "nt" else "bin") / "python"
     wanted = json.dumps(REQUIREMENTS[name])
@@ -115,7 +115,7 @@ class Lane:
         self.runs, self.spent, self.pairs = [], 0.0, []
 
     def run(self, problem, budget, scratch):
-        """Runs once more if there is time; the measurement, or none."""
+        """Runs once more if there is time; returns the measurement, or None."""
         left = budget - self.spent
         if self.ended or (self.runs and self.spent / len(self.runs) > left):
             return None
@@ -135,7 +135,7 @@ class Lane:
             self.runs.append(json.loads(done.stdout.splitlines()[-1]))
             tell(f"  {self.name} at {self.tolerance:g}: {seconds(self.runs[-1]):.3f} s")
             return self.runs[-1]
-        # A later run that fails does not undo those that were good.
+        # A failed later run does not discard the earlier good ones.
         self.ended = f"stopped after {self.spent:.0f} s" if done is None else f"failed: {complaint(done.stderr)}"
         tell(f"  {self.name} at {self.tolerance:g}: {self.ended}")
         return None
@@ -150,7 +150,7 @@ def cpu(run):
 
 
 def contest(problem, workshop, arguments):
-    """All programs on one problem, in pairs with Pellicle; a row each."""
+    """Runs all programs on one problem, in pairs with Pellicle; returns one row each."""
     def lane(key, name, tolerance, options):
         command, missing = workshop[key]
         if problem["threads"] > 1 and key not in THREADED:
@@ -232,7 +232,7 @@ def write(rows, missing, folder):
 
 
 def posed(case, n, threads, python, scratch):
-    """A problem with what Pellicle's driver must be told of it: the rough gap as a file, mean pressure, hardness."""
+    """A problem with the input of Pellicle's driver: the rough gap as a file, mean pressure, hardness."""
     problem = {"case": case, "n": n, "threads": threads, "settings": {}, "mirrored": kind(case) not in SMALLEST}
     if not problem["mirrored"]:
         gap = scratch / f"{case}-{n}.gap.npy"

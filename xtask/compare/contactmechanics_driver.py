@@ -1,7 +1,7 @@
-"""ContactMechanics: its constrained conjugate gradients on its free (non-periodic) half-space, or its periodic one.
+"""ContactMechanics: its constrained conjugate gradients on its free (non-periodic) or periodic half-space.
 
-Its tolerances are absolute: a gap, a force on an element and a relative change of the total force. One relative
-tolerance is turned into all three by the problem's length and peak pressure. The package of PyPI is serial.
+Its tolerances are absolute, for a gap and a force on an element, and relative for a change of the total force. All
+three are derived from one relative tolerance with the problem's length and peak pressure. The PyPI package is serial.
 """
 
 from importlib.metadata import version

@@ -1,15 +1,15 @@
-"""What the drivers of all rivals share: the command line, the clock, the peak of memory, the one line of JSON.
+"""The common part of all rivals' drivers: the command line, the clock, the peak memory, and the line of JSON.
 
     python aspher_driver.py CASE N THREADS TOLERANCE PRESSURE_FILE [OPTION]
 
-The caller sets the thread variables of the environment before the process starts. A rival is three functions:
+The caller sets the environment's thread variables before the process starts. A rival consists of three functions:
 
     setup(problem, tolerance, threads)  -> state                everything that must be built before it can solve
     solve(state)                        -> result               from its own cold start
     read(state, result)                 -> dict                 pressure (n, n), products, converged, own_error
 
-A small problem is solved first, so that libraries are loaded, threads started and functions compiled; then everything
-is built anew and timed once. The geometry (the array `problem.gap`) is given and not timed.
+A small problem is solved first to load libraries, start threads and compile functions; then everything is built afresh
+and timed once. The geometry (the array `problem.gap`) is given and not timed.
 """
 
 import json

@@ -1,12 +1,12 @@
-//! Pellicle's driver in the comparison: solves one problem in a process of its own and prints what it took.
+//! Pellicle's driver in the comparison: solves one problem in a separate process and prints the cost.
 //!
 //! ```text
 //! compare-pellicle CASE N THREADS TOLERANCE PRESSURE_FILE [--whole-grid]
 //! ```
 //!
-//! The problems are those of `problem.py`; the gap of a rough surface is read from the file that `GAP_FILE` names, and
-//! its mean pressure and hardness from `MEAN_PRESSURE` and `HARDNESS`. The certificate, which is computed from
-//! `problem.py` alone, holds the two definitions together.
+//! The problems are those of `problem.py`; the gap of a rough surface is read from the file named by `GAP_FILE`, and
+//! its mean pressure and hardness from `MEAN_PRESSURE` and `HARDNESS`. The certificate, computed from `problem.py`
+//! alone, checks that the two definitions agree.
 
 #![expect(clippy::print_stdout, reason = "its one line of JSON is its result")]
 
@@ -35,9 +35,9 @@ const ELEMENTS_PER_PERIOD: usize = 16;
 const RADIUS_OVER_PERIOD: f64 = 0.4;
 /// Modulus of the pillars: their shortening is below 1e-33 and changes no bit of a displacement of 1e-2.
 const PILLAR_MODULUS: f64 = 1e30;
-/// The problems whose square is one cell of many.
+/// The problems whose square is a periodic cell.
 const CELLS: [&str; 2] = ["periodic", "saturated"];
-/// Elements per side of the problem solved before the clock starts, so that code is loaded and threads run.
+/// Elements per side of the problem solved before timing, to load code and start threads.
 const WARM_UP_ELEMENTS: usize = 64;
 
 fn main() -> Result<(), DriverError> {
@@ -52,7 +52,7 @@ fn main() -> Result<(), DriverError> {
     let elements: usize = elements.parse()?;
     let options = SolverOptions {
         tolerance: tolerance.parse()?,
-        // The rivals do not compute it.
+        // The rivals do not compute the stiffness.
         contact_stiffness: false,
         mirror_symmetry: !whole_grid,
         ..SolverOptions::default()
@@ -94,7 +94,7 @@ fn main() -> Result<(), DriverError> {
     Ok(())
 }
 
-/// The gap and the mean pressure of `rough`, which `problem.py` has written.
+/// Reads the gap and the mean pressure of `rough`, written by `problem.py`.
 fn read_gap() -> Result<(Array2<f64>, f64), DriverError> {
     let gap = ndarray_npy::read_npy(std::env::var("GAP_FILE")?)?;
     Ok((gap, std::env::var("MEAN_PRESSURE")?.parse()?))
@@ -145,7 +145,7 @@ fn solve(
     )?)
 }
 
-/// The rough body itself, which yields by its elastic displacement alone, under a plane that covers the square.
+/// The rough body itself, without springs, under a plane that covers the square.
 fn rough(gap: Array2<f64>) -> Result<Relief, DriverError> {
     let shape = [gap.nrows(), gap.ncols()];
     let mut heights = gap.into_raw_vec_and_offset().0;
@@ -155,7 +155,7 @@ fn rough(gap: Array2<f64>) -> Result<Relief, DriverError> {
     Ok(Relief::Map(ReliefMap::new(map, compliance)?))
 }
 
-/// Whole periods of pillars fill the grid.
+/// Pillars whose periods fill the grid exactly.
 fn pillars(elements: usize) -> Result<Relief, DriverError> {
     if !elements.is_multiple_of(ELEMENTS_PER_PERIOD) {
         return Err(
@@ -173,7 +173,7 @@ fn pillars(elements: usize) -> Result<Relief, DriverError> {
     })?))
 }
 
-/// CPU time of all threads of this process so far, in s; none where the system keeps no such account.
+/// CPU time of all threads of this process so far, in s; `None` where the system does not record it.
 fn cpu_seconds() -> Option<f64> {
     let mut nanoseconds = 0.0;
     for task in fs::read_dir("/proc/self/task").ok()? {

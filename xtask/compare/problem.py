@@ -1,8 +1,8 @@
-"""The problems on which the programs are compared, defined exactly; the fields need numpy.
+"""The exact definitions of the problems on which the programs are compared; the fields need numpy.
 
 Everything is dimensionless: a rigid body on a homogeneous half-space of plane-strain modulus E* = 1. The pressure acts
 inside the square [-1/2, 1/2]^2 only, on n x n square elements, constant on each; the half-space is infinite, and only
-`periodic` and `saturated` repeat themselves.
+`periodic` and `saturated` are periodic.
 
     hertz    a paraboloid of radius R = 1, g0 = r^2 / (2 R), under the force F = 4 E* a^3 / (3 R) of the Hertzian
              contact radius a = 0.15
@@ -17,8 +17,8 @@ inside the square [-1/2, 1/2]^2 only, on n x n square elements, constant on each
     saturated
              the same with the pressure cut at the hardness 0.6, where gaps may be negative
 
-Errors are relative to `length`: the Hertzian approach d_H = a^2 / R, or the rms height. pellicle.rs is the same
-definition of hertz and pillars for Pellicle, which reads the gap of rough.
+Errors are relative to `length`: the Hertzian approach d_H = a^2 / R, or the rms height. pellicle.rs repeats the
+definitions of hertz and pillars for Pellicle, which reads the gap of rough.
 """
 
 import numpy as np
@@ -38,7 +38,7 @@ RMS_HEIGHT = 0.02 * SIDE
 # The mean pressure over the square for each percentage in contact, found with Pellicle at n = 1024.
 MEAN_PRESSURE = {"rough-0.1": 1.85e-3, "rough-2.5": 0.05, "rough-20": 0.49, "periodic": 0.05, "saturated": 0.05}
 HARDNESS = {"saturated": 0.6}
-# The longest and the shortest wave in waves a side, and the elements per side that resolve them.
+# The longest and the shortest wave, in waves per side, and the elements per side that resolve them.
 WAVES = {"rough": (12, 338), "periodic": (4, 64), "saturated": (4, 64)}
 SMALLEST = {"rough": 1024, "periodic": 256, "saturated": 256}
 CELLS = ("periodic", "saturated")
@@ -62,7 +62,7 @@ class Problem:
             self.peak_pressure = 2.0 * MODULUS * CONTACT_RADIUS / (np.pi * INDENTER_RADIUS)
         self.is_periodic = case in CELLS
         self.hardness = HARDNESS.get(case, np.inf)
-        # the force spread over the whole square, the load that some programs ask for
+        # the force spread over the whole square, the form of the load in some programs
         self.mean_pressure = self.force / SIDE**2
 
 
@@ -72,7 +72,7 @@ def paraboloid(n):
 
 
 def valleys(n):
-    # Distances from the nearest axis in elements: half-integers, so none equals 6.4 and none is in doubt.
+    # Distances from the nearest axis in elements: half-integers along x and y, so none equals 6.4.
     period = ELEMENTS_PER_PERIOD
     from_axis = np.arange(n) % period + 0.5 - period / 2.0
     squared = from_axis[:, None] ** 2 + from_axis[None, :] ** 2
@@ -83,7 +83,7 @@ def rough(kind, n):
     if n < SMALLEST[kind]:
         raise ValueError(f"{kind} needs n >= {SMALLEST[kind]}, got {n}")
     longest, shortest = WAVES[kind]
-    # Waves -shortest ... shortest in both directions: the same surface whatever n is.
+    # Waves -shortest ... shortest in both directions: the same surface for every n.
     wave = np.arange(-shortest, shortest + 1)
     k = np.hypot(wave[:, None], wave[None, :])
     phase = np.random.default_rng(SEED).uniform(0.0, 2.0 * np.pi, k.shape)

@@ -1,7 +1,7 @@
 """slippy: its Polonsky-Keer solver on its own planned non-circular convolution, called directly.
 
-Its tolerance bounds the relative change of the pressure in one step. Products are counted by wrapping its operator.
-Threads are FFTW's; the rest is serial. Planning the transforms is part of the setup.
+Its tolerance bounds the relative change of the pressure in one step. Products are counted by wrapping its operator. Its
+threads are FFTW's; the rest is serial. Planning the transforms is part of the setup.
 """
 
 from importlib.metadata import version
@@ -17,7 +17,7 @@ LONGEST = 20000
 
 
 class Counted:
-    """An operator that knows how often it was called."""
+    """An operator that counts its calls."""
 
     def __init__(self, operator):
         self.operator, self.calls = operator, 0

@@ -1,9 +1,9 @@
-"""Tamaas: Polonsky-Keer with pressure as unknown, on its non-periodic operator or, in a cell, on its own periodic one;
-its saturated solver where a hardness cuts the pressure.
+"""Tamaas: Polonsky-Keer with the pressure as unknown, on its non-periodic operator or, in a cell, its periodic one; its
+saturated solver where a hardness limits the pressure.
 
-The operator must be registered and also set: with the first call alone it solves the periodic problem. Its tolerance
-bounds its own relative complementarity error; not reaching it is not raised. It does not count products: two an
-iteration and two before the first are taken, the iterations read from its log. The package of PyPI is serial.
+The operator must be registered and also set: with only the first call it solves the periodic problem. Its tolerance
+bounds its own relative complementarity error; missing it raises no error. It does not count products: two per iteration
+and two before the first are assumed, with the iterations read from its log. The PyPI package is serial.
 """
 
 import contextlib
@@ -25,7 +25,7 @@ OPERATOR = "dcfft"
 
 @contextlib.contextmanager
 def everything_printed():
-    """Gives a file that receives what this process prints, by Python or by a library."""
+    """Provides a file that receives the output of this process, from Python or from a library."""
     with tempfile.TemporaryFile() as file:
         sys.stdout.flush()
         kept = [(stream, os.dup(stream)) for stream in (1, 2)]
@@ -66,7 +66,7 @@ def solve(state):
 
 
 def iterations(log):
-    """The number of the last line of three numbers: iteration, cost, error."""
+    """The last iteration in the log, whose lines have three numbers: iteration, cost, error."""
     lines = re.findall(r"^\s*(\d+)\s+[-+0-9.e]+\s+[-+0-9.e]+\s*$", log, re.MULTILINE)
     return max(map(int, lines), default=None)
 

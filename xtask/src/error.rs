@@ -46,10 +46,10 @@ pub enum XtaskError {
         /// The program's error message.
         message: String,
     },
-    /// Results of a run that cannot be read, or a picture that cannot be written.
+    /// Results of a run could not be read, or a picture could not be written.
     #[error(transparent)]
     Results(#[from] Failure),
-    /// A number of a page of the documentation that could not be computed.
+    /// A number for a documentation page could not be computed.
     #[error(transparent)]
     Evidence(#[from] ValidationError),
 }

@@ -1,7 +1,7 @@
-//! The figures of the paper, drawn from certified runs of its cases, and the picture of the page on thin films.
+//! The figures of the paper, drawn from certified runs of its cases, and the picture for the page on thin films.
 //!
-//! A figure asks the [`Runner`] for solutions and returns [`Picture`]s: a drawing and the numbers in it. Captions are
-//! literal: the cases are the paper's, whose parameters do not change.
+//! A figure gets solutions from the [`Runner`] and returns [`Picture`]s: a drawing and the numbers in it. Captions are
+//! literal, since the parameters of the paper's cases do not change.
 
 mod chart;
 mod figure_2;
@@ -67,7 +67,7 @@ pub struct FiguresArguments {
 }
 
 impl FiguresArguments {
-    /// The figures asked for, each once, in the paper's order.
+    /// The requested figures, each once, in the paper's order.
     #[must_use]
     pub fn figures(&self) -> Vec<Figure> {
         let is_wanted = |figure: &Figure| self.only.is_empty() || self.only.contains(figure);
@@ -90,8 +90,8 @@ impl FiguresArguments {
     }
 }
 
-/// Draws figures and writes their pictures into the folder `out`, and small versions into `small` if there is one;
-/// returns how many pictures there are.
+/// Draws figures and writes their pictures into the folder `out`, and small versions into `small` if given; returns the
+/// number of pictures.
 ///
 /// # Errors
 /// A program that cannot be run, a solution that is not certified, a file that cannot be written.

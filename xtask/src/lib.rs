@@ -1,8 +1,8 @@
 //! The chores of the workspace, as functions: [`tidy`] checks the house rules on a [`Tree`] of files, [`figures`] draws
 //! the paper's figures.
 //!
-//! The binary `xtask` only parses its command line and prints what these functions return, so that the test
-//! `tests/workspace.rs` checks the real workspace by the same path as `cargo xtask tidy`.
+//! The binary `xtask` only parses its command line and prints what these functions return, so the test
+//! `tests/workspace.rs` checks the real workspace with the same code as `cargo xtask tidy`.
 
 mod arguments;
 mod error;

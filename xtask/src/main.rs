@@ -33,7 +33,7 @@ fn root() -> &'static Path {
     package.parent().unwrap_or(package)
 }
 
-/// Prints what breaks a house rule; exit code 1 if anything does.
+/// Prints the violations of house rules; exit code 1 if there are any.
 fn tidy() -> Result<ExitCode, XtaskError> {
     let found = xtask::tidy(&Tree::read(root())?);
     if found.is_empty() {

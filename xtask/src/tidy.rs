@@ -1,4 +1,4 @@
-//! The house rules, each a function from the tree to what breaks it.
+//! The house rules, each a function from the tree to its violations.
 
 mod dependencies;
 mod documents;
@@ -20,13 +20,13 @@ const RULES: [Rule; 6] = [
     documents::named_tests_exist,
 ];
 
-/// Everything in the tree that breaks a house rule, rule by rule; empty for a tidy workspace.
+/// Returns all violations of house rules in the tree, rule by rule; none for a tidy workspace.
 #[must_use]
 pub fn tidy(tree: &Tree) -> Vec<Violation> {
     RULES.iter().flat_map(|rule| rule(tree)).collect()
 }
 
-/// The violations of one rule on a tree of these files, as text.
+/// The violations of one rule in a tree of these files, as text.
 #[cfg(test)]
 fn broken(rule: Rule, files: &[(&str, &str)]) -> Vec<String> {
     let found = rule(&Tree::of(files));

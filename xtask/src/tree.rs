@@ -1,4 +1,4 @@
-//! The files of the workspace, read once. A rule is a function of their text, so its test needs no disk.
+//! The files of the workspace, read once. A rule is a function of their text, so its test needs no files.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::XtaskError;
 
-/// Folders that hold no source: build output and results of runs.
+/// Folders without sources: build output and results of runs.
 const OUTPUT: [&str; 2] = ["target", "results"];
 /// Hidden folders that are part of the workspace; all others belong to tools.
 const HIDDEN_SOURCE: [&str; 3] = [".ci", ".cargo", ".github"];
@@ -20,14 +20,14 @@ pub struct File {
     pub text: Option<String>,
 }
 
-/// Every file of the workspace, in the order of their paths.
+/// Every file of the workspace, in the order of the paths.
 #[derive(Debug, Clone, Default)]
 pub struct Tree {
     files: Vec<File>,
 }
 
 impl Tree {
-    /// Reads the workspace at `root`, except build output, results and what belongs to tools, like `.git`.
+    /// Reads the workspace at `root`, except build output, results and folders of tools, like `.git`.
     ///
     /// # Errors
     /// [`XtaskError::NotAWorkspace`] if `root` holds no `Cargo.toml`; [`XtaskError::Read`] if something cannot be read.
@@ -73,7 +73,7 @@ impl Tree {
             .map(|(_, text)| text)
     }
 
-    /// The paths of all files and of all folders that hold one; the root is the empty path.
+    /// The paths of all files and of all folders that contain one; the root is the empty path.
     #[must_use]
     pub fn paths(&self) -> BTreeSet<&str> {
         let with_folders = |file| std::iter::successors(Some(file), |&path| parent(path));
@@ -84,7 +84,7 @@ impl Tree {
     }
 }
 
-/// The folder that holds `path`; `None` for the root.
+/// The folder that contains `path`; `None` for the root.
 fn parent(path: &str) -> Option<&str> {
     if path.is_empty() {
         return None;

@@ -1,4 +1,4 @@
-//! Pellicle's pressure and the certificate that is computed for every program, held against each other without network.
+//! Pellicle's pressure checked against the certificate computed for every program, without network.
 
 #![expect(
     clippy::unwrap_used,
@@ -11,7 +11,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-/// A Python that has numpy and scipy: that of an earlier comparison, or the system's.
+/// A Python with numpy and scipy: that of an earlier comparison, or the system's.
 fn python() -> Option<PathBuf> {
     let earlier = folder().join("../../target/compare/environments/the-certificate/bin/python");
     let has_numpy = |python: &PathBuf| {
@@ -24,7 +24,7 @@ fn python() -> Option<PathBuf> {
         .into_iter()
         .find(has_numpy);
     if found.is_none() {
-        // Past the capture of the test runner.
+        // Bypasses the output capture of the test runner.
         let line = b"skipped: no Python with numpy and scipy; xtask/compare/compare.py makes one\n";
         std::io::stderr().write_all(line).unwrap();
     }
@@ -68,7 +68,7 @@ fn the_independent_certificate_agrees_with_pellicles_own() {
         let line = |key: &str| certificate[key].as_f64().unwrap();
         let lines = ["complementarity", "gap_in_contact", "overlap", "load"].map(line);
         let worst = lines.into_iter().fold(0.0, f64::max);
-        // Pellicle's own is relative to D, which is d_H within a tenth; rounding adds some 1e-13.
+        // Pellicle's own certificate is relative to D, which is d_H within a tenth; rounding adds about 1e-13.
         let own = measurement["own_error"].as_f64().unwrap();
         let ratio = line("penetration") / 0.0225;
         assert!((0.9..1.1).contains(&ratio), "{case}: {certificate}");
@@ -80,7 +80,7 @@ fn the_independent_certificate_agrees_with_pellicles_own() {
     }
 }
 
-/// Without this, a certificate that finds everything good would pass.
+/// Without this test, a certificate that accepts everything would pass.
 #[test]
 fn a_wrong_pressure_is_not_certified() {
     let Some(python) = python() else { return };

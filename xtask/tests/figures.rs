@@ -1,4 +1,4 @@
-//! Figures on tiny grids: every picture as three files, with the certificate of its data, drawn again to the same
+//! Figures on tiny grids: every picture has three files and the certificate of its data, and is redrawn to the same
 //! bytes.
 
 #![expect(
@@ -67,7 +67,7 @@ fn a_figure_is_drawing_pixels_and_table_with_its_certificate() {
     ] {
         assert!(svg.contains(words), "{words}");
     }
-    // Two panels, three curves, a row a load.
+    // Two panels, three curves, one row per load.
     let loads = 19;
     assert_eq!(text(&files, "fig6.csv").lines().count(), 1 + 2 * 3 * loads);
 }
@@ -107,7 +107,7 @@ fn a_case_that_is_missing_refused_or_not_certified_is_an_error_and_not_drawn() {
     };
     let refused = run("load.force=-1");
     assert!(matches!(&refused, XtaskError::Refused { message, .. } if message.contains("force")));
-    // The smallest force that a number can hold: spread over the elements it is no number any more.
+    // The smallest representable force: spread over the elements it underflows.
     let sentence = run("load.force=5e-324").to_string();
     assert!(
         sentence.starts_with("fig2a") && sentence.contains("not certified"),

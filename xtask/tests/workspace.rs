@@ -1,4 +1,4 @@
-//! The real workspace keeps its own house rules: what `cargo xtask tidy` checks, as a test.
+//! The real workspace keeps its own house rules: the check of `cargo xtask tidy` as a test.
 
 use std::path::Path;
 
@@ -16,7 +16,7 @@ fn the_workspace_is_tidy() {
     );
 }
 
-/// Without this, a reader that finds no files would make every rule pass.
+/// Without this test, a reader that finds no files would make every rule pass.
 #[test]
 fn the_rules_see_every_member_of_the_workspace() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");

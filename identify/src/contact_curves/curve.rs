@@ -1,20 +1,20 @@
-//! Measured curves: what an instrument read, of which model, and how finely the model is solved for it.
+//! Measured curves: the readings of an instrument, their model, and how finely the model is solved for them.
 
 use pellicle_contact::{Model, ModelParameter};
 use serde::{Deserialize, Serialize};
 
 use crate::StopFlag;
 
-/// Measured curves of one model: all that were taken under the same conditions.
+/// All measured curves of one model, taken under the same conditions.
 #[derive(Debug, Clone)]
 pub struct ContactCurve {
-    /// The model, with the values that are not sought and with those of these curves alone.
+    /// The model, with the values of the parameters that are not sought and of those in `own`.
     pub model: Model,
     /// The measured quantity and its abscissa.
     pub observable: Observable,
     /// Abscissae of all points (N or m), in the order of the measurement.
     pub abscissae: Vec<f64>,
-    /// Numbers that these curves have a value of their own of, and that are not sought here.
+    /// Parameters for which these curves have their own value, and which are not sought here.
     pub own: Vec<ModelParameter>,
 }
 
@@ -27,8 +27,8 @@ pub enum Observable {
     /// The force (N) at penetrations (m).
     #[serde(rename = "force at depth")]
     ForceAtDepth,
-    /// The contact stiffness `dQ/dD` (N/m) at contact radii (m), `√(A/π)` of the contact area A. Under indenters of
-    /// revolution it does not depend on their shape: each is the stiffness of a flat punch of that radius. Under a
+    /// The contact stiffness `dQ/dD` (N/m) at contact radii (m), `√(A/π)` of the contact area A. For indenters of
+    /// revolution it does not depend on their shape: it is the stiffness of a flat punch of that radius. For a
     /// Berkovich pyramid it is larger, by 9 % where the tip is round and by 18 % beyond.
     #[serde(rename = "stiffness at contact radius")]
     StiffnessAtContactRadius,
@@ -39,15 +39,15 @@ pub enum Observable {
 pub struct CurveOptions {
     /// Elements per side of the finer of the two grids; even.
     pub elements: usize,
-    /// Loads to a decade at which the contact is solved.
+    /// Loads per decade at which the contact is solved.
     pub loads_per_decade: f64,
-    /// Looked at before each load of a prediction, which ends with
+    /// Checked before each load of a prediction, which ends with
     /// [`ForwardError::Stopped`](crate::ForwardError::Stopped) once it is raised.
     pub stop: StopFlag,
 }
 
 impl Default for CurveOptions {
-    /// 64 elements and six loads a decade: 1e-5 of D for paraboloids, 5e-4 for rounded pyramids
+    /// 64 elements and six loads per decade: errors of 1e-5 of D for paraboloids, 5e-4 for rounded pyramids
     /// (`tests/contact_curves.rs`).
     fn default() -> Self {
         Self {

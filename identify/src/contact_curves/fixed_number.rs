@@ -1,4 +1,4 @@
-//! The numbers of the models that a fit takes as exact, and how the curves follow them.
+//! The numbers of the models that a fit takes as exact, and the sensitivity of the curves to them.
 
 use std::iter;
 
@@ -17,13 +17,14 @@ pub struct FixedNumber {
     pub parameter: ModelParameter,
     /// Its value, in SI units.
     pub value: f64,
-    /// Derivatives `∂y/∂f` of what is read at all points of all curves by it; zero at those of the others.
+    /// Derivatives `∂y/∂f` of the reading with respect to it, at all points of all curves; zero for the other curves.
     pub derivative: Vec<f64>,
 }
 
 impl ContactCurves {
-    /// The curves at these parameters, and the derivatives by those of `numbers`, one list for each curve, that its
-    /// model holds fixed, in their order. Numbers that are zero are left out: a part of nothing is nothing.
+    /// Predicts the curves at these parameters, and their derivatives with respect to the `numbers` (one list per
+    /// curve) that its model holds fixed, in their order. Numbers that are zero are left out, since a relative change
+    /// of zero is zero.
     ///
     /// # Errors
     ///
@@ -65,7 +66,7 @@ impl ContactCurves {
         Ok((all, numbers))
     }
 
-    /// Those of some numbers of a curve's model that are not sought, or that the curve has a value of its own of.
+    /// Selects the numbers that are not sought, or for which the curve has its own value.
     fn fixed(&self, curve: usize, numbers: &[ModelParameter]) -> Vec<ModelParameter> {
         let own: Vec<usize> = self.own(curve).collect();
         let parameters = self.parameters.iter().enumerate();

@@ -1,8 +1,8 @@
 //! Forces that were read by an instrument whose constant is not known exactly.
 //!
-//! A cantilever or a spring of constant k tells a force by its deflection, `F = k d`. Read with a nominal k₀, it gives
-//! `F₀ = k₀ d`, so the true force is `F = κ F₀` with `κ = k/k₀`. What the instrument reads then follows from the
-//! penetration `D(F)` under the true force, and its inverse `Q(D)`:
+//! A cantilever or a spring of constant k measures a force by its deflection, `F = k d`. Read with a nominal k₀, it
+//! gives `F₀ = k₀ d`, so the true force is `F = κ F₀` with `κ = k/k₀`. The reading then follows from the penetration
+//! `D(F)` under the true force, and its inverse `Q(D)`:
 //!
 //! ```text
 //! depth at force:    y = D(κ F₀)       ∂y/∂F₀ = κ D′(κ F₀)       ∂y/∂k = (F₀/k₀) D′(κ F₀)
@@ -12,12 +12,12 @@
 use super::curve::Observable;
 use crate::Prediction;
 
-/// A constant in proportion to which the forces of a curve are, and that is one more parameter to be found.
+/// A constant to which the forces of a curve are proportional: one more parameter to be found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForceScale {
-    /// Its place among such constants; as parameters they come after those of the model.
+    /// Its index among such constants; as parameters they come after those of the model.
     pub constant: usize,
-    /// Its value with which the forces were read.
+    /// The value assumed when the forces were read.
     pub nominal: f64,
 }
 
@@ -28,7 +28,7 @@ impl ForceScale {
         constant.map_or(1.0, |constant| constant / self.nominal)
     }
 
-    /// Turns a prediction in true forces into one in forces as read. Gives `∂y/∂k`.
+    /// Converts a prediction from true forces to forces as read. Returns `∂y/∂k`.
     pub(super) fn apply(
         self,
         observable: Observable,
@@ -54,7 +54,7 @@ impl ForceScale {
 }
 
 impl Observable {
-    /// Abscissae as they are, where forces that were read are too small by a factor.
+    /// The true abscissae, where the forces that were read are too small by `factor`.
     pub(super) fn true_abscissae(self, read: &[f64], factor: f64) -> Vec<f64> {
         let factor = if self == Self::DepthAtForce {
             factor
@@ -66,7 +66,7 @@ impl Observable {
 }
 
 impl Prediction {
-    /// Adds derivatives by so many constants on which the points do not depend.
+    /// Adds derivatives with respect to `count` constants on which the points do not depend.
     pub(super) fn extend_by_constants(&mut self, count: usize) {
         let none = vec![0.0; self.value.len()];
         let derivatives = &mut self.derivatives;

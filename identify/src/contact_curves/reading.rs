@@ -6,15 +6,15 @@ use super::curve::Observable;
 use super::solved_curve::{CurvePoint, SolvedCurve};
 use crate::Prediction;
 
-/// Steps of Newton's method for the force at a depth: it is convex in logarithms, and a few do.
+/// Limit on Newton steps for the force at a depth. The problem is convex in logarithms, so a few suffice.
 const MOST_STEPS: usize = 60;
-/// Relative step of a force, by which the stiffness is differentiated.
+/// Relative step of the force for differentiating the stiffness.
 const STEP: f64 = 1e-3;
 /// Relative accuracy of that force.
 const ACCURACY: f64 = 1e-13;
 
 impl Observable {
-    /// The observable at some abscissae of a solved curve.
+    /// The observable at given abscissae of a solved curve.
     pub(super) fn of(
         self,
         curve: &SolvedCurve,
@@ -66,7 +66,7 @@ impl Observable {
     }
 }
 
-/// The force that gives a contact radius, by Newton's method in logarithms.
+/// Returns the force that gives a contact radius, by Newton's method in logarithms.
 fn force_at_radius(curve: &SolvedCurve, radius: f64) -> Result<f64, ContactError> {
     let [least, most] = curve.ends();
     let mut force = most;
@@ -81,7 +81,7 @@ fn force_at_radius(curve: &SolvedCurve, radius: f64) -> Result<f64, ContactError
     Err(ContactError::Force { force })
 }
 
-/// The force that gives a penetration, by Newton's method in logarithms; 0 where there is none.
+/// Returns the force that gives a penetration, by Newton's method in logarithms; 0 for no penetration.
 fn force_at(curve: &SolvedCurve, penetration: f64) -> Result<(f64, CurvePoint), ContactError> {
     if penetration <= 0.0 {
         return Ok((0.0, curve.at(0.0)));

@@ -10,20 +10,20 @@ use rayon::prelude::*;
 
 use super::curve::{ContactCurve, CurveOptions, Observable};
 
-/// Forces below this part of the largest are met by the power law of the smallest load solved.
+/// Forces below this fraction of the largest follow the power law at the smallest load solved.
 const SMALLEST_PART: f64 = 1e-3;
-/// Loads between the ends, at most.
+/// Maximum number of loads between the ends.
 const MOST_INTERVALS: u16 = 1000;
-/// The force at a measured depth is estimated to a factor of less.
+/// The estimated force at a measured depth is within this factor of the true one.
 const ESTIMATE: f64 = 3.0;
-/// A contact within so many elements of the first domain's edge needs a larger one.
+/// A contact closer than this many elements to the edge of the first domain needs a larger one.
 const EDGE: usize = 1;
-/// By how much, and how often.
+/// Enlargement factor, and how often it is applied.
 const ENLARGEMENT: f64 = 1.4;
 const ENLARGEMENTS: usize = 8;
-/// Side of the domain over the contact radius found on the first: the contact takes half of it.
+/// Side of the domain over the contact radius found on the first one: the contact covers half of its area.
 const SIDE_PER_RADIUS: f64 = 2.5;
-/// Bound on the certificate: E is wrong by the square of it.
+/// Bound on the certificate. The error of E is of the order of its square.
 const TOLERANCE: f64 = 1e-7;
 
 /// The loads at which a curve is solved.
@@ -31,7 +31,7 @@ const TOLERANCE: f64 = 1e-7;
 pub struct Nodes {
     ends: NodeEnds,
     count: usize,
-    /// Side of each load's domain over that of the first guess.
+    /// Side of each load's domain over the first guess.
     stretches: Vec<f64>,
 }
 
@@ -47,7 +47,7 @@ enum NodeEnds {
 }
 
 impl Nodes {
-    /// Loads that cover a curve's points.
+    /// Loads that cover the points of a curve.
     pub fn of(curve: &ContactCurve, options: &CurveOptions) -> Result<Self, ContactError> {
         let positive = curve.abscissae.iter().copied().filter(|x| *x > 0.0);
         let [least, most] = positive.fold([f64::INFINITY, 0.0], |[least, most], x| {
@@ -56,7 +56,7 @@ impl Nodes {
         if most == 0.0 {
             return Err(ContactError::Force { force: most });
         }
-        // The force goes with this power of the abscissa, about.
+        // The force grows roughly with this power of the abscissa.
         let (power, estimate): (f64, f64) = match curve.observable {
             Observable::DepthAtForce => (1.0, 1.0),
             Observable::ForceAtDepth => (1.5, ESTIMATE),
@@ -80,8 +80,8 @@ impl Nodes {
         Ok(nodes)
     }
 
-    /// The stretches by which half of each domain is in contact. They are kept while the parameters change, so that a
-    /// domain follows its contact without a jump.
+    /// The stretches that put half of each domain in contact. They stay fixed while the parameters change, so a domain
+    /// follows its contact without a jump.
     fn stretches_for(
         &self,
         model: &Model,
@@ -97,7 +97,7 @@ impl Nodes {
         stretches.into_iter().collect()
     }
 
-    /// The same with forces larger by a factor, where they are given.
+    /// The same nodes with their forces multiplied by `factor`, where forces are given.
     pub fn with_forces_times(&self, factor: f64) -> Self {
         let mut scaled = self.clone();
         if let NodeEnds::Forces(ends) = &mut scaled.ends {
@@ -110,7 +110,7 @@ impl Nodes {
         self.count
     }
 
-    /// Their forces (N) for a model, each with the side of its domain (m).
+    /// The forces (N) of the nodes for a model, each with the side of its domain (m).
     pub fn domains(&self, model: &Model) -> Vec<(f64, f64)> {
         let forces = self.forces(model).into_iter().zip(&self.stretches);
         forces
@@ -121,7 +121,7 @@ impl Nodes {
             .collect()
     }
 
-    /// Their forces for a model, evenly spread in logarithms.
+    /// The forces of the nodes for a model, evenly spaced in logarithms.
     fn forces(&self, model: &Model) -> Vec<f64> {
         let [least, most] = match self.ends {
             NodeEnds::Forces(ends) => ends,
@@ -134,7 +134,7 @@ impl Nodes {
                 estimated_force_at_radius(model, most) * ESTIMATE,
             ],
         };
-        // One node beyond each end, where a spline knows less.
+        // One node beyond each end, where a spline is less accurate.
         let inside = (self.count - 3) as f64;
         let part = |i: usize| (i as f64 - 1.0) / inside;
         (0..self.count)
@@ -143,10 +143,10 @@ impl Nodes {
     }
 }
 
-/// A curve of a model: the energy over the force, and its derivative by each parameter.
+/// A curve of a model: the energy as a function of force, and its derivative with respect to each parameter.
 #[derive(Debug)]
 pub struct SolvedCurve {
-    /// Forces at both ends of what was solved, N.
+    /// Smallest and largest force solved, N.
     ends: [f64; 2],
     energy: ForceCurve,
     /// `√(A/π)` of the contact area A.
@@ -198,7 +198,7 @@ impl SolvedCurve {
         })
     }
 
-    /// The curve at a force; below the smallest solved by the power law there, 0 without force.
+    /// The curve at a force. Below the smallest force solved it follows the power law there; at zero force it is 0.
     pub fn at(&self, force: f64) -> CurvePoint {
         let inside = force.max(self.ends[0]);
         let penetration = self.energy.derivative(inside);
@@ -218,7 +218,7 @@ impl SolvedCurve {
         }
     }
 
-    /// The contact radius (m) at a force, and its derivative by the force.
+    /// The contact radius (m) at a force, and its derivative with respect to the force.
     pub fn radius(&self, force: f64) -> [f64; 2] {
         [self.radius.value(force), self.radius.derivative(force)]
     }
@@ -228,7 +228,7 @@ impl SolvedCurve {
         1.0 / self.energy.second_derivative(force)
     }
 
-    /// Forces at both ends of what was solved, N.
+    /// Smallest and largest force solved, N.
     pub fn ends(&self) -> [f64; 2] {
         self.ends
     }
@@ -237,7 +237,8 @@ impl SolvedCurve {
 /// `E`, the contact radius and each `∂E/∂θ` under a force, extrapolated from a grid of `elements` per side and one of
 /// half as many.
 ///
-/// Their errors fall with the square of the element's side: `(4 E_h − E_2h)/3`. Besides the products on the finer grid.
+/// The errors fall with the square of the element's side, so the extrapolation is `(4 E_h − E_2h)/3`. Also returns the
+/// products on the finer grid.
 fn energies(
     model: &Model,
     derivatives: &ModelDerivatives,
@@ -277,7 +278,7 @@ pub fn held(
     Ok(path)
 }
 
-/// The contact radius (m) on a grid that holds the contact.
+/// The contact radius (m) on a grid that contains the contact.
 fn contact_radius(model: &Model, force: f64, elements: usize) -> Result<f64, ContactError> {
     let mut side = default_side(model, &[Load::Force(force)]);
     for _ in 0..ENLARGEMENTS {

@@ -1,8 +1,9 @@
-//! Where a model holds: the points of curves at which its springs are squeezed by no more than there is of them, its
-//! indenter is flat enough, its contact is resolved, and its error is small beside the noise.
+//! Where a model holds: the points at which its springs are shortened by less than their height, its indenter is flat
+//! enough, its contact is resolved, and its error is small compared with the noise.
 //!
-//! The contact is solved once more at the loads of each curve. Shortening, slope and elements follow powers of the load
-//! from one to the next, so they are straight lines in logarithms between them, and beyond the first and the last.
+//! The contact is solved once more at the loads of each curve. Between neighbouring loads, shortening, slope and
+//! elements follow powers of the load, so they are interpolated linearly in logarithms, and extrapolated likewise
+//! beyond the first and last loads.
 
 use std::fmt;
 
@@ -15,16 +16,17 @@ use rayon::prelude::*;
 use super::{ContactCurve, ContactCurves, CurveOptions, Observable, solved_curve::held};
 use crate::{Fit, Prediction};
 
-/// The error of a prediction is estimated by one on a grid this much finer, with as many times more loads.
+/// The error of a prediction is estimated from a second one, with the grid finer and the loads more numerous by this
+/// factor.
 const FINER: f64 = 1.5;
-/// An error above this part of a point's standard deviation is too large: it adds a quarter to the variance. Any part
-/// is arbitrary; from about here on a point tells more of the grid than of the body.
+/// An error above this fraction of a point's standard deviation is too large: it adds a quarter to the variance. Any
+/// limit is arbitrary; from about here on, a point says more about the grid than about the body.
 const LARGEST_ERROR: f64 = 0.5;
 
 /// Why a model does not hold at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Invalidity {
-    /// Springs of the linear law are squeezed by more than their height.
+    /// Springs of the linear law are shortened by more than their height.
     Squeezed,
     /// The indenter is steeper than [`LARGEST_SLOPE`] where the contact ends.
     Steep,
@@ -59,10 +61,11 @@ struct Condition {
 }
 
 impl ContactCurves {
-    /// Of each point of all curves, why the model does not hold there at a fit; nothing where it does. `at_fit` is what
-    /// these curves predict at the fit's values, and `noise` the standard deviation of each point.
+    /// For each point of all curves, the reason why the model does not hold there at a fit; `None` where it holds.
+    /// `at_fit` is the prediction of these curves at the fit's values, and `noise` the standard deviation of each
+    /// point.
     ///
-    /// Each load is solved once more, and on a finer grid; neither counts as solved.
+    /// Each load is solved once more, and on a finer grid; neither is counted in the loads solved.
     ///
     /// # Errors
     ///
@@ -76,7 +79,7 @@ impl ContactCurves {
         let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
         let finer = self.finer(&values)?;
         let pairs = at_fit.value.iter().zip(&finer.value);
-        // Second order in the element's side: e − e/F² is seen of an error e.
+        // Second order in the element's side: of an error e, the difference shows e − e/F².
         let seen = 1.0 - 1.0 / (FINER * FINER);
         let errors = pairs.map(|(value, finer)| (value - finer).abs() / seen);
         let inaccurate: Vec<bool> = (errors.zip(noise))
@@ -94,7 +97,7 @@ impl ContactCurves {
             .collect())
     }
 
-    /// The same points from a finer grid and more loads.
+    /// Predicts the same points with a finer grid and more loads.
     fn finer(&self, values: &[f64]) -> Result<Prediction, ContactError> {
         let curves = self.curves.iter().enumerate();
         let curves = curves.map(|(index, curve)| {
@@ -130,7 +133,7 @@ impl ContactCurves {
         Ok(together)
     }
 
-    /// The contact at the loads of a curve.
+    /// The state of the contact at the loads of a curve.
     fn conditions(&self, curve: usize, values: &[f64]) -> Result<Vec<Condition>, ContactError> {
         let model = self.model(curve, values)?;
         let observable = self.curves[curve].observable;
@@ -147,7 +150,7 @@ impl ContactCurves {
     }
 }
 
-/// The condition of a contact under a force that was read as this one.
+/// The state of a contact under a force that was read as `force`.
 fn condition(model: &Model, observable: Observable, force: f64, path: &LoadingPath) -> Condition {
     let step = &path.steps[0];
     let area = step.summary.contact_area;
@@ -159,12 +162,12 @@ fn condition(model: &Model, observable: Observable, force: f64, path: &LoadingPa
         },
         shortening: relative_shortening(model, step),
         slope: edge_slope(model, step),
-        // 2a over elements twice as wide.
+        // 2a over the side of an element twice as wide.
         elements: step.summary.contact_radius / path.grid.element_side(),
     }
 }
 
-/// Why the model does not hold at an abscissa.
+/// The reason why the model does not hold at an abscissa, if it does not.
 fn invalid(conditions: &[Condition], abscissa: f64) -> Option<Invalidity> {
     let at = |of: fn(&Condition) -> Option<f64>| interpolated(conditions, abscissa, of);
     let above = |found: Option<f64>, limit: f64| found.is_some_and(|found| found > limit);
@@ -200,7 +203,7 @@ fn interpolated(
 mod tests {
     use super::*;
 
-    /// Powers of the load that fail at 2 and 30, and elements that fail below 0.1.
+    /// Power laws that exceed their limits above loads of 2 and 30, and elements too few below 0.1.
     fn conditions() -> Vec<Condition> {
         [0.03_f64, 0.3, 3.0, 30.0]
             .map(|load| Condition {

@@ -1,6 +1,7 @@
 //! Covariances of unknowns and of linear nuisances.
 //!
-//! The unknowns' is `(JᵀJ)⁻¹` with the nuisances eliminated, which is their part of the inverse of the whole.
+//! The covariance of the unknowns is `(JᵀJ)⁻¹` with the nuisances eliminated, which is their block of the inverse of
+//! the full matrix.
 
 use super::Fitting;
 use crate::{
@@ -31,7 +32,7 @@ impl Fitting<'_> {
         covariance
     }
 
-    /// The linear nuisances with intervals that allow for the unknowns.
+    /// The linear nuisances, with intervals that allow for the uncertainty of the unknowns.
     pub(super) fn coefficients(&self, refined: &Refined, sought: &[Sought]) -> Vec<Coefficient> {
         let (_, jacobian) = refined.metric.rows(&refined.minimum.at);
         let mut columns: Vec<Vec<f64>> = self.told.iter().map(|&j| jacobian[j].clone()).collect();

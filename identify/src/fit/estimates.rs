@@ -1,4 +1,4 @@
-//! The unknowns in words: values, intervals, verdicts, and combinations that stay known.
+//! The estimates of the unknowns: values, intervals, verdicts, and the combinations that remain known.
 
 use super::{
     Fitting,
@@ -12,11 +12,11 @@ use crate::{
     verdict,
 };
 
-/// A correlation above this with a parameter that its prior drives means that the prior drives both.
+/// Above this correlation with a prior-driven parameter, the prior drives both.
 const CARRIED: f64 = 0.9;
 
 impl Fitting<'_> {
-    /// All unknowns.
+    /// The estimates of all unknowns.
     pub(super) fn estimates(
         &self,
         refined: &Refined,
@@ -69,7 +69,7 @@ impl Fitting<'_> {
         estimate
     }
 
-    /// The known combination: the unknown times powers of those held, with its interval while they are held.
+    /// The known combination: the unknown times powers of the held unknowns, with its interval while they are held.
     fn combination(
         &self,
         refined: &Refined,
@@ -89,7 +89,7 @@ impl Fitting<'_> {
         })
     }
 
-    /// Says of each unknown which prior-driven parameter carries its uncertainty.
+    /// Names, for each unknown, the prior-driven parameter that carries its uncertainty.
     fn name_carriers(&self, refined: &Refined, estimates: &mut [Estimate]) {
         let correlation = correlation(&self.covariance(refined));
         let driven: Vec<(usize, String)> = estimates

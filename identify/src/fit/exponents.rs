@@ -1,8 +1,8 @@
-//! The effect on the answer of a number that is taken as exact.
+//! The effect on the estimates of a number that is taken as exact.
 //!
-//! Intervals are about the noise alone. If a number `f` of the model is really `f (1 + ε)`, the best fit moves too.
-//! With the whitened derivatives `J = ∂y/∂x` by the unknowns' coordinates and `F = ∂y/∂ln f`, nuisances eliminated and
-//! priors among the rows, the least misfit of the linearised problem moves by
+//! Intervals account for the noise alone. If a number `f` of the model is really `f (1 + ε)`, the best fit moves too.
+//! With the whitened derivatives `J = ∂y/∂x` with respect to the unknowns' coordinates and `F = ∂y/∂ln f`, nuisances
+//! eliminated and priors among the rows, the minimum of the linearised problem moves by
 //!
 //! ```text
 //! dx/d ln f = −(JᵀJ)⁻¹ Jᵀ F
@@ -16,17 +16,17 @@ use crate::{
     metric::Metric, orthonormal_basis::OrthonormalBasis, predictor::Evaluation,
 };
 
-/// The exponents `a_j = d ln θ_j/d ln f` of each unknown of a fit, for each of some numbers `f` that its model takes as
-/// exact: one list for each number, in their order; nothing for an unknown that no data tell, that lies at a bound of
-/// its range, or that is zero.
+/// Computes the exponents `a_j = d ln θ_j/d ln f` of each unknown of a fit for each number `f` that its model takes as
+/// exact.
 ///
-/// `at_fit` is the prediction at the fit's values, and `changes` are the derivatives `∂y/∂ln f` at all points. Repeats
-/// are taken together, as if they did not scatter.
+/// Returns one list per number, in their order, with `None` for an unknown that is not identifiable, lies at a bound of
+/// its range, or is zero. `at_fit` is the prediction at the fit's values, and `changes` are the derivatives `∂y/∂ln f`
+/// at all points. Repeats are pooled, as if they did not scatter.
 ///
 /// # Errors
 ///
-/// [`IdentifyError::Length`] where a list has not one number for each point; [`IdentifyError::Decomposition`] as
-/// [`identify`](super::identify).
+/// [`IdentifyError::Length`] where a list does not have one number for each point; [`IdentifyError::Decomposition`] as
+/// for [`identify`](super::identify).
 pub fn exponents(
     problem: &Problem,
     fit: &Fit,

@@ -13,11 +13,11 @@ use crate::{
 /// One unknown among the others.
 pub(super) struct Sought {
     pub unknown: usize,
-    /// Its place in the best fit, in its coordinate.
+    /// Its coordinate in the best fit.
     pub position: f64,
-    /// The unknowns held so that the data determine it; none where no data do.
+    /// The unknowns held so that the data determine it; `None` if no data can.
     pub hold: Option<Hold>,
-    /// The unknowns that are free beside it.
+    /// The other free unknowns.
     pub others: Vec<usize>,
     /// Standard error in its coordinate.
     pub standard_error: f64,
@@ -34,26 +34,26 @@ pub(super) struct Interval {
     pub reach: Reach,
 }
 
-/// How far the search for an interval came.
+/// How far the search for an interval got.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Reach {
-    /// To its end.
+    /// Complete.
     Whole,
-    /// To the best fit: the ends are those of the covariance, in place of a profile.
+    /// As far as the best fit: the ends come from the covariance instead of a profile.
     BestFit,
-    /// Not to the best fit.
+    /// Not as far as the best fit.
     Nowhere,
 }
 
 /// The result of the scans of all unknowns.
 pub(super) enum Scanned {
     All(Vec<Interval>),
-    /// A better fit, by the profile of this unknown.
+    /// A better fit, found by the profile of this unknown.
     Better(usize, Rc<Evaluation>),
 }
 
 impl Interval {
-    /// The best fit alone.
+    /// The best fit as the only point.
     pub fn of(one: &Sought) -> Self {
         Self {
             points: vec![(one.position, 0.0)],
@@ -68,7 +68,7 @@ impl Interval {
 }
 
 impl Sought {
-    /// `x ± t s`, as far as the bounds.
+    /// `x ± t s`, open on a side that exceeds its bound.
     pub fn wald_interval(&self, problem: &Problem) -> Interval {
         let half = self.quantile * self.standard_error;
         Interval {
@@ -78,7 +78,7 @@ impl Sought {
         }
     }
 
-    /// `x ± t s` in place of a profile that the model ended.
+    /// `x ± t s` instead of a profile, for a fit that was stopped.
     pub fn without_profile(&self, problem: &Problem) -> Interval {
         Interval {
             reach: Reach::BestFit,
@@ -96,7 +96,7 @@ impl Sought {
     }
 }
 
-/// The unknowns whose profile is missing, if there are any.
+/// The unknowns whose profile is missing, if any.
 pub(super) fn missing_profiles(intervals: &[Interval]) -> Option<Stopped> {
     let missing = intervals.iter().enumerate();
     let missing = missing.filter(|(_, interval)| interval.reach == Reach::BestFit);

@@ -13,7 +13,7 @@ use crate::{
     refinement::Refined,
 };
 
-/// The lower end of an interval and the upper one, with the direction outward.
+/// The lower and upper end of an interval, each with its outward direction.
 const SIDES: [(usize, f64); 2] = [(0, -1.0), (1, 1.0)];
 
 impl Fitting<'_> {
@@ -37,7 +37,7 @@ impl Fitting<'_> {
             .filter(|j| *j != unknown && !held.contains(j))
             .collect();
         let jacobian = &refined.minimum.system.jacobian;
-        // The unknown comes last, so that one that depends on the others is the one to be dropped.
+        // The unknown comes last, so that it is the column to be dropped if it depends on the others.
         let columns = others
             .iter()
             .chain([&unknown])
@@ -54,7 +54,7 @@ impl Fitting<'_> {
         })
     }
 
-    /// The intervals of all unknowns; those of the covariance where the model ends the scans.
+    /// Computes the intervals of all unknowns; from the covariance where the model ends the scans.
     pub(super) fn scan(
         &self,
         predictor: &mut Predictor,
@@ -93,7 +93,7 @@ impl Fitting<'_> {
         self.extend(predictor, refined, sought, intervals)
     }
 
-    /// Scans on where the evaluations of all scans promise that an interval reaches farther.
+    /// Continues a scan where the evaluations of all scans suggest that the interval reaches farther.
     fn extend(
         &self,
         predictor: &mut Predictor,

@@ -1,4 +1,4 @@
-//! The unfinished fit of a model that stopped: the best so far, without the missing intervals.
+//! The unfinished result of a stopped fit: the best so far, without the missing intervals.
 
 use std::rc::Rc;
 
@@ -12,7 +12,7 @@ use crate::{
 };
 
 impl Fitting<'_> {
-    /// The fit as far as it came: the best prediction, under the noise that its residuals show.
+    /// The fit as far as it got: the best prediction, with the noise estimated from its residuals.
     pub(super) fn unfinished(
         self,
         predictor: &Predictor,
@@ -34,14 +34,14 @@ impl Fitting<'_> {
 }
 
 impl Estimate {
-    /// Without a profile there is no interval but that of the covariance, by which the unknown is judged.
+    /// Removes the profile's interval: the unknown is judged by the covariance alone.
     pub(super) fn leave_to_covariance(&mut self) {
         self.interval = [None, None];
         self.why
             .push_str(" This is by the covariance alone: the fit was stopped before its profile.");
     }
 
-    /// Away from the best fit there is no interval at all.
+    /// Removes all intervals, since the values are not those of the best fit.
     pub(super) fn leave_without_interval(&mut self) {
         (self.interval, self.wald) = ([None, None], None);
         if self.verdict != Verdict::NotIdentifiable {

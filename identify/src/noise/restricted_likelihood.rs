@@ -1,11 +1,12 @@
-//! The sizes and the correlation of the noise, from the residuals.
+//! The sizes and the correlation of the noise, estimated from the residuals.
 //!
-//! The restricted likelihood of the residuals, which does not count what the fit itself has absorbed:
-//! `−2 ℓ_R = ln det V + ln det XᵀV⁻¹X + rᵀ P r`, where `X` holds the derivatives by all unknowns and nuisances, and
-//! `rᵀ P r` is what of the residual no combination of them explains: H. D. Patterson and R. Thompson, Biometrika 58,
-//! 545 (1971). No prediction is needed: the residuals of the present point serve every trial. Degrees of freedom of
-//! an interval follow by Satterthwaite's rule, `ν = 2 C²/Var(C)`, with `Var(C)` from the curvature of `ℓ_R`: F. G.
-//! Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985). Where a correlation is estimated, `ln C` is normal instead.
+//! They maximise the restricted likelihood of the residuals, which accounts for the part that the fit has absorbed:
+//! `−2 ℓ_R = ln det V + ln det XᵀV⁻¹X + rᵀ P r`. `X` holds the derivatives with respect to all unknowns and nuisances,
+//! and `rᵀ P r` is the part of the residual that no combination of them explains: H. D. Patterson and R. Thompson,
+//! Biometrika 58, 545 (1971). No prediction is needed: the residuals of the present point serve for every trial. The
+//! degrees of freedom of an interval follow from Satterthwaite's rule, `ν = 2 C²/Var(C)`, with `Var(C)` from the
+//! curvature of `ℓ_R`: F. G. Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985). Where a correlation is estimated,
+//! `ln C` is normal instead.
 
 use faer::{Mat, Side};
 
@@ -20,33 +21,33 @@ use crate::{
 
 /// Logits of the correlation stay between these, so that the persistence stays between 0.0009 and 0.9991.
 const LOGIT_LIMIT: f64 = 7.0;
-/// An estimated size is not sought below this part of where the search began.
+/// An estimated size is not sought below this fraction of its initial value.
 const LEAST_SIZE: f64 = 1e-6;
-/// Steps of the differences of the likelihood in logarithms and logits: long enough to forget the rounding of `ℓ_R`,
-/// short beside a standard error, which is at least some 0.05 with 300 points.
+/// Step for differencing the likelihood in logarithms and logits: long enough for the rounding of `ℓ_R` to be
+/// negligible, and short compared with a standard error, which is at least about 0.05 with 300 points.
 const DIFFERENCE: f64 = 0.05;
-/// Curvatures of `−2 ℓ_R` below this, a standard error above six in a logarithm, tell nothing.
+/// Curvatures of `−2 ℓ_R` below this carry no information: they mean a standard error above six in a logarithm.
 const FLAT: f64 = 0.05;
 
-/// Noise forgets itself at least so often in a curve; what lasts longer counts as a misfit.
+/// A curve is at least this many correlation lengths of its noise long; a longer correlation counts as a misfit.
 const FORGOTTEN: f64 = 10.0;
 
-/// One problem with its residuals, to which the noise belongs.
+/// One problem with its residuals, from which the noise is estimated.
 #[derive(Clone)]
 pub(crate) struct Part<'a> {
     pub problem: &'a Problem,
     pub at: &'a Evaluation,
-    /// Unknowns that count as found; those that no data tell are left out.
+    /// Unknowns that count as fitted; those that are not identifiable are left out.
     pub free: &'a [usize],
 }
 
-/// The restricted likelihood over the estimated numbers of the noise, of one problem or of several with the same
-/// noise.
+/// The restricted likelihood as a function of the estimated numbers of the noise, for one problem or several with the
+/// same noise.
 pub(crate) struct RestrictedLikelihood<'a> {
     parts: Vec<Part<'a>>,
     base: NoiseLevels,
     noise: Noise,
-    /// The persistence is not sought above this.
+    /// Upper limit of the persistence.
     most_persistence: f64,
 }
 
@@ -60,7 +61,7 @@ impl<'a> RestrictedLikelihood<'a> {
         }
     }
 
-    /// The levels of the greatest likelihood.
+    /// The levels of maximum likelihood.
     pub fn estimate(&self) -> NoiseLevels {
         let mut start = self.encode(&self.base);
         if start.is_empty() {
@@ -73,13 +74,13 @@ impl<'a> RestrictedLikelihood<'a> {
         self.decode(&simplex::least(&start, 0.5, |p| self.deviance(p)))
     }
 
-    /// The probability that noise which forgets itself within a tenth of its curve looks as persistent as this one;
-    /// none where its correlation is not estimated.
+    /// The probability that noise with a correlation length of at most a tenth of its curve looks as persistent as
+    /// this; `None` if the correlation is not estimated.
     ///
-    /// Noise correlated for longer cannot be told from a model that does not follow the data, which an
-    /// autoregression takes up as readily as noise. Twice the logarithm of the likelihood ratio, of the best
-    /// persistence to the best one below `e^(−10/n)`, is zero or χ² with even chances, the limit being one-sided
-    /// (H. Chernoff, Ann. Math. Stat. 25, 573 (1954)).
+    /// Noise correlated over longer distances cannot be distinguished from a misfit of the model, which an
+    /// autoregression absorbs as readily as noise. Twice the logarithm of the likelihood ratio between the best
+    /// persistence and the best one below `e^(−10/n)` is zero or χ² with equal probability, since the limit is
+    /// one-sided (H. Chernoff, Ann. Math. Stat. 25, 573 (1954)).
     pub fn persistence_p(&self) -> Option<f64> {
         if self.noise.correlation != Correlation::Estimated {
             return None;
@@ -156,7 +157,7 @@ impl<'a> RestrictedLikelihood<'a> {
         self.parts.iter().map(|part| part.deviance(&levels)).sum()
     }
 
-    /// `C_jj` of each free unknown, of the first problem.
+    /// `C_jj` of each free unknown of the first problem.
     fn variances(&self, parameters: &[f64]) -> Vec<f64> {
         let levels = self.decode(parameters);
         self.parts
@@ -164,7 +165,7 @@ impl<'a> RestrictedLikelihood<'a> {
             .map_or_else(Vec::new, |part| part.variances(&levels))
     }
 
-    /// Second differences of the deviance.
+    /// The curvature of the deviance, from second differences.
     fn curvature(&self, best: &[f64]) -> Mat<f64> {
         let size = best.len();
         let shifted = |i: usize, si: f64, k: usize, sk: f64| {

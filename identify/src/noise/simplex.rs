@@ -1,11 +1,11 @@
-//! The downhill simplex, for the few numbers of a noise model, whose likelihood costs no prediction.
+//! The downhill simplex method, for the few numbers of a noise model, whose likelihood costs no prediction.
 //!
 //! J. A. Nelder and R. Mead, Comput. J. 7, 308 (1965), with the usual coefficients 1, 2, ½, ½.
 
-/// A simplex smaller than this in every coordinate, which are logarithms and logits, has converged.
+/// A simplex smaller than this in every coordinate (logarithms and logits) has converged.
 const TOLERANCE: f64 = 1e-4;
 
-/// The point where `function` is least, from `start` with a first simplex of edge `edge`.
+/// Minimises `function` from `start`, with an initial simplex of edge `edge`.
 pub(crate) fn least(start: &[f64], edge: f64, mut function: impl FnMut(&[f64]) -> f64) -> Vec<f64> {
     let mut corners = vec![(function(start), start.to_vec())];
     for axis in 0..start.len() {
@@ -26,7 +26,7 @@ pub(crate) fn least(start: &[f64], edge: f64, mut function: impl FnMut(&[f64]) -
 
 type Corner = (f64, Vec<f64>);
 
-/// Replaces the worst of the sorted corners, or draws all towards the best.
+/// Replaces the worst of the sorted corners, or contracts all towards the best.
 fn advance(corners: &mut [Corner], function: &mut impl FnMut(&[f64]) -> f64) {
     let last = corners.len() - 1;
     let centre = centroid(&corners[..last]);
@@ -59,7 +59,7 @@ fn advance(corners: &mut [Corner], function: &mut impl FnMut(&[f64]) -> f64) {
     }
 }
 
-/// Draws all corners halfway to the first.
+/// Moves all corners halfway to the first.
 fn shrink(corners: &mut [Corner], function: &mut impl FnMut(&[f64]) -> f64) {
     let best = corners[0].1.clone();
     for (value, corner) in &mut corners[1..] {
@@ -96,7 +96,7 @@ mod tests {
     fn the_least_of_a_curved_valley_is_found() {
         let valley = |x: &[f64]| (1.0 - x[0]).powi(2) + 10.0 * (x[1] - x[0] * x[0]).powi(2);
         let found = least(&[-1.0, 2.0], 0.5, valley);
-        // The simplex ends when smaller than 1e-4; the valley is flatter along than across.
+        // The search ends when the simplex is smaller than 1e-4; the valley is flatter along its floor than across.
         assert!(
             (found[0] - 1.0).abs() < 1e-3 && (found[1] - 1.0).abs() < 2e-3,
             "{found:?}"
@@ -106,7 +106,7 @@ mod tests {
     #[test]
     fn one_dimension_is_enough() {
         let found = least(&[3.0], 0.5, |x| (x[0] - 0.25).powi(2));
-        // The size at which the simplex ends.
+        // The size at which the search ends.
         assert!((found[0] - 0.25).abs() < 1e-4);
     }
 }

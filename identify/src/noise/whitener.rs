@@ -1,12 +1,12 @@
-//! The factor of the covariance of all points, applied to a column.
+//! The whitening factor of the covariance of all points, applied to columns.
 
 use std::ops::Range;
 
 use super::NoiseLevels;
 use crate::autoregressive::Innovations;
 
-/// A point's standard deviation is at least this part of the typical one, so that a point whose value is zero does not
-/// weigh infinitely under relative noise.
+/// A point's standard deviation is at least this fraction of the typical one, so that a point of value zero does not
+/// get an infinite weight under relative noise.
 const LEAST_DEVIATION: f64 = 1e-3;
 
 /// `W` with `Wᵀ W = V⁻¹` for the covariance `V` of all points.
@@ -45,7 +45,7 @@ impl Whitener {
         }
     }
 
-    /// `W v` in place of `v`.
+    /// Replaces `v` by `W v`.
     pub fn whiten(&self, column: &mut [f64]) {
         for (value, weight) in column.iter_mut().zip(&self.weight) {
             *value *= weight;

@@ -6,11 +6,11 @@ use super::{NullDirections, kernel};
 use crate::IdentifyError;
 
 impl NullDirections {
-    /// The directions that leave the curves of every one of some models: those that restrict to a direction of each
-    /// model on the parameters that it has.
+    /// The directions that leave the curves of all models unchanged: their restriction to the parameters of each model
+    /// is a direction of that model.
     ///
-    /// A parameter that several models share has one name in all of them; one that is a model's own, or that has
-    /// different values in them, needs a name of its own.
+    /// A parameter shared by several models has the same name in all of them; one that belongs to a single model, or
+    /// has different values in them, needs its own name.
     ///
     /// # Errors
     ///
@@ -25,7 +25,7 @@ impl NullDirections {
                 parameters.push(name.clone());
             }
         }
-        // A weight for each direction of each model.
+        // One weight for each direction of each model.
         let weights: usize = models.iter().map(|model| model.vectors.len()).sum();
         let rows = equations(models, &parameters, weights);
         let equations = Mat::from_fn(rows.len(), weights, |row, weight| rows[row][weight]);
@@ -48,7 +48,8 @@ impl NullDirections {
     }
 }
 
-/// One equation for each parameter and each model that has it but the first: its change is the first model's.
+/// One equation for each parameter and each model that has it, except the first: its change equals that in the first
+/// model.
 fn equations(models: &[NullDirections], parameters: &[String], weights: usize) -> Vec<Vec<f64>> {
     let mut equations = Vec::new();
     for name in parameters {
@@ -69,7 +70,7 @@ fn equations(models: &[NullDirections], parameters: &[String], weights: usize) -
     equations
 }
 
-/// The change of a parameter by the weights of all models; none where the model does not have it.
+/// The change of a parameter as a row over the weights of all models; `None` if the model does not have it.
 fn row(model: &NullDirections, name: &str, before: usize, weights: usize) -> Option<Vec<f64>> {
     let place = model.parameters.iter().position(|known| known == name)?;
     let mut row = vec![0.0; weights];
@@ -98,7 +99,7 @@ mod tests {
 
     #[test]
     fn a_gauge_holds_for_two_indenters_only_if_both_may_change() {
-        // E → E/b, R → b² R of two paraboloids on one body.
+        // E → E/b, R → b² R for two paraboloids on one body.
         let one = model(&["E", "R"], &[&[-1.0, 2.0]]);
         let other = model(&["E", "R'"], &[&[-1.0, 2.0]]);
         let common = NullDirections::common(&[one, other]).unwrap();

@@ -1,4 +1,4 @@
-//! Directions of known models, and what holding a parameter leaves of them.
+//! Directions of known models, and those that remain when a parameter is held.
 
 use approx::assert_relative_eq;
 
@@ -16,7 +16,7 @@ fn free(list: &[&str]) -> Vec<Unknown> {
 
 #[test]
 fn of_a_half_space_and_a_ball_the_modulus_times_the_root_of_the_radius_is_known() {
-    // D ~ (Q²/(R E²))^⅓ depends on E √R alone, and not on ν: (E, R, ν) → (E/√b, b R, ν) and ν at will.
+    // D ~ (Q²/(R E²))^⅓ depends only on E √R, not on ν: (E, R, ν) → (E/√b, b R, ν), and ν is arbitrary.
     let directions = NullDirections::new(
         names(&["E", "R", "nu"]),
         vec![vec![-0.5, 1.0, 0.0], vec![0.0, 0.0, 1.0]],

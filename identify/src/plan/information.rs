@@ -1,4 +1,4 @@
-//! The information of measurements, as few rows: the triangle `R` of `J = Q R`, so that `RᵀR = JᵀJ` and no digit is
+//! The information of measurements in few rows: the triangle `R` of `J = Q R`, so that `RᵀR = JᵀJ` and no digits are
 //! lost by squaring.
 
 use std::ops::Range;
@@ -9,7 +9,7 @@ use crate::{
     orthonormal_basis::OrthonormalBasis, predictor::Evaluation,
 };
 
-/// The information of curves on the unknowns and on the nuisances that all measurements share.
+/// The information of curves about the unknowns and about the nuisances that all measurements share.
 #[derive(Debug, Clone)]
 pub struct Information {
     /// Columns of the shared nuisances, then of the unknowns, in their coordinates.
@@ -61,7 +61,7 @@ impl Information {
         Ok(Self { columns })
     }
 
-    /// The columns of the unknowns from some measurements together, priors included and shared nuisances eliminated.
+    /// The columns of the unknowns from several measurements together, priors included and shared nuisances eliminated.
     pub(super) fn jacobian(plan: &Plan, measurements: &[&Self]) -> Vec<Vec<f64>> {
         let nuisances = plan.nuisances.iter();
         let priors: Vec<_> = nuisances
@@ -111,8 +111,8 @@ impl Nuisances {
     }
 }
 
-/// One curve's own columns: its nuisances, and the differences of its parameters from the common ones. One more row for
-/// each prior.
+/// One curve's own columns: its nuisances, and the differences of its parameters from the common ones, with one more
+/// row for each prior.
 struct OwnColumns<'a> {
     span: &'a Range<usize>,
     columns: Vec<(Vec<f64>, Option<f64>)>,
@@ -130,7 +130,7 @@ impl<'a> OwnColumns<'a> {
         self.columns.push((column[self.span.clone()].to_vec(), sd));
     }
 
-    /// The residual of other columns at the points of the curve, projected off its own.
+    /// Restricts other columns to the points of the curve and projects them off its own.
     fn remove_from(self, others: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let points = self.span.len();
         let rows = points + self.columns.iter().filter(|(_, sd)| sd.is_some()).count();
@@ -154,7 +154,7 @@ impl<'a> OwnColumns<'a> {
     }
 }
 
-/// The columns in the orthonormal basis of all of them.
+/// The columns expressed in the orthonormal basis that they span.
 fn compressed(mut columns: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let basis = OrthonormalBasis::of(columns.iter().cloned());
     let all = columns.iter_mut().map(|column| basis.remove_from(column));

@@ -1,22 +1,23 @@
-//! Whether samples have forgotten where they began.
+//! Convergence diagnostics of the samples.
 
 use hammer_and_sample::auto_corr_time;
 
 use super::{Ensemble, WALKERS};
 
-/// Ensembles agree where `R̂` of every unknown is below this (A. Vehtari et al., Bayesian Anal. 16, 667 (2021), ask
-/// for 1.01 of single chains; the mean of few ensembles of few walkers scatters by as much again).
+/// Ensembles agree if `R̂` of every unknown is below this. (A. Vehtari et al., Bayesian Anal. 16, 667 (2021), require
+/// 1.01 for single chains; the mean of few ensembles of few walkers adds a scatter of the same order.)
 const AGREEMENT: f64 = 1.03;
 
-/// How the walkers have moved.
+/// Convergence diagnostics of the walkers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Convergence {
-    /// Part of the steps that were accepted.
+    /// Fraction of the steps that were accepted.
     pub acceptance: f64,
-    /// Steps after which the mean of an ensemble has forgotten itself, of the slowest unknown: the integrated
-    /// autocorrelation time; nothing where the run is too short to tell, less than twenty of them.
+    /// Integrated autocorrelation time of the mean of an ensemble, in steps, for the slowest unknown; `None` if the run
+    /// is shorter than twenty of them, too short for an estimate.
     pub autocorrelation_time: Option<f64>,
-    /// Split `R̂` of the unknown that agrees worst: the spread of all halves of all ensembles by that inside them.
+    /// Split `R̂` of the unknown that agrees worst: the spread between all halves of all ensembles, relative to that
+    /// within them.
     pub r_hat: f64,
 }
 

@@ -1,11 +1,11 @@
-//! The density of a posterior, as the sampler wants it.
+//! The density of a posterior, in the form that the sampler needs.
 //!
 //! Over the coordinates `x`, with the covariance `V` of the noise at the best fit and columns `B` of the nuisances,
-//! `ln p = −½ χ²(x) − ½ ln det V − ½ ln det BᵀV⁻¹B`, where χ² is that of the residuals with the nuisances eliminated: a
-//! Gaussian integral over their coefficients. `V` and `B` stay those of the best fit, as in the profiles, so both
-//! determinants are constants. Where the size of the noise is estimated with ν degrees of freedom, it is integrated out
-//! too: `ln p = −½ (ν + k) ln(1 + (χ² − χ²₀)/ν)` for k unknowns, whose marginals are those of Student's distribution
-//! with ν degrees (A. Gelman et al., Bayesian Data Analysis, 3rd ed., section 14.2).
+//! `ln p = −½ χ²(x) − ½ ln det V − ½ ln det BᵀV⁻¹B`. Here χ² is computed with the nuisances eliminated, by a Gaussian
+//! integral over their coefficients. `V` and `B` are kept from the best fit, as in the profiles, so both determinants
+//! are constants. Where the size of the noise is estimated with ν degrees of freedom, it is integrated out too:
+//! `ln p = −½ (ν + k) ln(1 + (χ² − χ²₀)/ν)` for k unknowns, whose marginals are those of Student's distribution with ν
+//! degrees (A. Gelman et al., Bayesian Data Analysis, 3rd ed., section 14.2).
 
 use hammer_and_sample::Model;
 
@@ -21,7 +21,7 @@ pub(super) struct Density<'a> {
     metric: Metric<'a>,
     /// Coordinates of the best fit.
     pub best: Vec<f64>,
-    /// χ² of the data there.
+    /// χ² of the data at the best fit.
     least: f64,
     degrees: f64,
 }
@@ -63,7 +63,7 @@ impl<'a> Density<'a> {
         Ok(density)
     }
 
-    /// Least and greatest coordinate of each unknown.
+    /// Smallest and largest coordinate of each unknown.
     pub fn sides(&self) -> &[[f64; 2]] {
         self.surrogate.region().coordinates()
     }
@@ -104,7 +104,7 @@ impl<'a> Density<'a> {
     }
 }
 
-/// `ln dθ/dx` for a prior of θ where x is `ln θ`, and the reverse: densities change with the coordinate.
+/// `ln dθ/dx` for a prior on θ where x is `ln θ`, and the reverse: the Jacobian of the change of coordinate.
 fn log_stretch(unknown: &Unknown, prior: Prior, value: f64) -> f64 {
     match (prior, unknown.coordinate()) {
         (Prior::Normal { .. }, Coordinate::Logarithmic) => value.ln(),

@@ -1,7 +1,7 @@
-//! How a profile bends through the best fit, so that one side tells where the other begins.
+//! The bend of a profile at the best fit, by which one side predicts the start of the other.
 //!
-//! With `z < 0` below the best fit, `x(z)` is smooth there, and so are the others over `s = x − x₀`. Value and slope at
-//! the best fit and at one point make each a cubic:
+//! With `z < 0` below the best fit, `x(z)` is smooth there, and so are the others as functions of `s = x − x₀`. Values
+//! and slopes at the best fit and at one point define the cubics:
 //!
 //! ```text
 //! x − x₀ = σ z + c z² + d z³          x_k − x_k0 = τ_k s + q_k s² + r_k s³
@@ -9,7 +9,7 @@
 
 use super::point::Point;
 
-/// Square and cube of the profile's cubics.
+/// The quadratic and cubic coefficients of a profile.
 #[derive(Debug, Clone)]
 pub(crate) struct Bend {
     /// `c` and `d`.
@@ -19,7 +19,7 @@ pub(crate) struct Bend {
 }
 
 impl Bend {
-    /// From the best fit and a point on its side `sign`; none where the profile does not rise there.
+    /// The bend from the best fit and a point on its side `sign`; `None` if the profile does not rise there.
     pub fn between(first: &Point, point: &Point, sign: f64) -> Option<Self> {
         if !(point.slope > 0.0 && point.z > 0.0) {
             return None;
@@ -36,20 +36,21 @@ impl Bend {
         })
     }
 
-    /// `x − x₀` at a `z`, for a profile of this slope `σ` at the best fit.
+    /// `x − x₀` at `z`, for a profile of slope `σ` at the best fit.
     pub fn stride(&self, slope: f64, z: f64) -> f64 {
         let [c, d] = self.unknown;
         z * (slope + z * (c + z * d))
     }
 
-    /// How far unknown `k` follows a stride from the best fit.
+    /// The displacement of unknown `k` for a stride from the best fit.
     pub fn follow(&self, first: &Point, k: usize, stride: f64) -> f64 {
         let [q, r] = self.others[k];
         stride * (first.tangent[k] + stride * (q + stride * r))
     }
 }
 
-/// Square and cube of a cubic `s₀ u + c u² + d u³` that has this value at `u` and these slopes at zero and there.
+/// The coefficients `c` and `d` of the cubic `s₀ u + c u² + d u³` with this value at `u` and these slopes at zero and
+/// `u`.
 fn powers(u: f64, value: f64, [at_zero, there]: [f64; 2]) -> [f64; 2] {
     // c + d u and 2c + 3d u
     let (by_value, by_slope) = ((value / u - at_zero) / u, (there - at_zero) / u);

@@ -12,13 +12,14 @@ pub(crate) struct Point {
     pub z: f64,
     /// `dz/d|x|`.
     pub slope: f64,
-    /// The others where a linear problem has its least, over all unknowns.
+    /// The minimum of the linear problem over the others, as a point over all unknowns.
     pub least: Vec<f64>,
-    /// How the others follow, `dx_k/dx_j`, over all unknowns.
+    /// The tangent `dx_k/dx_j` of the others, over all unknowns.
     pub tangent: Vec<f64>,
 }
 
-/// Where between two points, as a part of their distance, the cubic through both with their slopes reaches the target.
+/// The fraction of the distance between two points at which the cubic through both, with their slopes, reaches the
+/// target.
 pub(super) fn bracketed(inner: &Point, outer: &Point, width: f64, target: f64) -> f64 {
     let z = |t: f64| {
         let ends = [(0.0, inner), (1.0, outer)];

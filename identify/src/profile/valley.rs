@@ -1,4 +1,4 @@
-//! A second valley of a profile: where the others may lie lower than where a scan has followed them.
+//! A second valley of a profile, in which the others may reach a lower misfit than along the scan.
 
 use super::{LikelihoodProfile, Scan, TRUSTED};
 use crate::{
@@ -8,16 +8,16 @@ use crate::{
     predictor::{Evaluation, Predictor},
 };
 
-/// A point at an end from elsewhere is below it from this part of `z` on.
+/// A point found from elsewhere counts as lower than the end if its `z` is below this fraction of the target.
 const LOWER: f64 = 0.95;
-/// A scan goes on where a linearisation promises less than this part of `Δ` at the end.
+/// A scan continues if a linearisation predicts less than this fraction of `Δ` at the end.
 const PROMISE: f64 = 0.75;
-/// Such a fit is no worse than the end by this factor of `Δ`.
+/// Only evaluations with at most this multiple of the end's `Δ` are linearised.
 const NEARLY_AS_GOOD: f64 = 2.0;
 
 impl LikelihoodProfile<'_, '_> {
-    /// Scans on from the end of a side, where an evaluation from elsewhere promises that the profile is lower there:
-    /// the others may have two valleys, and a scan follows one. Nothing where none does.
+    /// Continues the scan from the end of a side, if an evaluation from elsewhere predicts that the profile is lower
+    /// there: the others may have two valleys, and a scan follows one. `None` if no evaluation does.
     pub fn beyond(
         &self,
         predictor: &mut Predictor,
@@ -30,7 +30,7 @@ impl LikelihoodProfile<'_, '_> {
         let Some(start) = predictor.evaluate(&promised)? else {
             return Ok(None);
         };
-        // There the promise may be seen to be none.
+        // The evaluation there may refute the prediction.
         let (_, system) = self.search().linear_minimum(&start, self.unknown, end)?;
         let lower = LOWER * self.target;
         if system.chi_squared - self.best.system.chi_squared >= lower * lower {
@@ -43,7 +43,7 @@ impl LikelihoodProfile<'_, '_> {
         }
     }
 
-    /// Where the linearisation of a fit nearly as good as the end has a lower profile there.
+    /// The point with the lowest predicted profile at `x`, from linearisations of fits nearly as good as the end.
     fn promised(&self, predictor: &Predictor, x: f64) -> Result<Option<Vec<f64>>, IdentifyError> {
         let search = self.search();
         let end = self.target * self.target;
@@ -65,7 +65,7 @@ impl LikelihoodProfile<'_, '_> {
         Ok(found)
     }
 
-    /// Whether the same unknowns are held there.
+    /// Whether the same unknowns are held at the same values.
     fn is_beside(&self, known: &Evaluation) -> bool {
         let best = &self.best.at.position;
         let is_held = |j: &usize| *j != self.unknown && !self.others.contains(j);

@@ -1,4 +1,5 @@
-//! One of several repeats, linearised about the common point: its own estimates, and its part in the common ones.
+//! One of several repeats, linearised about the common point: its own estimates, and its contribution to the common
+//! ones.
 
 use faer::Mat;
 
@@ -11,22 +12,22 @@ use crate::{
     predictor::Evaluation,
 };
 
-/// One curve's share of a problem: its points, its own nuisances, and the columns it has in common with the others.
+/// One curve's share of a problem: its points, its own nuisances, and the columns it shares with the others.
 pub(super) struct Share {
     pub index: usize,
     pub problem: Problem,
-    /// The columns of the common linear nuisances: one unit's contribution to each point.
+    /// The columns of the common linear nuisances: the contribution of one unit to each point.
     pub common: Vec<Vec<f64>>,
 }
 
 /// A curve fitted alone.
 pub(super) struct CurveFit {
     pub index: usize,
-    /// Its normal equations of the common columns: told unknowns, then common nuisances.
+    /// Its normal equations for the common columns: determined unknowns, then common nuisances.
     pub equations: CurveEquations,
-    /// Its own corrections of the told unknowns.
+    /// Its own corrections of the determined unknowns.
     pub own: Vec<f64>,
-    /// Their variances; infinite where it does not tell alone.
+    /// Their variances; infinite where this curve alone does not determine the unknown.
     pub own_variance: Vec<f64>,
     /// Values and standard errors of its own nuisances.
     pub nuisances: Vec<[f64; 2]>,
@@ -40,7 +41,7 @@ pub(super) struct CurveFit {
 }
 
 impl Share {
-    /// Fits the curve alone, the common nuisances at the values given.
+    /// Fits the curve alone, with the common nuisances at the given values.
     pub fn fit(
         &self,
         at: &Evaluation,
@@ -66,7 +67,7 @@ impl Share {
             pull: Mat::from_fn(size, 1, |i, _| dot(&columns[i], &system.residual)),
         };
 
-        // All of its own columns at once, for its own corrections, nuisances and residuals.
+        // All of its own columns together, for its own corrections, nuisances and residuals.
         let (mut whitened, jacobian) = metric.rows(&at);
         let mut own_columns = metric.nuisance_columns();
         let first = own_columns.len();

@@ -1,13 +1,14 @@
-//! Curves that disagree with the others, as after a wrong detection of the surface.
+//! Curves that disagree with the others, for example because the surface was detected wrongly.
 //!
-//! Each curve's own parameters are compared with the median of all, in units of `1.4826` times the median deviation
-//! from it, which no minority of curves can spoil (F. R. Hampel, J. Am. Stat. Assoc. 69, 383 (1974)). The limit depends
-//! on the number of curves, so that of 200 sets of good ones no more than one loses a curve.
+//! Each curve's own parameters are compared with the median of all, in units of `1.4826` times the median absolute
+//! deviation, which no minority of curves can spoil (F. R. Hampel, J. Am. Stat. Assoc. 69, 383 (1974)). The limit
+//! depends on the number of curves, so that no more than one in 200 sets of good curves loses a curve.
 
 use super::curve_fit::CurveFit;
 use crate::Exclusion;
 
-/// The 99.5 % quantile of the greatest deviation among so many normal numbers, in those units: 10⁵ samples each.
+/// Numbers of normal variates, each with the 99.5 % quantile of their largest deviation in those units, from 10⁵
+/// samples.
 const LIMITS: [(f64, f64); 13] = [
     (4.0, 22.8),
     (5.0, 26.5),
@@ -23,9 +24,9 @@ const LIMITS: [(f64, f64); 13] = [
     (50.0, 4.8),
     (100.0, 4.5),
 ];
-/// The median deviation of normal numbers is their standard deviation over this.
+/// The median absolute deviation of normal variates is their standard deviation divided by this.
 const NORMAL: f64 = 1.4826;
-/// A curve is rough where its residuals are besides this many times as large as the median curve's.
+/// To be rough, a curve must also have residuals this many times as large as the median curve's.
 const ROUGH: f64 = 2.0;
 
 /// The worst of the discordant curves.
@@ -66,9 +67,9 @@ pub(super) fn discordant(curves: &[CurveFit]) -> Option<Exclusion> {
 }
 
 struct Deviation {
-    /// From the median.
+    /// Deviation from the median.
     value: f64,
-    /// Of all.
+    /// Scale of all deviations.
     scale: f64,
 }
 
@@ -96,7 +97,7 @@ fn median(values: &[f64]) -> f64 {
     }
 }
 
-/// The limit for so many curves; none for fewer than four, which have no clear majority.
+/// The limit for this many curves; `None` for fewer than four, which have no clear majority.
 fn limit(curves: usize) -> Option<f64> {
     let count = curves as f64;
     if count < LIMITS[0].0 {

@@ -1,22 +1,22 @@
-//! Common parameters of repeated curves, and how each curve's own scatter about them.
+//! Common parameters of repeated curves, and the scatter of the individual curves about them.
 //!
-//! Linearised about a common point, curve `i` determines the common corrections β and of its own `u_i ~ N(0, T)`, `T`
+//! Linearised about a common point, curve `i` determines the common corrections β and its own `u_i ~ N(0, T)`, `T`
 //! diagonal, through `A_i = J_iᵀJ_i` and `b_i = J_iᵀ r_i` alone. With the `u_i` integrated out,
-//! `A_i ← A_i − A_i Z (T⁻¹ + ZᵀA_iZ)⁻¹ Zᵀ A_i`, and likewise `b_i`; `Z` selects what scatters. The deviations in `T`
-//! maximise the restricted likelihood: N. M. Laird and J. H. Ware, Biometrics 38, 963 (1982). Where every curve alone
-//! tells the parameter, this is the random-effects mean of repeats.
+//! `A_i ← A_i − A_i Z (T⁻¹ + ZᵀA_iZ)⁻¹ Zᵀ A_i`, and likewise `b_i`; `Z` selects the columns that scatter. The
+//! deviations in `T` maximise the restricted likelihood: N. M. Laird and J. H. Ware, Biometrics 38, 963 (1982). If
+//! every curve alone determines the parameter, this is the random-effects mean of repeats.
 
 use faer::{Mat, Side, linalg::solvers::Solve as _};
 
 use crate::{IdentifyError, noise::simplex};
 
-/// Scatter below this, in a logarithm, is none, and above [`MOST_SCATTER`] beyond what a linearisation can describe.
+/// Scatter below this, in a logarithm, counts as zero; above [`MOST_SCATTER`] a linearisation cannot describe it.
 const LEAST_SCATTER: f64 = 1e-6;
 const MOST_SCATTER: f64 = 3.0;
-/// First guess of the scatter where the curves alone do not show it.
+/// First guess of the scatter if the curves alone do not show it.
 const FIRST_SCATTER: f64 = 0.05;
 
-/// One curve's normal equations of the common columns.
+/// One curve's normal equations for the common columns.
 #[derive(Debug, Clone)]
 pub(super) struct CurveEquations {
     /// `A = JᵀJ`.
@@ -28,7 +28,7 @@ pub(super) struct CurveEquations {
 /// The curves and the priors.
 pub(super) struct MixedModel {
     pub curves: Vec<CurveEquations>,
-    /// Prior precision of each column, and prior precision times how far the prior's centre lies above the point.
+    /// Prior precision of each column, and that precision times the distance of the prior's centre above the point.
     pub prior: Vec<[f64; 2]>,
     /// The columns that scatter.
     pub scattered: Vec<usize>,
@@ -77,8 +77,8 @@ impl MixedModel {
         })
     }
 
-    /// The variance of a column while all other columns with a prior are held: the part that the curves' own number
-    /// limits.
+    /// The variance of a column with all other columns with a prior held: the part that is limited by the number of
+    /// curves.
     pub fn variance_from_curves(
         &self,
         column: usize,
@@ -110,8 +110,8 @@ impl MixedModel {
         Ok(rest + determinant - gain)
     }
 
-    /// Precision and pull of the common columns with the curves' own parts integrated out, and what of `−2 ℓ_R` does
-    /// not depend on the corrections.
+    /// Precision and right-hand side of the common columns with the curves' own parts integrated out, and the part of
+    /// `−2 ℓ_R` that does not depend on the corrections.
     fn marginal(&self, scatter: &[f64]) -> Result<(Mat<f64>, Mat<f64>, f64), IdentifyError> {
         let (size, own) = (self.prior.len(), scatter.len());
         let mut precision = Mat::from_fn(
@@ -160,7 +160,7 @@ mod tests {
 
     use super::*;
 
-    /// One column, each curve an estimate with a variance.
+    /// A model of one column, with each curve an estimate of this variance.
     fn estimates(values: &[f64], variance: f64) -> MixedModel {
         MixedModel {
             curves: values
@@ -183,7 +183,7 @@ mod tests {
         let sample = values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0);
         let common = estimates(&values, v).solve(&[0.1]).unwrap();
         assert_relative_eq!(common.correction[0], mean, max_relative = 1e-9);
-        // The simplex ends within 1e-4 of the logarithm of the scatter.
+        // The simplex search ends within 1e-4 of the logarithm of the scatter.
         assert_relative_eq!(common.scatter[0], (sample - v).sqrt(), max_relative = 2e-4);
         assert_relative_eq!(common.covariance[(0, 0)], sample / n, max_relative = 5e-4);
     }
@@ -203,7 +203,7 @@ mod tests {
         let mut model = estimates(&[1.0, 1.0, 1.0, 1.0], 1.0);
         model.prior = vec![[4.0, 4.0 * 2.0]];
         let common = model.solve(&[0.1]).unwrap();
-        // Four observations of 1 and a prior as precise at 2.
+        // Four observations of 1, and a prior at 2 of the same precision.
         assert_relative_eq!(common.correction[0], 1.5, max_relative = 1e-6);
     }
 }

@@ -72,7 +72,7 @@ impl Repeats<'_> {
             degrees,
             known,
         }
-        // A deviation common to all repeats is the instrument's as often as the model's.
+        // A deviation common to all repeats may come from the instrument as well as the model.
         .judge(
             [
                 NoiseScale::of(self.problem, degrees).probability([sum(0), sum(1)]),
@@ -82,7 +82,7 @@ impl Repeats<'_> {
         )
     }
 
-    /// The covariance of the unknowns; what is not identifiable has an infinite variance.
+    /// The covariance of the unknowns; those not identifiable have an infinite variance.
     fn covariance(&self, common: &Common) -> Vec<Vec<f64>> {
         let unknowns = self.problem.unknowns().len();
         let entry = |i: usize, j: usize| {
@@ -96,7 +96,7 @@ impl Repeats<'_> {
             .collect()
     }
 
-    /// An entry of the covariance of the told unknowns; zero for those that are held.
+    /// An entry of the covariance of the determined unknowns; zero for those that are held.
     fn entry(&self, covariance: &Mat<f64>, i: usize, j: usize) -> f64 {
         let place = |unknown: usize| self.told.iter().position(|&k| k == unknown);
         match (place(i), place(j)) {
@@ -148,7 +148,7 @@ impl Repeats<'_> {
         Ok(estimate)
     }
 
-    /// The variance of an unknown by its own prior, in its coordinate.
+    /// The prior variance of an unknown, in its coordinate.
     fn prior_variance(&self, state: &State, unknown: usize) -> Option<f64> {
         let parameter = &self.problem.unknowns()[unknown];
         let value = state.at.parameters[unknown];
@@ -169,7 +169,7 @@ impl Repeats<'_> {
             return Ok(f64::INFINITY);
         };
         let whole = common.covariance[(column, column)];
-        // Of the information 1/C the unknown's own prior gives 1/v; the curves give the rest at most.
+        // The unknown's own prior contributes 1/v to the information 1/C; the curves contribute at most the rest.
         let beside_prior = self
             .prior_variance(state, unknown)
             .map_or(whole, |prior| whole * (1.0 - whole / prior).max(0.0));
@@ -202,7 +202,7 @@ impl Repeats<'_> {
         })
     }
 
-    /// The unknown times powers of others, of which the directions without effect leave the product alone.
+    /// The unknown times powers of others: a product that is invariant along the null directions.
     fn combination(
         &self,
         state: &State,
@@ -215,7 +215,7 @@ impl Repeats<'_> {
         };
         let mut factors = hold.exponents.clone();
         factors.push((unknown, 1.0));
-        // Var(Σ c_k x_k); those held add nothing.
+        // Var(Σ c_k x_k); held unknowns add nothing.
         let variance: f64 = factors
             .iter()
             .flat_map(|&(i, ci)| factors.iter().map(move |&(k, ck)| (i, k, ci * ck)))

@@ -38,7 +38,7 @@ impl Products {
         self.multiplied(&tables)
     }
 
-    /// Their derivatives by one coordinate.
+    /// Their derivatives with respect to one coordinate.
     pub fn derivatives(&self, at: &[f64], axis: usize) -> Vec<f64> {
         let mut tables: Vec<Vec<f64>> = at.iter().map(|&t| first_kind(t, self.degree)).collect();
         tables[axis] = derivatives(at[axis], self.degree);
@@ -63,7 +63,7 @@ fn first_kind(t: f64, degree: usize) -> Vec<f64> {
     table
 }
 
-/// `T_0′ … T_n′`, by the derivative of the same recurrence.
+/// `T_0′ … T_n′`, by differentiating the same recurrence.
 fn derivatives(t: f64, degree: usize) -> Vec<f64> {
     let values = first_kind(t, degree);
     let mut table = vec![0.0, 1.0];
@@ -83,7 +83,7 @@ mod tests {
         let (t, n) = (angle.cos(), 6);
         for k in 0..=n {
             let order = k as f64;
-            // Rounding of six steps.
+            // Rounding over six steps.
             assert!((first_kind(t, n)[k] - (order * angle).cos()).abs() < 1e-14);
             let slope = order * (order * angle).sin() / angle.sin();
             assert!((derivatives(t, n)[k] - slope).abs() < 1e-13);

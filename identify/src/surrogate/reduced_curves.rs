@@ -1,18 +1,18 @@
-//! Curves of many points as combinations of few.
+//! Curves of many points as combinations of a few basis curves.
 //!
-//! A curve is its value and slope at each point, as logarithms where all are positive. Curves over a box of parameters
-//! are nearly combinations of a few of them, which a Gram–Schmidt process with pivoting finds.
+//! A curve consists of its value and slope at each point, as logarithms if all are positive. Curves over a box of
+//! parameters are nearly combinations of a few of them, found by a pivoted Gram–Schmidt process.
 
 use crate::{
     Prediction,
     orthonormal_basis::{OrthonormalBasis, norm},
 };
 
-/// The function of a number that is interpolated.
+/// The scale in which a number is interpolated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum ValueScale {
     Logarithm,
-    /// The number by a typical one.
+    /// The number divided by a typical value.
     Part(f64),
 }
 
@@ -41,7 +41,7 @@ impl ValueScale {
         }
     }
 
-    /// The number, and its derivative by what is interpolated.
+    /// The number, and its derivative with respect to the interpolated quantity.
     pub fn undo(self, of: f64) -> (f64, f64) {
         match self {
             Self::Logarithm => (of.exp(), of.exp()),
@@ -60,8 +60,8 @@ pub(super) struct ReducedCurves {
 }
 
 impl ReducedCurves {
-    /// A basis in which each sample is met to `tolerance`, and the amplitudes: one list of samples for each vector of
-    /// the basis.
+    /// A basis that represents each sample to `tolerance`, and the amplitudes: one list of samples for each basis
+    /// vector.
     pub fn of(samples: &[Prediction], tolerance: f64) -> (Self, Vec<Vec<f64>>) {
         let points = samples.first().map_or(0, |one| one.value.len());
         let all = |of: &dyn Fn(&Prediction) -> &Vec<f64>| -> Vec<f64> {
@@ -88,14 +88,14 @@ impl ReducedCurves {
         (reduced, amplitudes)
     }
 
-    /// Values and slopes of all points, as interpolated, from the amplitudes.
+    /// Values and slopes of all points from the amplitudes, in the scale of interpolation.
     pub fn expand(&self, amplitudes: &[f64]) -> Vec<f64> {
         let mut curve = self.change(amplitudes, 0..2 * self.points);
         curve.iter_mut().zip(&self.mean).for_each(|(v, m)| *v += m);
         curve
     }
 
-    /// The change of the values alone with that of the amplitudes.
+    /// The change of the values alone for a change of the amplitudes.
     pub fn change_of_values(&self, amplitudes: &[f64]) -> Vec<f64> {
         self.change(amplitudes, 0..self.points)
     }
@@ -117,7 +117,7 @@ fn stacked(one: &Prediction, scales: [ValueScale; 2]) -> Vec<f64> {
     values.chain(slopes).collect()
 }
 
-/// Takes the row with the longest rest into the basis until every rest is a part `tolerance` of the longest row.
+/// Adds the row with the longest residual to the basis until every residual is within `tolerance` of the longest row.
 fn pivoted(mut rows: Vec<Vec<f64>>, tolerance: f64) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     let mut basis = Vec::new();
     let mut amplitudes: Vec<Vec<f64>> = Vec::new();

@@ -1,28 +1,28 @@
-//! The box of a surrogate, in the coordinates of the unknowns, and as a cube.
+//! The box of a surrogate, in the coordinates of the unknowns, and mapped to a cube.
 
 use crate::{Estimate, Fit, IdentifyError, Unknown};
 
-/// Half a side of the box, in half widths of the intervals.
+/// Half side of the box, in half widths of the intervals.
 const REACH: f64 = 2.5;
 
-/// Most unknowns.
+/// Maximum number of unknowns.
 const MOST: usize = 4;
 
-/// Largest distance of a value outside a box that is rounding, in half sides.
+/// A value this far outside a box, in half sides, is attributed to rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// A box about a centre.
 #[derive(Debug, Clone)]
 pub(crate) struct Region {
     unknowns: Vec<Unknown>,
-    /// Least and greatest coordinate.
+    /// Smallest and largest coordinate of each unknown.
     sides: Vec<[f64; 2]>,
-    /// Where it shrinks to.
+    /// Point about which it shrinks.
     centre: Vec<f64>,
 }
 
 impl Region {
-    /// A box between values of the unknowns.
+    /// A box given by the smallest and largest values of the unknowns.
     pub fn new(unknowns: &[Unknown], sides: &[[f64; 2]]) -> Result<Self, IdentifyError> {
         let position = |(unknown, side): (&Unknown, &[f64; 2])| side.map(|v| unknown.position(v));
         let sides: Vec<[f64; 2]> = unknowns.iter().zip(sides).map(position).collect();
@@ -31,7 +31,7 @@ impl Region {
         Self::about(unknowns, sides, centre)
     }
 
-    /// The box that the intervals of a fit call for.
+    /// The box determined by the intervals of a fit.
     pub fn around(unknowns: &[Unknown], fit: &Fit) -> Result<Self, IdentifyError> {
         let pairs = || unknowns.iter().zip(&fit.estimates);
         let sides = pairs().map(|(unknown, estimate)| reach(unknown, estimate));
@@ -76,7 +76,7 @@ impl Region {
         self.sides.len()
     }
 
-    /// The box with sides that are a part of these, about the centre.
+    /// The box with its sides multiplied by `part`, about the centre.
     pub fn shrunk(&self, part: f64) -> Self {
         let pairs = self.sides.iter().zip(&self.centre);
         let side = |(side, centre): (&[f64; 2], &f64)| side.map(|x| centre + part * (x - centre));
@@ -86,7 +86,7 @@ impl Region {
         }
     }
 
-    /// Least and greatest value of each unknown.
+    /// Smallest and largest value of each unknown.
     pub fn sides(&self) -> Vec<[f64; 2]> {
         let pairs = self.unknowns.iter().zip(&self.sides);
         pairs
@@ -94,12 +94,12 @@ impl Region {
             .collect()
     }
 
-    /// Least and greatest coordinate of each unknown.
+    /// Smallest and largest coordinate of each unknown.
     pub fn coordinates(&self) -> &[[f64; 2]] {
         &self.sides
     }
 
-    /// The values of the unknowns at a place in the cube `[−1, 1]^d`.
+    /// The values of the unknowns at a point of the cube `[−1, 1]^d`.
     pub fn parameters(&self, at: &[f64]) -> Vec<f64> {
         let pairs = self.unknowns.iter().zip(&self.sides).zip(at);
         pairs
@@ -109,7 +109,7 @@ impl Region {
             .collect()
     }
 
-    /// The place of coordinates in the cube.
+    /// The point of the cube for these coordinates.
     pub fn cube(&self, position: &[f64]) -> Vec<f64> {
         let pairs = self.sides.iter().zip(position);
         pairs
@@ -117,7 +117,7 @@ impl Region {
             .collect()
     }
 
-    /// The place of parameters in the cube, or which of them lies outside.
+    /// The point of the cube for these parameters, or an error naming one that lies outside.
     pub fn inside(&self, parameters: &[f64]) -> Result<Vec<f64>, IdentifyError> {
         let pairs = self.unknowns.iter().zip(parameters);
         let position: Vec<f64> = pairs.map(|(unknown, &v)| unknown.position(v)).collect();
@@ -136,14 +136,14 @@ impl Region {
         }
     }
 
-    /// `dt/dθ`, of the place in the cube by the value of an unknown.
+    /// `dt/dθ`, the derivative of a coordinate of the cube with respect to the value of an unknown.
     pub fn slope(&self, axis: usize, value: f64) -> f64 {
         let [low, high] = self.sides[axis];
         2.0 / ((high - low) * self.unknowns[axis].value_slope(value))
     }
 }
 
-/// From the best value as far as the intervals say, at most to the bounds.
+/// The side of the box for one unknown: a multiple of its interval about the best value, at most to the bounds.
 fn reach(unknown: &Unknown, estimate: &Estimate) -> [f64; 2] {
     let centre = unknown.position(estimate.value);
     let bounds = unknown.bounds();

@@ -1,4 +1,4 @@
-//! Points that fill a cube evenly, however many are taken.
+//! Points that fill a cube evenly for any number of them.
 //!
 //! The additive recurrence `u_i = frac(s + i α)`, `α_j = φ^−j`, `φ^(d+1) = φ + 1`, of low discrepancy: M. Roberts,
 //! The unreasonable effectiveness of quasirandom sequences, 2018. In one dimension φ is the golden ratio.
@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
-/// The sequence from a start of its own.
+/// The sequence from a random start.
 pub(super) struct SamplePoints {
     start: Vec<f64>,
     step: Vec<f64>,
@@ -30,13 +30,13 @@ impl SamplePoints {
         }
     }
 
-    /// Point `i`, evenly spread in `[−1, 1]`.
+    /// Point `i`, evenly distributed in `[−1, 1]`.
     pub fn even(&self, i: usize) -> Vec<f64> {
         let unit = self.unit(i);
         unit.map(|u| 2.0 * u - 1.0).collect()
     }
 
-    /// Point `i`, as dense as the nodes of Chebyshev, `t = −cos πu`.
+    /// Point `i`, distributed like Chebyshev nodes, `t = −cos πu`.
     pub fn chebyshev(&self, i: usize) -> Vec<f64> {
         self.unit(i).map(|u| -(PI * u).cos()).collect()
     }

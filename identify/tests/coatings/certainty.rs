@@ -1,4 +1,4 @@
-//! No certainty where a parameter is lost: fits of the real model.
+//! Fits of the real model claim no certainty where a parameter is lost.
 
 use pellicle_contact::{Model, ModelParameter, Pyramid};
 use pellicle_identify::{
@@ -134,11 +134,11 @@ fn of_the_paper(greatest_force: f64, sought: &[usize]) -> Vec<f64> {
 
 #[test]
 fn the_coating_of_the_paper_is_lost_under_its_film() {
-    // As far as the film is not yet squeezed out, and to the force of the figure.
+    // Up to forces that do not yet squeeze the film out, and to the force of the figure.
     for greatest in [0.4e-6, 30e-6, 2.3e-3] {
         let errors = of_the_paper(greatest, &[0, 1, 2, 3]);
         assert!(errors[0] > 7.7 && errors[2] > 7.7, "{errors:?}");
-        // With the coating known, the data determine base and film.
+        // With the coating known, the data determine the base and the film.
         let known = of_the_paper(greatest, &[1, 3]);
         assert!(known.iter().all(|error| *error < 0.18), "{known:?}");
     }

@@ -16,7 +16,7 @@ pub const THICKNESS: ModelParameter = ModelParameter::Elastic(ElasticParameter::
 pub struct Coating {
     /// Young's modulus and Poisson's ratio of the coating.
     pub layer: (f64, f64),
-    /// Those of the base.
+    /// Young's modulus and Poisson's ratio of the base.
     pub base: (f64, f64),
     pub thickness: f64,
     pub radius: f64,
@@ -25,7 +25,7 @@ pub struct Coating {
     pub points: u32,
 }
 
-/// 100 GPa, 0.25 on 10 GPa, 0.3, half a micrometre thick, under a ball of ten.
+/// A coating of 100 GPa and 0.25, half a micrometre thick, on 10 GPa and 0.3, under a ball of ten micrometres.
 pub fn coating(least_force: f64) -> Coating {
     Coating {
         layer: (100e9, 0.25),
@@ -45,12 +45,12 @@ impl Coating {
             .collect()
     }
 
-    /// Moduli of coating and base, thickness.
+    /// Moduli of coating and base, and thickness.
     pub fn truth(&self) -> [f64; 3] {
         [self.layer.0, self.base.0, self.thickness]
     }
 
-    /// The curve with the first of these as parameters.
+    /// The curve with the first `unknowns` of these as parameters.
     pub fn curves(&self, unknowns: usize) -> ContactCurves {
         let all = [young_modulus(0), young_modulus(1), THICKNESS];
         self.curves_of(&all[..unknowns])

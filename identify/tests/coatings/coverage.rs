@@ -1,7 +1,7 @@
-//! How often intervals of coatings hold the truth.
+//! How often intervals for coatings contain the true value.
 //!
-//! Measurements are simulated and fitted on a surrogate of the real model. Of 400 intervals of level 0.95 between 368
-//! and 390 hold the truth, by the binomial distribution but for 1 %.
+//! Measurements are simulated and fitted on a surrogate of the real model. Of 400 intervals of level 0.95, between 368
+//! and 390 contain the true value with 99 % probability, by the binomial distribution.
 
 use pellicle_identify::{
     Amount, Correlation, Curve, Fit, FitOptions, ForwardModel as _, LinearNuisance, Noise, Problem,
@@ -19,7 +19,7 @@ const EXPECTED: std::ops::RangeInclusive<usize> = 368..=390;
 /// Relative noise of the depth.
 const RELATIVE: f64 = 0.01;
 
-/// Noise of the force as a part of the least one.
+/// Noise of the force as a fraction of the smallest force.
 const OF_FORCE: f64 = 0.02;
 
 const PERSISTENCE: f64 = 0.85;
@@ -30,11 +30,11 @@ enum Kind {
     White,
     /// Autoregressive, of unknown size and correlation.
     Correlated,
-    /// White in depth and force, of known sizes.
+    /// White in depth and force, of known size.
     BothAxes,
 }
 
-/// A coating, and the bounds of its unknowns.
+/// A coating and the bounds of its unknowns.
 struct System {
     coating: Coating,
     sides: Vec<[f64; 2]>,
@@ -71,12 +71,12 @@ fn weak() -> System {
     }
 }
 
-/// Forces of a system under a kind of noise: a correlation cannot be told from 24 points.
+/// Number of forces for a kind of noise: 24 points are too few to estimate a correlation.
 fn points(kind: Kind) -> u32 {
     if kind == Kind::Correlated { 240 } else { 24 }
 }
 
-/// A system whose curves cost nothing.
+/// A system whose curves are free to compute.
 struct Simulated {
     surrogate: Surrogate,
     unknowns: Vec<Unknown>,
@@ -98,7 +98,7 @@ impl Simulated {
             .map(|(name, side)| Unknown::positive(*name, *side).unwrap())
             .collect();
         let model = coating.curves(count);
-        // The surrogate is the truth here: it need not be the coating to the last digit.
+        // The surrogate is the truth here, so it need not match the coating to the last digit.
         let options = SurrogateOptions {
             tolerance: 1e-3,
             ..SurrogateOptions::default()
@@ -132,7 +132,7 @@ impl Simulated {
         }
     }
 
-    /// The depths of one measurement, whose zero is off by a part of the first.
+    /// The depths of one measurement, with a zero that is off by a fraction of the first depth.
     fn measured(&self, seed: u64) -> Vec<f64> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
@@ -168,7 +168,7 @@ impl Simulated {
         identify(&self.surrogate, &problem, &FitOptions::default()).unwrap()
     }
 
-    /// For each unknown, how many profile and Wald intervals hold the truth, and how many profiles are open.
+    /// Counts, for each unknown, the profile and Wald intervals that contain the truth, and the open profiles.
     fn held(&self, replicates: u64) -> Vec<[usize; 3]> {
         let fits: Vec<Fit> = (0..replicates)
             .into_par_iter()
@@ -196,12 +196,12 @@ impl Simulated {
 #[test]
 fn of_forty_intervals_of_a_coating_nearly_all_hold_the_truth() {
     for count in Simulated::new(&stiff(), Kind::White).held(40) {
-        // 38 and three and a half standard deviations of the binomial distribution, 1.4.
+        // 38, less three and a half standard deviations of the binomial distribution, 1.4.
         assert!(count[0] >= 33, "{count:?}");
     }
 }
 
-/// How much worse than its best fit a fit's curve is at other moduli and thickness, with the zero that suits best.
+/// The increase of χ² over the best fit at other moduli and thickness, with the optimal zero.
 fn worse_by(simulated: &Simulated, fit: &Fit, observed: &[f64], parameters: &[f64]) -> f64 {
     let model = simulated.surrogate.predict(parameters).unwrap().value;
     let shift = fit.coefficients[0].value;
@@ -240,7 +240,8 @@ fn a_profile_whose_others_have_two_valleys_ends_where_the_lower_of_both_does() {
         let least: Vec<f64> = (0..=60_i32).into_par_iter().map(least_along).collect();
         let least = least.into_iter().fold(f64::INFINITY, f64::min);
         let target = modulus.threshold(0.95);
-        // A twentieth of it is where scans end; the grid of 4 % finds no less than the profile, and some tenths more.
+        // Scans end within a twentieth of the target; the 4 % grid finds no less than the profile, and a few tenths
+        // more.
         assert!(
             (0.9 * target..1.3 * target).contains(&least),
             "{seed}: {least} {target}"

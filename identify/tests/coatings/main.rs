@@ -1,4 +1,4 @@
-//! Coatings under balls on the real model: plans, surrogates, posteriors, coverage, and what is lost.
+//! Coatings under balls on the real model: plans, surrogates, posteriors, coverage, and lost parameters.
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 mod certainty;

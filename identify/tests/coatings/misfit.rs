@@ -1,7 +1,7 @@
-//! How often a wrong model of a coating is refused, and a right one is not.
+//! How often a wrong model of a coating is refused, and a right one accepted.
 //!
-//! Each measurement is 100 points with noise of 1 % of the depth and a zero of its own. Its fit seeks both moduli of
-//! half a micrometre on a half-space under a ball of ten, on a surrogate of the real model.
+//! Each measurement has 100 points with noise of 1 % of the depth and its own zero. Its fit seeks both moduli of a
+//! half-micrometre coating on a half-space under a ball of ten micrometres, on a surrogate of the real model.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -30,11 +30,11 @@ struct Fitted {
     surrogate: Surrogate,
 }
 
-/// How a hundred fits ended.
+/// Outcomes of a set of fits.
 #[derive(Debug, Clone, Copy, Default)]
 struct Ends {
     refused: usize,
-    /// Not refused, with both truths in their intervals.
+    /// Not refused, with both true values in their intervals.
     held: usize,
 }
 
@@ -129,7 +129,7 @@ impl Fitted {
             .value
     }
 
-    /// Beyond a force the depth grows faster by a tenth.
+    /// Depths that grow a tenth faster beyond `yield_force`.
     fn yielding_depths(&self, yield_force: f64) -> Vec<f64> {
         let elastic = self.true_depths();
         let forces = self.coating.forces();
@@ -165,11 +165,11 @@ fn wrong_models_of_a_coating_are_refused_and_a_right_one_is_not() {
     let ends = fitted.fits(&fitted.true_depths(), 400);
     println!("right: {ends:?}");
     assert!(ends.refused <= 4, "{ends:?}");
-    // Both truths of two intervals of level 0.95, less four standard deviations of a binomial number.
+    // Both true values in their intervals of level 0.95, less four standard deviations of a binomial variable.
     assert!(ends.held >= 340, "{ends:?}");
 }
 
-/// The negative control: what no test can find.
+/// Negative control: an error that no test can find.
 #[test]
 fn a_ball_of_another_radius_gives_other_moduli_and_nearly_the_same_curve() {
     let fitted = Fitted::new();

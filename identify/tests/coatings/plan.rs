@@ -24,7 +24,7 @@ fn unknowns() -> [Unknown; 3] {
     ]
 }
 
-/// A plan for the first of these unknowns, each curve with a zero of its own.
+/// A plan for these unknowns, each curve with its own zero.
 fn plan_for(unknowns: &[Unknown], truth: &[f64], more: &[LinearNuisance]) -> Plan {
     Plan {
         unknowns: unknowns.to_vec(),
@@ -36,7 +36,7 @@ fn plan_for(unknowns: &[Unknown], truth: &[f64], more: &[LinearNuisance]) -> Pla
     }
 }
 
-/// The information of a curve on a coating.
+/// The information from a curve on a coating.
 fn information(plan: &Plan, coating: &Coating) -> Information {
     let curves = coating.curves(plan.truth.len());
     let prediction = curves.predict(&plan.truth).unwrap();
@@ -60,7 +60,7 @@ fn planned(coating: &Coating, count: usize, more: &[LinearNuisance]) -> Vec<f64>
     errors(&plan, &[&information(&plan, coating)])
 }
 
-/// Errors computed before by another program, to two or three digits.
+/// Compares with errors computed earlier by another program, to two or three digits.
 fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
     for (found, expected) in found.iter().zip(expected) {
         assert!(
@@ -73,11 +73,11 @@ fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
 #[test]
 fn each_unknown_more_makes_the_others_less_certain() {
     let of = |count, more: &[LinearNuisance]| planned(&coating(10e-6), count, more);
-    // The digits of the expected numbers.
+    // To the digits of the expected numbers.
     assert_near(&of(1, &[]), &[0.010], 0.03);
     assert_near(&of(2, &[]), &[0.034, 0.018], 0.03);
     assert_near(&of(3, &[]), &[0.106, 0.096, 0.155], 0.01);
-    // Where the data determine nearly nothing, the grid's error in the derivatives counts.
+    // Where the data determine almost nothing, the grid error of the derivatives matters.
     let frame = [LinearNuisance::frame_compliance()];
     assert_near(&of(3, &frame), &[0.20, 4.26, 1.22], 0.08);
 }
@@ -91,7 +91,7 @@ fn a_small_and_a_large_ball_together_tell_what_neither_does() {
     let plan = plan_for(&unknowns(), &coating(1.0).truth(), &[]);
     let both = [1e-6, 100e-6].map(|radius| information(&plan, &ball(radius)));
     let together = errors(&plan, &[&both[0], &both[1]]);
-    // The forces of these numbers are not known; 20 µN to 2 mN come near them.
+    // The forces behind these numbers are unknown; 20 µN to 2 mN come close.
     assert_near(&together, &[0.027, 0.008, 0.027], 0.1);
     for one in &both {
         let alone = errors(&plan, &[one]);
@@ -117,7 +117,7 @@ fn a_prior_is_one_more_observation() {
     assert!((known / expected - 1.0).abs() < 1e-9);
 }
 
-/// A coating so thick or so thin, or a frame so soft, that a parameter is lost: never an error below a factor of two.
+/// With a coating so thick or thin, or a frame so soft, that a parameter is lost, no error is below a factor of two.
 #[test]
 fn no_certainty_where_a_parameter_is_lost() {
     let lost = std::f64::consts::LN_2 / 1.96;
@@ -141,7 +141,7 @@ fn two_curves_alike_halve_the_variance_and_scatter_between_them_stays() {
     let one = information(&plan, &coating);
     let single = errors(&plan, &[&one])[0];
     let pair = errors(&plan, &[&one, &one])[0];
-    // 1/σ² adds, to rounding.
+    // 1/σ² is additive, to rounding.
     assert!((single / pair - 2_f64.sqrt()).abs() < 1e-9);
     plan.scatter = vec![0.03];
     let scattered = errors(&plan, &[&information(&plan, &coating)])[0];
@@ -167,7 +167,7 @@ fn an_exact_direction_is_told_as_such_whatever_the_numbers_say() {
     let known = found[0].known_combination.as_ref().unwrap();
     // E1² E2 does not change along (1, −2).
     assert_eq!(known.expression, "E1 * E2^0.5");
-    // With E2 held the error is that of E1 alone, and 1.96 of them are the interval of the product.
+    // With E2 held, the error is that of E1 alone, and the half interval of the product is 1.96 of these errors.
     let alone = plan_for(&unknowns()[..1], &coating.truth()[..1], &[]);
     let alone = errors(&alone, &[&information(&alone, &coating)])[0];
     let half = (known.interval[1].unwrap() / known.value).ln();

@@ -1,4 +1,4 @@
-//! Posteriors against exact ones and against profiles.
+//! Posteriors compared with exact ones and with profiles.
 
 use std::sync::atomic::AtomicUsize;
 
@@ -57,7 +57,7 @@ fn sampled(model: &dyn ForwardModel, problem: &Problem, samples: usize) -> (Fit,
     (fit, posterior)
 }
 
-/// Median and ends of 95 % within a part of a standard error of those expected.
+/// Checks that the median and the 95 % limits are within `part` of a standard error of the expected ones.
 fn assert_quantiles(posterior: &Posterior, unknown: usize, expected: [f64; 3], part: f64) {
     let error = (expected[2] - expected[0]) / (2.0 * 1.96);
     for (probability, expected) in [0.025, 0.5, 0.975].into_iter().zip(expected) {
@@ -83,7 +83,7 @@ fn a_line_with_a_prior_and_a_frame_has_the_exact_posterior() {
             .with_prior(prior)
             .unwrap(),
     ];
-    // The frame is another slope, known to 0.15.
+    // The frame is a second slope, known to 0.15.
     let frame = LinearNuisance::frame_compliance()
         .with_normal_prior(0.0, 0.15)
         .unwrap();
@@ -111,7 +111,7 @@ fn a_line_with_a_prior_and_a_frame_has_the_exact_posterior() {
     for unknown in 0..2 {
         let mean: f64 = (0..3).map(|j| minor(unknown, j) * right(j)).sum::<f64>() / determinant;
         let error = (minor(unknown, unknown) / determinant).sqrt();
-        // Some four thousand independent samples: 0.04 of a standard error at the ends.
+        // About four thousand independent samples: 0.04 of a standard error at the ends.
         let expected = [-1.96, 0.0, 1.96].map(|z| mean + z * error);
         assert_quantiles(&posterior, unknown, expected, 0.1);
     }
@@ -134,12 +134,12 @@ fn quantiles_are_those_of_the_profiles_where_the_noise_is_estimated() {
     let (fit, posterior) = sampled(&model, &problem, 40_000);
     for (unknown, estimate) in fit.estimates.iter().enumerate() {
         let [low, high] = estimate.interval.map(Option::unwrap);
-        // As above; the profile's middle is its best fit, which a skew posterior's median is not.
+        // As above; the profile is centred on the best fit, which is not the median of a skewed posterior.
         assert_quantiles(&posterior, unknown, [low, estimate.value, high], 0.15);
     }
 }
 
-/// Two moduli of the half-micrometre coating from a curve with noise of 1 % and an unknown zero.
+/// Both moduli of the half-micrometre coating, from a curve with noise of 1 % and an unknown zero.
 fn coating_problem(model: &dyn ForwardModel) -> Problem {
     let coating = coating(10e-6);
     let observed = measured(model, &coating.truth()[..2], |v| 0.01 * v);

@@ -1,4 +1,4 @@
-//! Surrogates against their model.
+//! Surrogates compared with their model.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -8,7 +8,7 @@ use pellicle_identify::{
 
 use crate::coating::coating;
 
-/// `y = a q^b + c`, and how often it was asked.
+/// `y = a q^b + c`, with a count of its evaluations.
 pub struct Power {
     pub abscissa: Vec<f64>,
     pub asked: AtomicUsize,
@@ -74,7 +74,7 @@ fn values_slopes_and_derivatives_are_those_of_the_model_however_many_points() {
     assert_near(&found.value, &expected.value, 1e-4);
     assert_near(&found.slope, &expected.slope, 1e-3);
     for (found, expected) in found.derivatives.iter().zip(&expected.derivatives) {
-        // A derivative loses the square of the degree at worst, at a face; less inside.
+        // A derivative loses at worst a factor of the degree squared, at a face; less inside.
         assert_near(found, expected, 2e-3);
     }
 }
@@ -131,7 +131,7 @@ fn two_moduli_of_a_coating_take_a_hundred_curves() {
     for (j, value) in at.iter().enumerate() {
         for (i, expected) in expected.derivatives[j].iter().enumerate() {
             let error = (found.derivatives[j][i] - expected) * value / found.value[i];
-            // The error of D by half a side of the box, 0.2, and the grid's own error of derivatives, 1e-3.
+            // The error of D over half a side of the box, 0.2, and the grid error of the derivatives, 1e-3.
             assert!(error.abs() < 2e-3, "{j} {i}: {error:e}");
         }
     }

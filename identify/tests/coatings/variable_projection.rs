@@ -1,8 +1,8 @@
-//! The same coating fitted by another program's variable projection.
+//! The same coating fitted by variable projection in another program.
 //!
 //! The crate `varpro` fits sums of curves with free coefficients (D. P. O'Leary and B. W. Rust, Comput. Optim. Appl.
-//! 54, 579 (2013)), by the Levenberg–Marquardt method of MINPACK in coordinates of its own. A depth read with an
-//! unknown gain and zero is such a sum: `y = g D(Q; E1, H) + y0`.
+//! 54, 579 (2013)), by the Levenberg–Marquardt method of MINPACK in its own coordinates. A depth with an unknown gain
+//! and zero is such a sum: `y = g D(Q; E1, H) + y0`.
 
 use approx::assert_relative_eq;
 use nalgebra_of_varpro::{DMatrix, DVector};

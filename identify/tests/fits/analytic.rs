@@ -1,4 +1,4 @@
-//! Linear problems, whose answers are closed forms.
+//! Linear problems with closed-form solutions.
 
 use approx::assert_relative_eq;
 use pellicle_identify::{
@@ -12,7 +12,7 @@ fn signed(name: &str, range: [f64; 2]) -> Unknown {
     Unknown::signed(name, range).unwrap()
 }
 
-/// Intercept, slope and their variances of the normal equations, for unit weights.
+/// Intercept and slope with their variances, from the normal equations with unit weights.
 fn normal_equations(x: &[f64], y: &[f64]) -> ([f64; 2], [f64; 2]) {
     let n = x.len() as f64;
     let (mean_x, mean_y) = (x.iter().sum::<f64>() / n, y.iter().sum::<f64>() / n);
@@ -49,12 +49,12 @@ fn a_straight_line_has_the_answer_and_the_intervals_of_the_normal_equations() {
     };
     let fit = identify(&toy, &problem, &options).unwrap();
     for (j, estimate) in fit.estimates.iter().enumerate() {
-        // χ² within 1e-12 of the least: 1e-6 standard errors, which are 5 % of the values.
+        // χ² is within 1e-12 of its minimum: 1e-6 standard errors, which are 5 % of the values.
         assert_relative_eq!(estimate.value, wanted[j], max_relative = 1e-7);
         let half = 1.959_963_985 * sigma * variance[j].sqrt();
         let wald = estimate.wald.unwrap();
         assert_relative_eq!(wald[1] - estimate.value, half, max_relative = 1e-6);
-        // On a linear problem the profile is a parabola, and the scan exact.
+        // On a linear problem the profile is a parabola and the scan is exact.
         assert_relative_eq!(estimate.interval[0].unwrap(), wald[0], max_relative = 1e-6);
         assert_relative_eq!(estimate.interval[1].unwrap(), wald[1], max_relative = 1e-6);
     }
@@ -62,7 +62,7 @@ fn a_straight_line_has_the_answer_and_the_intervals_of_the_normal_equations() {
 
 #[test]
 fn an_eliminated_nuisance_leaves_what_a_full_fit_leaves() {
-    // The same line, its intercept once an unknown, once a shift, and its slope once a frame compliance.
+    // The same line, with its intercept as an unknown or a shift, and its slope as a frame compliance.
     let x: Vec<f64> = (0..30).map(|i| 1.0 + 0.2 * f64::from(i)).collect();
     let toy = Toy::new(x.clone(), |q, p| (p[0] * q, p[0], vec![q]));
     let sigma = 0.1;
@@ -96,7 +96,7 @@ fn an_eliminated_nuisance_leaves_what_a_full_fit_leaves() {
 
 #[test]
 fn a_prior_counts_as_one_more_observation() {
-    // One constant observed n times with σ, known before as m ± s: precision n/σ² + 1/s², mean weighted by precision.
+    // One constant observed n times with σ, with a prior m ± s: precision n/σ² + 1/s², mean weighted by precision.
     let (n, sigma, mean, sd) = (5, 0.4, 3.0, 0.1);
     let x = vec![1.0; n];
     let toy = Toy::new(x.clone(), |_, p| (p[0], 0.0, vec![1.0]));
@@ -115,7 +115,7 @@ fn a_prior_counts_as_one_more_observation() {
     // A linear problem, solved to 1e-7 standard errors.
     assert_relative_eq!(fit.estimates[0].value, wanted, max_relative = 1e-8);
 
-    // The same as a nuisance beside an unknown that does nothing for it.
+    // The same as a nuisance, beside an unknown that does not affect it.
     let toy = Toy::new(x, |_, p| (p[0], 0.0, vec![1.0]));
     let constant = LinearNuisance::new("c", NuisanceShape::Constant, Scope::Common)
         .with_normal_prior(mean, sd)
@@ -132,7 +132,7 @@ fn a_prior_counts_as_one_more_observation() {
     )
     .unwrap();
     let fit = identify(&toy, &problem, &options).unwrap();
-    // The other unknown may take 1e-9 of it.
+    // The other unknown may absorb 1e-9 of it.
     assert_relative_eq!(fit.coefficients[0].value, wanted, max_relative = 1e-8);
     let half = 1.959_963_985 / precision.sqrt();
     assert_relative_eq!(
@@ -144,8 +144,8 @@ fn a_prior_counts_as_one_more_observation() {
 
 #[test]
 fn errors_of_the_abscissa_weigh_by_the_slope() {
-    // y = b q with errors in both axes has the constant variance σ_y² + b² σ_q², so b is that of plain least squares
-    // and its variance that sum over Σ q².
+    // y = b q with errors in both axes has the constant variance σ_y² + b² σ_q², so b is the plain least-squares
+    // estimate, with that variance over Σ q².
     let x: Vec<f64> = (1..=50).map(f64::from).collect();
     let toy = Toy::new(x.clone(), |q, p| (p[0] * q, p[0], vec![q]));
     let curve = noisy(&x, &toy.values(&[2.0]), 0.5, &Normals::new(3).white(50));

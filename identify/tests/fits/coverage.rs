@@ -1,7 +1,8 @@
-//! How often intervals hold the truth.
+//! How often intervals contain the true value.
 //!
-//! Each test repeats one measurement 400 times with other noise. Intervals of level 0.95 hold the truth 380 times on
-//! average, with a standard deviation of 4.4: between 368 and 390 by the binomial distribution but for 1 %.
+//! Each test repeats one measurement 400 times with different noise. Intervals of level 0.95 contain the true value 380
+//! times on average, with a standard deviation of 4.4: between 368 and 390 times with 99 % probability, by the binomial
+//! distribution.
 
 use pellicle_identify::{
     Amount, Correlation, Fit, FitOptions, LinearNuisance, Noise, Problem, Unknown, identify,
@@ -14,7 +15,7 @@ use crate::toys::{
 const REPLICATES: u64 = 400;
 const EXPECTED: std::ops::RangeInclusive<usize> = 368..=390;
 
-/// One measurement and its fit, from the noise of a seed.
+/// A measurement with seeded noise, and its fit.
 struct Measurement {
     law: fn(f64, &[f64]) -> Point,
     truth: Vec<f64>,
@@ -34,7 +35,7 @@ impl Measurement {
         identify(&toy, &problem, &FitOptions::default()).unwrap()
     }
 
-    /// How often the profile and the Wald interval of each unknown hold the truth.
+    /// Counts how often the profile and Wald intervals of each unknown contain the true value.
     fn held(&self, replicates: u64) -> Vec<[usize; 2]> {
         let mut held = vec![[0; 2]; self.truth.len()];
         for seed in 0..replicates {
@@ -134,7 +135,7 @@ fn both_axes() -> Measurement {
     }
 }
 
-/// A coating whose thickness the data hardly tell.
+/// A coating whose thickness the data hardly determine.
 fn weak() -> Measurement {
     Measurement {
         law: coating,
@@ -157,7 +158,7 @@ fn weak() -> Measurement {
 fn where_the_data_are_weak_the_covariance_promises_too_much_and_the_profile_does_not() {
     let held = weak().held(REPLICATES);
     for (j, count) in held.iter().enumerate() {
-        // The lower end alone: bounds and open sides let a profile cover more than it says, never less.
+        // Only the lower limit: bounds and open sides make a profile cover more than its level, never less.
         assert!(
             count[0] >= *EXPECTED.start(),
             "unknown {j}: {} of 400",
@@ -182,7 +183,7 @@ fn profiles_cover_under_correlated_noise() {
 
 #[test]
 fn profiles_cover_under_few_correlated_points() {
-    // Sixty points with a correlation of 0.85 are worth some five independent ones.
+    // Sixty points with a correlation of 0.85 are worth about five independent ones.
     assert_coverage(&Measurement {
         forces: logarithmic(0.1, 30.0, 60),
         ..correlated()

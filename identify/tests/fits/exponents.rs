@@ -1,4 +1,4 @@
-//! The effect on the answer of a number that is taken as exact, against fits with another value of it.
+//! The effect on the estimates of a number that is taken as exact, compared with fits at other values of it.
 
 use pellicle_identify::{
     Fit, FitOptions, ForwardError, ForwardModel, Intervals, LinearNuisance, Noise, Prediction,
@@ -7,7 +7,7 @@ use pellicle_identify::{
 
 use crate::toys::{Normals, Toy, coating, hertz, logarithmic, noisy, unknown};
 
-/// A law whose last parameter is held.
+/// A law with its last parameter held.
 struct Held {
     toy: Toy,
     value: f64,
@@ -36,7 +36,7 @@ fn fitted(model: &Held, problem: &Problem) -> Fit {
     identify(model, problem, &options).unwrap()
 }
 
-/// The exponents of the fit by the number held.
+/// The exponents of the fit for the held number.
 fn found(model: &Held, problem: &Problem) -> Vec<Option<f64>> {
     let fit = fitted(model, problem);
     let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
@@ -71,7 +71,7 @@ fn a_modulus_goes_as_the_root_of_the_radius_that_is_taken_as_exact() {
 fn exponents_are_the_changes_of_the_fit_with_another_value() {
     let forces = logarithmic(0.01, 100.0, 40);
     let toy = || Toy::new(forces.clone(), coating);
-    // Without noise, so that the second derivatives of the model have no part.
+    // Without noise, so that second derivatives of the model do not contribute.
     let curve = noisy(
         &forces,
         &toy().values(&[10.0, 1.5, 1.0]),
@@ -95,7 +95,7 @@ fn exponents_are_the_changes_of_the_fit_with_another_value() {
     for (j, exponent) in exponents.iter().enumerate() {
         let [more, less] = [0, 1].map(|k| ends[k].estimates[j].value);
         let quotient = (more / less).ln() / (2.0 * step);
-        // The square of the step, and where a search ends.
+        // The square of the step, and the tolerance of the search.
         assert!(
             (quotient - exponent.unwrap()).abs() < 2e-3,
             "{quotient} {exponent:?}"

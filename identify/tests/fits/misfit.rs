@@ -1,4 +1,4 @@
-//! Models that the data refuse, and how often they refuse a true one.
+//! Models that the data refuse, and how often a true one is refused.
 
 use pellicle_identify::{
     Amount, Correlation, Fit, FitOptions, FitVerdict, Intervals, LinearNuisance, Noise, Problem,
@@ -42,7 +42,7 @@ fn fit_series(law: fn(f64, &[f64]) -> Point, unknowns: usize, noise: Noise, seri
 
 #[test]
 fn a_half_space_fitted_to_a_coating_is_refused() {
-    // An autoregression would take up the misfit, but for its own persistence.
+    // An autoregression would absorb the misfit, but its persistence reveals it.
     for noise in [Noise::white(SIGMA), Noise::default(), CORRELATED] {
         let fit = fit(hertz_modulus, 1, noise, 1);
         assert_eq!(fit.verdict, FitVerdict::Misfit, "{:?}", fit.goodness);
@@ -60,7 +60,7 @@ fn a_true_model_is_refused_at_most_once_in_a_hundred() {
             .iter()
             .filter(|fit| fit.verdict == FitVerdict::Misfit)
             .count();
-        // One in a hundred of 400.
+        // One in a hundred, out of 400.
         assert!(refused <= 4, "{refused} of 400 refused");
         assert!(
             fits.iter()
@@ -80,9 +80,9 @@ fn correlated_noise_is_not_taken_for_a_misfit() {
             .count()
     };
     let told = refused(CORRELATED, 400);
-    // One in a hundred of 400.
+    // One in a hundred, out of 400.
     assert!(told <= 4, "{told} of 400 refused");
-    // The control: without a word of its correlation most are refused.
+    // Control: if the correlation is not declared, most are refused.
     let untold = refused(Noise::default(), 100);
     assert!(untold > 50, "{untold} of 100 refused");
 }

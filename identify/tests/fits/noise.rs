@@ -1,4 +1,4 @@
-//! The noise as estimated from the residuals.
+//! The noise estimated from the residuals.
 
 use approx::assert_relative_eq;
 use pellicle_identify::{
@@ -15,7 +15,7 @@ fn options() -> FitOptions {
     }
 }
 
-/// Hertz under so many loads with correlated noise.
+/// A Hertz contact at `points` loads with correlated noise.
 fn correlated(points: i32, noise: Noise, seed: u64) -> Fit {
     let forces: Vec<f64> = (1..=points).map(|i| 0.1 * f64::from(i)).collect();
     let toy = Toy::new(forces.clone(), hertz_modulus);
@@ -37,7 +37,7 @@ const ESTIMATED: Noise = Noise {
 #[test]
 fn a_long_series_tells_its_correlation() {
     let noise = correlated(10_000, ESTIMATED, 1).noise;
-    // Of 10 000 points some 800 are independent: 3.5 % of the size, and 0.01 of a correlation.
+    // Of 10 000 points about 800 are independent: 3.5 % for the size, and 0.01 for a correlation.
     assert_relative_eq!(noise.observed, 0.02, max_relative = 0.07);
     assert_relative_eq!(noise.persistence, 0.85, max_relative = 0.03);
     assert_relative_eq!(noise.white_fraction, 0.2, max_relative = 0.15);
@@ -45,8 +45,9 @@ fn a_long_series_tells_its_correlation() {
 
 #[test]
 fn a_given_correlation_gives_the_generalised_least_squares_of_a_line() {
-    // With white part 0 the innovations are e_i = r_i − φ r_{i−1}, and the first r_0 √(1 − φ²): plain least squares on
-    // columns so transformed (S. J. Prais and C. B. Winsten, Cowles Commission Discussion Paper 383, 1954).
+    // Without a white part the innovations are e_i = r_i − φ r_{i−1}, and the first is r_0 √(1 − φ²): plain least
+    // squares on columns transformed in this way (S. J. Prais and C. B. Winsten, Cowles Commission Discussion Paper
+    // 383, 1954).
     let (phi, sigma, points) = (0.7, 0.3, 50);
     let x: Vec<f64> = (0..points).map(|i| 0.1 * i as f64).collect();
     let toy = Toy::new(x.clone(), line);
@@ -88,7 +89,7 @@ fn a_given_correlation_gives_the_generalised_least_squares_of_a_line() {
         },
     )
     .unwrap();
-    // Solved to 1e-6 standard errors of 5 %.
+    // Solved to 1e-6 of a standard error of 5 %.
     assert_relative_eq!(fit.estimates[1].value, slope, max_relative = 1e-7);
     let [low, high] = fit.estimates[1].wald.unwrap();
     assert_relative_eq!(
@@ -100,7 +101,7 @@ fn a_given_correlation_gives_the_generalised_least_squares_of_a_line() {
 
 #[test]
 fn correlated_noise_taken_for_white_promises_too_much() {
-    // The control of the coverage test of correlated noise: there 95 % hold.
+    // Control for the coverage test with correlated noise, where 95 % contain the true value.
     let held = (0..200)
         .filter(|&seed| {
             let [low, high] = correlated(300, Noise::default(), seed).estimates[0]
@@ -129,7 +130,8 @@ fn noise_of_both_axes_is_told_apart_where_the_slope_varies() {
     ];
     let problem = Problem::new(vec![curve], unknowns, &[], noise).unwrap();
     let fit = identify(&Toy::new(forces, coating_moduli), &problem, &options()).unwrap();
-    // 2000 points tell one size to 1.6 %; the slopes, 0.02 … 0.4, make the errors of the abscissa the smaller part.
+    // 2000 points determine one size to 1.6 %; with slopes of 0.02 … 0.4, the errors of the abscissa are the smaller
+    // part.
     assert_relative_eq!(fit.noise.observed, 0.01, max_relative = 0.08);
     assert_relative_eq!(fit.noise.abscissa, 0.02, max_relative = 0.3);
 }
@@ -155,7 +157,7 @@ fn relative_noise_is_told_from_constant_noise() {
     ];
     let problem = Problem::new(vec![curve], unknowns, &[], noise).unwrap();
     let fit = identify(&toy, &problem, &options()).unwrap();
-    // 2000 points, each telling mostly of one of the two.
+    // 2000 points, each of which mostly determines one of the two.
     assert_relative_eq!(fit.noise.observed, 0.005, max_relative = 0.08);
     assert_relative_eq!(fit.noise.relative, 0.01, max_relative = 0.08);
 }

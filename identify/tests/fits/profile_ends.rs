@@ -1,5 +1,5 @@
-//! The ends of intervals against a scan of their own: at each end the best fit with the unknown held there is worse by
-//! the squared quantile, to a hundredth of a standard error. And how few predictions that takes.
+//! Interval ends checked by an independent scan: at each end, the best fit with the unknown held there is worse by the
+//! squared quantile, to a hundredth of a standard error. Also counts the predictions needed.
 
 use nalgebra::{DMatrix, DVector};
 use pellicle_identify::{
@@ -11,10 +11,10 @@ use crate::toys::{Normals, Point, Toy, coating, coating_moduli, logarithmic, noi
 /// `z` at the ends of an interval of level 0.95.
 const QUANTILE: f64 = 1.959_963_984_540_054;
 
-/// A search of more predictions goes along a valley that bends: the third coating of three unknowns.
+/// A search with more predictions follows a curved valley: the third coating with three unknowns.
 const WINDING: usize = 7;
 
-/// A toy, the truth, and the noise of its 60 points.
+/// A toy law, its true parameters, and the noise of its 60 points.
 struct System {
     law: fn(f64, &[f64]) -> Point,
     truth: &'static [f64],
@@ -22,7 +22,7 @@ struct System {
     sigma: f64,
 }
 
-/// Coatings from stiff to soft, thick and thin, and noise from 0.1 to 1 % of a depth of one.
+/// Coatings from stiff to soft, thick and thin, with noise from 0.1 to 1 % of a depth of one.
 const TWO: [System; 3] = [
     System {
         law: coating_moduli,
@@ -71,7 +71,7 @@ const THREE: [System; 4] = [
     },
 ];
 
-/// The measured points and the fit of them.
+/// The measured points and their fit.
 struct Fitted {
     fit: Fit,
     toy: Toy,
@@ -105,7 +105,7 @@ impl System {
 }
 
 impl Fitted {
-    /// The least `χ²` over the shift and all parameters but those held, by Gauss and Newton in logarithms.
+    /// Minimises `χ²` over the shift and all parameters except the one held, by Gauss–Newton in logarithms.
     fn least(&self, start: &[f64], held: Option<usize>) -> (f64, Vec<f64>) {
         let free: Vec<usize> = (0..start.len()).filter(|j| Some(*j) != held).collect();
         let mut parameters = start.to_vec();
@@ -123,7 +123,7 @@ impl Fitted {
                 .svd(true, true)
                 .solve(&residual, 1e-14)
                 .unwrap();
-            // With the best shift alone.
+            // With only the best shift subtracted.
             let mean = residual.mean();
             best = residual.iter().map(|r| (r - mean).powi(2)).sum();
             let longest = step.rows(0, free.len()).amax();
@@ -138,13 +138,13 @@ impl Fitted {
         (best, parameters)
     }
 
-    /// By how many standard errors the ends of an unknown's interval miss those of a scan.
+    /// The distances, in standard errors, between the ends of an unknown's interval and those of the scan.
     fn misses(&self, unknown: usize) -> Vec<f64> {
         let values: Vec<f64> = self.fit.estimates.iter().map(|of| of.value).collect();
         let (least, best) = self.least(&values, None);
         let ends = self.fit.estimates[unknown].interval.into_iter().flatten();
         let miss = |end: f64| {
-            // Outward in steps, so that the others follow.
+            // Outward in steps, so that the others can follow.
             let mut parameters = best.clone();
             let mut found = least;
             for step in 1..=20 {
@@ -176,7 +176,7 @@ fn assert_ends(systems: &[System], most: usize) {
                 .iter()
                 .fold(0.0, |worst: f64, miss| worst.max(miss.abs()));
             assert!(worst < 0.01, "{index} {seed}: {misses:?}");
-            // Two to an end, and one to see that no other valley is lower there.
+            // Two per end, and one to check that no other valley is lower there.
             let ends = 2 * system.truth.len();
             assert!(
                 work.curves_solved - work.search <= 2 * ends + 1,
@@ -190,7 +190,7 @@ fn assert_ends(systems: &[System], most: usize) {
             winding += usize::from(is_winding);
         }
     }
-    // One system of four, and one fit of another.
+    // One system out of four, and one fit of another.
     assert!(winding <= 6, "{winding}");
 }
 

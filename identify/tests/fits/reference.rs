@@ -1,4 +1,4 @@
-//! A fit against certified values.
+//! A fit compared with certified values.
 
 use approx::assert_relative_eq;
 use pellicle_identify::{Curve, FitOptions, Intervals, Noise, Problem, Unknown, identify};
@@ -17,7 +17,7 @@ fn misra(x: f64, parameters: &[f64]) -> Point {
 }
 
 /// Misra1a of the Statistical Reference Datasets of NIST (D. Misra, Dental Research Monomolecular Adsorption Study,
-/// NIST 1978): certified to eleven digits, from the first of the certified starts, 500 and 0.0001.
+/// NIST 1978): certified to eleven digits. The fit begins at the first of the certified starts, 500 and 0.0001.
 #[test]
 fn values_and_standard_deviations_are_those_certified_by_nist() {
     let x = [
@@ -46,7 +46,7 @@ fn values_and_standard_deviations_are_those_certified_by_nist() {
         ..FitOptions::default()
     };
     let fit = identify(&Toy::new(x.to_vec(), misra), &problem, &options).unwrap();
-    // A search that ends 1e-7 standard errors, of 1 %, from the least.
+    // The search ends 1e-7 standard errors, of 1 %, from the minimum.
     assert_relative_eq!(
         fit.estimates[0].value,
         2.389_421_291_8e2,
@@ -58,7 +58,7 @@ fn values_and_standard_deviations_are_those_certified_by_nist() {
         max_relative = 1e-8
     );
     let deviation = |j: usize| fit.estimates[j].value * fit.covariance[j][j].sqrt();
-    // The size of the noise is estimated to 1e-4 in its logarithm, where the simplex ends.
+    // The logarithm of the noise is estimated to 1e-4, the tolerance of the simplex search.
     assert_relative_eq!(deviation(0), 2.707_007_524_1, max_relative = 2e-4);
     assert_relative_eq!(deviation(1), 7.266_868_843_6e-6, max_relative = 2e-4);
     // Fourteen points, two unknowns.

@@ -55,12 +55,12 @@ fn the_scatter_and_the_common_value_of_repeats_are_found() {
     let fit = fit(curves(300, 0.05, 1), Noise::default());
     assert_eq!(fit.verdict, FitVerdict::Fitted, "{:?}", fit.goodness);
     assert!(fit.excluded.is_empty());
-    // The noise is that within curves: 2400 points tell it to 1.5 %.
+    // The noise is that within curves: 2400 points determine it to 1.5 %.
     assert_relative_eq!(fit.noise.observed, SIGMA, max_relative = 0.05);
     for (estimate, truth) in fit.estimates.iter().zip([10.0, 1.5]) {
         let between = estimate.between_curves.as_ref().unwrap();
         assert_eq!(between.values.len(), CURVES);
-        // Eight curves tell a scatter to 27 %; two of those.
+        // Eight curves determine a scatter to 27 %; the tolerance is twice that.
         assert_relative_eq!(
             between.standard_deviation,
             0.05 * truth,
@@ -72,7 +72,7 @@ fn the_scatter_and_the_common_value_of_repeats_are_found() {
         assert_relative_eq!(0.5 * (high - low) / truth, 0.042, max_relative = 0.54);
         assert_eq!(estimate.verdict, Verdict::Identified);
     }
-    // The search and some five rounds.
+    // The search and about five rounds.
     assert!(
         fit.work.curves_solved <= 20,
         "{} predictions",
@@ -80,7 +80,7 @@ fn the_scatter_and_the_common_value_of_repeats_are_found() {
     );
 }
 
-/// How often the interval holds the truth, and how often a curve is left out.
+/// Counts how often the interval contains the true value, and how often a curve is left out.
 fn held(scatter: f64) -> (Vec<usize>, usize) {
     let (mut held, mut lost) = (vec![0; 2], 0);
     for seed in 0..400 {
@@ -101,7 +101,7 @@ fn intervals_of_repeats_cover_and_good_curves_stay() {
         // As in coverage.rs.
         assert!((368..=390).contains(&count), "{count} of 400");
     }
-    // Three comparisons of at most 0.5 % each: six of 400, and twice the root of that more.
+    // Three comparisons of at most 0.5 % each: six of 400, plus twice the root of that.
     assert!(lost <= 11, "{lost} of 400 lost a curve");
 }
 
@@ -114,7 +114,7 @@ fn intervals_of_repeats_without_scatter_hold_the_truth_at_least_as_often_as_they
 #[test]
 fn a_curve_with_a_wrong_surface_is_named_and_left_out() {
     let mut all = curves(100, 0.03, 3);
-    // The surface was found late: the forces of this curve are too small by 0.2, in a curve from 0.01 to 100.
+    // The surface was detected late: the forces of this curve, from 0.01 to 100, are too small by 0.2.
     let forces = all[5].abscissa().to_vec();
     let late: Vec<f64> = forces.iter().map(|q| q + 0.2).collect();
     let observed = Toy::new(late, coating_moduli).values(&[10.0, 1.5]);
@@ -144,7 +144,7 @@ fn a_curve_with_a_wrong_surface_is_named_and_left_out() {
 
 #[test]
 fn a_common_prior_widens_the_common_value_and_not_the_scatter() {
-    // Eight balls of one radius, known to 5 %, on half-spaces of one modulus.
+    // Eight balls of the same radius, known to 5 %, on half-spaces of the same modulus.
     let mut normals = Normals::new(4);
     let forces = logarithmic(0.01, 100.0, 50);
     let curves: Vec<Curve> = (0..CURVES)
@@ -169,7 +169,7 @@ fn a_common_prior_widens_the_common_value_and_not_the_scatter() {
         .with_scatter(Scatter::BetweenCurves);
     let fit = identify(&Toy::new(all, hertz), &problem, &FitOptions::default()).unwrap();
     assert_eq!(fit.verdict, FitVerdict::Fitted, "{fit:?}");
-    // σ_E/E = ½ σ_R/R at the normal quantile, not at Student's: the prior is no sample of eight.
+    // σ_E/E = ½ σ_R/R with the normal quantile, not Student's: the prior is not a sample of eight.
     let [low, high] = fit.estimates[0].interval.map(Option::unwrap);
     assert_relative_eq!((high / low).ln(), 1.96 * 1.05_f64.ln(), max_relative = 0.01);
     assert!(
@@ -195,6 +195,6 @@ fn eight_curves_of_a_thousand_points_with_correlated_noise_are_fitted() {
     };
     let fit = fit(curves(1000, 0.05, 9), noise);
     assert_eq!(fit.verdict, FitVerdict::Fitted, "{:?}", fit.goodness);
-    // 8000 points tell the size of white noise to 0.8 %.
+    // 8000 points determine the size of white noise to 0.8 %.
     assert_relative_eq!(fit.noise.observed, SIGMA, max_relative = 0.03);
 }

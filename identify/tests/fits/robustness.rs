@@ -1,4 +1,4 @@
-//! Models that are not smooth, not everywhere defined, or have more than one minimum.
+//! Models that are not smooth, not defined everywhere, or have more than one minimum.
 
 use pellicle_identify::{
     Fit, FitOptions, FitVerdict, FitWarning, ForwardError, ForwardModel, IdentifyError,
@@ -7,12 +7,12 @@ use pellicle_identify::{
 
 use crate::toys::{Normals, Point, Toy, coating_moduli, logarithmic, noisy, unknown};
 
-/// A toy whose predictions jump with the parameters, as those of a grid do.
+/// A toy whose predictions jump with the parameters, like those on a grid.
 struct Jagged {
     toy: Toy,
-    /// Of the values.
+    /// Jitter of the values.
     jitter: f64,
-    /// Of the derivatives.
+    /// Error of the derivatives.
     error: f64,
 }
 
@@ -61,7 +61,7 @@ fn jagged_fit(jitter: f64, error: f64, seed: u64) -> Fit {
 fn jitter_and_rough_derivatives_cost_a_few_predictions_and_no_convergence() {
     for seed in 0..20 {
         let smooth = jagged_fit(0.0, 0.0, seed);
-        // The jitter of a contact on a grid, and derivatives of its discrete map.
+        // The jitter of a contact on a grid, and the error of derivatives of its discrete map.
         let jagged = jagged_fit(3e-5, 0.03, seed);
         assert_eq!(
             jagged.verdict,
@@ -77,7 +77,7 @@ fn jitter_and_rough_derivatives_cost_a_few_predictions_and_no_convergence() {
         );
         for (a, b) in smooth.estimates.iter().zip(&jagged.estimates) {
             let [low, high] = a.wald.unwrap();
-            // A fifth of an interval of two standard errors to each side.
+            // A fifth of the half interval of two standard errors.
             assert!(
                 (a.value - b.value).abs() < 0.1 * (high - low),
                 "seed {seed}: {a:?} {b:?}"
@@ -118,7 +118,7 @@ fn the_best_of_several_minima_is_found_and_the_others_are_told_of() {
     assert!(fit.warnings.contains(&FitWarning::SeveralMinima));
 }
 
-/// A model that never has a prediction, or that ends the fit.
+/// A model that never has a prediction, or ends the fit.
 struct Refusing {
     stop: bool,
 }
@@ -163,7 +163,7 @@ fn data_without_any_noise_are_fitted_exactly() {
     let problem = Problem::new(vec![curve], unknowns, &[], Noise::default()).unwrap();
     let fit = identify(&toy, &problem, &FitOptions::default()).unwrap();
     for (estimate, truth) in fit.estimates.iter().zip([10.0, 1.5]) {
-        // Quadratic convergence ends far below the first estimate of a noise that is not there.
+        // Quadratic convergence reaches far below the first guess of the noise, which is absent here.
         assert!((estimate.value / truth - 1.0).abs() < 1e-6, "{estimate:?}");
     }
     assert!(fit.work.curves_solved <= 40, "{:?}", fit.work);

@@ -1,4 +1,4 @@
-//! Fits that their model ends: what is found by then is kept, and nothing is said that was not found.
+//! Fits ended by their model: results found by then are kept, and nothing more is claimed.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -11,7 +11,7 @@ use crate::toys::{Normals, Toy, coating_moduli, logarithmic, noisy, unknown};
 
 const TRUTH: [f64; 2] = [10.0, 1.5];
 
-/// A model that makes so many predictions and no more.
+/// A model that stops after a given number of predictions.
 struct Limited {
     toy: Toy,
     left: AtomicUsize,
@@ -28,7 +28,7 @@ impl ForwardModel for Limited {
     }
 }
 
-/// Both moduli of a coating from so many predictions.
+/// Fits both moduli of a coating with at most `predictions` predictions.
 fn fit_of(predictions: usize) -> Result<Fit, IdentifyError> {
     let forces = logarithmic(0.01, 100.0, 60);
     let toy = Toy::new(forces.clone(), coating_moduli);
@@ -74,7 +74,7 @@ fn a_stopped_search_leaves_its_best_values_without_intervals() {
         }
         misfits.push(fit.points.residual.iter().map(|r| r * r).sum::<f64>());
     }
-    // Each further prediction can only be better; the noise's own size changes by rounding what one shift leaves.
+    // A further prediction can only improve the fit; the estimated noise changes the misfit only by rounding.
     let falls = |pair: &[f64]| pair[1] <= pair[0] * (1.0 + 1e-9);
     assert!(misfits.windows(2).all(falls), "{misfits:?}");
     let spread = misfits[0] / misfits[misfits.len() - 1];
@@ -103,7 +103,7 @@ fn profiles_that_are_finished_stay_and_the_others_leave_the_covariance() {
             }
         }
     }
-    // Both kinds have been seen: both profiles missing, and one.
+    // Both cases occur: two profiles missing, and one.
     let stops = whole.work.curves_solved - whole.work.search;
     assert!(
         0 < missing_first && missing_first < stops,

@@ -7,10 +7,10 @@ use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
-/// One point of a law: value, derivative by the abscissa, derivatives by the parameters.
+/// One point of a law: value, derivative with respect to the abscissa, derivatives with respect to the parameters.
 pub type Point = (f64, f64, Vec<f64>);
 
-/// A law at given abscissae. It remembers what it was asked.
+/// A law at given abscissae, which records the parameters of each evaluation.
 pub struct Toy {
     pub abscissa: Vec<f64>,
     law: fn(f64, &[f64]) -> Point,
@@ -40,7 +40,7 @@ impl Toy {
         self.abscissa.iter().map(law).collect()
     }
 
-    /// Every set of parameters asked for, in order.
+    /// Every set of parameters evaluated, in order.
     pub fn asked(&self) -> Vec<Vec<f64>> {
         self.asked.lock().unwrap().clone()
     }
@@ -109,14 +109,14 @@ pub fn line(q: f64, parameters: &[f64]) -> Point {
     )
 }
 
-/// So many abscissae from `low` to `high`, evenly in the logarithm.
+/// `points` abscissae from `low` to `high`, evenly spaced in the logarithm.
 pub fn logarithmic(low: f64, high: f64, points: usize) -> Vec<f64> {
     (0..points)
         .map(|i| low * (high / low).powf(i as f64 / (points - 1) as f64))
         .collect()
 }
 
-/// Normal numbers of a seed.
+/// Seeded normal variates.
 pub struct Normals(ChaCha8Rng);
 
 impl Normals {
@@ -133,7 +133,7 @@ impl Normals {
         (0..points).map(|_| self.next()).collect()
     }
 
-    /// An autoregression plus white noise of unit variance together.
+    /// An autoregression plus white noise, with total variance one.
     pub fn autoregressive(&mut self, points: usize, phi: f64, white: f64) -> Vec<f64> {
         let mut state = self.next() * (1.0 - white).sqrt();
         let drive = ((1.0 - phi * phi) * (1.0 - white)).sqrt();
@@ -171,7 +171,7 @@ fn derivatives_of_the_toys_are_their_difference_quotients() {
         let (q, step) = (0.7, 1e-5);
         let (_, slope, derivatives) = law(q, parameters);
         let quotient = (law(q + step, parameters).0 - law(q - step, parameters).0) / (2.0 * step);
-        // Central differences err by step² and by rounding over step, 1e-10 and 1e-11.
+        // Central differences have errors of step² and of rounding over step, 1e-10 and 1e-11.
         assert!((slope - quotient).abs() < 1e-8 * slope.abs());
         for (j, derivative) in derivatives.iter().enumerate() {
             let at = |sign: f64| {

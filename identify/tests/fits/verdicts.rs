@@ -1,4 +1,4 @@
-//! Verdicts on unknowns that the data determine, and on those that they do not.
+//! Verdicts on unknowns that the data do or do not determine.
 
 use approx::assert_relative_eq;
 use pellicle_identify::{
@@ -30,7 +30,7 @@ fn fit(
     identify(&toy, &problem, &FitOptions::default()).unwrap()
 }
 
-/// `E*` and `R` of a ball on a half-space: `(E, R) → (E/√b, b R)` changes nothing.
+/// `E*` and `R` of a ball on a half-space: the curve is invariant under `(E, R) → (E/√b, b R)`.
 fn ball() -> NullDirections {
     let names = vec!["E".to_owned(), "R".to_owned()];
     NullDirections::new(names, vec![vec![-0.5, 1.0]]).unwrap()
@@ -87,13 +87,13 @@ fn a_prior_of_the_radius_makes_the_modulus_known_to_half_its_width() {
             .why
             .ends_with("Its uncertainty is mostly that of R.")
     );
-    // σ_E/E = ½ σ_R/R, and the noise of the curve adds some 0.01 % to 2.4 %.
+    // σ_E/E = ½ σ_R/R, and the noise of the curve adds about 0.01 % to 2.4 %.
     assert_relative_eq!(
         fit.covariance[0][0].sqrt(),
         0.5 * 1.05_f64.ln(),
         max_relative = 1e-3
     );
-    // The data leave the radius where the prior has it: the search ends within a thousandth of its standard deviation.
+    // The data leave the radius at its prior: the search ends within a thousandth of its standard deviation.
     assert_relative_eq!(fit.estimates[1].value, 2.0, max_relative = 1e-2 * 0.05);
 }
 
@@ -120,7 +120,7 @@ fn a_coating_of_known_thickness_is_identified_and_a_buried_one_is_not() {
         "{:?}",
         thin.estimates[1]
     );
-    // Under a coating a thousand times thicker the substrate is a hundredth of the modulus.
+    // Under a coating a thousand times thicker, the substrate contributes a hundredth of the modulus.
     let thick = fit(
         coating,
         &[10.0, 1.5, 1000.0],
@@ -145,7 +145,7 @@ fn a_coating_of_known_thickness_is_identified_and_a_buried_one_is_not() {
 
 #[test]
 fn a_thickness_seen_from_one_side_is_one_sided() {
-    // Loads that never reach the substrate tell that the coating is not thin.
+    // Loads too small to feel the substrate show that the coating is not thin.
     let unknowns = vec![
         unknown("E1", [1.0, 100.0], 10.0),
         unknown("E2", [1.0, 2.0], 1.5),

@@ -1,4 +1,4 @@
-//! How few predictions a fit takes, and that none is asked for twice.
+//! The number of predictions of a fit, none of which is repeated.
 
 use pellicle_identify::{
     Fit, FitOptions, ForwardError, ForwardModel, LinearNuisance, Noise, Prediction, Problem,
@@ -9,7 +9,7 @@ use crate::toys::{Normals, Point, Toy, coating, coating_moduli, logarithmic, noi
 
 const FORCES: [f64; 2] = [0.01, 100.0];
 
-/// A coating of `E1 = 10`, `E2 = 1.5`, `H = 1` under 60 loads, fitted from some start.
+/// Fits a coating of `E1 = 10`, `E2 = 1.5`, `H = 1` under 60 loads from the start of its unknowns.
 fn coating_fit(
     law: fn(f64, &[f64]) -> Point,
     truth: &[f64],
@@ -102,7 +102,7 @@ fn the_same_fit_gives_the_same_bits() {
     assert_eq!(once(), in_threads);
 }
 
-/// A coating model that has no prediction for coatings above a modulus.
+/// A coating model without predictions above a limiting modulus.
 struct Limited {
     toy: Toy,
     highest: f64,

@@ -16,7 +16,7 @@ trait Attribute {
     fn object(&self, py: Python<'_>) -> PyResult<Py<PyAny>>;
 }
 
-/// Those that Python knows as they are.
+/// Implements `Attribute` for types with a direct Python equivalent.
 macro_rules! known {
     ($($kind:ty),*) => {$(
         impl Attribute for $kind {
@@ -29,7 +29,7 @@ macro_rules! known {
 
 known!(f64, usize, u64, &'static str, String, PathBuf);
 
-/// Those that are words.
+/// Implements `Attribute` for types that are converted to strings.
 macro_rules! words {
     ($($kind:ty),*) => {$(
         impl Attribute for $kind {
@@ -48,7 +48,7 @@ impl Attribute for [usize; 2] {
     }
 }
 
-/// Sets the fields that are named of each variant; none of others.
+/// Sets the named fields of each variant; none of other variants.
 macro_rules! fields {
     ($py:ident, $value:ident, $error:expr, $kind:ident { $($variant:ident { $($field:ident),+ }),+ $(,)? }) => {
         match $error {

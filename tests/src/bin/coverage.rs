@@ -1,11 +1,11 @@
-//! Prints how often the error bars of the grid contain the truth:
+//! Prints how often the grid's error bars contain the true value:
 //! `cargo run --release -p pellicle-tests --bin coverage [NAME…]`.
 
 #![expect(clippy::print_stdout, reason = "a table for people at a terminal")]
 
 use pellicle_tests::coverage::{benchmarks, coverage, grids};
 
-/// The grid whose numbers count as true where no closed form is known.
+/// The grid whose numbers serve as the truth where no closed form is known.
 const FINEST: usize = 3072;
 
 fn main() {

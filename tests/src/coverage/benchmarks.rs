@@ -1,4 +1,4 @@
-//! The contacts that the error bars are tried on.
+//! The contacts on which the error bars are tested.
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use std::path::Path;
@@ -19,7 +19,7 @@ use super::{Benchmark, GridQuantity};
 use crate::figure_2::figure_2;
 use crate::scene::{coated, cylinders, material, model, paraboloid, unit_half_space};
 
-/// All of them.
+/// All benchmarks.
 ///
 /// # Panics
 /// If one cannot be built.
@@ -137,7 +137,7 @@ fn pyramids() -> Vec<Benchmark> {
     ]
 }
 
-/// Coated bodies: the axisymmetric contacts of 22 digits, a soft coating, and a plate on a soft base.
+/// Coated bodies: the axisymmetric contacts known to 22 digits, a soft coating, and a plate on a soft base.
 fn layered() -> Vec<Benchmark> {
     let of = |case: AxisymmetricContact| {
         let body = coated(
@@ -230,15 +230,15 @@ fn reliefs() -> Vec<Benchmark> {
     ]
 }
 
-/// A rough half-space: waves of all directions, with three to ten of them along the map of side 1.2, an rms height of
-/// 0.001 and 13 samples or more a wave.
+/// A rough half-space: waves in all directions, three to ten along the map of side 1.2, with an rms height of 0.001 and
+/// at least 13 samples per wave.
 fn rough() -> Relief {
     const SAMPLES: usize = 128;
     const SIDE: f64 = 1.2;
     let waves: Vec<[f64; 3]> = (-10_i32..=10)
         .flat_map(|m| (0..=10).map(move |n| [m, n]))
         .filter(|[m, n]| (9..=100).contains(&(m * m + n * n)))
-        // Phases that look like chance: the golden angle after each wave.
+        // Pseudo-random phases, advanced by the golden angle after each wave.
         .zip(0_u32..)
         .map(|([m, n], k)| {
             [

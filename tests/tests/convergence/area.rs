@@ -1,5 +1,5 @@
-//! The area of a contact between measured maps: by counting elements, by their perimeter, and by the place of the edge
-//! within its element; against circles, and on refined rough contacts.
+//! The contact area with measured maps, by counting elements, by correcting with their perimeter, and by locating the
+//! edge within its element; compared with circles and with refined rough contacts.
 
 #![expect(
     clippy::unwrap_used,
@@ -16,7 +16,7 @@ use pellicle_texture::{HeightMap, MapCompliance, MapRim, Relief, ReliefMap, Roug
 
 use crate::rough::{SAMPLES, repeated, samples};
 
-/// One load on a surface of heights under a flat body.
+/// Solves one load on a surface of heights under a flat body.
 fn solve(heights: HeightMap, domain: Domain, elements: usize, force: f64) -> Step {
     let model = Model {
         tables: Arc::new(RadialTables::build(&unit_half_space()).unwrap()),
@@ -31,7 +31,7 @@ fn solve(heights: HeightMap, domain: Domain, elements: usize, force: f64) -> Ste
     step
 }
 
-/// A paraboloid of radius 1 with its top at a point of the square of side 1, which bicubic interpolation returns.
+/// A paraboloid of radius 1 with its top at a point of the square of side 1, which bicubic interpolation reproduces.
 fn bump([u, v]: [f64; 2]) -> HeightMap {
     let n = 24;
     let at = |i: usize| (i as f64 + 0.5) / n as f64 - 0.5;
@@ -39,13 +39,13 @@ fn bump([u, v]: [f64; 2]) -> HeightMap {
     HeightMap::new((0..n * n).map(height).collect(), [n; 2], [1.0; 2]).unwrap()
 }
 
-/// By how much a number is off, as a part of the exact one.
+/// Relative error.
 fn error(found: f64, exact: f64) -> f64 {
     (found / exact - 1.0).abs()
 }
 
-/// Hertz: `Q = 4/3 E* a³/R`. On the circle's own `S_d` the counted area is too large by 0.089 `S_d h` on these
-/// elements, where Yastrebov, Anciaux and Molinari take off 0.118: both areas tend to the circle's with the first
+/// Hertz: `Q = 4/3 E* a³/R`. With the circle's own `S_d`, the counted area is too large by 0.089 `S_d h` on these
+/// elements, whereas Yastrebov, Anciaux and Molinari subtract 0.118. Both areas converge to the circle's with first
 /// order.
 #[test]
 fn of_circles_the_counted_area_is_too_large_by_a_part_of_the_perimeter() {
@@ -71,7 +71,7 @@ fn of_circles_the_counted_area_is_too_large_by_a_part_of_the_perimeter() {
                 *sum += error(area, exact).powi(2) / f64::from(circles);
             }
         }
-        // Twelve circles' mean scatters by 0.003 on the finer grid, by 0.006 on the coarser.
+        // The mean of twelve circles scatters by 0.003 on the finer grid, by 0.006 on the coarser.
         assert!((part - 0.089).abs() < 0.012, "{elements}: {part}");
         let [counted, corrected, by_edge] = errors.map(f64::sqrt);
         assert!(
@@ -81,7 +81,7 @@ fn of_circles_the_counted_area_is_too_large_by_a_part_of_the_perimeter() {
     }
 }
 
-/// The truth by counting alone: its error is of the first order, so what two grids extrapolate to.
+/// The truth comes from counting alone: its error is of first order, so two grids are extrapolated.
 #[test]
 fn on_a_rough_contact_the_area_by_its_edge_is_nearer_than_the_corrected_one_and_that_than_the_counted_one()
  {
@@ -106,7 +106,7 @@ fn on_a_rough_contact_the_area_by_its_edge_is_nearer_than_the_corrected_one_and_
 }
 
 /// `A/A₀ = κ p̄/(E* h'rms)` under a light load: κ is √(8/π) = 1.6 in Persson's theory, √(2π) = 2.5 in that of Bush,
-/// Gibson and Thomas, whose asperities do not feel each other.
+/// Gibson and Thomas, whose asperities do not interact.
 #[test]
 fn under_a_light_load_the_area_grows_with_the_load_over_the_rms_slope() {
     for seed in [11, 12, 13] {
@@ -123,7 +123,7 @@ fn under_a_light_load_the_area_grows_with_the_load_over_the_rms_slope() {
             factors.iter().all(|factor| bounds.contains(factor)),
             "{factors:?}"
         );
-        // Some tens of islands, whose number is not large.
+        // A few tens of islands, a small number.
         assert!(error(factors[1], factors[0]) < 0.1, "{factors:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! Indenters on a homogeneous body and on springs alone, beside closed forms.
+//! Indenters on a homogeneous body and on springs alone, compared with closed forms.
 
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use pellicle_tests::scene::{
 };
 use pellicle_texture::{Film, Relief};
 
-/// Errors over all grids, of the certified solution of a bare half-space.
+/// Errors on all grids of the certified solution for a bare half-space.
 fn errors(
     indenter: Indenter,
     side: f64,
@@ -26,7 +26,7 @@ fn of_penetration(wanted: f64) -> impl Fn(&LoadingPath) -> f64 {
     move |path| relative(path.steps[0].solution.penetration, wanted)
 }
 
-/// Root mean square of the pressure's error over the closed form's own.
+/// Root mean square of the pressure's error over that of the closed form.
 fn of_pressure(pressure: impl Fn(f64) -> f64) -> impl Fn(&LoadingPath) -> f64 {
     move |path| {
         let elements = path.steps[0].solution.pressure.iter();
@@ -51,7 +51,7 @@ fn hertzs_penetration_converges_with_order_two_and_his_pressure_with_order_one()
         of_penetration(hertz.penetration),
     );
     demand(&found, 1.8, 3e-6).expect("order two");
-    // The pressure ends like a square root.
+    // The pressure ends as a square root.
     let found = errors(
         paraboloid(1.0),
         0.3,
@@ -68,7 +68,7 @@ fn the_area_of_hertzs_contact_converges_with_order_near_two() {
     let of_area = |path: &LoadingPath| relative(path.steps[0].summary.contact_area, area);
     let load = Load::Force(hertz.force);
     let found = errors(paraboloid(1.0), 0.3, load, of_area);
-    // Elements counted are off by 2.5e-3 on the finest grid, with an order of 0.8.
+    // Counting elements has an error of 2.5e-3 on the finest grid, with an order of 0.8.
     demand(&found, 1.5, 5e-5).expect("order near two");
     let of_radius = |path: &LoadingPath| relative(path.steps[0].summary.contact_radius, 0.1);
     for (elements, error) in errors(paraboloid(1.0), 0.3, load, of_radius) {
@@ -86,7 +86,7 @@ fn a_flat_punchs_area_is_that_of_its_rim() {
     let indenter = Indenter::FlatPunch(FlatPunch::new(0.1).expect("a punch"));
     let area = |path: &LoadingPath| relative(path.steps[0].summary.contact_area, PI * 0.01);
     let load = Load::Force(punch.force);
-    // Chords of a circle.
+    // Error of chords of a circle.
     demand(&errors(indenter, 0.25, load, area), 1.9, 1e-5).expect("order two");
 }
 
@@ -122,7 +122,7 @@ fn a_flat_punchs_penetration_converges_with_order_one() {
     let indenter = Indenter::FlatPunch(FlatPunch::new(0.1).expect("a punch"));
     let load = Load::Force(punch.force);
     let found = errors(indenter, 0.25, load, of_penetration(punch.penetration));
-    // The rim is a staircase and the pressure at it infinite.
+    // The rim is a staircase, and the pressure there is infinite.
     demand(&found, 0.8, 2e-3).expect("order one");
 }
 
@@ -137,7 +137,7 @@ fn the_order_that_a_solution_says_of_itself_is_the_one_that_is_seen() {
         let step = solve(&model, 0.3, elements, load).steps.remove(0);
         let said = step.grid_error.penetration.expect("several grids");
         let order = said.order.expect("a change");
-        // The order of three grids scatters by a fifth; a method of first order would be off by 0.9.
+        // The order from three grids scatters by a fifth; a first-order method would be off by 0.9.
         assert!((order - seen).abs() < 0.3, "said {order}, seen {seen}");
     }
 }
@@ -150,14 +150,14 @@ fn the_error_that_a_solution_estimates_is_of_the_size_of_its_error() {
     let step = solve(&model, 0.3, 416, load).steps.remove(0);
     let said = step.grid_error.penetration.expect("several grids");
     let truth = (step.solution.penetration - hertz.penetration).abs();
-    // Single errors scatter by some factor with how the grid meets the contact's edge.
+    // Single errors scatter by some factor with the position of the contact's edge on the grid.
     assert!(
         said.resolved && said.estimate > 0.2 * truth && said.estimate < 20.0 * truth,
         "{said:?} {truth:e}"
     );
 }
 
-/// Negative control: a method of first order does not pass for one of second.
+/// Negative control: a first-order method does not pass for a second-order one.
 #[test]
 fn a_penetration_off_by_a_part_of_an_element_is_seen_to_be_of_first_order() {
     let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
@@ -177,7 +177,7 @@ fn a_penetration_off_by_a_part_of_an_element_is_seen_to_be_of_first_order() {
 
 #[test]
 fn the_contact_area_on_springs_alone_is_winklers() {
-    // Film compliance 0.01; the body gives way by less than 1e-9 of that.
+    // Film compliance 0.01; the body deforms by less than 1e-9 of that.
     let foundation = Foundation::half_space(material(1e9, 0.3));
     let film = Relief::Film(Film::new(0.01, 1.0).expect("a film"));
     let winkler = reference::winkler::from_penetration(1.0, 0.01, 0.005);

@@ -8,7 +8,7 @@ use pellicle_tests::convergence::{GRIDS, demand};
 use pellicle_tests::scene::{material, unit_half_space};
 use pellicle_texture::Grid;
 
-/// Hertz's pressure of contact radius 0.1 on a square of side 0.3.
+/// Error of the displacement under Hertz's pressure, with contact radius 0.1 on a square of side 0.3.
 fn displacement_error(elements: usize) -> f64 {
     let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
     let grid = Grid::new(0.3, elements).expect("a grid");
@@ -33,14 +33,15 @@ fn displacement_error(elements: usize) -> f64 {
 #[test]
 fn hertzs_pressure_gives_hertzs_displacement_with_almost_order_two() {
     let errors = GRIDS.map(|elements| (elements, displacement_error(elements)));
-    // Pressure at the centres stands for the elements' means: second order but for the square root at the contact's
+    // Pressures at the centres replace the elements' means: second order except for the square root at the contact's
     // edge.
     demand(&errors, 1.7, 1e-5).expect("almost order two");
 }
 
 #[test]
 fn a_far_element_acts_like_a_point_force_with_order_two() {
-    // k → 4a²/(πE*r), the next term of relative order (a/r)²: with elements for the number of elements between.
+    // k → 4a²/(πE*r), the next term is of relative order (a/r)²; here the number of elements between takes the role of
+    // the grid.
     let body = material(0.91, 0.3);
     let errors = [4, 8, 16, 32, 64, 128].map(|m: usize| {
         let point = 1.0 / (std::f64::consts::PI * m as f64);

@@ -1,4 +1,4 @@
-//! Paraboloids and cones on coated bodies approach the axisymmetric solutions of 22 digits.
+//! Paraboloids and cones on coated bodies converge to the axisymmetric solutions of 22 digits.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -14,7 +14,7 @@ use pellicle_texture::Relief;
 const SIDE: f64 = 2.4;
 /// Elements per side beyond [`GRIDS`], for thin coatings.
 const FINER: [usize; 2] = [512, 640];
-/// Below five elements in its thickness a soft coating is not yet seen as it is.
+/// With fewer than five elements in its thickness a soft coating is not resolved.
 const ELEMENTS_IN_COATING: f64 = 5.0;
 
 /// Errors of the penetration over the nine coarsest grids that resolve the coating.

@@ -1,4 +1,4 @@
-//! Errors fall with the element's side at the order that theory gives, over nine grids; what does not is refused.
+//! Errors fall with the element's side at the theoretical order over nine grids; a lower order is refused.
 
 mod area;
 mod closed_forms;

@@ -1,4 +1,4 @@
-//! A rough surface in a periodic cell on ever finer grids, between whose samples the map is interpolated.
+//! A rough surface in a periodic cell on successively finer grids, with the map interpolated between its samples.
 
 #![expect(
     clippy::unwrap_used,
@@ -14,11 +14,11 @@ use pellicle_tests::convergence::demand;
 use pellicle_tests::scene::unit_half_space;
 use pellicle_texture::{HeightMap, MapCompliance, Relief, ReliefMap};
 
-/// Samples per side of the map, and samples of its neighbours around it.
+/// Samples per side of the map, and samples of the periodic images around it.
 pub const SAMPLES: usize = 128;
 const RIM: usize = 8;
 
-/// Heights of a self-affine surface of side 1, its shortest waves of 8 samples.
+/// Heights of a self-affine surface of side 1, with shortest waves of 8 samples.
 pub fn samples(seed: u64) -> Vec<f64> {
     let surface = SelfAffine {
         size: SAMPLES,
@@ -30,7 +30,7 @@ pub fn samples(seed: u64) -> Vec<f64> {
     surface.heights().unwrap()
 }
 
-/// A map of such heights with a rim of itself.
+/// A map of such heights with a periodic rim.
 pub fn repeated(own: &[f64]) -> HeightMap {
     let width = SAMPLES + 2 * RIM;
     let around = |i: usize| (i + SAMPLES - RIM) % SAMPLES;
@@ -74,7 +74,7 @@ fn numbers(elements: usize) -> [f64; 3] {
     ]
 }
 
-/// The area's edge lies within an element, and the shortest wave of the map on 4 to 16 elements.
+/// The edge of the area is located within an element; the shortest wave of the map spans 4 to 16 elements.
 #[test]
 fn area_stiffness_and_mean_gap_of_a_rough_contact_converge_with_the_second_order() {
     let finest = numbers(1024);

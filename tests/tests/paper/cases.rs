@@ -1,4 +1,4 @@
-//! The paper's cases and our own. Each is solved once a grid, for all tests that ask for it.
+//! The paper's cases and our own. Each is solved once per grid, for all tests that need it.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -14,7 +14,7 @@ use pellicle_texture::{Film, Relief};
 pub const RADIUS: f64 = 5e-3;
 /// Height of the cylinders and thickness of the coating.
 const HEIGHT: f64 = 1e-4;
-/// Distance of neighbouring cylinders in Figs. 2 and 3.
+/// Distance between neighbouring cylinders in Figs. 2 and 3.
 pub const PERIOD: f64 = 1.0 / 80.0;
 
 /// Forces of the curves of Fig. 4, in units of `1e-5 E1 R²` with the stiff coating's E1.
@@ -37,7 +37,7 @@ pub enum Coating {
     Stiff,
 }
 
-/// One case file, or a case file with something replaced.
+/// A case file, or a modified one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PaperCase {
     /// Fig. 2: soft coating, small load.
@@ -50,9 +50,9 @@ pub enum PaperCase {
     Fig2d,
     /// Fig. 2(d) on a domain of eleven periods.
     WholePeriods,
-    /// Fig. 3 by its labels: both loads of the other coating.
+    /// Fig. 3 according to its labels: both loads of the other coating.
     Labels(Coating),
-    /// Fig. 4: the curve with so many periods to the indenter's radius.
+    /// Fig. 4: the curve with this many periods per indenter radius.
     Curve(Coating, u8),
     /// Period R/80 at one to ten times the last load of Fig. 4.
     Beyond(Coating),
@@ -67,7 +67,7 @@ pub enum PaperCase {
 
 type Solved = Arc<OnceLock<Arc<LoadingPath>>>;
 
-/// The certified path of a case; solved by the first test that asks for it.
+/// The certified path of a case; solved by the first test that needs it.
 pub fn path(case: PaperCase, elements: usize) -> Arc<LoadingPath> {
     static SOLVED: Mutex<BTreeMap<(PaperCase, usize), Solved>> = Mutex::new(BTreeMap::new());
     let solved = Arc::clone(
@@ -90,13 +90,13 @@ pub fn path(case: PaperCase, elements: usize) -> Arc<LoadingPath> {
     }))
 }
 
-/// The only step of a case of one load.
+/// The only step of a case with one load.
 pub fn only_step(case: PaperCase, elements: usize) -> Step {
     path(case, elements).steps[0].clone()
 }
 
 impl PaperCase {
-    /// The model, where it is solved, and its loads.
+    /// The model, its domain and its loads.
     fn posed(self) -> (Model, Domain, Vec<Load>) {
         let [soft, stiff] = [Coating::Soft, Coating::Stiff];
         match self {
@@ -129,7 +129,7 @@ impl PaperCase {
     }
 }
 
-/// The coating's modulus in units of the stiff one's, as Fig. 4 has it for both.
+/// The coating's modulus in units of the stiff coating's, as used in Fig. 4 for both.
 fn of_stiff(coating: Coating) -> f64 {
     [0.1, 1.0][coating as usize]
 }
@@ -157,7 +157,7 @@ fn textured(
     (model, Domain::Side(side), loads)
 }
 
-/// A Berkovich pyramid of tip radius 400 nm on the stiff coating of 10 nm, in SI units.
+/// A Berkovich pyramid with a tip radius of 400 nm on the stiff coating of 10 nm, in SI units.
 fn berkovich(film: bool) -> (Model, Domain, Vec<Load>) {
     let body = coated(10e-9, material(70e9, 0.3), material(7e9, 0.4));
     let relief = if film {

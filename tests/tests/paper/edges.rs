@@ -6,13 +6,13 @@ use crate::cases::{PaperCase, RADIUS, only_step};
 use crate::fields::{SolvedFields, nearest_cylinder, relative_distance};
 use crate::numbers::assert_reads;
 
-/// The edge of a cylinder: from here to its boundary, in radii. A tenth of the radius is three elements of the grid at
-/// N = 512 in Fig. 2(a), so a stair in the sampled circle does not put a peak beside it.
+/// The edge region of a cylinder: from here to its boundary, in radii. A tenth of the radius is three elements at N =
+/// 512 in Fig. 2(a), so a step in the sampled circle does not move a peak out of it.
 const EDGE: f64 = 0.9;
 /// The middle of a cylinder, in radii.
 const MIDDLE: f64 = 0.25;
 
-/// Pressure and distance from the axis, in radii, of every grid element on each cylinder.
+/// Pressure and distance from the cylinder's axis, in radii, for every grid element on each cylinder.
 fn cylinders(case: PaperCase, elements: usize) -> BTreeMap<[i64; 2], Vec<(f64, f64)>> {
     let fields = SolvedFields::of(case, 0, elements);
     let mut loaded: BTreeMap<_, Vec<_>> = BTreeMap::new();
@@ -59,7 +59,7 @@ fn the_pressure_peaks_at_the_edges_of_the_elements() {
             for cylinder in wholly {
                 let by_pressure = |a: &&(f64, f64), b: &&(f64, f64)| a.0.total_cmp(&b.0);
                 let (peak, at) = cylinder.iter().max_by(by_pressure).expect("elements on it");
-                // A peak at the edge is a property of every cylinder, so not one may be missing.
+                // A peak at the edge is a property of every cylinder, so none may be missing.
                 assert!(*at >= EDGE, "{case:?}: {at}");
                 most = most.max(peak / mean(cylinder, |distance| distance < MIDDLE));
             }

@@ -5,17 +5,17 @@ use crate::fields::SolvedFields;
 use crate::loading::{LoadingCurve, range};
 use crate::numbers::assert_reads;
 
-/// A twentieth is more than the error of areas and peaks on these grids, and of the range of r² from grid to grid.
+/// A twentieth exceeds the error of areas and peaks on these grids, and the variation of r² between grids.
 const CLEAR: f64 = 0.05;
-/// A tenth can be seen in a plot and is more than the error of ∂D/∂Q on these grids.
+/// A tenth is visible in a plot and exceeds the error of ∂D/∂Q on these grids.
 const DIFFERENT: f64 = 0.1;
-/// Half of the effect gone is the least to be called fading under a load that grows by more than two hundred times.
+/// Losing half of the effect is the least that counts as fading while the load grows more than two-hundredfold.
 const FADED: f64 = 0.5;
 
 /// The step of Fig. 5, the last of Fig. 6.
 const FIG5: usize = 18;
 
-/// The film's effect at each load: a quantity with the film over that without, less 1.
+/// The film's effect at each load: a quantity with the film over that without, minus 1.
 fn effect(elements: usize, quantity: impl Fn(LoadingCurve) -> Vec<f64>) -> Vec<f64> {
     let [with, without] = [true, false]
         .map(|film| quantity(LoadingCurve::of(PaperCase::Berkovich { film }, elements)));
@@ -26,7 +26,7 @@ fn effect(elements: usize, quantity: impl Fn(LoadingCurve) -> Vec<f64>) -> Vec<f
 }
 
 /// Squared correlation of the pressure with the indenter's height over the contact: on springs alone `p = (D − f)/η`,
-/// the indenter turned over, and it is 1.
+/// the indenter's shape inverted, and it is 1.
 fn likeness_to_the_indenter(film: bool, elements: usize) -> f64 {
     let fields = SolvedFields::of(PaperCase::Berkovich { film }, FIG5, elements);
     let height = &fields.geometry.indenter_profile;

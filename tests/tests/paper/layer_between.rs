@@ -1,17 +1,17 @@
-//! The parts of the surface that the indenter touches: the cylinders alone, or the layer between them too.
+//! The parts of the surface in contact: the cylinders alone, or the layer between them too.
 
 use crate::cases::{Coating, PaperCase, only_step};
 use crate::fields::SolvedFields;
 use crate::numbers::assert_reads;
 
-/// Below a twentieth a picture of the contact would look closed.
+/// Below a twentieth, a picture of the contact would look closed.
 const OPEN: f64 = 0.05;
-/// A thousandth of the contact is a patch too small to be seen on any grid that the paper can have used.
+/// A thousandth of the contact is too small to be visible on any grid that the paper can have used.
 const SEEN: f64 = 1e-3;
-/// The outer tenth of the contact's radius is its rim, where a larger load gives fresh contact on the cylinders alone.
+/// The outer tenth of the contact's radius is its rim, where a larger load adds contact only on the cylinders.
 const RIM: f64 = 0.9;
 
-/// Share of the layer between the cylinders, inside the circle around the contact, that carries no pressure.
+/// Fraction without pressure of the layer between the cylinders, inside the circle around the contact.
 fn open_share(case: PaperCase, step: usize, elements: usize) -> f64 {
     let fields = SolvedFields::of(case, step, elements);
     let reach = fields.farthest(fields.contact());
@@ -21,7 +21,7 @@ fn open_share(case: PaperCase, step: usize, elements: usize) -> f64 {
     between.iter().filter(is_open).count() as f64 / between.len() as f64
 }
 
-/// Share of the contact area that lies between the cylinders.
+/// Fraction of the contact area that lies between the cylinders.
 pub fn share_between(case: PaperCase, elements: usize) -> f64 {
     let summary = only_step(case, elements).summary;
     summary.contact_area_between / summary.contact_area

@@ -3,16 +3,16 @@
 use crate::cases::{Coating, PaperCase, path};
 use crate::numbers::assert_reads;
 
-/// A twentieth of the full scale is a bend that anyone sees.
+/// A bend of a twentieth of the full scale is clearly visible.
 const BEND: f64 = 0.05;
 /// The sampled edges of cylinders make ∂D/∂Q jump by less than a hundredth.
 const JUMP: f64 = 0.01;
-/// A constant changes by nothing; a bare half-space, where ∂D/∂Q ~ Q^(−1/3) for ever, by 21 % over the upper half of
-/// the loads. A twentieth lies well between.
+/// A constant does not change; a bare half-space, where ∂D/∂Q ~ Q^(−1/3) throughout, changes by 21 % over the upper
+/// half of the loads. A twentieth lies well between.
 const CONSTANT: f64 = 0.05;
-/// Penetrations are certified to about 1e-8, so a millionth is no difference.
+/// Penetrations are certified to about 1e-8, so differences above a millionth are real.
 const DIFFERENT: f64 = 1e-6;
-/// A tenth of the full scale: curves of one kind, not one curve.
+/// A tenth of the full scale: similar curves, not identical ones.
 const SIMILAR: f64 = 0.1;
 
 /// The four curves of Fig. 4.
@@ -23,7 +23,7 @@ const CURVES: [PaperCase; 4] = [
     PaperCase::Curve(Coating::Stiff, 80),
 ];
 
-/// One value a load each, in order of increasing force.
+/// One value per load each, in order of increasing force.
 pub struct LoadingCurve {
     /// Force Q.
     pub force: Vec<f64>,
@@ -59,7 +59,7 @@ impl LoadingCurve {
         (self.force.iter().zip(&self.penetration)).map(move |(force, depth)| [force / q, depth / d])
     }
 
-    /// By how much of itself ∂D/∂Q falls from half of the last force to the last, and the power of Q of that fall.
+    /// Relative fall of ∂D/∂Q from half of the last force to the last, and the corresponding power of Q.
     fn change_over_upper_half(&self) -> [f64; 2] {
         let half = last(&self.force) / 2.0;
         let above = self.force.partition_point(|&force| force < half);
@@ -179,7 +179,7 @@ fn a_smaller_period_gives_a_smaller_penetration() {
             {
                 assert_reads(found, written);
             }
-            // While the central cylinder alone touches, the period cannot matter.
+            // While only the central cylinder is in contact, the period cannot matter.
             assert!(
                 smallest >= -DIFFERENT && last(&shortfall) > DIFFERENT,
                 "{coating:?}"

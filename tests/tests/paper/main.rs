@@ -1,8 +1,8 @@
-//! The paper's sentences about its results, each a test: F. I. Stepanov, E. V. Torskaya, Mech. Solids 57 (2022).
+//! The paper's statements about its results, each as a test: F. I. Stepanov, E. V. Torskaya, Mech. Solids 57 (2022).
 //!
-//! Every test solves its cases with the library crates and asserts the verdict and each number that `docs/claims.md`
-//! gives. A sentence holds if it is true on every grid, is refuted if it is true on none, and depends on the grid
-//! otherwise. Thresholds have their reason beside them.
+//! Every test solves its cases with the library crates and asserts the verdict and each number in `docs/claims.md`. A
+//! statement holds if it is true on every grid, is refuted if it is true on none, and depends on the grid otherwise.
+//! The reason for each threshold is given beside it.
 
 mod cases;
 mod edges;

@@ -1,11 +1,11 @@
-//! Numbers as the page writes them, with as many digits as it gives.
+//! Numbers as written on the page, with as many digits as it gives.
 
-/// Shares below this are written as `0 %`: solutions are certified to 1e-8.
+/// Fractions below this are written as `0 %`: solutions are certified to 1e-8.
 const NOTHING: f64 = 1e-7;
 /// Half a unit of the last digit, and a little more for two solutions that differ by their certificates.
 const ROUNDING: f64 = 0.51;
 
-/// Asserts that a number rounds to the one written: `0.2397`, `2.0181e-4`, or `98.8 %` for a share.
+/// Asserts that a number rounds to the written one: `0.2397`, `2.0181e-4`, or `98.8 %` for a fraction.
 pub fn assert_reads(found: f64, written: &str) {
     if written == "0 %" {
         assert!(found.abs() < NOTHING, "{found:e} for 0 %");
@@ -64,7 +64,7 @@ fn a_number_reads_as_its_own_digits_and_as_no_others() {
 #[test]
 fn the_fit_finds_the_exponent_of_a_power_law() {
     let peaks = [64, 128, 512].map(|n| (n, 3.0 * (n as f64).powf(0.7)));
-    // Exact but for rounding of the logarithms.
+    // Exact except for rounding of the logarithms.
     assert!((fitted_exponent(&peaks) - 0.7).abs() < 1e-12);
     assert!((exponent(peaks[0], peaks[2]) - 0.7).abs() < 1e-12);
 }

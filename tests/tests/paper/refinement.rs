@@ -1,12 +1,12 @@
-//! Peaks followed over grids that the paper could not afford: the tables of `docs/claims.md`, line by line.
+//! Peaks on grids finer than the paper could afford: the tables of `docs/claims.md`, line by line.
 
 use crate::cases::{Coating, PaperCase, only_step, path, spring_length};
 use crate::layer_between::share_between;
 use crate::numbers::{assert_reads, exponent, fitted_exponent};
 
-/// The page whose tables these are.
+/// The page with the tables.
 const PAGE: &str = include_str!("../../../docs/claims.md");
-/// N^0.1 is 7 % more with every doubling; singular pressures grow as N^(1/2) or faster.
+/// N^0.1 grows by 7 % with every doubling; singular pressures grow as N^(1/2) or faster.
 const SETTLED: f64 = 0.1;
 
 /// A case, its coating, and the heading of its table.
@@ -43,7 +43,7 @@ const TABLES: [(PaperCase, Coating, &str); 6] = [
     ),
 ];
 
-/// The cells of the table under a heading, one list a line, N first; and what the sentence below says of the fits.
+/// The cells of the table under a heading, one list per line, N first; and the sentence below it about the fits.
 fn table(heading: &str) -> (Vec<Vec<&'static str>>, &'static str) {
     let start = PAGE.find(&format!("### {heading}\n")).expect(heading);
     let mut lines = PAGE[start..].lines().skip(4);
@@ -60,7 +60,7 @@ fn peak(case: PaperCase, elements: usize) -> (usize, f64) {
     (elements, only_step(case, elements).summary.max_pressure)
 }
 
-/// Asserts the lines of all tables whose N belongs.
+/// Asserts the lines of all tables whose N is selected.
 fn assert_lines(belongs: impl Fn(usize) -> bool) {
     for (case, coating, heading) in TABLES {
         let (rows, _) = table(heading);
@@ -131,7 +131,7 @@ fn every_line_of_the_tables_of_4096_elements_and_every_fit_is_what_is_found() {
     }
 }
 
-/// Whether the largest pressure has settled at 1024 and at 2048 elements a side.
+/// Whether the largest pressure has settled at 1024 and at 2048 elements per side.
 fn settles(case: PaperCase) -> [bool; 2] {
     [1024, 2048].map(|n| exponent(peak(case, n / 2), peak(case, n)).abs() < SETTLED)
 }

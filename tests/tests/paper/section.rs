@@ -6,11 +6,11 @@ use crate::numbers::assert_reads;
 
 /// One part in a hundred of the displacement is about the width of a line in a printed figure.
 const SEEN: f64 = 0.01;
-/// How near a boundary the largest displacement must be, as a share of the stretch: in a stretch of parabolic
-/// displacement the outer tenths hold the outer third of its rise.
+/// How near a boundary the largest displacement must be, as a fraction of the stretch: for a parabolic displacement,
+/// the outer tenths contain the outer third of its rise.
 const NEAR: f64 = 0.1;
 
-/// Displacements in the row beside the axis, where x belongs to the stretch.
+/// Displacements in the row beside the axis, for x in the stretch.
 fn stretch(
     case: PaperCase,
     step: usize,
@@ -29,8 +29,8 @@ fn gap(case: PaperCase, step: usize, elements: usize) -> Vec<f64> {
     stretch(case, step, elements, |x| x > RADIUS && x < PERIOD - RADIUS)
 }
 
-/// Where the displacement is largest, from 0 at the first end to 1 at the last, and how far each end lies above the
-/// lowest point, over the largest displacement.
+/// The position of the largest displacement, from 0 at the first end to 1 at the last, and the height of each end above
+/// the lowest point, over the largest displacement.
 fn deepest(stretch: &[f64]) -> (f64, [f64; 2]) {
     let by_depth = |a: &usize, b: &usize| stretch[*a].total_cmp(&stretch[*b]);
     let largest = (0..stretch.len()).max_by(by_depth).expect("elements on it");
@@ -40,7 +40,7 @@ fn deepest(stretch: &[f64]) -> (f64, [f64; 2]) {
     (largest as f64 / last as f64, above)
 }
 
-/// Largest departure from the straight line between the ends over the larger displacement of the two; positive if the
+/// Largest deviation from the straight line between the ends, over the larger of their displacements; positive if the
 /// layer rises above it.
 fn rise(stretch: &[f64]) -> f64 {
     let [first, last] = [stretch[0], stretch[stretch.len() - 1]];
@@ -68,7 +68,7 @@ fn under_incomplete_contact_the_layer_between_the_elements_is_curved() {
     }
 }
 
-/// A mere slope has one such end only.
+/// A mere slope has only one such end.
 #[test]
 fn the_layer_between_the_elements_is_displaced_most_beside_them() {
     for (case, step, found) in [
@@ -106,7 +106,7 @@ fn the_layer_under_the_central_element_is_displaced_most_in_its_middle_and_not_a
         for elements in [512, 1024] {
             let under = stretch(case, 0, elements, |x| x.abs() < RADIUS);
             let (at, above) = deepest(&under);
-            // Of an even number of elements two are in the middle.
+            // An even number of elements has two in the middle.
             let from_middle = (at - 0.5).abs() * (under.len() - 1) as f64;
             assert!(
                 from_middle <= 0.5 + f64::EPSILON * under.len() as f64,

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::runner::run;
 
-/// Two cases of the paper that are also scenes of the tests.
+/// Two of the paper's cases that are also test scenes.
 const FIG2C: &str = include_str!("../../../cases/fig2c.toml");
 const FIG2D: &str = include_str!("../../../cases/fig2d.toml");
 
@@ -104,7 +104,7 @@ elements = 96
 
 #[test]
 fn a_result_that_is_not_certified_has_exit_code_one_and_a_load_of_zero_two() {
-    // The smallest force that a number can hold: spread over the elements it is no number any more.
+    // The smallest representable force: spread over the elements it underflows.
     let no_number = ["run", "case.toml", "--json", "--set", "load.force=5e-324"];
     let ran = run(FIG2C, &no_number);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);

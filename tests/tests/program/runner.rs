@@ -1,4 +1,4 @@
-//! Runs the program, without a cache, in a folder of its own.
+//! Runs the program, without a cache, in its own folder.
 
 use std::fs;
 use std::process::{Command, Stdio};

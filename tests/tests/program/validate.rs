@@ -9,7 +9,7 @@ fn validate(arguments: &[&str]) -> Ran {
     run("", &[&["validate"], arguments].concat())
 }
 
-/// Rows that fail, by section.
+/// The number of failing rows by section.
 fn failures(report: &Value) -> Vec<(String, usize, usize)> {
     let sections = report["sections"].as_array().unwrap();
     let count = |section: &Value| {
@@ -21,7 +21,7 @@ fn failures(report: &Value) -> Vec<(String, usize, usize)> {
     sections.iter().map(count).collect()
 }
 
-/// The same of one section.
+/// The same for one section.
 fn of(name: &str, report: &Value) -> [usize; 2] {
     let all = failures(report);
     let found = all.iter().find(|section| section.0 == name).unwrap();
@@ -80,7 +80,7 @@ fn errors_down_to_the_thirteenth_digit_are_seen_with_either_sign() {
             let rows = section.compute(run).rows;
             rows.iter().filter(|row| !row.passes()).count()
         };
-        // The quadrature's two rows see no more than its own 1e-11.
+        // The two quadrature rows detect nothing below their own 1e-11.
         assert!(failed("Influence coefficients") >= 8, "{perturbation}");
         assert_eq!(failed("The same grid problem"), grids, "{perturbation}");
     }

@@ -1,4 +1,5 @@
-//! The certificate, line by line: a pressure that breaks this line and no other; the right pressure breaks none.
+//! The certificate, line by line: each line has a pressure that breaks it and no other; the correct pressure breaks
+//! none.
 
 use pellicle_contact::{Certificate, DiscreteProblem, Load, Solution};
 use pellicle_influence::ElasticOperator;
@@ -6,7 +7,7 @@ use proptest::prelude::*;
 
 const TOLERANCE: f64 = 1e-8;
 
-/// Independent springs of compliance 1, so that `u = p` and every right and wrong pressure can be written down.
+/// Independent springs of compliance 1, so that `u = p` and all correct and wrong pressures can be written down.
 struct Springs(usize);
 
 impl ElasticOperator for Springs {
@@ -19,7 +20,8 @@ impl ElasticOperator for Springs {
     }
 }
 
-/// Initial gaps: at penetration 1 the first two elements touch, the third is pulled if it sticks, the last is far away.
+/// Initial gaps: at penetration 1 the first two elements are in contact, the third is pulled if it sticks, and the last
+/// is far away.
 const GAPS: [f64; 4] = [0.0, 0.5, 1.5, 5.0];
 /// `p = D − g0` where that is positive.
 const RIGHT: [f64; 4] = [1.0, 0.5, 0.0, 0.0];
@@ -30,7 +32,7 @@ fn judge(load: Load, pressure: [f64; 4]) -> Certificate {
     Solution::judge(&mut problem.unwrap(), load, pressure.to_vec(), TOLERANCE).certificate
 }
 
-/// The lines that are broken.
+/// The names of the broken lines.
 fn broken(certificate: &Certificate) -> Vec<&'static str> {
     let lines = [
         ("complementarity", certificate.complementarity),
@@ -44,7 +46,7 @@ fn broken(certificate: &Certificate) -> Vec<&'static str> {
     lines.map(|line| line.0).collect()
 }
 
-/// The broken lines of a certificate that is not satisfied, none of one that is.
+/// The broken lines of the certificate; none if it is satisfied.
 fn found(load: Load, pressure: [f64; 4]) -> Vec<&'static str> {
     let certificate = judge(load, pressure);
     let broken = broken(&certificate);
@@ -87,7 +89,7 @@ fn adhesion_breaks_the_line_of_the_negative_pressure_alone() {
 
 #[test]
 fn complementarity_is_broken_together_with_the_gaps_that_it_weighs() {
-    // It is a mean of the gaps in contact, weighed with the pressure, so it cannot be broken alone.
+    // Complementarity is a pressure-weighted mean of the gaps in contact, so it cannot be broken alone.
     let larger = RIGHT.map(|p| p * (1.0 + 1e-6));
     let both = ["complementarity", "gap in contact"];
     assert_eq!(found(Load::Penetration(1.0), larger), both);
@@ -141,14 +143,14 @@ fn each_line_alone_decides() {
 }
 
 proptest! {
-    /// No pressure but the right one passes.
+    /// Only the correct pressure passes.
     #[test]
     fn complementarity_never_exceeds_the_largest_gap_in_contact(
         pressure in prop::array::uniform4(0.0..2.0_f64), depth in 0.1..3.0_f64,
     ) {
         for load in [Load::Penetration(depth), Load::Force(pressure.iter().sum())] {
             let certificate = judge(load, pressure);
-            // A rounding of the mean.
+            // Rounding of the mean.
             prop_assert!(certificate.complementarity <= certificate.gap_in_contact * (1.0 + 1e-15));
             prop_assert!(!certificate.is_satisfied());
         }

@@ -1,6 +1,6 @@
-//! Error bars of the grid: resolved where they should be, containing the truth, not wider than they must be. The panel
-//! of contacts is that of the program `coverage` in short form. That a finite peak is resolved and an infinite one is
-//! not is a row of `pellicle validate`.
+//! The grid's error bars are resolved where they should be, contain the true value, and are not too wide. The contacts
+//! are a selection of those of the program `coverage`. A row of `pellicle validate` checks that a finite peak is
+//! resolved and an infinite one is not.
 
 use pellicle_contact::{Cone, Indenter, Load, Step};
 use pellicle_tests::coverage::{ErrorBars, GridQuantity, benchmarks, coverage, grids};
@@ -35,7 +35,7 @@ fn nineteen_of_twenty_error_bars_contain_the_truth_and_are_eight_times_the_error
     assert!(within >= 0.95 && width <= 8.0, "{within} {width}");
     let resolved: usize = rows.iter().map(|row| row.resolved().count()).sum();
     let bars: usize = rows.iter().map(|row| row.bars.len()).sum();
-    // The peaks at edges are not, of a third of the contacts.
+    // The edge peaks of a third of the contacts are not resolved.
     assert!(3 * resolved > 2 * bars, "{resolved} of {bars}");
     for row in &rows {
         let is_edge_peak = row.quantity == GridQuantity::MaxPressure
@@ -53,7 +53,7 @@ fn pressed(indenter: Indenter, elements: usize) -> Step {
 
 #[test]
 fn the_penetration_is_resolved_where_the_peak_is_not() {
-    // Logarithmic at the tip.
+    // The pressure is logarithmic at the tip.
     let cone = Indenter::Cone(Cone::new(1.4, 0.0).unwrap());
     let error = pressed(cone, 256).grid_error;
     assert!(error.penetration.unwrap().resolved, "{error:?}");

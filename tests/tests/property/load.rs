@@ -44,7 +44,7 @@ fn the_penetration_of_a_force_gives_that_force_back() {
         let [ref by_penetration] = solve(&panel, 64, &[load], 1e-10)[..] else {
             panic!("one load, one step")
         };
-        // Gaps are closed to 1e-10 of the penetration, and the force is at most some ten times stiffer.
+        // Gaps are closed to 1e-10 of the penetration, and the force is at most about ten times as sensitive.
         approx::assert_relative_eq!(
             by_penetration.solution.force,
             by_force.solution.force,

@@ -1,6 +1,6 @@
-//! Properties of every solution: symmetries, scales, one state for force and penetration, no memory of the path, a
-//! bounded amount of work. And of the program's own judgements: certificate, grid error and warnings appear where they
-//! should and nowhere else.
+//! Properties of every solution: symmetries, scaling, one state for force and penetration, independence of the path,
+//! bounded work. Properties of the program's judgements: certificate, grid error and warnings appear where they should
+//! and nowhere else.
 
 #![expect(
     clippy::unwrap_used,

@@ -1,4 +1,4 @@
-//! Two methods that share no step: projected gradients, and an active set on the dense system.
+//! Two methods without common steps: projected gradients, and an active set on the dense system.
 
 use pellicle_contact::{
     ActiveSetSolver, GradientSolver, Method, Model, Solution, Solver, SolverOptions, Watch,
@@ -8,7 +8,7 @@ use pellicle_tests::scene::largest_difference;
 
 const TOLERANCE: f64 = 1e-11;
 
-/// The tolerance times the condition of the systems, some 1e2 to 1e3.
+/// The tolerance times the condition number of the systems, about 1e2 to 1e3.
 const SAME_PRESSURE: f64 = 1e-8;
 
 fn options(method: Method) -> SolverOptions {

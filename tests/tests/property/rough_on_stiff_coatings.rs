@@ -1,8 +1,8 @@
 //! Rough contact, pillars and rough films on thin stiff coatings, where the contact breaks up into islands: the work,
-//! counted in products with `K` on the finest grid.
+//! in products with `K` on the finest grid.
 //!
-//! A paraboloid of radius 1 on a base of E = 1 under a coating of thickness 0.003 or 0.02, of one ratio of Poisson; the
-//! force is that of a contact radius of 0.08 on the base alone.
+//! A paraboloid of radius 1 on a base of E = 1 under a coating of thickness 0.003 or 0.02, with equal Poisson's ratios;
+//! the force gives a contact radius of 0.08 on the base alone.
 
 use std::sync::{Arc, LazyLock};
 
@@ -18,7 +18,7 @@ use pellicle_texture::{
 
 /// Elements per side.
 const ELEMENTS: usize = 512;
-/// The same of the grid with elements of half the side.
+/// Elements per side of the grid with elements half as wide.
 const TWICE_THE_ELEMENTS: usize = 1024;
 /// Every cell takes at most this many products, on both grids.
 const MOST_PRODUCTS: usize = 40;

@@ -1,4 +1,4 @@
-//! Scaling, monotonicity and energy, whatever the numbers.
+//! Scaling, monotonicity and energy for random numbers.
 
 use pellicle_contact::{Load, LoadingPath, Model, Step};
 use pellicle_tests::scene::{
@@ -9,7 +9,8 @@ use proptest::prelude::*;
 
 const ELEMENTS: usize = 48;
 
-/// Cylinders on a stiff coating under a paraboloid, in units of `length` and `modulus`, with other moduli as multiples.
+/// Cylinders on a stiff coating under a paraboloid, in units of `length` and `modulus`, with the other moduli as
+/// multiples.
 fn textured(length: f64, modulus: f64, coating: f64, springs: f64) -> Model {
     let body = coated(
         0.05 * length,
@@ -38,7 +39,7 @@ proptest! {
         let plain = pressed(&textured(1.0, 1.0, 10.0, 10.0), 0.5, Load::Force(2e-3));
         let force = 2e-3 * modulus * length * length;
         let scaled = pressed(&textured(length, modulus, 10.0, 10.0), 0.5 * length, Load::Force(force));
-        // The certificate's 1e-8 and what it leaves of single pressures.
+        // The certificate's 1e-8, and its effect on single pressures.
         let penetration = scaled.solution.penetration / length;
         prop_assert!(relative(penetration, plain.solution.penetration) < 1e-7);
         let pressure = |e: usize| scaled.solution.pressure[e] / modulus;
@@ -117,6 +118,6 @@ fn the_stored_energy_grows_by_the_work_of_the_force() {
     let forces = [&before, &after].map(|path| path.steps[0].solution.force);
     let slope = (energy(&after) - energy(&before)) / (2.0 * change);
     let force = f64::midpoint(forces[0], forces[1]);
-    // The energy to 1e-8 over a change of 1/500 of it, and elements that come into contact on the way.
+    // The error 1e-8 of the energy over a change of 1/500, and elements that enter the contact on the way.
     assert!(relative(slope, force) < 1e-4, "{slope} {force}");
 }

@@ -7,10 +7,10 @@ use pellicle_tests::scene::{
 };
 use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 
-/// The element to which a symmetry takes `(i, j)`, given the last index.
+/// The element to which a symmetry maps `(i, j)`, given the last index.
 type Image = fn(usize, usize, usize) -> (usize, usize);
 
-/// The eight of the square.
+/// The eight symmetries of the square.
 const IMAGES: [Image; 8] = [
     |i, j, _| (i, j),
     |i, j, l| (l - i, j),
@@ -22,7 +22,7 @@ const IMAGES: [Image; 8] = [
     |i, j, l| (l - j, l - i),
 ];
 
-/// How far a pressure is from its images, over its peak.
+/// The differences between a pressure and its images, over its peak.
 fn differences(pressure: &[f64]) -> [f64; 8] {
     let n = pressure.len().isqrt();
     IMAGES.map(|image| {
@@ -36,7 +36,7 @@ fn differences(pressure: &[f64]) -> [f64; 8] {
 #[test]
 fn textured_solutions_have_the_eight_symmetries_of_the_square() {
     for panel in figure_2() {
-        // On the whole grid: a quadrant would be mirrored whatever its solution.
+        // On the whole grid, since a quadrant would be mirrored whatever its solution.
         let options = SolverOptions {
             tolerance: 1e-10,
             mirror_symmetry: false,
@@ -45,7 +45,7 @@ fn textured_solutions_have_the_eight_symmetries_of_the_square() {
         let (domain, loads) = (Domain::Side(panel.side), [panel.load]);
         let path = solve_path(&panel.model, domain, 64, &loads, &options, &mut ()).unwrap();
         let found = differences(&path.steps[0].solution.pressure);
-        // Gaps are closed to 1e-10 of the penetration; single pressures follow to some 1e2 of that.
+        // Gaps are closed to 1e-10 of the penetration; single pressures have about 1e2 times that error.
         let name = panel.name;
         assert!(found.iter().all(|d| *d < 1e-7), "{name}: {found:?}");
     }
@@ -66,7 +66,7 @@ fn a_relief_beside_the_axis_has_one_symmetry_beside_the_identity() {
     let beside = model(&body, relief, paraboloid(1.0));
     let path = solve_model(&beside, 0.5, 64, Load::Force(2e-3));
     let found = differences(&path.steps[0].solution.pressure);
-    // Of the certificate's 1e-8 single pressures have some 1e2.
+    // Single pressures have about 1e2 times the certificate's 1e-8.
     let kept: Vec<usize> = (0..8).filter(|image| found[*image] < 1e-5).collect();
     assert_eq!(kept, [0, 2], "{found:?}");
     assert!(found.iter().filter(|d| **d > 0.1).count() == 6, "{found:?}");

@@ -10,8 +10,8 @@ fn solve(panel: &Fig2Panel) -> Step {
     path.steps[0].clone()
 }
 
-/// Penetrations of an independent prototype on the same grid, in units of R, and the most products that each may take:
-/// a tenth more than at the time of writing.
+/// Penetrations of an independent prototype on the same grid, in units of R, and the maximum number of products for
+/// each: a tenth more than at the time of writing.
 const EXPECTED: [(f64, usize); 4] = [
     (2.0219e-4, 9),
     (8.137e-4, 17),

@@ -1,4 +1,4 @@
-//! Every warning: a case that triggers it, and a neighbour that does not.
+//! Every warning, with a case that triggers it and a neighbour that does not.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -11,7 +11,7 @@ use pellicle_texture::{Film, Relief};
 /// Hertz's contact radius is 0.1.
 const LOAD: Load = Load::Force(4e-3 / 3.0);
 const SIDE: f64 = 0.3;
-/// Enough for three grids, without which no peak is resolved.
+/// Enough for three grids, which resolving a peak requires.
 const ELEMENTS: usize = 128;
 
 /// Codes of the warnings.
@@ -44,7 +44,7 @@ fn bare(indenter: Indenter) -> Model {
     on_half_space(Relief::Bare, indenter)
 }
 
-/// One case warns, the other, which differs in one number, does not.
+/// One case warns; the other, which differs in one number, does not.
 fn assert_told_apart(code: &str, case: &[&str], neighbour: &[&str]) {
     assert!(case.contains(&code), "{code} not in {case:?}");
     assert!(!neighbour.contains(&code), "{code} in {neighbour:?}");
@@ -91,7 +91,7 @@ fn film_shortening() {
 #[test]
 fn texture_under_resolved() {
     let model = on_half_space(cylinders(0.008, 1e-3, 0.02, 1.0), paraboloid(1.0));
-    // 3.4 and 5.1 elements a radius.
+    // 3.4 and 5.1 elements per radius.
     let [case, neighbour] = [128, 192].map(|elements| codes(&model, SIDE, elements));
     assert_told_apart("texture-under-resolved", &case, &neighbour);
 }

@@ -1,5 +1,5 @@
-//! The work of solutions, counted in products with `K`, on problems where methods are known to fail; and equal bits for
-//! every number of threads.
+//! The work of solutions, in products with `K`, on problems where methods are known to fail; and equal bits for any
+//! number of threads.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ fn model(foundation: &Foundation, relief: Relief) -> Model {
     }
 }
 
-/// Cylinders of period 1/16 and radius 0.4 of it that do not shorten.
+/// Rigid cylinders of period 1/16 and radius 0.4 periods.
 fn pillars(height: f64) -> Relief {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
@@ -121,7 +121,7 @@ fn every_number_of_threads_gives_the_same_bits() {
         })
     };
     let alone = with(1);
-    // Two divide the fields evenly, three and seven do not; more than there are loads at once.
+    // Two threads divide the fields evenly, three and seven do not; 24 is more than the loads solved at once.
     for threads in [2, 3, 4, 7, 24] {
         assert!(with(threads) == alone, "{threads} threads");
     }

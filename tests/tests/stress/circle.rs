@@ -1,4 +1,4 @@
-//! A loaded circle made of square elements.
+//! A loaded circle composed of square elements.
 
 use pellicle_cli::evidence::independent::hankel::{circle, fields};
 use pellicle_cli::evidence::stress::squares::LoadedCircle;
@@ -52,7 +52,7 @@ fn a_circle_of_squares_becomes_the_circle_with_second_order() {
             let worst = errors.fold(0.0_f64, |worst, error| worst.max(error.abs()));
             (count, worst / largest)
         });
-        // Elements on the rim spread its load over themselves: h² beside a scatter.
+        // Elements on the rim spread its load over their area: h² plus a scatter.
         let order = demand(&errors, 1.6, 2e-4);
         assert!(order.is_ok(), "{interface:?} {z}: {order:?} {errors:?}");
     }

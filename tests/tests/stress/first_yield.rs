@@ -1,4 +1,4 @@
-//! First yield of coated bodies against a pressure of 22 digits whose stresses are integrated independently.
+//! First yield of coated bodies, compared with independently integrated stresses under a pressure known to 22 digits.
 
 use std::sync::Arc;
 
@@ -29,8 +29,8 @@ fn larger(one: Place, other: Place) -> Place {
     if other.0 > one.0 { other } else { one }
 }
 
-/// The largest von Mises stress between two depths of a body on one side of interfaces, and where: planes, then ever
-/// finer ones around the best.
+/// The largest von Mises stress between two depths of a body, on one side of interfaces, and its position: searched on
+/// planes, then on successively finer ones around the best.
 fn largest(
     body: &Foundation,
     solution: &AxisymmetricSolution,
@@ -62,11 +62,11 @@ fn largest(
     best
 }
 
-/// Elements along a side, of a domain of some three contact radii.
+/// Elements per side of a domain of about three contact radii.
 const ELEMENTS: usize = 128;
 /// (1/40)² times a factor below one.
 const GRID: f64 = 4e-4;
-/// A maximum is flat: its place is known to the root of its value.
+/// A maximum is flat: the error of its position is the root of that of its value.
 const FLAT: f64 = 0.02;
 
 #[test]
@@ -82,7 +82,7 @@ fn a_coated_body_yields_first_at_the_force_and_place_of_the_independent_integral
             AxisymmetricSolution::new(&body, AxisymmetricProfile::Paraboloid(1.0), 1.0).unwrap();
         assert!((solution.force / case.force - 1.0).abs() < 1e-11);
         let height = case.thickness;
-        // Hankel's integrals end above the surface.
+        // Hankel's integrals are not evaluated up to the surface.
         let coating = largest(&body, &solution, [0.06, height], Side::Above);
         let base = largest(&body, &solution, [height, height + 2.0], Side::Below);
         let contact = Contact {
@@ -106,7 +106,7 @@ fn a_coated_body_yields_first_at_the_force_and_place_of_the_independent_integral
                 compared += 1;
             }
         }
-        // The substrate's strength is its largest stress under a force of 22 digits.
+        // The substrate's strength is its largest stress under a force known to 22 digits.
         let critical = contact.first_yield(1.6 * case.force);
         let force = critical.force.unwrap();
         assert!(

@@ -1,4 +1,4 @@
-//! The stress below Hertz's contact on grids.
+//! The stress below a Hertzian contact on grids.
 
 use pellicle_cli::evidence::{
     ValidationRun,
@@ -14,7 +14,7 @@ use pellicle_texture::Relief;
 
 const GRIDS: [usize; 7] = [64, 80, 104, 128, 160, 208, 256];
 
-/// In contact radii; all deeper than the elements of the coarsest grid.
+/// Points in contact radii, all deeper than the elements of the coarsest grid are wide.
 const POINTS: [[f64; 3]; 6] = [
     [0.0, 0.0, 0.481],
     [0.0, 0.0, 1.5],
@@ -81,7 +81,7 @@ fn stresses_under_sliding_become_hamiltons_with_second_order() {
 
 #[test]
 fn the_stress_of_another_poisson_ratio_is_not_approached() {
-    // A control: the closed form of ν = 0.31 is 1e-2 off.
+    // Control: the closed form for ν = 0.31 is off by 1e-2.
     let body = |poisson_ratio| HalfSpace {
         shear_modulus: 1.0,
         poisson_ratio,

@@ -1,4 +1,4 @@
-//! Stress inside the body: orders towards closed forms, balance of forces, first yield, formulas of the literature.
+//! Stress inside the body: convergence to closed forms, balance of forces, first yield, formulas from the literature.
 
 #![expect(
     clippy::unwrap_used,

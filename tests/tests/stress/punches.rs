@@ -1,9 +1,9 @@
-//! Flat punches on layers that are bonded to a rigid base, by the integral equation.
+//! Flat punches on layers bonded to a rigid base, by the integral equation.
 
 use pellicle_cli::evidence::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
-/// Force over that on a half-space, of a layer of thickness 1.
+/// Force on a layer of thickness 1 over that on a half-space.
 fn kappa(radius: f64, nu: f64) -> f64 {
     let layer = Layer::new(1.0, Material::new(1.0, nu).unwrap(), Interface::Bonded).unwrap();
     let body = Foundation::new(vec![layer], Base::Rigid).unwrap();
@@ -12,8 +12,8 @@ fn kappa(radius: f64, nu: f64) -> f64 {
     found.force * (1.0 - nu * nu) / (2.0 * radius)
 }
 
-/// a/H and κ for ν = 0.45 by W. C. Hayes and others, J. Biomech. 5 (1972) 541–551, as programs for indentation tests of
-/// soft tissue quote it.
+/// a/H and κ for ν = 0.45 by W. C. Hayes and others, J. Biomech. 5 (1972) 541–551, as quoted by programs for
+/// indentation tests of soft tissue.
 const HAYES: [[f64; 2]; 9] = [
     [0.2, 1.252],
     [0.4, 1.599],
@@ -36,7 +36,7 @@ fn hayes_table_is_right_to_three_thousandths_up_to_a_radius_of_one_thickness() {
     }
 }
 
-/// The value that is farthest off.
+/// The tabulated value with the largest error.
 #[test]
 fn hayes_value_for_an_incompressible_layer_of_half_the_radius_is_a_hundredth_low() {
     let found = kappa(2.0, 0.5);

@@ -1,4 +1,5 @@
-//! Formulas for paraboloids on thin layers, against the integral equation: the numbers of docs/thin-film-formulas.md.
+//! Formulas for paraboloids on thin layers, compared with the integral equation: the numbers of
+//! docs/thin-film-formulas.md.
 
 use pellicle_cli::evidence::ValidationRun;
 use pellicle_cli::evidence::film_formulas::{ThinLayer, polynomial};
@@ -84,7 +85,7 @@ fn the_series_leaves_nothing_up_to_the_fourth_power() {
     ] {
         let error = |chi| polynomial(&film.series().unwrap(), chi) / film.exact(chi).unwrap() - 1.0;
         let order = (error(0.16) / error(0.08)).log2();
-        // The fifth and sixth power, of either sign; a wrong coefficient would leave the fourth at most.
+        // The fifth and sixth powers, of either sign; a wrong coefficient would leave the fourth at most.
         assert!(order > 4.5, "{film:?}: {order}");
     }
 }
@@ -97,7 +98,7 @@ fn the_force_on_a_sliding_layer_depends_on_the_plane_strain_modulus_alone() {
 
 #[test]
 fn a_very_thin_layer_becomes_its_limit() {
-    // The rim, one thickness wide, counts beside the contact's radius.
+    // The rim, one thickness wide, is not negligible compared with the contact radius.
     for (film, chi) in [
         (film(Bonded, 0.5), 12.0),
         (film(Bonded, 0.3), 12.0),

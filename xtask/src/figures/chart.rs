@@ -1,4 +1,4 @@
-//! A sheet of panels of curves with one legend, and the table of their points.
+//! A sheet with panels of curves and one legend, and the table of the points.
 
 use std::fmt::Write as _;
 
@@ -7,7 +7,7 @@ use pellicle_cli::drawing::{Anchor, Axis, Dash, Panel, Rect, Stroke, Svg};
 
 use super::sheet::{Caption, Picture, TOP};
 
-/// From the left side of a column to its panel, in pixels.
+/// Distance from the left side of a column to its panel, in pixels.
 const LEFT: f64 = 112.0;
 
 /// Sizes of letters and marks, in pixels.
@@ -15,23 +15,23 @@ const TITLE: f64 = 17.0;
 const LEGEND: f64 = 17.0;
 const MARK: f64 = 3.2;
 
-/// Room above the legend, from row to row of it, the length of a line in it, and from there to its words.
+/// Room above the legend, distance between its rows, length of a line in it, and distance from the line to its label.
 const ABOVE: f64 = 14.0;
 const ROW: f64 = 26.0;
 const SAMPLE: f64 = 44.0;
 const GAP: f64 = 8.0;
 
-/// Panels of curves, two beside each other, below the legend of the first. Lengths are in pixels.
+/// Panels of curves, in two columns, below the legend of the first. Lengths are in pixels.
 pub(super) struct Chart {
     pub name: &'static str,
     pub caption: Caption,
     /// Width and height of a panel.
     pub panel: (f64, f64),
-    /// Above a panel, to its right and below.
+    /// Margins above a panel, to its right and below.
     pub margins: [f64; 3],
     /// Columns of the legend, and their width.
     pub legend: (usize, f64),
-    /// The curve with which the legend begins; those before it come last.
+    /// The first curve in the legend; those before it come last.
     pub legend_from: usize,
     pub panels: Vec<CurvePanel>,
 }
@@ -54,7 +54,7 @@ pub(super) struct ChartLine {
     /// Its name in the legend and in the table.
     pub name: String,
     pub pen: Pen,
-    /// In pixels.
+    /// Width in pixels.
     pub width: f64,
     /// Whether its points are marked.
     pub is_marked: bool,
@@ -62,7 +62,7 @@ pub(super) struct ChartLine {
 }
 
 impl Chart {
-    /// The chart as a picture; what leaves a panel is cut off at its frame.
+    /// Draws the chart as a picture; curves are clipped at the frames of panels.
     pub(super) fn draw(&self) -> Picture {
         let (panel, [above, right, below]) = (self.panel, self.margins);
         let columns = self.panels.len().min(2);
@@ -120,7 +120,7 @@ impl CurvePanel {
 }
 
 impl ChartLine {
-    /// A line of usual width.
+    /// A line of the usual width.
     pub(super) fn new(name: impl Into<String>, pen: Pen, parts: Vec<Vec<(f64, f64)>>) -> Self {
         Self {
             name: name.into(),
@@ -149,7 +149,7 @@ impl ChartLine {
     }
 }
 
-/// A table of the points of curves: panel, curve, x, y, every bit of the numbers.
+/// A table of the points of curves: panel, curve, x, y, with all digits.
 pub(super) fn csv<'a>(panels: impl IntoIterator<Item = (&'a str, &'a [ChartLine])>) -> String {
     let mut text = String::from("panel,curve,x,y\n");
     for (panel, lines) in panels {
@@ -164,7 +164,7 @@ pub(super) fn csv<'a>(panels: impl IntoIterator<Item = (&'a str, &'a [ChartLine]
     text
 }
 
-/// A text as a cell of a table.
+/// Quotes a text as a cell of a table.
 pub(super) fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('"', "\"\""))
 }

@@ -26,15 +26,15 @@ const PANELS: [(&str, &str); 4] = [
     ("(d)", "cases/fig2d"),
 ];
 
-/// The coating of every other panel, and its E₁ over that of the stiff one: the paper's two materials change places, so
-/// the compliant coating's modulus is a tenth. Axes whose ends are ten to one in units of E₁ are the same axis.
+/// The coatings of alternate panels, and E₁ over that of the stiff one. The paper's two materials change places, so the
+/// compliant coating's modulus is a tenth. Axes whose ends differ by a factor of ten in units of E₁ are the same axis.
 const COATINGS: [(&str, f64); 2] = [("compliant", 0.1), ("stiff", 1.0)];
 
-/// The part of the elements in contact whose pressures the colours of a map tell apart: an edge peak would leave the
-/// same dark colour to all the rest.
+/// The fraction of the elements in contact whose pressures a map's colours distinguish: an edge peak would give all the
+/// others the same dark colour.
 const TOLD_APART: f64 = 0.95;
 
-/// The pressure as maps, and as columns over the surface; and panel (c) as the program draws it, for the README.
+/// Draws the pressure as maps and as columns over the surface, and panel (c) in the program's style for the README.
 pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
     let steps = PANELS.map(|(_, case)| runner.step(case, sets(case), 0));
     let steps = steps.into_iter().collect::<Result<Vec<_>, _>>()?;
@@ -44,8 +44,8 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
     Ok(pictures)
 }
 
-/// The values replaced in a case: the axes of all panels have one length, so the small domains are widened to that of
-/// (c).
+/// The values replaced in a case: the axes of all panels have the same length, so the small domains are widened to that
+/// of (c).
 pub(super) fn sets(case: &str) -> &'static [&'static str] {
     match case {
         "cases/fig2a" | "cases/fig2b" => &["grid.side=0.12"],
@@ -53,7 +53,7 @@ pub(super) fn sets(case: &str) -> &'static [&'static str] {
     }
 }
 
-/// Heights are the same pressure in all panels, colours of the maps in those of one coating.
+/// Equal heights are equal pressures in all panels; equal map colours are equal pressures for the same coating.
 fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
     let mut notes = vec![
         format!("{MATERIALS}. Grey: relief that carries nothing."),
@@ -89,7 +89,7 @@ fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
     }
 }
 
-/// The map and the section of Fig. 2(c) as the program draws them.
+/// The map and the section of Fig. 2(c) in the program's style.
 fn of_the_readme(step: &SolvedStep, pressures: &Pressures<'_>) -> [Picture; 2] {
     let profile = [pressures.profile(2, (colours::BLUE, Dash::Solid))];
     let csv = chart::csv([("pressure along x", profile.as_slice())]);
@@ -106,7 +106,7 @@ fn of_the_readme(step: &SolvedStep, pressures: &Pressures<'_>) -> [Picture; 2] {
     ]
 }
 
-/// The pressure that all but a few of the elements in contact stay below.
+/// The pressure below which all but a few of the elements in contact lie.
 fn common_peak(step: &SolvedStep) -> f64 {
     let fields = step.fields();
     let in_contact = fields.pressure.iter().copied().filter(|p| *p > 0.0);

@@ -1,4 +1,4 @@
-//! Fig. 3: the deformed layer and the tops of the elements along the axis, read both ways.
+//! Fig. 3: the deformed layer and the tops of the elements along the axis, in both readings.
 
 use pellicle_cli::drawing::accuracy::BRACKETS;
 use pellicle_cli::drawing::labels::power;
@@ -13,12 +13,12 @@ use crate::XtaskError;
 /// The scale of the depths.
 const DEPTH: f64 = 1e-3;
 
-/// Room above the undeformed tops and below the deepest point, as parts of the depth.
+/// Room above the undeformed tops and below the deepest point, as fractions of the depth.
 const ABOVE: f64 = 0.14;
 const BELOW: f64 = 0.06;
 
-/// By the loads of Fig. 2, and by the labels of Fig. 3, which give each coating the loads of the other: the cases of
-/// the small and the large load, which are two steps where the case is the same.
+/// Panels with the loads of Fig. 2, and with the labels of Fig. 3, which give each coating the loads of the other: the
+/// cases of the small and the large load, or the same case twice for two of its steps.
 const PANELS: [(&str, [&str; 2]); 4] = [
     ("compliant, Q as in Fig. 2", ["cases/fig2a", "cases/fig2c"]),
     ("stiff, Q as in Fig. 2", ["cases/fig2b", "cases/fig2d"]),
@@ -26,7 +26,7 @@ const PANELS: [(&str, [&str; 2]); 4] = [
     ("stiff, Q as labelled", ["cases/paper/fig3-stiff"; 2]),
 ];
 
-/// Both readings of the labels, for both coatings.
+/// Draws both readings of the labels for both coatings.
 pub(super) fn draw(runner: &Runner) -> Result<Picture, XtaskError> {
     let mut notes = vec![
         MATERIALS.to_owned(),
@@ -53,7 +53,7 @@ pub(super) fn draw(runner: &Runner) -> Result<Picture, XtaskError> {
         panel: (540.0, 330.0),
         margins: [44.0, 28.0, 84.0],
         legend: (3, 400.0),
-        // The lines of the large load are not broken.
+        // Starts with the solid lines of the large load.
         legend_from: 3,
         panels,
     };
@@ -65,8 +65,8 @@ fn force(load: &SolvedStep) -> String {
     power(load.numbers().force, 4)
 }
 
-/// Three lines of each load; along x the larger contact and a margin, down to the deepest point of the surface that is
-/// shown.
+/// Three lines for each load; along x the larger contact and a margin, down to the deepest visible point of the
+/// surface.
 fn panel(name: &'static str, loads: &[SolvedStep; 2]) -> CurvePanel {
     let [small, large] = loads;
     let lines = [
@@ -113,7 +113,7 @@ fn lines(load: &SolvedStep, which: &str, dash: Dash) -> [ChartLine; 3] {
             )
         }
     };
-    // In contact the indenter lies on what it touches, and is drawn below it.
+    // In contact the indenter coincides with the surface, and is drawn below it.
     let indenter = |e| top(e) - fields.gap[e];
     let layer = |e| fields.displacement[e] + height;
     let reliefs = row.chunk_by(|one, next| fields.mask[*one] == fields.mask[*next]);

@@ -1,4 +1,4 @@
-//! Fig. 5: pressure under the Berkovich pyramid with and without film, and with a film that stiffens.
+//! Fig. 5: pressure under the Berkovich pyramid with and without film, and with a stiffening film.
 
 use pellicle_cli::drawing::accuracy::BRACKETS;
 use pellicle_cli::drawing::{Axis, Dash, colours};
@@ -13,7 +13,7 @@ use crate::XtaskError;
 /// The coating of figures 5 and 6.
 pub(super) const COATING: &str = "coating: E₁ = 70 GPa, E₁/E₂ = 10, ν₁ = 0.3, ν₂ = 0.4";
 
-/// What is on it, and the lines of that; the last is drawn over the one before.
+/// The films on the coating, and their lines; the last is drawn over the one before.
 pub(super) const FILMS: [(&str, Pen); 3] = [
     ("with film", (colours::SKY, Dash::Solid)),
     ("film that stiffens", (colours::PURPLE, Dash::Solid)),
@@ -26,7 +26,7 @@ const CASES: [&str; 3] = [
     "cases/fig5-bare",
 ];
 
-/// The pressure as maps, as columns over the surface, and along the axis of symmetry.
+/// Draws the pressure as maps, as columns over the surface, and along the axis of symmetry.
 pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
     let steps = CASES.map(|case| runner.step(case, &[], 0));
     let steps = steps.into_iter().collect::<Result<Vec<_>, _>>()?;
@@ -36,7 +36,7 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
     Ok(pictures)
 }
 
-/// The same ends of axes and colours in all panels.
+/// All panels have the same limits of axes and colours.
 fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
     let mut notes = vec![
         format!("{COATING}. Grey: film that carries nothing. {BRACKETS}."),
@@ -72,7 +72,7 @@ fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
     }
 }
 
-/// The pressures along x beside the axis, in one panel.
+/// A chart of the pressures along x beside the axis, in one panel.
 fn profiles(pressures: Pressures<'_>) -> Chart {
     let pens = FILMS.iter().enumerate();
     let lines = pens.map(|(i, (_, pen))| pressures.profile(i, *pen));

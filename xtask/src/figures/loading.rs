@@ -1,4 +1,4 @@
-//! Figures 4 and 6: two numbers of a curve over its load, side by side.
+//! Figures 4 and 6: two quantities against load, side by side.
 
 use pellicle_cli::drawing::accuracy::{last_change, percent};
 use pellicle_cli::drawing::colours::{GREEN, PURPLE};
@@ -26,7 +26,7 @@ pub(super) struct Loading {
     /// The load's axis and its unit.
     load: (&'static str, f64),
     views: [View; 2],
-    /// Whether the notes tell the change of the largest pressure.
+    /// Whether the notes give the change of the largest pressure.
     shows_peak: bool,
 }
 
@@ -37,7 +37,7 @@ struct View {
     value: fn(&StepSummary) -> f64,
 }
 
-/// Penetration, and its derivative, over the load: two coatings with two periods each, under the same forces.
+/// Penetration and its derivative against load: two coatings with two periods each, under the same forces.
 pub(super) const FIGURE_4: Loading = Loading {
     name: "fig4",
     title: "Fig. 4: penetration of a paraboloid into a textured coating against load",
@@ -74,7 +74,7 @@ pub(super) const FIGURE_4: Loading = Loading {
     shows_peak: false,
 };
 
-/// Largest pressure and penetration of the pyramid over the load, with and without film, and with one that stiffens.
+/// Largest pressure and penetration of the pyramid against load, with and without film, and with a stiffening film.
 pub(super) const FIGURE_6: Loading = Loading {
     name: "fig6",
     title: "Fig. 6: Berkovich pyramid with a rounded tip, with and without film",
@@ -146,7 +146,7 @@ impl Loading {
         }
     }
 
-    /// The note on the data of a curve: its grid, and the largest of its certificates and of the changes between grids.
+    /// The note on a curve's data: its grid, its largest certificate, and the largest changes between grids.
     fn note(&self, run: &RunSummary) -> String {
         let largest = |of: fn(&StepSummary) -> f64| run.steps.iter().map(of).fold(0.0, f64::max);
         let certificate = largest(|step| step.certificate.worst);
@@ -167,7 +167,7 @@ impl Loading {
     }
 }
 
-/// An axis from 0 to a little above the largest of these values.
+/// An axis from 0 to slightly above the largest of these values.
 fn from_zero(values: impl Iterator<Item = f64>, title: &str) -> Axis {
     let largest = values.fold(0.0, f64::max);
     Axis::new(0.0, 1.06 * largest, title.into(), 6)

@@ -12,7 +12,7 @@ use super::chart::{ChartLine, Pen, quoted};
 use super::runner::SolvedStep;
 use super::sheet::{Caption, Picture, TOP};
 
-/// Of a map and its colour bar, in pixels.
+/// Sizes of a map and its colour bar, in pixels.
 const MAP: f64 = 480.0;
 const MAP_LEFT: f64 = 104.0;
 const MAP_GAP: f64 = 16.0;
@@ -22,28 +22,28 @@ const MAP_CELL: (f64, f64) = (
     TITLE_ROOM + MAP + 74.0,
 );
 
-/// Of a scene, in pixels.
+/// Sizes of a scene, in pixels.
 const SCENE: (f64, f64) = (720.0, 560.0);
 const SCENE_CELL: (f64, f64) = (SCENE.0, TITLE_ROOM + SCENE.1);
 
-/// Above a panel.
+/// Room above a panel, and the size of its title.
 const TITLE_ROOM: f64 = 34.0;
 const TITLE: f64 = 18.0;
 
-/// Most cells of a map, and most columns of a scene, along a side.
+/// Maximum number of cells of a map, and of columns of a scene, per side.
 const MAP_CELLS: usize = 480;
 const SCENE_CELLS: usize = 200;
 
-/// Half the side of the part shown, in radii of the contact.
+/// Half the side of the part shown, in contact radii.
 const MARGIN: f64 = 1.06;
 
-/// One panel, its pressures in the unit of all.
+/// One panel, with its pressures in the common unit.
 pub(super) struct PressurePanel<'a> {
     pub title: String,
     pub step: &'a SolvedStep,
-    /// The end of its pressures' axis.
+    /// The upper end of its pressure axis.
     pub top: f64,
-    /// The end of the colours of its map; what is above has the last colour.
+    /// The upper end of its map's colours; higher pressures have the last colour.
     pub brightest: f64,
 }
 
@@ -54,13 +54,13 @@ pub(super) struct Pressures<'a> {
     pub metres: DisplayUnit,
     /// The unit of the pressures.
     pub pascals: DisplayUnit,
-    /// Half the side of what is shown, in the unit of x.
+    /// Half the side of the part shown, in the unit of x.
     pub reach: f64,
     pub panels: Vec<PressurePanel<'a>>,
 }
 
 impl Pressures<'_> {
-    /// The pressures as maps and as columns over the surface, under these names.
+    /// Draws the pressures as maps and as columns over the surface, under these names.
     pub(super) fn draw(&self, maps: &'static str, surfaces: &'static str) -> [Picture; 2] {
         [
             self.picture(maps, MAP_CELL, Self::draw_map),
@@ -68,7 +68,7 @@ impl Pressures<'_> {
         ]
     }
 
-    /// The pressure of a panel along x beside the axis, constant over an element, in the units of axes.
+    /// The pressure of a panel along x beside the axis, constant over each element, in the units of the axes.
     pub(super) fn profile(&self, panel: usize, pen: Pen) -> ChartLine {
         let panel = &self.panels[panel];
         let fields = panel.step.fields();
@@ -81,7 +81,7 @@ impl Pressures<'_> {
         ChartLine::new(&panel.title, pen, vec![points])
     }
 
-    /// The panels, each drawn from the left and upper corner of its cell.
+    /// Draws the panels, each from the top left corner of its cell.
     fn picture(
         &self,
         name: &'static str,
@@ -160,7 +160,7 @@ impl Pressures<'_> {
         scene.draw(svg, &coarse, divisors, &ColourScale::up_to(panel.top));
     }
 
-    /// One row a cell of every panel; a cell has the largest pressure of its elements.
+    /// One row per cell of each panel; a cell has the largest pressure of its elements.
     fn csv(&self) -> String {
         let mut csv = String::from("panel,x,y,pressure\n");
         for panel in &self.panels {
@@ -192,7 +192,7 @@ impl Pressures<'_> {
     }
 }
 
-/// The largest contact and a margin.
+/// The largest contact radius plus a margin.
 pub(super) fn reach(steps: &[SolvedStep]) -> f64 {
     let radii = steps.iter().map(|step| step.numbers().contact_radius);
     MARGIN * radii.fold(0.0, f64::max)
@@ -203,7 +203,7 @@ pub(super) fn reach(steps: &[SolvedStep]) -> f64 {
 pub(super) fn rounded_up(values: impl IntoIterator<Item = f64>) -> f64 {
     let largest = values.into_iter().fold(0.0, f64::max);
     let unit = 2.0 * 10_f64.powf(largest.log10().floor() - 1.0);
-    // A value that is round already stays, whatever its last bits are.
+    // A round value is unchanged, whatever its last bits.
     unit * (largest / unit - 1e-9).ceil()
 }
 

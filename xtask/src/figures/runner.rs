@@ -1,4 +1,4 @@
-//! Runs cases of the paper by the program that users have. A solution that is not certified is an error.
+//! Runs the paper's cases with the program itself. A solution that is not certified is an error.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -12,15 +12,15 @@ use pellicle_cli::results::{
 use super::sheet::Caption;
 use crate::XtaskError;
 
-/// Elements along a side for print.
+/// Elements along a side for final figures.
 pub(super) const FULL: usize = 1024;
-/// Elements along a side for a look.
+/// Elements along a side for quick figures.
 pub(super) const QUICK: usize = 256;
 
-/// `pellicle` in release, which cargo builds first.
+/// The release build of `pellicle`, which cargo makes first.
 const RELEASE: &str = "cargo run --release --quiet --bin pellicle --";
 
-/// Options of every run, up to the steps whose fields are written.
+/// Options of every run, to be completed by the steps whose fields are written.
 const OPTIONS: &str = "--force --pictures none --formats npz --fields";
 
 /// The program, the cases it runs, and their grid.
@@ -28,19 +28,19 @@ const OPTIONS: &str = "--force --pictures none --formats npz --fields";
 pub struct Runner {
     /// Root of the workspace, which holds `cases`.
     pub root: PathBuf,
-    /// Folder of the results, one folder a case.
+    /// Folder of the results, with one folder per case.
     pub results: PathBuf,
-    /// A program that takes the command line of `pellicle`, and the arguments before that.
+    /// A program that takes the command line of `pellicle`, with its leading arguments.
     pub program: Vec<OsString>,
-    /// Elements along a side of every grid; pictures of fewer than 1024 say that they are coarse.
+    /// Elements along a side of every grid; pictures with fewer than 1024 are marked as coarse.
     pub elements: usize,
-    /// Receives the progress.
+    /// Receives progress messages.
     pub tell: fn(&str),
 }
 
 /// A certified loading step with its fields.
 pub(super) struct SolvedStep {
-    /// Name of its case, `fig2a`.
+    /// Name of its case, such as `fig2a`.
     pub case: &'static str,
     /// Folder of the results.
     pub folder: PathBuf,
@@ -62,17 +62,17 @@ impl Runner {
         }
     }
 
-    /// Solves a case, `cases/fig2a` or `cases/paper/fig4-soft-60`, with values replaced as `--set` takes them.
+    /// Solves a case, such as `cases/fig2a` or `cases/paper/fig4-soft-60`, with values replaced as by `--set`.
     ///
     /// # Errors
-    /// [`XtaskError::NotCertified`] if a step is not, [`XtaskError::Refused`] if the program refuses the case, or
-    /// whatever prevents running it or reading its results.
+    /// [`XtaskError::NotCertified`] if a step is not, [`XtaskError::Refused`] if the program refuses the case, or any
+    /// error in running it or reading its results.
     pub fn run(&self, case: &str, sets: &[&str]) -> Result<RunSummary, XtaskError> {
         self.solve(case, sets, "none")?;
         Ok(read_summary(&self.folder(case))?)
     }
 
-    /// The step of this number of a case, with its fields.
+    /// One step of a case, by its number, with its fields.
     pub(super) fn step(
         &self,
         case: &'static str,
@@ -145,7 +145,7 @@ impl Runner {
     }
 }
 
-/// `fig2a` of `cases/fig2a`.
+/// The last part of a case's path, such as `fig2a` for `cases/fig2a`.
 fn name(case: &str) -> &str {
     case.rsplit('/').next().unwrap_or(case)
 }
@@ -161,13 +161,13 @@ impl SolvedStep {
         self.stored.fields(self.summary.grid.side)
     }
 
-    /// The note on its data: grid, certificate, grid error.
+    /// A note on its data: grid, certificate, grid error.
     pub(super) fn note(&self, name: &str) -> String {
         let elements = self.summary.grid.elements;
         format!("{name}: {}", accuracy::of_step(elements, self.numbers()))
     }
 
-    /// The subject of a picture as the program draws it.
+    /// The subject of a picture in the program's style.
     pub(super) fn subject<'a>(&'a self, title: &'a str) -> Subject<'a> {
         Subject {
             title,

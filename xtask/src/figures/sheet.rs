@@ -1,4 +1,5 @@
-//! A sheet with a heading, room for panels, and notes on the data below; finished, it is a picture with its numbers.
+//! A sheet with a heading, room for panels, and notes on the data below; a finished sheet is a picture with its
+//! numbers.
 
 use std::fs;
 use std::io::{self, Write};
@@ -8,33 +9,33 @@ use pellicle_cli::Failure;
 use pellicle_cli::drawing::{Anchor, Svg, heading, render};
 use pellicle_cli::results::write_whole;
 
-/// Where panels begin, from the top: the notes are below, not in the heading.
+/// Distance of the panels from the top; the notes are below, not in the heading.
 pub(super) const TOP: f64 = heading::HEIGHT - 22.0;
 
 /// Left side of heading and notes, in pixels.
 const LEFT: f64 = 40.0;
 
-/// Size and distance of the notes' letters, in pixels.
+/// Font size, line distance and bottom margin of the notes, in pixels.
 const NOTE: f64 = 15.0;
 const LINE: f64 = 24.0;
 const BELOW: f64 = 18.0;
 
 /// Width of a small version, in pixels: a page of documentation.
 const SMALL_WIDTH: f64 = 940.0;
-/// Most bytes of a small version: it is kept in the repository.
+/// Maximum size of a small version in bytes, as it is kept in the repository.
 const SMALL_BYTES: usize = 100_000;
 
 /// The words around the panels.
 pub(super) struct Caption {
     pub title: &'static str,
-    /// A line on what is the same in all panels.
+    /// A line on the parameters common to all panels.
     pub subtitle: String,
     pub notes: Vec<String>,
 }
 
 /// A drawing and the numbers in it.
 pub(super) struct Picture {
-    /// Name of its files, without ending.
+    /// Name of its files, without extension.
     pub name: &'static str,
     /// The drawing.
     pub svg: String,
@@ -82,7 +83,7 @@ impl Picture {
         write_whole(&path, |file| file.write_all(bytes?.as_ref()))
     }
 
-    /// The widest small version that is not too large.
+    /// The widest small version within the size limit.
     fn small(&self) -> io::Result<Vec<u8>> {
         let mut width = SMALL_WIDTH.min(self.width);
         loop {

@@ -9,8 +9,8 @@ use super::runner::Runner;
 use super::sheet::Picture;
 use crate::XtaskError;
 
-/// The cases, the names of their pictures, and how deep and how far across these reach, in units of R: about two
-/// radii of a cylinder, and the contact.
+/// The cases, the names of their pictures, and the depth and width of these in units of R: about two cylinder radii,
+/// and the contact.
 const CASES: [(&str, &str, f64, f64); 4] = [
     ("cases/fig2a", "fig2a-stress", 0.012, 0.06),
     ("cases/fig2b", "fig2b-stress", 0.012, 0.06),
@@ -18,7 +18,7 @@ const CASES: [(&str, &str, f64, f64); 4] = [
     ("cases/fig2d", "fig2d-stress", 0.02, 0.1),
 ];
 
-/// One picture a case, as the program draws it.
+/// Draws one picture per case, in the program's style.
 pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
     let picture = |(case, name, deepest, extent)| {
         let stress = format!(
@@ -37,7 +37,7 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
     CASES.into_iter().map(picture).collect()
 }
 
-/// One row a point of the section.
+/// One row per point of the section.
 fn csv(view: &StressView) -> String {
     let section = &view.section;
     let planes = section.depths.iter().zip(&section.bodies);

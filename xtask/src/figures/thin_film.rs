@@ -13,10 +13,10 @@ use super::chart::{Chart, ChartLine, CurvePanel, Pen};
 use super::sheet::{Caption, Picture};
 use crate::XtaskError;
 
-/// Places of the curves, and contact radii (in thicknesses) of the program's contacts.
+/// Number of points of the curves, and contact radii (in thicknesses) of the program's contacts.
 const POINTS: u32 = 61;
 const RADII: [f64; 6] = [0.1, 0.25, 0.6, 1.4, 3.0, 5.5];
-/// `√(RD)/H` from here to there.
+/// Range of `√(RD)/H`.
 const CHI: [f64; 2] = [0.05, 5.0];
 /// Elements along a side of the program's grids.
 const ELEMENTS: usize = 256;
@@ -107,7 +107,7 @@ fn lines(film: &ThinLayer) -> Result<Vec<ChartLine>, ValidationError> {
     Ok(lines)
 }
 
-/// The program's forces over the exact ones, a part of its own each.
+/// The program's forces over the exact ones, each as a separate part of a line.
 fn contacts(film: &ThinLayer) -> Result<Vec<Vec<(f64, f64)>>, ValidationError> {
     let contact = |radius: f64| {
         let [chi, exact] = film.at_contact_radius(radius)?;

@@ -5,7 +5,7 @@ use toml::{Table, Value};
 use super::violation::Violation;
 use crate::Tree;
 
-/// The packages that each package may use. Its tests may also use what these may use.
+/// The packages that each package may use. Its tests may also use the packages that these may use.
 const ALLOWED: [(&str, &[&str]); 7] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-kernel"]),
@@ -37,7 +37,7 @@ const ALLOWED: [(&str, &[&str]); 7] = [
         ],
     ),
 ];
-/// Packages that stand above all others: they may use anything, and only each other may use them.
+/// Packages above all others: they may use any package, and only they may use each other.
 const ON_TOP: [&str; 2] = ["xtask", "pellicle-tests"];
 const TABLES: [&str; 3] = ["dependencies", "dev-dependencies", "build-dependencies"];
 
@@ -77,7 +77,7 @@ fn may_use(allowed: &[&str], name: &str, in_tests: bool) -> bool {
     allowed.contains(&name) || allowed.iter().any(below)
 }
 
-/// A manifest; empty if it does not parse, and cargo says why.
+/// A parsed manifest; empty if it does not parse, which cargo reports.
 fn parsed(text: &str) -> Table {
     text.parse().unwrap_or_default()
 }
@@ -105,7 +105,7 @@ mod tests {
     use super::super::broken;
     use super::*;
 
-    /// The rule on a workspace whose kernel and contact hold these tables.
+    /// The rule applied to a workspace whose kernel and contact have these tables.
     fn found(kernel: &str, contact: &str) -> Vec<String> {
         let named =
             |name: &str, tables: &str| format!("[package]\nname = \"pellicle-{name}\"\n{tables}");

@@ -1,14 +1,14 @@
-//! Rules about documents: links lead somewhere, and a test that is named exists.
+//! Rules about documents: links resolve, and named tests exist.
 
 use std::collections::BTreeSet;
 
 use super::violation::Violation;
 use crate::Tree;
 
-/// Pages that name tests, in a table's last column headed `test` or on a line of their own.
+/// Pages that name tests, in a table's last column headed `test` or on a separate line.
 const PROMISES: [&str; 2] = ["docs/evidence.md", "docs/claims.md"];
 
-/// Every relative link in a `.md` file that leads to no file, or to no heading. Links to other sites are not followed.
+/// Every relative link in a `.md` file without a target file or heading. Links to other sites are not followed.
 pub(super) fn links_resolve(tree: &Tree) -> Vec<Violation> {
     let paths = tree.paths();
     let mut found = Vec::new();
@@ -26,7 +26,7 @@ pub(super) fn links_resolve(tree: &Tree) -> Vec<Violation> {
     found
 }
 
-/// Every test that a page promises and no source has as a `#[test]`.
+/// Every test that a page promises but that is not a `#[test]` in any source.
 pub(super) fn named_tests_exist(tree: &Tree) -> Vec<Violation> {
     let tests: BTreeSet<&str> = tree
         .texts_ending(".rs")
@@ -44,7 +44,7 @@ pub(super) fn named_tests_exist(tree: &Tree) -> Vec<Violation> {
     found
 }
 
-/// The functions of a source that carry `#[test]`, whatever other attributes and comments stand between.
+/// The functions of a source marked with `#[test]`, even with other attributes and comments in between.
 fn tests(text: &str) -> Vec<&str> {
     let (mut found, mut is_test) = (Vec::new(), false);
     for line in text.lines().map(str::trim) {
@@ -90,7 +90,7 @@ fn promised(page: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// The lines outside fenced code, numbered from 1; fences may stand in comments.
+/// The lines outside fenced code, numbered from 1; fences may be in comments.
 pub(super) fn prose(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut in_code = false;
     text.lines().enumerate().filter_map(move |(index, line)| {
@@ -100,7 +100,7 @@ pub(super) fn prose(text: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
-/// The line without its indentation and the mark of a comment.
+/// The line without its indentation and comment marker.
 pub(super) fn unmarked(line: &str) -> &str {
     line.trim_start_matches(|c: char| c.is_whitespace() || "/!".contains(c))
 }
@@ -138,11 +138,11 @@ fn resolves(tree: &Tree, paths: &BTreeSet<&str>, from: &str, target: &str) -> bo
         prose(text).any(|(_, line)| line.starts_with('#') && self::anchor(line) == anchor)
     };
     let document = tree.texts_ending(".md").find(|(other, _)| *other == path);
-    // An anchor in a source is a line of it.
+    // An anchor in a source is a line number.
     anchor.is_empty() || document.is_none_or(|(_, text)| is_heading(text))
 }
 
-/// The path from the root of a link in the document `from`; none if it leaves the tree.
+/// The path from the root for a link in the document `from`; `None` if it leaves the tree.
 fn resolved(from: &str, target: &str) -> Option<String> {
     if target.is_empty() {
         return Some(from.to_owned());

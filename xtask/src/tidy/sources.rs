@@ -1,18 +1,18 @@
-//! Rules about text: a source begins with its one job, lines of prose fit, and no file keeps a trace of the machine it
-//! was written on.
+//! Rules about text: a source begins with its one job, lines of prose fit, and no file contains traces of a developer's
+//! machine.
 
 use super::documents::{prose, unmarked};
 use super::violation::Violation;
 use crate::Tree;
 
-/// Most characters in a line of prose.
+/// Maximum number of characters in a line of prose.
 const WIDTH: usize = 120;
-/// First folders of absolute paths that exist on a developer's machine only.
+/// First folders of absolute paths that exist only on a developer's machine.
 const FOLDERS: [&str; 3] = ["work", "tmp", "home"];
-/// Marks of open work, in two halves so that this file does not carry them.
+/// Marks of open work, in two halves so that this file does not contain them.
 const MARKS: [(&str, &str); 2] = [("TO", "DO"), ("FIX", "ME")];
 
-/// Every `.rs` file whose first line is not `//!` and a text.
+/// Every `.rs` file whose first line is not `//!` with text.
 pub(super) fn begin_with_their_job(tree: &Tree) -> Vec<Violation> {
     let says_something = |text: &str| {
         let first = text.lines().next().unwrap_or("");
@@ -54,7 +54,7 @@ pub(super) fn have_lines_of_prose_that_fit(tree: &Tree) -> Vec<Violation> {
     found
 }
 
-/// Every line of every text file that holds an absolute path of one machine or a mark of open work.
+/// Every line of a text file with an absolute path of one machine or a mark of open work.
 pub(super) fn hold_no_trace_of_a_machine(tree: &Tree) -> Vec<Violation> {
     let mut found = Vec::new();
     for (path, text) in tree.texts() {
@@ -77,7 +77,7 @@ fn machine_path(line: &str) -> Option<String> {
     Some(format!("`{path}` is a path of one machine"))
 }
 
-/// Whether the slash at `at` begins a path, rather than continuing one or the name of a host.
+/// Whether the slash at `at` begins a path, rather than continuing a path or a host name.
 fn is_absolute(line: &str, at: usize) -> bool {
     let before = line[..at].chars().next_back();
     before.is_none_or(|c| !c.is_alphanumeric() && !".-_~})".contains(c))

@@ -1,13 +1,13 @@
-//! A house rule that is broken somewhere.
+//! A violation of a house rule.
 
 use std::fmt;
 
-/// A house rule that is broken somewhere; it reads like a message of the compiler.
+/// A violation of a house rule, displayed like a compiler message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Violation {
     /// Path of the file from the root of the workspace.
     pub path: String,
-    /// Line in the file, from 1; none if the rule is about the whole file.
+    /// Line in the file, from 1; `None` if the rule is about the whole file.
     pub line: Option<usize>,
     /// The finding and the rule.
     pub message: String,
