@@ -24,6 +24,10 @@ const NEAR: f64 = 0.95;
 const LARGEST_SHARE: f64 = 0.97;
 /// Fraction of a force that is rounding error of the held elements' force.
 const ROUNDING: f64 = 1e-13;
+/// Mean excess over the limit, in units of the limit, beyond which the elements that exceed it are far too few. With
+/// this rule random problems take a quarter fewer products, at most 413 instead of 670. At 4, a few took three times as
+/// many; at 20, all took a tenth more.
+const FAR_ABOVE: f64 = 10.0;
 /// Relative excess over the limit that is cut off as rounding; without this an element was held and released in turn.
 const ABOVE: f64 = 1e-13;
 
@@ -234,7 +238,7 @@ impl LimitExchange {
 
     /// Holds the elements above the limit and releases those with a gap.
     fn exchange(&mut self, limit: f64, wrong: &Wrong, v: &[f64]) {
-        let next = self.next(limit, &wrong.above, v);
+        let next = self.next(limit, wrong, v);
         self.let_go(limit, &wrong.open);
         self.hold(&next);
         self.hold(&wrong.above);
@@ -297,11 +301,12 @@ impl LimitExchange {
 
     /// As many elements as can carry at the limit the excess of those above it: those with the largest pressure, then
     /// those with the smallest gap.
-    fn next(&self, limit: f64, above: &[usize], v: &[f64]) -> Vec<usize> {
-        let above = above.iter().map(|element| self.free[*element]);
+    fn next(&self, limit: f64, wrong: &Wrong, v: &[f64]) -> Vec<usize> {
+        let above = wrong.above.iter().map(|element| self.free[*element]);
         let beyond: f64 = above.map(|p| p / limit - 1.0).sum();
-        // Elements released in vain must not all return.
-        if beyond < 1.0 || self.has_let_go {
+        // Elements released in vain must not all return, unless those left are far too few.
+        let are_too_few = wrong.open.is_empty() && beyond > FAR_ABOVE * wrong.above.len() as f64;
+        if beyond < 1.0 || (self.has_let_go && !are_too_few) {
             return Vec::new();
         }
         let is_below = |e: &usize| self.free[*e] <= limit && !self.held.mask[*e];

@@ -196,23 +196,28 @@ fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
     exchange.free = field(&[0.0, 3.0 * LIMIT, 2.5 * LIMIT, 0.3, 0.9]);
     let mut v: Vec<f64> = (0..16).map(|e| 2.0 - 0.1 * f64::from(e)).collect();
     v[15] = f64::INFINITY;
-    let above = [1, 2];
-    assert_eq!(exchange.next(LIMIT, &above, &v), [4, 3, 14]);
-    let wrong = Wrong {
+    let beside = |above: &[usize], open: &[usize]| Wrong {
         above: above.to_vec(),
-        ..Wrong::default()
+        open: open.to_vec(),
+        by: 0.0,
     };
+    let wrong = beside(&[1, 2], &[]);
+    assert_eq!(exchange.next(LIMIT, &wrong, &v), [4, 3, 14]);
     exchange.exchange(LIMIT, &wrong, &v);
     assert_eq!(held(&exchange), [0, 1, 2, 3, 4, 14]);
     assert_eq!(exchange.free, field(&[]));
-    // An excess of half the limit adds none; nor does any excess once elements have been released.
+    // An excess of half the limit adds none; nor does a moderate one once elements have been released.
     exchange.free = field(&[0.0, 1.5 * LIMIT]);
-    assert!(exchange.next(LIMIT, &[1], &v).is_empty());
+    assert!(exchange.next(LIMIT, &beside(&[1], &[]), &v).is_empty());
     exchange.let_go(LIMIT, &[3]);
     assert_eq!(exchange.free[3], LIMIT);
     assert!(!exchange.held.mask[3]);
     exchange.free[1] = 4.0 * LIMIT;
-    assert!(exchange.next(LIMIT, &[1], &v).is_empty());
+    assert!(exchange.next(LIMIT, &beside(&[1], &[]), &v).is_empty());
+    // An excess of twelve times the limit adds all that can touch, unless one of those held is to be released.
+    exchange.free[1] = 13.0 * LIMIT;
+    assert!(exchange.next(LIMIT, &beside(&[1], &[4]), &v).is_empty());
+    assert_eq!(exchange.next(LIMIT, &beside(&[1], &[]), &v).len(), 10);
 }
 
 #[test]
