@@ -15,9 +15,9 @@
 //!
 //! Until elements are first released, those above the limit are held together with as many others as are needed to
 //! carry the excess at the limit: those with the largest pressure, then those with the smallest gap. Held ring by ring,
-//! random problems without a start took 2.5 to 4 times the products. After a release the same is done only if a few
-//! elements exceed the limit many times over and none is to be released; without it, three elements that carried the
-//! force of seventy took more than 2000 products.
+//! random problems without a start took 2.5 to 4 times the products. After a release the same is done once more, if a
+//! few elements exceed the limit many times over and none is to be released: without it, three elements that carried
+//! the force of seventy took more than 2000 products; more often, some problems filled and released in turn.
 //!
 //! **Start.** The elements at the limit are held if the start is a coarser grid's pressure, those above it if it is a
 //! guess; if they carry all of a prescribed force, only those that overlap most. Starting with no element held, a fully

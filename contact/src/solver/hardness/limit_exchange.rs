@@ -45,12 +45,24 @@ pub struct LimitExchange {
     accuracy: f64,
     /// The total work of all problems, and the result of the last one.
     pub total: Iterate,
-    /// Whether elements have been released.
-    has_let_go: bool,
+    /// When to hold others with those above the limit.
+    fill: Fill,
     /// The error to be halved next, and the exchanges since it was reached.
     milestone: f64,
     since: usize,
     descent: Option<Descent>,
+}
+
+/// When to hold, with the elements above the limit, as many others as can carry their excess.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Fill {
+    /// Until elements are released.
+    Always,
+    /// After a release: elements released in vain must not all return, unless those above the limit are far too few for
+    /// the force.
+    IfFarAbove,
+    /// After that: some problems would fill and release the same elements in turn.
+    Never,
 }
 
 /// The elements on the wrong side.
@@ -101,7 +113,7 @@ impl LimitExchange {
             free,
             accuracy: tolerance.max(COARSEST),
             total,
-            has_let_go: false,
+            fill: Fill::Always,
             milestone: f64::INFINITY,
             since: 0,
             descent: None,
@@ -301,13 +313,16 @@ impl LimitExchange {
 
     /// As many elements as can carry at the limit the excess of those above it: those with the largest pressure, then
     /// those with the smallest gap.
-    fn next(&self, limit: f64, wrong: &Wrong, v: &[f64]) -> Vec<usize> {
+    fn next(&mut self, limit: f64, wrong: &Wrong, v: &[f64]) -> Vec<usize> {
         let above = wrong.above.iter().map(|element| self.free[*element]);
         let beyond: f64 = above.map(|p| p / limit - 1.0).sum();
-        // Elements released in vain must not all return, unless those left are far too few.
-        let are_too_few = wrong.open.is_empty() && beyond > FAR_ABOVE * wrong.above.len() as f64;
-        if beyond < 1.0 || (self.has_let_go && !are_too_few) {
-            return Vec::new();
+        let is_far_above = matches!(self.load, Load::Force(_))
+            && wrong.open.is_empty()
+            && beyond > FAR_ABOVE * wrong.above.len() as f64;
+        match self.fill {
+            Fill::Always if beyond >= 1.0 => (),
+            Fill::IfFarAbove if beyond >= 1.0 && is_far_above => self.fill = Fill::Never,
+            _ => return Vec::new(),
         }
         let is_below = |e: &usize| self.free[*e] <= limit && !self.held.mask[*e];
         let touchable = (0..v.len()).filter(|e| is_below(e) && v[*e].is_finite());
@@ -354,7 +369,9 @@ impl LimitExchange {
 
     /// Releases elements that have a gap.
     fn let_go(&mut self, limit: f64, open: &[usize]) {
-        self.has_let_go |= !open.is_empty();
+        if self.fill == Fill::Always && !open.is_empty() {
+            self.fill = Fill::IfFarAbove;
+        }
         for element in open {
             self.held.mask[*element] = false;
             self.free[*element] = limit;

@@ -190,7 +190,7 @@ fn elements_above_the_limit_and_held_ones_with_a_gap_are_on_the_wrong_side() {
 #[test]
 fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
     let mut problem = problem(1.0, |_| 0.0);
-    let mut exchange = begun(&mut problem, Load::Penetration(1.0), &[LIMIT]);
+    let mut exchange = begun(&mut problem, Load::Force(1.0), &[LIMIT]);
     // The second exceeds the limit by twice its value and the third by 1.5 times: three others are needed, first those
     // with the largest pressure, then the unpressed one with the smallest gap, but none that cannot touch.
     exchange.free = field(&[0.0, 3.0 * LIMIT, 2.5 * LIMIT, 0.3, 0.9]);
@@ -218,6 +218,8 @@ fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
     exchange.free[1] = 13.0 * LIMIT;
     assert!(exchange.next(LIMIT, &beside(&[1], &[4]), &v).is_empty());
     assert_eq!(exchange.next(LIMIT, &beside(&[1], &[]), &v).len(), 10);
+    // But once only.
+    assert!(exchange.next(LIMIT, &beside(&[1], &[]), &v).is_empty());
 }
 
 #[test]
