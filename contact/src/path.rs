@@ -200,7 +200,7 @@ fn solve_on_domains(
         warnings::check_elements(model, side, elements, loads)?;
         let grid = Grid::new(side, elements)?;
         if let Err(refused) = capacity::check(model, &grid, loads, options.hardness) {
-            if enlargements == 0 || !capacity::goes_on(model, &grid) {
+            if enlargements == 0 || !capacity::extends_beyond(model, &grid) {
                 return Err(refused);
             }
             enlargements -= 1;
@@ -301,7 +301,7 @@ impl PathRun<'_> {
         let mut surroundings = Surroundings::of(model, grid);
         if domain.boundary() == Boundary::Free {
             for step in &mut self.steps {
-                step.cut_off = surroundings.what_cuts_off(&step.solution);
+                step.cut_off = surroundings.limit_reached(&step.solution);
             }
         }
         let warnings = warnings::warnings(model, &grid, domain, loads, &self.steps);

@@ -61,8 +61,8 @@ fn solve(model: &Model, side: f64, elements: usize, loads: &[Load]) -> (LoadingP
 fn coarse_grids_are_solved_to_a_millionth_and_the_finest_to_the_tolerance() {
     let (path, log) = solve(&model(1.0), 0.4, 128, &[Load::Force(2e-3)]);
     for (elements, tolerance) in [(16, 1e-6), (32, 1e-6), (64, 1e-6), (128, 1e-8)] {
-        let told = log.0.iter().filter(|told| told.0 == elements);
-        let residuals: Vec<f64> = told.map(|told| told.1).collect();
+        let reports = log.0.iter().filter(|report| report.0 == elements);
+        let residuals: Vec<f64> = reports.map(|report| report.1).collect();
         let (last, before) = residuals.split_last().unwrap();
         // Steps end at 0.8 of the tolerance; none begins below it.
         assert!(*last <= tolerance, "{elements}: {last:e}");

@@ -218,8 +218,8 @@ fn the_observer_sees_every_level_and_step() {
     watched_path(&loads, &mut log);
     // Both loads are solved at the same time, each from coarse to fine.
     let of_step = |step: usize| {
-        let told = log.0.iter().filter(|told| told.0 == step);
-        let mut grids: Vec<usize> = told.map(|told| told.1).collect();
+        let reports = log.0.iter().filter(|report| report.0 == step);
+        let mut grids: Vec<usize> = reports.map(|report| report.1).collect();
         grids.dedup();
         grids
     };

@@ -10,7 +10,7 @@
 )]
 #![expect(
     clippy::print_stderr,
-    reason = "what a long run took is told with `--nocapture`"
+    reason = "`--nocapture` shows what a long run took"
 )]
 
 #[path = "random_cases/random.rs"]
@@ -230,7 +230,7 @@ fn assert_each_is_certified(is_periodic: bool, has_hardness: bool) {
                     return (!is_true).then(|| format!("{seed}: refused, carries {carried:e}"));
                 }
             }
-            let told = format!(
+            let details = format!(
                 "{:.1} s, {}",
                 clock.elapsed().as_secs_f64(),
                 problem.describe()
@@ -241,8 +241,11 @@ fn assert_each_is_certified(is_periodic: bool, has_hardness: bool) {
                     products.lock().unwrap().push(work);
                     None
                 }
-                Ok(step) => Some(format!("{seed}: {:?}, {told}", step.solution.certificate)),
-                Err(reason) => Some(format!("{seed}: {reason}, {told}")),
+                Ok(step) => Some(format!(
+                    "{seed}: {:?}, {details}",
+                    step.solution.certificate
+                )),
+                Err(reason) => Some(format!("{seed}: {reason}, {details}")),
             }
         })
         .collect();

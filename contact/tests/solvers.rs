@@ -253,14 +253,19 @@ fn every_solver_tells_its_working_set_and_what_moves() {
             .iter()
             .filter(|p| **p > 0.0)
             .count();
-        let told = log.0;
-        assert!(told.iter().map(|told| told.iteration).eq(0..told.len()));
-        assert_eq!(told.last().unwrap().working_set, pressing);
+        let reports = log.0;
+        assert!(
+            reports
+                .iter()
+                .map(|report| report.iteration)
+                .eq(0..reports.len())
+        );
+        assert_eq!(reports.last().unwrap().working_set, pressing);
         // Initially the whole set is new. Then as many elements enter or leave as it grows or shrinks by, or an even
         // number more than that.
-        assert_eq!(told[0].working_set_change, told[0].working_set);
-        assert!(told[1].working_set_change > 0);
-        for pair in told.windows(2) {
+        assert_eq!(reports[0].working_set_change, reports[0].working_set);
+        assert!(reports[1].working_set_change > 0);
+        for pair in reports.windows(2) {
             let growth = pair[0].working_set.abs_diff(pair[1].working_set);
             let moves = pair[1].working_set_change;
             assert!(moves >= growth && (moves - growth).is_multiple_of(2));

@@ -118,9 +118,9 @@ impl Dilute {
             let next = solver.solve(&mut self.problem, load, &iterate.pressure, watch)?;
             iterate = after(iterate, next);
             let found = self.overlapping(whole, &mut iterate, options.tolerance);
-            let goes_on = is_first || !found.is_empty();
+            let continues = is_first || !found.is_empty();
             let known = self.candidates.clone();
-            if !goes_on || self.passes >= MOST_PASSES || !self.take_in(whole, &found) {
+            if !continues || self.passes >= MOST_PASSES || !self.take_in(whole, &found) {
                 iterate.pressure = known.scatter(&iterate.pressure);
                 return Ok(iterate);
             }

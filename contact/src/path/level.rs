@@ -297,8 +297,8 @@ impl Level {
                 if candidates.is_done(&solution, &options) {
                     return Ok((solution, window, effort));
                 }
-                let goes_on = candidates.learn(problem, judged, &solution.pressure);
-                dilute = dilute.filter(|_| goes_on);
+                let continues = candidates.learn(problem, judged, &solution.pressure);
+                dilute = dilute.filter(|_| continues);
                 pressure = solution.pressure;
                 continue;
             }

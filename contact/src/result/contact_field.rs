@@ -146,11 +146,11 @@ mod tests {
 
     const SIZE: usize = 6;
 
-    /// Evaluates `ask` for a field on a square of side 6, on a film of stiffening springs whose relief covers x > 0.
+    /// Evaluates a function of the field on a square of side 6, on a film of stiffening springs; the relief covers x > 0.
     fn with_field<T>(
         boundary: Boundary,
         pressure: &[f64],
-        ask: impl FnOnce(&ContactField<'_>) -> T,
+        evaluate: impl FnOnce(&ContactField<'_>) -> T,
     ) -> T {
         let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
         let model = Model {
@@ -164,7 +164,7 @@ mod tests {
         let mask: Vec<bool> = elements.clone().map(|e| e / SIZE >= 3).collect();
         let compliance: Vec<f64> = elements.map(|e| 0.25 + 0.01 * (e as f64)).collect();
         let nothing = vec![0.0; SIZE * SIZE];
-        ask(&ContactField {
+        evaluate(&ContactField {
             model: &model,
             grid: &grid,
             boundary,

@@ -96,7 +96,7 @@ impl<'a> Surroundings<'a> {
     }
 
     /// Returns the limit that cuts off the contact of a solution, if any.
-    pub fn what_cuts_off(&mut self, solution: &Solution) -> Option<CutOff> {
+    pub fn limit_reached(&mut self, solution: &Solution) -> Option<CutOff> {
         map_reached(self.model, &self.grid, &solution.pressure)
             .or_else(|| self.cut_off(solution).then_some(CutOff::Domain))
     }
@@ -113,16 +113,16 @@ impl<'a> Surroundings<'a> {
     fn presses_at_the_rim(&self, solution: &Solution) -> bool {
         let (size, last) = (self.grid.size(), self.grid.size() - 1);
         let outside = self.grid.centre(last) + self.grid.element_side();
-        let goes_on = |i: usize, j: usize, behind: [f64; 2]| {
+        let continues = |i: usize, j: usize, behind: [f64; 2]| {
             solution.pressure[i * size + j] > 0.0
                 && initial_gap_at(self.model, behind) < solution.penetration
         };
         (0..size).any(|k| {
             let along = self.grid.centre(k);
-            goes_on(0, k, [-outside, along])
-                || goes_on(last, k, [outside, along])
-                || goes_on(k, 0, [along, -outside])
-                || goes_on(k, last, [along, outside])
+            continues(0, k, [-outside, along])
+                || continues(last, k, [outside, along])
+                || continues(k, 0, [along, -outside])
+                || continues(k, last, [along, outside])
         })
     }
 

@@ -65,7 +65,7 @@ impl ElasticSolver for ActiveSetSolver {
         let Some(mut springs) = DenseSprings::of(problem) else {
             return Ok((solution.into_iterate(residuals), None));
         };
-        while springs.straighten(&mut system, &solution) {
+        while springs.linearise(&mut system, &solution) {
             let start = springs.pressure().to_vec();
             solution = self.solve_linear(&system, &start, &mut residuals, watch)?;
             if residuals.len() > self.options.max_applications {

@@ -116,12 +116,12 @@ impl ElasticSolver for GradientSolver {
         let mut residuals = Vec::new();
         let ending = loop {
             let judgement = solution.judge();
-            solution.tell(watch, residuals.len(), judgement.residual)?;
+            solution.report(watch, residuals.len(), judgement.residual)?;
             residuals.push(judgement.residual);
             if let Some(ending) = self.ending(&solution, &strategy, judgement) {
                 break ending;
             }
-            if solution.straighten(&judgement, strategy.phase()) {
+            if solution.linearise(&judgement, strategy.phase()) {
                 strategy.begin_anew();
             }
             let residual = judgement.linear;

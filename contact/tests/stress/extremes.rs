@@ -54,13 +54,13 @@ fn no_sampled_stress_exceeds_the_extremes_and_each_is_found_where_it_is_said_to_
         SubsurfaceState::max_shear,
     ];
     for (part, extremes) in stress.bodies.iter().zip(&found.bodies) {
-        let said = [
+        let reported = [
             extremes.max_von_mises,
             extremes.max_principal,
             extremes.min_principal,
             extremes.max_shear,
         ];
-        for (index, extreme) in said.iter().enumerate() {
+        for (index, extreme) in reported.iter().enumerate() {
             let [x, y, z] = extreme.at;
             let value = if index == 2 {
                 -extreme.value

@@ -132,9 +132,9 @@ mod tests {
         };
         assert!((where_zero(step) / 3e-6 - 1.0).abs() < 1e-13);
         // ln of ρ² + 1e6 ρ⁹ at 2
-        let bent = |rho: f64| (0.5 * rho.powi(2) + 5e5 * rho.powi(9)).ln();
-        let found = where_zero(bent);
-        assert!(bent(found).abs() < 1e-12, "{found}");
+        let polynomial = |rho: f64| (0.5 * rho.powi(2) + 5e5 * rho.powi(9)).ln();
+        let found = where_zero(polynomial);
+        assert!(polynomial(found).abs() < 1e-12, "{found}");
     }
 
     #[test]

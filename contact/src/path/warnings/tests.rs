@@ -19,12 +19,12 @@ fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_of_a_small_part_of_
         cache: Cache::none(),
     };
     // `size` elements per side, of which `across` are in contact.
-    let doubt = |size: usize, across: usize| {
+    let warning = |size: usize, across: usize| {
         let grid = Grid::new(1.0, size).unwrap();
         let radius = (across - 1) as f64 / (2 * size) as f64;
         domain_much_larger(&model, &grid, &[Load::Penetration(1e-6)], radius)
     };
-    for (size, across, is_doubted) in [
+    for (size, across, is_warned) in [
         (1000, 19, true),
         (1000, 20, false),
         (64, 7, true),
@@ -32,24 +32,28 @@ fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_of_a_small_part_of_
         (28, 7, false),
         (64, 1, false),
     ] {
-        assert_eq!(doubt(size, across).is_some(), is_doubted, "{size} {across}");
+        assert_eq!(
+            warning(size, across).is_some(),
+            is_warned,
+            "{size} {across}"
+        );
     }
     let Some(Warning::DomainMuchLarger {
         elements,
         radius,
         side,
         wanted,
-    }) = doubt(1000, 19)
+    }) = warning(1000, 19)
     else {
-        panic!("a doubt")
+        panic!("a warning")
     };
     assert_eq!(
         (elements, radius, side, wanted),
         (19, 0.009, 1.0, SIDE_PER_RADIUS * 0.009)
     );
     // Below eight elements the radius is estimated: a² = 2 R D.
-    let Some(Warning::DomainMuchLarger { radius, wanted, .. }) = doubt(64, 7) else {
-        panic!("a doubt")
+    let Some(Warning::DomainMuchLarger { radius, wanted, .. }) = warning(64, 7) else {
+        panic!("a warning")
     };
     assert!((radius / 2e-3 - 1.0).abs() < 0.02 && (wanted / 6e-3 - 1.0).abs() < 0.02);
 }

@@ -205,18 +205,18 @@ fn what_presses_at_the_rim_goes_on_where_the_gap_behind_it_is_less_than_the_pene
         [3, 0],
         [3, 9],
     ] {
-        let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
+        let continues = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
         assert!(
-            goes_on(1.001 * behind) && !goes_on(0.999 * behind),
+            continues(1.001 * behind) && !continues(0.999 * behind),
             "{rim:?}"
         );
     }
     // The place behind a corner is farther away; an element inside is not on the rim.
     let corner = f64::midpoint(0.11 * 0.11, 0.09 * 0.09);
     for rim in [[0, 0], [0, 9], [9, 0], [9, 9]] {
-        let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
+        let continues = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
         assert!(
-            goes_on(1.001 * corner) && !goes_on(0.999 * corner),
+            continues(1.001 * corner) && !continues(0.999 * corner),
             "{rim:?}"
         );
     }
@@ -242,7 +242,7 @@ fn what_would_touch_farther_away_cuts_a_contact_off() {
     let grid = Grid::new(0.2, 10).unwrap();
     let middle = [[4, 4], [4, 5], [5, 4], [5, 5]];
     let cuts = |model: &Model, depth: f64| {
-        let found = Surroundings::of(model, grid).what_cuts_off(&pressed_by_ball(&middle, depth));
+        let found = Surroundings::of(model, grid).limit_reached(&pressed_by_ball(&middle, depth));
         assert!(found.is_none_or(|found| found == CutOff::Domain));
         found.is_some()
     };
@@ -291,9 +291,12 @@ fn what_lies_behind_each_side_of_the_rim_is_looked_at_there() {
         ([6, 0], 0.03, -0.11),
         ([6, 9], 0.03, 0.11),
     ] {
-        let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
+        let continues = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
         let behind = Slant.height(x, y);
-        assert!(goes_on(behind + 1e-3) && !goes_on(behind - 1e-3), "{rim:?}");
+        assert!(
+            continues(behind + 1e-3) && !continues(behind - 1e-3),
+            "{rim:?}"
+        );
     }
     // The lowest of the four elements around the axis, at ±0.01.
     assert!((lowest_height(&slant, &Grid::new(0.2, 10).unwrap()) - 0.97).abs() < 1e-15);

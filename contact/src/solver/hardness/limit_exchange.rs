@@ -46,7 +46,7 @@ pub struct LimitExchange {
     /// The total work of all problems, and the result of the last one.
     pub total: Iterate,
     /// Whether elements have been released.
-    has_let_go: bool,
+    has_released: bool,
     /// The error to be halved next, and the exchanges since it was reached.
     milestone: f64,
     since: usize,
@@ -101,7 +101,7 @@ impl LimitExchange {
             free,
             accuracy: tolerance.max(COARSEST),
             total,
-            has_let_go: false,
+            has_released: false,
             milestone: f64::INFINITY,
             since: 0,
             descent: None,
@@ -239,7 +239,7 @@ impl LimitExchange {
     /// Holds the elements above the limit and releases those with a gap.
     fn exchange(&mut self, limit: f64, wrong: &Wrong, v: &[f64]) {
         let next = self.next(limit, wrong, v);
-        self.let_go(limit, &wrong.open);
+        self.release(limit, &wrong.open);
         self.hold(&next);
         self.hold(&wrong.above);
     }
@@ -263,7 +263,7 @@ impl LimitExchange {
         if wrong.above.is_empty() {
             descent.settle(pressure, displacement);
             (descent.accuracy, self.accuracy) = (accuracy, accuracy);
-            self.let_go(limit, &wrong.open);
+            self.release(limit, &wrong.open);
         } else if returned.is_empty() {
             let products = descent.step(problem, pressure, displacement);
             self.total.operator_applications += products;
@@ -306,7 +306,7 @@ impl LimitExchange {
         let beyond: f64 = above.map(|p| p / limit - 1.0).sum();
         // Elements released in vain must not all return, unless those left are far too few.
         let are_too_few = wrong.open.is_empty() && beyond > FAR_ABOVE * wrong.above.len() as f64;
-        if beyond < 1.0 || (self.has_let_go && !are_too_few) {
+        if beyond < 1.0 || (self.has_released && !are_too_few) {
             return Vec::new();
         }
         let is_below = |e: &usize| self.free[*e] <= limit && !self.held.mask[*e];
@@ -353,8 +353,8 @@ impl LimitExchange {
     }
 
     /// Releases elements that have a gap.
-    fn let_go(&mut self, limit: f64, open: &[usize]) {
-        self.has_let_go |= !open.is_empty();
+    fn release(&mut self, limit: f64, open: &[usize]) {
+        self.has_released |= !open.is_empty();
         for element in open {
             self.held.mask[*element] = false;
             self.free[*element] = limit;

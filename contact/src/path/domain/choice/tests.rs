@@ -168,16 +168,16 @@ fn a_coarse_grid_is_not_asked_where_it_may_miss_something() {
     let pillars = on_coating(2.0, 0.1, Relief::Cylinders(cylinders));
     let grid = |elements: usize| Grid::new(1.6, elements).unwrap();
     // Elements of 0.1 are wider than a pillar's radius.
-    assert!(!is_seen_by(&pillars, &grid(16)) && is_seen_by(&pillars, &grid(32)));
+    assert!(!is_resolved_by(&pillars, &grid(16)) && is_resolved_by(&pillars, &grid(32)));
     let bare = on_coating(2.0, 0.1, Relief::Bare);
-    assert!(is_seen_by(&bare, &grid(16)));
+    assert!(is_resolved_by(&bare, &grid(16)));
     let pin = Model {
         indenter: crate::FlatPunch::new(0.06).unwrap().into(),
         ..bare.clone()
     };
     // Centres at (0.05, 0.05) are outside a pin of radius 0.06, those at (0.025, 0.025) under it.
-    assert!(!is_seen_by(&pin, &grid(16)) && is_seen_by(&pin, &grid(32)));
+    assert!(!is_resolved_by(&pin, &grid(16)) && is_resolved_by(&pin, &grid(32)));
     // The four centres around the axis lie at f = 0.05².
-    let sees = |depth: f64| sees_the_tip(&bare, &grid(16), depth);
-    assert!(sees(f64::NAN) && sees(0.0026) && !sees(0.0024));
+    let resolves = |depth: f64| resolves_the_tip(&bare, &grid(16), depth);
+    assert!(resolves(f64::NAN) && resolves(0.0026) && !resolves(0.0024));
 }

@@ -286,7 +286,7 @@ mod tests {
         (secants, set)
     }
 
-    fn answer(secants: &Secants, set: &WorkingSet, residual: &[f64]) -> Vec<f64> {
+    fn apply(secants: &Secants, set: &WorkingSet, residual: &[f64]) -> Vec<f64> {
         let mut field = residual.to_vec();
         secants.apply(set, &mut field, |field| set.scale_within(field, 0.1));
         field
@@ -297,7 +297,7 @@ mod tests {
         let (secants, set) = cut_to_all_but(1);
         let mut step = wave(1.1);
         set.clear_outside(&mut step);
-        let found = answer(&secants, &set, &system(&step));
+        let found = apply(&secants, &set, &system(&step));
         // in single precision
         let is_near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-6;
         assert!(found.iter().zip(&step).all(is_near));
@@ -329,7 +329,7 @@ mod tests {
             (0..ELEMENTS).map(|to| (to, coupling([from, to]))).collect()
         });
         set.clear_outside(&mut step);
-        let found = answer(&secants, &set, &image(&step));
+        let found = apply(&secants, &set, &image(&step));
         // in single precision
         let is_near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-5;
         assert!(found.iter().zip(&step).all(is_near));
@@ -341,9 +341,9 @@ mod tests {
         let (mut a, mut b) = (wave(0.3), wave(0.75));
         set.clear_outside(&mut a);
         set.clear_outside(&mut b);
-        let answers = [&a, &b].map(|residual| answer(&secants, &set, residual));
-        let crossed = [vector::dot(&a, &answers[1]), vector::dot(&b, &answers[0])];
-        let own = [vector::dot(&a, &answers[0]), vector::dot(&b, &answers[1])];
+        let results = [&a, &b].map(|residual| apply(&secants, &set, residual));
+        let crossed = [vector::dot(&a, &results[1]), vector::dot(&b, &results[0])];
+        let own = [vector::dot(&a, &results[0]), vector::dot(&b, &results[1])];
         assert!((crossed[0] - crossed[1]).abs() < 1e-9 * own[0]);
         assert!(own.into_iter().all(|own| own > 0.0));
         // The uncorrected inverse gives a different result.
@@ -355,7 +355,7 @@ mod tests {
         for (left, used) in [(0, 0), (1, 3), (20, 3), (21, 0)] {
             let (secants, set) = cut_to_all_but(left);
             assert_eq!(secants.used, used, "{left}");
-            let is_plain = answer(&secants, &set, &wave(0.3))
+            let is_plain = apply(&secants, &set, &wave(0.3))
                 .iter()
                 .zip(wave(0.3))
                 .skip(left)

@@ -209,7 +209,7 @@ fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
     // An excess of half the limit adds none; nor does a moderate one once elements have been released.
     exchange.free = field(&[0.0, 1.5 * LIMIT]);
     assert!(exchange.next(LIMIT, &beside(&[1], &[]), &v).is_empty());
-    exchange.let_go(LIMIT, &[3]);
+    exchange.release(LIMIT, &[3]);
     assert_eq!(exchange.free[3], LIMIT);
     assert!(!exchange.held.mask[3]);
     exchange.free[1] = 4.0 * LIMIT;
