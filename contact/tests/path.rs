@@ -97,7 +97,7 @@ fn a_given_domain_that_is_too_small_is_kept_and_its_result_cut_off() {
 }
 
 #[test]
-fn penetrations_without_contact_are_legal_and_have_no_force() {
+fn penetrations_without_contact_are_valid_and_have_no_force() {
     let loads = [-0.1, 0.0, 0.01].map(Load::Penetration);
     let path = solve(&model(Relief::Bare), Domain::Automatic, 48, &loads);
     assert!(
@@ -178,7 +178,7 @@ fn the_active_set_solves_a_path_and_refuses_a_grid_too_large_for_it() {
 }
 
 #[test]
-fn a_step_that_may_not_go_on_is_returned_and_marked() {
+fn a_step_out_of_products_is_returned_and_marked() {
     let options = SolverOptions {
         max_applications: 2,
         ..SolverOptions::default()
@@ -241,7 +241,7 @@ impl Profile for Quartic {
 }
 
 #[test]
-fn an_own_shape_is_solved_on_an_automatic_domain_as_its_closed_form_says() {
+fn a_custom_shape_on_an_automatic_domain_agrees_with_its_closed_form() {
     let model = Model {
         indenter: Indenter::custom(Quartic),
         ..model(Relief::Bare)
@@ -318,7 +318,7 @@ fn with_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T {
 }
 
 #[test]
-fn a_finest_grid_made_beside_the_coarser_ones_is_the_same_grid() {
+fn a_finest_grid_built_in_parallel_with_the_coarser_ones_is_the_same() {
     // The film makes the first domain too small, so that the grid is prepared in advance more than once.
     let film = || Relief::Film(Film::new(0.02, 0.01).unwrap());
     let solved = |threads| {
@@ -336,7 +336,7 @@ fn a_finest_grid_made_beside_the_coarser_ones_is_the_same_grid() {
 }
 
 #[test]
-fn a_path_can_be_cancelled_while_its_finest_grid_is_made() {
+fn a_path_can_be_cancelled_while_its_finest_grid_is_built() {
     struct Cancels;
     impl Observer for Cancels {
         fn progress(&mut self, progress: &Progress) -> Signal {
@@ -374,7 +374,7 @@ impl Profile for Torn {
 }
 
 #[test]
-fn a_height_that_is_no_number_is_an_error_of_the_path() {
+fn a_nan_height_is_an_error_of_the_path() {
     let model = Model {
         indenter: Indenter::custom(Torn),
         ..model(Relief::Bare)

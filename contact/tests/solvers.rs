@@ -108,7 +108,7 @@ fn both_solvers_find_the_same_pressure_under_force_and_under_penetration() {
 }
 
 #[test]
-fn penetration_control_returns_to_the_force_it_came_from() {
+fn penetration_control_recovers_the_original_force() {
     let mut problem = problem(32, 10.0, wavy, |_, _| 0.0);
     let start = cold(&problem);
     let by_force = solve(&mut gradient(), &mut problem, Load::Force(1e-3), &start);
@@ -239,7 +239,7 @@ impl Observer for Log {
 }
 
 #[test]
-fn every_solver_tells_its_working_set_and_what_moves() {
+fn every_solver_reports_its_working_set_and_its_changes() {
     let (mut by_gradient, mut active_set) = (gradient(), ActiveSetSolver::default());
     for solver in [&mut by_gradient as &mut dyn Solver, &mut active_set] {
         let mut problem = problem(24, 10.0, wavy, |_, _| 0.0);

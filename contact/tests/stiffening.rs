@@ -128,7 +128,7 @@ fn on_springs_alone_pressure_and_force_are_the_closed_forms() {
 }
 
 #[test]
-fn it_tends_to_the_linear_law_with_the_cube_of_the_pressure_as_the_difference() {
+fn the_energy_falls_below_that_of_the_linear_law_by_the_cube_of_the_pressure() {
     let base = Foundation::half_space(material(1.0, 0.3));
     let linear = model(&base, Relief::Bare, Paraboloid::new(1.0).unwrap());
     let (eta, load) = (0.02, Load::Force(1e-3));
@@ -143,19 +143,19 @@ fn it_tends_to_the_linear_law_with_the_cube_of_the_pressure_as_the_difference() 
     let Load::Force(force) = load else { return };
     for young in [10.0, 100.0] {
         let springs = film(eta * young, young);
-        let (linear, path) = energy(Relief::Film(springs), force);
-        let (stiffening, _) = energy(Relief::Film(springs.stiffening()), force);
+        let (linear_energy, path) = energy(Relief::Film(springs), force);
+        let (stiffening_energy, _) = energy(Relief::Film(springs.stiffening()), force);
         let solution = &path.steps[0].solution;
         let cubes: f64 = solution.pressure.iter().map(|p| p.powi(3)).sum();
         let wanted = path.grid.element_area() * eta * cubes / (6.0 * young);
-        let ratio = (linear - stiffening) / wanted;
+        let ratio = (linear_energy - stiffening_energy) / wanted;
         // The next term of the series: p/E, with p up to 0.05.
         assert!((ratio - 1.0).abs() < 0.05 / young, "{young}: {ratio}");
     }
 }
 
 #[test]
-fn the_film_of_figure_5_is_squeezed_and_not_beyond_its_thickness() {
+fn the_film_of_figure_5_is_squeezed_but_not_beyond_its_thickness() {
     let (load, side) = FIG_5;
     let springs = film(5e-9, 0.14e9);
     let [linear, stiffening] = [springs, springs.stiffening()]
@@ -175,7 +175,7 @@ fn the_film_of_figure_5_is_squeezed_and_not_beyond_its_thickness() {
 }
 
 #[test]
-fn a_solution_by_the_linear_law_is_not_certified_by_the_other() {
+fn a_solution_by_the_linear_law_is_not_certified_by_the_stiffening_law() {
     let springs = film(5e-9, 0.14e9);
     let (load, side) = FIG_5;
     let [mut linear, mut stiffening] = [springs, springs.stiffening()].map(|film| {
@@ -196,7 +196,7 @@ fn a_solution_by_the_linear_law_is_not_certified_by_the_other() {
 }
 
 #[test]
-fn products_are_twice_those_of_the_linear_law_at_most() {
+fn products_are_at_most_twice_those_of_the_linear_law() {
     let springs = film(5e-9, 0.14e9);
     let (load, side) = FIG_5;
     let mut cases = vec![(
@@ -250,7 +250,7 @@ fn the_contact_stiffness_is_the_slope_between_solutions_of_the_same_contact_set(
 }
 
 #[test]
-fn from_every_start_and_by_both_methods_it_is_the_same_solution() {
+fn every_start_and_both_methods_give_the_same_solution() {
     let springs = film(5e-9, 0.14e9).stiffening();
     let mut cases = vec![(fig_5(Relief::Film(springs)), FIG_5.0, FIG_5.1)];
     cases.extend(fig_2(|| Relief::Cylinders(pillars(0.01).stiffening())));

@@ -71,7 +71,7 @@ fn assert_close(found: f64, wanted: f64) {
 }
 
 #[test]
-fn the_summary_is_what_the_pressure_says() {
+fn the_summary_follows_from_the_pressure() {
     // the field is summed in two parts
     let path = solve(&model(&[], cylinders(0.02)), 0.4, 128, Load::Force(4e-4));
     let (grid, pressure) = (path.grid, &last(&path).solution.pressure);
@@ -142,7 +142,7 @@ fn without_contact_the_summary_is_empty() {
 }
 
 #[test]
-fn a_grid_is_doubted_by_elements_per_radius_and_per_thickness() {
+fn too_few_elements_per_radius_or_thickness_are_warned_about() {
     let grid = Grid::new(1.0, 100).unwrap();
     for (radius, warned) in [(0.0395, true), (0.0405, false)] {
         let spec = CylinderSpec {
@@ -179,7 +179,7 @@ fn a_grid_is_doubted_by_elements_per_radius_and_per_thickness() {
 }
 
 #[test]
-fn coefficients_that_miss_their_goal_are_doubted_with_what_they_reach() {
+fn coefficients_below_their_accuracy_are_warned_about_with_the_accuracy_reached() {
     let grid = Grid::new(1.0, 100).unwrap();
     let right = model(&[0.1], Relief::Bare);
     for (wrong_by, warned) in [(1e-13, false), (3e-11, true)] {
@@ -228,7 +228,7 @@ fn assert_warning_of_the_last_step(path: &LoadingPath, code: &str, wanted: f64) 
 }
 
 #[test]
-fn a_film_is_doubted_when_it_shortens_by_more_than_itself() {
+fn a_film_that_shortens_by_more_than_its_thickness_is_warned_about() {
     for (force, warned) in [(2e-4, false), (2e-3, true)] {
         let film = Relief::Film(Film::new(2e-3, 0.05).unwrap());
         let path = solve(&model(&[], film), 0.5, 48, Load::Force(force));
@@ -247,7 +247,7 @@ fn a_film_is_doubted_when_it_shortens_by_more_than_itself() {
 }
 
 #[test]
-fn an_indenter_is_doubted_where_its_slope_at_the_contacts_edge_is_not_small() {
+fn an_indenter_with_a_steep_slope_at_the_contact_edge_is_warned_about() {
     for (radius, warned) in [(0.27_f64, false), (0.35, true)] {
         let force = Load::Force(4.0 / 3.0 * radius.powi(3));
         let path = solve(&model(&[], Relief::Bare), 1.0, 48, force);
@@ -263,7 +263,7 @@ fn an_indenter_is_doubted_where_its_slope_at_the_contacts_edge_is_not_small() {
 }
 
 #[test]
-fn a_peak_that_changes_with_the_grid_is_doubted_by_how_much() {
+fn a_peak_that_changes_with_the_grid_is_warned_about_with_its_change() {
     let path = solve(&model(&[], cylinders(0.02)), 0.4, 128, Load::Force(4e-4));
     let step = last(&path);
     let estimate = step.grid_error.max_pressure.unwrap();
@@ -277,7 +277,7 @@ fn a_peak_that_changes_with_the_grid_is_doubted_by_how_much() {
 }
 
 #[test]
-fn a_contact_near_the_edge_is_doubted_by_the_elements_between() {
+fn a_contact_near_the_edge_is_warned_about_with_the_elements_between() {
     let mut seen = Vec::new();
     for radius in [0.1_f64, 0.16, 0.17, 0.18, 0.25] {
         let force = Load::Force(4.0 / 3.0 * radius.powi(3));

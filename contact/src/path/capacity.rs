@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn only_an_indenter_that_goes_on_wants_a_larger_grid() {
+    fn only_an_indenter_that_extends_beyond_the_grid_calls_for_a_larger_one() {
         let paraboloid = model(Paraboloid::new(1.0).unwrap().into());
         let grid = Grid::new(4.0, 4).unwrap();
         assert!(extends_beyond(&paraboloid, &grid));

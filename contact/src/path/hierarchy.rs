@@ -304,7 +304,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sector_is_solved_where_everything_is_mirrored_on_every_grid() {
+    fn a_sector_is_solved_if_everything_is_symmetric_on_every_grid() {
         let paraboloid = model(Paraboloid::new(1.0).unwrap().into());
         let berkovich = model(Pyramid::berkovich(0.1).unwrap().into());
         let usual = SolverOptions::default();
@@ -336,7 +336,7 @@ mod tests {
     }
 
     #[test]
-    fn lanes_are_as_many_as_are_asked_for_and_share_their_grids() {
+    fn the_requested_number_of_lanes_share_their_grids() {
         let model = model(Paraboloid::new(1.0).unwrap().into());
         for lanes in [1, 3] {
             let (square, load) = ((1.0, Boundary::Free), [Load::Force(1e-3); 3]);

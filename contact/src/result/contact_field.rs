@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn contact_around_a_place_counts_the_four_elements_of_this_cell_or_the_next() {
+    fn contact_around_a_point_counts_four_elements_of_this_cell_or_the_next() {
         let pressure: Vec<f64> = (0..SIZE * SIZE)
             .map(|e| f64::from(u8::from(e % 5 == 0 || e / SIZE == 4)))
             .collect();

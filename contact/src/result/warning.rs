@@ -243,7 +243,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_number_is_told_as_nothing() {
+    fn small_values_are_not_printed_as_zero() {
         let layer = Warning::LayerUnderResolved {
             layer: 0,
             elements_per_thickness: 3.2e-5,
@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn a_warning_of_a_load_tells_which() {
+    fn a_warning_about_a_load_reports_its_step() {
         let warning = Warning::DomainEdge {
             step: 3,
             elements: 1,

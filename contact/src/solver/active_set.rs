@@ -117,7 +117,7 @@ fn moves(before: &[usize], after: &[usize]) -> usize {
 #[cfg(test)]
 mod tests {
     #[test]
-    fn moves_are_what_entered_and_what_left() {
+    fn moves_count_the_elements_that_entered_and_those_that_left() {
         for (before, after, moves) in [
             (&[][..], &[3, 5][..], 2),
             (&[3, 5], &[], 2),

@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn who_watches_is_told_of_every_step_in_turn_and_may_cancel() {
+    fn the_observer_sees_every_iteration_and_may_cancel() {
         for solver in [
             &mut GradientSolver::default() as &mut dyn Solver,
             &mut ActiveSetSolver::default(),

@@ -50,7 +50,7 @@ fn assert_lines(found: Certificate, wanted: [f64; 4]) {
 }
 
 #[test]
-fn under_a_force_every_line_is_what_its_formula_says() {
+fn under_a_force_every_line_equals_its_formula() {
     let (solution, surface) = judged(Load::Force(2.0));
     // v = (1 + 1 + 0, 2 + 0 + 0.5, 1, ∞), D = (2·2 + 4·2.5)/6 = 7/3, g = (−1/3, 1/6, −4/3, ∞)
     assert_eq!(surface.displacement, [1.0, 2.0, 0.0, 0.0]);
@@ -79,7 +79,7 @@ fn under_a_penetration_the_gap_is_measured_from_it() {
 }
 
 #[test]
-fn on_a_large_grid_the_lines_are_those_of_all_elements() {
+fn on_a_large_grid_the_lines_include_all_elements() {
     let size = 200;
     let wave = |e: usize, rate: f64| (rate * e as f64).sin();
     let gap: Vec<f64> = (0..size * size).map(|e| 1.0 + wave(e, 0.01)).collect();
@@ -182,7 +182,7 @@ fn one_bad_line_is_enough_to_fail() {
 }
 
 #[test]
-fn a_number_that_is_none_fails_wherever_it_stands() {
+fn nan_fails_at_every_element() {
     for place in [0, 1, 3] {
         let problem = DiscreteProblem::new(Box::new(Springs(2)), vec![0.0; 4], vec![0.0; 4], 1.0);
         let mut pressure = vec![1.0; 4];

@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn a_way_uphill_is_gone_to_where_the_springs_balance() {
+    fn an_uphill_step_ends_where_the_springs_balance() {
         // The solution is a pressure of 3. From 6, where the tangents are very stiff, they lead to 0.3.
         let law = SpringLaw::logarithmic(1.0).unwrap();
         let at = |p: f64| vec![p; 64];

@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn springs_are_straightened_where_the_law_has_three_times_as_much_to_say() {
+    fn springs_are_linearised_if_the_residual_by_their_law_is_three_times_the_linear_one() {
         for (linear, by_law, wanted) in [
             (0.29, 1.0, true),
             (0.31, 1.0, false),
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn a_way_to_less_pressure_than_the_law_allows_is_gone_as_far_as_the_energy_falls() {
+    fn a_step_towards_too_low_a_pressure_ends_at_the_minimum_of_the_energy() {
         // The solution is 3 on every spring, from w* = D. From 6 the tangents, which are very stiff, lead to hardly any
         // pressure, where the energy is higher.
         let mut problem = stiffening();
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn the_residual_by_the_law_is_none_of_springs_at_its_solution() {
+    fn the_residual_by_the_law_vanishes_at_the_solution() {
         // A flat indenter practically on springs alone: p = −ln(1 − D/h).
         let height = 1e9;
         let mut problem = problem([1.0, 0.1], |_, _| 0.0, |_, _| height)

@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_kept_of_a_set_are_members_and_what_is_looked_at_is_forgotten() {
+    fn keeping_retains_only_members_and_predictions_can_be_discarded() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let control = LoadControl::of(&problem, Load::Penetration(0.0));
         let pressure: Vec<f64> = (0..SIZE * SIZE)

@@ -52,7 +52,7 @@ fn a_thin_coating_a_thousand_times_as_stiff_takes_few_products() {
 }
 
 #[test]
-fn a_punch_has_its_set_from_the_start() {
+fn the_contact_set_of_a_punch_is_known_from_the_start() {
     let flat = |x: f64, y: f64| if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
     assert_work(
         problem([10.0, 0.05], flat, RIGID),

@@ -59,7 +59,7 @@ fn stress() -> StressModel {
 }
 
 #[test]
-fn every_strength_asks_for_its_own_stress_in_its_own_range() {
+fn every_strength_has_its_own_stress_in_its_own_depth_range() {
     let body = |value: f64| BodyStress {
         name: String::new(),
         max_von_mises: extreme(value),
@@ -110,7 +110,7 @@ fn every_strength_asks_for_its_own_stress_in_its_own_range() {
 }
 
 #[test]
-fn the_error_of_a_critical_load_is_that_of_the_stress_over_how_steeply_it_grows() {
+fn the_relative_error_of_a_critical_load_is_that_of_the_stress_over_its_exponent() {
     let search = || CriterionSearch {
         criterion: Criterion::Yield,
         name: "substrate".to_owned(),

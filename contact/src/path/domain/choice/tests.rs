@@ -56,7 +56,7 @@ fn a_small_contact_is_brought_to_its_usual_extent() {
 }
 
 #[test]
-fn a_square_that_cuts_off_grows_half_of_the_way_to_where_the_indenter_is_as_high() {
+fn a_square_that_cuts_off_grows_half_way_to_where_the_height_is_the_penetration() {
     let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
     let model = Model {
         tables: Arc::new(RadialTables::build(&body).unwrap()),
@@ -87,7 +87,7 @@ fn on_coating(stiffness: f64, thickness: f64, relief: Relief) -> Model {
 }
 
 #[test]
-fn the_square_chosen_holds_the_contact_which_is_no_small_part_of_it() {
+fn the_chosen_square_contains_the_contact_and_is_not_far_larger() {
     let film = Relief::Film(pellicle_texture::Film::new(0.01, 0.02).unwrap());
     for model in [
         on_coating(100.0, 0.02, Relief::Bare),
@@ -120,7 +120,7 @@ fn the_square_chosen_holds_the_contact_which_is_no_small_part_of_it() {
 }
 
 #[test]
-fn a_coarse_grid_tells_what_fits_but_for_half_an_element() {
+fn a_coarse_grid_decides_what_fits_to_within_half_an_element() {
     let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
     let model = Model {
         tables: Arc::new(RadialTables::build(&body).unwrap()),
@@ -155,7 +155,7 @@ fn a_coarse_grid_tells_what_fits_but_for_half_an_element() {
 }
 
 #[test]
-fn a_coarse_grid_is_not_asked_where_it_may_miss_something() {
+fn a_coarse_grid_is_not_used_if_it_may_miss_a_feature() {
     let spec = pellicle_texture::CylinderSpec {
         lattice: pellicle_texture::Lattice::Square,
         radius: 0.05,

@@ -322,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_on_the_band_answers_it() {
+    fn the_filtered_residual_vanishes_on_the_band() {
         let coefficients: Stencil = std::array::from_fn(|i| {
             std::array::from_fn(|j| match i * i + j * j {
                 0 => 2.5,

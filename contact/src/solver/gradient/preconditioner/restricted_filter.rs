@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn on_a_quadrant_filter_and_band_see_the_images_beyond_the_axes() {
+    fn on_a_quadrant_filter_and_band_include_the_images_beyond_the_axes() {
         let surface = surface();
         let sector = SectorGrid::of_square(Sector::Quadrant, SIZE);
         let whole = sector.cut(&filtered_mirror(&surface, SectorGrid::whole(SIZE)));
@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn under_a_stiff_coating_no_residual_is_answered_by_pulling_where_it_pushes() {
+    fn under_a_stiff_coating_the_filter_with_the_band_is_positive() {
         let surface = plate();
         let set = set_of_pillars(&surface, 7.0, 2.2);
         let mut filter = filter_on(&surface, &set);
@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn with_the_band_it_all_but_inverts_the_system_on_separate_pillars() {
+    fn with_the_band_the_filter_nearly_inverts_the_system_on_separate_pillars() {
         let surface = surface();
         let set = set_of_pillars(&surface, 9.0, 3.5);
         let mut filter = filter_on(&surface, &set);

@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn the_image_of_the_last_step_is_answered_by_the_step() {
+    fn the_corrected_inverse_maps_the_image_of_the_last_step_to_the_step() {
         let (secants, set) = cut_to_all_but(1);
         let mut step = wave(1.1);
         set.clear_outside(&mut step);
@@ -304,7 +304,7 @@ mod tests {
     }
 
     #[test]
-    fn an_image_is_right_where_an_element_enters_and_another_leaves() {
+    fn images_remain_correct_when_one_element_enters_and_another_leaves() {
         let coupling = |[a, b]: [usize; 2]| 0.5 / (1.0 + a.abs_diff(b) as f64);
         let image = |field: &[f64]| {
             let coupled = |e: usize| -> f64 {
@@ -351,7 +351,7 @@ mod tests {
     }
 
     #[test]
-    fn pairs_wait_for_another_set_and_are_forgotten_with_a_large_change() {
+    fn pairs_are_used_once_the_set_changes_and_discarded_after_a_large_change() {
         for (left, used) in [(0, 0), (1, 3), (20, 3), (21, 0)] {
             let (secants, set) = cut_to_all_but(left);
             assert_eq!(secants.used, used, "{left}");
@@ -365,7 +365,7 @@ mod tests {
     }
 
     #[test]
-    fn an_element_finds_its_place_before() {
+    fn elements_are_matched_to_their_previous_places() {
         let places = places_before(&[1, 3, 4, 8, 9], &[0, 3, 5, 8]);
         assert_eq!(places, [None, Some(1), None, Some(3), None]);
         assert_eq!(places_before(&[2], &[]), [None]);

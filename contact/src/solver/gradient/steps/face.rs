@@ -179,7 +179,7 @@ mod tests {
     };
 
     #[test]
-    fn what_a_step_takes_to_nought_up_to_rounding_is_nought() {
+    fn pressures_within_rounding_of_zero_become_zero() {
         let third = 1.0 / 3.0;
         // Negative, 0 up to rounding of the step, reduced, and unchanged.
         let mut pressure = [-0.25, 1e-16 * third, 0.5, 0.0];
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn a_face_is_entered_where_the_state_is_and_left_by_going_back_there() {
+    fn going_back_restores_the_state_at_which_the_face_was_entered() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let control = LoadControl::of(&problem, Load::Penetration(0.02));
         let start: Vec<f64> = (0..SIZE * SIZE).map(|e| 1.0 + (e as f64).sin()).collect();
