@@ -261,7 +261,7 @@ impl PathRun<'_> {
             observer: Mutex::new(observer),
         };
         let lanes = self.lanes.par_iter_mut();
-        let outcomes: Vec<Vec<_>> = lanes.map(|lane| queue.work_off(lane)).collect();
+        let outcomes: Vec<Vec<_>> = lanes.map(|lane| queue.solve_remaining(lane)).collect();
         let on_coefficients = self.coefficients_seconds() - spent_before;
         self.solve_seconds = clock.elapsed().as_secs_f64() - on_coefficients;
         self.interrupted = queue.is_cancelled.into_inner();
@@ -337,7 +337,10 @@ struct Queue<'a, 'b> {
 
 impl Queue<'_, '_> {
     /// Solves loads until none is left; returns the results with the index of the load.
-    fn work_off(&self, lane: &mut Hierarchy<'_>) -> Vec<(usize, Result<Step, ContactError>)> {
+    fn solve_remaining(
+        &self,
+        lane: &mut Hierarchy<'_>,
+    ) -> Vec<(usize, Result<Step, ContactError>)> {
         let mut outcomes = Vec::new();
         while !self.is_over.load(Ordering::Relaxed) {
             let index = self.taken.fetch_add(1, Ordering::Relaxed);

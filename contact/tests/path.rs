@@ -365,9 +365,9 @@ fn a_path_can_be_cancelled_while_its_finest_grid_is_built() {
 
 /// A shape whose height is NaN far from its axis.
 #[derive(Debug)]
-struct Torn;
+struct WithNan;
 
-impl Profile for Torn {
+impl Profile for WithNan {
     fn height(&self, x: f64, y: f64) -> f64 {
         if x > 0.3 { f64::NAN } else { x * x + y * y }
     }
@@ -376,7 +376,7 @@ impl Profile for Torn {
 #[test]
 fn a_nan_height_is_an_error_of_the_path() {
     let model = Model {
-        indenter: Indenter::custom(Torn),
+        indenter: Indenter::custom(WithNan),
         ..model(Relief::Bare)
     };
     let (loads, options) = ([Load::Penetration(0.01)], SolverOptions::default());

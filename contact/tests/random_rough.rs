@@ -36,9 +36,9 @@ use self::random::Random;
 /// Number of foundations that the problems share.
 const FOUNDATIONS: u64 = 16;
 /// A problem whose first window does not carry the force at the hardness.
-const TOO_SMALL_A_WINDOW: u64 = 99;
+const WINDOW_TOO_SMALL: u64 = 99;
 /// A problem whose elements at the hardness must be held and released together: one at a time, they cycled.
-const BY_TURNS: u64 = 814;
+const CYCLED_ONE_BY_ONE: u64 = 814;
 /// Number of waves of a surface.
 const WAVES: usize = 40;
 
@@ -205,7 +205,7 @@ fn assert_each_is_certified(is_periodic: bool, has_hardness: bool) {
     let (tables, beyond) = (all_tables(), AtomicU64::new(0));
     let products = Mutex::new(Vec::new());
     let seeds: Vec<u64> = (0..problems())
-        .chain([TOO_SMALL_A_WINDOW, BY_TURNS])
+        .chain([WINDOW_TOO_SMALL, CYCLED_ONE_BY_ONE])
         .collect();
     let failures: Vec<String> = seeds
         .into_par_iter()

@@ -127,7 +127,7 @@ impl Level {
     }
 
     /// The same grid without the memory of any load; none if the problem cannot be recreated.
-    pub fn twin(&self) -> Option<Self> {
+    pub fn fresh_copy(&self) -> Option<Self> {
         let everywhere = self.whole.problem.everywhere();
         Some(Self {
             grid: self.grid,
@@ -297,7 +297,7 @@ impl Level {
                 if candidates.is_done(&solution, &options) {
                     return Ok((solution, window, effort));
                 }
-                let continues = candidates.learn(problem, judged, &solution.pressure);
+                let continues = candidates.correct(problem, judged, &solution.pressure);
                 dilute = dilute.filter(|_| continues);
                 pressure = solution.pressure;
                 continue;

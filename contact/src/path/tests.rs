@@ -186,8 +186,8 @@ fn an_automatic_domain_that_cuts_a_contact_off_is_enlarged_and_a_given_one_is_no
     let powers = (chosen.grid.side() / 0.3).ln() / ENLARGEMENT.ln();
     assert!((powers - powers.round()).abs() < 1e-9 && (1.0..3.0).contains(&powers.round()));
     assert_eq!(chosen.steps[0].cut_off, None);
-    let roomy = found(Domain::Chosen(0.8));
-    assert_eq!(roomy.grid.side(), 0.8);
+    let large = found(Domain::Chosen(0.8));
+    assert_eq!(large.grid.side(), 0.8);
 }
 
 #[test]

@@ -214,8 +214,9 @@ mod tests {
         let peak = |[i, j]: Place| 9.0 - (i * i + j * j) as f64;
         assert!(vertex(&peak).is_some());
         for neighbour in (-1..=1).flat_map(|i| [-1, 0, 1].map(|j| [i, j])) {
-            let lacks = |place: Place| if place == neighbour { 0.0 } else { peak(place) };
-            assert!(vertex(&lacks).is_none(), "{neighbour:?}");
+            let without_neighbour =
+                |place: Place| if place == neighbour { 0.0 } else { peak(place) };
+            assert!(vertex(&without_neighbour).is_none(), "{neighbour:?}");
         }
     }
 

@@ -220,13 +220,13 @@ impl GradientSolver {
         } = judgement;
         let options = &self.options;
         // A descent with a non-finite residual would only start again.
-        let is_lost = residual.is_infinite() && strategy.phase() == Phase::Descent;
+        let cannot_descend = residual.is_infinite() && strategy.phase() == Phase::Descent;
         if solution.reaches_border() {
             Some(Ending::ReachedBorder)
         } else if is_admissible && residual <= TOLERANCE_MARGIN * options.tolerance {
             Some(Ending::Solved)
         } else {
-            (is_lost || solution.applications() >= options.max_applications)
+            (cannot_descend || solution.applications() >= options.max_applications)
                 .then_some(Ending::GivenUp)
         }
     }

@@ -78,8 +78,8 @@ pub fn solve(
         *solver.options() = wanted;
         let (iterate, displacement) = found?;
         let reached_border = exchange.take(iterate);
-        let is_spent = exchange.total.operator_applications >= wanted.max_applications;
-        if reached_border || is_spent {
+        let is_exhausted = exchange.total.operator_applications >= wanted.max_applications;
+        if reached_border || is_exhausted {
             break exchange.into_iterate(problem.hardness());
         }
         let displacement = exchange.displacement(problem, displacement);

@@ -18,7 +18,7 @@ use crate::{
 pub(in crate::solver) const SIZE: usize = 32;
 
 /// Factors on lengths and moduli.
-const AS_THEY_ARE: [f64; 2] = [1.0; 2];
+const UNSCALED: [f64; 2] = [1.0; 2];
 
 /// `SIZE`² elements of a square of side 1, on a coating of relative stiffness `stiffness` and `thickness` on a body.
 pub(in crate::solver) fn problem(
@@ -26,7 +26,7 @@ pub(in crate::solver) fn problem(
     gap: impl Fn(f64, f64) -> f64,
     eta: impl Fn(f64, f64) -> f64,
 ) -> DiscreteProblem {
-    problem_in(AS_THEY_ARE, coating, gap, eta)
+    problem_in(UNSCALED, coating, gap, eta)
 }
 
 /// The same in other units of length and modulus.
@@ -110,10 +110,10 @@ fn no_threshold_depends_on_the_units() {
     // Powers of two, which change no digit, up to values at which squares of lengths and pressures would still neither
     // under- nor overflow.
     for stiff in [false, true] {
-        let as_they_are = solved(AS_THEY_ARE, stiff);
+        let unscaled = solved(UNSCALED, stiff);
         for exponents in [[-30, 40], [200, -100], [-300, 300]] {
             let units = exponents.map(|exponent| 2_f64.powi(exponent));
-            assert!(solved(units, stiff) == as_they_are, "{exponents:?}");
+            assert!(solved(units, stiff) == unscaled, "{exponents:?}");
         }
     }
 }

@@ -101,7 +101,7 @@ fn few_elements_give_the_solution_of_the_whole_grid_from_an_incomplete_start() {
                 break (iterate, solution);
             }
             assert!(judgements < 3, "{:?}", solution.certificate);
-            assert!(dilute.learn(&problem, &judged, &solution.pressure));
+            assert!(dilute.correct(&problem, &judged, &solution.pressure));
             pressure = solution.pressure;
         };
         assert!(solution.certificate.is_satisfied());
@@ -144,7 +144,7 @@ fn products_among_candidates_are_corrected_from_a_judged_pressure() {
     };
     let solution = Solution::judge_within(&mut problem, trial, pressure, &mut judged);
     assert!(!dilute.is_done(&solution, &options));
-    assert!(dilute.learn(&problem, &judged, &solution.pressure));
+    assert!(dilute.correct(&problem, &judged, &solution.pressure));
     // With their own products the candidates now have the gaps of the whole grid's product.
     let mut displacement = vec![0.0; SIZE * SIZE];
     problem.displace(
@@ -164,7 +164,7 @@ fn products_among_candidates_are_corrected_from_a_judged_pressure() {
     let tip = dilute.candidates.at([60 - above, 70 - left]);
     assert!(tip.is_some() && dilute.candidates.at(needle).is_some());
     dilute.passes = MOST_PASSES;
-    assert!(!dilute.learn(&problem, &judged, &solution.pressure));
+    assert!(!dilute.correct(&problem, &judged, &solution.pressure));
 }
 
 #[test]

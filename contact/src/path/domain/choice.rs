@@ -74,7 +74,7 @@ pub fn choose_side_at(model: &Model, loads: &[Load], hardness: f64) -> Result<f6
             verdict = Some(verdict.map_or(found, |other: SquareVerdict| other.max(found)));
         }
         let verdict = verdict.unwrap_or(SquareVerdict::Fits);
-        if let ControlFlow::Break(side) = search.go_on(verdict) {
+        if let ControlFlow::Break(side) = search.advance(verdict) {
             return Ok(side);
         }
     }
@@ -120,7 +120,7 @@ impl SideSearch {
     }
 
     /// Records the verdict on the current square; breaks with the final side if it is known.
-    fn go_on(&mut self, verdict: SquareVerdict) -> ControlFlow<f64> {
+    fn advance(&mut self, verdict: SquareVerdict) -> ControlFlow<f64> {
         let next = match verdict {
             SquareVerdict::Fits => return ControlFlow::Break(self.side()),
             SquareVerdict::TooSmall(powers) => {
@@ -196,12 +196,12 @@ fn judge(
 /// Whether a grid coarser than that of a trial resolves everything that could touch: it must not miss a pillar or any
 /// part of a map.
 fn is_resolved_by(model: &Model, grid: &Grid) -> bool {
-    let is_relief_seen = match &model.relief {
+    let is_relief_resolved = match &model.relief {
         Relief::Bare | Relief::Film(_) => true,
         Relief::Cylinders(cylinders) => cylinders.radius() >= grid.element_side(),
         Relief::Map(_) | Relief::Custom(_) => false,
     };
-    is_relief_seen
+    is_relief_resolved
         && !matches!(model.indenter, Indenter::Map(_) | Indenter::Custom(_))
         && cut_off::can_touch(model, grid)
 }

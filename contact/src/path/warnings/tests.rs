@@ -171,15 +171,15 @@ fn pillars_and_layers_that_elements_do_not_resolve_are_warned_about() {
     assert!(found(&bare, 4.1).is_empty());
     // Elements of 0.01; the second of two layers is too thin: 1.9e-4.
     let of_layers = |layers: &[(f64, f64)]| {
-        let doubts = found(&on_layers(layers), 5.0);
-        let doubts = doubts.iter().map(|warning| match warning {
+        let found_warnings = found(&on_layers(layers), 5.0);
+        let found_warnings = found_warnings.iter().map(|warning| match warning {
             Warning::LayerUnderResolved {
                 layer,
                 elements_per_thickness,
             } => (*layer, *elements_per_thickness),
             other => panic!("{other:?}"),
         });
-        doubts.collect::<Vec<_>>()
+        found_warnings.collect::<Vec<_>>()
     };
     let thin = of_layers(&[(4.0, 0.1), (10.0, 1.9e-4)]);
     assert_eq!(thin.len(), 1);

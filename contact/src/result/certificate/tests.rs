@@ -126,7 +126,7 @@ fn one_bad_line_is_enough_to_fail() {
     };
     assert!(perfect.is_satisfied());
     for bad in [2e-8, f64::INFINITY, f64::NAN] {
-        let spoilt = [
+        let altered = [
             Certificate {
                 complementarity: bad,
                 ..perfect
@@ -148,7 +148,7 @@ fn one_bad_line_is_enough_to_fail() {
                 ..perfect
             },
         ];
-        for certificate in spoilt {
+        for certificate in altered {
             assert!(!certificate.is_satisfied(), "{certificate:?}");
             assert_eq!(certificate.worst().to_bits(), bad.to_bits());
         }
@@ -287,8 +287,8 @@ fn where_nothing_can_overlap_nothing_is_missed() {
             assert!(!fields.reach.is_whole());
             for (e, initial_gap) in problem.initial_gap().iter().enumerate() {
                 let element = [e / SIZE, e % SIZE];
-                let is_looked_at = fields.reach.place(element).is_some();
-                assert!(is_looked_at || of_whole.gap_of(element, *initial_gap) >= 0.0);
+                let is_in_reach = fields.reach.place(element).is_some();
+                assert!(is_in_reach || of_whole.gap_of(element, *initial_gap) >= 0.0);
             }
         }
     }

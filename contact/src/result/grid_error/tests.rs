@@ -60,9 +60,9 @@ fn a_change_that_vanishes_by_chance_does_not_imply_a_vanishing_error() {
 
 #[test]
 fn changes_of_opposite_sign_do_not_cancel() {
-    let swinging = penetration(&[1.0, 1.4, 1.3]);
+    let oscillating = penetration(&[1.0, 1.4, 1.3]);
     let falling = penetration(&[1.8, 1.4, 1.3]);
-    assert_relative_eq!(swinging.estimate, falling.estimate, max_relative = 1e-12);
+    assert_relative_eq!(oscillating.estimate, falling.estimate, max_relative = 1e-12);
 }
 
 #[test]

@@ -63,11 +63,11 @@ impl SetExchange {
         self.members.iter().for_each(|m| holds[*m] = true);
         trial.infeasible.iter().for_each(|e| holds[*e] = !holds[*e]);
         self.members = (0..system.elements()).filter(|e| holds[*e]).collect();
-        self.keep_one(system);
+        self.keep_at_least_one(system);
     }
 
     /// Adds the element with the smallest gap to an empty set under a prescribed force, which needs at least one.
-    fn keep_one(&mut self, system: &DenseSystem) {
+    fn keep_at_least_one(&mut self, system: &DenseSystem) {
         if self.members.is_empty() && system.total().is_some() {
             let gap = system.initial_gap();
             self.members
@@ -80,7 +80,7 @@ impl SetExchange {
         let Some(mut pressure) = self.descent.take() else {
             let pressure = admissible(system, &trial.pressure);
             self.members = (0..pressure.len()).filter(|e| pressure[*e] > 0.0).collect();
-            self.keep_one(system);
+            self.keep_at_least_one(system);
             self.descent = Some(pressure);
             return;
         };

@@ -127,8 +127,8 @@ impl<'a> OngoingSolution<'a> {
         }
         workspace.set.start(&workspace.state);
         // A zero start presses everywhere; from there the fast steps find the contact sooner.
-        let knows_contact = start.iter().any(|p| *p > 0.0);
-        let begins_with_newton = knows_contact && workspace.preconditioner.is_for_newton();
+        let has_contact = start.iter().any(|p| *p > 0.0);
+        let begins_with_newton = has_contact && workspace.preconditioner.is_for_newton();
         if begins_with_newton {
             // Overlaps outside the start's contact are as uncertain as its pressures.
             workspace.set.keep_pressing(&workspace.state);
@@ -244,7 +244,7 @@ impl<'a> OngoingSolution<'a> {
             conjugate,
             ..
         } = methods;
-        let part = if context.set.stands_still() && self.course == Course::Kept {
+        let part = if context.set.is_unchanged() && self.course == Course::Kept {
             spectral.forget_direction();
             self.course = conjugate.step_within(&mut context);
             match self.course {

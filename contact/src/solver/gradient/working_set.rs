@@ -165,7 +165,7 @@ impl WorkingSet {
     }
 
     /// Whether the last revision changed nothing.
-    pub fn stands_still(&self) -> bool {
+    pub fn is_unchanged(&self) -> bool {
         self.changed == 0
     }
 
@@ -226,13 +226,13 @@ mod tests {
         state.pressure[..3].fill(0.0);
         state.pressure[7..9].fill(1.0);
         set.keep_pressing(&state);
-        assert!(!set.stands_still() && set.revision() != revision);
+        assert!(!set.is_unchanged() && set.revision() != revision);
         assert_eq!((set.len(), set.take_moves(), set.take_moves()), (6, 5, 0));
         assert!((0..SIZE * SIZE).all(|e| set.mask()[e] == (3..9).contains(&e)));
         // Nothing changes.
         let revision = set.revision();
         set.keep_pressing(&state);
-        assert!(set.stands_still() && set.revision() == revision && set.take_moves() == 0);
+        assert!(set.is_unchanged() && set.revision() == revision && set.take_moves() == 0);
         let mut field = vec![2.0; SIZE * SIZE];
         set.scale_within(&mut field, 3.0);
         assert!((0..SIZE * SIZE).all(|e| field[e] == if set.mask()[e] { 6.0 } else { 0.0 }));

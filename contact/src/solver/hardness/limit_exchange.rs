@@ -118,10 +118,10 @@ impl LimitExchange {
 
     /// The options for the problem of the free elements.
     pub fn options(&self, wanted: SolverOptions) -> SolverOptions {
-        let spent = self.total.operator_applications;
+        let used = self.total.operator_applications;
         SolverOptions {
             tolerance: self.accuracy,
-            max_applications: wanted.max_applications.saturating_sub(spent),
+            max_applications: wanted.max_applications.saturating_sub(used),
             contact_stiffness: wanted.contact_stiffness && self.accuracy <= wanted.tolerance,
             ..wanted
         }

@@ -31,14 +31,17 @@ fn a_search_ends_with_the_smallest_square_that_holds_the_contact() {
                 } else {
                     SquareVerdict::TooLarge(-stride)
                 };
-                if let ControlFlow::Break(side) = search.go_on(verdict) {
+                if let ControlFlow::Break(side) = search.advance(verdict) {
                     break side;
                 }
             };
             assert_eq!(side, 2.0 * FACTOR.powi(needed));
         }
     }
-    assert_eq!(search().go_on(SquareVerdict::Fits), ControlFlow::Break(2.0));
+    assert_eq!(
+        search().advance(SquareVerdict::Fits),
+        ControlFlow::Break(2.0)
+    );
 }
 
 #[test]

@@ -83,7 +83,7 @@ impl EdgeBand {
     /// Sets up the band around a set.
     pub fn surround(&mut self, set: &WorkingSet) {
         self.direction.fill(0.0);
-        self.lay_direction();
+        self.spread_direction();
         let layout = self.layout;
         let [_, size] = layout.lengths;
         let rows = layout.lines(0).into_par_iter();
@@ -157,7 +157,7 @@ impl EdgeBand {
 
     /// Writes `F_EE d` into the image.
     fn multiply(&mut self) {
-        self.lay_direction();
+        self.spread_direction();
         let (spread, coefficients) = (&self.spread, &self.coefficients);
         let width = self.layout.width();
         update(&mut self.image, &self.places, |y, place| {
@@ -166,7 +166,7 @@ impl EdgeBand {
     }
 
     /// Copies the direction into the field to which the stencil is applied.
-    fn lay_direction(&mut self) {
+    fn spread_direction(&mut self) {
         for (place, d) in self.places.iter().zip(&self.direction) {
             self.spread[*place] = *d;
         }

@@ -88,7 +88,7 @@ impl Secants {
         self.pairs.drain(..self.pairs.len().saturating_sub(most));
         let reach = (MOST_COEFFICIENTS / leaving.len().max(1)).isqrt() / 2;
         for place in leaving {
-            self.take_away(place, &column(self.elements[place] as usize, reach));
+            self.subtract_column(place, &column(self.elements[place] as usize, reach));
         }
         let cut = (self.pairs.drain(..)).filter_map(|pair| pair.cut(&elements, &places));
         self.pairs = cut.collect();
@@ -97,7 +97,7 @@ impl Secants {
     }
 
     /// Subtracts from the images the contribution of the steps on the element at a place, by its column of `K`.
-    fn take_away(&mut self, place: usize, column: &[(usize, f64)]) {
+    fn subtract_column(&mut self, place: usize, column: &[(usize, f64)]) {
         self.pairs.par_iter_mut().for_each(|pair| {
             let step = f64::from(pair.step[place]);
             for (element, k) in column {

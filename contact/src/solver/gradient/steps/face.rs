@@ -90,15 +90,15 @@ impl FaceDescent {
         let is_settled = self.steps > 1 && (missing <= SETTLED * first || self.steps > MOST_STEPS);
         let moves = !is_settled && self.conjugate.step_freely(context);
         if !moves {
-            self.leave(context);
+            self.leave_face(context);
         }
     }
 
     /// Goes from the solution on the face, or its approximation, to the next face.
-    fn leave(&mut self, context: &mut Context<'_>) {
+    fn leave_face(&mut self, context: &mut Context<'_>) {
         let ends = self.ends(&context.state.pressure);
         if ends.first().is_some_and(|first| *first > 0.0) {
-            self.come_down(context, &ends);
+            self.cut_segment(context, &ends);
         }
         let Context { state, set, .. } = context;
         match ends.first() {
@@ -126,7 +126,7 @@ impl FaceDescent {
 
     /// Advances until some of the pulling elements have no pressure, as many as recently lowered the energy more than
     /// stopping at the first. If that fails, it stops at the first. One product or none.
-    fn come_down(&mut self, context: &mut Context<'_>, ends: &[f64]) {
+    fn cut_segment(&mut self, context: &mut Context<'_>, ends: &[f64]) {
         let Context {
             problem,
             state,

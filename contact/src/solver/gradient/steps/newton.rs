@@ -79,8 +79,8 @@ impl Newton {
         let Context { state, set, .. } = context;
         let predicted = set.predict_wrong_side(state, self.conjugate.missing(), SLACK * tolerance);
         let are_many = predicted.wrong as f64 > (FEW * set.len() as f64).max(2.0);
-        let stay = predicted.changed as f64 <= UNSETTLED * predicted.wrong as f64;
-        let are_clear = stay && (are_many || missing <= SETTLED * first);
+        let are_steady = predicted.changed as f64 <= UNSETTLED * predicted.wrong as f64;
+        let are_clear = are_steady && (are_many || missing <= SETTLED * first);
         let is_solved = missing <= SOLVED * first;
         if predicted.wrong > 0 && (are_clear || is_solved) {
             return self.exchange(context);
