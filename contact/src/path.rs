@@ -348,9 +348,9 @@ impl Queue<'_, '_> {
                 break;
             };
             let mut watch = Watch {
-                observer: &mut InTurn(self),
+                observer: &mut SharedObserver(self),
                 step: index,
-                // Filled in by `InTurn`.
+                // Filled in by `SharedObserver`.
                 finished: 0,
                 steps: self.loads.len(),
             };
@@ -368,9 +368,9 @@ impl Queue<'_, '_> {
 
 /// The path's observer for one of several lanes: forwards one report at a time, with the number of loads that all lanes
 /// have finished.
-struct InTurn<'a, 'b, 'c>(&'a Queue<'b, 'c>);
+struct SharedObserver<'a, 'b, 'c>(&'a Queue<'b, 'c>);
 
-impl Observer for InTurn<'_, '_, '_> {
+impl Observer for SharedObserver<'_, '_, '_> {
     fn progress(&mut self, progress: &Progress) -> Signal {
         let queue = self.0;
         let mut observer = (queue.observer.lock()).unwrap_or_else(PoisonError::into_inner);

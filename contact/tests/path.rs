@@ -161,7 +161,7 @@ fn the_grid_error_of_a_smooth_contact_covers_the_true_error() {
 }
 
 #[test]
-fn the_active_set_solves_a_path_and_refuses_a_grid_too_large_for_it() {
+fn the_active_set_solves_a_path_and_refuses_too_large_a_grid() {
     let options = SolverOptions {
         method: Method::ActiveSet,
         ..SolverOptions::default()

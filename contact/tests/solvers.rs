@@ -124,7 +124,7 @@ fn penetration_control_recovers_the_original_force() {
 }
 
 #[test]
-fn the_active_set_takes_back_elements_that_a_bad_start_left_out() {
+fn the_active_set_recovers_elements_that_a_bad_start_left_out() {
     let mut problem = problem(24, 10.0, paraboloid, |_, _| 0.0);
     let load = Load::Force(2e-3);
     let start = cold(&problem);
@@ -200,7 +200,7 @@ fn contact_that_fills_the_grid_is_solved() {
 }
 
 #[test]
-fn a_pressure_disturbed_by_a_millionth_fails_its_certificate() {
+fn a_pressure_perturbed_by_a_millionth_fails_its_certificate() {
     let mut problem = problem(24, 10.0, paraboloid, |_, _| 0.0);
     let load = Load::Force(2e-3);
     let start = cold(&problem);

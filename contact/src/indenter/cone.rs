@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn an_angle_given_in_degrees_is_shown_in_both_units() {
+    fn an_invalid_angle_is_shown_in_radians_and_degrees() {
         let message = Cone::new(2.0, 0.0).unwrap_err().to_string();
         assert_eq!(
             message,

@@ -60,13 +60,13 @@ pub(crate) struct Surroundings<'a> {
 /// The frame between a square and one of twice its side.
 struct SquareFrame {
     /// A check of the indenter alone, if it rises from its axis: no gap is smaller than its height.
-    outlook: Option<Outlook>,
+    coarse_check: Option<CoarseCheck>,
     /// Made on first use.
     blocks: Option<Blocks>,
 }
 
 /// A coarse check of a frame.
-struct Outlook {
+struct CoarseCheck {
     /// The indenter's smallest height on the inner edge, m.
     lowest: f64,
     /// Made on first use.
@@ -155,15 +155,15 @@ impl SquareFrame {
     fn of(model: &Model, side: f64) -> Self {
         let rises = !matches!(model.indenter, Indenter::Map(_) | Indenter::Custom(_));
         Self {
-            outlook: rises.then(|| Outlook::of(model, side)),
+            coarse_check: rises.then(|| CoarseCheck::of(model, side)),
             blocks: None,
         }
     }
 
     /// Whether anything overlaps within the frame.
     fn overlaps(&mut self, model: &Model, side: f64, grid: &Grid, solution: &Solution) -> bool {
-        if let Some(outlook) = &mut self.outlook
-            && outlook.is_clear(model, side, grid, solution)
+        if let Some(coarse_check) = &mut self.coarse_check
+            && coarse_check.is_clear(model, side, grid, solution)
         {
             return false;
         }
@@ -177,8 +177,8 @@ impl SquareFrame {
     /// Whether the indenter is higher than the penetration everywhere beyond this frame: every shape rises from its
     /// axis except a map, which ends somewhere.
     fn is_the_last(&self, model: &Model, penetration: f64) -> bool {
-        match (&self.outlook, &self.blocks) {
-            (Some(outlook), _) => outlook.lowest >= penetration,
+        match (&self.coarse_check, &self.blocks) {
+            (Some(coarse_check), _) => coarse_check.lowest >= penetration,
             (None, Some(blocks)) if matches!(model.indenter, Indenter::Map(_)) => {
                 blocks.lowest.is_infinite()
             }
@@ -188,7 +188,7 @@ impl SquareFrame {
     }
 }
 
-impl Outlook {
+impl CoarseCheck {
     fn of(model: &Model, side: f64) -> Self {
         let edge = |k: usize| (k as f64 / BLOCKS as f64 - 0.5) * side;
         let half = 0.5 * side;

@@ -122,7 +122,7 @@ impl ElasticSolver for GradientSolver {
                 break ending;
             }
             if solution.linearise(&judgement, strategy.phase()) {
-                strategy.begin_anew();
+                strategy.restart();
             }
             let residual = judgement.linear;
             if !residual.is_finite() {

@@ -107,7 +107,7 @@ fn far_beyond_the_limit_the_contact_area_is_force_over_hardness() {
 }
 
 #[test]
-fn numbers_converge_with_the_grid() {
+fn results_converge_with_the_grid() {
     let steps = [32, 64, 128, 256].map(|elements| step(0.6, elements));
     let changes = |number: fn(&Step) -> f64| {
         let values = steps.each_ref().map(number);

@@ -127,7 +127,7 @@ fn planes_that_show_a_part_of_the_loaded_square_hold_the_states_at_their_centres
 }
 
 #[test]
-fn tractions_of_an_interface_are_the_largest_on_its_plane() {
+fn extreme_tractions_of_an_interface_are_the_largest_on_its_plane() {
     let thickness = 0.05;
     let (path, stress, found) = coating_under_a_ball(thickness);
     let mut planes = StressField::new(&path, 0, stress.sliding)

@@ -131,7 +131,7 @@ fn a_rim_extends_as_far_as_the_grid() {
 }
 
 #[test]
-fn on_a_finer_grid_a_window_reaches_as_far_as_interpolation_does() {
+fn on_a_finer_grid_a_window_extends_as_far_as_interpolation() {
     let belongs = |[i, j]: [usize; 2]| (4..7).contains(&i) && j == 9;
     for finer in [20, 33, 40] {
         let reach = Window::whole(20).on_finer(belongs, finer).unwrap();

@@ -145,7 +145,7 @@ fn the_reference_length_of_a_cell_includes_the_displacement_by_its_mean_pressure
 }
 
 #[test]
-fn a_problem_with_another_gap_is_another_problem() {
+fn replacing_the_gap_also_updates_the_roughness() {
     let flat = vec![0.0; 16];
     let board: Vec<f64> = (0..16).map(|e| f64::from((e / 4 + e % 4) % 2)).collect();
     let mut problem = on_half_space(false, &flat);

@@ -220,7 +220,7 @@ fn pressed_layer(grid: SectorGrid, poisson_ratio: f64) -> DiscreteProblem {
 
 /// The part of the grid around the contact has the certificate of the whole grid, and the rest does not overlap.
 #[test]
-fn where_nothing_can_overlap_nothing_is_missed() {
+fn no_overlap_is_missed_outside_the_judged_window() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
         for poisson_ratio in [0.3, 0.5] {
             let mut problem = pressed_layer(SectorGrid::new(sector, SIZE), poisson_ratio);

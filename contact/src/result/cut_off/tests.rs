@@ -67,9 +67,9 @@ fn the_surface_farther_away_is_displaced_as_by_the_total_force() {
         indenter: Paraboloid::new(1.0).unwrap().into(),
         cache: Cache::none(),
     };
-    let outlook = Outlook::of(&model, 1.0);
+    let coarse_check = CoarseCheck::of(&model, 1.0);
     // f = ρ²/2R, least in the middle of an edge
-    assert!((outlook.lowest - 0.125).abs() < 1e-15);
+    assert!((coarse_check.lowest - 0.125).abs() < 1e-15);
     let blocks = Blocks::of(&model, &Relief::Bare, Around::new(1.0, FEW_BLOCKS));
     let nearest = 0.53125_f64.hypot(0.03125);
     assert!((blocks.smallest_gap - nearest * nearest / 2.0).abs() < 1e-15);
@@ -168,12 +168,12 @@ fn every_surrounding_square_has_twice_the_side_of_the_previous_one() {
 fn the_coarse_check_is_conclusive_if_the_gap_exceeds_the_penetration_by_a_tenth() {
     let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
     let grid = Grid::new(1.0, 32).unwrap();
-    let mut outlook = Outlook::of(&ball, 1.0);
+    let mut coarse_check = CoarseCheck::of(&ball, 1.0);
     let mut is_clear = |penetration: f64, force: f64| {
         let mut pressure = vec![0.0; 1024];
         pressure[15 * 32 + 15] = force * 1024.0;
         let solution = solution(penetration, force, pressure);
-        outlook.is_clear(&ball, 1.0, &grid, &solution)
+        coarse_check.is_clear(&ball, 1.0, &grid, &solution)
     };
     // Up to the height at the edge, 0.125, that alone suffices. Beyond it, the gap at the nearest blocks, 0.1416, plus
     // their displacement by a force, Q/(π E* r) or 0.036 here, must be more than 1.1 times the penetration.

@@ -64,7 +64,7 @@ impl Strategy {
     }
 
     /// Continues in the same phase with another problem.
-    pub fn begin_anew(&mut self) {
+    pub fn restart(&mut self) {
         self.enter(self.phase);
     }
 

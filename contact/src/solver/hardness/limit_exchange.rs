@@ -13,7 +13,7 @@ const COARSEST: f64 = 1e-2;
 /// Residual of the next problem, as a fraction of the last exchange's error.
 const REFINEMENT: f64 = 0.03;
 /// The next residual, as a fraction of the last, if a problem of the descent leaves no element on the wrong side.
-const CLOSER_IN_DESCENT: f64 = 0.1;
+const ACCURACY_IN_DESCENT: f64 = 0.1;
 /// Gap of a held element that is ignored, as a fraction of the residual of the solution.
 const SLACK: f64 = 0.5;
 /// Exchanges without halving the error after which the descent begins.
@@ -191,7 +191,7 @@ impl LimitExchange {
         if wrong.above.is_empty() && wrong.open.is_empty() {
             let is_done = self.accuracy <= tolerance;
             self.accuracy = if self.descent.is_some() {
-                tolerance.max(CLOSER_IN_DESCENT * self.accuracy)
+                tolerance.max(ACCURACY_IN_DESCENT * self.accuracy)
             } else {
                 tolerance
             };

@@ -29,7 +29,7 @@ fn pillars_on_a_soft_coating_take_few_products() {
 }
 
 #[test]
-fn a_film_makes_a_stiff_coating_easy() {
+fn a_stiff_coating_under_a_film_takes_few_products() {
     let film = problem([10.0, 0.02], paraboloid, |_, _| 0.3);
     assert_work(film, Load::Force(2e-3), [14, 2]);
 }

@@ -45,7 +45,7 @@ fn a_search_ends_with_the_smallest_square_that_holds_the_contact() {
 }
 
 #[test]
-fn a_small_contact_is_brought_to_its_usual_extent() {
+fn the_square_of_a_small_contact_shrinks_to_its_usual_extent() {
     for extent in 1..SMALLEST_EXTENT {
         let SquareVerdict::TooLarge(powers) = shrunk_to_fit(extent) else {
             panic!("too large")
