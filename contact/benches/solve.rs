@@ -134,15 +134,15 @@ fn measure(criterion: &mut Criterion, group: &str, scene: &Scene, elements: usiz
     group
         .sample_size(10)
         .warm_up_time(Duration::from_millis(100));
-    let mut is_told = false;
+    let mut is_reported = false;
     for threads in [1, 2] {
         let id = BenchmarkId::new(format!("{}, {threads} threads", scene.name), elements);
         let pool = pool(threads);
         group.bench_function(id, |bencher| {
             pool.install(|| {
-                if !is_told {
-                    tell(scene, &scene.solve(elements));
-                    is_told = true;
+                if !is_reported {
+                    report(scene, &scene.solve(elements));
+                    is_reported = true;
                 }
                 bencher.iter(|| scene.solve(elements));
             });
@@ -157,7 +157,7 @@ fn pool(threads: usize) -> ThreadPool {
 }
 
 /// Prints products with K and the certificate's worst line, which do not depend on the number of threads.
-fn tell(scene: &Scene, path: &LoadingPath) {
+fn report(scene: &Scene, path: &LoadingPath) {
     for step in &path.steps {
         eprintln!(
             "{} at N = {}: {} products, certificate {:.1e}",

@@ -36,8 +36,8 @@ pub enum ContactError {
     },
     /// A force larger than all elements that can touch can carry at the hardness.
     #[error(
-        "found a force of {force:.6e}, which a hardness of {hardness:e} does not carry on the {area:.6e} of surface that can touch, \
-         wanted at most {most:.6e}, or a larger domain where the indenter goes on"
+        "found a force of {force:.6e}, which a hardness of {hardness:e} cannot carry on the area of {area:.6e} that can touch, \
+         wanted at most {most:.6e}, or a larger domain if the indenter extends beyond this one"
     )]
     BeyondHardness {
         /// The force, in N.
@@ -50,14 +50,16 @@ pub enum ContactError {
         most: f64,
     },
     /// A quantity that is not computed for contact with a hardness.
-    #[error("found a hardness with {what}, which need elastic contact, wanted no hardness")]
+    #[error(
+        "found a hardness together with {what}, which require elastic contact, wanted no hardness"
+    )]
     WithHardness {
         /// The quantity asked for.
         what: &'static str,
     },
     /// A quantity that a periodic cell does not have, or that is not computed for one.
     #[error(
-        "found {what} with a periodic cell, wanted a force, and neither stresses nor derivatives"
+        "found {what} in a periodic cell, wanted a prescribed force, without stresses or derivatives"
     )]
     Periodic {
         /// The quantity asked for.
@@ -128,8 +130,8 @@ pub enum ContactError {
     },
     /// The elements are so large that none has its centre under the indenter.
     #[error(
-        "found a domain of side {side:.3e}, far too large for a contact of radius {radius:.2e} or so, so that no element, \
-         {element_side:.3e} wide, has its centre under the indenter, wanted a side near {wanted:.2e}, or an automatic one"
+        "found a domain of side {side:.3e}, far too large for a contact of radius about {radius:.2e}, so that no element \
+         ({element_side:.3e} wide) has its centre under the indenter, wanted a side near {wanted:.2e}, or an automatic one"
     )]
     ElementsTooLarge {
         /// Side of the domain found, in m.
@@ -155,7 +157,9 @@ pub enum ContactError {
     #[error(transparent)]
     Texture(#[from] TextureError),
     /// A solution that misses its tolerance where a certified one is required.
-    #[error("found a certificate of {worst:.1e} under a force of {force:e}, wanted a solution")]
+    #[error(
+        "found a certificate of {worst:.1e} under a force of {force:e}, wanted a certified solution"
+    )]
     NotCertified {
         /// The force, in N.
         force: f64,

@@ -200,7 +200,7 @@ fn solve_on_domains(
         warnings::check_elements(model, side, elements, loads)?;
         let grid = Grid::new(side, elements)?;
         if let Err(refused) = capacity::check(model, &grid, loads, options.hardness) {
-            if enlargements == 0 || !capacity::goes_on(model, &grid) {
+            if enlargements == 0 || !capacity::extends_beyond(model, &grid) {
                 return Err(refused);
             }
             enlargements -= 1;
@@ -261,7 +261,7 @@ impl PathRun<'_> {
             observer: Mutex::new(observer),
         };
         let lanes = self.lanes.par_iter_mut();
-        let outcomes: Vec<Vec<_>> = lanes.map(|lane| queue.work_off(lane)).collect();
+        let outcomes: Vec<Vec<_>> = lanes.map(|lane| queue.solve_remaining(lane)).collect();
         let on_coefficients = self.coefficients_seconds() - spent_before;
         self.solve_seconds = clock.elapsed().as_secs_f64() - on_coefficients;
         self.interrupted = queue.is_cancelled.into_inner();
@@ -301,7 +301,7 @@ impl PathRun<'_> {
         let mut surroundings = Surroundings::of(model, grid);
         if domain.boundary() == Boundary::Free {
             for step in &mut self.steps {
-                step.cut_off = surroundings.what_cuts_off(&step.solution);
+                step.cut_off = surroundings.limit_reached(&step.solution);
             }
         }
         let warnings = warnings::warnings(model, &grid, domain, loads, &self.steps);
@@ -337,7 +337,10 @@ struct Queue<'a, 'b> {
 
 impl Queue<'_, '_> {
     /// Solves loads until none is left; returns the results with the index of the load.
-    fn work_off(&self, lane: &mut Hierarchy<'_>) -> Vec<(usize, Result<Step, ContactError>)> {
+    fn solve_remaining(
+        &self,
+        lane: &mut Hierarchy<'_>,
+    ) -> Vec<(usize, Result<Step, ContactError>)> {
         let mut outcomes = Vec::new();
         while !self.is_over.load(Ordering::Relaxed) {
             let index = self.taken.fetch_add(1, Ordering::Relaxed);
@@ -345,9 +348,9 @@ impl Queue<'_, '_> {
                 break;
             };
             let mut watch = Watch {
-                observer: &mut InTurn(self),
+                observer: &mut SharedObserver(self),
                 step: index,
-                // Filled in by `InTurn`.
+                // Filled in by `SharedObserver`.
                 finished: 0,
                 steps: self.loads.len(),
             };
@@ -365,9 +368,9 @@ impl Queue<'_, '_> {
 
 /// The path's observer for one of several lanes: forwards one report at a time, with the number of loads that all lanes
 /// have finished.
-struct InTurn<'a, 'b, 'c>(&'a Queue<'b, 'c>);
+struct SharedObserver<'a, 'b, 'c>(&'a Queue<'b, 'c>);
 
-impl Observer for InTurn<'_, '_, '_> {
+impl Observer for SharedObserver<'_, '_, '_> {
     fn progress(&mut self, progress: &Progress) -> Signal {
         let queue = self.0;
         let mut observer = (queue.observer.lock()).unwrap_or_else(PoisonError::into_inner);

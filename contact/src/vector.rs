@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn the_parts_are_the_whole_in_order() {
+    fn parts_in_order_make_up_the_whole() {
         for length in LENGTHS {
             let parts = by_parts(length, |part| part);
             let all: Vec<usize> = parts.iter().cloned().flatten().collect();
@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn sums_are_those_of_all_elements() {
+    fn sums_include_all_elements() {
         for length in LENGTHS {
             let (a, b) = (field(length, 0.3), field(length, 0.7));
             let plain: f64 = a.iter().sum();
@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn the_smallest_is_that_of_all_elements_and_nan_where_there_is_one() {
+    fn the_minimum_is_over_all_elements_and_nan_if_any_is_nan() {
         assert_eq!(smallest(&[]), f64::INFINITY);
         for length in LENGTHS.into_iter().filter(|length| *length > 0) {
             for place in [0, length / 2, length - 1] {
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn rules_apply_to_every_element_of_the_same_place() {
+    fn updates_pair_elements_with_the_same_index() {
         for length in LENGTHS {
             let (a, b) = (field(length, 0.3), field(length, 0.7));
             let mut c = a.clone();

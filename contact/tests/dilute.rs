@@ -112,7 +112,7 @@ fn largest(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 #[test]
-fn the_answer_is_that_of_the_whole_grid_and_takes_few_of_its_products() {
+fn the_solution_is_that_of_the_whole_grid_with_few_of_its_products() {
     for foundation in [half_space(), coated()] {
         for load in [Load::Force(4e-4), Load::Penetration(8e-3)] {
             let path = on_rough(&foundation, load);
@@ -166,7 +166,7 @@ impl Profile for TipsAndNeedle {
 }
 
 #[test]
-fn a_summit_that_no_candidate_is_near_is_found_and_taken_in() {
+fn a_summit_with_no_candidate_nearby_is_found_and_included() {
     let indenter = Indenter::custom(TipsAndNeedle);
     let load = Load::Penetration(1e-3);
     let path = solve(&model(&half_space(), Relief::Bare, indenter), load);

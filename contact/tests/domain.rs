@@ -84,7 +84,7 @@ fn a_ball_on_a_domain_smaller_than_its_contact_is_cut_off() {
 }
 
 #[test]
-fn what_ends_inside_the_domain_or_just_before_its_edge_is_whole() {
+fn a_contact_that_ends_at_or_just_before_the_edge_is_not_cut_off() {
     let punch = model(1.0, Relief::Bare, FlatPunch::new(0.1).unwrap());
     // the outermost elements carry pressure, and behind them there is no punch
     let path = solve(&punch, Domain::Side(0.2), 32, Load::Penetration(1e-3));
@@ -175,7 +175,7 @@ fn the_domain_does_not_depend_on_the_grid() {
 }
 
 #[test]
-fn a_first_guess_that_is_far_off_is_mended_either_way() {
+fn a_first_guess_far_too_small_or_too_large_is_corrected() {
     // Springs of a map so soft that they spread the contact to ten times that on the bare body; a tip at the corner of
     // a map.
     let soft = ReliefMap::new(rough(1e-3, 40.0), MapCompliance::Uniform(1e4)).unwrap();
@@ -211,7 +211,7 @@ fn the_domain_is_the_same_in_any_unit() {
 }
 
 #[test]
-fn what_is_prescribed_comes_back_to_the_bit() {
+fn prescribed_values_are_returned_bit_for_bit() {
     let model = model(1.0, Relief::Bare, paraboloid(1.0));
     for value in [1e-3, 0.7e-3, 1.1e-3] {
         let forced = solve(&model, Domain::Automatic, 32, Load::Force(value));
@@ -223,7 +223,7 @@ fn what_is_prescribed_comes_back_to_the_bit() {
 }
 
 #[test]
-fn a_domain_far_larger_than_the_contact_is_told_as_that() {
+fn a_domain_far_larger_than_the_contact_is_reported_as_such() {
     // 1 mm, 100 mm
     let ball = Indenter::from(Sphere::new(1e-3).unwrap());
     let ball = model(200e9, Relief::Bare, ball);
@@ -245,7 +245,7 @@ fn a_domain_far_larger_than_the_contact_is_told_as_that() {
 }
 
 #[test]
-fn a_domain_that_cannot_be_chosen_says_what_to_do() {
+fn the_error_for_a_domain_that_cannot_be_chosen_asks_for_its_side() {
     let error = ContactError::DomainTooSmall {
         side: 1e-5,
         trials: 100,

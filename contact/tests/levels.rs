@@ -61,8 +61,8 @@ fn solve(model: &Model, side: f64, elements: usize, loads: &[Load]) -> (LoadingP
 fn coarse_grids_are_solved_to_a_millionth_and_the_finest_to_the_tolerance() {
     let (path, log) = solve(&model(1.0), 0.4, 128, &[Load::Force(2e-3)]);
     for (elements, tolerance) in [(16, 1e-6), (32, 1e-6), (64, 1e-6), (128, 1e-8)] {
-        let told = log.0.iter().filter(|told| told.0 == elements);
-        let residuals: Vec<f64> = told.map(|told| told.1).collect();
+        let reports = log.0.iter().filter(|report| report.0 == elements);
+        let residuals: Vec<f64> = reports.map(|report| report.1).collect();
         let (last, before) = residuals.split_last().unwrap();
         // Steps end at 0.8 of the tolerance; none begins below it.
         assert!(*last <= tolerance, "{elements}: {last:e}");
@@ -75,7 +75,7 @@ fn coarse_grids_are_solved_to_a_millionth_and_the_finest_to_the_tolerance() {
 }
 
 #[test]
-fn the_work_of_a_step_is_that_of_its_grids() {
+fn the_work_of_a_step_is_that_of_its_finest_grid_and_is_listed_for_all() {
     let loads = [Load::Force(2e-3), Load::Force(2.2e-3)];
     let (path, _) = solve(&model(10.0), 0.4, 128, &loads);
     for step in &path.steps {
@@ -120,7 +120,7 @@ fn the_work_of_a_step_is_that_of_its_grids() {
 }
 
 #[test]
-fn each_iteration_is_one_product_beside_those_of_the_start_and_the_certificate() {
+fn each_iteration_takes_one_product_besides_those_of_the_start_and_the_certificate() {
     let (path, _) = solve(&model(1.0), 0.4, 128, &[Load::Force(2e-3)]);
     for level in &path.steps[0].work.levels {
         assert_eq!(level.operator_applications, level.iterations + 2);
@@ -128,7 +128,7 @@ fn each_iteration_is_one_product_beside_those_of_the_start_and_the_certificate()
 }
 
 #[test]
-fn a_certificate_is_that_of_the_whole_grid() {
+fn a_certificate_covers_the_whole_grid() {
     let (model, side, load) = (model(10.0), 0.8, Load::Force(2e-3));
     let (path, _) = solve(&model, side, 96, &[load]);
     let found = &path.steps[0].solution;
@@ -206,7 +206,7 @@ fn a_penetration_takes_hardly_more_products_than_its_force() {
 }
 
 #[test]
-fn a_small_contact_on_a_large_domain_is_that_on_a_small_one() {
+fn a_small_contact_is_the_same_on_a_large_domain_as_on_a_small_one() {
     let model = model(1.0);
     let loads = [Load::Force(2e-4), Load::Force(1e-3)];
     let (small, _) = solve(&model, 0.3, 48, &loads);

@@ -109,7 +109,7 @@ fn compare(model: &Model, elements: usize, load: Load) {
 }
 
 #[test]
-fn a_quadrant_solves_what_the_whole_grid_does() {
+fn a_quadrant_gives_the_solution_of_the_whole_grid() {
     let pillars = || cylinders(Lattice::Square, [0.0, 0.0]);
     let film = Relief::Film(Film::new(1e-3, 0.1).unwrap());
     let punch: Indenter = FlatPunch::new(0.1).unwrap().into();
@@ -133,7 +133,7 @@ fn a_quadrant_solves_what_the_whole_grid_does() {
 }
 
 #[test]
-fn a_quadrant_of_an_odd_number_of_elements_does_too() {
+fn so_does_a_quadrant_of_an_odd_number_of_elements() {
     let pillars = cylinders(Lattice::Square, [0.025, 0.025]);
     for elements in [6, 34, 50, 90] {
         compare(
@@ -145,7 +145,7 @@ fn a_quadrant_of_an_odd_number_of_elements_does_too() {
 }
 
 #[test]
-fn under_a_stiff_coating_the_sparse_factor_and_newton_do_too() {
+fn so_do_the_sparse_factor_and_newton_under_a_stiff_coating() {
     for modulus in [100.0, 1000.0] {
         for relief in [Relief::Bare, cylinders(Lattice::Square, [0.0, 0.0])] {
             compare(&model(modulus, relief, paraboloid()), 64, Load::Force(1e-2));
@@ -179,7 +179,7 @@ impl Observer for Watcher {
 }
 
 #[test]
-fn progress_is_told_of_the_whole_grid() {
+fn progress_is_reported_for_the_whole_grid() {
     let model = model(1.0, Relief::Bare, paraboloid());
     let mut watcher = Watcher::default();
     let (domain, loads) = (Domain::Side(SIDE), [Load::Force(1e-3)]);
@@ -194,7 +194,7 @@ fn progress_is_told_of_the_whole_grid() {
 }
 
 #[test]
-fn a_half_solves_what_the_whole_grid_does() {
+fn a_half_gives_the_solution_of_the_whole_grid() {
     let film = Relief::Film(Film::new(1e-3, 0.1).unwrap());
     let pillars = || cylinders(Lattice::Square, [0.0, 0.0]);
     let berkovich = || Pyramid::berkovich(0.01).unwrap();
@@ -231,7 +231,7 @@ fn so_does_a_half_under_stiff_coatings_and_of_contacts_from_one_element_to_all()
 }
 
 #[test]
-fn what_is_not_its_own_image_is_solved_as_a_whole() {
+fn an_asymmetric_problem_is_solved_on_the_whole_grid() {
     let berkovich: Indenter = Pyramid::berkovich(0.01).unwrap().into();
     let aside = || cylinders(Lattice::Square, [0.01, 0.0]);
     for model in [

@@ -114,7 +114,7 @@ fn solve(solver: &mut dyn Solver, problem: &mut DiscreteProblem) -> Solution {
 }
 
 #[test]
-fn on_a_homogeneous_body_it_ends_where_the_others_do() {
+fn on_a_homogeneous_body_it_agrees_with_the_other_solvers() {
     let mut problem = problem(1.0, paraboloid);
     let own = solve(&mut DropOnly, &mut problem);
     assert!(own.certificate.is_satisfied(), "{:?}", own.certificate);
@@ -129,7 +129,7 @@ fn on_a_homogeneous_body_it_ends_where_the_others_do() {
 }
 
 #[test]
-fn under_a_stiff_coating_it_ends_with_an_overlap_and_the_certificate_says_so() {
+fn under_a_stiff_coating_it_ends_with_an_overlap_and_the_certificate_shows_it() {
     let mut problem = problem(30.0, waved);
     let own = solve(&mut DropOnly, &mut problem);
     assert!(!own.certificate.is_satisfied());
@@ -139,7 +139,7 @@ fn under_a_stiff_coating_it_ends_with_an_overlap_and_the_certificate_says_so() {
 }
 
 #[test]
-fn a_solver_that_is_given_another_problem_forgets_the_one_before() {
+fn a_solver_given_another_problem_discards_the_previous_one() {
     let mut solver = GradientSolver::default();
     for coating in [30.0, 1.0, 30.0] {
         let kept = solve(&mut solver, &mut problem(coating, waved));

@@ -97,7 +97,7 @@ fn a_given_domain_that_is_too_small_is_kept_and_its_result_cut_off() {
 }
 
 #[test]
-fn penetrations_without_contact_are_legal_and_have_no_force() {
+fn penetrations_without_contact_are_valid_and_have_no_force() {
     let loads = [-0.1, 0.0, 0.01].map(Load::Penetration);
     let path = solve(&model(Relief::Bare), Domain::Automatic, 48, &loads);
     assert!(
@@ -161,7 +161,7 @@ fn the_grid_error_of_a_smooth_contact_covers_the_true_error() {
 }
 
 #[test]
-fn the_active_set_solves_a_path_and_refuses_a_grid_too_large_for_it() {
+fn the_active_set_solves_a_path_and_refuses_too_large_a_grid() {
     let options = SolverOptions {
         method: Method::ActiveSet,
         ..SolverOptions::default()
@@ -178,7 +178,7 @@ fn the_active_set_solves_a_path_and_refuses_a_grid_too_large_for_it() {
 }
 
 #[test]
-fn a_step_that_may_not_go_on_is_returned_and_marked() {
+fn a_step_out_of_products_is_returned_and_marked() {
     let options = SolverOptions {
         max_applications: 2,
         ..SolverOptions::default()
@@ -218,8 +218,8 @@ fn the_observer_sees_every_level_and_step() {
     watched_path(&loads, &mut log);
     // Both loads are solved at the same time, each from coarse to fine.
     let of_step = |step: usize| {
-        let told = log.0.iter().filter(|told| told.0 == step);
-        let mut grids: Vec<usize> = told.map(|told| told.1).collect();
+        let reports = log.0.iter().filter(|report| report.0 == step);
+        let mut grids: Vec<usize> = reports.map(|report| report.1).collect();
         grids.dedup();
         grids
     };
@@ -241,7 +241,7 @@ impl Profile for Quartic {
 }
 
 #[test]
-fn an_own_shape_is_solved_on_an_automatic_domain_as_its_closed_form_says() {
+fn a_custom_shape_on_an_automatic_domain_agrees_with_its_closed_form() {
     let model = Model {
         indenter: Indenter::custom(Quartic),
         ..model(Relief::Bare)
@@ -318,7 +318,7 @@ fn with_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T {
 }
 
 #[test]
-fn a_finest_grid_made_beside_the_coarser_ones_is_the_same_grid() {
+fn a_finest_grid_built_in_parallel_with_the_coarser_ones_is_the_same() {
     // The film makes the first domain too small, so that the grid is prepared in advance more than once.
     let film = || Relief::Film(Film::new(0.02, 0.01).unwrap());
     let solved = |threads| {
@@ -336,7 +336,7 @@ fn a_finest_grid_made_beside_the_coarser_ones_is_the_same_grid() {
 }
 
 #[test]
-fn a_path_can_be_cancelled_while_its_finest_grid_is_made() {
+fn a_path_can_be_cancelled_while_its_finest_grid_is_built() {
     struct Cancels;
     impl Observer for Cancels {
         fn progress(&mut self, progress: &Progress) -> Signal {
@@ -365,18 +365,18 @@ fn a_path_can_be_cancelled_while_its_finest_grid_is_made() {
 
 /// A shape whose height is NaN far from its axis.
 #[derive(Debug)]
-struct Torn;
+struct WithNan;
 
-impl Profile for Torn {
+impl Profile for WithNan {
     fn height(&self, x: f64, y: f64) -> f64 {
         if x > 0.3 { f64::NAN } else { x * x + y * y }
     }
 }
 
 #[test]
-fn a_height_that_is_no_number_is_an_error_of_the_path() {
+fn a_nan_height_is_an_error_of_the_path() {
     let model = Model {
-        indenter: Indenter::custom(Torn),
+        indenter: Indenter::custom(WithNan),
         ..model(Relief::Bare)
     };
     let (loads, options) = ([Load::Penetration(0.01)], SolverOptions::default());

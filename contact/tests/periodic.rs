@@ -67,7 +67,7 @@ fn solve(model: &Model, domain: Domain, elements: usize, force: f64) -> LoadingP
 
 /// Westergaard 1939: `p̄ = p* sin² πa`, `p = 2 p̄ cos πx √(sin² πa − sin² πx)/sin² πa` with `p* = π E* Δ`.
 #[test]
-fn a_wavy_surface_in_partial_contact_is_westergaards() {
+fn a_wavy_surface_in_partial_contact_agrees_with_westergaard() {
     let (cell, full) = (model(&half_space(), waves(false)), PI * AMPLITUDE);
     let edge = (0.3 * PI).sin();
     let mean = full * edge * edge;
@@ -119,7 +119,7 @@ fn a_surface_in_full_contact_takes_the_shape_of_the_waves() {
 
 /// Under a light load each crest is a paraboloid with `1/R = Δ (2π)²`; there are two crests per cell.
 #[test]
-fn crests_that_hardly_touch_are_paraboloids() {
+fn crests_in_slight_contact_are_paraboloids() {
     let cell = model(&half_space(), waves(true));
     let radius = 1.0 / (AMPLITUDE * TAU * TAU);
     let contact_radius = 0.03_f64;
@@ -142,7 +142,7 @@ fn crests_that_hardly_touch_are_paraboloids() {
 /// On a rigid base displacements decay within a few thicknesses; the penetration is measured from the undeformed
 /// surface.
 #[test]
-fn in_a_large_cell_on_a_rigid_base_a_contact_is_alone() {
+fn in_a_large_cell_on_a_rigid_base_contacts_do_not_interact() {
     let layer = Layer::new(0.05, Material::new(1.0, 0.3).unwrap(), Interface::Bonded).unwrap();
     let body = Foundation::new(vec![layer], Base::Rigid).unwrap();
     let model = model(&body, Paraboloid::new(1.0).unwrap().into());
@@ -158,7 +158,7 @@ fn in_a_large_cell_on_a_rigid_base_a_contact_is_alone() {
 /// The neighbours of a cell press the surface down nearly evenly; the deviation falls at least with the square of the
 /// contact's size over the cell's.
 #[test]
-fn in_ever_larger_cells_a_contact_becomes_free() {
+fn in_ever_larger_cells_a_contact_tends_to_a_single_one() {
     let model = model(&half_space(), Paraboloid::new(1.0).unwrap().into());
     let peak = |domain, elements| {
         let options = SolverOptions::default();
@@ -211,7 +211,7 @@ fn the_surface_of_a_step_is_periodic_and_its_mean_is_its_plane() {
 }
 
 #[test]
-fn what_a_cell_has_not_is_refused() {
+fn quantities_that_a_cell_does_not_have_are_refused() {
     let cell = model(&half_space(), waves(false));
     let options = SolverOptions::default();
     let loads = [Load::Penetration(0.001)];

@@ -163,7 +163,7 @@ fn every_random_case_has_a_domain_that_holds_its_contact() {
             let load = Load::Force(length * length * random.decades(1e-8, 1e-3));
             let (domain, options) = (Domain::Automatic, SolverOptions::default());
             let found = solve_path(&model, domain, ELEMENTS, &[load], &options, &mut ());
-            let said = match found {
+            let outcome = match found {
                 Err(error) => error.to_string(),
                 Ok(path) => {
                     let step = &path.steps[0];
@@ -180,7 +180,7 @@ fn every_random_case_has_a_domain_that_holds_its_contact() {
             let indenter = format!("{:?}", model.indenter);
             let relief = format!("{:?}", model.relief);
             Some(format!(
-                "{seed}: {said}; {load:?}, foundation {foundation}, {indenter:.90} on {relief:.90}"
+                "{seed}: {outcome}; {load:?}, foundation {foundation}, {indenter:.90} on {relief:.90}"
             ))
         })
         .collect();

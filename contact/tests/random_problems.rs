@@ -9,7 +9,7 @@
 )]
 #![expect(
     clippy::print_stderr,
-    reason = "what a long run took is told with `--nocapture`"
+    reason = "`--nocapture` shows what a long run took"
 )]
 
 #[path = "random_cases/random.rs"]
@@ -349,8 +349,8 @@ fn assert_certified(
                 Ok((solution, products)) => {
                     let (size, certificate) = (problem.size(), solution.certificate);
                     let foundation = tables.foundation();
-                    let told = format!("{load:?}, N = {size}, {certificate:?}, {foundation:?}");
-                    (products, Some(format!("{seed}: {told}")))
+                    let details = format!("{load:?}, N = {size}, {certificate:?}, {foundation:?}");
+                    (products, Some(format!("{seed}: {details}")))
                 }
                 Err(reason) => (0, Some(format!("{seed}: {reason}"))),
             })
@@ -358,7 +358,10 @@ fn assert_certified(
         .collect();
     let mut products: Vec<usize> = outcomes.iter().map(|(products, _)| *products).collect();
     products.sort_unstable();
-    let failures: Vec<String> = outcomes.into_iter().filter_map(|(_, told)| told).collect();
+    let failures: Vec<String> = outcomes
+        .into_iter()
+        .filter_map(|(_, failure)| failure)
+        .collect();
     let (count, failed) = (products.len(), failures.len());
     let [median, ninth, most] = [count / 2, count * 9 / 10, count.max(1) - 1]
         .map(|place| products.get(place).copied().unwrap_or(0));

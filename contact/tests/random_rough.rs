@@ -10,7 +10,7 @@
 )]
 #![expect(
     clippy::print_stderr,
-    reason = "what a long run took is told with `--nocapture`"
+    reason = "`--nocapture` shows what a long run took"
 )]
 
 #[path = "random_cases/random.rs"]
@@ -36,9 +36,9 @@ use self::random::Random;
 /// Number of foundations that the problems share.
 const FOUNDATIONS: u64 = 16;
 /// A problem whose first window does not carry the force at the hardness.
-const TOO_SMALL_A_WINDOW: u64 = 99;
+const WINDOW_TOO_SMALL: u64 = 99;
 /// A problem whose elements at the hardness must be held and released together: one at a time, they cycled.
-const BY_TURNS: u64 = 814;
+const CYCLED_ONE_BY_ONE: u64 = 814;
 /// Number of waves of a surface.
 const WAVES: usize = 40;
 
@@ -205,7 +205,7 @@ fn assert_each_is_certified(is_periodic: bool, has_hardness: bool) {
     let (tables, beyond) = (all_tables(), AtomicU64::new(0));
     let products = Mutex::new(Vec::new());
     let seeds: Vec<u64> = (0..problems())
-        .chain([TOO_SMALL_A_WINDOW, BY_TURNS])
+        .chain([WINDOW_TOO_SMALL, CYCLED_ONE_BY_ONE])
         .collect();
     let failures: Vec<String> = seeds
         .into_par_iter()
@@ -230,7 +230,7 @@ fn assert_each_is_certified(is_periodic: bool, has_hardness: bool) {
                     return (!is_true).then(|| format!("{seed}: refused, carries {carried:e}"));
                 }
             }
-            let told = format!(
+            let details = format!(
                 "{:.1} s, {}",
                 clock.elapsed().as_secs_f64(),
                 problem.describe()
@@ -241,8 +241,11 @@ fn assert_each_is_certified(is_periodic: bool, has_hardness: bool) {
                     products.lock().unwrap().push(work);
                     None
                 }
-                Ok(step) => Some(format!("{seed}: {:?}, {told}", step.solution.certificate)),
-                Err(reason) => Some(format!("{seed}: {reason}, {told}")),
+                Ok(step) => Some(format!(
+                    "{seed}: {:?}, {details}",
+                    step.solution.certificate
+                )),
+                Err(reason) => Some(format!("{seed}: {reason}, {details}")),
             }
         })
         .collect();

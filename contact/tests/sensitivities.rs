@@ -258,7 +258,7 @@ fn derivatives_agree_with_differences_between_solutions_of_the_same_contact_set(
 }
 
 #[test]
-fn along_null_directions_the_penetration_stands_still() {
+fn along_null_directions_the_penetration_does_not_change() {
     let bodies: ElasticBodies = coated(0.1, material(10.0, 0.25), material(1.0, 0.3)).into();
     let film = Relief::Film(Film::new(0.002, 0.5).unwrap());
     let paraboloid: Indenter = Paraboloid::new(1.0).unwrap().into();
@@ -336,7 +336,7 @@ fn solved_loosely(model: &Model, side: f64, size: usize, forces: &[f64]) -> Load
 }
 
 #[test]
-fn the_derivative_along_the_curve_is_the_true_one_where_that_of_the_elements_is_not() {
+fn the_derivative_along_the_curve_is_right_where_the_one_from_the_elements_is_not() {
     let bodies = coated(0.1, material(10.0, 0.25), material(1.0, 0.3)).into();
     let film = Relief::Film(Film::new(0.002, 0.5).unwrap());
     let coating = model(&bodies, film, Paraboloid::new(1.0).unwrap());

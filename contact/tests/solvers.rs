@@ -108,7 +108,7 @@ fn both_solvers_find_the_same_pressure_under_force_and_under_penetration() {
 }
 
 #[test]
-fn penetration_control_returns_to_the_force_it_came_from() {
+fn penetration_control_recovers_the_original_force() {
     let mut problem = problem(32, 10.0, wavy, |_, _| 0.0);
     let start = cold(&problem);
     let by_force = solve(&mut gradient(), &mut problem, Load::Force(1e-3), &start);
@@ -124,7 +124,7 @@ fn penetration_control_returns_to_the_force_it_came_from() {
 }
 
 #[test]
-fn the_active_set_takes_back_elements_that_a_bad_start_left_out() {
+fn the_active_set_recovers_elements_that_a_bad_start_left_out() {
     let mut problem = problem(24, 10.0, paraboloid, |_, _| 0.0);
     let load = Load::Force(2e-3);
     let start = cold(&problem);
@@ -200,7 +200,7 @@ fn contact_that_fills_the_grid_is_solved() {
 }
 
 #[test]
-fn a_pressure_disturbed_by_a_millionth_fails_its_certificate() {
+fn a_pressure_perturbed_by_a_millionth_fails_its_certificate() {
     let mut problem = problem(24, 10.0, paraboloid, |_, _| 0.0);
     let load = Load::Force(2e-3);
     let start = cold(&problem);
@@ -239,7 +239,7 @@ impl Observer for Log {
 }
 
 #[test]
-fn every_solver_tells_its_working_set_and_what_moves() {
+fn every_solver_reports_its_working_set_and_its_changes() {
     let (mut by_gradient, mut active_set) = (gradient(), ActiveSetSolver::default());
     for solver in [&mut by_gradient as &mut dyn Solver, &mut active_set] {
         let mut problem = problem(24, 10.0, wavy, |_, _| 0.0);
@@ -253,14 +253,19 @@ fn every_solver_tells_its_working_set_and_what_moves() {
             .iter()
             .filter(|p| **p > 0.0)
             .count();
-        let told = log.0;
-        assert!(told.iter().map(|told| told.iteration).eq(0..told.len()));
-        assert_eq!(told.last().unwrap().working_set, pressing);
+        let reports = log.0;
+        assert!(
+            reports
+                .iter()
+                .map(|report| report.iteration)
+                .eq(0..reports.len())
+        );
+        assert_eq!(reports.last().unwrap().working_set, pressing);
         // Initially the whole set is new. Then as many elements enter or leave as it grows or shrinks by, or an even
         // number more than that.
-        assert_eq!(told[0].working_set_change, told[0].working_set);
-        assert!(told[1].working_set_change > 0);
-        for pair in told.windows(2) {
+        assert_eq!(reports[0].working_set_change, reports[0].working_set);
+        assert!(reports[1].working_set_change > 0);
+        for pair in reports.windows(2) {
             let growth = pair[0].working_set.abs_diff(pair[1].working_set);
             let moves = pair[1].working_set_change;
             assert!(moves >= growth && (moves - growth).is_multiple_of(2));

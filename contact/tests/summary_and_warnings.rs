@@ -71,7 +71,7 @@ fn assert_close(found: f64, wanted: f64) {
 }
 
 #[test]
-fn the_summary_is_what_the_pressure_says() {
+fn the_summary_follows_from_the_pressure() {
     // the field is summed in two parts
     let path = solve(&model(&[], cylinders(0.02)), 0.4, 128, Load::Force(4e-4));
     let (grid, pressure) = (path.grid, &last(&path).solution.pressure);
@@ -142,9 +142,9 @@ fn without_contact_the_summary_is_empty() {
 }
 
 #[test]
-fn a_grid_is_doubted_by_elements_per_radius_and_per_thickness() {
+fn too_few_elements_per_radius_or_thickness_are_warned_about() {
     let grid = Grid::new(1.0, 100).unwrap();
-    for (radius, doubted) in [(0.0395, true), (0.0405, false)] {
+    for (radius, warned) in [(0.0395, true), (0.0405, false)] {
         let spec = CylinderSpec {
             lattice: Lattice::Square,
             radius,
@@ -155,7 +155,7 @@ fn a_grid_is_doubted_by_elements_per_radius_and_per_thickness() {
         };
         let relief = Relief::Cylinders(Cylinders::new(spec).unwrap());
         let warnings = model_warnings(&model(&[], relief), &grid);
-        assert_eq!(warnings.len(), usize::from(doubted), "{warnings:?}");
+        assert_eq!(warnings.len(), usize::from(warned), "{warnings:?}");
         if let [
             Warning::TextureUnderResolved {
                 elements_per_radius,
@@ -179,10 +179,10 @@ fn a_grid_is_doubted_by_elements_per_radius_and_per_thickness() {
 }
 
 #[test]
-fn coefficients_that_miss_their_goal_are_doubted_with_what_they_reach() {
+fn coefficients_below_their_accuracy_are_warned_about_with_the_accuracy_reached() {
     let grid = Grid::new(1.0, 100).unwrap();
     let right = model(&[0.1], Relief::Bare);
-    for (wrong_by, doubted) in [(1e-13, false), (3e-11, true)] {
+    for (wrong_by, warned) in [(1e-13, false), (3e-11, true)] {
         let tables = Arc::new(right.tables.perturbed(wrong_by));
         let warnings = model_warnings(
             &Model {
@@ -192,7 +192,7 @@ fn coefficients_that_miss_their_goal_are_doubted_with_what_they_reach() {
             &grid,
         );
         let found = warnings.iter().map(Warning::code).collect::<Vec<_>>();
-        assert_eq!(found, vec!["coefficient-accuracy"; usize::from(doubted)]);
+        assert_eq!(found, vec!["coefficient-accuracy"; usize::from(warned)]);
         if let [Warning::CoefficientAccuracy { found, wanted }] = warnings[..] {
             // The rest is the error of the tables.
             assert!((found / wrong_by - 1.0).abs() < 1e-2 && wanted == RadialTables::GOAL);
@@ -221,15 +221,15 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
         .collect()
 }
 
-fn assert_said_of_the_last_step(path: &LoadingPath, code: &str, wanted: f64) {
+fn assert_warning_of_the_last_step(path: &LoadingPath, code: &str, wanted: f64) {
     let found = numbers(path, code);
     assert!(found.len() == 1 && found[0].0 == 1, "{:?}", path.warnings);
     assert_close(found[0].1, wanted);
 }
 
 #[test]
-fn a_film_is_doubted_when_it_shortens_by_more_than_itself() {
-    for (force, doubted) in [(2e-4, false), (2e-3, true)] {
+fn a_film_that_shortens_by_more_than_its_thickness_is_warned_about() {
+    for (force, warned) in [(2e-4, false), (2e-3, true)] {
         let film = Relief::Film(Film::new(2e-3, 0.05).unwrap());
         let path = solve(&model(&[], film), 0.5, 48, Load::Force(force));
         let shortening = path
@@ -237,9 +237,9 @@ fn a_film_is_doubted_when_it_shortens_by_more_than_itself() {
             .unwrap()
             .shortening;
         let times = shortening.iter().copied().fold(0.0, f64::max) / 2e-3;
-        assert_eq!(times > 1.0, doubted, "{times}");
-        if doubted {
-            assert_said_of_the_last_step(&path, "film-shortening", times);
+        assert_eq!(times > 1.0, warned, "{times}");
+        if warned {
+            assert_warning_of_the_last_step(&path, "film-shortening", times);
         } else {
             assert!(numbers(&path, "film-shortening").is_empty());
         }
@@ -247,15 +247,15 @@ fn a_film_is_doubted_when_it_shortens_by_more_than_itself() {
 }
 
 #[test]
-fn an_indenter_is_doubted_where_its_slope_at_the_contacts_edge_is_not_small() {
-    for (radius, doubted) in [(0.27_f64, false), (0.35, true)] {
+fn an_indenter_with_a_steep_slope_at_the_contact_edge_is_warned_about() {
+    for (radius, warned) in [(0.27_f64, false), (0.35, true)] {
         let force = Load::Force(4.0 / 3.0 * radius.powi(3));
         let path = solve(&model(&[], Relief::Bare), 1.0, 48, force);
         // A paraboloid of radius 1 has the slope ρ; the central difference loses 1e-13.
         let slope = last(&path).summary.contact_radius;
-        assert_eq!(slope > 0.3, doubted, "{slope}");
-        if doubted {
-            assert_said_of_the_last_step(&path, "steep-indenter", slope);
+        assert_eq!(slope > 0.3, warned, "{slope}");
+        if warned {
+            assert_warning_of_the_last_step(&path, "steep-indenter", slope);
         } else {
             assert!(numbers(&path, "steep-indenter").is_empty());
         }
@@ -263,7 +263,7 @@ fn an_indenter_is_doubted_where_its_slope_at_the_contacts_edge_is_not_small() {
 }
 
 #[test]
-fn a_peak_that_changes_with_the_grid_is_doubted_by_how_much() {
+fn a_peak_that_changes_with_the_grid_is_warned_about_with_its_change() {
     let path = solve(&model(&[], cylinders(0.02)), 0.4, 128, Load::Force(4e-4));
     let step = last(&path);
     let estimate = step.grid_error.max_pressure.unwrap();
@@ -273,11 +273,11 @@ fn a_peak_that_changes_with_the_grid_is_doubted_by_how_much() {
         panic!("{levels:?}");
     };
     let change = (1.0 - before.max_pressure / last.max_pressure).abs();
-    assert_said_of_the_last_step(&path, "peak-not-resolved", change);
+    assert_warning_of_the_last_step(&path, "peak-not-resolved", change);
 }
 
 #[test]
-fn a_contact_near_the_edge_is_doubted_by_the_elements_between() {
+fn a_contact_near_the_edge_is_warned_about_with_the_elements_between() {
     let mut seen = Vec::new();
     for radius in [0.1_f64, 0.16, 0.17, 0.18, 0.25] {
         let force = Load::Force(4.0 / 3.0 * radius.powi(3));
@@ -290,10 +290,10 @@ fn a_contact_near_the_edge_is_doubted_by_the_elements_between() {
         let nearest = nearest.unwrap();
         seen.push(nearest);
         if nearest == 0 {
-            assert_said_of_the_last_step(&path, "cut-off", 0.0);
+            assert_warning_of_the_last_step(&path, "cut-off", 0.0);
             assert!(numbers(&path, "domain-edge").is_empty());
         } else if nearest < 3 {
-            assert_said_of_the_last_step(&path, "domain-edge", nearest as f64);
+            assert_warning_of_the_last_step(&path, "domain-edge", nearest as f64);
         } else {
             assert!(numbers(&path, "domain-edge").is_empty());
         }

@@ -147,7 +147,7 @@ mod tests {
     const SIZE: usize = 40;
 
     #[test]
-    fn candidates_are_the_members_and_one_ring_around_and_are_found_again() {
+    fn candidates_are_the_members_and_one_ring_around_and_can_be_looked_up() {
         let members = [0, 21 * SIZE + 15, 39 * SIZE + 20];
         let found = elements_where(SIZE, |[i, j]| members.contains(&(i * SIZE + j)));
         let candidates = Candidates::around(SIZE, &found);
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn more_candidates_keep_those_there_were() {
+    fn adding_candidates_keeps_the_existing_ones() {
         let one = Candidates::around(SIZE, &[500]);
         let both = one.with(&[502]);
         assert_eq!(both.len(), 15);

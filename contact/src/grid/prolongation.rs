@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_are_prolonged_exactly_and_cubics_among_four() {
+    fn linear_functions_are_prolonged_exactly_and_cubics_from_four_lines() {
         let (from, to) = (8, 15);
         let prolongation = Prolongation::new(&Window::whole(from), &Window::whole(to));
         for i in 3_u8..12 {
@@ -111,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn a_coarse_window_counts_lines_from_its_own_first() {
+    fn a_coarse_window_counts_lines_from_its_own_first_line() {
         let belongs = |[i, j]: [usize; 2]| (20..24).contains(&i) && (30..34).contains(&j);
         let from = Window::whole(64).around(belongs);
         let prolongation = Prolongation::new(&from, &Window::whole(128));
@@ -125,7 +125,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_beyond_a_window_count_for_nothing_or_are_its_outermost() {
+    fn lines_beyond_a_window_are_left_out_or_replaced_by_its_outermost() {
         let belongs = |[i, j]: [usize; 2]| (20..24).contains(&i) && (30..34).contains(&j);
         let from = Window::whole(64).around(belongs);
         let last = from.size() - 1;

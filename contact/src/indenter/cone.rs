@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_cone_says_what_it_was_made_of() {
+    fn a_cone_returns_its_parameters() {
         let cone = Cone::new(0.8, 0.25).unwrap();
         assert_eq!([cone.half_angle(), cone.tip_radius()], [0.8, 0.25]);
     }
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn a_blunt_cone_is_far_out_the_sharp_one_shifted() {
+    fn far_from_its_tip_a_blunt_cone_is_the_sharp_one_shifted() {
         let (blunt, sharp) = (Cone::new(1.1, 0.5).unwrap(), Cone::new(1.1, 0.0).unwrap());
         let shift = 0.5 * (1.1_f64.sin().recip() - 1.0);
         // Heights of about 5: a few roundings.
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn an_angle_given_in_degrees_is_shown_in_both_units() {
+    fn an_invalid_angle_is_shown_in_radians_and_degrees() {
         let message = Cone::new(2.0, 0.0).unwrap_err().to_string();
         assert_eq!(
             message,

@@ -103,7 +103,7 @@ mod tests {
     use crate::indenter::Paraboloid;
 
     #[test]
-    fn the_lowest_sample_stands_on_the_origin_and_the_rim_is_the_end() {
+    fn the_lowest_sample_is_at_the_origin_and_the_map_ends_at_its_rim() {
         let map = HeightMap::new(vec![9.0, 7.0, 8.0], [3, 1], [3.0, 1.0]).unwrap();
         let indenter = IndenterMap::new(map.with_interpolation(Interpolation::Linear));
         assert_eq!(
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tip_beside_the_middle_is_moved_to_the_origin_along_both_axes() {
+    fn an_off_centre_tip_is_moved_to_the_origin_along_both_axes() {
         let heights = vec![8.0, 9.0, 7.0, 9.0, 9.0, 9.0];
         let map = HeightMap::new(heights, [2, 3], [2.0, 3.0]).unwrap();
         let indenter = IndenterMap::new(map);
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sampled_paraboloid_returns_with_its_axis_between_the_samples() {
+    fn a_sampled_paraboloid_with_its_axis_between_samples_is_recovered() {
         let indenter = sampled(20, Interpolation::Bicubic);
         for (x, y) in [(0.0, 0.0), (0.1, 0.2), (-0.7, 0.3), (0.003, -0.001)] {
             // Some roundings of heights up to 1, which determine the axis.
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn mean_heights_are_known_from_within_the_finest_spacing_on_along_either_axis() {
+    fn mean_heights_resolve_the_finer_spacing_along_either_axis() {
         // A ridge along the axis with few samples; the height rises with slope 1 along the other.
         let ridge = |many: usize, along_x: bool| {
             let rise = |i: usize| (i as f64 - (many / 2) as f64).abs() * 1e-4;
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn a_linear_map_of_a_paraboloid_returns_to_second_order() {
+    fn a_linear_map_of_a_paraboloid_converges_with_second_order() {
         let error = |n: u32| {
             let indenter = sampled(n, Interpolation::Linear);
             let [x, y] = indenter.lowest_point;
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn rim_and_edges_are_as_far_as_those_of_the_moved_map() {
+    fn rim_and_edges_are_those_of_the_shifted_map() {
         // The tip is the sample at x = 1 of a map that ends at ±1.5 and ±0.5.
         let map = HeightMap::new(vec![9.0, 7.0, 5.0], [3, 1], [3.0, 1.0]).unwrap();
         let indenter = IndenterMap::new(map.with_interpolation(Interpolation::Linear));

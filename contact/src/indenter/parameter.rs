@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_number_is_listed_read_and_replaced_alone() {
+    fn every_parameter_is_listed_read_and_replaced_separately() {
         let shapes: [Indenter; 4] = [
             Paraboloid::new(0.5).unwrap().into(),
             Sphere::new(0.5).unwrap().into(),

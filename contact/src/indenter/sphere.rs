@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sphere_is_a_paraboloid_near_its_lowest_point_to_the_last_digits() {
+    fn near_its_lowest_point_a_sphere_is_a_paraboloid_to_rounding() {
         let sphere = Sphere::new(1.0).unwrap();
         for distance in [1e-4, 1e-8, 1e-12] {
             // f = ρ²/2 (1 + ρ²/4 + ρ⁴/8 + …)
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn the_rim_is_as_far_as_the_radius_reaches() {
+    fn the_rim_lies_at_the_radius() {
         let sphere = Sphere::new(2.0).unwrap();
         // Inside, and beyond.
         assert_eq!(

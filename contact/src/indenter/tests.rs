@@ -16,7 +16,7 @@ fn all() -> [Indenter; 6] {
 }
 
 #[test]
-fn every_indenter_touches_the_origin_and_nothing_below_it() {
+fn every_indenter_has_its_lowest_point_at_the_origin() {
     for indenter in all() {
         assert_eq!(indenter.height(0.0, 0.0), 0.0, "{indenter:?}");
         for k in 0..200 {
@@ -27,7 +27,7 @@ fn every_indenter_touches_the_origin_and_nothing_below_it() {
 }
 
 #[test]
-fn the_heights_at_many_points_are_those_at_each() {
+fn heights_at_many_points_equal_the_height_at_each() {
     let point = |k: u32| [k % 61, k / 61].map(|i| f64::from(i) / 20.0 - 1.5);
     let points: Vec<_> = (0..61 * 61).map(point).collect();
     for indenter in all() {
@@ -67,7 +67,7 @@ fn the_mean_over_a_circle_is_the_mean_of_many_heights() {
 }
 
 #[test]
-fn mirrored_shapes_are_those_of_the_same_height_on_both_sides() {
+fn mirrored_shapes_have_equal_heights_on_both_sides() {
     let mut shapes = all().to_vec();
     shapes.push(Pyramid::berkovich(0.3).unwrap().into());
     for indenter in shapes {
@@ -90,7 +90,7 @@ fn mirrored_shapes_are_those_of_the_same_height_on_both_sides() {
 }
 
 #[test]
-fn the_samples_lie_on_the_grid_x_first() {
+fn samples_on_a_grid_vary_fastest_along_y() {
     let indenter = Indenter::from(IndenterMap::new(
         HeightMap::new(vec![0.0, 1.0], [2, 1], [2.0, 2.0]).unwrap(),
     ));
@@ -100,7 +100,7 @@ fn the_samples_lie_on_the_grid_x_first() {
 }
 
 #[test]
-fn each_number_of_a_shape_can_be_replaced_by_another() {
+fn each_parameter_of_a_shape_can_be_replaced() {
     use IndenterQuantity::{FaceAngle, HalfAngle, Radius, TipRadius};
     let wanted: [&[IndenterQuantity]; 6] = [
         &[Radius],
@@ -129,7 +129,7 @@ fn each_number_of_a_shape_can_be_replaced_by_another() {
 }
 
 #[test]
-fn a_tip_is_sharp_where_it_is_rounded_over_less_than_two_elements() {
+fn a_tip_counts_as_sharp_if_rounded_over_less_than_two_elements() {
     // The round part of a cone ends at R cos α.
     let blunt: Indenter = Cone::new(1.2, 0.3).unwrap().into();
     let end = 0.3 * 1.2_f64.cos();
@@ -148,7 +148,7 @@ impl Profile for Ramp {
 }
 
 #[test]
-fn a_shape_of_the_users_own_is_taken_for_one_without_symmetry_or_end_and_equals_its_copies() {
+fn a_custom_shape_has_no_symmetry_and_no_rim_and_equals_its_copies() {
     let (one, other) = (Indenter::custom(Ramp), Indenter::custom(Ramp));
     assert!(one == one.clone() && one != other);
     assert!(!one.is_mirrored() && !one.is_mirrored_in_y());
@@ -159,7 +159,7 @@ fn a_shape_of_the_users_own_is_taken_for_one_without_symmetry_or_end_and_equals_
 }
 
 #[test]
-fn what_an_indenter_says_of_its_symmetry_holds_of_its_heights() {
+fn heights_have_the_symmetry_that_an_indenter_declares() {
     for indenter in all() {
         let [x, y] = [0.31, 0.17];
         let heights = [[x, y], [-x, y], [x, -y]].map(|[x, y]| indenter.height(x, y));

@@ -35,7 +35,7 @@ pub fn check(
 }
 
 /// Whether the indenter extends beyond a grid's corner, so that a larger grid can carry more.
-pub fn goes_on(model: &Model, grid: &Grid) -> bool {
+pub fn extends_beyond(model: &Model, grid: &Grid) -> bool {
     let corner = [grid.centre(0), grid.centre(0)];
     model.indenter.heights(&[corner])[0].is_finite()
 }
@@ -89,12 +89,13 @@ mod tests {
     }
 
     #[test]
-    fn only_an_indenter_that_goes_on_wants_a_larger_grid() {
+    fn only_an_indenter_that_extends_beyond_the_grid_calls_for_a_larger_one() {
         let paraboloid = model(Paraboloid::new(1.0).unwrap().into());
         let grid = Grid::new(4.0, 4).unwrap();
-        assert!(goes_on(&paraboloid, &grid));
+        assert!(extends_beyond(&paraboloid, &grid));
         // The centre of the corner element lies 1.5 √2 = 2.12 from the axis.
-        let ends = |radius: f64| !goes_on(&model(FlatPunch::new(radius).unwrap().into()), &grid);
+        let ends =
+            |radius: f64| !extends_beyond(&model(FlatPunch::new(radius).unwrap().into()), &grid);
         assert!(ends(2.1) && !ends(2.13));
     }
 }

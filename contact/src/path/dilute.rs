@@ -118,9 +118,9 @@ impl Dilute {
             let next = solver.solve(&mut self.problem, load, &iterate.pressure, watch)?;
             iterate = after(iterate, next);
             let found = self.overlapping(whole, &mut iterate, options.tolerance);
-            let goes_on = is_first || !found.is_empty();
+            let continues = is_first || !found.is_empty();
             let known = self.candidates.clone();
-            if !goes_on || self.passes >= MOST_PASSES || !self.take_in(whole, &found) {
+            if !continues || self.passes >= MOST_PASSES || !self.include(whole, &found) {
                 iterate.pressure = known.scatter(&iterate.pressure);
                 return Ok(iterate);
             }
@@ -143,12 +143,12 @@ impl Dilute {
         let (size, penetration) = (self.window.size(), iterate.penetration);
         let (window, known) = (self.window, self.candidates.clone());
         let initial_gap = initial_gaps(whole, &window);
-        let suspects = elements_where(size, |place| {
+        let unlisted = elements_where(size, |place| {
             initial_gap(place) < penetration && known.at(place).is_none()
         });
-        let mut elements = [&suspects, known.elements()].concat();
+        let mut elements = [&unlisted, known.elements()].concat();
         elements.sort_unstable();
-        if suspects.is_empty() || !is_worth_it(size, &elements) {
+        if unlisted.is_empty() || !is_worth_it(size, &elements) {
             return Vec::new();
         }
         let place = |element: &u32| [*element as usize / size, *element as usize % size];
@@ -178,7 +178,7 @@ impl Dilute {
 
     /// Adds elements and their neighbours to the candidates, keeping the known corrections of the gap. Returns false if
     /// this does not pay.
-    fn take_in(&mut self, whole: &DiscreteProblem, elements: &[u32]) -> bool {
+    fn include(&mut self, whole: &DiscreteProblem, elements: &[u32]) -> bool {
         if elements.is_empty() {
             return true;
         }
@@ -213,7 +213,7 @@ impl Dilute {
 
     /// Adds overlapping elements to the candidates and corrects the gap for the product of a judged pressure. Returns
     /// false if another pass does not pay.
-    pub fn learn(
+    pub fn correct(
         &mut self,
         whole: &DiscreteProblem,
         judged: &JudgedFields,
@@ -225,7 +225,7 @@ impl Dilute {
             judged.gap_of(on_grid(&window, place), initial_gap(place)) < 0.0
                 && known.at(place).is_none()
         });
-        if self.passes >= MOST_PASSES || !self.take_in(whole, &overlapping) {
+        if self.passes >= MOST_PASSES || !self.include(whole, &overlapping) {
             return false;
         }
         // g0 + (K − K̃) p

@@ -54,7 +54,7 @@ mod tests {
     }
 
     #[test]
-    fn products_among_candidates_are_counted_apart_from_those_of_the_grid() {
+    fn products_among_candidates_are_counted_separately_from_those_of_the_grid() {
         let mut effort = Effort::default();
         let among = effort.among(iterate(10));
         assert_eq!(effort.take(among), [1.0]);

@@ -20,7 +20,7 @@ use crate::{
 };
 
 /// Elements per side above which the finest grid is set up while the coarser ones are solved.
-const MADE_AHEAD: usize = 512;
+const BUILT_AHEAD: usize = 512;
 
 /// Number of coarser grids whose pressures are kept on request: as many as an error estimate needs.
 const COARSE_PRESSURES: usize = 3;
@@ -77,30 +77,30 @@ impl<'a> Hierarchy<'a> {
 
     /// Returns `lanes` hierarchies of the same grids, this one first, each to be used by one thread at a time.
     pub fn lanes(mut self, lanes: usize) -> Result<Vec<Self>, ContactError> {
-        let twins = if lanes > 1 {
+        let copies = if lanes > 1 {
             for index in 0..self.grids.len() {
                 if self.levels[index].is_none() {
                     self.levels[index] = Some(self.make(index)?);
                 }
             }
-            (1..lanes).map_while(|_| self.twin()).collect()
+            (1..lanes).map_while(|_| self.fresh_copy()).collect()
         } else {
             Vec::new()
         };
-        Ok(std::iter::once(self).chain(twins).collect())
+        Ok(std::iter::once(self).chain(copies).collect())
     }
 
     /// The same grids without the memory of any load; none if they are not all in memory.
-    fn twin(&self) -> Option<Self> {
+    fn fresh_copy(&self) -> Option<Self> {
         let levels = self.levels.iter();
-        let twins: Option<Vec<_>> = levels.map(|level| level.as_ref()?.twin()).collect();
+        let copies: Option<Vec<_>> = levels.map(|level| level.as_ref()?.fresh_copy()).collect();
         Some(Self {
             model: self.model,
             side: self.side,
             boundary: self.boundary,
             hardness: self.hardness,
             grids: self.grids.clone(),
-            levels: twins?.into_iter().map(Some).collect(),
+            levels: copies?.into_iter().map(Some).collect(),
             keep: self.keep,
             coefficients_seconds: 0.0,
             coefficients_origin: self.coefficients_origin,
@@ -134,8 +134,8 @@ impl<'a> Hierarchy<'a> {
         let (clock, spent_before) = (Instant::now(), self.coefficients_seconds);
         let mut ascent = Ascent::of(load, options);
         let finest = self.grids.len() - 1;
-        if self.is_worth_making_ahead() {
-            self.ascend_beside_making(&mut ascent, watch)?;
+        if self.is_worth_building_ahead() {
+            self.ascend_while_building(&mut ascent, watch)?;
         } else {
             self.ascend(&mut ascent, finest, watch)?;
         }
@@ -187,15 +187,15 @@ impl<'a> Hierarchy<'a> {
     }
 
     /// Whether the finest grid is not yet set up and doing so can use threads left idle by the coarser grids.
-    fn is_worth_making_ahead(&self) -> bool {
+    fn is_worth_building_ahead(&self) -> bool {
         let finest = self.grids.len() - 1;
         rayon::current_num_threads() > 1
             && self.levels[finest].is_none()
-            && self.grids[finest].whole_size() >= MADE_AHEAD
+            && self.grids[finest].whole_size() >= BUILT_AHEAD
     }
 
     /// Solves on all grids except the finest, which is set up at the same time.
-    fn ascend_beside_making(
+    fn ascend_while_building(
         &mut self,
         ascent: &mut Ascent,
         watch: &mut Watch<'_>,
@@ -304,7 +304,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sector_is_solved_where_everything_is_mirrored_on_every_grid() {
+    fn a_sector_is_solved_if_everything_is_symmetric_on_every_grid() {
         let paraboloid = model(Paraboloid::new(1.0).unwrap().into());
         let berkovich = model(Pyramid::berkovich(0.1).unwrap().into());
         let usual = SolverOptions::default();
@@ -336,7 +336,7 @@ mod tests {
     }
 
     #[test]
-    fn lanes_are_as_many_as_are_asked_for_and_share_their_grids() {
+    fn the_requested_number_of_lanes_share_their_grids() {
         let model = model(Paraboloid::new(1.0).unwrap().into());
         for lanes in [1, 3] {
             let (square, load) = ((1.0, Boundary::Free), [Load::Force(1e-3); 3]);

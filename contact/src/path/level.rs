@@ -25,22 +25,22 @@ pub struct Level {
     pub coefficients_origin: Origin,
     /// Whether more loads may follow on this grid, so that memory is kept.
     keeps: bool,
-    whole: Posed,
+    whole: SolvableProblem,
     /// Outline of the relief on the problem's sector.
     outline: Arc<Vec<bool>>,
     /// The window of the last load, and the problem on it.
-    part: Option<(Window, Posed)>,
+    part: Option<(Window, SolvableProblem)>,
     /// Fields of the last load's certificate.
     judged: JudgedFields,
 }
 
 /// A problem, and its solver with storage.
-struct Posed {
+struct SolvableProblem {
     problem: DiscreteProblem,
     solver: GradientSolver,
 }
 
-impl Posed {
+impl SolvableProblem {
     fn new(problem: DiscreteProblem) -> Self {
         Self {
             problem,
@@ -116,7 +116,7 @@ impl Level {
         let everywhere = problem.everywhere();
         Ok(Self {
             keeps,
-            whole: Posed::new(problem),
+            whole: SolvableProblem::new(problem),
             outline: Arc::new(mask),
             grid,
             elasticity: elasticity.value,
@@ -127,14 +127,14 @@ impl Level {
     }
 
     /// The same grid without the memory of any load; none if the problem cannot be recreated.
-    pub fn twin(&self) -> Option<Self> {
+    pub fn fresh_copy(&self) -> Option<Self> {
         let everywhere = self.whole.problem.everywhere();
         Some(Self {
             grid: self.grid,
             outline: self.outline.clone(),
             elasticity: self.elasticity.clone(),
             keeps: self.keeps,
-            whole: Posed::new(self.whole.problem.window(&everywhere)?),
+            whole: SolvableProblem::new(self.whole.problem.window(&everywhere)?),
             coefficients_origin: self.coefficients_origin,
             part: None,
             judged: JudgedFields::on(everywhere),
@@ -297,8 +297,8 @@ impl Level {
                 if candidates.is_done(&solution, &options) {
                     return Ok((solution, window, effort));
                 }
-                let goes_on = candidates.learn(problem, judged, &solution.pressure);
-                dilute = dilute.filter(|_| goes_on);
+                let continues = candidates.correct(problem, judged, &solution.pressure);
+                dilute = dilute.filter(|_| continues);
                 pressure = solution.pressure;
                 continue;
             }
@@ -331,7 +331,7 @@ impl Level {
         let part = match known {
             Some((_, part)) => Some(part),
             None if window.is_whole() || options.method == Method::ActiveSet => None,
-            None => self.whole.problem.window(window).map(Posed::new),
+            None => self.whole.problem.window(window).map(SolvableProblem::new),
         };
         if let Some(mut part) = part {
             let iterate = part.solve(load, start, options, watch);

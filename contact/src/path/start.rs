@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn what_overlaps_or_lies_within_the_contact_presses() {
+    fn elements_that_overlap_or_lie_within_the_contact_are_pressed() {
         // u = 0.1 times the coarse row, which a cubic reproduces: overlap where u < 0.4 with a gap of 0.6.
         let corner = |[i, j]: [usize; 2]| f64::from(u8::from(i >= 6 && j >= 6));
         let from = coarser(corner, |[i, _]| 0.1 * i as f64, |_| false);

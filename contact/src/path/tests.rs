@@ -40,7 +40,7 @@ fn with_hardness(hardness: f64) -> SolverOptions {
 }
 
 #[test]
-fn a_summary_is_what_can_be_read_off_the_pressures_whatever_part_of_the_grid_was_solved() {
+fn a_summary_follows_from_the_pressures_whichever_sector_was_solved() {
     let pillars = CylinderSpec {
         lattice: Lattice::Square,
         radius: 0.1,
@@ -114,7 +114,7 @@ fn a_summary_is_what_can_be_read_off_the_pressures_whatever_part_of_the_grid_was
 }
 
 #[test]
-fn pressures_of_three_coarser_grids_are_kept_where_asked_for_and_the_work_is_told_by_grid() {
+fn pressures_of_three_coarser_grids_are_kept_on_request_and_work_is_reported_by_grid() {
     let (model, load) = (model(Relief::Bare, ball()), [Load::Force(0.02)]);
     for coarse_pressures in [true, false] {
         let options = SolverOptions {
@@ -150,7 +150,7 @@ fn pressures_of_three_coarser_grids_are_kept_where_asked_for_and_the_work_is_tol
 }
 
 #[test]
-fn between_two_equal_bodies_each_moves_by_half_of_what_both_do() {
+fn each_of_two_equal_bodies_is_displaced_by_half_the_total() {
     let rigid = model(Relief::Bare, ball());
     let own = Material::new(1.0, 0.0).unwrap();
     let equal = Model {
@@ -174,7 +174,7 @@ fn between_two_equal_bodies_each_moves_by_half_of_what_both_do() {
 }
 
 #[test]
-fn a_chosen_domain_that_cuts_a_contact_off_is_enlarged_and_one_that_is_given_is_not() {
+fn an_automatic_domain_that_cuts_a_contact_off_is_enlarged_and_a_given_one_is_not() {
     let model = model(Relief::Bare, ball());
     // Hertz: a³ = 3 Q R/(4 E*), a = 0.2
     let loads = [Load::Force(4.0 / 3.0 * 0.2_f64.powi(3))];
@@ -186,12 +186,12 @@ fn a_chosen_domain_that_cuts_a_contact_off_is_enlarged_and_one_that_is_given_is_
     let powers = (chosen.grid.side() / 0.3).ln() / ENLARGEMENT.ln();
     assert!((powers - powers.round()).abs() < 1e-9 && (1.0..3.0).contains(&powers.round()));
     assert_eq!(chosen.steps[0].cut_off, None);
-    let roomy = found(Domain::Chosen(0.8));
-    assert_eq!(roomy.grid.side(), 0.8);
+    let large = found(Domain::Chosen(0.8));
+    assert_eq!(large.grid.side(), 0.8);
 }
 
 #[test]
-fn a_chosen_domain_that_its_hardness_does_not_carry_a_force_on_is_enlarged() {
+fn an_automatic_domain_too_small_to_carry_the_force_at_the_hardness_is_enlarged() {
     let model = model(Relief::Bare, ball());
     // An area of 1, on squares of side 0.8 and 1.2.
     let (loads, options) = ([Load::Force(0.01)], with_hardness(0.01));
@@ -216,7 +216,7 @@ impl Observer for Patience {
 }
 
 #[test]
-fn loads_are_solved_as_if_alone_and_whoever_cancels_gets_those_before() {
+fn loads_are_solved_independently_and_a_cancelled_path_keeps_the_earlier_ones() {
     let model = model(Relief::Bare, ball());
     let loads = [0.02, 0.001, 0.01, 0.005].map(Load::Force);
     let (domain, options) = (Domain::Side(1.0), SolverOptions::default());
@@ -241,7 +241,7 @@ fn loads_are_solved_as_if_alone_and_whoever_cancels_gets_those_before() {
 }
 
 #[test]
-fn as_many_loads_are_solved_at_once_as_there_are_threads_for_on_grids_that_are_small() {
+fn on_small_grids_as_many_loads_are_solved_at_once_as_the_threads_allow() {
     let threads = rayon::current_num_threads();
     assert_eq!(loads_at_once(64, 1000), threads.min(512));
     assert_eq!([1, 0].map(|loads| loads_at_once(64, loads)), [1, 1]);
@@ -266,7 +266,7 @@ impl crate::Profile for Needle {
 }
 
 #[test]
-fn what_the_window_of_a_contact_does_not_hold_is_found_and_taken_in() {
+fn contact_outside_the_window_is_found_and_included() {
     let model = model(Relief::Bare, Indenter::custom(Needle));
     for load in [Load::Penetration(3e-3), Load::Force(1e-4)] {
         let (domain, options) = (Domain::Side(1.0), SolverOptions::default());
@@ -281,7 +281,7 @@ fn what_the_window_of_a_contact_does_not_hold_is_found_and_taken_in() {
 }
 
 #[test]
-fn the_peak_is_told_between_elements_inside_a_contact_and_at_one_at_its_edge() {
+fn a_peak_inside_a_contact_lies_between_elements_and_one_at_its_edge_on_an_element() {
     let load = [Load::Force(0.02)];
     let options = SolverOptions::default();
     let smooth = solve(

@@ -86,7 +86,7 @@ pub(crate) fn warnings(
         .then(|| much_larger(model, grid, loads, steps))
         .flatten();
     // For a contact that the grid hardly resolves, the peak is meaningless and the edge is the estimated one.
-    let is_seen = |warning: &Warning| match (&much_larger, warning) {
+    let is_meaningful = |warning: &Warning| match (&much_larger, warning) {
         (Some(_), Warning::PeakNotResolved { .. }) => false,
         (Some(Warning::DomainMuchLarger { radius, .. }), Warning::SteepIndenter { .. }) => {
             model.indenter.mean_slope(*radius) > LARGEST_SLOPE
@@ -100,7 +100,7 @@ pub(crate) fn warnings(
     edges
         .chain(much_larger)
         .chain(model_warnings(model, grid))
-        .chain(of_steps.filter(is_seen))
+        .chain(of_steps.filter(is_meaningful))
         .collect()
 }
 

@@ -315,7 +315,7 @@ impl DiscreteProblem {
     }
 
     /// Linearises nonlinear springs at a pressure ≥ 0, in the units of the problem's scale.
-    pub(crate) fn straighten_springs(&mut self, pressure: &[f64]) {
+    pub(crate) fn linearise_springs(&mut self, pressure: &[f64]) {
         let (law, rest) = (self.spring_law, &self.relief_compliance);
         if self.tangents.is_none() {
             self.tangents = Tangents::at_rest(law, self.scale, rest);

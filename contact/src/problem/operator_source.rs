@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn an_operators_own_coefficient_is_that_of_the_element_in_the_middle() {
+    fn the_own_coefficient_of_an_operator_is_that_of_its_central_element() {
         let mut source = OperatorSource::Operator(Box::new(Springs));
         assert_eq!(source.own_coefficient(3), 5.0);
     }

@@ -48,7 +48,7 @@ mod tests {
     use super::{DIGITS, Scale};
 
     #[test]
-    fn units_are_powers_of_two_of_the_problems_own_size() {
+    fn units_are_powers_of_two_near_the_problems_own_scale() {
         for (side, own) in [(1e-9, 3e-20), (1.0, 1.0), (7e3, 2.5e-4), (3e-200, 1e190)] {
             let scale = Scale::new(side, own);
             for (unit, of) in [(scale.length, side), (scale.compliance, own)] {
@@ -59,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_size_leaves_numbers_as_they_are() {
+    fn a_problem_without_a_scale_has_unit_one() {
         for own in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert_eq!(Scale::new(1.0, own).pressure(), 1.0);
         }

@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn tangent_offset_and_what_lies_beyond_are_the_law() {
+    fn tangent_offset_and_remainder_add_up_to_the_law() {
         let (tangents, pressure) = (tangents(), [4.0, 1.0, 0.0, 0.3]);
         let (mut offset, mut beyond, mut found) = ([0.0; 4], [0.0; 4], [0.0; 4]);
         tangents.add_offset(&REST, &mut offset);
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn on_the_way_the_slope_is_that_of_the_energy() {
+    fn the_slope_along_a_segment_is_that_of_the_energy() {
         let (tangents, pressure) = (tangents(), [4.0, 1.0, 0.0, 0.3]);
         let along = |t: f64| tangents.beyond_along(&REST, &pressure, t);
         assert_eq!(along(0.0), [0.0; 2]);
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn a_way_uphill_is_gone_to_its_lowest_place_and_one_downhill_to_its_end() {
+    fn an_uphill_segment_ends_at_its_minimum_and_a_downhill_one_at_its_end() {
         let (tangents, pressure) = (tangents(), [0.0, 1.0, 0.0, 0.0]);
         let part = |derivatives| tangents.part_downhill(&REST, &pressure, derivatives);
         let [beyond, _] = tangents.beyond_along(&REST, &pressure, 1.0);

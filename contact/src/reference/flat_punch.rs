@@ -73,7 +73,7 @@ mod tests {
     use super::from_force;
 
     #[test]
-    fn a_contact_under_a_force_has_that_force_to_the_last_bit() {
+    fn a_contact_under_a_force_has_exactly_that_force() {
         for k in 1..100 {
             let force = f64::from(k) / 7.0;
             let found = from_force(0.3, 7.1, force);

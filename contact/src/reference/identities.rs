@@ -161,7 +161,7 @@ fn the_stiffness_on_a_half_space_is_twice_modulus_times_radius() {
 }
 
 #[test]
-fn the_sphere_too_has_the_stiffness_of_its_radius() {
+fn the_stiffness_of_a_sphere_is_that_of_its_contact_radius() {
     let at = |a: f64| sphere::from_contact_radius(RADIUS, MODULUS, a);
     for a in [0.02, 0.4, 0.7, 1.9] {
         let (less, more) = (at(a * (1.0 - 1e-4)), at(a * (1.0 + 1e-4)));
@@ -231,7 +231,7 @@ fn the_pressure_vanishes_outside_and_the_peak_is_on_the_axis() {
 }
 
 #[test]
-fn force_and_penetration_fix_the_same_contact() {
+fn force_and_penetration_give_the_same_contact() {
     let close = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 3e-15;
     let force = hertz::from_penetration(RADIUS, MODULUS, DEPTH).force;
     assert!(close(
@@ -266,7 +266,7 @@ fn without_a_force_there_is_no_pressure() {
 }
 
 #[test]
-fn what_is_prescribed_comes_back_to_the_bit() {
+fn prescribed_values_are_returned_bit_for_bit() {
     // values whose powers and roots are not exact
     for given in [0.1, 0.7, 1.3e-5] {
         let forces = [

@@ -58,7 +58,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slight_contact_tends_to_that_of_hertz_with_second_order() {
+    fn a_small_contact_tends_to_that_of_hertz_with_second_order() {
         let error = |a: f64| {
             let hertz = crate::reference::hertz::from_contact_radius(2.0, 3.0, a);
             from_contact_radius(2.0, 3.0, a).force / hertz.force - 1.0

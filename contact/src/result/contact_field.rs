@@ -146,11 +146,11 @@ mod tests {
 
     const SIZE: usize = 6;
 
-    /// Evaluates `ask` for a field on a square of side 6, on a film of stiffening springs whose relief covers x > 0.
+    /// Evaluates a function of the field on a square of side 6, on a film of stiffening springs; the relief covers x > 0.
     fn with_field<T>(
         boundary: Boundary,
         pressure: &[f64],
-        ask: impl FnOnce(&ContactField<'_>) -> T,
+        evaluate: impl FnOnce(&ContactField<'_>) -> T,
     ) -> T {
         let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
         let model = Model {
@@ -164,7 +164,7 @@ mod tests {
         let mask: Vec<bool> = elements.clone().map(|e| e / SIZE >= 3).collect();
         let compliance: Vec<f64> = elements.map(|e| 0.25 + 0.01 * (e as f64)).collect();
         let nothing = vec![0.0; SIZE * SIZE];
-        ask(&ContactField {
+        evaluate(&ContactField {
             model: &model,
             grid: &grid,
             boundary,
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn contact_around_a_place_counts_the_four_elements_of_this_cell_or_the_next() {
+    fn contact_around_a_point_counts_four_elements_of_this_cell_or_the_next() {
         let pressure: Vec<f64> = (0..SIZE * SIZE)
             .map(|e| f64::from(u8::from(e % 5 == 0 || e / SIZE == 4)))
             .collect();

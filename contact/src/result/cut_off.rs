@@ -60,13 +60,13 @@ pub(crate) struct Surroundings<'a> {
 /// The frame between a square and one of twice its side.
 struct SquareFrame {
     /// A check of the indenter alone, if it rises from its axis: no gap is smaller than its height.
-    outlook: Option<Outlook>,
+    coarse_check: Option<CoarseCheck>,
     /// Made on first use.
     blocks: Option<Blocks>,
 }
 
 /// A coarse check of a frame.
-struct Outlook {
+struct CoarseCheck {
     /// The indenter's smallest height on the inner edge, m.
     lowest: f64,
     /// Made on first use.
@@ -96,7 +96,7 @@ impl<'a> Surroundings<'a> {
     }
 
     /// Returns the limit that cuts off the contact of a solution, if any.
-    pub fn what_cuts_off(&mut self, solution: &Solution) -> Option<CutOff> {
+    pub fn limit_reached(&mut self, solution: &Solution) -> Option<CutOff> {
         map_reached(self.model, &self.grid, &solution.pressure)
             .or_else(|| self.cut_off(solution).then_some(CutOff::Domain))
     }
@@ -113,16 +113,16 @@ impl<'a> Surroundings<'a> {
     fn presses_at_the_rim(&self, solution: &Solution) -> bool {
         let (size, last) = (self.grid.size(), self.grid.size() - 1);
         let outside = self.grid.centre(last) + self.grid.element_side();
-        let goes_on = |i: usize, j: usize, behind: [f64; 2]| {
+        let continues = |i: usize, j: usize, behind: [f64; 2]| {
             solution.pressure[i * size + j] > 0.0
                 && initial_gap_at(self.model, behind) < solution.penetration
         };
         (0..size).any(|k| {
             let along = self.grid.centre(k);
-            goes_on(0, k, [-outside, along])
-                || goes_on(last, k, [outside, along])
-                || goes_on(k, 0, [along, -outside])
-                || goes_on(k, last, [along, outside])
+            continues(0, k, [-outside, along])
+                || continues(last, k, [outside, along])
+                || continues(k, 0, [along, -outside])
+                || continues(k, last, [along, outside])
         })
     }
 
@@ -155,15 +155,15 @@ impl SquareFrame {
     fn of(model: &Model, side: f64) -> Self {
         let rises = !matches!(model.indenter, Indenter::Map(_) | Indenter::Custom(_));
         Self {
-            outlook: rises.then(|| Outlook::of(model, side)),
+            coarse_check: rises.then(|| CoarseCheck::of(model, side)),
             blocks: None,
         }
     }
 
     /// Whether anything overlaps within the frame.
     fn overlaps(&mut self, model: &Model, side: f64, grid: &Grid, solution: &Solution) -> bool {
-        if let Some(outlook) = &mut self.outlook
-            && outlook.is_clear(model, side, grid, solution)
+        if let Some(coarse_check) = &mut self.coarse_check
+            && coarse_check.is_clear(model, side, grid, solution)
         {
             return false;
         }
@@ -177,8 +177,8 @@ impl SquareFrame {
     /// Whether the indenter is higher than the penetration everywhere beyond this frame: every shape rises from its
     /// axis except a map, which ends somewhere.
     fn is_the_last(&self, model: &Model, penetration: f64) -> bool {
-        match (&self.outlook, &self.blocks) {
-            (Some(outlook), _) => outlook.lowest >= penetration,
+        match (&self.coarse_check, &self.blocks) {
+            (Some(coarse_check), _) => coarse_check.lowest >= penetration,
             (None, Some(blocks)) if matches!(model.indenter, Indenter::Map(_)) => {
                 blocks.lowest.is_infinite()
             }
@@ -188,7 +188,7 @@ impl SquareFrame {
     }
 }
 
-impl Outlook {
+impl CoarseCheck {
     fn of(model: &Model, side: f64) -> Self {
         let edge = |k: usize| (k as f64 / BLOCKS as f64 - 0.5) * side;
         let half = 0.5 * side;

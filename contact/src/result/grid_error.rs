@@ -110,7 +110,7 @@ const EDGE: ExpectedConvergence = ExpectedConvergence {
     safety: 1.0,
 };
 /// Weight of a level's estimate relative to the next finer one's.
-const OLDER: f64 = 0.6;
+const WEIGHT_OF_OLDER: f64 = 0.6;
 /// Number of estimates that count.
 const ESTIMATES: usize = 3;
 /// Number of changes from which the order is observed.
@@ -236,7 +236,7 @@ fn estimate(values: &[(usize, f64)], convergence: ExpectedConvergence) -> Option
         highest_order,
         safety,
     } = convergence;
-    let believed = observed
+    let order_used = observed
         .unwrap_or(highest_order)
         .clamp(lowest_order, highest_order);
     let mut weight = 1.0;
@@ -248,9 +248,9 @@ fn estimate(values: &[(usize, f64)], convergence: ExpectedConvergence) -> Option
     } in recent.iter().rev().take(ESTIMATES)
     {
         // e = |Δ|/(rᵒ − 1) (h/h_l)ᵒ
-        let error = size / (ratio.powf(believed) - 1.0) * (elements / finest).powf(believed);
+        let error = size / (ratio.powf(order_used) - 1.0) * (elements / finest).powf(order_used);
         largest = largest.max(weight * error);
-        weight *= OLDER;
+        weight *= WEIGHT_OF_OLDER;
     }
     let half_width = safety * largest;
     let shrinks = observed.is_none_or(|order| order > LOWEST_RESOLVED * lowest_order);

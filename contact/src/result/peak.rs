@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn the_peak_of_a_smooth_contact_is_between_the_centres_and_at_an_edge_at_one() {
+    fn a_smooth_peak_lies_between_centres_and_a_peak_at_an_edge_at_a_centre() {
         let ball: Indenter = Paraboloid::new(1.0).unwrap().into();
         for vertex in [[0.23, -0.41], [-0.47, 0.33], [0.0, 0.52]] {
             let found = peak_of(ball.clone(), vertex, f64::INFINITY);
@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn a_paraboloid_returns_its_vertex() {
+    fn the_vertex_of_a_paraboloid_is_recovered() {
         let [u, v] = [0.31, -0.44];
         let pressure = |[i, j]: Place| {
             let [x, y] = [i as f64 - u, j as f64 - v];
@@ -214,13 +214,14 @@ mod tests {
         let peak = |[i, j]: Place| 9.0 - (i * i + j * j) as f64;
         assert!(vertex(&peak).is_some());
         for neighbour in (-1..=1).flat_map(|i| [-1, 0, 1].map(|j| [i, j])) {
-            let lacks = |place: Place| if place == neighbour { 0.0 } else { peak(place) };
-            assert!(vertex(&lacks).is_none(), "{neighbour:?}");
+            let without_neighbour =
+                |place: Place| if place == neighbour { 0.0 } else { peak(place) };
+            assert!(vertex(&without_neighbour).is_none(), "{neighbour:?}");
         }
     }
 
     #[test]
-    fn a_place_is_at_what_is_sharp_within_two_elements() {
+    fn a_peak_within_two_elements_of_a_sharp_feature_is_attributed_to_it() {
         let spec = CylinderSpec {
             lattice: Lattice::Square,
             radius: 0.2,

@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_words_of_a_status_are_those_that_it_is_stored_by_from_good_to_bad() {
+    fn statuses_are_stored_by_their_words_and_ordered_from_good_to_bad() {
         let all = [Status::Certified, Status::CutOff, Status::NotConverged];
         let words = all.map(|status| serde_json::to_string(&status).unwrap());
         assert_eq!(words, all.map(|status| format!("\"{}\"", status.word())));

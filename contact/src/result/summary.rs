@@ -181,7 +181,7 @@ mod tests {
     use super::Contact;
 
     #[test]
-    fn parts_of_a_contact_make_the_whole_in_any_order() {
+    fn parts_of_a_contact_combine_in_any_order() {
         let part = |elements: &[(usize, f64)], to_edge: Option<[usize; 2]>| {
             let mut part = Contact::default();
             for (element, pressure) in elements {

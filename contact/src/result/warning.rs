@@ -155,9 +155,9 @@ impl fmt::Display for Warning {
                     CutOff::Domain =>
                         "the edge of the domain: choose a larger `grid.side`, or leave it out",
                     CutOff::ReliefMap =>
-                        "the end of the surface's map: nothing is known of what it would touch there",
+                        "the end of the surface's map: the surface beyond it is unknown",
                     CutOff::IndenterMap =>
-                        "the end of the indenter's map: nothing is known of what would touch there",
+                        "the end of the indenter's map: the indenter beyond it is unknown",
                 }
             ),
             Self::DomainMuchLarger {
@@ -167,7 +167,7 @@ impl fmt::Display for Warning {
                 wanted,
             } => write!(
                 f,
-                "the contact, of radius {radius:.2e} or so, is {} wide: a `grid.side` of {side:.3e} is far too large; choose one near {wanted:.2e}, or leave it out",
+                "the contact, of radius about {radius:.2e}, is {} wide: a `grid.side` of {side:.3e} is far too large; choose one near {wanted:.2e}, or leave it out",
                 counted(elements)
             ),
             Self::FilmShortening { step, times } => write!(
@@ -186,12 +186,12 @@ impl fmt::Display for Warning {
                 elements_per_thickness,
             } => write!(
                 f,
-                "layer {layer} is {} elements thick: the grid sees little of it",
+                "layer {layer} is {} elements thick: the grid barely resolves it",
                 decimals(elements_per_thickness, 3)
             ),
             Self::CoefficientAccuracy { found, wanted } => write!(
                 f,
-                "the influence coefficients of these layers are right to {found:.1e}, wanted {wanted:.0e}: all numbers are uncertain by about as much"
+                "the influence coefficients of these layers are accurate to {found:.1e}, wanted {wanted:.0e}: all numbers are uncertain by about as much"
             ),
             Self::PeakNotResolved {
                 step,
@@ -216,7 +216,7 @@ impl fmt::Display for Warning {
                 }
                 write!(
                     f,
-                    "; from the grid before it changed by {:.1} %",
+                    "; it changed by {:.1} % from the previous grid",
                     100.0 * change
                 )
             }
@@ -243,7 +243,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_number_is_told_as_nothing() {
+    fn small_values_are_not_printed_as_zero() {
         let layer = Warning::LayerUnderResolved {
             layer: 0,
             elements_per_thickness: 3.2e-5,
@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn a_warning_of_a_load_tells_which() {
+    fn a_warning_about_a_load_reports_its_step() {
         let warning = Warning::DomainEdge {
             step: 3,
             elements: 1,

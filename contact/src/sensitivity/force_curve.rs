@@ -80,7 +80,7 @@ mod tests {
     use super::ForceCurve;
 
     #[test]
-    fn powers_between_those_of_all_indenters_are_met_with_their_derivatives() {
+    fn power_laws_within_the_range_of_all_indenters_are_reproduced_with_their_derivatives() {
         let forces: Vec<f64> = (0..=12)
             .map(|i| 10_f64.powf(f64::from(i) / 6.0 - 9.0))
             .collect();

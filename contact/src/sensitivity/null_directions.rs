@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn along_the_scale_of_lengths_no_closed_form_changes() {
+    fn no_closed_form_changes_along_the_scale_of_lengths() {
         // D³ ~ Q²/(R E²) under a ball
         let radius = 0.5;
         let [change, _, modulus] =
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_linear_film_thickness_and_modulus_may_grow_together() {
+    fn thickness_and_modulus_of_a_linear_film_may_grow_together() {
         let film = Film::new(0.01, 3.0).unwrap();
         let of_film = |film: Film| {
             let model = model(Relief::Film(film), FlatPunch::new(1.0).unwrap());

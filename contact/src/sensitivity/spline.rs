@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quintic_is_its_own_spline_with_its_derivatives() {
+    fn a_quintic_and_its_derivatives_are_reproduced_exactly() {
         let polynomial = |x: f64| 1.0 + x * (0.5 + x * x * (0.01 - 1e-4 * x * x));
         let slope = |x: f64| 0.5 + x * x * (0.03 - 5e-4 * x * x);
         let bend = |x: f64| x * (0.06 - 2e-3 * x * x);
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn the_error_falls_with_the_sixth_power_of_the_distance() {
+    fn the_error_falls_with_the_sixth_power_of_the_spacing() {
         let error = |count: u32| {
             let places: Vec<f64> = (0..=count)
                 .map(|i| f64::from(i) / f64::from(count))
@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn too_few_places_or_equal_ones_have_no_spline() {
+    fn too_few_or_coincident_points_have_no_spline() {
         assert_eq!(Spline::through(&[0.0; 5], &[0.0; 5]), None);
         assert_eq!(
             Spline::through(&[0.0, 1.0, 2.0, 2.0, 3.0, 4.0], &[0.0; 6]),

@@ -65,7 +65,7 @@ mod tests {
     use super::difference;
 
     #[test]
-    fn a_difference_is_central_and_nothing_beyond_the_end_of_an_indenter() {
+    fn differences_are_central_and_zero_beyond_the_rim_of_an_indenter() {
         let end = f64::INFINITY;
         let found = difference(&[3.0, end, end, -1.0], &[1.0, end, 2.0, end], 0.25);
         assert_eq!(found, [4.0, 0.0, 0.0, 0.0]);

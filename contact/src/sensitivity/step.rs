@@ -143,12 +143,13 @@ impl Sensitivities<'_> {
         let weighted: f64 = pairs.map(|(p, gap)| p * gap).sum();
         let springs = window.cut(self.problem.relief_compliance());
         let law = self.problem.spring_law();
-        let bent = springs.iter().zip(&pressure);
-        let bent = bent.map(|(eta, p)| law.energy(*eta, *p) - 0.5 * law.shortening(*eta, *p) * p);
-        let bent: f64 = bent.sum();
+        let nonlinear = springs.iter().zip(&pressure);
+        let nonlinear =
+            nonlinear.map(|(eta, p)| law.energy(*eta, *p) - 0.5 * law.shortening(*eta, *p) * p);
+        let nonlinear: f64 = nonlinear.sum();
         let penetration = self.path.steps[step].solution.penetration;
         let area = self.path.grid.element_area();
-        0.5 * area * (penetration * sum(&pressure) + weighted) + area * bent
+        0.5 * area * (penetration * sum(&pressure) + weighted) + area * nonlinear
     }
 
     /// The window that holds a step's pressure, and the pressure on it.

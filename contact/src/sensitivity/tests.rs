@@ -64,7 +64,7 @@ fn reliefs() -> [Relief; 3] {
 }
 
 #[test]
-fn all_moduli_multiplied_multiply_the_force() {
+fn scaling_all_moduli_scales_the_force() {
     for relief in reliefs() {
         let model = model(relief.clone());
         let path = solved(&model);
@@ -98,7 +98,7 @@ fn all_moduli_multiplied_multiply_the_force() {
 }
 
 #[test]
-fn all_heights_multiplied_multiply_force_and_penetration() {
+fn scaling_all_heights_scales_force_and_penetration() {
     for relief in reliefs() {
         let model = model(relief.clone());
         let path = solved(&model);

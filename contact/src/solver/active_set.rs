@@ -65,7 +65,7 @@ impl ElasticSolver for ActiveSetSolver {
         let Some(mut springs) = DenseSprings::of(problem) else {
             return Ok((solution.into_iterate(residuals), None));
         };
-        while springs.straighten(&mut system, &solution) {
+        while springs.linearise(&mut system, &solution) {
             let start = springs.pressure().to_vec();
             solution = self.solve_linear(&system, &start, &mut residuals, watch)?;
             if residuals.len() > self.options.max_applications {
@@ -117,7 +117,7 @@ fn moves(before: &[usize], after: &[usize]) -> usize {
 #[cfg(test)]
 mod tests {
     #[test]
-    fn moves_are_what_entered_and_what_left() {
+    fn moves_count_the_elements_that_entered_and_those_that_left() {
         for (before, after, moves) in [
             (&[][..], &[3, 5][..], 2),
             (&[3, 5], &[], 2),

@@ -116,13 +116,13 @@ impl ElasticSolver for GradientSolver {
         let mut residuals = Vec::new();
         let ending = loop {
             let judgement = solution.judge();
-            solution.tell(watch, residuals.len(), judgement.residual)?;
+            solution.report(watch, residuals.len(), judgement.residual)?;
             residuals.push(judgement.residual);
             if let Some(ending) = self.ending(&solution, &strategy, judgement) {
                 break ending;
             }
-            if solution.straighten(&judgement, strategy.phase()) {
-                strategy.begin_anew();
+            if solution.linearise(&judgement, strategy.phase()) {
+                strategy.restart();
             }
             let residual = judgement.linear;
             if !residual.is_finite() {
@@ -220,13 +220,13 @@ impl GradientSolver {
         } = judgement;
         let options = &self.options;
         // A descent with a non-finite residual would only start again.
-        let is_lost = residual.is_infinite() && strategy.phase() == Phase::Descent;
+        let cannot_descend = residual.is_infinite() && strategy.phase() == Phase::Descent;
         if solution.reaches_border() {
             Some(Ending::ReachedBorder)
         } else if is_admissible && residual <= TOLERANCE_MARGIN * options.tolerance {
             Some(Ending::Solved)
         } else {
-            (is_lost || solution.applications() >= options.max_applications)
+            (cannot_descend || solution.applications() >= options.max_applications)
                 .then_some(Ending::GivenUp)
         }
     }

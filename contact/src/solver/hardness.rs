@@ -45,7 +45,7 @@ use crate::{ContactError, DiscreteProblem, Load};
 
 /// Fraction of the tolerance to which the problems are solved. If rounding brings one of two elements that differ by
 /// twice a residual to the limit, the other alone determines the penetration.
-const CLOSER: f64 = 0.5;
+const TOLERANCE_FRACTION: f64 = 0.5;
 
 /// Solves a problem, by exchanges if it has a hardness.
 pub fn solve(
@@ -69,7 +69,7 @@ pub fn solve(
         carried => carried?,
     }
     let wanted = *solver.options();
-    let tolerance = CLOSER * wanted.tolerance;
+    let tolerance = TOLERANCE_FRACTION * wanted.tolerance;
     let mut exchange = LimitExchange::start(problem, load, start, tolerance);
     let iterate = loop {
         exchange.press(problem);
@@ -78,8 +78,8 @@ pub fn solve(
         *solver.options() = wanted;
         let (iterate, displacement) = found?;
         let reached_border = exchange.take(iterate);
-        let is_spent = exchange.total.operator_applications >= wanted.max_applications;
-        if reached_border || is_spent {
+        let is_exhausted = exchange.total.operator_applications >= wanted.max_applications;
+        if reached_border || is_exhausted {
             break exchange.into_iterate(problem.hardness());
         }
         let displacement = exchange.displacement(problem, displacement);

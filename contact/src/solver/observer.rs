@@ -53,13 +53,13 @@ mod tests {
 
     /// Keeps the reports, and cancels at a given iteration.
     struct Listener {
-        told: Vec<Progress>,
+        reports: Vec<Progress>,
         last: usize,
     }
 
     impl Observer for Listener {
         fn progress(&mut self, progress: &Progress) -> Signal {
-            self.told.push(*progress);
+            self.reports.push(*progress);
             if progress.iteration == self.last {
                 Signal::Cancel
             } else {
@@ -71,7 +71,7 @@ mod tests {
     fn solve(solver: &mut dyn Solver, last: usize) -> (Vec<Progress>, Option<usize>) {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let mut listener = Listener {
-            told: Vec::new(),
+            reports: Vec::new(),
             last,
         };
         let mut watch = Watch {
@@ -93,30 +93,30 @@ mod tests {
             Err(ContactError::Cancelled { step: 2 }) => None,
             Err(other) => panic!("{other:?}"),
         };
-        (listener.told, pressing)
+        (listener.reports, pressing)
     }
 
     #[test]
-    fn who_watches_is_told_of_every_step_in_turn_and_may_cancel() {
+    fn the_observer_sees_every_iteration_and_may_cancel() {
         for solver in [
             &mut GradientSolver::default() as &mut dyn Solver,
             &mut ActiveSetSolver::default(),
         ] {
-            let (told, pressing) = solve(solver, usize::MAX);
-            for (iteration, progress) in told.iter().enumerate() {
+            let (reports, pressing) = solve(solver, usize::MAX);
+            for (iteration, progress) in reports.iter().enumerate() {
                 assert_eq!(progress.iteration, iteration);
                 let place = [progress.step, progress.finished, progress.steps];
                 assert_eq!((place, progress.elements), ([2, 1, 5], SIZE));
             }
-            let [first, .., last] = &told[..] else {
-                panic!("{told:?}")
+            let [first, .., last] = &reports[..] else {
+                panic!("{reports:?}")
             };
             assert!(last.residual < 1e-8 && first.residual > 1e-3);
             // The final set holds the elements that press; at the start all of it is new.
             assert_eq!(Some(last.working_set), pressing);
             assert_eq!(first.working_set, first.working_set_change);
-            let (told, pressing) = solve(solver, 2);
-            assert_eq!((told.len(), pressing), (3, None));
+            let (reports, pressing) = solve(solver, 2);
+            assert_eq!((reports.len(), pressing), (3, None));
         }
     }
 }

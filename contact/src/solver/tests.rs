@@ -18,7 +18,7 @@ use crate::{
 pub(in crate::solver) const SIZE: usize = 32;
 
 /// Factors on lengths and moduli.
-const AS_THEY_ARE: [f64; 2] = [1.0; 2];
+const UNSCALED: [f64; 2] = [1.0; 2];
 
 /// `SIZE`² elements of a square of side 1, on a coating of relative stiffness `stiffness` and `thickness` on a body.
 pub(in crate::solver) fn problem(
@@ -26,7 +26,7 @@ pub(in crate::solver) fn problem(
     gap: impl Fn(f64, f64) -> f64,
     eta: impl Fn(f64, f64) -> f64,
 ) -> DiscreteProblem {
-    problem_in(AS_THEY_ARE, coating, gap, eta)
+    problem_in(UNSCALED, coating, gap, eta)
 }
 
 /// The same in other units of length and modulus.
@@ -86,7 +86,7 @@ fn solve(problem: &mut DiscreteProblem, load: Load, start: &[f64]) -> Iterate {
 pub(in crate::solver) const RIGID: fn(f64, f64) -> f64 = |_, _| 0.0;
 
 #[test]
-fn no_threshold_knows_the_units() {
+fn no_threshold_depends_on_the_units() {
     let punch = |x: f64, y: f64| {
         let end = if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
         pillars(x, y, 0.002) - paraboloid(x, y) + end
@@ -110,16 +110,16 @@ fn no_threshold_knows_the_units() {
     // Powers of two, which change no digit, up to values at which squares of lengths and pressures would still neither
     // under- nor overflow.
     for stiff in [false, true] {
-        let as_they_are = solved(AS_THEY_ARE, stiff);
+        let unscaled = solved(UNSCALED, stiff);
         for exponents in [[-30, 40], [200, -100], [-300, 300]] {
             let units = exponents.map(|exponent| 2_f64.powi(exponent));
-            assert!(solved(units, stiff) == as_they_are, "{exponents:?}");
+            assert!(solved(units, stiff) == unscaled, "{exponents:?}");
         }
     }
 }
 
 #[test]
-fn a_solution_is_its_own_start() {
+fn a_solution_used_as_the_start_takes_no_iterations() {
     for stiffness in [1.0, 1000.0] {
         let mut problem = problem([stiffness, 0.02], paraboloid, RIGID);
         let first = solve(&mut problem, Load::Force(2e-3), &[0.0; SIZE * SIZE]);
@@ -149,7 +149,7 @@ fn a_load_costs_the_same_after_another_as_alone() {
 }
 
 #[test]
-fn the_residuals_end_below_the_tolerance_and_one_is_told_before_every_step() {
+fn the_last_residual_is_below_the_tolerance_and_every_iteration_has_one() {
     let mut problem = problem([10.0, 0.05], paraboloid, RIGID);
     let found = solve(&mut problem, Load::Force(2e-3), &[0.0; SIZE * SIZE]);
     let (last, before) = found.residuals.split_last().unwrap();
@@ -253,7 +253,7 @@ fn both_solvers_agree_on_every_kind_of_problem() {
 }
 
 #[test]
-fn a_punch_has_the_stiffness_of_its_force_over_its_penetration() {
+fn the_stiffness_of_a_punch_is_its_force_over_its_penetration() {
     let flat = |x: f64, y: f64| if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
     for stiffness in [0.1, 30.0] {
         // Springs keep the whole face in contact.
@@ -268,7 +268,7 @@ fn a_punch_has_the_stiffness_of_its_force_over_its_penetration() {
 }
 
 #[test]
-fn an_operator_in_units_of_its_own_is_solved_from_nothing() {
+fn an_operator_in_its_own_units_is_solved_from_zero_pressure() {
     // Steel under a sphere of 1 mm, elements of 1 µm: pressures of 1e9 on displacements of 1e-8.
     let (side, depth) = (1e-6, 1e-8);
     let body = Foundation::half_space(Material::new(210e9, 0.3).unwrap());
@@ -297,7 +297,7 @@ fn an_operator_in_units_of_its_own_is_solved_from_nothing() {
 }
 
 #[test]
-fn a_solver_that_gives_up_returns_the_best_pressure_met() {
+fn a_solver_that_gives_up_returns_the_best_pressure_found() {
     let mut problem = problem([1.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);
     let mut worst_before = f64::INFINITY;
     for max_applications in [3, 5, 7] {
@@ -333,7 +333,7 @@ fn a_solver_that_gives_up_returns_the_best_pressure_met() {
 }
 
 #[test]
-fn tolerances_from_nothing_to_a_tenth_are_taken_and_no_other() {
+fn only_tolerances_above_zero_and_up_to_a_tenth_are_accepted() {
     let checked = |tolerance| {
         let options = SolverOptions {
             tolerance,

@@ -180,7 +180,7 @@ mod tests {
     };
 
     #[test]
-    fn extremes_of_a_body_and_a_plane_are_those_of_hertz_and_what_they_use_of_strengths() {
+    fn extremes_and_utilisations_of_a_body_and_a_plane_are_those_of_hertz() {
         let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
         let model = Model {
             tables: Arc::new(RadialTables::build(&body).unwrap()),

@@ -35,7 +35,7 @@ pub struct CriticalLoad {
 }
 
 /// One criterion: the quantity, its depth range, and its extremes under the loads of the path.
-struct Asked {
+struct CriterionSearch {
     criterion: Criterion,
     name: String,
     strength: f64,
@@ -70,10 +70,10 @@ pub fn critical_loads(
         });
     }
     let mut found = Vec::new();
-    for asked in criteria(stress, extremes) {
+    for criterion in criteria(stress, extremes) {
         let solutions = path.steps.iter().map(|step| &step.solution);
         let solved = solutions
-            .zip(&asked.known)
+            .zip(&criterion.known)
             .map(|(solution, extreme)| Solved {
                 force: solution.force,
                 penetration: solution.penetration,
@@ -91,28 +91,28 @@ pub fn critical_loads(
                 ..*options
             },
             sliding: stress.sliding,
-            target: &asked.target,
-            strength: asked.strength,
+            target: &criterion.target,
+            strength: criterion.strength,
             solved,
             observer: &mut *observer,
         };
         let outcome = search.search()?;
-        found.push(asked.answered(&outcome));
+        found.push(criterion.into_critical_load(&outcome));
     }
     Ok(found)
 }
 
 /// Collects the criteria for which strengths are given.
-fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
-    let mut asked = Vec::new();
-    let mut ask = |criterion, name: &str, strength: Option<f64>, [top, bottom]: [f64; 2], known| {
+fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<CriterionSearch> {
+    let mut searches = Vec::new();
+    let mut add = |criterion, name: &str, strength: Option<f64>, [top, bottom]: [f64; 2], known| {
         let quantity = match criterion {
             Criterion::Yield => StressQuantity::VonMises,
             Criterion::Tension => StressQuantity::MaxPrincipal,
             Criterion::InterfaceShear => StressQuantity::ShearTraction,
             Criterion::InterfaceTension => StressQuantity::Tension,
         };
-        asked.extend(strength.map(|strength| Asked {
+        searches.extend(strength.map(|strength| CriterionSearch {
             criterion,
             name: name.to_owned(),
             strength,
@@ -131,7 +131,7 @@ fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
             steps.collect::<Vec<_>>()
         };
         let yielding = known(|body| body.max_von_mises);
-        ask(
+        add(
             Criterion::Yield,
             &body.name,
             strengths.yield_strength,
@@ -139,7 +139,7 @@ fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
             yielding,
         );
         let tension = known(|body| body.max_principal);
-        ask(
+        add(
             Criterion::Tension,
             &body.name,
             strengths.tensile_strength,
@@ -157,7 +157,7 @@ fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
             steps.collect::<Vec<_>>()
         };
         let shear = known(|interface| interface.max_shear_traction);
-        ask(
+        add(
             Criterion::InterfaceShear,
             &name,
             strengths.shear_strength,
@@ -165,7 +165,7 @@ fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
             shear,
         );
         let tension = known(|interface| interface.max_tension);
-        ask(
+        add(
             Criterion::InterfaceTension,
             &name,
             strengths.tensile_strength,
@@ -173,12 +173,12 @@ fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<Asked> {
             tension,
         );
     }
-    asked
+    searches
 }
 
-impl Asked {
+impl CriterionSearch {
     /// Turns the result of a search into a critical load.
-    fn answered(self, outcome: &LoadSearchResult) -> CriticalLoad {
+    fn into_critical_load(self, outcome: &LoadSearchResult) -> CriticalLoad {
         let (met, last) = match outcome {
             LoadSearchResult::Met { solved, exponent } => (Some((solved, exponent)), Some(solved)),
             LoadSearchResult::Missed(last) => (None, last.as_ref()),

@@ -355,7 +355,7 @@ mod tests {
     }
 
     #[test]
-    fn an_extreme_at_an_edge_near_the_surface_is_not_resolved_and_one_beside_the_axis_is_on_it() {
+    fn an_extreme_at_an_edge_is_not_resolved_and_one_close_to_the_axis_is_moved_to_it() {
         let path = solved(crate::FlatPunch::new(0.2).unwrap(), 0.01);
         let finder = ExtremeFinder::new(&path, &path.steps[0], Sliding::default());
         let side = path.grid.element_side();

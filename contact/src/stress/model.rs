@@ -95,7 +95,7 @@ mod tests {
     use super::Sliding;
 
     #[test]
-    fn a_traction_has_the_size_of_friction_and_the_direction_of_sliding() {
+    fn the_traction_per_pressure_has_the_magnitude_of_friction_and_the_direction_of_sliding() {
         let sliding = Sliding {
             friction: 0.4,
             direction: FRAC_PI_6,

@@ -166,7 +166,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_quadratic_returns_its_vertex_in_three_axes_and_in_two() {
+    fn the_vertex_of_a_quadratic_is_recovered_in_three_and_two_dimensions() {
         let vertex = [0.31, -0.44, 0.2];
         let value = |at: [f64; 3]| {
             let [x, y, z] = std::array::from_fn(|axis| at[axis] - vertex[axis]);
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn a_peak_beyond_an_element_or_the_depths_is_looked_for_up_to_their_ends() {
+    fn the_search_for_a_peak_stops_at_the_ends_of_the_element_and_the_depths() {
         let stress = |[u, v, z]: [f64; 3]| 4.0 - (u - 1.6).powi(2) - (v + 0.4).powi(2) - z * z;
         let found = around(&[1.0, 1.5, 2.0], stress);
         let found = found.largest([0.0, 0.0, 1.5], |state| state.stress[2]);
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn the_centres_around_one_are_those_of_a_square_row_after_row() {
+    fn neighbouring_centres_form_a_square_listed_row_by_row() {
         let places = Neighbourhood::places([3, -1]);
         assert_eq!(
             [places[0], places[1], places[12], places[24]],

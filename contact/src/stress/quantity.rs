@@ -102,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_quantity_exceeds_its_bound_which_some_stress_reaches_or_differs_from_its_rough_value() {
+    fn bounds_are_attained_and_never_exceeded_and_rough_values_agree() {
         let stresses = [
             [1.0, -2.0, 0.5, 3.0, -1.0, 2.0],
             [-4.0, -4.0, -5.0, 0.1, 0.0, 1.0],

@@ -133,7 +133,7 @@ impl ElasticOperator for Rigid {
 }
 
 #[test]
-fn on_springs_alone_the_penetration_is_a_straight_line_of_the_force() {
+fn on_springs_alone_the_penetration_is_linear_in_the_force() {
     // p = min((D − ρ²/2R)/η, p_max), so Q = π R (2 D p_max − η p_max²) from D = η p_max on.
     let (radius, eta, limit) = (1.0, 0.1, 0.2);
     let mut errors = Vec::new();
@@ -172,7 +172,7 @@ fn on_springs_alone_the_penetration_is_a_straight_line_of_the_force() {
 }
 
 #[test]
-fn a_punch_sinks_by_no_more_than_it_must_where_every_element_is_at_the_limit() {
+fn a_punch_sinks_no_more_than_necessary_if_every_element_is_at_the_limit() {
     let (size, limit) = (24, 0.03);
     let elasticity = elasticity(body(None), size);
     let gap = sample(
@@ -221,7 +221,7 @@ fn a_punch_sinks_by_no_more_than_it_must_where_every_element_is_at_the_limit() {
 }
 
 #[test]
-fn a_hardness_that_is_none_is_refused() {
+fn an_invalid_hardness_is_refused() {
     let elasticity = elasticity(body(None), 8);
     let problem = || {
         DiscreteProblem::elastic(elasticity.clone(), 8, vec![0.0; 64], vec![0.0; 64], 1.0).unwrap()

@@ -107,7 +107,7 @@ fn far_beyond_the_limit_the_contact_area_is_force_over_hardness() {
 }
 
 #[test]
-fn numbers_converge_with_the_grid() {
+fn results_converge_with_the_grid() {
     let steps = [32, 64, 128, 256].map(|elements| step(0.6, elements));
     let changes = |number: fn(&Step) -> f64| {
         let values = steps.each_ref().map(number);
@@ -154,7 +154,7 @@ fn quadrant_window_and_dense_method_agree_on_a_path() {
 }
 
 #[test]
-fn a_chosen_domain_holds_the_plastic_contact() {
+fn an_automatic_domain_contains_the_plastic_contact() {
     let (force, peak) = hertz();
     // A contact of radius √(Q/π p_max), 2.3 times Hertz's.
     let path = path(0.125, Domain::Automatic, 64, SolverOptions::default());
@@ -164,7 +164,7 @@ fn a_chosen_domain_holds_the_plastic_contact() {
 }
 
 #[test]
-fn a_punch_that_its_hardness_does_not_carry_is_refused_before_anything_is_solved() {
+fn a_force_beyond_the_hardness_of_a_punch_is_refused_before_anything_is_solved() {
     let punch = model(FlatPunch::new(0.3).unwrap());
     let options = SolverOptions {
         hardness: 0.1,
@@ -181,7 +181,7 @@ fn a_punch_that_its_hardness_does_not_carry_is_refused_before_anything_is_solved
 }
 
 #[test]
-fn a_cell_under_nine_tenths_of_its_hardness_is_all_but_closed() {
+fn a_cell_under_nine_tenths_of_its_hardness_is_almost_closed() {
     let paraboloid = model(Paraboloid::new(1.0).unwrap());
     let options = SolverOptions {
         hardness: 0.1,

@@ -42,7 +42,7 @@ fn spread(i: u32) -> [f64; 3] {
 }
 
 #[test]
-fn no_sampled_stress_exceeds_the_extremes_and_each_is_found_where_it_is_said_to_be() {
+fn no_sampled_stress_exceeds_the_extremes_and_each_lies_at_its_reported_position() {
     let thickness = 0.02;
     let (path, stress, found) = coating_under_a_ball(thickness);
     let field = StressField::new(&path, 0, stress.sliding).unwrap();
@@ -54,13 +54,13 @@ fn no_sampled_stress_exceeds_the_extremes_and_each_is_found_where_it_is_said_to_
         SubsurfaceState::max_shear,
     ];
     for (part, extremes) in stress.bodies.iter().zip(&found.bodies) {
-        let said = [
+        let reported = [
             extremes.max_von_mises,
             extremes.max_principal,
             extremes.min_principal,
             extremes.max_shear,
         ];
-        for (index, extreme) in said.iter().enumerate() {
+        for (index, extreme) in reported.iter().enumerate() {
             let [x, y, z] = extreme.at;
             let value = if index == 2 {
                 -extreme.value
@@ -127,7 +127,7 @@ fn planes_that_show_a_part_of_the_loaded_square_hold_the_states_at_their_centres
 }
 
 #[test]
-fn tractions_of_an_interface_are_the_largest_on_its_plane() {
+fn extreme_tractions_of_an_interface_are_the_largest_on_its_plane() {
     let thickness = 0.05;
     let (path, stress, found) = coating_under_a_ball(thickness);
     let mut planes = StressField::new(&path, 0, stress.sliding)
@@ -189,7 +189,7 @@ impl Profile for Pair {
 }
 
 #[test]
-fn of_two_contacts_almost_alike_the_one_under_more_stress_is_found() {
+fn of_two_almost_equal_contacts_the_more_highly_stressed_is_found() {
     for (radii, side) in [([1.0, 1.005], -1.0), ([1.005, 1.0], 1.0)] {
         let model = model(&half_space(), Indenter::custom(Pair(radii)));
         let loads = [Load::Penetration(5e-3), Load::Penetration(-1e-3)];

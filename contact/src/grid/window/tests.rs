@@ -15,7 +15,7 @@ fn window(origin: [usize; 2], size: usize) -> Window {
 }
 
 #[test]
-fn a_window_holds_what_belongs_with_a_margin() {
+fn a_window_contains_the_members_with_a_margin() {
     let belongs = |[i, j]: [usize; 2]| i / 10 == 7 && j / 20 == 9;
     let window = Window::whole(200).around(belongs);
     let mask: Vec<f64> = (0..200 * 200)
@@ -32,7 +32,7 @@ fn a_window_holds_what_belongs_with_a_margin() {
 }
 
 #[test]
-fn a_quadrants_window_begins_at_the_axis_and_spreads_to_four_images() {
+fn a_quadrant_window_begins_at_the_axes_and_unfolds_to_four_images() {
     let quadrant = SectorGrid::new(Sector::Quadrant, 100);
     let everywhere = Window::all_of(quadrant);
     let window = everywhere.around(|[i, j]| i == 20 && j == 7);
@@ -57,7 +57,7 @@ fn a_quadrants_window_begins_at_the_axis_and_spreads_to_four_images() {
 }
 
 #[test]
-fn a_halfs_window_begins_at_its_axis_and_spreads_to_two_images() {
+fn a_half_window_begins_at_its_axis_and_unfolds_to_two_images() {
     let half = SectorGrid::new(Sector::Half, 100);
     let everywhere = Window::all_of(half);
     let window = everywhere.around(|[i, j]| (150..161).contains(&i) && j == 7);
@@ -102,7 +102,7 @@ fn a_window_grows_until_it_is_the_whole_grid() {
 }
 
 #[test]
-fn a_field_moves_between_windows_and_is_nought_where_there_was_none() {
+fn a_field_moves_between_windows_and_is_zero_outside_the_old_one() {
     let field: Vec<f64> = (0..400).map(|e| 1.0 + f64::from(e)).collect();
     let (one, other) = (window([2, 5], 9), window([7, 1], 8));
     let moved = other.take_over(&one, &one.cut(&field));
@@ -124,14 +124,14 @@ fn a_field_moves_between_windows_and_is_nought_where_there_was_none() {
 }
 
 #[test]
-fn a_rim_goes_as_far_as_the_grid() {
+fn a_rim_extends_as_far_as_the_grid() {
     assert_eq!(window([5, 6], 4).with_rim(2), window([3, 4], 8));
     assert_eq!(window([0, 15], 4).with_rim(2), window([0, 12], 8));
     assert_eq!(window([1, 2], 17).with_rim(2), Window::whole(20));
 }
 
 #[test]
-fn on_a_finer_grid_a_window_reaches_as_far_as_interpolation_does() {
+fn on_a_finer_grid_a_window_extends_as_far_as_interpolation() {
     let belongs = |[i, j]: [usize; 2]| (4..7).contains(&i) && j == 9;
     for finer in [20, 33, 40] {
         let reach = Window::whole(20).on_finer(belongs, finer).unwrap();
@@ -167,7 +167,7 @@ fn many_loads_share_windows_of_few_sizes() {
 }
 
 #[test]
-fn the_window_around_what_presses_holds_it_with_a_margin_and_is_none_where_nothing_does() {
+fn the_window_around_pressed_elements_has_a_margin_and_is_none_without_pressure() {
     let whole = Window::whole(200);
     let mut pressure = vec![0.0; whole.elements()];
     assert!(whole.around_pressing(&pressure).is_none());
@@ -186,7 +186,7 @@ fn the_window_around_what_presses_holds_it_with_a_margin_and_is_none_where_nothi
 }
 
 #[test]
-fn a_threads_rows_hold_as_many_elements_as_are_worth_it_and_hardly_more() {
+fn the_rows_per_thread_just_exceed_the_fewest_elements_worth_a_thread() {
     for size in [1, 100, 5000, 4 * ELEMENTS_PER_THREAD] {
         let rows = Window::whole(size).rows_per_thread();
         assert!(rows * size > ELEMENTS_PER_THREAD && (rows - 1) * size <= ELEMENTS_PER_THREAD);
@@ -214,7 +214,7 @@ fn an_index_on_the_whole_grid_counts_from_the_axes_of_a_sector() {
 }
 
 #[test]
-fn a_cell_across_an_axis_belongs_to_as_many_quadrants_as_it_has_images_of_one_element() {
+fn a_cell_across_an_axis_is_shared_equally_between_the_sectors_it_joins() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
         let grid = SectorGrid::new(sector, 10);
         let window = Window::all_of(grid);
@@ -236,7 +236,7 @@ fn a_cell_across_an_axis_belongs_to_as_many_quadrants_as_it_has_images_of_one_el
 }
 
 #[test]
-fn before_an_axis_lies_the_mirror_image_and_before_the_grid_nothing() {
+fn beyond_an_axis_lies_the_mirror_image_and_beyond_the_grid_nothing() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
         let grid = SectorGrid::new(sector, 10);
         let window = Window::all_of(grid);
@@ -258,7 +258,7 @@ fn before_an_axis_lies_the_mirror_image_and_before_the_grid_nothing() {
 }
 
 #[test]
-fn of_two_windows_the_wider_is_taken_and_grows_by_at_least_what_there_is() {
+fn the_wider_of_two_windows_is_taken_and_grows_if_it_is_the_present_one() {
     let (small, large) = (window([4, 4], 6), window([2, 3], 12));
     assert_eq!(small.wider(large), large);
     let kept = large.wider(small);

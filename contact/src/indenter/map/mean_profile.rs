@@ -76,7 +76,7 @@ mod tests {
     use super::MeanProfile;
 
     #[test]
-    fn a_power_is_met_within_and_below_the_radii() {
+    fn a_power_law_is_exact_within_and_below_the_radii() {
         for power in [1.0, 2.0, 3.5] {
             let height = |x: f64, y: f64| x.hypot(y).powf(power);
             let mean = MeanProfile::new(height, [1e-3, 2.0]);
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_beyond_the_end_is_left_out_and_nothing_is_infinite() {
+    fn points_beyond_the_end_are_left_out_and_a_circle_wholly_beyond_is_infinite() {
         let height = |x: f64, y: f64| {
             if x.abs() < 1.0 && y.abs() < 2.0 {
                 x * x + y * y
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn a_dent_at_the_tip_is_met_by_straight_lines() {
+    fn a_dent_at_the_tip_is_interpolated_linearly() {
         let mean = MeanProfile::new(|x, y| x.hypot(y) - 1.0, [0.5, 4.0]);
         assert!((mean.at(0.52) + 0.48).abs() < 1e-12, "{}", mean.at(0.52));
         // The error of a power through both ends of a straight line with an offset.
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn from_a_flat_tip_the_mean_rises_along_straight_lines() {
+    fn from_a_flat_tip_the_mean_rises_linearly() {
         // The mean is 0 up to a radius of 1, and ρ − 1 beyond: a power of the radius would be infinite or undefined.
         let mean = MeanProfile::new(|x, y| (x.hypot(y) - 1.0).max(0.0), [0.5, 4.0]);
         // The radii around 1: 0.5 · 1.1⁷ and 0.5 · 1.1⁸.
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn to_a_flat_ring_the_mean_falls_along_straight_lines() {
+    fn to_a_flat_ring_the_mean_falls_linearly() {
         // 1 − ρ down to 0 from a radius of 1 on.
         let mean = MeanProfile::new(|x, y| (1.0 - x.hypot(y)).max(0.0), [0.5, 4.0]);
         let [low, high] = [7, 8].map(|k| 0.5 * 1.1_f64.powi(k));

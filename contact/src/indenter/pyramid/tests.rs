@@ -52,7 +52,7 @@ fn the_standard_angles_have_their_area_ratios() {
 }
 
 #[test]
-fn without_a_tip_radius_it_is_the_sharp_pyramid() {
+fn without_a_tip_radius_a_pyramid_is_sharp() {
     for pyramid in pyramids(0.0) {
         for [x, y] in points(500, 3.0) {
             let error = (pyramid.height(x, y) - sharp(&pyramid, x, y)).abs();
@@ -63,7 +63,7 @@ fn without_a_tip_radius_it_is_the_sharp_pyramid() {
 }
 
 #[test]
-fn it_tends_to_the_sharp_pyramid_with_the_tip_radius() {
+fn it_tends_to_the_sharp_pyramid_as_the_tip_radius_vanishes() {
     for radius in [1e-1, 1e-3, 1e-6] {
         for pyramid in pyramids(radius) {
             // The sharp pyramid through the same faces, R (1/sin α − 1) deeper, lies below the blunt one, nowhere
@@ -81,7 +81,7 @@ fn it_tends_to_the_sharp_pyramid_with_the_tip_radius() {
 }
 
 #[test]
-fn the_faces_are_flat_and_exactly_those_of_the_sharp_pyramid_shifted() {
+fn the_faces_are_flat_and_exactly_the_shifted_faces_of_the_sharp_pyramid() {
     for pyramid in pyramids(0.4) {
         let depth = 0.4 * (pyramid.face_angle().sin().recip() - 1.0);
         let (sine, cosine) = (PI / pyramid.faces() as f64).sin_cos();
@@ -173,7 +173,7 @@ fn seams(pyramid: &Pyramid) -> Vec<[f64; 2]> {
 }
 
 #[test]
-fn height_and_slope_agree_from_both_sides_of_every_seam_with_first_order_in_the_step() {
+fn height_and_slope_are_continuous_across_every_seam_to_first_order_in_the_step() {
     for pyramid in pyramids(0.3) {
         for [x, y] in seams(&pyramid) {
             let jump = |h: f64| {
@@ -225,7 +225,7 @@ fn with_many_faces_it_tends_to_the_cone_with_second_order() {
 }
 
 #[test]
-fn the_mean_over_a_circle_of_a_sharp_pyramid_is_known() {
+fn the_mean_over_a_circle_of_a_sharp_pyramid_is_its_closed_form() {
     let pyramid = Pyramid::berkovich(0.0).unwrap();
     // m ρ (n/π) sin(π/n)
     let exact = 2.0 / pyramid.face_angle().tan() * 3.0 / PI * (PI / 3.0).sin();
@@ -234,7 +234,7 @@ fn the_mean_over_a_circle_of_a_sharp_pyramid_is_known() {
 }
 
 #[test]
-fn the_mean_over_a_circle_of_a_rounded_pyramid_is_that_of_its_heights() {
+fn the_mean_over_a_circle_of_a_rounded_pyramid_is_the_mean_of_its_heights() {
     let pyramid = Pyramid::new(4, 1.2, 0.5).unwrap();
     assert_eq!(pyramid.mean_profile(0.0), 0.0);
     // Inside the cap, across it, and where faces take over.

@@ -70,7 +70,7 @@ fn start(window: &Window) -> Vec<f64> {
 }
 
 #[test]
-fn few_elements_give_the_answer_of_the_whole_grid_with_what_no_start_knew_of() {
+fn few_elements_give_the_solution_of_the_whole_grid_from_an_incomplete_start() {
     let elasticity = elasticity();
     let options = SolverOptions::default();
     for load in [Load::Penetration(DEPTH), Load::Force(3e-6)] {
@@ -101,7 +101,7 @@ fn few_elements_give_the_answer_of_the_whole_grid_with_what_no_start_knew_of() {
                 break (iterate, solution);
             }
             assert!(judgements < 3, "{:?}", solution.certificate);
-            assert!(dilute.learn(&problem, &judged, &solution.pressure));
+            assert!(dilute.correct(&problem, &judged, &solution.pressure));
             pressure = solution.pressure;
         };
         assert!(solution.certificate.is_satisfied());
@@ -124,7 +124,7 @@ fn few_elements_give_the_answer_of_the_whole_grid_with_what_no_start_knew_of() {
 }
 
 #[test]
-fn what_products_among_candidates_lack_is_learnt_of_a_pressure_that_was_judged() {
+fn products_among_candidates_are_corrected_from_a_judged_pressure() {
     let elasticity = elasticity();
     let mut problem = whole(&elasticity);
     let (window, options) = (window(&problem), SolverOptions::default());
@@ -144,7 +144,7 @@ fn what_products_among_candidates_lack_is_learnt_of_a_pressure_that_was_judged()
     };
     let solution = Solution::judge_within(&mut problem, trial, pressure, &mut judged);
     assert!(!dilute.is_done(&solution, &options));
-    assert!(dilute.learn(&problem, &judged, &solution.pressure));
+    assert!(dilute.correct(&problem, &judged, &solution.pressure));
     // With their own products the candidates now have the gaps of the whole grid's product.
     let mut displacement = vec![0.0; SIZE * SIZE];
     problem.displace(
@@ -164,7 +164,7 @@ fn what_products_among_candidates_lack_is_learnt_of_a_pressure_that_was_judged()
     let tip = dilute.candidates.at([60 - above, 70 - left]);
     assert!(tip.is_some() && dilute.candidates.at(needle).is_some());
     dilute.passes = MOST_PASSES;
-    assert!(!dilute.learn(&problem, &judged, &solution.pressure));
+    assert!(!dilute.correct(&problem, &judged, &solution.pressure));
 }
 
 #[test]
@@ -197,7 +197,7 @@ fn only_a_dilute_contact_on_a_large_free_grid_is_solved_among_candidates() {
 }
 
 #[test]
-fn the_work_of_what_came_before_is_added() {
+fn earlier_work_is_added() {
     let iterate = |work: usize| Iterate {
         iterations: work,
         operator_applications: 10 * work,

@@ -74,7 +74,7 @@ pub fn choose_side_at(model: &Model, loads: &[Load], hardness: f64) -> Result<f6
             verdict = Some(verdict.map_or(found, |other: SquareVerdict| other.max(found)));
         }
         let verdict = verdict.unwrap_or(SquareVerdict::Fits);
-        if let ControlFlow::Break(side) = search.go_on(verdict) {
+        if let ControlFlow::Break(side) = search.advance(verdict) {
             return Ok(side);
         }
     }
@@ -120,7 +120,7 @@ impl SideSearch {
     }
 
     /// Records the verdict on the current square; breaks with the final side if it is known.
-    fn go_on(&mut self, verdict: SquareVerdict) -> ControlFlow<f64> {
+    fn advance(&mut self, verdict: SquareVerdict) -> ControlFlow<f64> {
         let next = match verdict {
             SquareVerdict::Fits => return ControlFlow::Break(self.side()),
             SquareVerdict::TooSmall(powers) => {
@@ -156,13 +156,14 @@ fn judge(
     for size in FIRST_TRIALS {
         let grid = Grid::new(side, size)?;
         let is_carried = capacity::check(model, &grid, &[load], hardness).is_ok();
-        if is_carried && is_seen_by(model, &grid) && fits_clearly(model, grid, load, hardness)? {
+        if is_carried && is_resolved_by(model, &grid) && fits_clearly(model, grid, load, hardness)?
+        {
             return Ok(SquareVerdict::Fits);
         }
     }
     let grid = Grid::new(side, TRIAL)?;
     if let Err(refused) = capacity::check(model, &grid, &[load], hardness) {
-        return if capacity::goes_on(model, &grid) {
+        return if capacity::extends_beyond(model, &grid) {
             Ok(SquareVerdict::TooSmall(1))
         } else {
             Err(refused)
@@ -173,11 +174,13 @@ fn judge(
     }
     let step = solve(model, grid, load, [COARSE_TOLERANCE, hardness])?;
     let Some(to_edge) = step.summary.elements_to_edge else {
-        return Ok(if sees_the_tip(model, &grid, step.solution.penetration) {
-            SquareVerdict::Fits
-        } else {
-            shrunk_to_fit(1)
-        });
+        return Ok(
+            if resolves_the_tip(model, &grid, step.solution.penetration) {
+                SquareVerdict::Fits
+            } else {
+                shrunk_to_fit(1)
+            },
+        );
     };
     let is_cut_off = Surroundings::of(model, grid).cut_off(&step.solution);
     let extent = TRIAL / 2 - to_edge;
@@ -192,13 +195,13 @@ fn judge(
 
 /// Whether a grid coarser than that of a trial resolves everything that could touch: it must not miss a pillar or any
 /// part of a map.
-fn is_seen_by(model: &Model, grid: &Grid) -> bool {
-    let is_relief_seen = match &model.relief {
+fn is_resolved_by(model: &Model, grid: &Grid) -> bool {
+    let is_relief_resolved = match &model.relief {
         Relief::Bare | Relief::Film(_) => true,
         Relief::Cylinders(cylinders) => cylinders.radius() >= grid.element_side(),
         Relief::Map(_) | Relief::Custom(_) => false,
     };
-    is_relief_seen
+    is_relief_resolved
         && !matches!(model.indenter, Indenter::Map(_) | Indenter::Custom(_))
         && cut_off::can_touch(model, grid)
 }
@@ -247,7 +250,7 @@ fn solve(
 
 /// Whether the height of the indenter is less than the penetration at an element around its axis, so that a grid
 /// without contact has not missed any; true also if the penetration is unknown.
-fn sees_the_tip(model: &Model, grid: &Grid, penetration: f64) -> bool {
+fn resolves_the_tip(model: &Model, grid: &Grid, penetration: f64) -> bool {
     penetration.is_nan() || cut_off::lowest_height(model, grid) < penetration
 }
 

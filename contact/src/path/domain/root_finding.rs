@@ -82,7 +82,7 @@ mod tests {
     use super::where_zero;
 
     #[test]
-    fn a_power_of_the_length_is_found_in_any_unit_within_few_evaluations() {
+    fn the_root_of_a_power_law_is_found_in_any_unit_in_few_evaluations() {
         for exponent in [-150, -30, -6, 0, 3, 150] {
             for power in [0.5, 1.0, 3.0] {
                 let wanted = 1.7 * 10.0_f64.powi(exponent);
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn halving_the_end_that_stays_makes_a_bent_function_take_few_evaluations() {
+    fn halving_the_retained_end_finds_the_root_of_a_curved_function_in_few_evaluations() {
         // ln of a sum of powers, the sinh of a logarithm, and a function that is flat on one side.
         let functions: [fn(f64) -> f64; 3] = [
             |rho| (0.5 * rho.powi(2) + 5e5 * rho.powi(9)).ln(),
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_and_a_bend_are_found() {
+    fn roots_at_a_jump_and_of_a_curved_function_are_found() {
         let step = |length: f64| {
             if length <= 3e-6 {
                 f64::NEG_INFINITY
@@ -132,13 +132,13 @@ mod tests {
         };
         assert!((where_zero(step) / 3e-6 - 1.0).abs() < 1e-13);
         // ln of ρ² + 1e6 ρ⁹ at 2
-        let bent = |rho: f64| (0.5 * rho.powi(2) + 5e5 * rho.powi(9)).ln();
-        let found = where_zero(bent);
-        assert!(bent(found).abs() < 1e-12, "{found}");
+        let polynomial = |rho: f64| (0.5 * rho.powi(2) + 5e5 * rho.powi(9)).ln();
+        let found = where_zero(polynomial);
+        assert!(polynomial(found).abs() < 1e-12, "{found}");
     }
 
     #[test]
-    fn what_is_never_reached_or_always_ends_the_search() {
+    fn a_function_without_a_root_ends_the_search() {
         assert!(where_zero(|_| -1.0) > 1e150);
         assert!(where_zero(|_| 1.0) < 1e-150);
     }

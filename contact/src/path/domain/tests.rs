@@ -43,7 +43,7 @@ fn assert_side(model: &Model, loads: &[Load], radius: f64) {
 }
 
 #[test]
-fn a_penetration_reaches_as_far_as_the_indenter_is_that_high() {
+fn a_penetration_extends_to_where_the_indenter_is_that_high() {
     let model = model(&half_space(1.0), Relief::Bare, paraboloid(2.0));
     // a² = 2 R D; the largest of all loads determines the side
     for depth in [1e-9_f64, 0.01, 50.0] {
@@ -53,7 +53,7 @@ fn a_penetration_reaches_as_far_as_the_indenter_is_that_high() {
 }
 
 #[test]
-fn without_contact_the_indenter_stands_one_thickness_high_at_the_edge() {
+fn without_contact_the_indenter_is_one_thickness_high_at_the_edge() {
     let coating = Material::new(1.0, 0.3).unwrap();
     let coated = Foundation::coated(0.02, coating, Material::new(2.0, 0.3).unwrap()).unwrap();
     // ρ² = 2 R H, with H = 1 m if there is no thickness; the side is twice ρ, not three times.
@@ -66,7 +66,7 @@ fn without_contact_the_indenter_stands_one_thickness_high_at_the_edge() {
 }
 
 #[test]
-fn a_force_reaches_as_far_as_hertz_says_whatever_the_units() {
+fn the_contact_radius_of_a_force_is_that_of_hertz_in_any_unit() {
     // Q = 4/3 E* a³/R
     for (modulus, radius) in [(1.0, 1.0), (2e11, 1e-6), (1e-3, 40.0)] {
         let model = model(&half_space(modulus), Relief::Bare, paraboloid(radius));
@@ -77,7 +77,7 @@ fn a_force_reaches_as_far_as_hertz_says_whatever_the_units() {
 }
 
 #[test]
-fn a_guess_is_hertz_on_a_homogeneous_body_and_nothing_above_it() {
+fn the_guess_on_a_homogeneous_body_is_hertz_with_no_pressure_outside() {
     let model = model(&half_space(2.0), Relief::Bare, paraboloid(1.0));
     let a = 0.1_f64;
     // Q = 4/3 E* a³/R, p0 = 2 E* a/(π R)
@@ -125,7 +125,7 @@ fn a_film_and_the_body_under_it_are_springs_in_series() {
 }
 
 #[test]
-fn a_film_that_stiffens_is_a_spring_of_the_secant_at_the_mean_pressure() {
+fn a_stiffening_film_has_the_secant_stiffness_at_the_mean_pressure() {
     let (a, height, young) = (0.2_f64, 0.02, 0.3);
     let film = Film::new(height, young).unwrap().stiffening();
     let law = film.spring_law();
@@ -141,7 +141,7 @@ fn a_film_that_stiffens_is_a_spring_of_the_secant_at_the_mean_pressure() {
 }
 
 #[test]
-fn cylinders_carry_on_their_share_of_the_area_and_press_into_the_body() {
+fn cylinders_carry_the_force_on_their_area_fraction_and_press_into_the_body() {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
         radius: 0.005,
@@ -195,7 +195,7 @@ fn forces_and_volumes_of_a_paraboloid_are_the_closed_forms() {
 }
 
 #[test]
-fn an_estimated_force_is_that_of_a_contact_as_wide_as_the_indenter_is_high() {
+fn the_estimated_force_is_that_of_a_contact_to_where_the_height_is_the_penetration() {
     let model = model(&half_space(3.0), Relief::Bare, paraboloid(2.0));
     for depth in [1e-6_f64, 0.01] {
         // Hertz: Q = 4/3 E* a³/R = 4/3 E* √R D^1.5, with the radius √(R D) instead of √(2 R D)
@@ -213,7 +213,7 @@ fn an_estimated_force_is_that_of_a_contact_as_wide_as_the_indenter_is_high() {
 }
 
 #[test]
-fn a_hardness_wants_the_area_that_it_carries_the_force_on() {
+fn the_domain_contains_the_area_that_carries_the_force_at_the_hardness() {
     let model = model(&half_space(1.0), Relief::Bare, paraboloid(1.0));
     let a = 0.2_f64;
     let force = 4.0 / 3.0 * a.powi(3);
@@ -227,7 +227,7 @@ fn a_hardness_wants_the_area_that_it_carries_the_force_on() {
 }
 
 #[test]
-fn a_map_without_springs_is_as_bare() {
+fn a_map_without_springs_counts_as_bare() {
     let map = |eta: f64| {
         let heights = HeightMap::new(vec![0.0; 16], [4, 4], [1.0, 1.0]).unwrap();
         Relief::Map(ReliefMap::new(heights, MapCompliance::Uniform(eta)).unwrap())

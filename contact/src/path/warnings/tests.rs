@@ -10,7 +10,7 @@ use super::*;
 use crate::{Domain, Paraboloid, SolverOptions, solve_path};
 
 #[test]
-fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_of_a_small_part_of_it() {
+fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_a_small_fraction_of_it() {
     let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
     let model = Model {
         tables: Arc::new(RadialTables::build(&body).unwrap()),
@@ -19,12 +19,12 @@ fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_of_a_small_part_of_
         cache: Cache::none(),
     };
     // `size` elements per side, of which `across` are in contact.
-    let doubt = |size: usize, across: usize| {
+    let warning = |size: usize, across: usize| {
         let grid = Grid::new(1.0, size).unwrap();
         let radius = (across - 1) as f64 / (2 * size) as f64;
         domain_much_larger(&model, &grid, &[Load::Penetration(1e-6)], radius)
     };
-    for (size, across, is_doubted) in [
+    for (size, across, is_warned) in [
         (1000, 19, true),
         (1000, 20, false),
         (64, 7, true),
@@ -32,24 +32,28 @@ fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_of_a_small_part_of_
         (28, 7, false),
         (64, 1, false),
     ] {
-        assert_eq!(doubt(size, across).is_some(), is_doubted, "{size} {across}");
+        assert_eq!(
+            warning(size, across).is_some(),
+            is_warned,
+            "{size} {across}"
+        );
     }
     let Some(Warning::DomainMuchLarger {
         elements,
         radius,
         side,
         wanted,
-    }) = doubt(1000, 19)
+    }) = warning(1000, 19)
     else {
-        panic!("a doubt")
+        panic!("a warning")
     };
     assert_eq!(
         (elements, radius, side, wanted),
         (19, 0.009, 1.0, SIDE_PER_RADIUS * 0.009)
     );
     // Below eight elements the radius is estimated: a² = 2 R D.
-    let Some(Warning::DomainMuchLarger { radius, wanted, .. }) = doubt(64, 7) else {
-        panic!("a doubt")
+    let Some(Warning::DomainMuchLarger { radius, wanted, .. }) = warning(64, 7) else {
+        panic!("a warning")
     };
     assert!((radius / 2e-3 - 1.0).abs() < 0.02 && (wanted / 6e-3 - 1.0).abs() < 0.02);
 }
@@ -77,7 +81,7 @@ fn codes(model: &Model, step: &Step) -> Vec<&'static str> {
 }
 
 #[test]
-fn a_step_is_doubted_by_its_certificate_its_springs_its_peak_and_its_slope() {
+fn a_step_is_warned_about_for_its_certificate_springs_peak_or_slope() {
     let (model, mut step) = on_film();
     assert_eq!(codes(&model, &step), [""; 0]);
     step.summary.largest_shortening = 0.0075;
@@ -102,7 +106,7 @@ fn a_step_is_doubted_by_its_certificate_its_springs_its_peak_and_its_slope() {
 }
 
 #[test]
-fn a_peak_that_changes_is_doubted_unless_it_is_the_hardness() {
+fn a_peak_that_changes_is_warned_about_unless_it_is_the_hardness() {
     let (model, mut step) = on_film();
     let last = step.grid_error.levels.len() - 1;
     let largest = step.grid_error.levels[last].max_pressure;
@@ -146,7 +150,7 @@ fn on_layers(layers: &[(f64, f64)]) -> Model {
 }
 
 #[test]
-fn pillars_and_layers_that_elements_do_not_resolve_are_doubted() {
+fn pillars_and_layers_that_elements_do_not_resolve_are_warned_about() {
     // Elements of 0.05/3.9 and of 0.05/4.1; a layer thinner than 0.02 elements.
     let bare = on_layers(&[]);
     let found = |model: &Model, elements_per_radius: f64| {
@@ -167,15 +171,15 @@ fn pillars_and_layers_that_elements_do_not_resolve_are_doubted() {
     assert!(found(&bare, 4.1).is_empty());
     // Elements of 0.01; the second of two layers is too thin: 1.9e-4.
     let of_layers = |layers: &[(f64, f64)]| {
-        let doubts = found(&on_layers(layers), 5.0);
-        let doubts = doubts.iter().map(|warning| match warning {
+        let found_warnings = found(&on_layers(layers), 5.0);
+        let found_warnings = found_warnings.iter().map(|warning| match warning {
             Warning::LayerUnderResolved {
                 layer,
                 elements_per_thickness,
             } => (*layer, *elements_per_thickness),
             other => panic!("{other:?}"),
         });
-        doubts.collect::<Vec<_>>()
+        found_warnings.collect::<Vec<_>>()
     };
     let thin = of_layers(&[(4.0, 0.1), (10.0, 1.9e-4)]);
     assert_eq!(thin.len(), 1);
@@ -188,7 +192,7 @@ fn pillars_and_layers_that_elements_do_not_resolve_are_doubted() {
 }
 
 #[test]
-fn a_contact_near_the_edge_is_doubted_less_on_a_domain_that_was_chosen() {
+fn a_contact_may_come_closer_to_the_edge_of_an_automatic_domain_without_a_warning() {
     let (_, mut step) = on_film();
     let mut codes = |to_edge: Option<usize>, domain: Domain| {
         step.summary.elements_to_edge = to_edge;
@@ -221,7 +225,7 @@ fn a_contact_near_the_edge_is_doubted_less_on_a_domain_that_was_chosen() {
 }
 
 #[test]
-fn of_a_contact_that_the_grid_hardly_sees_the_peak_is_not_doubted_besides() {
+fn a_contact_that_the_grid_barely_resolves_gets_no_further_warning_about_its_peak() {
     let (model, mut step) = on_film();
     let loads = [Load::Force(1e-2)];
     step.grid_error.max_pressure.as_mut().unwrap().resolved = false;
@@ -261,7 +265,7 @@ fn of_a_contact_that_the_grid_hardly_sees_the_peak_is_not_doubted_besides() {
 }
 
 #[test]
-fn elements_are_too_large_where_none_has_its_middle_under_the_indenter() {
+fn elements_are_too_large_if_none_has_its_centre_under_the_indenter() {
     let (film, _) = on_film();
     let pin = Model {
         relief: Relief::Bare,

@@ -51,18 +51,22 @@ pub fn check_length(field: &'static str, found: usize, wanted: usize) -> Result<
     }
 }
 
-/// Returns an error if a field has a value that is not `legal`.
+/// Returns an error if a field has a value that is not `is_allowed`.
 pub fn check_values(
     field: &'static str,
     values: &[f64],
     wanted: &'static str,
-    legal: impl Fn(f64) -> bool + Sync,
+    is_allowed: impl Fn(f64) -> bool + Sync,
 ) -> Result<(), ContactError> {
-    let is_legal = |values: &[f64]| values.iter().fold(true, |all, value| all & legal(*value));
-    if values.par_chunks(VALUES_AT_ONCE).all(is_legal) {
+    let are_allowed = |values: &[f64]| {
+        values
+            .iter()
+            .fold(true, |all, value| all & is_allowed(*value))
+    };
+    if values.par_chunks(VALUES_AT_ONCE).all(are_allowed) {
         return Ok(());
     }
-    match values.iter().position(|value| !legal(*value)) {
+    match values.iter().position(|value| !is_allowed(*value)) {
         None => Ok(()),
         Some(element) => Err(ContactError::FieldValue {
             field,

@@ -32,7 +32,7 @@ fn problem(eta: &[f64], gap: &[f64], area: f64) -> Result<DiscreteProblem, Conta
 }
 
 #[test]
-fn a_problem_says_what_it_was_made_of() {
+fn a_problem_returns_its_data() {
     let (eta, gap) = ([0.5, 0.0, 1.0, 3.0], [0.0, 1.0, f64::INFINITY, -2.0]);
     let mut problem = problem(&eta, &gap, 0.25).unwrap();
     assert_eq!((problem.size(), problem.elements()), (2, 4));
@@ -47,7 +47,7 @@ fn a_problem_says_what_it_was_made_of() {
 }
 
 #[test]
-fn fields_that_no_surface_has_are_refused_at_their_element() {
+fn invalid_field_values_are_refused_with_their_element() {
     let (zeros, nan) = ([0.0; 4], f64::NAN);
     for (found, bad) in [(3, &[0.0; 3][..]), (5, &[0.0; 5])] {
         for outcome in [problem(bad, &zeros, 1.0), problem(&zeros, bad, 1.0)] {
@@ -74,7 +74,7 @@ fn fields_that_no_surface_has_are_refused_at_their_element() {
 }
 
 #[test]
-fn of_many_wrong_values_the_first_is_told() {
+fn of_many_invalid_values_the_first_is_reported() {
     let mut values = vec![1.0; 3 * VALUES_AT_ONCE];
     let check = |values: &[f64]| check_values("field", values, "positive", |value| value > 0.0);
     assert!(check(&values).is_ok());
@@ -88,7 +88,7 @@ fn of_many_wrong_values_the_first_is_told() {
 }
 
 #[test]
-fn areas_must_be_positive_and_something_must_be_able_to_touch() {
+fn areas_must_be_positive_and_some_element_must_be_able_to_touch() {
     for area in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let refused = problem(&[0.0; 4], &[0.0; 4], area);
         assert!(matches!(refused, Err(ContactError::ElementArea { .. })));
@@ -101,7 +101,7 @@ fn areas_must_be_positive_and_something_must_be_able_to_touch() {
 }
 
 #[test]
-fn a_surface_is_rough_where_three_elements_of_ten_are_crests() {
+fn a_surface_is_rough_if_three_elements_in_ten_are_crests() {
     let size = 20;
     let gap = |of: fn(usize, usize) -> f64| -> Vec<f64> {
         (0..size * size).map(|e| of(e / size, e % size)).collect()
@@ -131,7 +131,7 @@ fn on_half_space(is_cell: bool, gap: &[f64]) -> DiscreteProblem {
 }
 
 #[test]
-fn gaps_of_a_cell_are_small_beside_what_its_mean_pressure_presses_it_in_by() {
+fn the_reference_length_of_a_cell_includes_the_displacement_by_its_mean_pressure() {
     let [free, cell] = [false, true].map(|is_cell| on_half_space(is_cell, &[0.0; 16]));
     // C = 2/(E* k) at k = 2π, for a cell of side 1.
     let response = 1.0 / std::f64::consts::PI;
@@ -145,7 +145,7 @@ fn gaps_of_a_cell_are_small_beside_what_its_mean_pressure_presses_it_in_by() {
 }
 
 #[test]
-fn a_problem_with_another_gap_is_another_problem() {
+fn replacing_the_gap_also_updates_the_roughness() {
     let flat = vec![0.0; 16];
     let board: Vec<f64> = (0..16).map(|e| f64::from((e / 4 + e % 4) % 2)).collect();
     let mut problem = on_half_space(false, &flat);
@@ -201,7 +201,7 @@ fn on_coating(stiffness: f64, thickness: f64) -> DiscreteProblem {
 }
 
 #[test]
-fn the_contrast_of_a_body_is_by_how_much_it_yields_more_to_long_waves() {
+fn the_stiffness_contrast_exceeds_one_only_under_a_stiff_coating() {
     assert!((on_coating(1.0, 0.1).stiffness_contrast() - 1.0).abs() < 1e-9);
     // The shortest wave, of two elements, stays in the coating; one of 64 is hardly affected by a thin coating.
     let (stiff, soft) = (on_coating(20.0, 0.05), on_coating(0.05, 0.05));
@@ -214,7 +214,7 @@ fn the_contrast_of_a_body_is_by_how_much_it_yields_more_to_long_waves() {
 }
 
 #[test]
-fn a_problem_is_known_by_its_identity_until_anything_of_it_is_another() {
+fn the_identity_of_a_problem_changes_with_its_data() {
     let problem = || on_half_space(false, &[0.0; 16]);
     let (one, other) = (problem(), problem());
     assert!(one.identity() == one.identity());

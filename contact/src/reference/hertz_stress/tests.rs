@@ -52,7 +52,7 @@ fn tensor(state: &SubsurfaceState) -> [[f64; 3]; 3] {
 const DIFFERENCE: f64 = 2e-8;
 
 #[test]
-fn forces_are_in_equilibrium_everywhere() {
+fn stresses_are_in_equilibrium_everywhere() {
     for field in LOADS {
         for point in POINTS {
             let slopes = [0, 1, 2].map(|axis| tensor(&slope(field, body(0.3), point, axis)));
@@ -66,7 +66,7 @@ fn forces_are_in_equilibrium_everywhere() {
 }
 
 #[test]
-fn stresses_are_those_of_the_displacements_by_hookes_law() {
+fn stresses_follow_from_the_displacements_by_hookes_law() {
     for (field, nu) in LOADS
         .into_iter()
         .flat_map(|load| [(load, 0.0), (load, 0.3)])
@@ -89,7 +89,7 @@ fn stresses_are_those_of_the_displacements_by_hookes_law() {
 }
 
 #[test]
-fn tractions_on_the_surface_are_the_load_and_nothing_else() {
+fn surface_tractions_are_the_load_alone() {
     let body = body(0.3);
     let contact = unit_contact(body);
     let points: [[f64; 2]; 5] = [[0.0, 0.0], [0.3, -0.4], [0.6, 0.7], [0.9, 0.9], [-3.0, 1.0]];
@@ -112,7 +112,7 @@ fn tractions_on_the_surface_are_the_load_and_nothing_else() {
 }
 
 #[test]
-fn the_surface_sinks_as_hertz_says() {
+fn the_surface_displacement_is_that_of_hertz() {
     let body = body(0.3);
     let contact = unit_contact(body);
     let radius = contact.contact_radius.powi(2) / contact.penetration;
@@ -125,7 +125,7 @@ fn the_surface_sinks_as_hertz_says() {
 }
 
 #[test]
-fn on_the_axis_they_are_hubers() {
+fn stresses_on_the_axis_are_those_of_huber() {
     for nu in [0.0, 0.28, 0.5] {
         let body = body(nu);
         for z in [0.0, 0.01, 0.481, 1.0, 7.0] {
@@ -145,7 +145,7 @@ fn on_the_axis_they_are_hubers() {
 }
 
 #[test]
-fn the_rim_is_pulled_by_a_third_of_the_pressure_times_one_less_two_nu() {
+fn the_radial_tension_at_the_rim_is_a_third_of_one_minus_two_nu_times_the_peak() {
     let body = body(0.3);
     let contact = unit_contact(body);
     // Outside, σ_rr = p₀ (1 − 2ν) a²/3r²

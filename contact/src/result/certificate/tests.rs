@@ -50,7 +50,7 @@ fn assert_lines(found: Certificate, wanted: [f64; 4]) {
 }
 
 #[test]
-fn under_a_force_every_line_is_what_its_formula_says() {
+fn under_a_force_every_line_equals_its_formula() {
     let (solution, surface) = judged(Load::Force(2.0));
     // v = (1 + 1 + 0, 2 + 0 + 0.5, 1, ∞), D = (2·2 + 4·2.5)/6 = 7/3, g = (−1/3, 1/6, −4/3, ∞)
     assert_eq!(surface.displacement, [1.0, 2.0, 0.0, 0.0]);
@@ -79,7 +79,7 @@ fn under_a_penetration_the_gap_is_measured_from_it() {
 }
 
 #[test]
-fn on_a_large_grid_the_lines_are_those_of_all_elements() {
+fn on_a_large_grid_the_lines_include_all_elements() {
     let size = 200;
     let wave = |e: usize, rate: f64| (rate * e as f64).sin();
     let gap: Vec<f64> = (0..size * size).map(|e| 1.0 + wave(e, 0.01)).collect();
@@ -126,7 +126,7 @@ fn one_bad_line_is_enough_to_fail() {
     };
     assert!(perfect.is_satisfied());
     for bad in [2e-8, f64::INFINITY, f64::NAN] {
-        let spoilt = [
+        let altered = [
             Certificate {
                 complementarity: bad,
                 ..perfect
@@ -148,7 +148,7 @@ fn one_bad_line_is_enough_to_fail() {
                 ..perfect
             },
         ];
-        for certificate in spoilt {
+        for certificate in altered {
             assert!(!certificate.is_satisfied(), "{certificate:?}");
             assert_eq!(certificate.worst().to_bits(), bad.to_bits());
         }
@@ -182,7 +182,7 @@ fn one_bad_line_is_enough_to_fail() {
 }
 
 #[test]
-fn a_number_that_is_none_fails_wherever_it_stands() {
+fn nan_fails_at_every_element() {
     for place in [0, 1, 3] {
         let problem = DiscreteProblem::new(Box::new(Springs(2)), vec![0.0; 4], vec![0.0; 4], 1.0);
         let mut pressure = vec![1.0; 4];
@@ -220,7 +220,7 @@ fn pressed_layer(grid: SectorGrid, poisson_ratio: f64) -> DiscreteProblem {
 
 /// The part of the grid around the contact has the certificate of the whole grid, and the rest does not overlap.
 #[test]
-fn where_nothing_can_overlap_nothing_is_missed() {
+fn no_overlap_is_missed_outside_the_judged_window() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
         for poisson_ratio in [0.3, 0.5] {
             let mut problem = pressed_layer(SectorGrid::new(sector, SIZE), poisson_ratio);
@@ -287,8 +287,8 @@ fn where_nothing_can_overlap_nothing_is_missed() {
             assert!(!fields.reach.is_whole());
             for (e, initial_gap) in problem.initial_gap().iter().enumerate() {
                 let element = [e / SIZE, e % SIZE];
-                let is_looked_at = fields.reach.place(element).is_some();
-                assert!(is_looked_at || of_whole.gap_of(element, *initial_gap) >= 0.0);
+                let is_in_reach = fields.reach.place(element).is_some();
+                assert!(is_in_reach || of_whole.gap_of(element, *initial_gap) >= 0.0);
             }
         }
     }

@@ -114,7 +114,7 @@ fn assert_near(found: f64, wanted: f64, error: f64) {
 }
 
 #[test]
-fn a_circle_has_its_area_less_what_the_edge_lies_inside_of_its_zero_line() {
+fn the_area_of_a_circle_is_reduced_by_the_distance_of_its_edge_from_the_zero_line() {
     let found = shape(&CIRCLE, Relief::Bare, paraboloid(), Boundary::Free);
     let cut = OFFSET * SIDE;
     assert_near(found.area, PI * RADIUS * (RADIUS - 2.0 * cut), BY_CHORDS);
@@ -170,7 +170,7 @@ fn the_contact_of_a_punch_ends_at_its_rim() {
 }
 
 #[test]
-fn a_contact_everywhere_has_the_area_of_the_domain() {
+fn full_contact_has_the_area_of_the_domain() {
     let fields = Fields {
         pressure: |_| 1.0,
         gap: |_| 0.0,

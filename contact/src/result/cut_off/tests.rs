@@ -42,7 +42,7 @@ fn blocks_surround_a_square_of_half_their_side() {
 }
 
 #[test]
-fn pressures_are_summed_up_in_the_blocks_that_their_elements_lie_in() {
+fn pressures_are_summed_over_the_blocks_that_contain_their_elements() {
     let (grid, around) = (Grid::new(1.0, 10).unwrap(), Around::new(1.0, 4));
     let even = around.summed(&grid, &[3.0; 100]);
     assert!(even.len() == 16 && even.iter().all(|p| (p - 3.0).abs() < 1e-13));
@@ -59,7 +59,7 @@ fn pressures_are_summed_up_in_the_blocks_that_their_elements_lie_in() {
 }
 
 #[test]
-fn a_surface_farther_away_moves_as_under_the_force_alone() {
+fn the_surface_farther_away_is_displaced_as_by_the_total_force() {
     let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
     let model = Model {
         tables: Arc::new(RadialTables::build(&body).unwrap()),
@@ -67,9 +67,9 @@ fn a_surface_farther_away_moves_as_under_the_force_alone() {
         indenter: Paraboloid::new(1.0).unwrap().into(),
         cache: Cache::none(),
     };
-    let outlook = Outlook::of(&model, 1.0);
+    let coarse_check = CoarseCheck::of(&model, 1.0);
     // f = ρ²/2R, least in the middle of an edge
-    assert!((outlook.lowest - 0.125).abs() < 1e-15);
+    assert!((coarse_check.lowest - 0.125).abs() < 1e-15);
     let blocks = Blocks::of(&model, &Relief::Bare, Around::new(1.0, FEW_BLOCKS));
     let nearest = 0.53125_f64.hypot(0.03125);
     assert!((blocks.smallest_gap - nearest * nearest / 2.0).abs() < 1e-15);
@@ -113,7 +113,7 @@ fn bowl([rows, columns]: [usize; 2]) -> HeightMap {
 }
 
 #[test]
-fn a_map_is_reached_by_an_element_within_one_of_its_end_on_any_side() {
+fn the_end_of_a_map_is_reached_by_any_element_within_one_element_of_it() {
     // Elements of side 1/20: the centre of the 16th from the axis lies at 0.775.
     let (grid, size) = (Grid::new(2.0, 40).unwrap(), 40);
     let pressed = |place: [usize; 2]| {
@@ -144,7 +144,7 @@ fn a_map_is_reached_by_an_element_within_one_of_its_end_on_any_side() {
 }
 
 #[test]
-fn an_indenters_height_at_its_axis_is_that_of_the_four_elements_around_it() {
+fn the_lowest_height_is_that_of_the_four_elements_around_the_axis() {
     let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
     // Centres at 1/8 along both axes; with an odd number the middle one lies on the axis.
     let lowest = |size| lowest_height(&ball, &Grid::new(1.0, size).unwrap());
@@ -155,7 +155,7 @@ fn an_indenters_height_at_its_axis_is_that_of_the_four_elements_around_it() {
 }
 
 #[test]
-fn every_square_around_has_twice_the_side_of_the_one_before() {
+fn every_surrounding_square_has_twice_the_side_of_the_previous_one() {
     let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
     let around = Surroundings::of(&ball, Grid::new(3.0, 8).unwrap());
     assert_eq!(
@@ -165,15 +165,15 @@ fn every_square_around_has_twice_the_side_of_the_one_before() {
 }
 
 #[test]
-fn a_first_look_is_clear_where_the_gap_is_a_tenth_wider_than_the_penetration() {
+fn the_coarse_check_is_conclusive_if_the_gap_exceeds_the_penetration_by_a_tenth() {
     let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
     let grid = Grid::new(1.0, 32).unwrap();
-    let mut outlook = Outlook::of(&ball, 1.0);
+    let mut coarse_check = CoarseCheck::of(&ball, 1.0);
     let mut is_clear = |penetration: f64, force: f64| {
         let mut pressure = vec![0.0; 1024];
         pressure[15 * 32 + 15] = force * 1024.0;
         let solution = solution(penetration, force, pressure);
-        outlook.is_clear(&ball, 1.0, &grid, &solution)
+        coarse_check.is_clear(&ball, 1.0, &grid, &solution)
     };
     // Up to the height at the edge, 0.125, that alone suffices. Beyond it, the gap at the nearest blocks, 0.1416, plus
     // their displacement by a force, Q/(π E* r) or 0.036 here, must be more than 1.1 times the penetration.
@@ -189,7 +189,7 @@ fn pressed_by_ball(on: &[[usize; 2]], penetration: f64) -> Solution {
 }
 
 #[test]
-fn what_presses_at_the_rim_goes_on_where_the_gap_behind_it_is_less_than_the_penetration() {
+fn pressure_at_the_rim_is_cut_off_if_the_gap_behind_it_is_less_than_the_penetration() {
     let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
     let grid = Grid::new(0.2, 10).unwrap();
     let around = Surroundings::of(&ball, grid);
@@ -205,18 +205,18 @@ fn what_presses_at_the_rim_goes_on_where_the_gap_behind_it_is_less_than_the_pene
         [3, 0],
         [3, 9],
     ] {
-        let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
+        let continues = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
         assert!(
-            goes_on(1.001 * behind) && !goes_on(0.999 * behind),
+            continues(1.001 * behind) && !continues(0.999 * behind),
             "{rim:?}"
         );
     }
     // The place behind a corner is farther away; an element inside is not on the rim.
     let corner = f64::midpoint(0.11 * 0.11, 0.09 * 0.09);
     for rim in [[0, 0], [0, 9], [9, 0], [9, 9]] {
-        let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
+        let continues = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
         assert!(
-            goes_on(1.001 * corner) && !goes_on(0.999 * corner),
+            continues(1.001 * corner) && !continues(0.999 * corner),
             "{rim:?}"
         );
     }
@@ -236,13 +236,13 @@ impl Profile for Tips {
 }
 
 #[test]
-fn what_would_touch_farther_away_cuts_a_contact_off() {
+fn an_overlap_farther_away_cuts_a_contact_off() {
     let tips = model(Indenter::custom(Tips), Relief::Bare);
     let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
     let grid = Grid::new(0.2, 10).unwrap();
     let middle = [[4, 4], [4, 5], [5, 4], [5, 5]];
     let cuts = |model: &Model, depth: f64| {
-        let found = Surroundings::of(model, grid).what_cuts_off(&pressed_by_ball(&middle, depth));
+        let found = Surroundings::of(model, grid).limit_reached(&pressed_by_ball(&middle, depth));
         assert!(found.is_none_or(|found| found == CutOff::Domain));
         found.is_some()
     };
@@ -261,7 +261,7 @@ fn what_would_touch_farther_away_cuts_a_contact_off() {
 }
 
 #[test]
-fn a_first_square_is_the_last_where_the_indenter_is_higher_around_it() {
+fn the_first_square_is_the_last_if_the_indenter_is_higher_around_it() {
     let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
     let frame = SquareFrame::of(&ball, 1.0);
     assert!(frame.is_the_last(&ball, 0.12) && !frame.is_the_last(&ball, 0.13));
@@ -282,7 +282,7 @@ impl Profile for Slant {
 }
 
 #[test]
-fn what_lies_behind_each_side_of_the_rim_is_looked_at_there() {
+fn the_gap_behind_each_side_of_the_rim_is_checked() {
     let slant = model(Indenter::custom(Slant), Relief::Bare);
     let around = Surroundings::of(&slant, Grid::new(0.2, 10).unwrap());
     for (rim, x, y) in [
@@ -291,9 +291,12 @@ fn what_lies_behind_each_side_of_the_rim_is_looked_at_there() {
         ([6, 0], 0.03, -0.11),
         ([6, 9], 0.03, 0.11),
     ] {
-        let goes_on = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
+        let continues = |depth: f64| around.presses_at_the_rim(&pressed_by_ball(&[rim], depth));
         let behind = Slant.height(x, y);
-        assert!(goes_on(behind + 1e-3) && !goes_on(behind - 1e-3), "{rim:?}");
+        assert!(
+            continues(behind + 1e-3) && !continues(behind - 1e-3),
+            "{rim:?}"
+        );
     }
     // The lowest of the four elements around the axis, at ±0.01.
     assert!((lowest_height(&slant, &Grid::new(0.2, 10).unwrap()) - 0.97).abs() < 1e-15);

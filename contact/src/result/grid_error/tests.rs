@@ -24,7 +24,7 @@ fn penetration(values: &[f64]) -> ErrorEstimate {
 }
 
 #[test]
-fn what_a_file_does_not_hold_of_a_level_is_no_number() {
+fn values_of_a_level_missing_from_a_file_are_nan() {
     let written = serde_json::to_string(&levels(&[2.0])[0]).unwrap();
     let read: LevelValues = serde_json::from_str(&written).unwrap();
     assert_eq!(
@@ -35,7 +35,7 @@ fn what_a_file_does_not_hold_of_a_level_is_no_number() {
 }
 
 #[test]
-fn second_order_has_the_safety_factor_times_its_error_for_an_interval() {
+fn at_second_order_the_interval_is_the_safety_factor_times_the_error() {
     // 1 + 4⁻ˡ: the error of the last is its distance from 1
     let found = penetration(&[2.0, 1.25, 1.0625]);
     assert_relative_eq!(found.estimate, 3.0 * 0.0625, max_relative = 1e-12);
@@ -52,7 +52,7 @@ fn the_accuracy_of_the_solution_is_added_to_the_estimate() {
 }
 
 #[test]
-fn a_change_that_vanishes_by_luck_is_not_taken_for_an_error_that_vanishes() {
+fn a_change_that_vanishes_by_chance_does_not_imply_a_vanishing_error() {
     // The previous change, at second order: 3 · 0.6 · 0.4/3/4.
     let found = penetration(&[1.0, 1.4, 1.4]);
     assert_relative_eq!(found.estimate, 1.8 * 0.4 / 12.0, max_relative = 1e-12);
@@ -60,18 +60,18 @@ fn a_change_that_vanishes_by_luck_is_not_taken_for_an_error_that_vanishes() {
 
 #[test]
 fn changes_of_opposite_sign_do_not_cancel() {
-    let swinging = penetration(&[1.0, 1.4, 1.3]);
+    let oscillating = penetration(&[1.0, 1.4, 1.3]);
     let falling = penetration(&[1.8, 1.4, 1.3]);
-    assert_relative_eq!(swinging.estimate, falling.estimate, max_relative = 1e-12);
+    assert_relative_eq!(oscillating.estimate, falling.estimate, max_relative = 1e-12);
 }
 
 #[test]
-fn a_number_that_grows_with_the_grid_is_not_resolved() {
+fn a_value_that_grows_with_the_grid_is_not_resolved() {
     assert!(!penetration(&[1.0, 1.4, 2.0]).resolved);
 }
 
 #[test]
-fn a_peak_at_an_edge_is_not_resolved_however_its_changes_shrink() {
+fn a_peak_at_an_edge_is_not_resolved_even_if_its_changes_shrink() {
     let mut shrinking = levels(&[2.0, 1.25, 1.0625, 1.015_625]);
     assert!(
         GridError::new(shrinking.clone(), 0.0)
@@ -91,7 +91,7 @@ fn a_peak_at_an_edge_is_not_resolved_however_its_changes_shrink() {
 }
 
 #[test]
-fn a_staircase_is_taken_for_first_order() {
+fn a_staircase_counts_as_first_order() {
     let mut staircase = levels(&[2.0, 1.25, 1.0625]);
     staircase[2].meets_outline = true;
     let found = GridError::new(staircase, 0.0).penetration.unwrap();
@@ -104,7 +104,7 @@ fn a_staircase_is_taken_for_first_order() {
 }
 
 #[test]
-fn what_the_values_lack_besides_is_added_and_a_prescribed_value_has_no_error() {
+fn other_errors_of_the_values_are_added_and_a_prescribed_value_has_none() {
     let mut found = levels(&[2.0, 1.25, 1.0625]);
     found[2].edge_uncertainty = 0.5;
     let found = GridError::new(found, 1e-3);
@@ -121,19 +121,19 @@ fn what_the_values_lack_besides_is_added_and_a_prescribed_value_has_no_error() {
 }
 
 #[test]
-fn a_grid_without_a_number_leaves_no_error_to_tell() {
+fn a_level_without_a_value_gives_no_error_estimate() {
     let error = GridError::new(levels(&[2.0, f64::NAN, 1.25, 1.0625]), 0.0);
     assert!(error.penetration.is_none(), "{error:?}");
 }
 
 #[test]
-fn one_level_says_nothing_and_two_resolve_nothing() {
+fn one_level_gives_no_estimate_and_two_resolve_nothing() {
     assert!(GridError::new(levels(&[1.0]), 0.0).penetration.is_none());
     assert!(!penetration(&[1.0, 1.1]).resolved);
 }
 
 #[test]
-fn values_beside_a_solution_have_the_same_interval_and_the_accuracy_that_each_has() {
+fn derived_values_have_the_same_interval_and_each_its_own_accuracy() {
     let values = [(32, 2.0), (64, 1.25), (128, 1.0625)];
     let of = |outline, edge, accuracy| ErrorEstimate::of_values(&values, outline, edge, accuracy);
     let smooth = of(false, false, 0.0).unwrap();
@@ -164,7 +164,7 @@ fn values_beside_a_solution_have_the_same_interval_and_the_accuracy_that_each_ha
 }
 
 #[test]
-fn changes_that_hardly_shrink_are_resolved_where_they_are_small_beside_the_number() {
+fn changes_that_hardly_shrink_are_resolved_if_small_relative_to_the_value() {
     // Orders of 0.4 and 0.7 in the side, compared with half of the lowest accepted order, 0.65.
     let with = |order: f64, offset: f64| {
         let ratio = 2_f64.powf(-order);

@@ -70,7 +70,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_counted_in_equal_classes_up_to_the_largest() {
+    fn values_are_counted_in_equal_classes_up_to_the_largest() {
         // The largest is 64, so each number lies in the class of its integer part, except for the largest itself.
         let field = [0.5, 64.0, 7.9, 8.0, 63.5, 32.0, 32.9, 0.0, 16.0];
         let window = Window::whole(3);

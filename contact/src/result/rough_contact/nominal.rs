@@ -123,7 +123,7 @@ mod tests {
     use super::{at, columns, convex, under};
 
     #[test]
-    fn a_chain_below_points_turns_up_at_each_of_its_own() {
+    fn the_lower_hull_of_points_is_convex_at_each_vertex() {
         let points = [
             [0.0, 2.0],
             [0.0, 1.0],
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn the_columns_between_two_places_are_those_whose_centres_lie_there() {
+    fn columns_between_two_points_are_those_whose_centres_lie_between_them() {
         // The centre of a column lies half an element beyond its index.
         for (left, right, wanted) in [
             (0.0, 3.0, 0..3),

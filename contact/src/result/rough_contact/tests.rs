@@ -95,7 +95,7 @@ fn two_bumps_are_two_islands_with_a_hull_around_them() {
 }
 
 #[test]
-fn a_cell_is_in_nominal_contact_all_over() {
+fn the_nominal_area_of_a_cell_is_the_whole_cell() {
     let q = std::f64::consts::PI;
     // The map extends beyond the cell, as far as its lowest point may be moved.
     let waves = map(192, 6.0, |[x, y]| {
@@ -119,7 +119,7 @@ fn a_cell_is_in_nominal_contact_all_over() {
 }
 
 #[test]
-fn what_is_not_measured_is_not_counted() {
+fn unmeasured_elements_are_not_counted() {
     let ball = Paraboloid::new(1.0).unwrap();
     let path = path(Relief::Bare, ball.into(), Domain::Side(1.0), 32, 0.01);
     assert_eq!(path.steps[0].rough, None);

@@ -63,11 +63,11 @@ impl SetExchange {
         self.members.iter().for_each(|m| holds[*m] = true);
         trial.infeasible.iter().for_each(|e| holds[*e] = !holds[*e]);
         self.members = (0..system.elements()).filter(|e| holds[*e]).collect();
-        self.keep_one(system);
+        self.keep_at_least_one(system);
     }
 
     /// Adds the element with the smallest gap to an empty set under a prescribed force, which needs at least one.
-    fn keep_one(&mut self, system: &DenseSystem) {
+    fn keep_at_least_one(&mut self, system: &DenseSystem) {
         if self.members.is_empty() && system.total().is_some() {
             let gap = system.initial_gap();
             self.members
@@ -80,7 +80,7 @@ impl SetExchange {
         let Some(mut pressure) = self.descent.take() else {
             let pressure = admissible(system, &trial.pressure);
             self.members = (0..pressure.len()).filter(|e| pressure[*e] > 0.0).collect();
-            self.keep_one(system);
+            self.keep_at_least_one(system);
             self.descent = Some(pressure);
             return;
         };
@@ -147,7 +147,7 @@ mod tests {
     type Next = fn(&mut SetExchange, &DenseSystem, &super::SetSolution);
 
     #[test]
-    fn the_gap_of_a_set_on_springs_is_that_of_one_product_and_closed_where_it_presses() {
+    fn the_gap_of_a_set_on_springs_agrees_with_a_product_and_is_closed_on_the_set() {
         let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
         let mut problem = problem([10.0, 0.05], paraboloid, springs);
         let system = DenseSystem::new(&mut problem, Load::Penetration(0.01));
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn the_residual_of_a_set_is_the_larger_of_overlap_and_pull() {
+    fn the_residual_of_a_set_is_the_larger_of_overlap_and_tension() {
         let residual = |gap: f64, pressure: f64| {
             let set = super::SetSolution {
                 pressure: vec![4.0, pressure],
@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn the_descending_phase_alone_finds_what_exchanges_find() {
+    fn the_descending_phase_alone_finds_the_same_solution_as_exchanges() {
         for load in [Load::Force(1e-3), Load::Penetration(0.01)] {
             let mut problem = problem([10.0, 0.05], |x, y| pillars(x, y, 0.002), RIGID);
             let system = DenseSystem::new(&mut problem, load);
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_trial_says_how_far_its_set_is_from_right_and_how_stiff_it_is() {
+    fn a_trial_reports_the_residual_and_the_stiffness_of_its_set() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let area = problem.loaded_area();
         let by_force = DenseSystem::new(&mut problem, Load::Force(1e-3));
@@ -226,7 +226,7 @@ mod tests {
     }
 
     #[test]
-    fn a_start_from_pressure_holds_it_and_a_cold_one_all_that_can_touch() {
+    fn a_warm_start_contains_its_pressed_elements_and_a_cold_one_all_that_can_touch() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let mut warm = vec![0.0; 1024];
         warm[40] = 1.0;

@@ -45,7 +45,7 @@ impl DenseSprings {
 
     /// Linearises the springs at the solution of the current system, or at the minimum of the energy on the segment to
     /// it, and sets up the next system. Returns false if the law agrees with its tangents.
-    pub fn straighten(&mut self, system: &mut DenseSystem, solution: &SetSolution) -> bool {
+    pub fn linearise(&mut self, system: &mut DenseSystem, solution: &SetSolution) -> bool {
         let mut pressure: Vec<f64> = solution.pressure.iter().map(|p| p.max(0.0)).collect();
         let of_gap = |gap: &f64| gap + solution.penetration;
         let mut v: Vec<f64> = solution.gap.iter().map(of_gap).collect();
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn a_way_uphill_is_gone_to_where_the_springs_balance() {
+    fn an_uphill_step_ends_where_the_springs_balance() {
         // The solution is a pressure of 3. From 6, where the tangents are very stiff, they lead to 0.3.
         let law = SpringLaw::logarithmic(1.0).unwrap();
         let at = |p: f64| vec![p; 64];
@@ -224,7 +224,7 @@ mod tests {
             stiffness: 0.0,
             penetration: depth,
         };
-        assert!(springs.straighten(&mut system, &solution));
+        assert!(springs.linearise(&mut system, &solution));
         let found = springs.pressure()[0];
         // To a thousandth of the step.
         assert!((found - 3.0).abs() < 6e-3, "{found}");
@@ -250,13 +250,13 @@ mod tests {
             gap: at(2.0 - depth),
             ..solution
         };
-        assert!(springs.straighten(&mut system, &end));
+        assert!(springs.linearise(&mut system, &end));
         assert_eq!(springs.pressure(), at(2.0));
         // Where the pressure stays the same, the law agrees with its tangents.
         let settled = SetSolution {
             gap: at(law.shortening(1.0, 2.0) - depth),
             ..end
         };
-        assert!(!springs.straighten(&mut system, &settled));
+        assert!(!springs.linearise(&mut system, &settled));
     }
 }

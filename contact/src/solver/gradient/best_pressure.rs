@@ -37,8 +37,8 @@ impl BestPressure {
     /// The kept pressure; or the state's, if none is kept or if it is admissible and its residual no larger.
     pub fn or<'a>(&'a self, state: &'a State, residual: f64) -> &'a [f64] {
         let is_admissible = state.pressure.iter().all(|p| *p >= 0.0);
-        let nothing_is_kept = self.residual == f64::INFINITY;
-        if (is_admissible && residual <= self.residual) || nothing_is_kept {
+        let is_empty = self.residual == f64::INFINITY;
+        if (is_admissible && residual <= self.residual) || is_empty {
             &state.pressure
         } else {
             &self.pressure

@@ -122,13 +122,13 @@ impl<'a> OngoingSolution<'a> {
         workspace.best.restart();
         workspace.state.start(problem, control, start);
         if let Some(springs) = &mut workspace.springs {
-            springs.straighten_here(problem, &mut workspace.state);
+            springs.linearise_here(problem, &mut workspace.state);
             workspace.preconditioner.follow_springs(problem);
         }
         workspace.set.start(&workspace.state);
         // A zero start presses everywhere; from there the fast steps find the contact sooner.
-        let knows_contact = start.iter().any(|p| *p > 0.0);
-        let begins_with_newton = knows_contact && workspace.preconditioner.is_for_newton();
+        let has_contact = start.iter().any(|p| *p > 0.0);
+        let begins_with_newton = has_contact && workspace.preconditioner.is_for_newton();
         if begins_with_newton {
             // Overlaps outside the start's contact are as uncertain as its pressures.
             workspace.set.keep_pressing(&workspace.state);
@@ -168,15 +168,17 @@ impl<'a> OngoingSolution<'a> {
 
     /// Linearises nonlinear springs again if the residual by their law clearly exceeds that of the linear problem.
     /// Returns whether it did. No product.
-    pub fn straighten(&mut self, judgement: &Judgement, phase: Phase) -> bool {
+    pub fn linearise(&mut self, judgement: &Judgement, phase: Phase) -> bool {
         let Workspace { state, springs, .. } = &mut *self.workspace;
         let Some(springs) = springs else {
             return false;
         };
-        if !judgement.is_admissible || !Springs::are_bent(judgement.linear, judgement.residual) {
+        if !judgement.is_admissible
+            || !Springs::need_linearising(judgement.linear, judgement.residual)
+        {
             return false;
         }
-        springs.straighten(self.problem, state);
+        springs.linearise(self.problem, state);
         self.begin_on_tangents();
         let Workspace {
             state,
@@ -201,7 +203,7 @@ impl<'a> OngoingSolution<'a> {
     }
 
     /// Reports progress to the observer; an error if the observer cancels.
-    pub fn tell(
+    pub fn report(
         &mut self,
         watch: &mut Watch<'_>,
         iteration: usize,
@@ -242,7 +244,7 @@ impl<'a> OngoingSolution<'a> {
             conjugate,
             ..
         } = methods;
-        let part = if context.set.stands_still() && self.course == Course::Kept {
+        let part = if context.set.is_unchanged() && self.course == Course::Kept {
             spectral.forget_direction();
             self.course = conjugate.step_within(&mut context);
             match self.course {
@@ -314,7 +316,7 @@ impl<'a> OngoingSolution<'a> {
     pub fn contact_stiffness(&mut self) -> (Option<f64>, usize) {
         let Workspace { state, springs, .. } = &mut *self.workspace;
         if let Some(springs) = springs {
-            springs.straighten_here(self.problem, state);
+            springs.linearise_here(self.problem, state);
             self.begin_on_tangents();
         }
         let (mut context, methods) = self.workspace.on(self.problem);

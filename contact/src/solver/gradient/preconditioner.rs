@@ -80,7 +80,7 @@ pub struct Preconditioner {
     unit: f64,
     /// The inverse with which every load begins, if it has been replaced.
     usual: Option<Inverse>,
-    uniform: UniformAnswer,
+    uniform: UniformResponse,
     /// The revision of the set for which the inverse is prepared.
     adapted_to: Option<u64>,
     /// Neighbours of a tile or candidate in the sparse factor.
@@ -102,7 +102,7 @@ enum Inverse {
 
 /// `w = M⁻¹_I 1`, restricted to each later set: this saves an application of the inverse per set and costs no product,
 /// as long as few elements change.
-struct UniformAnswer {
+struct UniformResponse {
     values: Vec<f64>,
     total: f64,
     /// The total on the set for which it was computed.
@@ -139,7 +139,7 @@ impl Preconditioner {
             inverse,
             unit,
             usual: None,
-            uniform: UniformAnswer {
+            uniform: UniformResponse {
                 values: vec![0.0; problem.elements()],
                 total: 0.0,
                 exact_total: 0.0,
@@ -264,7 +264,7 @@ impl Preconditioner {
             values.fill(1.0);
             self.apply(set, &mut values);
             let total = sum(&values);
-            self.uniform = UniformAnswer {
+            self.uniform = UniformResponse {
                 values,
                 total,
                 exact_total: total,

@@ -17,7 +17,7 @@ use crate::{
 
 /// The springs are linearised again once the residual of the linear problem is this fraction of the residual by the
 /// law.
-const STRAIGHT_ENOUGH: f64 = 0.3;
+const LINEAR_ENOUGH: f64 = 0.3;
 /// The fields of a solution on nonlinear springs.
 pub struct Springs {
     /// `v` by the law at the pressure `p₀` of the linearisation.
@@ -46,12 +46,12 @@ impl Springs {
     }
 
     /// Whether the residual by the law clearly exceeds that of the linear problem.
-    pub fn are_bent(linear: f64, by_law: f64) -> bool {
-        by_law.is_finite() && linear <= STRAIGHT_ENOUGH * by_law
+    pub fn need_linearising(linear: f64, by_law: f64) -> bool {
+        by_law.is_finite() && linear <= LINEAR_ENOUGH * by_law
     }
 
     /// Linearises the springs again at the current pressure, or at the minimum of the energy on the segment to it.
-    pub fn straighten(&mut self, problem: &mut DiscreteProblem, state: &mut State) {
+    pub fn linearise(&mut self, problem: &mut DiscreteProblem, state: &mut State) {
         if let Some(tangents) = problem.tangents() {
             let part = self.part(problem, tangents, state);
             if part < 1.0 {
@@ -63,14 +63,14 @@ impl Springs {
                 });
             }
         }
-        self.straighten_here(problem, state);
+        self.linearise_here(problem, state);
     }
 
     /// Linearises the springs at the current pressure.
-    pub fn straighten_here(&mut self, problem: &mut DiscreteProblem, state: &mut State) {
+    pub fn linearise_here(&mut self, problem: &mut DiscreteProblem, state: &mut State) {
         self.follow_law(problem, state);
         self.v_before.copy_from_slice(&self.v_by_law);
-        problem.straighten_springs(&state.pressure);
+        problem.linearise_springs(&state.pressure);
         state.v.copy_from_slice(&self.v_by_law);
         state.begin_on_tangents(problem);
     }
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn springs_are_straightened_where_the_law_has_three_times_as_much_to_say() {
+    fn springs_are_linearised_if_the_residual_by_their_law_is_three_times_the_linear_one() {
         for (linear, by_law, wanted) in [
             (0.29, 1.0, true),
             (0.31, 1.0, false),
@@ -147,7 +147,7 @@ mod tests {
             (0.0, f64::NAN, false),
         ] {
             assert_eq!(
-                Springs::are_bent(linear, by_law),
+                Springs::need_linearising(linear, by_law),
                 wanted,
                 "{linear} {by_law}"
             );
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn a_way_to_less_pressure_than_the_law_allows_is_gone_as_far_as_the_energy_falls() {
+    fn a_step_towards_too_low_a_pressure_ends_at_the_minimum_of_the_energy() {
         // The solution is 3 on every spring, from w* = D. From 6 the tangents, which are very stiff, lead to hardly any
         // pressure, where the energy is higher.
         let mut problem = stiffening();
@@ -171,7 +171,7 @@ mod tests {
         let mut springs = Springs::of(&problem).unwrap();
         let mut state = State::new(&problem);
         state.control = LoadControl::of(&problem, Load::Penetration(depth));
-        problem.straighten_springs(&from);
+        problem.linearise_springs(&from);
         springs.v_before.copy_from_slice(&v_before);
         // By the tangents v is linear on the segment.
         let step: Vec<f64> = to.iter().zip(&from).map(|(to, from)| to - from).collect();
@@ -185,7 +185,7 @@ mod tests {
         }
         state.pressure.copy_from_slice(&to);
 
-        springs.straighten(&mut problem, &mut state);
+        springs.linearise(&mut problem, &mut state);
         let reached = problem.tangents().unwrap().at().to_vec();
         let part = (reached[0] - from[0]) / step[0];
         assert!(part > 0.1 && part < 0.9, "{part}");
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn the_residual_by_the_law_is_none_of_springs_at_its_solution() {
+    fn the_residual_by_the_law_vanishes_at_the_solution() {
         // A flat indenter practically on springs alone: p = −ln(1 − D/h).
         let height = 1e9;
         let mut problem = problem([1.0, 0.1], |_, _| 0.0, |_, _| height)
@@ -222,7 +222,7 @@ mod tests {
         state.start(&mut problem, control, &vec![pressure; ELEMENTS]);
         let mut springs = Springs::of(&problem).unwrap();
         // The springs are linearised at the start, where the law agrees with its tangents.
-        springs.straighten_here(&mut problem, &mut state);
+        springs.linearise_here(&mut problem, &mut state);
         let by_law = springs.residual(&problem, &state);
         assert!(by_law < 1e-6, "{by_law:e}");
         // A tenth more pressure shortens the springs by h (e^−p − e^−1.1p), relative to the depth.

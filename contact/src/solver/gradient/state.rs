@@ -70,12 +70,12 @@ impl State {
             held_total: 0.0,
             applications: 0,
         };
-        state.look_at(problem);
+        state.read_problem(problem);
         state
     }
 
     /// Reads the problem's gap and which of its elements can touch.
-    fn look_at(&mut self, problem: &DiscreteProblem) {
+    fn read_problem(&mut self, problem: &DiscreteProblem) {
         self.read_gap(problem);
         let gaps = self.can_touch.iter_mut().zip(problem.initial_gap());
         gaps.for_each(|(can_touch, g0)| *can_touch = g0.is_finite());
@@ -96,7 +96,7 @@ impl State {
         (self.control, self.applications) = (control, 0);
         if problem.has_hardness() {
             // The held elements may have changed.
-            self.look_at(problem);
+            self.read_problem(problem);
         }
         let per_pressure = 1.0 / problem.scale().pressure();
         let (pressure, can_touch) = (&mut self.pressure, &self.can_touch);
@@ -113,7 +113,7 @@ impl State {
             });
         }
         control.rescale(pressure);
-        problem.straighten_springs(&self.pressure);
+        problem.linearise_springs(&self.pressure);
         self.take_gap(problem);
         self.refresh(problem);
     }

@@ -64,7 +64,7 @@ impl Strategy {
     }
 
     /// Continues in the same phase with another problem.
-    pub fn begin_anew(&mut self) {
+    pub fn restart(&mut self) {
         self.enter(self.phase);
     }
 
@@ -94,7 +94,7 @@ mod tests {
     use super::{Part, Phase, Strategy, Turn};
 
     #[test]
-    fn fast_steps_that_gain_go_on_and_those_that_are_cut_give_way() {
+    fn fast_steps_continue_while_they_gain_and_give_way_when_cut() {
         let mut strategy = Strategy::new(false);
         for step in 0..100 {
             assert!(!strategy.after_fast(0.5_f64.powi(step), Part::Whole));
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn a_newton_that_cycles_gives_way_to_descent_for_good() {
+    fn newtons_method_gives_way_to_descent_for_good_when_it_cycles() {
         let mut strategy = at_newton();
         while !strategy.after_newton(1.0, Turn::Exchanged) {}
         assert_eq!(strategy.phase(), Phase::Descent);
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn a_newton_whose_systems_are_not_solved_tries_another_preconditioner_once() {
+    fn newtons_method_tries_another_preconditioner_once_if_its_systems_are_not_solved() {
         let mut strategy = at_newton();
         for phase in [Phase::Newton(1), Phase::Descent] {
             assert!(strategy.after_newton(1.0, Turn::Failed));

@@ -158,7 +158,7 @@ fn the_energy_along_a_step_is_the_parabola_of_its_slope_and_curvature() {
 }
 
 #[test]
-fn a_step_that_would_climb_is_cut_at_the_lowest_point_on_the_way() {
+fn a_step_that_would_raise_the_energy_is_cut_at_its_minimum() {
     let mut problem = plate();
     let (mut state, _) = start(&mut problem, Load::Penetration(0.02));
     let downhill: Vec<f64> = state
@@ -236,7 +236,7 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
 }
 
 #[test]
-fn a_set_touches_the_border_with_any_element_of_it() {
+fn a_set_touches_the_border_if_any_of_its_elements_does() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
     let control = LoadControl::of(&problem, Load::Penetration(-1.0));
     let last = SIZE - 1;
@@ -264,7 +264,7 @@ fn a_set_touches_the_border_with_any_element_of_it() {
 }
 
 #[test]
-fn a_window_is_one_and_the_whole_grid_is_none() {
+fn a_part_of_the_grid_is_a_window_and_the_whole_grid_is_not() {
     let problem = problem([1.0, 0.1], paraboloid, RIGID);
     assert!(!problem.is_window());
     let whole = Window::whole(SIZE);
@@ -274,7 +274,7 @@ fn a_window_is_one_and_the_whole_grid_is_none() {
 }
 
 #[test]
-fn a_pressure_far_too_small_is_scaled_up_by_what_its_balance_returns() {
+fn a_pressure_of_the_wrong_scale_is_balanced_by_the_growth_returned() {
     let depth = 0.02;
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
     let control = LoadControl::of(&problem, Load::Penetration(depth));

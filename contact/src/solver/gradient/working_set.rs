@@ -11,7 +11,7 @@ const PART: usize = 1 << 12;
 /// A mask over the grid of the elements whose pressures are free.
 pub struct WorkingSet {
     mask: Vec<bool>,
-    /// The elements on the wrong side by the last [look ahead](Self::look_ahead).
+    /// The elements on the wrong side by the last [prediction](Self::predict_wrong_side).
     wrong: Vec<bool>,
     len: usize,
     changed: usize,
@@ -21,20 +21,20 @@ pub struct WorkingSet {
     moves: usize,
 }
 
-/// The result of a look ahead.
+/// The result of a prediction.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Ahead {
+pub struct Prediction {
     /// Elements on the wrong side.
     pub wrong: usize,
     /// Elements newly on the wrong side, or no longer on it.
-    pub news: usize,
+    pub changed: usize,
 }
 
-impl Ahead {
+impl Prediction {
     fn and(self, other: Self) -> Self {
         Self {
             wrong: self.wrong + other.wrong,
-            news: self.news + other.news,
+            changed: self.changed + other.changed,
         }
     }
 }
@@ -81,8 +81,8 @@ impl WorkingSet {
 
     /// Finds the elements that will be on the wrong side once the correction `missing` is added to the pressure:
     /// members that will pull, and elements outside that overlap by more than a fraction `slack` of the penetration.
-    /// Returns their number, and the number of changes since the last look ahead.
-    pub fn look_ahead(&mut self, state: &State, missing: &[f64], slack: f64) -> Ahead {
+    /// Returns their number, and the number of changes since the last prediction.
+    pub fn predict_wrong_side(&mut self, state: &State, missing: &[f64], slack: f64) -> Prediction {
         let lowest = state.penetration - slack * state.reference_length(state.penetration);
         let fields = (state.pressure.par_chunks(PART)).zip(missing.par_chunks(PART));
         let fields = fields.zip(state.v.par_chunks(PART));
@@ -90,25 +90,27 @@ impl WorkingSet {
         let fields = fields.zip(state.can_touch().par_chunks(PART));
         let parts = self.wrong.par_chunks_mut(PART).zip(fields);
         let counts = parts.map(|(wrong, ((((pressure, missing), v), mask), can_touch))| {
-            let mut ahead = Ahead::default();
+            let mut predicted = Prediction::default();
             for (i, wrong) in wrong.iter_mut().enumerate() {
                 let is_wrong = if mask[i] {
                     pressure[i] + missing[i] < 0.0
                 } else {
                     can_touch[i] && v[i] < lowest
                 };
-                ahead.wrong += usize::from(is_wrong);
-                ahead.news += usize::from(is_wrong != *wrong);
+                predicted.wrong += usize::from(is_wrong);
+                predicted.changed += usize::from(is_wrong != *wrong);
                 *wrong = is_wrong;
             }
-            ahead
+            predicted
         });
-        let counts: Vec<Ahead> = counts.collect();
-        counts.into_iter().fold(Ahead::default(), Ahead::and)
+        let counts: Vec<Prediction> = counts.collect();
+        counts
+            .into_iter()
+            .fold(Prediction::default(), Prediction::and)
     }
 
-    /// Discards the last look ahead.
-    pub fn look_away(&mut self) {
+    /// Discards the last prediction.
+    pub fn discard_prediction(&mut self) {
         self.wrong.fill(false);
     }
 
@@ -163,7 +165,7 @@ impl WorkingSet {
     }
 
     /// Whether the last revision changed nothing.
-    pub fn stands_still(&self) -> bool {
+    pub fn is_unchanged(&self) -> bool {
         self.changed == 0
     }
 
@@ -224,20 +226,20 @@ mod tests {
         state.pressure[..3].fill(0.0);
         state.pressure[7..9].fill(1.0);
         set.keep_pressing(&state);
-        assert!(!set.stands_still() && set.revision() != revision);
+        assert!(!set.is_unchanged() && set.revision() != revision);
         assert_eq!((set.len(), set.take_moves(), set.take_moves()), (6, 5, 0));
         assert!((0..SIZE * SIZE).all(|e| set.mask()[e] == (3..9).contains(&e)));
         // Nothing changes.
         let revision = set.revision();
         set.keep_pressing(&state);
-        assert!(set.stands_still() && set.revision() == revision && set.take_moves() == 0);
+        assert!(set.is_unchanged() && set.revision() == revision && set.take_moves() == 0);
         let mut field = vec![2.0; SIZE * SIZE];
         set.scale_within(&mut field, 3.0);
         assert!((0..SIZE * SIZE).all(|e| field[e] == if set.mask()[e] { 6.0 } else { 0.0 }));
     }
 
     #[test]
-    fn what_is_kept_of_a_set_are_members_and_what_is_looked_at_is_forgotten() {
+    fn keeping_retains_only_members_and_predictions_can_be_discarded() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let control = LoadControl::of(&problem, Load::Penetration(0.0));
         let pressure: Vec<f64> = (0..SIZE * SIZE)
@@ -258,13 +260,13 @@ mod tests {
         state.v[33] = 0.95;
         let mut missing = vec![0.0; SIZE * SIZE];
         missing[0..2].fill(-2.0 * state.pressure[0]);
-        let ahead = set.look_ahead(&state, &missing, 0.1);
-        assert_eq!((ahead.wrong, ahead.news), (5, 5));
-        let again = set.look_ahead(&state, &missing, 0.1);
-        assert_eq!((again.wrong, again.news), (5, 0));
-        set.look_away();
-        let anew = set.look_ahead(&state, &missing, 0.1);
-        assert_eq!((anew.wrong, anew.news), (5, 5));
+        let predicted = set.predict_wrong_side(&state, &missing, 0.1);
+        assert_eq!((predicted.wrong, predicted.changed), (5, 5));
+        let again = set.predict_wrong_side(&state, &missing, 0.1);
+        assert_eq!((again.wrong, again.changed), (5, 0));
+        set.discard_prediction();
+        let anew = set.predict_wrong_side(&state, &missing, 0.1);
+        assert_eq!((anew.wrong, anew.changed), (5, 5));
         // Only these change sides.
         set.exchange(&state);
         let exchanged = |e: usize| (members(e) && e > 1) || (30..33).contains(&e);

@@ -13,7 +13,7 @@ const COARSEST: f64 = 1e-2;
 /// Residual of the next problem, as a fraction of the last exchange's error.
 const REFINEMENT: f64 = 0.03;
 /// The next residual, as a fraction of the last, if a problem of the descent leaves no element on the wrong side.
-const CLOSER_IN_DESCENT: f64 = 0.1;
+const ACCURACY_IN_DESCENT: f64 = 0.1;
 /// Gap of a held element that is ignored, as a fraction of the residual of the solution.
 const SLACK: f64 = 0.5;
 /// Exchanges without halving the error after which the descent begins.
@@ -130,10 +130,10 @@ impl LimitExchange {
 
     /// The options for the problem of the free elements.
     pub fn options(&self, wanted: SolverOptions) -> SolverOptions {
-        let spent = self.total.operator_applications;
+        let used = self.total.operator_applications;
         SolverOptions {
             tolerance: self.accuracy,
-            max_applications: wanted.max_applications.saturating_sub(spent),
+            max_applications: wanted.max_applications.saturating_sub(used),
             contact_stiffness: wanted.contact_stiffness && self.accuracy <= wanted.tolerance,
             ..wanted
         }
@@ -203,7 +203,7 @@ impl LimitExchange {
         if wrong.above.is_empty() && wrong.open.is_empty() {
             let is_done = self.accuracy <= tolerance;
             self.accuracy = if self.descent.is_some() {
-                tolerance.max(CLOSER_IN_DESCENT * self.accuracy)
+                tolerance.max(ACCURACY_IN_DESCENT * self.accuracy)
             } else {
                 tolerance
             };
@@ -251,7 +251,7 @@ impl LimitExchange {
     /// Holds the elements above the limit and releases those with a gap.
     fn exchange(&mut self, limit: f64, wrong: &Wrong, v: &[f64]) {
         let next = self.next(limit, wrong, v);
-        self.let_go(limit, &wrong.open);
+        self.release(limit, &wrong.open);
         self.hold(&next);
         self.hold(&wrong.above);
     }
@@ -275,7 +275,7 @@ impl LimitExchange {
         if wrong.above.is_empty() {
             descent.settle(pressure, displacement);
             (descent.accuracy, self.accuracy) = (accuracy, accuracy);
-            self.let_go(limit, &wrong.open);
+            self.release(limit, &wrong.open);
         } else if returned.is_empty() {
             let products = descent.step(problem, pressure, displacement);
             self.total.operator_applications += products;
@@ -368,7 +368,7 @@ impl LimitExchange {
     }
 
     /// Releases elements that have a gap.
-    fn let_go(&mut self, limit: f64, open: &[usize]) {
+    fn release(&mut self, limit: f64, open: &[usize]) {
         if self.fill == Fill::Always && !open.is_empty() {
             self.fill = Fill::IfFarAbove;
         }

@@ -76,7 +76,7 @@ fn assert_work(case: &impl Fn() -> DiscreteProblem, load: Load, cases: &[(f64, [
 }
 
 #[test]
-fn a_cut_contact_on_a_homogeneous_body_takes_few_products() {
+fn a_contact_at_its_hardness_on_a_homogeneous_body_takes_few_products() {
     let bare = || problem([1.0, 0.1], paraboloid, RIGID);
     assert_work(
         &bare,
@@ -88,7 +88,7 @@ fn a_cut_contact_on_a_homogeneous_body_takes_few_products() {
 }
 
 #[test]
-fn a_cut_contact_on_springs_takes_few_products() {
+fn a_contact_at_its_hardness_on_springs_takes_few_products() {
     let springs = |x: f64, _: f64| if x < 0.0 { 0.3 } else { 0.0 };
     let on_springs = || problem([0.1, 0.02], paraboloid, springs);
     assert_work(&on_springs, Load::Force(2e-3), &[(0.5, [30, 3, 19])]);
@@ -97,7 +97,7 @@ fn a_cut_contact_on_springs_takes_few_products() {
 }
 
 #[test]
-fn a_cut_contact_under_a_stiff_coating_takes_few_products() {
+fn a_contact_at_its_hardness_under_a_stiff_coating_takes_few_products() {
     let plate = || problem([1000.0, 0.01], |x, y| pillars(x, y, 0.002), RIGID);
     assert_work(&plate, Load::Force(2e-3), &[(0.9, [16, 3, 6])]);
     let some = [(0.9, [15, 3, 4]), (0.05, [43, 3, 43])];
@@ -105,7 +105,7 @@ fn a_cut_contact_under_a_stiff_coating_takes_few_products() {
 }
 
 #[test]
-fn both_methods_cut_alike_and_the_stiffness_is_that_of_what_is_free() {
+fn both_methods_agree_and_the_stiffness_is_that_of_the_free_elements() {
     let load = Load::Penetration(0.01);
     let bare = || problem([1.0, 0.1], paraboloid, RIGID);
     let peak = elastic_peak(&mut bare(), load);
@@ -134,7 +134,7 @@ fn both_methods_cut_alike_and_the_stiffness_is_that_of_what_is_free() {
 }
 
 #[test]
-fn a_force_is_refused_from_the_capacity_of_what_can_touch_on() {
+fn a_force_beyond_the_capacity_of_all_that_can_touch_is_refused() {
     let end = |x: f64, y: f64| if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
     let mut punch = problem([1.0, 0.1], end, RIGID).with_hardness(0.5).unwrap();
     let count = punch.initial_gap().iter().filter(|g0| **g0 == 0.0).count();
@@ -165,7 +165,7 @@ fn a_force_is_refused_from_the_capacity_of_what_can_touch_on() {
 }
 
 #[test]
-fn products_that_are_spent_end_the_exchanges_at_an_admissible_pressure() {
+fn exchanges_out_of_products_end_at_an_admissible_pressure() {
     let load = Load::Force(2e-3);
     let bare = || problem([1.0, 0.1], paraboloid, RIGID);
     let limit = 0.2 * elastic_peak(&mut bare(), load);

@@ -29,7 +29,7 @@ fn pillars_on_a_soft_coating_take_few_products() {
 }
 
 #[test]
-fn a_film_makes_a_stiff_coating_easy() {
+fn a_stiff_coating_under_a_film_takes_few_products() {
     let film = problem([10.0, 0.02], paraboloid, |_, _| 0.3);
     assert_work(film, Load::Force(2e-3), [14, 2]);
 }
@@ -52,7 +52,7 @@ fn a_thin_coating_a_thousand_times_as_stiff_takes_few_products() {
 }
 
 #[test]
-fn a_punch_has_its_set_from_the_start() {
+fn the_contact_set_of_a_punch_is_known_from_the_start() {
     let flat = |x: f64, y: f64| if x.hypot(y) < 0.3 { 0.0 } else { f64::INFINITY };
     assert_work(
         problem([10.0, 0.05], flat, RIGID),

@@ -59,7 +59,7 @@ fn stress() -> StressModel {
 }
 
 #[test]
-fn every_strength_asks_for_its_own_stress_in_its_own_range() {
+fn every_strength_has_its_own_stress_in_its_own_depth_range() {
     let body = |value: f64| BodyStress {
         name: String::new(),
         max_von_mises: extreme(value),
@@ -79,18 +79,18 @@ fn every_strength_asks_for_its_own_stress_in_its_own_range() {
             utilisation: InterfaceUtilisation::default(),
         }],
     };
-    let asked = criteria(&stress(), &[step]);
-    let found = asked.iter().map(|asked| {
+    let searches = criteria(&stress(), &[step]);
+    let found = searches.iter().map(|search| {
         let Target {
             top,
             bottom,
             quantities,
-        } = &asked.target;
-        assert_eq!(asked.known[0].at.len(), 3);
-        let known = asked.known[0].value;
+        } = &search.target;
+        assert_eq!(search.known[0].at.len(), 3);
+        let known = search.known[0].value;
         (
-            asked.name.as_str(),
-            asked.strength,
+            search.name.as_str(),
+            search.strength,
             [*top, *bottom],
             quantities[0],
             known,
@@ -106,12 +106,12 @@ fn every_strength_asks_for_its_own_stress_in_its_own_range() {
     ];
     assert_eq!(found.collect::<Vec<_>>(), wanted);
     // On an interface the depth is that of the interface.
-    assert_eq!(asked[3].known[0].at, [0.5, 0.5, 0.2]);
+    assert_eq!(searches[3].known[0].at, [0.5, 0.5, 0.2]);
 }
 
 #[test]
-fn the_error_of_a_critical_load_is_that_of_the_stress_over_how_steeply_it_grows() {
-    let asked = || Asked {
+fn the_relative_error_of_a_critical_load_is_that_of_the_stress_over_its_exponent() {
+    let search = || CriterionSearch {
         criterion: Criterion::Yield,
         name: "substrate".to_owned(),
         strength: 4.0,
@@ -127,7 +127,7 @@ fn the_error_of_a_critical_load_is_that_of_the_stress_over_how_steeply_it_grows(
         penetration: 0.3,
         extreme: extreme(value),
     };
-    let met = asked().answered(&LoadSearchResult::Met {
+    let met = search().into_critical_load(&LoadSearchResult::Met {
         solved: solved(4.0),
         exponent: 0.5,
     });
@@ -135,13 +135,13 @@ fn the_error_of_a_critical_load_is_that_of_the_stress_over_how_steeply_it_grows(
     assert!((met.estimate.unwrap() - 0.3).abs() < 1e-15);
     let numbers = (met.force, met.penetration, met.at, met.utilisation);
     assert_eq!(numbers, (Some(6.0), Some(0.3), Some([0.5; 3]), 1.0));
-    let missed = asked().answered(&LoadSearchResult::Missed(Some(solved(1.0))));
+    let missed = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(1.0))));
     let numbers = (missed.force, missed.penetration, missed.at, missed.estimate);
     assert_eq!(numbers, (None, None, None, None));
     assert_eq!((missed.utilisation, missed.resolved), (0.25, true));
-    let pulled = asked().answered(&LoadSearchResult::Missed(Some(solved(-1.0))));
+    let pulled = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(-1.0))));
     assert_eq!(pulled.utilisation, 0.0);
-    let unloaded = asked().answered(&LoadSearchResult::Missed(None));
+    let unloaded = search().into_critical_load(&LoadSearchResult::Missed(None));
     assert_eq!((unloaded.utilisation, unloaded.resolved), (0.0, false));
 }
 

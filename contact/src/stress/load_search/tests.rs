@@ -60,7 +60,7 @@ fn target() -> Target {
 }
 
 #[test]
-fn secants_from_either_side_find_where_a_ball_makes_a_body_yield_in_a_few_loads() {
+fn secants_from_either_side_find_the_yield_force_under_a_ball_in_a_few_loads() {
     let (model, target) = (model(), target());
     // 0.62 p0 under a ball, p0³ = 6 Q E*²/(π³ R²)
     let strength = 0.03;
@@ -99,7 +99,7 @@ fn secants_from_either_side_find_where_a_ball_makes_a_body_yield_in_a_few_loads(
 }
 
 #[test]
-fn loads_solved_before_say_between_which_the_strength_is_reached_and_how_steeply() {
+fn solved_loads_bracket_the_strength_and_give_the_growth_exponent() {
     let (model, target) = (model(), target());
     // σ = 2 √Q, and no utilisation below 0
     let loads = [(0.0, -1.0), (1.0, 2.0), (4.0, 4.0), (9.0, 6.0)];
@@ -142,7 +142,7 @@ fn loads_solved_before_say_between_which_the_strength_is_reached_and_how_steeply
 }
 
 #[test]
-fn a_strength_hardly_missed_is_looked_for_between_the_loads_on_either_side() {
+fn a_strength_narrowly_missed_is_searched_for_between_the_adjacent_loads() {
     let (model, target) = (model(), target());
     let strength = 0.03;
     let exact = (std::f64::consts::PI * strength / 0.6205).powi(3) * 0.91_f64.powi(2) / 6.0;

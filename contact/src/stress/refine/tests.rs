@@ -10,7 +10,7 @@ use super::*;
 use crate::stress::model::Sliding;
 
 #[test]
-fn a_parabola_returns_its_vertex() {
+fn the_vertex_of_a_parabola_is_recovered() {
     let value = |z: f64| 3.0 - 2.0 * (z - 0.7).powi(2);
     let found = vertex([0.1, 0.5, 2.0].map(|z| [z, value(z)])).unwrap();
     assert!((found - 0.7).abs() < 1e-14, "{found}");
@@ -72,7 +72,7 @@ fn hertz(friction: f64) -> StressField {
 }
 
 #[test]
-fn a_climb_ends_under_the_middle_from_near_and_far() {
+fn a_climb_ends_under_the_centre_from_near_and_far() {
     let field = hertz(0.0);
     let middle = field.at([0.0; 2], Depth::below(0.4)).unwrap();
     for start in [[0.0, 0.0], [1.3, -0.9], [-0.45, 5.0], [30.0, -30.0]] {
@@ -84,7 +84,7 @@ fn a_climb_ends_under_the_middle_from_near_and_far() {
 }
 
 #[test]
-fn no_point_around_a_peak_has_more_than_it_and_the_peak_is_where_it_is_said_to_be() {
+fn no_point_around_a_peak_exceeds_it_and_it_lies_at_its_reported_position() {
     for (friction, range) in [(0.0, [0.0, f64::INFINITY]), (0.3, [0.25, 0.9])] {
         let field = hertz(friction);
         let mut search = PeakSearch::new(&field, StressQuantity::VonMises, range);
@@ -104,7 +104,7 @@ fn no_point_around_a_peak_has_more_than_it_and_the_peak_is_where_it_is_said_to_b
 }
 
 #[test]
-fn within_an_element_of_the_surface_the_centres_alone_count() {
+fn within_an_element_of_the_surface_only_centres_count() {
     let field = hertz(0.0);
     let mut search = PeakSearch::new(&field, StressQuantity::Compression, [0.0, f64::INFINITY]);
     let found = search.peak([0.3, 0.1], [0.0, 0.0, 0.1]).unwrap();
@@ -114,7 +114,7 @@ fn within_an_element_of_the_surface_the_centres_alone_count() {
 }
 
 #[test]
-fn an_element_is_the_nearest_to_its_own_centre() {
+fn the_element_nearest_to_a_centre_is_its_own() {
     let field = hertz(0.0);
     let search = PeakSearch::new(&field, StressQuantity::VonMises, [0.0, 1.0]);
     for place in [[0, 0], [3, -2], [-7, 20]] {
@@ -170,7 +170,7 @@ fn a_bracket_is_divided_at_the_vertex_of_its_parabola_or_in_the_golden_section()
 }
 
 #[test]
-fn a_depth_lies_in_the_body_of_the_range_at_either_end() {
+fn depths_at_either_end_of_a_range_lie_in_its_body() {
     let field = hertz(0.0);
     let search = PeakSearch::new(&field, StressQuantity::VonMises, [0.2, 0.5]);
     let found = [0.2, 0.3, 0.5].map(|z| search.depth(z));
@@ -178,7 +178,7 @@ fn a_depth_lies_in_the_body_of_the_range_at_either_end() {
 }
 
 #[test]
-fn a_climb_that_never_ends_stops_a_few_depths_beside_the_loaded_square() {
+fn an_endless_climb_stops_a_few_depths_outside_the_loaded_square() {
     // Eleven elements of side 0.2 have pressure, from −1.1 on; a decaying stress has no peak before the limit.
     let field = hertz(0.0);
     let mut search = PeakSearch::new(&field, StressQuantity::Tension, [0.0, f64::INFINITY]);

@@ -23,7 +23,7 @@ fn depths(top: f64, bottom: f64) -> Vec<f64> {
 }
 
 #[test]
-fn a_body_is_looked_at_from_top_to_bottom_densest_at_its_ends() {
+fn depths_cover_a_body_from_top_to_bottom_and_are_densest_at_its_ends() {
     for (top, bottom) in [
         (0.0, 1.0),
         (0.0, 0.01),
@@ -51,12 +51,12 @@ fn a_body_is_looked_at_from_top_to_bottom_densest_at_its_ends() {
 }
 
 #[test]
-fn an_interface_is_one_depth() {
+fn an_interface_has_one_depth() {
     assert_eq!(depths(2.0, 2.0), [2.0]);
 }
 
 #[test]
-fn a_value_within_two_hundredths_of_the_largest_comes_near_it() {
+fn a_value_within_two_percent_of_the_largest_counts_as_near_it() {
     for (value, largest, wanted) in [
         (0.981, 1.0, true),
         (0.979, 1.0, false),
@@ -83,7 +83,7 @@ fn field() -> StressField {
 }
 
 #[test]
-fn planes_under_blocks_have_the_stresses_of_the_field_at_the_middles_of_blocks() {
+fn planes_under_blocks_have_the_stresses_of_the_field_at_the_block_centres() {
     let (field, depth) = (field(), Depth::below(0.2));
     for elements in [1, 2] {
         let mut blocks = BlockPlanes::new(&field, elements, 0.2);
@@ -135,7 +135,7 @@ fn peaks_of_a_plane_are_the_values_near_the_largest_with_no_larger_neighbour() {
 }
 
 #[test]
-fn peaks_of_every_plane_are_the_stresses_there_under_elements_and_under_blocks() {
+fn peaks_of_every_plane_equal_its_stresses_under_elements_and_under_blocks() {
     // Hertz's pressure of radius and peak 1, 32 elements across: from a depth of 1 on under blocks of two elements.
     let size = 40;
     let grid = Grid::new(2.5, size).unwrap();

@@ -31,18 +31,21 @@ fn a_search_ends_with_the_smallest_square_that_holds_the_contact() {
                 } else {
                     SquareVerdict::TooLarge(-stride)
                 };
-                if let ControlFlow::Break(side) = search.go_on(verdict) {
+                if let ControlFlow::Break(side) = search.advance(verdict) {
                     break side;
                 }
             };
             assert_eq!(side, 2.0 * FACTOR.powi(needed));
         }
     }
-    assert_eq!(search().go_on(SquareVerdict::Fits), ControlFlow::Break(2.0));
+    assert_eq!(
+        search().advance(SquareVerdict::Fits),
+        ControlFlow::Break(2.0)
+    );
 }
 
 #[test]
-fn a_small_contact_is_brought_to_its_usual_extent() {
+fn the_square_of_a_small_contact_shrinks_to_its_usual_extent() {
     for extent in 1..SMALLEST_EXTENT {
         let SquareVerdict::TooLarge(powers) = shrunk_to_fit(extent) else {
             panic!("too large")
@@ -56,7 +59,7 @@ fn a_small_contact_is_brought_to_its_usual_extent() {
 }
 
 #[test]
-fn a_square_that_cuts_off_grows_half_of_the_way_to_where_the_indenter_is_as_high() {
+fn a_square_that_cuts_off_grows_half_way_to_where_the_height_is_the_penetration() {
     let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
     let model = Model {
         tables: Arc::new(RadialTables::build(&body).unwrap()),
@@ -87,7 +90,7 @@ fn on_coating(stiffness: f64, thickness: f64, relief: Relief) -> Model {
 }
 
 #[test]
-fn the_square_chosen_holds_the_contact_which_is_no_small_part_of_it() {
+fn the_chosen_square_contains_the_contact_and_is_not_far_larger() {
     let film = Relief::Film(pellicle_texture::Film::new(0.01, 0.02).unwrap());
     for model in [
         on_coating(100.0, 0.02, Relief::Bare),
@@ -120,7 +123,7 @@ fn the_square_chosen_holds_the_contact_which_is_no_small_part_of_it() {
 }
 
 #[test]
-fn a_coarse_grid_tells_what_fits_but_for_half_an_element() {
+fn a_coarse_grid_decides_what_fits_to_within_half_an_element() {
     let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
     let model = Model {
         tables: Arc::new(RadialTables::build(&body).unwrap()),
@@ -155,7 +158,7 @@ fn a_coarse_grid_tells_what_fits_but_for_half_an_element() {
 }
 
 #[test]
-fn a_coarse_grid_is_not_asked_where_it_may_miss_something() {
+fn a_coarse_grid_is_not_used_if_it_may_miss_a_feature() {
     let spec = pellicle_texture::CylinderSpec {
         lattice: pellicle_texture::Lattice::Square,
         radius: 0.05,
@@ -168,16 +171,16 @@ fn a_coarse_grid_is_not_asked_where_it_may_miss_something() {
     let pillars = on_coating(2.0, 0.1, Relief::Cylinders(cylinders));
     let grid = |elements: usize| Grid::new(1.6, elements).unwrap();
     // Elements of 0.1 are wider than a pillar's radius.
-    assert!(!is_seen_by(&pillars, &grid(16)) && is_seen_by(&pillars, &grid(32)));
+    assert!(!is_resolved_by(&pillars, &grid(16)) && is_resolved_by(&pillars, &grid(32)));
     let bare = on_coating(2.0, 0.1, Relief::Bare);
-    assert!(is_seen_by(&bare, &grid(16)));
+    assert!(is_resolved_by(&bare, &grid(16)));
     let pin = Model {
         indenter: crate::FlatPunch::new(0.06).unwrap().into(),
         ..bare.clone()
     };
     // Centres at (0.05, 0.05) are outside a pin of radius 0.06, those at (0.025, 0.025) under it.
-    assert!(!is_seen_by(&pin, &grid(16)) && is_seen_by(&pin, &grid(32)));
+    assert!(!is_resolved_by(&pin, &grid(16)) && is_resolved_by(&pin, &grid(32)));
     // The four centres around the axis lie at f = 0.05².
-    let sees = |depth: f64| sees_the_tip(&bare, &grid(16), depth);
-    assert!(sees(f64::NAN) && sees(0.0026) && !sees(0.0024));
+    let resolves = |depth: f64| resolves_the_tip(&bare, &grid(16), depth);
+    assert!(resolves(f64::NAN) && resolves(0.0026) && !resolves(0.0024));
 }

@@ -18,7 +18,7 @@ fn sizes(lines: &[&str], repeats: bool) -> Vec<usize> {
 }
 
 #[test]
-fn an_island_hangs_together_by_sides_and_goes_on_in_the_next_cell() {
+fn an_island_is_connected_by_sides_and_continues_in_the_next_cell() {
     let lines = [
         "#..##", "..#..", //
         "..##.", "#....", "#.#.#",
@@ -29,7 +29,7 @@ fn an_island_hangs_together_by_sides_and_goes_on_in_the_next_cell() {
 }
 
 #[test]
-fn a_corner_in_common_joins_nothing() {
+fn elements_that_share_only_a_corner_are_not_joined() {
     assert_eq!(sizes(&["#.", ".#"], false), [1, 1]);
     assert_eq!(pattern(&["#.", ".#"], false).sides(), 8);
     // In a periodic cell the elements in contact have open ones on all sides.
@@ -103,7 +103,7 @@ fn by_flooding(lines: &[String], repeats: bool) -> (Vec<usize>, usize) {
 }
 
 #[test]
-fn random_patterns_have_the_islands_and_sides_that_flooding_finds() {
+fn islands_and_sides_of_random_patterns_agree_with_a_flood_fill() {
     let mut state = 7_u64;
     let mut random = || {
         state = state

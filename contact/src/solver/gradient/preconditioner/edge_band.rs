@@ -23,9 +23,9 @@ use crate::{
 /// Offset along both axes up to which coefficients of `F` are used.
 const REACH: usize = 3;
 /// Coefficients along a side of a quarter of the stencil.
-const ANSWERS: usize = REACH + 1;
+const QUARTER_SIDE: usize = REACH + 1;
 /// Coefficients of `F` by offset along both axes.
-pub type Answers = [[f64; ANSWERS]; ANSWERS];
+pub type Stencil = [[f64; QUARTER_SIDE]; QUARTER_SIDE];
 /// Elements from the set to the outer rim of the band, along both axes. One more does not help; one less costs a tenth
 /// more products.
 const WIDTH: usize = 3;
@@ -39,7 +39,7 @@ const ELEMENTS: usize = 1 << 12;
 /// The band around one working set. Its fields hold one value for each of its elements.
 pub struct EdgeBand {
     layout: Layout,
-    coefficients: Answers,
+    coefficients: Stencil,
     /// The band's elements on the grid, ascending.
     elements: Vec<usize>,
     /// Their places in the field to which the stencil is applied.
@@ -63,7 +63,7 @@ impl EdgeBand {
         };
         Self {
             layout,
-            coefficients: [[0.0; ANSWERS]; ANSWERS],
+            coefficients: [[0.0; QUARTER_SIDE]; QUARTER_SIDE],
             elements: Vec::new(),
             places: Vec::new(),
             images: Vec::new(),
@@ -76,14 +76,14 @@ impl EdgeBand {
     }
 
     /// Sets the coefficients of `F`, by offset along the axes.
-    pub fn take_coefficients(&mut self, answers: &Answers) {
-        self.coefficients = *answers;
+    pub fn take_coefficients(&mut self, coefficients: &Stencil) {
+        self.coefficients = *coefficients;
     }
 
     /// Sets up the band around a set.
     pub fn surround(&mut self, set: &WorkingSet) {
         self.direction.fill(0.0);
-        self.lay_direction();
+        self.spread_direction();
         let layout = self.layout;
         let [_, size] = layout.lengths;
         let rows = layout.lines(0).into_par_iter();
@@ -118,10 +118,12 @@ impl EdgeBand {
         self.elements.is_empty()
     }
 
-    /// Computes `s` for the `answer` `F r` and writes it into the band's elements of `field`: conjugate gradients on
+    /// Computes `s` for `filtered`, `F r`, and writes it into the band's elements of `field`: conjugate gradients on
     /// `F_EE s = −(F r)_E`.
-    pub fn balance(&mut self, answer: &[f64], field: &mut [f64]) {
-        update(&mut self.residual, &self.elements, |r, e| *r = -answer[*e]);
+    pub fn balance(&mut self, filtered: &[f64], field: &mut [f64]) {
+        update(&mut self.residual, &self.elements, |r, e| {
+            *r = -filtered[*e]
+        });
         self.solution.fill(0.0);
         self.direction.fill(0.0);
         let start = dot(&self.residual, &self.residual);
@@ -155,7 +157,7 @@ impl EdgeBand {
 
     /// Writes `F_EE d` into the image.
     fn multiply(&mut self) {
-        self.lay_direction();
+        self.spread_direction();
         let (spread, coefficients) = (&self.spread, &self.coefficients);
         let width = self.layout.width();
         update(&mut self.image, &self.places, |y, place| {
@@ -164,7 +166,7 @@ impl EdgeBand {
     }
 
     /// Copies the direction into the field to which the stencil is applied.
-    fn lay_direction(&mut self) {
+    fn spread_direction(&mut self) {
         for (place, d) in self.places.iter().zip(&self.direction) {
             self.spread[*place] = *d;
         }
@@ -175,7 +177,7 @@ impl EdgeBand {
 }
 
 /// The sum of a field times the coefficients around an element; the field starts at the place of the lowest offsets.
-fn stencil(field: &[f64], width: usize, coefficients: &Answers) -> f64 {
+fn stencil(field: &[f64], width: usize, coefficients: &Stencil) -> f64 {
     let row = |i: usize| -> &[f64] { &field[i * width..][..=2 * REACH] };
     let mut sum = 0.0;
     for (i, coefficients) in coefficients.iter().enumerate() {
@@ -264,7 +266,7 @@ impl Layout {
 mod tests {
     use pellicle_influence::{ElasticOperator, Sector, SectorGrid};
 
-    use super::{ACCURACY, Answers, EdgeBand};
+    use super::{ACCURACY, EdgeBand, Stencil};
     use crate::{
         DiscreteProblem,
         problem::operator_source::OperatorSource,
@@ -320,8 +322,8 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_on_the_band_answers_it() {
-        let answers: Answers = std::array::from_fn(|i| {
+    fn the_filtered_residual_vanishes_on_the_band() {
+        let coefficients: Stencil = std::array::from_fn(|i| {
             std::array::from_fn(|j| match i * i + j * j {
                 0 => 2.5,
                 square => -0.25 / (square as f64).powf(1.5),
@@ -332,18 +334,18 @@ mod tests {
         for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
             let grid = SectorGrid::new(sector, SIZE);
             let elements = grid.elements();
-            let answer: Vec<f64> = (0..elements).map(waves).collect();
+            let filtered: Vec<f64> = (0..elements).map(waves).collect();
             let mut band = EdgeBand::new(grid);
-            band.take_coefficients(&answers);
+            band.take_coefficients(&coefficients);
             band.surround(&set(grid, 0));
             let mut written = vec![0.0; elements];
-            band.balance(&answer, &mut written);
+            band.balance(&filtered, &mut written);
             // No values of the earlier set remain.
             let mut again = vec![0.0; elements];
             band.surround(&set(grid, 4));
-            band.balance(&answer, &mut vec![0.0; elements]);
+            band.balance(&filtered, &mut vec![0.0; elements]);
             band.surround(&set(grid, 0));
-            band.balance(&answer, &mut again);
+            band.balance(&filtered, &mut again);
             assert!(written == again, "{sector:?}");
             let mirrored = |k: i64| usize::try_from(if k < 0 { -1 - k } else { k }).unwrap();
             // All of the band, and the elements next to an axis.
@@ -355,15 +357,15 @@ mod tests {
                     continue;
                 }
                 let [i, j] = place.map(|k| i64::try_from(k).unwrap());
-                let mut sum = answer[e];
+                let mut sum = filtered[e];
                 for (m, n) in (-3..=3_i64).flat_map(|m| (-3..=3_i64).map(move |n| (m, n))) {
                     let [m_abs, n_abs] = [m, n].map(|k| usize::try_from(k.abs()).unwrap());
-                    sum +=
-                        answers[m_abs][n_abs] * written[mirrored(i + m) * SIZE + mirrored(j + n)];
+                    sum += coefficients[m_abs][n_abs]
+                        * written[mirrored(i + m) * SIZE + mirrored(j + n)];
                 }
                 for part in 0..=usize::from(place.contains(&0)) {
                     missed[part] += sum * sum;
-                    whole[part] += answer[e] * answer[e];
+                    whole[part] += filtered[e] * filtered[e];
                 }
             }
             assert!(whole[0] > 100.0 && missed[0] > 0.0, "{sector:?}: a band");

@@ -28,7 +28,7 @@
 
 use pellicle_influence::{PeriodicFilter, PeriodicSymbol, SectorGrid};
 
-use crate::solver::gradient::preconditioner::edge_band::{Answers, EdgeBand};
+use crate::solver::gradient::preconditioner::edge_band::{EdgeBand, Stencil};
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::vector::{add_scaled, by_parts, update};
 
@@ -51,7 +51,7 @@ pub struct RestrictedFilter {
     band: EdgeBand,
     /// Whether the band is applied twice.
     is_plate: bool,
-    answer: Vec<f64>,
+    filtered: Vec<f64>,
 }
 
 impl RestrictedFilter {
@@ -65,7 +65,7 @@ impl RestrictedFilter {
             flank: vec![0.0; elements],
             band: EdgeBand::new(grid),
             is_plate: false,
-            answer: vec![0.0; elements],
+            filtered: vec![0.0; elements],
         }
     }
 
@@ -87,10 +87,10 @@ impl RestrictedFilter {
         self.mean_compliance = mean;
         let multiplier = |symbol: f64| 1.0 / (symbol + mean);
         self.filter.multiply_by(multiplier);
-        let answers = self.filter.answers(multiplier);
-        self.band.take_coefficients(&answers);
-        self.is_plate = even_answer(&answers) < PLATE * answers[0][0];
-        let both = 1.0 / answers[0][0];
+        let coefficients = self.filter.answers(multiplier);
+        self.band.take_coefficients(&coefficients);
+        self.is_plate = sum_over_reach(&coefficients) < PLATE * coefficients[0][0];
+        let both = 1.0 / coefficients[0][0];
         let own = both - mean;
         update(&mut self.flank, relief_compliance, |s, eta| {
             *s = (both / (own + eta)).sqrt().sqrt();
@@ -101,16 +101,16 @@ impl RestrictedFilter {
     pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
         update(residual, &self.flank, |r, s| *r *= s);
         if !self.band.is_empty() {
-            self.answer.copy_from_slice(residual);
-            self.filter.apply(&mut self.answer);
-            self.band.balance(&self.answer, residual);
+            self.filtered.copy_from_slice(residual);
+            self.filter.apply(&mut self.filtered);
+            self.band.balance(&self.filtered, residual);
         }
         self.filter.apply(residual);
         if self.is_plate && !self.band.is_empty() {
-            self.answer.fill(0.0);
-            self.band.balance(residual, &mut self.answer);
-            self.filter.apply(&mut self.answer);
-            add_scaled(residual, 1.0, &self.answer);
+            self.filtered.fill(0.0);
+            self.band.balance(residual, &mut self.filtered);
+            self.filter.apply(&mut self.filtered);
+            add_scaled(residual, 1.0, &self.filtered);
         }
         set.clear_outside(residual);
         update(residual, &self.flank, |z, s| *z *= s);
@@ -118,9 +118,9 @@ impl RestrictedFilter {
 }
 
 /// The sum of all coefficients within reach, including mirror images.
-fn even_answer(answers: &Answers) -> f64 {
+fn sum_over_reach(coefficients: &Stencil) -> f64 {
     let images = |offset: usize| if offset == 0 { 1.0 } else { 2.0 };
-    let rows = answers.iter().enumerate().map(|(i, row)| {
+    let rows = coefficients.iter().enumerate().map(|(i, row)| {
         let terms = row.iter().enumerate().map(|(j, f)| images(j) * f);
         images(i) * terms.sum::<f64>()
     });
@@ -203,16 +203,16 @@ mod tests {
     fn miss(filter: &mut RestrictedFilter, surface: &SurfaceElasticity, set: &WorkingSet) -> f64 {
         let mut pressure: Vec<f64> = (0..SIZE * SIZE).map(|e| (e as f64).sin()).collect();
         set.clear_outside(&mut pressure);
-        let mut answer = vec![0.0; SIZE * SIZE];
-        surface.operator(SIZE).apply_into(&pressure, &mut answer);
-        set.clear_outside(&mut answer);
-        filter.apply(set, &mut answer);
-        add_scaled(&mut answer, -1.0, &pressure);
-        (dot(&answer, &answer) / dot(&pressure, &pressure)).sqrt()
+        let mut recovered = vec![0.0; SIZE * SIZE];
+        surface.operator(SIZE).apply_into(&pressure, &mut recovered);
+        set.clear_outside(&mut recovered);
+        filter.apply(set, &mut recovered);
+        add_scaled(&mut recovered, -1.0, &pressure);
+        (dot(&recovered, &recovered) / dot(&pressure, &pressure)).sqrt()
     }
 
     /// The filter's result for a mirrored field on pillars on both axes, on a sector.
-    fn answer(surface: &Arc<SurfaceElasticity>, sector: SectorGrid) -> Vec<f64> {
+    fn filtered_mirror(surface: &Arc<SurfaceElasticity>, sector: SectorGrid) -> Vec<f64> {
         let cut = |field: Vec<f64>| sector.cut(&field);
         let along = |i: usize| (i as f64 - 23.5).abs();
         let mirrored = |of: &dyn Fn(f64, f64) -> f64| {
@@ -243,11 +243,11 @@ mod tests {
     }
 
     #[test]
-    fn on_a_quadrant_filter_and_band_see_the_images_beyond_the_axes() {
+    fn on_a_quadrant_filter_and_band_include_the_images_beyond_the_axes() {
         let surface = surface();
         let sector = SectorGrid::of_square(Sector::Quadrant, SIZE);
-        let whole = sector.cut(&answer(&surface, SectorGrid::whole(SIZE)));
-        let quadrant = answer(&surface, sector);
+        let whole = sector.cut(&filtered_mirror(&surface, SectorGrid::whole(SIZE)));
+        let quadrant = filtered_mirror(&surface, sector);
         let largest = whole.iter().fold(0.0, |most: f64, z| most.max(z.abs()));
         for (one, other) in quadrant.iter().zip(&whole) {
             // Single precision, with some sums.
@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn under_a_stiff_coating_no_residual_is_answered_by_pulling_where_it_pushes() {
+    fn under_a_stiff_coating_the_filter_with_the_band_is_positive() {
         let surface = plate();
         let set = set_of_pillars(&surface, 7.0, 2.2);
         let mut filter = filter_on(&surface, &set);
@@ -274,9 +274,9 @@ mod tests {
             let wave = |e: usize| (wavenumber * (e / SIZE) as f64).cos();
             let mut residual: Vec<f64> = (0..SIZE * SIZE).map(wave).collect();
             set.clear_outside(&mut residual);
-            let mut answer = residual.clone();
-            filter.apply(&set, &mut answer);
-            dot(&residual, &answer) / dot(&residual, &residual)
+            let mut filtered = residual.clone();
+            filter.apply(&set, &mut filtered);
+            dot(&residual, &filtered) / dot(&residual, &residual)
         };
         let waves = (0..16).map(|k| 0.2 * f64::from(k));
         for wavenumber in waves {
@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn with_the_band_it_all_but_inverts_the_system_on_separate_pillars() {
+    fn with_the_band_the_filter_nearly_inverts_the_system_on_separate_pillars() {
         let surface = surface();
         let set = set_of_pillars(&surface, 9.0, 3.5);
         let mut filter = filter_on(&surface, &set);

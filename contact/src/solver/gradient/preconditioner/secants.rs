@@ -88,7 +88,7 @@ impl Secants {
         self.pairs.drain(..self.pairs.len().saturating_sub(most));
         let reach = (MOST_COEFFICIENTS / leaving.len().max(1)).isqrt() / 2;
         for place in leaving {
-            self.take_away(place, &column(self.elements[place] as usize, reach));
+            self.subtract_column(place, &column(self.elements[place] as usize, reach));
         }
         let cut = (self.pairs.drain(..)).filter_map(|pair| pair.cut(&elements, &places));
         self.pairs = cut.collect();
@@ -97,7 +97,7 @@ impl Secants {
     }
 
     /// Subtracts from the images the contribution of the steps on the element at a place, by its column of `K`.
-    fn take_away(&mut self, place: usize, column: &[(usize, f64)]) {
+    fn subtract_column(&mut self, place: usize, column: &[(usize, f64)]) {
         self.pairs.par_iter_mut().for_each(|pair| {
             let step = f64::from(pair.step[place]);
             for (element, k) in column {
@@ -286,25 +286,25 @@ mod tests {
         (secants, set)
     }
 
-    fn answer(secants: &Secants, set: &WorkingSet, residual: &[f64]) -> Vec<f64> {
+    fn apply(secants: &Secants, set: &WorkingSet, residual: &[f64]) -> Vec<f64> {
         let mut field = residual.to_vec();
         secants.apply(set, &mut field, |field| set.scale_within(field, 0.1));
         field
     }
 
     #[test]
-    fn the_image_of_the_last_step_is_answered_by_the_step() {
+    fn the_corrected_inverse_maps_the_image_of_the_last_step_to_the_step() {
         let (secants, set) = cut_to_all_but(1);
         let mut step = wave(1.1);
         set.clear_outside(&mut step);
-        let found = answer(&secants, &set, &system(&step));
+        let found = apply(&secants, &set, &system(&step));
         // in single precision
         let is_near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-6;
         assert!(found.iter().zip(&step).all(is_near));
     }
 
     #[test]
-    fn an_image_is_right_where_an_element_enters_and_another_leaves() {
+    fn images_remain_correct_when_one_element_enters_and_another_leaves() {
         let coupling = |[a, b]: [usize; 2]| 0.5 / (1.0 + a.abs_diff(b) as f64);
         let image = |field: &[f64]| {
             let coupled = |e: usize| -> f64 {
@@ -329,7 +329,7 @@ mod tests {
             (0..ELEMENTS).map(|to| (to, coupling([from, to]))).collect()
         });
         set.clear_outside(&mut step);
-        let found = answer(&secants, &set, &image(&step));
+        let found = apply(&secants, &set, &image(&step));
         // in single precision
         let is_near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-5;
         assert!(found.iter().zip(&step).all(is_near));
@@ -341,9 +341,9 @@ mod tests {
         let (mut a, mut b) = (wave(0.3), wave(0.75));
         set.clear_outside(&mut a);
         set.clear_outside(&mut b);
-        let answers = [&a, &b].map(|residual| answer(&secants, &set, residual));
-        let crossed = [vector::dot(&a, &answers[1]), vector::dot(&b, &answers[0])];
-        let own = [vector::dot(&a, &answers[0]), vector::dot(&b, &answers[1])];
+        let results = [&a, &b].map(|residual| apply(&secants, &set, residual));
+        let crossed = [vector::dot(&a, &results[1]), vector::dot(&b, &results[0])];
+        let own = [vector::dot(&a, &results[0]), vector::dot(&b, &results[1])];
         assert!((crossed[0] - crossed[1]).abs() < 1e-9 * own[0]);
         assert!(own.into_iter().all(|own| own > 0.0));
         // The uncorrected inverse gives a different result.
@@ -351,11 +351,11 @@ mod tests {
     }
 
     #[test]
-    fn pairs_wait_for_another_set_and_are_forgotten_with_a_large_change() {
+    fn pairs_are_used_once_the_set_changes_and_discarded_after_a_large_change() {
         for (left, used) in [(0, 0), (1, 3), (20, 3), (21, 0)] {
             let (secants, set) = cut_to_all_but(left);
             assert_eq!(secants.used, used, "{left}");
-            let is_plain = answer(&secants, &set, &wave(0.3))
+            let is_plain = apply(&secants, &set, &wave(0.3))
                 .iter()
                 .zip(wave(0.3))
                 .skip(left)
@@ -365,7 +365,7 @@ mod tests {
     }
 
     #[test]
-    fn an_element_finds_its_place_before() {
+    fn elements_are_matched_to_their_previous_places() {
         let places = places_before(&[1, 3, 4, 8, 9], &[0, 3, 5, 8]);
         assert_eq!(places, [None, Some(1), None, Some(3), None]);
         assert_eq!(places_before(&[2], &[]), [None]);

@@ -27,7 +27,7 @@ fn neighbours_grow_with_the_grid_from_a_few_hundred_elements_up_to_a_bound() {
 }
 
 #[test]
-fn a_stiff_coating_shows_in_the_response_to_long_waves_over_that_to_short_ones() {
+fn the_stiffness_contrast_is_the_response_to_long_waves_over_that_to_short_ones() {
     let contrast = |body: Foundation, size: usize| {
         let tables = RadialTables::build(&body).unwrap();
         let table = CoefficientTable::assemble(&tables, 1.0 / size as f64, size).unwrap();
@@ -64,7 +64,7 @@ fn newton_comes_first_with_the_filter_where_springs_lie_on_a_stiff_coating() {
 }
 
 #[test]
-fn what_is_missing_of_the_penetration_is_counted_on_the_set_alone() {
+fn the_residual_is_zero_outside_the_set() {
     let mut problem = of_coating([1.0, 0.1], paraboloid, RIGID);
     let control = LoadControl::of(&problem, Load::Penetration(0.02));
     let pressure: Vec<f64> = (0..ELEMENTS).map(|e| (e as f64).sin().max(0.0)).collect();
@@ -121,7 +121,7 @@ fn distance_from_inverse(problem: &mut DiscreteProblem, times: usize) -> f64 {
 const TIMES_NEIGHBOURS: [usize; 4] = [1, 2, 5, 15];
 
 #[test]
-fn the_sparse_factor_tends_to_the_inverse_with_its_neighbours() {
+fn the_sparse_factor_tends_to_the_inverse_with_more_neighbours() {
     let error =
         |times| distance_from_inverse(&mut of_coating([10.0, 0.05], paraboloid, RIGID), times);
     let errors = TIMES_NEIGHBOURS.map(error);
@@ -136,7 +136,7 @@ fn the_sparse_factor_tends_to_the_inverse_with_its_neighbours() {
 /// With springs, near elements screen far ones less, so the same neighbours leave a larger error. With all neighbours
 /// only the error of the classes remains: the factor is `(K + η̃)⁻¹`, and `|η − η̃| ≤ (2^(1/32) − 1) η̃`.
 #[test]
-fn the_sparse_factor_tends_to_the_inverse_with_springs_of_many_kinds_too() {
+fn the_sparse_factor_tends_to_the_inverse_with_springs_of_many_compliances() {
     let springs = |x: f64, y: f64| 0.01 * (2.0 + (9.0 * x).sin() + (7.0 * y).cos());
     let error =
         |times| distance_from_inverse(&mut of_coating([10.0, 0.05], paraboloid, springs), times);

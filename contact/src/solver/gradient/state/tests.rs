@@ -26,7 +26,7 @@ fn disc() -> Vec<f64> {
 }
 
 #[test]
-fn a_scale_that_is_far_off_is_found_with_a_product_and_one_that_is_near_without() {
+fn balancing_takes_a_product_only_if_the_scale_is_far_off() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
     let control = LoadControl::of(&problem, Load::Penetration(0.05));
     let (mut state, _) = begun(&mut problem, control, &disc());
@@ -57,7 +57,7 @@ fn a_scale_that_is_far_off_is_found_with_a_product_and_one_that_is_near_without(
 }
 
 #[test]
-fn steps_keep_the_total_of_a_pressure_that_has_one_and_go_back_to_where_they_were() {
+fn steps_preserve_a_prescribed_total_and_can_be_undone() {
     let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
     for load in [Load::Penetration(0.05), Load::Force(1e-3)] {
         let control = LoadControl::of(&problem, load);
@@ -79,7 +79,7 @@ fn steps_keep_the_total_of_a_pressure_that_has_one_and_go_back_to_where_they_wer
 }
 
 #[test]
-fn where_nothing_presses_all_of_the_set_is_pressed_and_else_nothing_changes() {
+fn a_state_without_pressure_gets_pressure_on_the_whole_set_and_others_are_unchanged() {
     let problem = problem([1.0, 0.1], paraboloid, RIGID);
     let mut state = State::new(&problem);
     let mask: Vec<bool> = (0..ELEMENTS).map(|e| e % 3 == 0).collect();
@@ -94,7 +94,7 @@ fn where_nothing_presses_all_of_the_set_is_pressed_and_else_nothing_changes() {
 }
 
 #[test]
-fn the_residual_is_the_largest_gap_under_pressure_or_overlap_in_parts_of_the_penetration() {
+fn the_residual_is_the_largest_gap_under_pressure_or_overlap_over_the_penetration() {
     let problem = problem([1.0, 0.1], paraboloid, RIGID);
     let mut state = State::new(&problem);
     state.control = LoadControl::Penetration(2.0);

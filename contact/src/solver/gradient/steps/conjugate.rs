@@ -59,7 +59,7 @@ impl ConjugateDirections {
     }
 
     /// Lends the buffers for another use and discards the directions.
-    pub fn lend<'a>(&'a mut self, segment: &'a mut Segment) -> SystemFields<'a> {
+    pub fn system_fields<'a>(&'a mut self, segment: &'a mut Segment) -> SystemFields<'a> {
         self.restart();
         SystemFields {
             residual: &mut self.residual_before,

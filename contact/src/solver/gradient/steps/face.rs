@@ -90,15 +90,15 @@ impl FaceDescent {
         let is_settled = self.steps > 1 && (missing <= SETTLED * first || self.steps > MOST_STEPS);
         let moves = !is_settled && self.conjugate.step_freely(context);
         if !moves {
-            self.leave(context);
+            self.leave_face(context);
         }
     }
 
     /// Goes from the solution on the face, or its approximation, to the next face.
-    fn leave(&mut self, context: &mut Context<'_>) {
+    fn leave_face(&mut self, context: &mut Context<'_>) {
         let ends = self.ends(&context.state.pressure);
         if ends.first().is_some_and(|first| *first > 0.0) {
-            self.come_down(context, &ends);
+            self.cut_segment(context, &ends);
         }
         let Context { state, set, .. } = context;
         match ends.first() {
@@ -126,7 +126,7 @@ impl FaceDescent {
 
     /// Advances until some of the pulling elements have no pressure, as many as recently lowered the energy more than
     /// stopping at the first. If that fails, it stops at the first. One product or none.
-    fn come_down(&mut self, context: &mut Context<'_>, ends: &[f64]) {
+    fn cut_segment(&mut self, context: &mut Context<'_>, ends: &[f64]) {
         let Context {
             problem,
             state,
@@ -179,7 +179,7 @@ mod tests {
     };
 
     #[test]
-    fn what_a_step_takes_to_nought_up_to_rounding_is_nought() {
+    fn pressures_within_rounding_of_zero_become_zero() {
         let third = 1.0 / 3.0;
         // Negative, 0 up to rounding of the step, reduced, and unchanged.
         let mut pressure = [-0.25, 1e-16 * third, 0.5, 0.0];
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn a_face_is_entered_where_the_state_is_and_left_by_going_back_there() {
+    fn going_back_restores_the_state_at_which_the_face_was_entered() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let control = LoadControl::of(&problem, Load::Penetration(0.02));
         let start: Vec<f64> = (0..SIZE * SIZE).map(|e| 1.0 + (e as f64).sin()).collect();

@@ -71,18 +71,18 @@ impl Newton {
             // more products.
             context.preconditioner.forget_uniform();
             self.conjugate.restart();
-            context.set.look_away();
+            context.set.discard_prediction();
             self.steps = 0;
         }
         let missing = self.conjugate.aim(context);
         let first = *self.first.get_or_insert(missing);
         let Context { state, set, .. } = context;
-        let ahead = set.look_ahead(state, self.conjugate.missing(), SLACK * tolerance);
-        let are_many = ahead.wrong as f64 > (FEW * set.len() as f64).max(2.0);
-        let stay = ahead.news as f64 <= UNSETTLED * ahead.wrong as f64;
-        let are_clear = stay && (are_many || missing <= SETTLED * first);
+        let predicted = set.predict_wrong_side(state, self.conjugate.missing(), SLACK * tolerance);
+        let are_many = predicted.wrong as f64 > (FEW * set.len() as f64).max(2.0);
+        let are_steady = predicted.changed as f64 <= UNSETTLED * predicted.wrong as f64;
+        let are_clear = are_steady && (are_many || missing <= SETTLED * first);
         let is_solved = missing <= SOLVED * first;
-        if ahead.wrong > 0 && (are_clear || is_solved) {
+        if predicted.wrong > 0 && (are_clear || is_solved) {
             return self.exchange(context);
         }
         self.steps += 1;

@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_short_of_the_total_is_raised_everywhere() {
+    fn pressures_short_of_the_total_are_raised_everywhere() {
         let mut x = [0.1, 0.2, -0.3];
         project(LoadControl::Total(9.0), &mut x);
         // θ = (0 − 9)/3

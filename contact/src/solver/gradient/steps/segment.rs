@@ -96,7 +96,7 @@ mod tests {
     };
 
     #[test]
-    fn a_step_is_whole_up_to_the_ceiling_and_cut_where_it_ends_above() {
+    fn a_step_is_taken_whole_if_it_ends_below_the_ceiling_and_cut_otherwise() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let direction: Vec<f64> = (0..SIZE * SIZE).map(|e| (e as f64).cos()).collect();
         for load in [Load::Force(1e-2), Load::Penetration(0.02)] {

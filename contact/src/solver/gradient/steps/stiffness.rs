@@ -55,7 +55,7 @@ pub fn pressure_sum_per_penetration(
         image,
         preconditioned: z,
         step: image_of_pressure,
-    } = conjugate.lend(segment);
+    } = conjugate.system_fields(segment);
     preconditioner.follow(problem, set);
     let pressure = &state.pressure;
     let (v, initial_gap) = (&state.v, &state.initial_gap);

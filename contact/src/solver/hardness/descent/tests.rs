@@ -18,7 +18,7 @@ fn with_hardness(hardness: f64) -> DiscreteProblem {
 }
 
 #[test]
-fn what_the_limit_takes_is_carried_by_the_others_in_proportion() {
+fn pressure_above_the_limit_is_carried_by_the_others_in_proportion() {
     let problem = with_hardness(2.0);
     let mut pressure = vec![0.0; problem.elements()];
     pressure[..4].copy_from_slice(&[5.0, 1.0, 1.5, 0.5]);
@@ -34,7 +34,7 @@ fn what_the_limit_takes_is_carried_by_the_others_in_proportion() {
 }
 
 #[test]
-fn what_no_element_that_presses_can_carry_is_shared_by_all() {
+fn pressure_that_no_pressed_element_can_carry_is_shared_by_all() {
     let problem = with_hardness(2.0);
     let mut pressure = vec![0.0; problem.elements()];
     pressure[0] = 100.0;
@@ -45,7 +45,7 @@ fn what_no_element_that_presses_can_carry_is_shared_by_all() {
 }
 
 #[test]
-fn the_energy_falls_with_a_step_that_keeps_force_and_limit() {
+fn a_step_lowers_the_energy_and_respects_force_and_limit() {
     let mut elastic = problem([1.0, 1.0], paraboloid, RIGID);
     let load = Load::Force(FORCE);
     let start = vec![0.0; elastic.elements()];
@@ -168,7 +168,7 @@ fn assert_at(descent: &Descent, problem: &mut DiscreteProblem, to: &[f64], part:
 }
 
 #[test]
-fn a_step_with_one_element_above_ends_where_it_is_at_the_limit() {
+fn a_step_with_one_element_above_the_limit_ends_where_it_reaches_the_limit() {
     let (mut problem, load) = (with_hardness(2.0), Load::Penetration(1.0));
     let (mut descent, to, u) = at_half(&mut problem, load, &[1.9, 5.0]);
     descent.caution = 3;
@@ -181,7 +181,7 @@ fn a_step_with_one_element_above_ends_where_it_is_at_the_limit() {
 }
 
 #[test]
-fn a_step_downhill_goes_on_until_a_part_of_the_elements_are_at_the_limit() {
+fn a_downhill_step_continues_until_a_fraction_of_the_elements_is_at_the_limit() {
     // So deep that any more pressure lowers the energy.
     let (mut problem, load) = (with_hardness(2.0), Load::Penetration(1e3));
     // At the limit after 1/2, 1/3, 1/4 and 1/6 of the step.
@@ -201,7 +201,7 @@ fn a_step_downhill_goes_on_until_a_part_of_the_elements_are_at_the_limit() {
 }
 
 #[test]
-fn a_step_that_is_uphill_at_its_end_stops_at_the_first_and_the_next_is_more_cautious() {
+fn a_step_uphill_at_its_end_stops_at_the_first_limit_and_the_next_is_more_cautious() {
     // The indenter is above the surface: any pressure raises the energy.
     let (mut problem, load) = (with_hardness(2.0), Load::Penetration(-1e3));
     let (mut descent, to, u) = at_half(&mut problem, load, &[3.5, 5.0, 6.5, 9.5]);

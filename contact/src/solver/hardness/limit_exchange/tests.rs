@@ -48,7 +48,7 @@ fn held(exchange: &LimitExchange) -> Vec<usize> {
 }
 
 #[test]
-fn of_a_start_what_is_near_the_limit_is_held_and_the_rest_is_free() {
+fn elements_that_start_near_the_limit_are_held_and_the_rest_are_free() {
     let mut problem = problem(1.0, |e| if e == 3 { f64::INFINITY } else { 0.0 });
     let start = [1.91, 1.89, 5.0, 5.0, 0.5];
     let exchange = begun(&mut problem, Load::Penetration(1.0), &start);
@@ -62,7 +62,7 @@ fn of_a_start_what_is_near_the_limit_is_held_and_the_rest_is_free() {
 }
 
 #[test]
-fn elements_at_the_limit_that_carry_all_of_a_force_are_held_where_they_overlap_most() {
+fn if_elements_at_the_limit_carry_the_whole_force_those_that_overlap_most_are_held() {
     // v = η p + g0 is smallest where the gap is, at the last of the pressed elements.
     let mut problem = problem(1.0, |e| -0.1 * e as f64);
     let force = |elements: f64| Load::Force(elements * LIMIT * AREA);
@@ -79,7 +79,7 @@ fn elements_at_the_limit_that_carry_all_of_a_force_are_held_where_they_overlap_m
 }
 
 #[test]
-fn what_is_held_presses_once_and_leaves_the_rest_of_the_force_and_of_the_work() {
+fn held_elements_take_one_product_and_leave_the_rest_of_the_force_and_of_the_work() {
     let mut problem = problem(1.0, |_| 0.0);
     let load = Load::Force(7.0 * LIMIT * AREA);
     let mut exchange = begun(&mut problem, load, &[LIMIT, LIMIT, 1.0]);
@@ -121,7 +121,7 @@ fn what_is_held_presses_once_and_leaves_the_rest_of_the_force_and_of_the_work() 
 }
 
 #[test]
-fn the_work_of_all_problems_adds_up_and_the_last_one_is_the_result() {
+fn the_work_of_all_problems_adds_up_and_the_last_solution_is_the_result() {
     let mut problem = problem(1.0, |_| 0.0);
     let mut exchange = begun(&mut problem, Load::Penetration(1.0), &[]);
     let iterate = |work: usize, pressure: f64| Iterate {
@@ -150,7 +150,7 @@ fn the_work_of_all_problems_adds_up_and_the_last_one_is_the_result() {
 }
 
 #[test]
-fn the_penetration_is_the_mean_of_what_is_free_or_the_least_that_the_conditions_allow() {
+fn the_penetration_is_the_mean_over_free_elements_or_the_least_admissible() {
     let mut problem = problem(1.0, |_| 0.0);
     let mut exchange = begun(&mut problem, Load::Penetration(9.0), &[5.0, 5.0]);
     exchange.free = field(&[0.0, 0.0, 1.0, 3.0]);
@@ -188,7 +188,7 @@ fn elements_above_the_limit_and_held_ones_with_a_gap_are_on_the_wrong_side() {
 }
 
 #[test]
-fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
+fn enough_further_elements_are_held_to_carry_the_excess_over_the_limit() {
     let mut problem = problem(1.0, |_| 0.0);
     let mut exchange = begun(&mut problem, Load::Force(1.0), &[LIMIT]);
     // The second exceeds the limit by twice its value and the third by 1.5 times: three others are needed, first those
@@ -209,7 +209,7 @@ fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
     // An excess of half the limit adds none; nor does a moderate one once elements have been released.
     exchange.free = field(&[0.0, 1.5 * LIMIT]);
     assert!(exchange.next(LIMIT, &beside(&[1], &[]), &v).is_empty());
-    exchange.let_go(LIMIT, &[3]);
+    exchange.release(LIMIT, &[3]);
     assert_eq!(exchange.free[3], LIMIT);
     assert!(!exchange.held.mask[3]);
     exchange.free[1] = 4.0 * LIMIT;
@@ -223,7 +223,7 @@ fn as_many_are_held_besides_as_carry_what_is_beyond_the_limit() {
 }
 
 #[test]
-fn exchanges_stall_after_four_that_let_go_without_halving_what_they_are_wrong_by() {
+fn exchanges_stall_after_four_that_release_elements_without_halving_the_violation() {
     let mut problem = problem(1.0, |_| 0.0);
     let wrong = |by: f64, open: &[usize]| Wrong {
         above: vec![1],
@@ -250,7 +250,7 @@ fn exchanges_stall_after_four_that_let_go_without_halving_what_they_are_wrong_by
 }
 
 #[test]
-fn where_those_held_carry_the_whole_force_nothing_is_solved() {
+fn nothing_is_solved_if_the_held_elements_carry_the_whole_force() {
     let mut problem = problem(1.0, |_| 0.0);
     let load = Load::Force(3.0 * LIMIT * AREA);
     let mut exchange = begun(&mut problem, load, &[LIMIT; 3]);
@@ -277,7 +277,7 @@ fn where_those_held_carry_the_whole_force_nothing_is_solved() {
 }
 
 #[test]
-fn a_set_that_is_right_is_solved_once_more_to_the_tolerance_and_no_further() {
+fn a_correct_set_is_solved_once_more_to_the_tolerance_and_no_further() {
     let mut problem = problem(1.0, |_| 0.0);
     let load = Load::Penetration(4.0);
     let mut exchange = begun(&mut problem, load, &[1.0]);
@@ -301,7 +301,7 @@ fn a_set_that_is_right_is_solved_once_more_to_the_tolerance_and_no_further() {
 }
 
 #[test]
-fn exchanges_that_stall_give_way_to_a_descent_from_an_admissible_pressure() {
+fn stalled_exchanges_give_way_to_a_descent_from_an_admissible_pressure() {
     let mut problem = problem(1.0, |_| 0.0);
     let load = Load::Penetration(4.0);
     let mut exchange = begun(&mut problem, load, &[LIMIT, 1.0]);

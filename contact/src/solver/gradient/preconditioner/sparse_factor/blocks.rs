@@ -183,7 +183,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_block_has_as_many_numbers_as_fill_its_lanes() {
+    fn a_block_is_padded_to_whole_lanes() {
         let mut blocks = FactorBlocks::default();
         for (own, entries) in [(1, 5 * 4), (4, 5 * 4), (5, 5 * 8), (9, 5 * 12)] {
             let before = (blocks.len(), blocks.entries());
@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn blocks_of_every_width_multiply_as_their_columns_do() {
+    fn blocks_of_every_width_multiply_like_their_columns() {
         let distances = [-3, 0, 2, 7, 8, 11, 12, 15, 16, 20, 21, 25, 30, 31];
         let field: Vec<f64> = (0..64).map(|i| f64::from(i * i % 17) - 8.0).collect();
         let mut blocks = FactorBlocks::default();

@@ -237,7 +237,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_class_keeps_a_compliance_to_three_percent() {
+    fn a_class_represents_a_compliance_to_three_percent() {
         // Half a class of 1/16 octave: 2^(1/32).
         for relative in [1e-3, 0.02, 0.7, 5.0, 1e6] {
             let found: f64 = compliance_of(class(relative)) / relative;
@@ -325,7 +325,7 @@ mod tests {
     }
 
     #[test]
-    fn near_coefficients_are_those_of_the_table_in_the_spacing_of_their_level() {
+    fn near_coefficients_are_those_of_the_table_at_the_spacing_of_their_level() {
         let elasticity = of_half_space(64);
         for level in [0, 1, 5] {
             let near = NearCoefficients::of(&elasticity, level);
@@ -358,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_system_that_is_not_positive_definite_each_element_stands_alone() {
+    fn a_system_that_is_not_positive_definite_is_replaced_by_its_diagonal() {
         let elasticity = of_half_space(16);
         let system = LocalSystem {
             elasticity: &elasticity,

@@ -129,7 +129,7 @@ fn with_all_earlier_elements_as_neighbours_the_factor_is_the_inverse() {
 }
 
 #[test]
-fn fewer_neighbours_are_the_nearest_and_more_of_them_are_better() {
+fn the_nearest_neighbours_are_used_and_more_are_more_accurate() {
     let candidates = candidates();
     let rigid = vec![0.0; candidates.len()];
     let whole = set(&candidates, patch);
