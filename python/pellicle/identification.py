@@ -251,7 +251,7 @@ def _identification(fit: Fit, found: Files) -> Identification:
     if not made.is_whole:
         return made
     if made.verdict == "misfit":
-        message = "misfit: the model does not follow the measurements, do not use these numbers"
+        message = "misfit: the model does not fit the measurements; do not use these numbers"
         warnings.warn(message, FitWarning, stacklevel=4)
     elif made.verdict != "fitted":
         warnings.warn(f"{made.verdict}: do not use these numbers", FitWarning, stacklevel=4)

@@ -153,7 +153,7 @@ def test_a_misfit_is_a_result_with_a_warning(model: pl.Case, measured: tuple[Arr
     force, depth = measured
     bare = model.replaced({"foundation.layer": []})
     data = pl.Data.of_arrays(force=force, depth=depth, noise=pl.Noise(depth="0.2 nm", correlation="none"))
-    with pytest.warns(pl.FitWarning, match="does not follow"):
+    with pytest.warns(pl.FitWarning, match="does not fit"):
         result = pl.identify(pl.Fit(bare, data, unknown={BASE: ("1 GPa", "100 GPa")}))
     assert result.verdict == "misfit" and result.goodness["misfit_p"] < 1e-6
 
