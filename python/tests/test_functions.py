@@ -300,7 +300,7 @@ def test_a_fit_with_a_function_gives_the_result_of_its_shape(body: pl.Foundation
 def test_a_function_cannot_be_written_to_a_file(body: pl.Foundation, tmp_path: Any) -> None:
     case = pl.Case(body, paraboloid, surface=relief(), **LOAD)
     for path in (None, tmp_path / "case.toml"):
-        with pytest.raises(pl.ArgumentError, match="^profile and compliance and indenter: found a function, which no"):
+        with pytest.raises(pl.ArgumentError, match="^profile and compliance and indenter: found a function, which cannot"):
             case.to_toml(path)
     assert not list(tmp_path.iterdir())
     with pytest.raises(pl.CaseError, match='"function"'):
