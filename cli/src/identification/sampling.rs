@@ -33,11 +33,11 @@ impl Identification {
             return Sampling::without("the fit was stopped");
         }
         let is_determined = |verdict: Verdict| verdict != Verdict::NotIdentifiable;
-        let all_told = fit
+        let all_determined = fit
             .estimates
             .iter()
             .all(|estimate| is_determined(estimate.verdict));
-        if fit.verdict != FitVerdict::Fitted || !all_told {
+        if fit.verdict != FitVerdict::Fitted || !all_determined {
             return Sampling::without(
                 "there are none for a misfit or for unknowns that no data can determine",
             );
