@@ -69,10 +69,10 @@ pub enum Command {
     Stress(StressArguments),
     /// Make a self-affine rough surface and write it as a height map
     Surface(SurfaceArguments),
-    /// Find properties of layers and films from measured curves, each with an interval, or why the data leave it open
+    /// Find properties of layers and films from measured curves, each with an interval, or why it is undetermined
     #[command(
         after_help = "Exit codes: 0 fitted, 1 not converged, 2 the fit file, a measurement or the command line is wrong, \
-                            3 the model does not follow the measurements (best fit written and marked), 130 stopped by Ctrl-C."
+                            3 the model does not fit the measurements (best fit written and marked), 130 stopped by Ctrl-C."
     )]
     Identify(IdentifyArguments),
     /// Redraw the pictures of a results folder, with options; for several folders, draw their curves in one picture

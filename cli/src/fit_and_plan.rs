@@ -34,11 +34,11 @@ pub fn fit(
     file: FitFile,
     start: Instant,
     stop: &StopFlag,
-    tell: &(dyn Fn(Stage) + Sync),
+    report: &(dyn Fn(Stage) + Sync),
 ) -> Result<FittedFile, Failure> {
     let identification = Identification::new(file, stop.clone())?;
-    let (identification, fit) = identification.fitted(&|done| tell(Stage::Solved(done)))?;
-    let next = Next::of(&identification, &fit, &|done| tell(Stage::Planned(done)));
+    let (identification, fit) = identification.fitted(&|done| report(Stage::Solved(done)))?;
+    let next = Next::of(&identification, &fit, &|done| report(Stage::Planned(done)));
     let seconds = start.elapsed().as_secs_f64();
     let found = FitResult::new(&identification, &fit, next, seconds);
     Ok(FittedFile {
@@ -48,7 +48,7 @@ pub fn fit(
     })
 }
 
-/// Assesses the design of a file whose reading began at `start`; `tell` is called for each curve.
+/// Assesses the design of a file whose reading began at `start`; `report` is called for each curve.
 ///
 /// # Errors
 ///
@@ -57,12 +57,12 @@ pub fn plan(
     file: &FitFile,
     start: Instant,
     stop: &StopFlag,
-    tell: &dyn Fn(Stage),
+    report: &dyn Fn(Stage),
 ) -> Result<PlanResult, Failure> {
     let candidates = candidates(file, POINTS, None)?;
     let premises = Premises::of_file(file, &candidates)?;
     let planning = Planning::new(premises, &candidates, stop, &|done| {
-        tell(Stage::Planned(done));
+        report(Stage::Planned(done));
     })?;
     PlanResult::new(&planning, start.elapsed().as_secs_f64())
 }

@@ -60,7 +60,7 @@ pub struct Planning<'a> {
 }
 
 impl<'a> Planning<'a> {
-    /// Evaluates every candidate; `tell` receives the number done, `stop` ends it.
+    /// Evaluates every candidate; `report` receives the number done, `stop` ends it.
     ///
     /// # Errors
     ///
@@ -69,7 +69,7 @@ impl<'a> Planning<'a> {
         premises: Premises<'a>,
         candidates: &[CandidateCurve],
         stop: &StopFlag,
-        tell: &dyn Fn(usize),
+        report: &dyn Fn(usize),
     ) -> Result<Self, Failure> {
         let mut planning = Self {
             premises,
@@ -87,7 +87,7 @@ impl<'a> Planning<'a> {
                 planning.warn("not-solved", candidate, &failure);
                 failed = Some(failure);
             }
-            tell(done + 1);
+            report(done + 1);
         }
         match failed {
             Some(failure) if planning.judged.is_empty() => Err(failure),

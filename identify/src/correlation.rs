@@ -18,7 +18,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_infinite_variance_correlates_with_nothing() {
+    fn an_infinite_variance_gives_zero_correlation() {
         let c = correlation(&[
             vec![4.0, 3.0, 0.0],
             vec![3.0, 9.0, 0.0],

@@ -108,7 +108,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_curve_needs_finite_lists_of_one_length() {
+    fn a_curve_needs_finite_lists_of_equal_length() {
         assert!(Curve::new(vec![1.0, 2.0], vec![1.0, 4.0]).is_ok());
         assert!(matches!(
             Curve::new(vec![1.0, 2.0], vec![1.0]),
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn times_increase() {
+    fn times_must_increase() {
         let curve = Curve::new(vec![1.0, 2.0, 3.0], vec![1.0, 4.0, 9.0]).unwrap();
         assert!(curve.clone().with_time(vec![0.0, 1.0, 2.0]).is_ok());
         assert!(matches!(

@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn quantiles_are_those_of_the_tables() {
+    fn quantiles_match_the_tables() {
         // Abramowitz and Stegun, Handbook of Mathematical Functions, table 26.10 and its limit, to their digits.
         assert_relative_eq!(student_quantile(0.95, 1.0), 12.706, max_relative = 1e-4);
         assert_relative_eq!(student_quantile(0.95, 10.0), 2.228, max_relative = 3e-4);
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn a_lognormal_standard_error_has_shorter_tails_than_that_of_a_variance_of_as_many_degrees() {
+    fn a_lognormal_variance_has_shorter_tails_than_a_chi_squared_one_of_equal_degrees() {
         assert_relative_eq!(lognormal_quantile(0.0), 1.959_964, max_relative = 1e-6);
         for degrees in [2.0, 8.0, 50.0] {
             let found = lognormal_degrees(2.0 / degrees);
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn fisher_with_one_numerator_is_the_square_of_student() {
+    fn fisher_with_one_numerator_degree_is_student_squared() {
         let t = student_quantile(0.95, 7.0);
         // The accuracy of an inverse distribution in statrs.
         assert_relative_eq!(fisher_above(t * t, 1.0, 7.0), 0.05, max_relative = 1e-6);

@@ -67,8 +67,8 @@ pub enum IdentifyError {
         /// The name.
         name: String,
     },
-    /// Too few points for the numbers to be found.
-    #[error("found {points} points for {wanted} numbers to be found, wanted more points than that")]
+    /// Too few points for the parameters to be fitted.
+    #[error("found {points} points for {wanted} parameters, wanted more points than parameters")]
     TooFewPoints {
         /// Points found.
         points: usize,
@@ -91,7 +91,7 @@ pub enum IdentifyError {
     },
     /// A surrogate that is not accurate enough.
     #[error(
-        "found a surrogate that misses its model by {reached:e} after {predictions} predictions, wanted {wanted:e}"
+        "found a surrogate with an error of {reached:e} after {predictions} predictions, wanted {wanted:e}"
     )]
     Surrogate {
         /// Largest relative error at the check points; infinite if the model has no prediction at one of them.

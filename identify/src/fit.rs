@@ -79,7 +79,7 @@ fn searched(
 }
 
 /// Jitter is reported from this gain in χ² on: a tenth of a standard error.
-const TOLD_JITTER: f64 = 0.01;
+const REPORTED_JITTER: f64 = 0.01;
 /// Maximum number of restarts from better fits found by profiles.
 const MOST_RESTARTS: usize = 3;
 
@@ -89,7 +89,7 @@ struct Fitting<'p> {
     options: &'p FitOptions,
     null_space: NullSpace,
     /// Unknowns that the data determine together.
-    told: Vec<usize>,
+    determined: Vec<usize>,
     warnings: Vec<FitWarning>,
 }
 
@@ -101,14 +101,14 @@ impl<'p> Fitting<'p> {
     ) -> Result<Self, IdentifyError> {
         let null_space = problem.null_directions().among(problem.unknowns())?;
         let held = null_space.hold()?;
-        let told = (0..problem.unknowns().len())
+        let determined = (0..problem.unknowns().len())
             .filter(|j| !held.contains(j))
             .collect();
         Ok(Self {
             problem,
             options,
             null_space,
-            told,
+            determined,
             warnings,
         })
     }
@@ -149,7 +149,7 @@ impl<'p> Fitting<'p> {
         Refinement {
             problem: self.problem,
             options: self.options,
-            told: &self.told,
+            determined: &self.determined,
         }
     }
 
@@ -159,10 +159,10 @@ impl<'p> Fitting<'p> {
         if self.problem.noise().is_known() {
             return Ok(degrees);
         }
-        let told = self.likelihood(refined).degrees_of_freedom()?;
-        let least = told.iter().copied().fold(f64::INFINITY, f64::min);
+        let of_determined = self.likelihood(refined).degrees_of_freedom()?;
+        let least = of_determined.iter().copied().fold(f64::INFINITY, f64::min);
         degrees.fill(least);
-        for (&j, value) in self.told.iter().zip(told) {
+        for (&j, value) in self.determined.iter().zip(of_determined) {
             degrees[j] = value;
         }
         Ok(degrees)
@@ -172,7 +172,7 @@ impl<'p> Fitting<'p> {
         let part = Part {
             problem: self.problem,
             at: &refined.minimum.at,
-            free: &self.told,
+            free: &self.determined,
         };
         RestrictedLikelihood::new(vec![part], *self.problem.noise(), refined.levels)
     }
@@ -216,7 +216,7 @@ impl<'p> Fitting<'p> {
     }
 
     fn warn(&mut self, refined: &Refined) {
-        if refined.minimum.within_jitter && refined.minimum.remaining > TOLD_JITTER {
+        if refined.minimum.within_jitter && refined.minimum.remaining > REPORTED_JITTER {
             self.warnings.push(FitWarning::Jitter);
         }
         for (j, unknown) in self.problem.unknowns().iter().enumerate() {
@@ -229,7 +229,7 @@ impl<'p> Fitting<'p> {
     fn goodness(&self, refined: &Refined, sought: &[Sought]) -> Goodness {
         let problem = self.problem;
         let whitened = &refined.minimum.system.residual;
-        let fitted = self.told.len() + refined.metric.nuisance_rank();
+        let fitted = self.determined.len() + refined.metric.nuisance_rank();
         let least = sought
             .iter()
             .map(|one| one.degrees)
@@ -237,8 +237,8 @@ impl<'p> Fitting<'p> {
         let known = problem.noise().is_known();
         let at = (&refined.metric, &*refined.minimum.at);
         let scores = [
-            lower_half_score(problem, at.0, at.1, &self.told),
-            smooth_score(problem, at.0, at.1, &self.told),
+            lower_half_score(problem, at.0, at.1, &self.determined),
+            smooth_score(problem, at.0, at.1, &self.determined),
         ];
         let scale = NoiseScale::of(problem, least);
         let scores = scores.map(|score| scale.probability(score));

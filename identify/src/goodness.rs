@@ -160,16 +160,16 @@ pub(crate) fn lower_half_score(
     problem: &Problem,
     metric: &Metric,
     at: &Evaluation,
-    told: &[usize],
+    determined: &[usize],
 ) -> [f64; 2] {
     let upper = upper_half(&problem.abscissa());
-    let columns = told.iter().map(|&j| {
+    let columns = determined.iter().map(|&j| {
         let halves = at.jacobian[j].iter().zip(&upper);
         halves
             .map(|(derivative, &up)| if up { *derivative } else { 0.0 })
             .collect()
     });
-    score(metric, at, told, columns)
+    score(metric, at, determined, columns)
 }
 
 /// The score of a smooth part of the residuals, and its degrees of freedom: the model's curve times Chebyshev
@@ -179,7 +179,7 @@ pub(crate) fn smooth_score(
     problem: &Problem,
     metric: &Metric,
     at: &Evaluation,
-    told: &[usize],
+    determined: &[usize],
 ) -> [f64; 2] {
     let places: Vec<f64> = problem.abscissa().iter().map(|q| q.ln()).collect();
     let low = places.iter().copied().fold(f64::INFINITY, f64::min);
@@ -194,7 +194,7 @@ pub(crate) fn smooth_score(
             })
             .collect()
     });
-    score(metric, at, told, columns)
+    score(metric, at, determined, columns)
 }
 
 /// `S = rᵀZ(ZᵀZ)⁻¹Zᵀr` for columns `Z` over the points, projected off the nuisances and unknowns, and its degrees of
@@ -202,11 +202,11 @@ pub(crate) fn smooth_score(
 fn score(
     metric: &Metric,
     at: &Evaluation,
-    told: &[usize],
+    determined: &[usize],
     columns: impl Iterator<Item = Vec<f64>>,
 ) -> [f64; 2] {
     let system = metric.system(at);
-    let fitted = OrthonormalBasis::of(told.iter().map(|&j| system.jacobian[j].clone()));
+    let fitted = OrthonormalBasis::of(determined.iter().map(|&j| system.jacobian[j].clone()));
     let mut residual = system.residual;
     fitted.remove_from(&mut residual);
     let mut added = fitted.clone();
@@ -277,7 +277,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn runs_of_a_known_series_have_their_probability() {
+    fn the_runs_of_a_known_series_have_the_known_probability() {
         // + + + + + − − − − −: 2 runs, mean 6, variance 50·40/(100·9) = 20/9; Φ((2.5 − 6)/1.4907) = 0.00944.
         let residuals = [1.0, 1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0, -1.0];
         // To the digits written above.
@@ -285,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn durbin_and_watson_find_a_drift_and_pass_alternation() {
+    fn durbin_watson_detects_a_drift_and_passes_an_alternating_series() {
         let drift: Vec<f64> = (0..100).map(|i| f64::from(i) - 49.5).collect();
         let (d, p) = durbin_watson(&[&drift]);
         assert!(d < 0.1 && p < 1e-15, "d = {d}, p = {p}");

@@ -25,10 +25,11 @@ pub(crate) fn expression(unknowns: &[Unknown], unknown: usize, powers: &[(usize,
 pub(crate) fn not_identifiable(known: Option<&KnownCombination>) -> String {
     match known {
         Some(known) => format!(
-            "No data can tell it: other values, with others changed too, give the same curves. What they tell is {}.",
+            "No data can determine it: other values give the same curves if others change too. \
+             What they determine is {}.",
             known.expression
         ),
-        None => "No data can tell it: the curves do not depend on it.".to_owned(),
+        None => "No data can determine it: the curves do not depend on it.".to_owned(),
     }
 }
 

@@ -40,7 +40,7 @@ const WITHIN_JITTER: f64 = 1e-4;
 /// Each further such step in a row multiplies the limit by this, up to one standard error.
 const MORE_JITTER: f64 = 4.0;
 /// A gain deviates from the linear prediction if it differs by more than this fraction of it.
-const OTHER_THAN_PROMISED: f64 = 0.5;
+const GAIN_DEVIATION: f64 = 0.5;
 /// A longer step than this to the minimum of the linear problem runs along a direction that the data do not determine.
 const FAR: f64 = 0.05;
 /// Fraction of a step that is tried after it failed.
@@ -133,7 +133,7 @@ impl LeastSquares<'_, '_> {
             let trial = predictor.evaluate(&target)?;
             let step = difference(&target, &now.at.position);
             let gained = self.judge(&mut now, &mut damping, &step, trial);
-            jitter = if (gained - 1.0_f64).abs() <= OTHER_THAN_PROMISED {
+            jitter = if (gained - 1.0_f64).abs() <= GAIN_DEVIATION {
                 0.0
             } else {
                 (MORE_JITTER * jitter).max(WITHIN_JITTER)
@@ -204,10 +204,10 @@ impl LeastSquares<'_, '_> {
             // A missing prediction says nothing about jitter.
             return 1.0;
         };
-        let promised = now.system.decrease(step);
+        let predicted = now.system.decrease(step);
         let system = self.metric.system(&trial);
-        let ratio = (now.system.chi_squared - system.chi_squared) / promised;
-        if !(promised > 0.0 && ratio > 0.0) {
+        let ratio = (now.system.chi_squared - system.chi_squared) / predicted;
+        if !(predicted > 0.0 && ratio > 0.0) {
             damping.longest = RETREAT * size(step);
             damping.value *= damping.growth;
             damping.growth *= 2.0;

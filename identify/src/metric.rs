@@ -261,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn no_coefficients_of_the_nuisances_do_better_than_those_eliminated() {
+    fn no_nuisance_coefficients_fit_better_than_the_eliminated_ones() {
         let problem = problem();
         let at = evaluation(&problem, [0.5, 1.5]);
         let metric = Metric::at(&problem, &problem.noise().first_guess(1.0, 1.0), &at);

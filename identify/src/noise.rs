@@ -217,7 +217,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn noise_of_no_size_is_refused() {
+    fn noise_of_zero_size_is_refused() {
         assert!(Noise::white(0.0).check().is_err());
         assert!(Noise::white(-1.0).check().is_err());
         assert!(Noise::white(1.0).check().is_ok());

@@ -10,7 +10,7 @@ use crate::{
 
 /// A direction with an eigenvalue below this, for columns of unit length, is lost in the rounding of the matrix and
 /// counts as undetermined by the data.
-const UNSEEN: f64 = 1e-12;
+const UNDETERMINED: f64 = 1e-12;
 
 /// `JᵀJ` and `Jᵀr` of the moving unknowns, each scaled by the length of its column (D. W. Marquardt, J. Soc. Indust.
 /// Appl. Math. 11, 431 (1963)).
@@ -78,7 +78,7 @@ impl NormalEquations {
             .gram
             .self_adjoint_eigen(Side::Lower)
             .map_err(|_| IdentifyError::Decomposition { size })?;
-        for k in (0..size).filter(|&k| eigen.S()[k] > UNSEEN) {
+        for k in (0..size).filter(|&k| eigen.S()[k] > UNDETERMINED) {
             let along: f64 = (0..size).map(|i| eigen.U()[(i, k)] * self.descent[i]).sum();
             for (i, &j) in self.moving.iter().enumerate() {
                 step[j] += along / eigen.S()[k] * eigen.U()[(i, k)] / self.length[i];

@@ -170,7 +170,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_shift_has_a_column_for_each_curve_and_a_frame_one_for_all() {
+    fn a_shift_has_one_column_per_curve_and_a_frame_compliance_one_for_all() {
         let curves = [
             Curve::new(vec![1.0, 2.0], vec![0.0; 2]).unwrap(),
             Curve::new(vec![3.0], vec![0.0]).unwrap(),

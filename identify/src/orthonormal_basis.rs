@@ -123,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_straight_line_is_fitted_and_a_third_column_that_adds_nothing_is_dropped() {
+    fn a_straight_line_is_fitted_and_a_dependent_third_column_is_dropped() {
         let x = [0.0, 1.0, 2.0, 3.0];
         let line = OrthonormalBasis::of([
             vec![1.0; 4],

@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn a_prior_of_no_width_is_refused() {
+    fn a_prior_of_zero_width_is_refused() {
         assert!(Prior::Normal { mean: 1.0, sd: 0.0 }.check("x").is_err());
         assert!(
             Prior::Lognormal {

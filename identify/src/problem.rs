@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_given_twice_and_too_few_points_are_refused() {
+    fn duplicate_names_and_too_few_points_are_refused() {
         let x = || Unknown::positive("x", [1.0, 2.0]).unwrap();
         let noise = Noise::white(1.0);
         assert!(matches!(

@@ -15,7 +15,7 @@ use crate::{
 const MOST_ROUNDS: usize = 12;
 
 /// Below this remaining gain in `χ²`, a fit is as accurate as double precision allows.
-const NOTHING_LEFT: f64 = 1e-12;
+const NEGLIGIBLE_GAIN: f64 = 1e-12;
 
 /// The best fit, and the covariance of the noise under which it is the best.
 pub(crate) struct Refined<'p> {
@@ -29,7 +29,7 @@ pub(crate) struct Refinement<'s, 'p> {
     pub problem: &'p Problem,
     pub options: &'s FitOptions,
     /// Unknowns that the data determine together.
-    pub told: &'s [usize],
+    pub determined: &'s [usize],
 }
 
 impl<'p> Refinement<'_, 'p> {
@@ -93,7 +93,7 @@ impl<'p> Refinement<'_, 'p> {
         let part = Part {
             problem: self.problem,
             at,
-            free: self.told,
+            free: self.determined,
         };
         let levels =
             RestrictedLikelihood::new(vec![part], *self.problem.noise(), levels).estimate();
@@ -113,7 +113,7 @@ impl<'p> Refinement<'_, 'p> {
             remaining,
             ..
         } = refined.minimum;
-        if !converged || within_jitter || remaining < NOTHING_LEFT {
+        if !converged || within_jitter || remaining < NEGLIGIBLE_GAIN {
             return Ok(refined);
         }
         let free = self.free();

@@ -43,7 +43,7 @@ pub(crate) struct Repeats<'p> {
     options: &'p FitOptions,
     null_space: NullSpace,
     /// Unknowns that the data determine together.
-    told: Vec<usize>,
+    determined: Vec<usize>,
     /// Indices of the linear nuisances that all curves share.
     shared: Vec<usize>,
     shares: Vec<Share>,
@@ -62,7 +62,7 @@ impl<'p> Repeats<'p> {
     pub fn new(problem: &'p Problem, options: &'p FitOptions) -> Result<Self, IdentifyError> {
         let null_space = problem.null_directions().among(problem.unknowns())?;
         let held = null_space.hold()?;
-        let told = (0..problem.unknowns().len())
+        let determined = (0..problem.unknowns().len())
             .filter(|j| !held.contains(j))
             .collect();
         let columns = problem.columns();
@@ -83,7 +83,7 @@ impl<'p> Repeats<'p> {
             problem,
             options,
             null_space,
-            told,
+            determined,
             shared,
             shares,
         })
@@ -164,7 +164,7 @@ impl<'p> Repeats<'p> {
             .map(|(share, at)| Part {
                 problem: &share.problem,
                 at,
-                free: &self.told,
+                free: &self.determined,
             })
             .collect();
         RestrictedLikelihood::new(parts, *self.problem.noise(), state.levels)
@@ -174,7 +174,7 @@ impl<'p> Repeats<'p> {
         self.included(state)
             .map(|share| {
                 let at = state.at.part(&self.problem.spans()[share.index]);
-                share.fit(&at, &self.told, &state.nuisances, &state.levels)
+                share.fit(&at, &self.determined, &state.nuisances, &state.levels)
             })
             .collect()
     }
@@ -207,7 +207,7 @@ impl<'p> Repeats<'p> {
         MixedModel {
             curves: curves.iter().map(|curve| curve.equations.clone()).collect(),
             prior: self
-                .told
+                .determined
                 .iter()
                 .map(of_unknown)
                 .chain(self.shared.iter().zip(&state.nuisances).map(of_nuisance))
@@ -219,8 +219,8 @@ impl<'p> Repeats<'p> {
     /// The indices, among the determined unknowns, of those that are answers: they may differ from curve to curve.
     fn scattered(&self) -> Vec<usize> {
         let unknowns = self.problem.unknowns();
-        (0..self.told.len())
-            .filter(|&k| unknowns[self.told[k]].role() == Role::Sought)
+        (0..self.determined.len())
+            .filter(|&k| unknowns[self.determined[k]].role() == Role::Sought)
             .collect()
     }
 
@@ -242,7 +242,7 @@ impl<'p> Repeats<'p> {
 
     /// Whether every correction is small compared with its standard error, or leads out of the range from a bound.
     fn is_settled(&self, state: &State, common: &Common) -> bool {
-        self.told.iter().enumerate().all(|(k, &j)| {
+        self.determined.iter().enumerate().all(|(k, &j)| {
             let [low, high] = self.problem.unknowns()[j].bounds();
             let (x, step) = (state.at.position[j], common.correction[k]);
             step.abs() <= SETTLED * common.covariance[(k, k)].sqrt()
@@ -258,12 +258,12 @@ impl<'p> Repeats<'p> {
         state: &mut State,
         common: &Common,
     ) -> Result<bool, IdentifyError> {
-        let steps = &common.correction[..self.told.len()];
+        let steps = &common.correction[..self.determined.len()];
         let longest = steps.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
         let mut part = (LONGEST_STEP / longest).min(1.0);
         while longest * part > SETTLED * f64::EPSILON.sqrt() {
             let mut position = state.at.position.clone();
-            for (&j, step) in self.told.iter().zip(steps) {
+            for (&j, step) in self.determined.iter().zip(steps) {
                 let [low, high] = self.problem.unknowns()[j].bounds();
                 position[j] = (position[j] + part * step).clamp(low, high);
             }
@@ -275,7 +275,7 @@ impl<'p> Repeats<'p> {
                 for (c, step) in state
                     .nuisances
                     .iter_mut()
-                    .zip(&common.correction[self.told.len()..])
+                    .zip(&common.correction[self.determined.len()..])
                 {
                     *c += part * step;
                 }

@@ -9,7 +9,7 @@ pub struct StopFlag(Arc<AtomicBool>);
 
 impl StopFlag {
     /// Asks the work to end. Returns whether this is the first request.
-    #[must_use = "the work may have been asked before"]
+    #[must_use = "the work may have been stopped already"]
     pub fn raise(&self) -> bool {
         !self.0.swap(true, Ordering::SeqCst)
     }

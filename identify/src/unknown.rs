@@ -240,7 +240,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn coordinates_lead_back_to_the_value() {
+    fn coordinates_convert_back_to_the_value() {
         for unknown in [
             Unknown::positive("modulus", [2e9, 5e11]).unwrap(),
             Unknown::signed("offset", [-3.0, 5.0e11]).unwrap(),

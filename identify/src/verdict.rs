@@ -118,7 +118,7 @@ fn one_sided(open: &str, closed: &str, way: &str, cause: Open) -> String {
         Open::Bound => "the bound fits these data within the level",
         Open::Model => "where the model ends fits these data within the level",
     };
-    format!("The interval closes {closed} the value and not {open} it: every value {way} to {end}.")
+    format!("The interval closes {closed} the value but not {open} it: every value {way} to {end}.")
 }
 
 #[cfg(test)]
@@ -127,7 +127,7 @@ mod tests {
     use crate::Prior;
 
     #[test]
-    fn the_interval_decides() {
+    fn the_interval_decides_the_verdict() {
         let unknown = Unknown::positive("E", [1.0, 100.0]).unwrap();
         let x = 10.0_f64.ln();
         let verdict = |ends: Ends| judge(&unknown, x, &ends, 0.1).0;
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn a_prior_that_the_data_do_not_narrow_drives() {
+    fn data_that_do_not_narrow_the_prior_make_an_unknown_prior_driven() {
         let prior = Prior::Lognormal {
             median: 10.0,
             factor: 1.1,

@@ -82,7 +82,7 @@ fn predicted(
 }
 
 #[test]
-fn forces_read_with_another_constant_are_those_of_the_true_one() {
+fn forces_read_with_another_spring_constant_agree_with_the_true_one() {
     let bodies = ElasticBodies::from(Foundation::half_space(material(70e9, 0.2)));
     let model = model(&bodies, Relief::Bare, Paraboloid::new(RADIUS).unwrap());
     let parameters = [young_modulus(0)];
@@ -137,7 +137,7 @@ fn forces_read_with_another_constant_are_those_of_the_true_one() {
 }
 
 #[test]
-fn hertz_is_met_with_slope_and_derivatives() {
+fn the_hertz_curve_its_slope_and_derivatives_are_reproduced() {
     let steel = material(210e9, 0.3);
     let diamond = material(1141e9, 0.07);
     let bodies = ElasticBodies::new(Foundation::half_space(steel), Some(diamond));
@@ -168,7 +168,7 @@ fn hertz_is_met_with_slope_and_derivatives() {
 
 /// The cost of a load is its products times the elements of their sector.
 #[test]
-fn a_berkovich_curve_takes_hardly_more_products_than_a_paraboloids_and_those_on_half_a_grid() {
+fn a_berkovich_curve_takes_few_more_products_than_a_paraboloid_on_half_the_grid() {
     let paraboloid = || Indenter::from(Paraboloid::new(RADIUS).unwrap());
     let berkovich = || Indenter::from(Pyramid::berkovich(0.2e-6).unwrap());
     let bare = ElasticBodies::from(Foundation::half_space(material(10e9, 0.3)));
@@ -256,7 +256,7 @@ fn curves_of_coatings_and_films_agree_with_fine_grids() {
 /// The gauge of the paraboloid and the scale of all moduli (logarithmic derivatives of D):
 /// `2∂_R + ∂_H − ∂_E1 − ∂_E2 + 2∂_η = 0`, `∂_E1 + ∂_E2 − ∂_η = −Q D′/D`.
 #[test]
-fn derivatives_keep_to_the_identities_of_the_paraboloid() {
+fn derivatives_satisfy_the_identities_of_the_paraboloid() {
     for thickness in [0.05e-6, 0.5e-6, 4e-6] {
         let film = Relief::Film(Film::new(20e-9, 1e9).unwrap());
         let model = model(&coating(thickness), film, Paraboloid::new(RADIUS).unwrap());
@@ -288,7 +288,7 @@ fn derivatives_keep_to_the_identities_of_the_paraboloid() {
 /// The gauge of the paraboloid, the compliance of a film, the materials of a coating, the slope of a sharp cone, and
 /// two moduli that enter only as a sum.
 #[test]
-fn along_null_directions_no_penetration_changes() {
+fn penetrations_do_not_change_along_null_directions() {
     let film = Film::new(20e-9, 1e9).unwrap();
     // The thickness and modulus of stiffening springs matter separately.
     let stiffening = Relief::Film(film.stiffening());
@@ -335,7 +335,7 @@ fn along_null_directions_no_penetration_changes() {
 }
 
 #[test]
-fn many_points_cost_no_more_loads() {
+fn more_points_need_no_more_loads() {
     let model = model(
         &coating(0.5e-6),
         Relief::Bare,

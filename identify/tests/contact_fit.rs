@@ -133,7 +133,7 @@ fn with_the_thickness_unknown_the_modulus_of_the_coating_is_weak() {
 }
 
 #[test]
-fn moduli_and_thickness_follow_a_radius_that_is_taken_as_exact_as_the_gauge_says() {
+fn moduli_and_thickness_scale_with_an_exact_radius_as_the_gauge_predicts() {
     let (curves, forces) = coating(3);
     let observed = curves.predict(&TRUTH).unwrap().value;
     let curve = Curve::new(forces, observed).unwrap();

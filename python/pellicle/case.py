@@ -221,7 +221,7 @@ class Path(Sequence[Step]):
         self.curve = curve
         """The columns of `curve.csv` as arrays; `pandas.DataFrame(path.curve)` is a table of them."""
         self.is_whole = is_whole
-        """Whether everything that the case asks for is here; otherwise it was interrupted."""
+        """Whether everything that the case requests is here; otherwise it was interrupted."""
         self._fields = fields
 
     @property
@@ -232,7 +232,7 @@ class Path(Sequence[Step]):
 
     @cached_property
     def warnings(self) -> list[ResultWarning]:
-        """Doubts about the numbers."""
+        """Warnings about the numbers."""
         return [ResultWarning(**warning) for warning in self.summary["warnings"]]
 
     def __len__(self) -> int:
@@ -314,7 +314,8 @@ def refuse_functions(functions: Mapping[str, CheckedFunction]) -> None:
     """Refuses functions, which cannot be written."""
     if functions:
         found = " and ".join(functions)
-        raise ArgumentError(f"{found}: found a function, which no file can hold, wanted a map, such as HeightMap.sampled")
+        wanted = "a map, such as HeightMap.sampled"
+        raise ArgumentError(f"{found}: found a function, which cannot be written to a file, wanted {wanted}")
 
 
 def _put(document: dict[str, Any], key: str, value: toml.Value) -> None:

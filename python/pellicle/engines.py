@@ -12,7 +12,7 @@ Task = TypeVar("Task")
 Outcome = TypeVar("Outcome")
 
 TURN = 0.2
-"""Seconds between two looks at signals while nothing ends."""
+"""Seconds between two checks of signals while no task finishes."""
 
 
 class Submits(Protocol):

@@ -38,7 +38,7 @@ class ArgumentError(Error, ValueError):
 
 
 class FitWarning(UserWarning):
-    """A fit should not be used: its model does not follow the measurements, or it has not converged."""
+    """A fit should not be used: its model does not fit the measurements, or it has not converged."""
 
 
 class StudyWarning(UserWarning):

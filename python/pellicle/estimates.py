@@ -37,7 +37,7 @@ class FitEstimate:
     wald: Interval
     """The interval from the covariance alone."""
     verdict: str
-    """`"identified"`, `"weak"`, `"prior-driven"`, `"bounded-below"`, `"bounded-above"` or `"not-identifiable"`."""
+    """`"identified"`, `"weak"`, `"one-sided"`, `"not-identified"`, `"not-identifiable"` or `"prior-driven"`."""
     why: str
     """Why, in a sentence."""
     scatter: float | None
@@ -57,7 +57,7 @@ class Expected:
     key: str
     unit: str
     value: float
-    """The value that is taken for true."""
+    """The value assumed true."""
     standard_error: float
     """Of its logarithm, the relative one where it is small; NaN where the data do not determine it."""
     factor: float

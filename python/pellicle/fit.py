@@ -23,7 +23,7 @@ from .table import Table, value_of
 
 @dataclass(frozen=True)
 class Unknown(Table):
-    """A number to be found: between bounds, with a prior, or both.
+    """A parameter to be determined: between bounds, with a prior, or both.
 
     A lognormal prior has a `median` and a `factor` equal to one standard deviation, a normal one a `mean` and an `sd`.
     """
@@ -117,7 +117,7 @@ class Fit:
             if rows is not None:
                 values["file"] = table.file or f"data-{number}.csv"
                 if texts.setdefault(values["file"], rows) != rows:
-                    raise ArgumentError(f"data: found two arrays of the name {table.file!r}, wanted a name for each")
+                    raise ArgumentError(f"data: found two arrays named {table.file!r}, wanted a name for each")
             written.append(values)
         text, _, _, folder, arrays, functions = model._state
         document = {
@@ -171,8 +171,8 @@ class Fit:
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
         """Returns the text of the fit file, and writes it to `path` if given, with its arrays beside it.
 
-        `pellicle identify` gives the same bits for it as `identify` does. Fits with functions are refused, since no
-        file can hold them.
+        `pellicle identify` gives the same bits for it as `identify` does. Fits with functions are refused, since they
+        cannot be written to a file.
         """
         text, _, _, folder, arrays, functions, texts = self._state
         refuse_functions(functions)

@@ -92,7 +92,7 @@ def corner(estimates: Sequence[FitEstimate], samples: Mapping[str, npt.NDArray[n
 
     unknowns = [estimate for estimate in estimates if estimate.key in samples]
     if not unknowns:
-        raise ArgumentError("posterior: found no samples, wanted a fit whose report asks for them")
+        raise ArgumentError("posterior: found no samples, wanted a fit whose report requests them")
     count = len(unknowns)
     figure, axes = plt.subplots(count, count, squeeze=False, figsize=(2.8 * count, 2.6 * count))
     for i, down in enumerate(unknowns):

@@ -38,7 +38,7 @@ class Result:
         self._tables = dict(tables)
         self._samples = dict(samples)
         self.is_whole = is_whole
-        """Whether everything that was asked for is here; otherwise it was interrupted."""
+        """Whether everything that was requested is here; otherwise it was interrupted."""
 
     def to_dict(self) -> dict[str, Any]:
         """The content of the results file: only numbers, strings, lists and dicts."""
@@ -125,7 +125,7 @@ class Identification(Result):
 
     @cached_property
     def posterior(self) -> dict[str, npt.NDArray[np.float64]]:
-        """Samples of the posterior by key; empty unless the report asks for them."""
+        """Samples of the posterior by key; empty unless the report requests them."""
         return {key: np.array(values, dtype=np.float64) for key, values in self._samples.items()}
 
     @property
@@ -137,7 +137,7 @@ class Identification(Result):
 
     @property
     def goodness(self) -> dict[str, Any]:
-        """How well the model follows the data: `chi_squared_per_degree`, `misfit_p`, `noise`, `excluded`, …"""
+        """How well the model fits the data: `chi_squared_per_degree`, `misfit_p`, `noise`, `excluded`, …"""
         goodness: dict[str, Any] = self._found["fit"]
         return goodness
 
@@ -149,7 +149,7 @@ class Identification(Result):
 
     @property
     def excluded(self) -> Curve | None:
-        """The points at which the model does not hold, with reasons; None if there are none."""
+        """The points at which the model is not valid, with reasons; None if there are none."""
         table = self._tables.get("excluded.csv")
         return None if table is None else Curve.of_csv(table)
 
@@ -251,7 +251,7 @@ def _identification(fit: Fit, found: Files) -> Identification:
     if not made.is_whole:
         return made
     if made.verdict == "misfit":
-        message = "misfit: the model does not follow the measurements, do not use these numbers"
+        message = "misfit: the model does not fit the measurements; do not use these numbers"
         warnings.warn(message, FitWarning, stacklevel=4)
     elif made.verdict != "fitted":
         warnings.warn(f"{made.verdict}: do not use these numbers", FitWarning, stacklevel=4)

@@ -22,7 +22,7 @@ def compliance(foundation: Foundation, wavenumber: npt.ArrayLike) -> npt.NDArray
     """
     wavenumbers = np.array(wavenumber, dtype=np.float64)
     if not (np.isfinite(wavenumbers) & (wavenumbers > 0)).all():
-        raise ArgumentError("wavenumber: found zero, a negative number or none, wanted positive finite numbers")
+        raise ArgumentError("wavenumber: found zero, a negative or a non-finite number, wanted positive finite numbers")
     found = _inner(foundation).compliance(np.ascontiguousarray(wavenumbers.ravel()))
     return found.reshape(wavenumbers.shape)
 

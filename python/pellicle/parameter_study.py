@@ -116,7 +116,7 @@ class Study:
                     table.force()
                     forced = time.monotonic()
         except BaseException as error:
-            error.add_note(f"{sum(table.tally())} of {len(self)} cases are in {table.path()}: map goes on with them")
+            error.add_note(f"{sum(table.tally())} of {len(self)} cases are in {table.path()}: call map again")
             raise
         finally:
             solve.stopped.set()
@@ -183,7 +183,7 @@ class _Solver:
         self.fingerprint = fingerprint
         self.threads = threads
         self.stopped = threading.Event()
-        """Set where nobody waits any more; seen by threads of the same process alone."""
+        """Set if nobody waits any more; visible only to threads of the same process."""
 
     def __call__(self, cases: list[int]) -> tuple[list[tuple[int, str, str, bytes]], list[str]]:
         """Solves these cases; returns their rows with kept fields, and warnings."""
@@ -217,5 +217,5 @@ def _restored(path: str, fingerprint: str) -> Study:
     found = Study(path)
     if found._study.fingerprint != fingerprint:
         found_here = "another study, other maps or another version of pellicle"
-        raise RunError(f"{path}: found {found_here}, wanted what there is where it was mapped")
+        raise RunError(f"{path}: found {found_here}, wanted those of the process that called map")
     return found

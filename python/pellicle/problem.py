@@ -64,9 +64,9 @@ class DiscreteProblem:
     def judge(
         self, pressure: npt.ArrayLike, *, force: float | None = None, penetration: float | None = None
     ) -> Judgement:
-        """Judges an N × N pressure (Pa) as a solution under a force (N), or at a penetration (m)."""
+        """Assesses an N × N pressure (Pa) as a solution under a force (N), or at a penetration (m)."""
         if (force is None) == (penetration is None):
-            raise ArgumentError("force: found both or none of force and penetration, wanted one of them")
+            raise ArgumentError("force: found both or neither of force and penetration, wanted one of them")
         given, name = (force, "force") if penetration is None else (penetration, "penetration")
         if given is None or not math.isfinite(given) or (force is not None and force <= 0):
             raise ArgumentError(f"{name}: found {given}, wanted a finite number, a force above zero")

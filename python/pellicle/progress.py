@@ -45,9 +45,9 @@ class FitProgress:
     """The progress of a fit or a plan."""
 
     solved: int | None
-    """Predictions of all curves that are made; None while a design is planned."""
+    """Predictions of all curves made so far; None while a design is planned."""
     planned: int | None
-    """Curves of the design that are judged; None while the fit is made."""
+    """Curves of the design assessed so far; None during the fit."""
 
     @classmethod
     def of(cls, raw: tuple[int | None, int | None]) -> FitProgress:
@@ -112,25 +112,25 @@ def reporting(
     if not progress:
         yield lambda raw: None
     elif callable(progress):
-        yield _telling(progress, kind)
+        yield _reporting(progress, kind)
     else:
         with _bar(of.title) as report:
-            yield _telling(report, kind)
+            yield _reporting(report, kind)
 
 
-def _telling(
+def _reporting(
     report: Callable[[Any], object], kind: Kind
 ) -> Callable[[Any], None]:
     """Reports only changes of the progress."""
     last: Any = None
 
-    def tell(raw: Any) -> None:
+    def report_change(raw: Any) -> None:
         nonlocal last
         if raw is not None and raw != last:
             last = raw
             report(kind.of(raw))
 
-    return tell
+    return report_change
 
 
 @contextmanager

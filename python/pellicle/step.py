@@ -219,7 +219,7 @@ class Step:
         them."""
         given = self._summary.get("sensitivities")
         if given is None:
-            raise ArgumentError("sensitivities: the case does not ask for any, wanted Case(..., sensitivities=True)")
+            raise ArgumentError("sensitivities: found none, wanted Case(..., sensitivities=True)")
         return {one["parameter"]: Sensitivity.of(one) for one in given}
 
     def stress(

@@ -9,7 +9,7 @@ from typing import Any, Protocol, TypeVar
 from ._pellicle import InternalError
 
 TURN = 20
-"""Milliseconds between two looks at signals and progress."""
+"""Milliseconds between two checks of signals and progress."""
 
 PATIENCE = 100
 """Milliseconds in which interrupted work may end before it is left behind."""
@@ -84,5 +84,5 @@ def finished(
         raise
     result = run.result()
     if result is None:
-        raise InternalError("found no result where nobody stopped the work")
+        raise InternalError("found no result although the work was not stopped")
     return made(result)

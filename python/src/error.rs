@@ -14,26 +14,26 @@ create_exception!(
     pellicle,
     Error,
     PyException,
-    "Whatever keeps a case from being read or solved."
+    "Any error in reading or solving a case."
 );
 create_exception!(
     pellicle,
     CaseError,
     Error,
-    "A case is wrong at one place: `key`, `line`, `found`, `wanted` and `help` say where and how."
+    "A case is wrong at one place: `key`, `line`, `found`, `wanted` and `help` state where and how."
 );
 create_exception!(
     pellicle,
     KernelError,
     Error,
-    "The elastic body is refused, or has no compliance. As far as its message says them, its attributes are \
+    "The elastic body is refused, or has no compliance. Its attributes, as far as its message states them, are \
      `found`, `largest`, `layer`, `layers`, `reached`, `s`, `smallest`, `sublayers` and `wanted`."
 );
 create_exception!(
     pellicle,
     InfluenceError,
     Error,
-    "The influence coefficients cannot be computed. As far as its message says them, its attributes are `at`, \
+    "The influence coefficients cannot be computed. Its attributes, as far as its message states them, are `at`, \
      `found`, `largest`, `layer`, `layers`, `lower`, `offset`, `radius`, `reached`, `s`, `smallest`, \
      `sublayers`, `upper` and `wanted`."
 );
@@ -41,21 +41,21 @@ create_exception!(
     pellicle,
     TextureError,
     Error,
-    "The surface is refused. As far as its message says them, its attributes are `found`, `index`, `largest`, \
+    "The surface is refused. Its attributes, as far as its message states them, are `found`, `index`, `largest`, \
      `period`, `quantity`, `radius` and `shape`."
 );
 create_exception!(
     pellicle,
     IndenterError,
     Error,
-    "The indenter is refused. As far as its message says them, its attributes are `found`, `least`, `most` \
+    "The indenter is refused. Its attributes, as far as its message states them, are `found`, `least`, `most` \
      and `quantity`."
 );
 create_exception!(
     pellicle,
     ContactError,
     Error,
-    "The contact cannot be posed or solved. As far as its message says them, its attributes are `area`, `at`, \
+    "The contact cannot be posed or solved. Its attributes, as far as its message states them, are `area`, `at`, \
      `element`, `element_side`, `elements`, `field`, `force`, `found`, `index`, `largest`, `layer`, `layers`, \
      `least`, `lower`, `most`, `offset`, `penetration`, `period`, `quantity`, `radius`, `reached`, `s`, \
      `shape`, `side`, `smallest`, `step`, `sublayers`, `tolerance`, `trials`, `upper`, `wanted` and `worst`."
@@ -64,21 +64,21 @@ create_exception!(
     pellicle,
     IdentifyError,
     Error,
-    "A fit cannot be posed or made. As far as its message says them, its attributes are `curve`, `found`, \
+    "A fit cannot be posed or made. Its attributes, as far as its message states them, are `curve`, `found`, \
      `list`, `name`, `point`, `points`, `predictions`, `quantity`, `reached`, `size`, `starts` and `wanted`."
 );
 create_exception!(
     pellicle,
     RunError,
     Error,
-    "A case cannot be run: a file cannot be read, or there is too little memory. As far as its message says \
-     them, its attributes are `available`, `bottom`, `found`, `last`, `needed`, `path` and `reason`."
+    "A case cannot be run: a file cannot be read, or there is too little memory. Its attributes, as far as its message \
+     states them, are `available`, `bottom`, `found`, `last`, `needed`, `path` and `reason`."
 );
 create_exception!(
     pellicle,
     InternalError,
     Error,
-    "An error of the program itself, which should not be."
+    "An error of the program itself, which should not occur."
 );
 
 /// A failure of the program, to be raised in Python.

@@ -87,8 +87,8 @@ impl Fit {
     fn start_fit(&self, threads: Option<u16>) -> PyResult<FitRun> {
         let (file, start) = (self.take()?, self.start);
         let work = Work::start(threads, move |watched| {
-            let tell = |stage| watched.tell(counts(stage));
-            let fitted = unless_stopped(fit(file, start, &watched.stop, &tell))?;
+            let report = |stage| watched.report(counts(stage));
+            let fitted = unless_stopped(fit(file, start, &watched.stop, &report))?;
             fitted.map(|fitted| Found::of_fit(&fitted)).transpose()
         });
         Ok(FitRun(work.map_err(Refusal::from)?))
@@ -99,8 +99,8 @@ impl Fit {
     fn start_plan(&self, threads: Option<u16>) -> PyResult<FitRun> {
         let (file, start) = (self.take()?, self.start);
         let work = Work::start(threads, move |watched| {
-            let tell = |stage| watched.tell(counts(stage));
-            let planned = unless_stopped(plan(&file, start, &watched.stop, &tell))?;
+            let report = |stage| watched.report(counts(stage));
+            let planned = unless_stopped(plan(&file, start, &watched.stop, &report))?;
             planned.map(|plan| Found::of_plan(&plan)).transpose()
         });
         Ok(FitRun(work.map_err(Refusal::from)?))

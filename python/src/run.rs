@@ -20,7 +20,7 @@ struct SolutionObserver<'a>(&'a WatchedSolution);
 
 impl Observer for SolutionObserver<'_> {
     fn progress(&mut self, progress: &Progress) -> Signal {
-        self.0.tell(*progress);
+        self.0.report(*progress);
         signal(self.0)
     }
 }

@@ -172,7 +172,7 @@ fn solve(
         let kept = record.as_ref().map(RecordInMemory::take);
         let kept = kept.unwrap_or_default();
         rows.push((case, done.status.word(), done.rows, kept));
-        watched.tell(rows.len());
+        watched.report(rows.len());
     }
     let warnings = kit.cache.take_warnings();
     Ok(SolvedChunk {

@@ -48,7 +48,7 @@ impl<P, T> Watched<P, T> {
     }
 
     /// Reports the progress of the work.
-    pub fn tell(&self, progress: P) {
+    pub fn report(&self, progress: P) {
         self.state().progress = Some(progress);
     }
 
@@ -112,7 +112,7 @@ impl<P: Copy + Send + 'static, T: Send + 'static> Work<P, T> {
     pub fn result(&self) -> PyResult<T> {
         let outcome = self.watched.state().outcome.take();
         let Some(outcome) = outcome else {
-            let message = "no result is there to be taken";
+            let message = "there is no result to take";
             return Err(error::InternalError::new_err(message));
         };
         let mut threads = self.threads.lock().unwrap_or_else(PoisonError::into_inner);

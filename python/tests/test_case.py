@@ -18,13 +18,13 @@ from pellicle import toml
 from pellicle.quantity import SI_UNITS
 
 
-def test_a_case_is_the_file_that_it_writes(case: pl.Case) -> None:
+def test_a_case_written_to_a_file_is_read_back_equal(case: pl.Case) -> None:
     again = pl.Case.from_string(case.to_toml())
     assert again == case
     assert again.resolved == case.resolved
 
 
-def test_what_is_left_out_has_the_default_of_the_case_file(body: pl.Foundation) -> None:
+def test_omitted_arguments_have_the_defaults_of_the_case_file(body: pl.Foundation) -> None:
     resolved = pl.Case(body, pl.Berkovich(), force="1 mN").resolved
     assert resolved["grid"] == {"side": None, "elements": 256}
     assert resolved["indenter"]["tip_radius"] == 0.0
@@ -61,7 +61,7 @@ EVERYTHING = pl.Case(
 )
 
 
-def test_every_key_can_be_said_and_is_read_again() -> None:
+def test_every_key_can_be_written_and_read_back() -> None:
     resolved = EVERYTHING.resolved
     assert pl.Case.from_string(EVERYTHING.to_toml()) == EVERYTHING
     assert resolved["title"] == 'a "quoted" title'
@@ -78,7 +78,7 @@ def test_every_key_can_be_said_and_is_read_again() -> None:
     assert resolved["output"] == {"fields": "all", "pictures": "none", "formats": ["npz"]}
 
 
-def test_a_hardness_cuts_the_pressure() -> None:
+def test_a_hardness_limits_the_pressure() -> None:
     body = pl.Foundation(pl.Material(1.0, 0.3))
     case = pl.Case(body, pl.Paraboloid(1.0), force=1e-2, elements=32, hardness=0.1)
     assert pl.Case.from_string(case.to_toml()) == case and case.resolved["solver"]["hardness"] == 0.1
@@ -116,7 +116,7 @@ def test_a_hardness_cuts_the_pressure() -> None:
     ],
     ids=lambda surface: type(surface).__name__,
 )
-def test_every_indenter_meets_every_surface(indenter: pl.Indenter, surface: pl.Surface | None) -> None:
+def test_every_indenter_can_be_combined_with_every_surface(indenter: pl.Indenter, surface: pl.Surface | None) -> None:
     body = pl.Foundation("rigid", [pl.Layer(1.0, pl.Material(1.0, 0.3))])
     case = pl.Case(body, indenter, surface=surface, penetrations=[0.1, 0.2])
     assert case.resolved["indenter"]["kind"] == type(indenter)._kind
@@ -207,14 +207,14 @@ def test_quantities_of_a_units_library_are_converted_and_their_dimension_is_chec
         pl.Case(body, pl.Sphere(1 * unit.second), force=1.0)
 
 
-def test_numbers_of_numpy_are_numbers(body: pl.Foundation) -> None:
+def test_numpy_numbers_are_accepted(body: pl.Foundation) -> None:
     forces = np.linspace(0.005, 0.05, 3)
     case = pl.Case(body, pl.Sphere(np.float64(5e-4)), forces=forces, elements=np.int64(64))  # type: ignore[arg-type]
     assert case.resolved["load"]["forces"] == forces.tolist()
     assert case.resolved["grid"]["elements"] == 64
 
 
-def test_a_fault_is_told_with_its_key(body: pl.Foundation) -> None:
+def test_a_fault_is_reported_with_its_key(body: pl.Foundation) -> None:
     with pytest.raises(pl.CaseError) as error:
         pl.Case(body, pl.Sphere("5 mN"), force="1 N")
     assert error.value.key == "indenter.radius"
@@ -227,12 +227,12 @@ def test_a_fault_is_told_with_its_key(body: pl.Foundation) -> None:
 
 
 @pytest.mark.parametrize("value", [None, object(), True, [1.0], math.nan, math.inf, "", "five nm"])
-def test_what_is_no_quantity_is_refused(body: pl.Foundation, value: Any) -> None:
+def test_a_value_that_is_not_a_quantity_is_refused(body: pl.Foundation, value: Any) -> None:
     with pytest.raises(pl.Error):
         pl.Case(body, pl.Sphere(value), force=1.0)
 
 
-def test_what_no_case_file_can_hold_is_refused(body: pl.Foundation) -> None:
+def test_a_value_that_cannot_be_written_to_a_case_file_is_refused(body: pl.Foundation) -> None:
     interface: Any = object()
     for part in (pl.Layer(1.0, pl.Material(1.0, 0.3), interface), pl.Layer(1.0, pl.Material(1.0, interface))):
         with pytest.raises(pl.ArgumentError, match="found object, wanted a"):
@@ -240,7 +240,7 @@ def test_what_no_case_file_can_hold_is_refused(body: pl.Foundation) -> None:
 
 
 @pytest.mark.parametrize("part", ["foundation", "indenter", "surface", "stress"])
-def test_a_part_of_another_kind_is_refused_by_its_name(body: pl.Foundation, part: str) -> None:
+def test_a_part_of_the_wrong_type_is_refused_by_name(body: pl.Foundation, part: str) -> None:
     parts: dict[str, Any] = {"foundation": body, "indenter": pl.Sphere(1.0), "force": 1.0}
     with pytest.raises(pl.ArgumentError, match=f"{part}: found int, wanted a pellicle."):
         pl.Case(**(parts | {part: 3}))
@@ -260,12 +260,12 @@ def test_a_part_of_another_kind_is_refused_by_its_name(body: pl.Foundation, part
         [[True, False]],
     ],
 )
-def test_heights_that_are_no_map_are_refused_by_their_name(heights: Any) -> None:
+def test_heights_that_are_not_a_map_are_refused_by_name(heights: Any) -> None:
     with pytest.raises(pl.ArgumentError, match="^heights: found"):
         pl.IndenterMap(heights, side=1.0)
 
 
-def test_the_order_of_an_array_in_memory_does_not_matter(body: pl.Foundation) -> None:
+def test_the_memory_order_of_an_array_does_not_matter(body: pl.Foundation) -> None:
     heights = np.arange(12.0).reshape(3, 4) ** 2 * 1e-9
     maps = [heights, np.asfortranarray(heights), heights[::-1][::-1], heights.astype(">f8")]
     cases = [pl.Case(body, pl.IndenterMap(map, side="1 um"), force="1 uN") for map in maps]
@@ -273,7 +273,7 @@ def test_the_order_of_an_array_in_memory_does_not_matter(body: pl.Foundation) ->
     assert cases[0] != pl.Case(body, pl.IndenterMap(heights * 2, side="1 um"), force="1 uN")
 
 
-def test_a_map_of_a_function_is_the_shape_that_the_function_says(body: pl.Foundation) -> None:
+def test_a_map_sampled_from_a_function_is_solved_like_its_shape(body: pl.Foundation) -> None:
     radius, load = 0.5e-3, {"force": "50 mN", "side": "40 um", "elements": 64}
     tip = pl.IndenterMap.sampled(lambda x, y: (x**2 + y**2) / (2 * radius), 101, sides=(50e-6, 50e-6))
     by_map = pl.Case(body, tip, **load).solve()[0]  # type: ignore[arg-type]
@@ -285,14 +285,14 @@ def test_a_map_of_a_function_is_the_shape_that_the_function_says(body: pl.Founda
             pl.IndenterMap.sampled(function, 4, sides=(1.0, 1.0))
 
 
-def test_an_array_is_copied_when_a_map_is_made_of_it() -> None:
+def test_a_map_copies_its_array() -> None:
     heights = np.zeros((2, 2))
     map = pl.IndenterMap(heights, side=1.0)
     heights[0, 0] = 7.0
     assert map == pl.IndenterMap(np.zeros((2, 2)), side=1.0)
 
 
-def test_values_are_replaced_by_their_keys(case: pl.Case) -> None:
+def test_values_are_replaced_by_key(case: pl.Case) -> None:
     other = case.replaced({"foundation.layer[0].thickness": "1 um", "grid.elements": 64, "solver.tolerance": 1e-6})
     assert other.resolved["foundation"]["layer"][0]["thickness"] == 1e-6
     assert other.resolved["grid"]["elements"] == 64
@@ -303,7 +303,7 @@ def test_values_are_replaced_by_their_keys(case: pl.Case) -> None:
             case.replaced({key: 1.0})
 
 
-def test_a_case_file_is_read_by_its_path(case: pl.Case, tmp_path: Path) -> None:
+def test_a_case_file_is_read_from_its_path(case: pl.Case, tmp_path: Path) -> None:
     file = tmp_path / "two.toml"
     case.to_toml(file)
     assert pl.Case.from_toml(file) == case
@@ -318,7 +318,7 @@ def test_the_title_of_a_file_without_one_is_its_name(tmp_path: Path) -> None:
     assert pl.Case.from_toml(file).title == "glass"
 
 
-def test_the_maps_of_a_case_are_found_wherever_it_is_written(body: pl.Foundation, tmp_path: Path) -> None:
+def test_the_maps_of_a_case_are_found_from_any_folder(body: pl.Foundation, tmp_path: Path) -> None:
     here, there = tmp_path / "here", tmp_path / "there"
     here.mkdir()
     there.mkdir()
@@ -346,6 +346,6 @@ def test_cases_are_compared_copied_and_pickled_by_value(case: pl.Case, body: pl.
         hash(case)
 
 
-def test_a_case_shows_itself(case: pl.Case) -> None:
+def test_a_case_has_readable_representations(case: pl.Case) -> None:
     assert repr(case) == "<Case 'two loads': sphere on 1 layer, 32 × 32 elements>"
     assert "<td>foundation.layer[0].thickness</td><td>2e-06</td>" in case._repr_html_()

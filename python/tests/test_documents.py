@@ -19,7 +19,7 @@ def blocks(document: str) -> list[str]:
 
 
 @pytest.mark.parametrize("document", ["README.md", "docs/python.md", "python/README.md"])
-def test_the_examples_of_a_document_run_one_after_the_other(document: str) -> None:
+def test_the_examples_of_a_document_run_in_order(document: str) -> None:
     found = blocks(document)
     assert found
     names: dict[str, object] = {}
@@ -28,7 +28,7 @@ def test_the_examples_of_a_document_run_one_after_the_other(document: str) -> No
 
 
 @pytest.mark.parametrize("licence", ["LICENSE-APACHE", "LICENSE-MIT"])
-def test_the_wheel_has_the_licences_of_the_repository(licence: str) -> None:
+def test_the_wheel_contains_the_licences_of_the_repository(licence: str) -> None:
     text = (ROOT / licence).read_text(encoding="utf-8")
     assert (ROOT / "python" / licence).read_text(encoding="utf-8") == text
     files = importlib.metadata.files("pellicle") or []

@@ -55,7 +55,7 @@ def set_by_the_module() -> dict[str, set[str]]:
 
 
 @pytest.mark.parametrize("name", [*ENUMS, "CaseError"])
-def test_an_error_documents_every_attribute_that_it_may_have(name: str) -> None:
+def test_an_error_documents_all_of_its_attributes(name: str) -> None:
     names = documented(getattr(pl, name))
     assert names and names == declared()[name]
     if name in ENUMS:
@@ -63,7 +63,7 @@ def test_an_error_documents_every_attribute_that_it_may_have(name: str) -> None:
         assert names == set().union(*(fields[enum] for enum in ENUMS[name]))
 
 
-def test_every_error_is_one_of_the_package_and_says_what_it_is() -> None:
+def test_every_error_belongs_to_the_package_and_has_a_docstring() -> None:
     kinds = [kind for kind in vars(pl).values() if isinstance(kind, type) and issubclass(kind, Exception)]
     errors = [kind for kind in kinds if not issubclass(kind, Warning)]
     assert len(errors) == 11
@@ -97,7 +97,7 @@ RAISED: list[tuple[Callable[[], object], type[pl.Error], set[str]]] = [
 
 
 @pytest.mark.parametrize(("fails", "kind", "names"), RAISED, ids=[kind.__name__ for _, kind, _ in RAISED])
-def test_an_error_has_its_numbers_as_attributes_and_keeps_them_in_a_pickle(
+def test_an_error_has_its_numbers_as_attributes_and_preserves_them_in_a_pickle(
     fails: Callable[[], object], kind: type[pl.Error], names: set[str]
 ) -> None:
     with pytest.raises(pl.Error) as raised:

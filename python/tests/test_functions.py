@@ -55,7 +55,7 @@ def relief(offset: float = 0.3e-6) -> pl.ReliefFunction:
 LOAD: dict[str, Any] = {"force": "20 mN", "side": "60 um", "elements": 64, "tolerance": 1e-12}
 
 
-def test_a_function_is_the_very_problem_of_the_shape_that_it_says(body: pl.Foundation) -> None:
+def test_a_function_gives_the_same_problem_as_its_shape(body: pl.Foundation) -> None:
     # A surface given by a function has no known symmetry, so both are solved on the whole grid.
     load: dict[str, Any] = {"forces": ["5 mN", "50 mN"], "side": "40 um", "elements": 64, "surface": plane}
     cases = [pl.Case(body, shape, **load, tolerance=1e-13) for shape in (paraboloid, pl.Paraboloid(RADIUS))]
@@ -66,7 +66,7 @@ def test_a_function_is_the_very_problem_of_the_shape_that_it_says(body: pl.Found
         np.testing.assert_allclose(found.pressure, wanted.pressure, atol=2e-11 * wanted.max_pressure)
 
 
-def test_on_a_side_that_is_chosen_a_function_is_solved_as_its_shape(body: pl.Foundation) -> None:
+def test_with_an_automatic_side_a_function_is_solved_like_its_shape(body: pl.Foundation) -> None:
     found, wanted = (
         pl.Case(body, indenter, force="50 mN", elements=64, tolerance=1e-12).solve()[0]
         for indenter in (paraboloid, pl.Paraboloid(RADIUS))
@@ -77,7 +77,7 @@ def test_on_a_side_that_is_chosen_a_function_is_solved_as_its_shape(body: pl.Fou
     np.testing.assert_allclose(found.pressure, wanted.pressure, atol=1e-8 * wanted.max_pressure)
 
 
-def test_periodic_functions_are_the_cylinders_that_they_say(body: pl.Foundation) -> None:
+def test_periodic_functions_of_cylinders_are_solved_like_cylinders(body: pl.Foundation) -> None:
     cylinders = pl.Cylinders(TOP, HEIGHT, PERIOD, young_modulus=MODULUS, offset=(0.3e-6, 0.0))
     found, wanted = (
         pl.Case(body, pl.Paraboloid(RADIUS), surface=surface, **LOAD).solve()[0] for surface in (relief(), cylinders)
@@ -90,7 +90,7 @@ def test_periodic_functions_are_the_cylinders_that_they_say(body: pl.Foundation)
     np.testing.assert_allclose(found.shortening, wanted.shortening, atol=1e-11 * wanted.penetration)
 
 
-def test_a_compliance_may_be_one_number_with_its_unit(body: pl.Foundation) -> None:
+def test_a_compliance_may_be_a_single_number_with_unit(body: pl.Foundation) -> None:
     film = pl.Film("1 um", "3 GPa")
     function = pl.ReliefFunction(plane, compliance=f"{1e-6 / 3e9 * 1e18!r} nm/GPa")
     found, wanted = (pl.Case(body, paraboloid, surface=surface, **LOAD).solve()[0] for surface in (function, film))
@@ -102,7 +102,7 @@ def test_a_compliance_may_be_one_number_with_its_unit(body: pl.Foundation) -> No
         pl.Case(body, paraboloid, surface=pl.ReliefFunction(plane, compliance="-1 nm/GPa"), **LOAD)
 
 
-def test_an_indenter_that_is_a_function_may_be_elastic_and_may_end(body: pl.Foundation) -> None:
+def test_an_indenter_function_may_be_elastic_and_of_finite_extent(body: pl.Foundation) -> None:
     def punch(x: Array, y: Array) -> Array:
         return np.where(np.hypot(x, y) < 8e-6, 0.0, np.inf)
 
@@ -115,7 +115,7 @@ def test_an_indenter_that_is_a_function_may_be_elastic_and_may_end(body: pl.Foun
     assert np.isinf(found.gap[0, 0]) and found.certificate
 
 
-def test_a_function_sees_each_element_once_per_grid_and_once_more_for_fields(body: pl.Foundation) -> None:
+def test_a_function_is_evaluated_once_per_element_and_grid_and_once_more_for_fields(body: pl.Foundation) -> None:
     seen: list[bytes] = []
 
     def counted(x: Array, y: Array) -> Array:
@@ -137,7 +137,7 @@ def test_a_function_sees_each_element_once_per_grid_and_once_more_for_fields(bod
     assert np.array_equal(points[:, 5, 0], path[0].x) and np.array_equal(points[7, :, 1], path[0].y)
 
 
-def test_an_estimate_asks_a_function_a_bounded_number_of_times(body: pl.Foundation) -> None:
+def test_an_estimate_calls_a_function_a_bounded_number_of_times(body: pl.Foundation) -> None:
     calls = 0
 
     def counted(x: Array, y: Array) -> Array:
@@ -164,7 +164,7 @@ WRONG: list[tuple[Callable[[Array, Array], Any], str]] = [
 
 
 @pytest.mark.parametrize(("function", "found"), WRONG)
-def test_values_that_cannot_be_are_refused_by_the_functions_name(
+def test_invalid_values_of_a_function_are_refused_naming_the_function(
     body: pl.Foundation, function: Callable[[Array, Array], Any], found: str
 ) -> None:
     with pytest.raises(pl.ArgumentError, match=f"^indenter: {found}"):
@@ -175,7 +175,7 @@ def test_values_that_cannot_be_are_refused_by_the_functions_name(
         pl.Case(body, paraboloid, surface=pl.ReliefFunction(plane, compliance=function), **LOAD).solve()
 
 
-def test_only_an_indenter_may_end_and_no_spring_pulls(body: pl.Foundation) -> None:
+def test_only_an_indenter_may_end_and_compliances_are_not_negative(body: pl.Foundation) -> None:
     with pytest.raises(pl.ArgumentError, match="^profile: found inf at .* wanted a finite number"):
         pl.Case(body, paraboloid, surface=lambda x, y: x + np.inf, **LOAD).solve()
     pulling = pl.ReliefFunction(plane, compliance=lambda x, y: 0 * x - 1e-18)
@@ -184,14 +184,14 @@ def test_only_an_indenter_may_end_and_no_spring_pulls(body: pl.Foundation) -> No
 
 
 @pytest.mark.parametrize("value", [pl.Sphere, 3, "sphere"])
-def test_what_is_no_function_is_refused_where_the_case_is_made(body: pl.Foundation, value: Any) -> None:
+def test_an_object_that_is_not_a_function_is_refused_when_the_case_is_built(body: pl.Foundation, value: Any) -> None:
     with pytest.raises(pl.ArgumentError, match="indenter: found .*, wanted a pellicle.Indenter"):
         pl.Case(body, value, force=1.0)
     with pytest.raises(pl.ArgumentError, match="function: found .*, wanted a function of x and y"):
         pl.IndenterFunction(value)
 
 
-def test_a_function_may_lose_its_way_far_beyond_what_is_asked(body: pl.Foundation) -> None:
+def test_a_function_may_be_nan_far_outside_the_domain(body: pl.Foundation) -> None:
     def ball(x: Array, y: Array) -> Array:
         height = RADIUS - np.sqrt(RADIUS**2 - x * x - y * y)  # NaN beyond the ball
         return np.asarray(height)
@@ -217,7 +217,7 @@ def fails_when(condition: Callable[[Array], bool]) -> Callable[[Array, Array], A
 
 
 @pytest.mark.parametrize("size", [360, 4, 16**2, 64**2, 3 * 64**2], ids=["guess", "axis", "coarse", "fine", "outside"])
-def test_an_exception_of_a_function_reaches_the_caller_as_it_is(body: pl.Foundation, size: int) -> None:
+def test_an_exception_of_a_function_reaches_the_caller_unchanged(body: pl.Foundation, size: int) -> None:
     case = pl.Case(body, fails_when(lambda x: x.size == size), force="5 mN", side="40 um", elements=64)
     with pytest.raises(Lost, match="the way") as error:
         case.solve()
@@ -244,7 +244,7 @@ def test_exceptions_of_fields_problems_and_fits_reach_the_caller_too(body: pl.Fo
     assert (step.gap[step.contact] <= 1e-6 * step.penetration).all()
 
 
-def test_an_interrupt_in_a_function_is_one_of_the_solution(body: pl.Foundation) -> None:
+def test_an_interrupt_in_a_function_interrupts_the_solution(body: pl.Foundation) -> None:
     def interrupted(x: Array, y: Array) -> Array:
         raise KeyboardInterrupt
 
@@ -252,7 +252,7 @@ def test_an_interrupt_in_a_function_is_one_of_the_solution(body: pl.Foundation) 
         pl.Case(body, interrupted, **LOAD).solve()
 
 
-def test_the_parts_know_functions(body: pl.Foundation) -> None:
+def test_functions_enter_the_discrete_problem(body: pl.Foundation) -> None:
     case = pl.Case(body, paraboloid, surface=relief(), **LOAD)
     step, problem = case.solve()[0], pl.DiscreteProblem(case)
     assert problem.judge(step.pressure, force=step.force).certificate
@@ -261,11 +261,11 @@ def test_the_parts_know_functions(body: pl.Foundation) -> None:
     assert np.array_equal(problem.relief_compliance, Cylinders(0.0, HEIGHT / MODULUS, 0.3e-6)(x, y))
 
 
-def test_stresses_and_derivatives_are_those_of_the_shape(body: pl.Foundation) -> None:
+def test_stresses_and_derivatives_of_a_function_match_its_shape(body: pl.Foundation) -> None:
     strong = pl.Foundation(pl.Material("3 GPa", 0.35, yield_strength="20 MPa"), body.layers)
-    asked: dict[str, Any] = {"sensitivities": True, "stress": pl.Stress(), "surface": plane}
+    output: dict[str, Any] = {"sensitivities": True, "stress": pl.Stress(), "surface": plane}
     load: dict[str, Any] = {"forces": ["5 mN", "50 mN"], "side": "40 um", "elements": 32}
-    found, wanted = (pl.Case(strong, shape, **load, **asked).solve() for shape in (paraboloid, pl.Paraboloid(RADIUS)))
+    found, wanted = (pl.Case(strong, shape, **load, **output).solve() for shape in (paraboloid, pl.Paraboloid(RADIUS)))
     critical, other = (path.summary["critical"][0] for path in (found, wanted))
     assert critical["force"] == pytest.approx(other["force"], rel=1e-9)
     of_mises, of_others = (path[1].stress(["1 um"])["von_mises"] for path in (found, wanted))
@@ -277,7 +277,7 @@ def test_stresses_and_derivatives_are_those_of_the_shape(body: pl.Foundation) ->
         assert derivative.penetration == pytest.approx(others[key].penetration, rel=1e-9), key
 
 
-def test_a_fit_of_a_function_finds_what_that_of_its_shape_finds(body: pl.Foundation) -> None:
+def test_a_fit_with_a_function_gives_the_result_of_its_shape(body: pl.Foundation) -> None:
     load: dict[str, Any] = {"forces": np.geomspace(5e-3, 5e-2, 6), "elements": 32, "surface": plane}
     curve = pl.Case(body, pl.Paraboloid(RADIUS), **load).solve().curve
     data = pl.Data.of_arrays(
@@ -291,16 +291,16 @@ def test_a_fit_of_a_function_finds_what_that_of_its_shape_finds(body: pl.Foundat
     low, high = wanted.interval
     assert found.value == pytest.approx(wanted.value, abs=1e-4 * (high - low))
     assert pickle.loads(pickle.dumps(fits[0])) == fits[0] != fits[1]
-    with pytest.raises(pl.ArgumentError, match="^profile and indenter: found a function, which no file can hold"):
+    with pytest.raises(pl.ArgumentError, match="^profile and indenter: found a function, which cannot be written"):
         fits[0].to_toml()
     with pytest.raises(pl.CaseError, match="key `unknown.indenter.radius`: found an unknown key"):
         pl.Fit(pl.Case(body, paraboloid, **load), data, unknown={"indenter.radius": ("1 um", "1 mm")})
 
 
-def test_no_file_holds_a_function(body: pl.Foundation, tmp_path: Any) -> None:
+def test_a_function_cannot_be_written_to_a_file(body: pl.Foundation, tmp_path: Any) -> None:
     case = pl.Case(body, paraboloid, surface=relief(), **LOAD)
     for path in (None, tmp_path / "case.toml"):
-        with pytest.raises(pl.ArgumentError, match="^profile and compliance and indenter: found a function, which no"):
+        with pytest.raises(pl.ArgumentError, match="^profile and compliance and indenter: found a function, which cannot"):
             case.to_toml(path)
     assert not list(tmp_path.iterdir())
     with pytest.raises(pl.CaseError, match='"function"'):
@@ -333,7 +333,7 @@ def test_functions_and_shapes_are_solved_by_many_threads_at_once(body: pl.Founda
     assert paths == wanted * 4
 
 
-def test_a_function_that_waits_for_another_threads_solution_is_not_waited_for(body: pl.Foundation) -> None:
+def test_a_function_that_waits_for_another_threads_solution_does_not_deadlock(body: pl.Foundation) -> None:
     other = pl.Case(body, pl.Sphere(RADIUS), force="50 mN", elements=32)
     wanted = other.solve()
     solved: list[pl.Path] = []
@@ -351,7 +351,7 @@ def test_a_function_that_waits_for_another_threads_solution_is_not_waited_for(bo
     assert solved == [wanted, wanted]
 
 
-def test_pythons_other_threads_go_on_while_a_case_of_functions_is_solved(body: pl.Foundation) -> None:
+def test_other_python_threads_run_while_a_case_of_functions_is_solved(body: pl.Foundation) -> None:
     case = pl.Case(body, paraboloid, forces=pl.Range("5 mN", "50 mN", 20), elements=128)
     done = threading.Event()
     turns = 0
@@ -369,7 +369,7 @@ def test_pythons_other_threads_go_on_while_a_case_of_functions_is_solved(body: p
     assert turns > 20
 
 
-def test_functions_are_let_go_with_their_case(body: pl.Foundation) -> None:
+def test_functions_are_released_with_their_case(body: pl.Foundation) -> None:
     class Ball:
         """A paraboloid that allows weak references."""
 

@@ -61,7 +61,7 @@ def timeless(found: dict[str, Any]) -> dict[str, Any]:
     return {**found, "work": {**found["work"], "seconds": None}}
 
 
-def test_the_truth_is_found(result: pl.Identification) -> None:
+def test_the_true_values_are_found(result: pl.Identification) -> None:
     assert result.verdict == "fitted" and result.is_whole
     # The 95 % intervals for this seed.
     for key, truth in ((COATING, 100e9), (BASE, 10e9)):
@@ -88,7 +88,7 @@ def test_results_are_arrays_and_numbers(result: pl.Identification, measured: tup
     assert result.excluded is None and result.posterior == {} and result.goodness["points"] == 40
 
 
-def test_the_file_of_a_fit_gives_the_same_bits_in_the_program(
+def test_a_fit_written_to_a_file_gives_the_same_bits_in_the_program(
     fit: pl.Fit, result: pl.Identification, program: Program, tmp_path: Path
 ) -> None:
     fit.to_toml(tmp_path / "coating.toml")
@@ -130,14 +130,14 @@ design = { forces = ["5 mN"] }
     assert len(result.design) == 2 and result.design[0].unknowns[0].key == BASE
 
 
-def test_a_plan_is_that_of_the_program(model: pl.Case, program: Program, tmp_path: Path) -> None:
+def test_a_plan_equals_that_of_the_program(model: pl.Case, program: Program, tmp_path: Path) -> None:
     design = pl.Design(forces=["1 mN", "10 mN"], radii=["1 um"])
     fit = pl.Fit(model, unknown={COATING: ("10 GPa", "1 TPa")}, report=pl.Report(design=design))
     with pytest.raises(pl.CaseError, match="data"):
         pl.identify(fit)
-    told: list[pl.FitProgress] = []
-    plan = pl.plan(fit, progress=told.append)
-    assert told[-1].planned == 2 and told[-1].solved is None
+    reports: list[pl.FitProgress] = []
+    plan = pl.plan(fit, progress=reports.append)
+    assert reports[-1].planned == 2 and reports[-1].solved is None
     fit.to_toml(tmp_path / "design.toml")
     found = json.loads(program("identify", tmp_path / "design.toml", "--plan", "--json").stdout)
     mine = plan.to_dict()
@@ -149,11 +149,11 @@ def test_a_plan_is_that_of_the_program(model: pl.Case, program: Program, tmp_pat
     assert pickle.loads(pickle.dumps(plan)) == plan
 
 
-def test_a_misfit_is_a_result_with_a_warning(model: pl.Case, measured: tuple[Array, Array]) -> None:
+def test_a_misfit_gives_a_result_with_a_warning(model: pl.Case, measured: tuple[Array, Array]) -> None:
     force, depth = measured
     bare = model.replaced({"foundation.layer": []})
     data = pl.Data.of_arrays(force=force, depth=depth, noise=pl.Noise(depth="0.2 nm", correlation="none"))
-    with pytest.warns(pl.FitWarning, match="does not follow"):
+    with pytest.warns(pl.FitWarning, match="does not fit"):
         result = pl.identify(pl.Fit(bare, data, unknown={BASE: ("1 GPa", "100 GPa")}))
     assert result.verdict == "misfit" and result.goodness["misfit_p"] < 1e-6
 
@@ -165,7 +165,7 @@ def test_fits_and_results_survive_a_pickle(fit: pl.Fit, result: pl.Identificatio
     assert "identified" in str(result) and "coating" in repr(result) and COATING in result._repr_html_()
 
 
-def test_what_no_data_can_tell_is_said_with_what_is_known(model: pl.Case, measured: tuple[Array, Array]) -> None:
+def test_an_unidentifiable_unknown_has_a_known_combination(model: pl.Case, measured: tuple[Array, Array]) -> None:
     force, depth = measured
     data = pl.Data.of_arrays(force=force, depth=depth, noise=pl.Noise(depth="0.2 nm", correlation="none"))
     unknown: dict[str, Any] = {"indenter.radius": ("1 um", "100 um"), BASE: ("1 GPa", "100 GPa")}
@@ -176,7 +176,7 @@ def test_what_no_data_can_tell_is_said_with_what_is_known(model: pl.Case, measur
     assert radius.known_combination is not None and "indenter.radius" in radius.known_combination.expression
 
 
-def test_ctrl_c_keeps_what_is_done(model: pl.Case, measured: tuple[Array, Array]) -> None:
+def test_ctrl_c_keeps_the_result_so_far(model: pl.Case, measured: tuple[Array, Array]) -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
     force, depth = measured
     keys = ["foundation.layer[0].thickness", COATING, BASE]
@@ -184,20 +184,20 @@ def test_ctrl_c_keeps_what_is_done(model: pl.Case, measured: tuple[Array, Array]
     data = pl.Data.of_arrays(force=force, depth=depth)
     report = pl.Report(posterior=100_000)
     fit = pl.Fit(model, data, unknown=dict(zip(keys, bounds, strict=True)), report=report)
-    told = threading.Event()
+    reported = threading.Event()
 
     def interrupt() -> None:
-        told.wait(60)
+        reported.wait(60)
         os.kill(os.getpid(), signal.SIGINT)
 
     threading.Thread(target=interrupt).start()
 
-    def tell(progress: pl.FitProgress) -> None:
+    def report(progress: pl.FitProgress) -> None:
         if progress.solved is not None and progress.solved >= 4:
-            told.set()
+            reported.set()
 
     with pytest.raises(pl.Interrupted) as interrupted:
-        pl.identify(fit, progress=tell)
+        pl.identify(fit, progress=report)
     start = time.monotonic()
     result = interrupted.value.result
     # The current load is finished; the fit does not start again.
@@ -215,12 +215,12 @@ def test_ctrl_c_keeps_what_is_done(model: pl.Case, measured: tuple[Array, Array]
         ({"force": ["a"], "depth": [1.0]}, "force: found list, wanted an array of numbers"),
     ],
 )
-def test_arrays_that_are_no_curve_are_refused_by_name(arrays: dict[str, Any], message: str) -> None:
+def test_arrays_that_are_not_a_curve_are_refused_by_name(arrays: dict[str, Any], message: str) -> None:
     with pytest.raises(pl.ArgumentError, match=message):
         pl.Data.of_arrays(**arrays)
 
 
-def test_faults_of_a_fit_are_told_with_their_keys(model: pl.Case, measured: tuple[Array, Array]) -> None:
+def test_faults_of_a_fit_are_reported_with_their_keys(model: pl.Case, measured: tuple[Array, Array]) -> None:
     force, depth = measured
     data = pl.Data.of_arrays(force=force, depth=depth)
     with pytest.raises(pl.CaseError) as error:
@@ -255,7 +255,7 @@ def test_priors_nuisances_and_repeats_are_written_as_the_fit_file_has_them(
     # The same curve again, a nanometre deeper.
     assert shifts[1] - shifts[0] == pytest.approx(1e-9, rel=1e-6)
     assert BASE in {estimate.key for estimate in result.nuisances}
-    with pytest.raises(pl.ArgumentError, match="two arrays of the name"):
+    with pytest.raises(pl.ArgumentError, match="two arrays named"):
         pl.Fit(model, [repeats[0], dataclasses.replace(repeats[1], file="0.csv")], unknown={COATING: (1e9, 2e9)})
 
 
@@ -319,7 +319,7 @@ def test_no_table_of_the_fit_file_has_keys_that_its_class_lacks(place: str, kind
     assert {names.get(field.name, field.name) for field in dataclasses.fields(kind)} == known_keys(place)
 
 
-def test_columns_are_those_of_the_reader() -> None:
+def test_columns_match_those_of_the_reader() -> None:
     text = "columns = { depth = 1, force = 2, no_such_key = 1 }\n"
     with pytest.raises(pl.CaseError) as error:
         pl.Fit.from_string(

@@ -34,7 +34,7 @@ def test_there_are_three_notebooks() -> None:
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
-def test_a_notebook_is_kept_without_outputs(notebook: Path) -> None:
+def test_notebooks_are_stored_without_outputs(notebook: Path) -> None:
     text = notebook.read_text(encoding="utf-8")
     document = json.loads(text)
     assert document["nbformat"] == 4 and text.endswith("}\n")

@@ -15,7 +15,7 @@ GLASS = pl.Foundation(pl.Material("70 GPa", 0.22))
 COATED = pl.Foundation(pl.Material("3 GPa", 0.35), [pl.Layer("2 um", pl.Material("200 GPa", 0.25))])
 
 
-def test_a_half_space_has_the_compliance_of_its_closed_form() -> None:
+def test_the_compliance_of_a_half_space_is_the_closed_form() -> None:
     k = np.array([[1e3, 1e6], [2e6, 1e9]])
     # C = 2 (1 − ν²)/(E k), to a few roundings.
     np.testing.assert_allclose(pl.compliance(GLASS, k), 2 * (1 - 0.22**2) / (70e9 * k), rtol=1e-14)
@@ -23,7 +23,7 @@ def test_a_half_space_has_the_compliance_of_its_closed_form() -> None:
 
 
 @pytest.mark.parametrize("wavenumber", [0.0, -1.0, math.nan, [1.0, math.inf]])
-def test_what_is_no_wavenumber_is_refused(wavenumber: float) -> None:
+def test_an_invalid_wavenumber_is_refused(wavenumber: float) -> None:
     with pytest.raises(pl.ArgumentError, match="wavenumber: found"):
         pl.compliance(GLASS, wavenumber)
 
@@ -71,12 +71,12 @@ def test_scipy_solves_with_the_operator() -> None:
 
 
 @pytest.mark.parametrize("pressure", [np.zeros((4, 5)), np.zeros(16 + 1), [[math.nan] * 4] * 4, [["a"] * 4] * 4])
-def test_a_pressure_that_does_not_fit_is_refused_by_its_name(pressure: Any) -> None:
+def test_a_pressure_of_wrong_shape_is_refused_by_name(pressure: Any) -> None:
     with pytest.raises(pl.ArgumentError, match="pressure: found"):
         pl.ElasticOperator(GLASS, 1e-6, 4) @ pressure
 
 
-def test_a_grid_that_cannot_be_is_refused() -> None:
+def test_an_invalid_grid_is_refused() -> None:
     refused: list[Any] = [0, -1, 2.5, 10**6]
     for elements in refused:
         with pytest.raises(pl.ArgumentError, match="elements: found"):

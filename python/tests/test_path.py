@@ -52,7 +52,7 @@ def test_a_path_is_a_sequence_of_steps(path: pl.Path) -> None:
         path[2]
 
 
-def test_the_pressure_is_the_solutions_own_memory(path: pl.Path) -> None:
+def test_the_pressure_is_a_view_of_the_solutions_memory(path: pl.Path) -> None:
     first, again = path[0].pressure, path[0].pressure
     assert first.ctypes.data == again.ctypes.data
     assert first.shape == (32, 32) and first.dtype == np.float64 and first.flags.c_contiguous
@@ -86,12 +86,12 @@ def test_the_curve_is_a_data_frame(path: pl.Path) -> None:
     assert frame.shape == (2, len(path.curve))
 
 
-def test_an_empty_cell_of_a_curve_is_not_a_number() -> None:
+def test_an_empty_cell_of_a_curve_is_nan() -> None:
     curve = pl.Curve.of_csv("step,contact stiffness [N/m]\n0,\n1,2e0\n")
     assert np.isnan(curve["contact stiffness"][0]) and curve["contact stiffness"][1] == 2.0
 
 
-def test_numbers_are_those_of_the_summary(path: pl.Path) -> None:
+def test_numbers_match_the_summary(path: pl.Path) -> None:
     step, summary = path[1], path.summary["steps"][1]
     names = [
         "force",
@@ -128,7 +128,7 @@ def test_paths_and_steps_survive_a_pickle(path: pl.Path) -> None:
     assert copy.deepcopy(path) is path
 
 
-def test_what_is_not_certified_is_returned_with_a_warning(body: pl.Foundation) -> None:
+def test_an_uncertified_path_is_returned_with_a_warning(body: pl.Foundation) -> None:
     case = pl.Case(body, pl.Sphere("0.5 mm"), force="50 mN", side="10 um", elements=32)
     with pytest.warns(pl.NotCertifiedWarning, match="cut-off, do not use these numbers"):
         path = case.solve()
@@ -136,7 +136,7 @@ def test_what_is_not_certified_is_returned_with_a_warning(body: pl.Foundation) -
     assert path[0].warnings and "cut-off" in [warning.code for warning in path.warnings]
 
 
-def test_results_show_themselves(path: pl.Path) -> None:
+def test_results_have_readable_representations(path: pl.Path) -> None:
     assert repr(path) == "<Path 'two loads': 2 steps, certified>"
     assert repr(path[0]).startswith("<Step 0: Q = 0.005, D = 1.")
     assert path._repr_html_().count("<tr>") == 3

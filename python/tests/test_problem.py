@@ -38,7 +38,7 @@ def test_the_gap_is_the_sum_of_its_parts(pillars: pl.Case) -> None:
     assert problem.element_side == pytest.approx(60e-6 / 64, rel=1e-15)
 
 
-def test_what_is_no_solution_is_not_certified(pillars: pl.Case) -> None:
+def test_a_pressure_that_is_not_a_solution_is_not_certified(pillars: pl.Case) -> None:
     step, problem = pillars.solve()[0], pl.DiscreteProblem(pillars)
     # Twice the pressure carries twice the force.
     twice = problem.judge(2 * step.pressure, force=step.force).certificate
@@ -51,12 +51,12 @@ def test_what_is_no_solution_is_not_certified(pillars: pl.Case) -> None:
 
 
 @pytest.mark.parametrize("load", [{}, {"force": 1.0, "penetration": 1.0}, {"force": 0.0}, {"penetration": math.nan}])
-def test_a_load_that_cannot_be_is_refused(pillars: pl.Case, load: dict[str, Any]) -> None:
+def test_an_invalid_load_is_refused(pillars: pl.Case, load: dict[str, Any]) -> None:
     with pytest.raises(pl.ArgumentError, match="found"):
         pl.DiscreteProblem(pillars).judge(np.zeros((64, 64)), **load)
 
 
-def test_a_pressure_of_another_grid_is_refused_by_its_name(pillars: pl.Case) -> None:
+def test_a_pressure_of_another_grid_is_refused_by_name(pillars: pl.Case) -> None:
     problem = pl.DiscreteProblem(pillars)
     for pressure in (np.zeros((32, 32)), np.zeros(64), np.full((64, 64), np.nan)):
         with pytest.raises(pl.ArgumentError, match="^pressure: found"):

@@ -42,7 +42,7 @@ def check(path: pl.Path, file: Path, program: Program, folder: Path) -> None:
 
 @pytest.mark.filterwarnings("ignore::pellicle.NotCertifiedWarning")
 @pytest.mark.parametrize("file", CASES, ids=lambda file: file.stem)
-def test_the_cases_of_the_repository(file: Path, program: Program, tmp_path: Path) -> None:
+def test_cases_of_the_repository_give_the_same_bits(file: Path, program: Program, tmp_path: Path) -> None:
     # Few elements and no stresses, which take long and do not differ between Python and the command.
     few = {"grid.elements": 64, "output": {"formats": ["npz"], "fields": "all", "pictures": "none"}}
     case = pl.Case.from_toml(file).replaced(few)
@@ -52,7 +52,7 @@ def test_the_cases_of_the_repository(file: Path, program: Program, tmp_path: Pat
     check(pl.Case.from_toml(few_file).solve(threads=2), few_file, program, tmp_path)
 
 
-def test_a_case_built_in_python_of_arrays(body: pl.Foundation, program: Program, tmp_path: Path) -> None:
+def test_a_case_built_of_arrays_gives_the_same_bits(body: pl.Foundation, program: Program, tmp_path: Path) -> None:
     x = np.linspace(-4e-6, 4e-6, 41)[:, None]
     y = np.linspace(-4e-6, 4e-6, 37)[None, :]
     tip = pl.IndenterMap((x**2 + 1.7 * y**2) / 2e-5, sides=(8.2e-6, 8e-6))
@@ -62,7 +62,7 @@ def test_a_case_built_in_python_of_arrays(body: pl.Foundation, program: Program,
     check(case.solve(), tmp_path / "maps.toml", program, tmp_path)
 
 
-def test_stresses_and_sensitivities(body: pl.Foundation, program: Program, tmp_path: Path) -> None:
+def test_stresses_and_sensitivities_give_the_same_bits(body: pl.Foundation, program: Program, tmp_path: Path) -> None:
     strong = pl.Foundation(
         pl.Material("3 GPa", 0.35, yield_strength="0.1 GPa"), [pl.Layer("2 um", pl.Material("200 GPa", 0.25))]
     )

@@ -29,19 +29,19 @@ def test_every_number_of_threads_gives_the_same_bits(case: pl.Case) -> None:
 
 
 @pytest.mark.parametrize("threads", [0, -1, 5000, True])
-def test_a_number_of_threads_that_cannot_be_is_refused(case: pl.Case, threads: int) -> None:
+def test_an_invalid_number_of_threads_is_refused(case: pl.Case, threads: int) -> None:
     with pytest.raises(pl.ArgumentError, match="threads: found"):
         case.solve(threads=threads)
 
 
-def test_the_environment_says_how_many_threads_there_are(case: pl.Case) -> None:
+def test_the_environment_sets_the_number_of_threads(case: pl.Case) -> None:
     code = f"import pellicle as pl; print(pl.Case.from_string({case.to_toml()!r}).solve().summary['timing']['threads'])"
     environment = os.environ | {"RAYON_NUM_THREADS": "3"}
     found = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
     assert found.stdout.strip() == "3"
 
 
-def test_many_threads_of_python_solve_at_once(case: pl.Case) -> None:
+def test_many_python_threads_solve_at_the_same_time(case: pl.Case) -> None:
     wanted = pressures(case)
     with ThreadPoolExecutor(8) as pool:
         assert set(pool.map(pressures, [case] * 32)) == {wanted}
@@ -49,7 +49,7 @@ def test_many_threads_of_python_solve_at_once(case: pl.Case) -> None:
 
 @pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")
 @pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
-def test_processes_solve(case: pl.Case, method: str) -> None:
+def test_a_pool_of_processes_solves(case: pl.Case, method: str) -> None:
     with multiprocessing.get_context(method).Pool(2) as pool:
         paths = pool.map_async(pl.Case.solve, [case] * 4).get(timeout=60)
     assert paths == [case.solve()] * 4
@@ -57,7 +57,7 @@ def test_processes_solve(case: pl.Case, method: str) -> None:
 
 @pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")
 @pytest.mark.parametrize("method", ["fork", "spawn"])
-def test_a_pool_of_processes_returns_whole_results_and_errors(body: pl.Foundation, method: str) -> None:
+def test_a_pool_of_processes_returns_complete_results_and_errors(body: pl.Foundation, method: str) -> None:
     x = np.linspace(-1e-5, 1e-5, 21)
     waves = pl.Rough(1e-9 * np.cos(1e6 * x)[:, None] * np.cos(2e6 * x), side="20 um")
     cases = [
@@ -76,7 +76,7 @@ def test_a_pool_of_processes_returns_whole_results_and_errors(body: pl.Foundatio
     assert isinstance(refused, pl.RunError) and str(refused.path) == "none.toml"
 
 
-def test_a_fork_while_another_thread_solves_can_solve(body: pl.Foundation, case: pl.Case) -> None:
+def test_a_process_forked_while_another_thread_solves_can_solve(body: pl.Foundation, case: pl.Case) -> None:
     large = pl.Case(body, pl.Sphere("0.5 mm"), forces=pl.Range("5 mN", "50 mN", 40), elements=256)
     solving = threading.Thread(target=large.solve)
     solving.start()
@@ -88,10 +88,10 @@ def test_a_fork_while_another_thread_solves_can_solve(body: pl.Foundation, case:
     solving.join()
 
 
-def test_progress_is_told_to_a_function_up_to_the_last_step(case: pl.Case) -> None:
-    told: list[pl.Progress] = []
-    case.solve(progress=told.append)
-    assert told[-1].steps == 2 and told[-1].finished >= 1 and told[-1].elements == 32
+def test_progress_is_reported_to_a_function_up_to_the_last_step(case: pl.Case) -> None:
+    reports: list[pl.Progress] = []
+    case.solve(progress=reports.append)
+    assert reports[-1].steps == 2 and reports[-1].finished >= 1 and reports[-1].elements == 32
 
 
 def test_a_bar_is_shown(case: pl.Case, capsys: pytest.CaptureFixture[str]) -> None:
@@ -107,7 +107,7 @@ def test_a_line_is_shown_without_tqdm(
     assert "/2, grid 32 × 32, iteration" in capsys.readouterr().err
 
 
-def test_an_error_of_the_function_ends_the_solution(case: pl.Case) -> None:
+def test_an_error_in_the_progress_function_ends_the_solution(case: pl.Case) -> None:
     def fail(progress: pl.Progress) -> None:
         raise ZeroDivisionError
 

@@ -41,7 +41,7 @@ def test_an_interface_has_two_planes_with_one_traction(body: pl.Foundation) -> N
     assert np.abs(found["sxx"][1] - found["sxx"][2]).max() > 0.1 * np.abs(above).max()
 
 
-def test_sliding_drags_the_surface_along(step: pl.Step) -> None:
+def test_the_shear_stress_below_a_sliding_contact_carries_the_friction(step: pl.Step) -> None:
     side = 2 * step.x[-1]
     still, sliding = (step.stress(["1 um"], extent=side, friction=friction)["sxz"] for friction in (0.0, 0.3))
     # Equilibrium: below the surface the shear carries the friction, except for a part of about depth over side that
@@ -51,7 +51,7 @@ def test_sliding_drags_the_surface_along(step: pl.Step) -> None:
     assert abs(sliding.sum()) * element**2 == pytest.approx(0.3 * step.force, rel=0.02)
 
 
-def test_depths_that_cannot_be_are_refused_with_their_key(step: pl.Step) -> None:
+def test_invalid_depths_are_refused_with_their_key(step: pl.Step) -> None:
     with pytest.raises(pl.CaseError, match="stress.depths"):
         step.stress([-1.0])
     with pytest.raises(pl.CaseError, match="stress.extent"):
@@ -61,10 +61,10 @@ def test_depths_that_cannot_be_are_refused_with_their_key(step: pl.Step) -> None
 def test_stresses_under_a_step_from_a_pickle_have_the_same_bits(body: pl.Foundation) -> None:
     elastic = pl.Sphere("0.5 mm", young_modulus="600 GPa", poisson_ratio=0.22)
     path = pl.Case(body, elastic, forces=["5 mN", "50 mN"], elements=32).solve()
-    asked: list[dict[str, Any]] = [{}, {"depths": ["1 um", "2 um"], "friction": 0.3, "direction": "30 deg"}]
+    requests: list[dict[str, Any]] = [{}, {"depths": ["1 um", "2 um"], "friction": 0.3, "direction": "30 deg"}]
     for kept in (pickle.loads(pickle.dumps(path)), pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(path))))):
         for step, again in zip(path, kept, strict=True):
-            for keys in asked:
+            for keys in requests:
                 found, wanted = again.stress(**keys), step.stress(**keys)
                 assert found.body == wanted.body and np.array_equal(found.depth, wanted.depth)
                 assert all(np.array_equal(found[name], wanted[name]) for name in wanted)

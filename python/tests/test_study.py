@@ -97,12 +97,12 @@ def test_an_executor_gives_the_table_of_one_machine(
     assert sorted(path.name for path in tmp_path.iterdir()) == ["report.html", "results.csv", "study.json"]
 
 
-def test_an_engine_that_only_maps_gives_it_too(file: Path, wanted: bytes, tmp_path: Path) -> None:
+def test_an_engine_with_only_map_gives_the_same_table(file: Path, wanted: bytes, tmp_path: Path) -> None:
     pl.study(file).map(Maps(), out=tmp_path, chunk=5, threads=2)
     assert (tmp_path / "results.csv").read_bytes() == wanted
 
 
-def test_the_columns_of_the_table(file: Path, tmp_path: Path) -> None:
+def test_failed_cases_have_nan_results_and_a_message(file: Path, tmp_path: Path) -> None:
     with ThreadPoolExecutor(2) as pool, pytest.warns(pl.StudyWarning, match="40 cases, 30 certified, 10 failed"):
         table = pl.study(file).map(pool, out=tmp_path)
     failed = table.columns["status"] == "failed"
@@ -132,7 +132,7 @@ def are_those_of_one_machine(out: Path, keeping: Path) -> None:
 
 @pytest.mark.parametrize("chunk", [None, 7])
 @pytest.mark.parametrize("executor", [lambda: ThreadPoolExecutor(3), processes("spawn")], ids=["threads", "spawn"])
-def test_kept_fields_are_those_of_one_machine(
+def test_kept_fields_equal_those_of_one_machine(
     executor: Callable[[], Any], chunk: int | None, keeping: Path, tmp_path: Path
 ) -> None:
     with executor() as engine:
@@ -141,7 +141,7 @@ def test_kept_fields_are_those_of_one_machine(
     are_those_of_one_machine(tmp_path, keeping)
 
 
-def test_kept_fields_are_gone_on_with_by_engines_and_the_program(
+def test_kept_fields_are_resumed_by_engines_and_the_program(
     keeping: Path, program: Program, tmp_path: Path
 ) -> None:
     def stop(progress: pl.StudyProgress) -> None:
@@ -158,13 +158,13 @@ def test_kept_fields_are_gone_on_with_by_engines_and_the_program(
     are_those_of_one_machine(tmp_path, keeping)
 
 
-def test_progress_is_told_and_what_is_done_is_not_done_again(
+def test_progress_is_reported_and_finished_cases_are_not_solved_again(
     file: Path, wanted: bytes, program: Program, tmp_path: Path
 ) -> None:
-    told: list[pl.StudyProgress] = []
+    reports: list[pl.StudyProgress] = []
 
     def stop(progress: pl.StudyProgress) -> None:
-        told.append(progress)
+        reports.append(progress)
         if progress.finished >= 10:
             raise KeyboardInterrupt
 
@@ -172,15 +172,15 @@ def test_progress_is_told_and_what_is_done_is_not_done_again(
     with ThreadPoolExecutor(2) as pool, pytest.raises(KeyboardInterrupt) as stopped:
         study.map(pool, out=tmp_path, progress=stop)
     assert "10 of 40 cases are in" in stopped.value.__notes__[0]
-    assert [progress.finished for progress in told] == list(range(1, 11))
+    assert [progress.finished for progress in reports] == list(range(1, 11))
     with ThreadPoolExecutor(1) as pool:
-        study.map(pool, out=tmp_path, progress=told.append, chunk=30)
-    assert told[10:] == [pl.StudyProgress(40, 40)]
+        study.map(pool, out=tmp_path, progress=reports.append, chunk=30)
+    assert reports[10:] == [pl.StudyProgress(40, 40)]
     assert (tmp_path / "results.csv").read_bytes() == wanted
     # Neither the program nor then Python finds anything left to do.
     program("study", file, "--out", tmp_path, "--quiet", "--tolerate-failures")
-    study.map(Maps(), out=tmp_path, progress=told.append)
-    assert len(told) == 11 and (tmp_path / "results.csv").read_bytes() == wanted
+    study.map(Maps(), out=tmp_path, progress=reports.append)
+    assert len(reports) == 11 and (tmp_path / "results.csv").read_bytes() == wanted
 
 
 def test_ctrl_c_ends_a_map_on_threads_at_once(file: Path, tmp_path: Path) -> None:
@@ -195,7 +195,7 @@ def test_ctrl_c_ends_a_map_on_threads_at_once(file: Path, tmp_path: Path) -> Non
     assert time.monotonic() - start < 5
 
 
-def test_a_worker_killed_breaks_the_pool_and_a_new_one_goes_on(file: Path, wanted: bytes, tmp_path: Path) -> None:
+def test_a_killed_worker_breaks_the_pool_and_a_new_pool_resumes(file: Path, wanted: bytes, tmp_path: Path) -> None:
     def kill(progress: pl.StudyProgress) -> None:
         if progress.finished == 5:
             os.kill(next(iter(pool._processes)), signal.SIGKILL)
@@ -221,7 +221,7 @@ def test_a_study_is_pickled_as_its_file_and_another_file_is_refused(tmp_path: Pa
     assert pl.study(file) != study
 
 
-def test_what_cannot_be_is_refused_in_one_sentence(file: Path, tmp_path: Path) -> None:
+def test_invalid_arguments_are_refused_in_one_sentence(file: Path, tmp_path: Path) -> None:
     study = pl.study(file)
     with pytest.raises(pl.ArgumentError, match="executor: found int, wanted an object with submit or map"):
         study.map(3, out=tmp_path)  # type: ignore[arg-type]
@@ -257,7 +257,7 @@ def workers_of(process: subprocess.Popen[str], name: str) -> list[Any]:
         ("on_ray", "ray", "ray::call"),
     ],
 )
-def test_an_example_whose_worker_is_killed(
+def test_an_example_resumes_after_its_worker_is_killed(
     example: str, package: str | None, worker: str, file: Path, wanted: bytes, tmp_path: Path
 ) -> None:
     pytest.importorskip("psutil")

@@ -29,7 +29,7 @@ def test_every_public_name_has_a_type(tmp_path: Path) -> None:
     assert ran.returncode == 0 and "Type completeness score: 100%" in ran.stdout, ran.stdout
 
 
-def test_the_examples_of_the_documents_are_strictly_typed(tmp_path: Path) -> None:
+def test_the_examples_in_the_documents_are_strictly_typed(tmp_path: Path) -> None:
     for document in DOCUMENTS:
         text = (ROOT / document).read_text(encoding="utf-8")
         blocks = re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE)

@@ -34,7 +34,7 @@ def test_the_pressure_is_drawn(case: pl.Case) -> None:
     assert ax.xaxis.get_major_formatter()(1e-6) == "1 µm"
 
 
-def test_the_units_of_a_case_of_its_own_are_not_said_to_be_si() -> None:
+def test_a_case_in_its_own_units_is_not_labelled_si() -> None:
     pytest.importorskip("matplotlib").use("agg")
     pytest.importorskip("xarray")
     step = pl.Case(pl.Foundation(pl.Material(1.0, 0.3)), pl.Paraboloid(1.0), force=0.01, elements=32).solve()[0]
@@ -43,7 +43,7 @@ def test_the_units_of_a_case_of_its_own_are_not_said_to_be_si() -> None:
     assert not pickle.loads(pickle.dumps(step)).is_si
 
 
-def test_derivatives_are_there_when_they_are_asked_for(case: pl.Case) -> None:
+def test_derivatives_are_available_if_requested(case: pl.Case) -> None:
     with pytest.raises(pl.ArgumentError, match="sensitivities=True"):
         case.solve()[0].sensitivities()
     case = case.replaced({"grid.side": "40 um", "solver.tolerance": 1e-10})

@@ -36,14 +36,14 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     threads::set(arguments.threads)?;
     threads::begin();
     let line = progress(arguments);
-    let tell = |stage| {
+    let report = |stage| {
         line.set_message(match stage {
             Stage::Solved(predictions) => format!("{predictions} curves solved"),
             Stage::Planned(done) => format!("{done} curves of the design planned"),
         });
         line.tick();
     };
-    let mut fitted = match fit_and_plan::fit(file, start, &interrupt::flag(), &tell) {
+    let mut fitted = match fit_and_plan::fit(file, start, &interrupt::flag(), &report) {
         Err(Failure::Identify(IdentifyError::Stopped { .. })) => {
             line.finish_and_clear();
             terminal::tell("stopped before the first curve was solved; nothing is written");
@@ -137,8 +137,8 @@ fn outcome(arguments: &IdentifyArguments, fit: &Fit) -> Outcome {
         FitVerdict::Misfit if arguments.accept_misfit => Outcome::Done,
         FitVerdict::Misfit => {
             terminal::tell(
-                "Error: misfit: the model does not follow the measurements, do not use these numbers; \
-                 --accept-misfit takes them all the same",
+                "Error: misfit: the model does not fit the measurements; do not use these numbers \
+                 (--accept-misfit accepts them)",
             );
             Outcome::Misfit
         }

@@ -163,7 +163,7 @@ fn collect<'a>(
     for TomlEntry { key, node, .. } in &table.entries {
         let (key, path) = (dotted(prefix, key), dotted(path, key));
         match &node.value {
-            TomlValue::Table(inner) if inner.entries.iter().all(leads_on) => {
+            TomlValue::Table(inner) if inner.entries.iter().all(is_part_of_key) => {
                 collect(inner, &key, &path, found);
             }
             _ => found.push((key, ValueReader::new(path, node))),
@@ -172,7 +172,7 @@ fn collect<'a>(
 }
 
 /// Whether an entry is part of the key of a parameter rather than part of its description.
-fn leads_on(entry: &TomlEntry) -> bool {
+fn is_part_of_key(entry: &TomlEntry) -> bool {
     let describes = ["from", "to", "per"];
     let key = entry.key.as_str();
     !(describes.contains(&key) || prior::KEYS.contains(&key))

@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_a_fit_are_known_and_no_others() {
+    fn only_the_file_names_of_a_fit_are_recognised() {
         for name in [
             "fit.json",
             "fit.csv",

@@ -23,20 +23,20 @@ use crate::fit_file::report::OutsidePoints;
 const MOST_REPETITIONS: usize = 3;
 
 impl Identification {
-    /// Runs the fit; `tell` receives the number of predictions after each. The returned identification has the points
+    /// Runs the fit; `report` receives the number of predictions after each. The returned identification has the points
     /// of the fit: those of `self` unless some had to be left out.
     ///
     /// # Errors
     ///
     /// [`Failure`] if the model has no prediction at any start, or the user stops before the first.
-    pub fn fitted(self, tell: &(dyn Fn(usize) + Sync)) -> Result<(Self, Fit), Failure> {
+    pub fn fitted(self, report: &(dyn Fn(usize) + Sync)) -> Result<(Self, Fit), Failure> {
         let predictions = AtomicUsize::new(0);
-        let tell = || tell(1 + predictions.fetch_add(1, Ordering::Relaxed));
+        let report = || report(1 + predictions.fetch_add(1, Ordering::Relaxed));
         let mut narrowed: Option<Self> = None;
         let mut repetitions = 0;
         let (outside, fit) = loop {
             let now = narrowed.as_ref().unwrap_or(&self);
-            let model = Remembered::new(&now.model, &self.stop, &tell);
+            let model = Remembered::new(&now.model, &self.stop, &report);
             let search = now.fit(&model, Intervals::Wald)?;
             if search.stopped.is_some() {
                 break (now.outside.clone(), search);

@@ -101,7 +101,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn keys_become_the_words_of_the_field() {
+    fn keys_are_translated_to_physical_terms() {
         for (key, words) in [
             (
                 "foundation.layer[0].young_modulus",
@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn combinations_are_told_in_symbols() {
+    fn combinations_are_written_in_symbols() {
         let known = "foundation.substrate.young_modulus * indenter.radius^0.5";
         assert_eq!(combination(known), "E (substrate) · R^0.5");
         assert_eq!(symbol("foundation.layer[0].thickness"), "H, layer 0");

@@ -110,7 +110,7 @@ impl FitSubject<'_> {
     fn head(&self) -> FitHeading {
         let verdict = match self.fit.verdict {
             FitVerdict::Fitted => "fitted",
-            FitVerdict::Misfit => "MISFIT: the model does not follow the measurements",
+            FitVerdict::Misfit => "MISFIT: the model does not fit the measurements",
             FitVerdict::NotConverged => "NOT CONVERGED",
         };
         let count = |number: usize, noun: &str| match number {

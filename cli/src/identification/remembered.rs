@@ -12,17 +12,21 @@ pub struct Remembered<'a> {
     model: &'a ContactCurves,
     memory: Mutex<Vec<(Vec<f64>, Prediction)>>,
     stop: &'a StopFlag,
-    tell: &'a (dyn Fn() + Sync),
+    report: &'a (dyn Fn() + Sync),
 }
 
 impl<'a> Remembered<'a> {
-    /// Creates a model without remembered predictions that calls `tell` after each prediction.
-    pub fn new(model: &'a ContactCurves, stop: &'a StopFlag, tell: &'a (dyn Fn() + Sync)) -> Self {
+    /// Creates a model without remembered predictions that calls `report` after each prediction.
+    pub fn new(
+        model: &'a ContactCurves,
+        stop: &'a StopFlag,
+        report: &'a (dyn Fn() + Sync),
+    ) -> Self {
         Self {
             model,
             memory: Mutex::default(),
             stop,
-            tell,
+            report,
         }
     }
 
@@ -44,7 +48,7 @@ impl ForwardModel for Remembered<'_> {
             return Err(ForwardError::Stopped);
         }
         let prediction = self.model.predict(parameters);
-        (self.tell)();
+        (self.report)();
         let prediction = prediction?;
         let mut memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
         if memory.is_empty() {

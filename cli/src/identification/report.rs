@@ -91,20 +91,18 @@ pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDra
 }
 
 /// The first step after a misfit, before any further measurement.
-const FIRST: &str = "First find out why the model does not follow the measurements: no interval holds what it says, and \
-                     nothing below does.";
+const FIRST: &str = "First find out why the model does not fit the measurements: until then the intervals and \
+                     everything below are not valid.";
 
 /// The measurement that would determine an unknown better; none if it is well determined.
 fn help(of: &EstimateResult) -> Option<String> {
     let what = match of.verdict.as_str() {
         "weak" => "less noise, more loads, or an indenter of another radius",
         "one-sided" => {
-            "loads that reach where it matters: larger for what lies deep, smaller for what lies at the surface"
+            "loads that are sensitive to it: larger for what lies deep, smaller for what lies at the surface"
         }
         "not-identified" => "another measurement, or knowledge from elsewhere as a prior",
-        "not-identifiable" => {
-            "no load and no noise: hold one of the numbers fixed, or give it a prior"
-        }
+        "not-identifiable" => "no load or noise level helps: fix a parameter, or give one a prior",
         "prior-driven" => "another measurement: these data add almost nothing to the prior",
         _ => return None,
     };
@@ -307,7 +305,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_row_has_units_and_open_ends() {
+    fn rows_show_units_and_open_ends() {
         let row = row(&EstimateResult {
             key: "indenter.radius".into(),
             unit: "m".into(),

@@ -32,13 +32,15 @@ impl Identification {
         if fit.stopped.is_some() {
             return Sampling::without("the fit was stopped");
         }
-        let is_told = |verdict: Verdict| verdict != Verdict::NotIdentifiable;
-        let all_told = fit
+        let is_determined = |verdict: Verdict| verdict != Verdict::NotIdentifiable;
+        let all_determined = fit
             .estimates
             .iter()
-            .all(|estimate| is_told(estimate.verdict));
-        if fit.verdict != FitVerdict::Fitted || !all_told {
-            return Sampling::without("there is none of a misfit, nor of what no data can tell");
+            .all(|estimate| is_determined(estimate.verdict));
+        if fit.verdict != FitVerdict::Fitted || !all_determined {
+            return Sampling::without(
+                "there are none for a misfit or for unknowns that no data can determine",
+            );
         }
         match self.drawn(fit) {
             Ok(sampling) => sampling,
@@ -73,7 +75,7 @@ impl Identification {
         }
         if found.cut_off > CUT_OFF {
             warn(format!(
-                "{:.1} % of the samples of the posterior lie at the border of what was computed: its tails are cut off",
+                "{:.1} % of the samples of the posterior lie at the edge of the computed region: the tails are cut off",
                 100.0 * found.cut_off
             ));
         }

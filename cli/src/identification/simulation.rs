@@ -35,8 +35,10 @@ pub fn measurement(file: &FitFile, table: usize, seed: u64) -> Result<String, Fa
     let depths = depths(file, data, &forces)?;
     let mut normal = Normal(ChaCha8Rng::seed_from_u64(seed.wrapping_add(table as u64)));
     let noise = data.noise;
-    let said = noise.depth.is_some() || noise.force.is_some() || noise.relative.is_some();
-    let relative = noise.relative.unwrap_or(if said { 0.0 } else { RELATIVE });
+    let is_given = noise.depth.is_some() || noise.force.is_some() || noise.relative.is_some();
+    let relative = noise
+        .relative
+        .unwrap_or(if is_given { 0.0 } else { RELATIVE });
     let [of_depth, of_force] = match data.observe {
         Observe::ForceAtDepth => [0.0, relative],
         _ => [relative, 0.0],

@@ -53,7 +53,7 @@ pub fn most_critical(numbers: &[ExactNumber], unknowns: &[EstimateResult]) -> Op
     let (tolerance, key, unknown) = found.min_by(|one, other| one.0.total_cmp(&other.0))?;
     let (percent, unknown) = (significant(100.0 * tolerance, 2), names::of_key(&unknown));
     Some(format!(
-        "taken as exact: an error of {percent} % in {key} moves the {unknown} as far as its interval reaches"
+        "taken as exact: an error of {percent} % in {key} moves the {unknown} to the end of its interval"
     ))
 }
 
@@ -70,7 +70,7 @@ impl Identification {
             Err(Failure::Contact(ContactError::Cancelled { .. })) => Default::default(),
             Err(failure) => {
                 let message = format!(
-                    "what the numbers taken as exact do to the answer could not be found: {failure}"
+                    "the effect of the parameters taken as exact could not be computed: {failure}"
                 );
                 let code = "taken-as-exact".into();
                 (Vec::new(), Some(WarningResult { code, message }))

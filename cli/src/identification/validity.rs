@@ -77,20 +77,20 @@ impl Identification {
         let what = match self.outside.handling {
             _ if found.is_empty() => None,
             Handling::LeftOut => Some("these points are not in the fit; excluded.csv lists them"),
-            Handling::Kept => Some("these points are in the fit, as report.outside says"),
+            Handling::Kept => Some("these points are in the fit, as report.outside requests"),
             Handling::Unsettled => Some(
-                "these points are not in the fit, but by its result they would be others: choose a segment that \
-                 keeps clear of them",
+                "these points are not in the fit, but its result would exclude others: choose a segment that \
+                 avoids them",
             ),
             Handling::NotConverged => Some("these points are in the fit, which did not converge"),
             Handling::TooFewLeft => Some(
-                "too few points are left without them: the fit is of all points, and outside of its own model",
+                "too few points are left without them: the fit uses all points, also those outside its model",
             ),
         };
         found.extend(what.map(str::to_owned));
         let failure = self.outside.failure.as_ref();
         found.extend(failure.map(|failure| {
-            format!("whether the model holds at every point could not be looked at: {failure}")
+            format!("whether the model is valid at every point could not be checked: {failure}")
         }));
         let warning = |message| WarningResult {
             code: "outside-model".into(),

@@ -70,7 +70,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_binary_file_is_told_with_the_tool_that_makes_a_table_of_it() {
+    fn a_binary_file_is_refused_naming_a_tool_that_converts_it() {
         let refused = |name: &str, bytes: &[u8]| {
             let error = refuse_binary(Path::new(name), bytes).unwrap_err();
             error.to_string()

@@ -86,20 +86,20 @@ impl Channel {
         let words: Vec<_> = (name.split(|c: char| !c.is_alphanumeric() && c != '-'))
             .filter(|word| !word.is_empty())
             .collect();
-        let told = |channel: &Self| channel.words().iter().any(|word| words.contains(word));
+        let is_indicated = |channel: &Self| channel.words().iter().any(|word| words.contains(word));
         // A name that also indicates this quantity, such as "load at depth", proves nothing; heights and depths are
         // often confused.
         let is_like = |channel: &Self| {
-            *channel == self || (channel.dimension() == self.dimension() && told(channel))
+            *channel == self || (channel.dimension() == self.dimension() && is_indicated(channel))
         };
         if Self::ALL
             .iter()
-            .filter(|channel| told(channel))
+            .filter(|channel| is_indicated(channel))
             .any(is_like)
         {
             return None;
         }
-        Self::ALL.into_iter().find(told)
+        Self::ALL.into_iter().find(is_indicated)
     }
 }
 
@@ -108,7 +108,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_name_tells_another_quantity_only_if_it_tells_nothing_else() {
+    fn a_name_indicates_another_quantity_only_if_it_indicates_no_third() {
         assert_eq!(
             Channel::Depth.other_in("Load On Sample"),
             Some(Channel::Force)

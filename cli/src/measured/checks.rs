@@ -72,7 +72,7 @@ pub(super) fn warnings(curve: &MeasuredCurve, columns: &CurveColumns) -> Vec<Cur
     if let Some(area) = relative_area(curve).filter(|area| *area > LARGEST_AREA) {
         let message = format!(
             "the force rises ever more slowly with the depth (area under the curve {area:.2} of its rectangle, \
-             elastic contacts have 0.5 or less): are the columns swapped, or is this no contact?"
+             elastic contacts have 0.5 or less): are the columns swapped, or is this not a contact?"
         );
         warn("concave-curve", message);
     }
@@ -87,7 +87,7 @@ pub(super) fn warnings(curve: &MeasuredCurve, columns: &CurveColumns) -> Vec<Cur
         if size < least || size > most {
             let key = channel.key();
             let message = format!(
-                "a {key} over {size:.3e} {unit} is not of the size of an indentation: is its unit right?"
+                "a {key} range of {size:.3e} {unit} is unusual for an indentation: is its unit right?"
             );
             warn("unusual-size", message);
         }

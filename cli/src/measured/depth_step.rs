@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_step_of_several_samples_begins_at_the_first() {
+    fn a_step_over_several_samples_begins_at_the_first() {
         let depths = [
             0.0, 1.0, 2.0, 3.1, 14.0, 114.0, 150.0, 151.0, 152.0, 153.0, 154.0,
         ];
@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn a_gap_in_the_rows_is_no_step() {
+    fn a_gap_in_the_rows_is_not_a_step() {
         let step = DepthStep::find(&[0.0, 1.0, 50.0, 51.5], &[0, 1, 7, 8]).unwrap();
         assert_eq!((step.last_before, step.height), (2, 1.5));
         assert!(!step.stands_out());

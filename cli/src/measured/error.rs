@@ -120,7 +120,9 @@ pub enum CurveError {
         wanted: &'static str,
     },
     /// No row has a valid number in every requested column.
-    #[error("found {rows} rows, none with valid numbers in every column that is read, wanted some")]
+    #[error(
+        "found {rows} rows, none with valid numbers in every column that is read, wanted at least one"
+    )]
     NoNumbers {
         /// Rows of the table.
         rows: usize,
@@ -172,7 +174,7 @@ pub enum CurveError {
     /// The depth decreases as the force increases.
     #[error(
         "found a depth that falls as the force rises, wanted a depth counted positive into the body: \
-         swap the columns, or turn the sign, such as units = {{ depth = \"-1 nm\" }}"
+         swap the columns, or reverse the sign, such as units = {{ depth = \"-1 nm\" }}"
     )]
     DepthFalls,
     /// The direction in which the piezo's height is counted cannot be determined from the force.

@@ -37,7 +37,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pattern_means_its_files_in_order() {
+    fn a_pattern_matches_its_files_in_order() {
         let folder = tempfile::tempdir().unwrap();
         let inside = folder.path().join("[a] b");
         std::fs::create_dir(&inside).unwrap();

@@ -189,7 +189,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_unit_stands_in_brackets_or_behind_a_slash_or_a_comma() {
+    fn units_are_read_in_brackets_or_after_a_slash_or_comma() {
         for text in [
             "Depth (nm)",
             "Depth[nm]",
@@ -214,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn units_may_stand_in_a_line_of_their_own() {
+    fn units_may_have_a_line_of_their_own() {
         let lines = ["Agilent", "Depth\tLoad\tTest", "nm\t[mN]\t", ""];
         let heads = above(&lines, Separator::Tab, 3);
         let units: Vec<_> = heads.iter().map(|head| head.unit_text.as_str()).collect();
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn prose_is_no_head_and_a_comment_may_be() {
+    fn prose_is_not_a_header_but_a_comment_may_be() {
         assert!(above(&["This is a tip."], Separator::Space, 3).is_empty());
         assert!(above(&["Measured by hand"], Separator::Tab, 3).is_empty());
         let heads = above(&["# Depth (nm)  Load (mN)"], Separator::Space, 2);

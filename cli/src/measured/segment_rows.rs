@@ -222,7 +222,8 @@ fn keep_before_step(kept: &mut KeptRows, raw: &RawCurve<'_>, warnings: &mut Vec<
         return;
     }
     let message = format!(
-        "the largest depth step, {:.3e} m, is not ten times the median of all, {:.3e} m: it is no pop-in, and ends nothing",
+        "the largest depth step, {:.3e} m, is less than ten times the median step, {:.3e} m: \
+         it is not a pop-in, and the curve is not cut there",
         step.height, step.median
     );
     warnings.push(CurveWarning::new("no-depth-step", message));

@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn the_separator_is_found_by_what_makes_numbers() {
+    fn the_separator_is_the_one_that_gives_numbers() {
         use DecimalMark::{Comma, Point};
         let of = |line, decimal| Some(Separator::of(&[line], decimal)?.0);
         assert_eq!(of("1.5,2.5,load", Point), Some(Separator::Comma));
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn a_decimal_comma_stands_for_a_point_and_a_point_then_for_nothing() {
+    fn with_decimal_commas_a_point_is_not_part_of_a_number() {
         assert_eq!(DecimalMark::Comma.number("-1,25e-3"), Some(-1.25e-3));
         assert_eq!(DecimalMark::Comma.number("1.234,5"), None);
         assert_eq!(DecimalMark::Point.number("1,25"), None);

@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_text_goes_before_a_file_of_its_name() {
+    fn a_text_takes_precedence_over_a_file_of_the_same_name() {
         let folder = tempfile::tempdir().unwrap();
         for name in ["a.csv", "b.csv"] {
             fs::write(folder.path().join(name), "file").unwrap();

@@ -137,7 +137,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_direction_is_that_in_which_the_force_grows() {
+    fn the_direction_is_that_of_increasing_force() {
         // Adhesion and a slope before contact are ignored.
         let forces = [0.0, 0.1, 0.2, -1.0, 1.0, 2.0, 3.0];
         let toward = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];

@@ -27,28 +27,31 @@ pub fn advice(designs: &[DesignResult], of: Advice) -> String {
     let (never, rest): (Vec<_>, Vec<_>) = chosen.unknowns.iter().partition(|of| of.is_never());
     let mut sentences = Vec::new();
     let now = designs.iter().find(|design| design.curves.is_empty());
-    if let Some(now) = now.filter(|now| now.is_told()) {
+    if let Some(now) = now.filter(|now| now.is_determined()) {
         let now: Vec<_> = now.unknowns.iter().collect();
-        sentences.push(format!("What was measured tells all: {}.", told(&now)));
+        sentences.push(format!(
+            "What was measured determines all: {}.",
+            widths(&now)
+        ));
     }
     let verb = match of {
         Advice::ForAPlan => "Measure",
         Advice::AfterAFit => "Add",
     };
     if !rest.is_empty() {
-        sentences.push(format!("{verb} {}: {}.", curves(chosen), told(&rest)));
+        sentences.push(format!("{verb} {}: {}.", curves(chosen), widths(&rest)));
     }
-    let open: Vec<_> = rest.into_iter().filter(|of| !of.is_told()).collect();
+    let open: Vec<_> = rest.into_iter().filter(|of| !of.is_determined()).collect();
     if !open.is_empty() {
         let within = 100.0 * (IDENTIFIED_WITHIN - 1.0);
         sentences.push(format!(
-            "None of these designs tells {} within {within:.0} %.",
+            "None of these designs determines {} within {within:.0} %.",
             listed(&open, "or")
         ));
     }
     if !never.is_empty() {
         sentences.push(format!(
-            "No data of this kind can tell {}: hold a number fixed, or give one a prior.",
+            "Data of this kind cannot determine {}: fix a parameter, or give one a prior.",
             listed(&never, "or")
         ));
     }
@@ -66,12 +69,12 @@ pub fn chosen(designs: &[DesignResult]) -> Option<&DesignResult> {
     let most = designs.iter().map(|design| design.curves.len()).max()?;
     let by_count: Vec<_> = (1..=most).filter_map(best_of).collect();
     let fewest_lost = designs.iter().map(DesignResult::lost).min()?;
-    let is_told = |design: &&&DesignResult| {
+    let is_determined = |design: &&&DesignResult| {
         let mut unknowns = design.unknowns.iter();
-        design.lost() == fewest_lost && unknowns.all(|of| of.is_lost() || of.is_told())
+        design.lost() == fewest_lost && unknowns.all(|of| of.is_lost() || of.is_determined())
     };
-    if let Some(told) = by_count.iter().find(is_told) {
-        return Some(told);
+    if let Some(design) = by_count.iter().find(is_determined) {
+        return Some(design);
     }
     let better_by_far = |best: &DesignResult, more: &DesignResult| {
         more.lost() < best.lost() || more.worst() < WORTH * best.worst()
@@ -97,7 +100,7 @@ pub fn curves(design: &DesignResult) -> String {
 }
 
 /// Lists parameters with their widths: `thickness of layer 0 ± 3.4 %, Young's modulus of layer 0 lost`.
-fn told(all: &[&ExpectedResult]) -> String {
+fn widths(all: &[&ExpectedResult]) -> String {
     let one = |of: &&ExpectedResult| format!("{} {}", names::of_key(&of.key), of.width());
     let all: Vec<_> = all.iter().map(one).collect();
     all.join(", ")
@@ -142,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fewest_curves_that_tell_it_are_advised() {
+    fn the_fewest_curves_that_determine_the_unknowns_are_advised() {
         let designs = [
             design(3, Some(0.01), Verdict::Identified),
             design(2, Some(0.05), Verdict::Identified),
@@ -155,23 +158,24 @@ mod tests {
     }
 
     #[test]
-    fn where_none_tells_it_more_curves_are_advised_only_if_they_help() {
+    fn if_no_design_determines_the_unknowns_more_curves_are_advised_only_if_they_help() {
         let single = design(1, Some(0.2), Verdict::Weak);
         let little = [design(2, Some(0.18), Verdict::Weak), single.clone()];
         assert_eq!(chosen(&little).unwrap().curves.len(), 1);
         let much = [design(2, Some(0.12), Verdict::Weak), single];
         assert_eq!(chosen(&much).unwrap().curves.len(), 2);
         assert!(
-            advice(&much, Advice::ForAPlan).contains("None of these designs tells Young's modulus")
+            advice(&much, Advice::ForAPlan)
+                .contains("None of these designs determines Young's modulus")
         );
     }
 
     #[test]
-    fn what_no_data_can_tell_is_not_advised() {
+    fn no_measurement_is_advised_for_an_unidentifiable_unknown() {
         let never = [design(1, None, Verdict::NotIdentifiable)];
         let advice = advice(&never, Advice::ForAPlan);
         assert!(
-            advice.starts_with("No data of this kind can tell Young's modulus"),
+            advice.starts_with("Data of this kind cannot determine Young's modulus"),
             "{advice}"
         );
         assert!(!advice.contains("Measure"), "{advice}");

@@ -28,17 +28,17 @@ pub struct Next {
 }
 
 impl Next {
-    /// Evaluates the designs that the fit file asks for; if no plan can be made, this is a warning. `tell` receives the
-    /// number of curves evaluated.
+    /// Evaluates the designs that the fit file asks for; if no plan can be made, this is a warning. `report` receives
+    /// the number of curves evaluated.
     #[must_use]
-    pub fn of(of: &Identification, fit: &Fit, tell: &dyn Fn(usize)) -> Self {
+    pub fn of(of: &Identification, fit: &Fit, report: &dyn Fn(usize)) -> Self {
         if of.file.report.design.is_empty() {
             return Self::default();
         }
         if fit.verdict == FitVerdict::NotConverged {
             return Self::without(&"the fit has not converged");
         }
-        match Self::planned(of, fit, tell) {
+        match Self::planned(of, fit, report) {
             Ok(next) => next,
             Err(failure) => Self::without(&failure),
         }
@@ -54,13 +54,13 @@ impl Next {
         }
     }
 
-    fn planned(of: &Identification, fit: &Fit, tell: &dyn Fn(usize)) -> Result<Self, Failure> {
+    fn planned(of: &Identification, fit: &Fit, report: &dyn Fn(usize)) -> Result<Self, Failure> {
         let points = of.problem.curves().iter().map(Curve::points).max();
         let most = points.unwrap_or(super::candidate::POINTS);
         let candidates = candidates(&of.file, most, Some(largest_force(of)))?;
         let premises = Premises::of_fit(of, fit, &candidates)?;
         let data = data(of, fit, &premises)?;
-        let mut planning = Planning::new(premises, &candidates, &of.stop, tell)?;
+        let mut planning = Planning::new(premises, &candidates, &of.stop, report)?;
         planning.data = Some(data);
         let designs = comparison::designs(&planning)?;
         Ok(Self {

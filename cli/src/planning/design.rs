@@ -64,15 +64,15 @@ impl DesignResult {
     /// The largest standard error of the unknowns that are determined.
     #[must_use]
     pub fn worst(&self) -> f64 {
-        let told = self.unknowns.iter().filter(|of| !of.is_lost());
-        let errors = told.filter_map(|of| of.standard_error);
+        let determined = self.unknowns.iter().filter(|of| !of.is_lost());
+        let errors = determined.filter_map(|of| of.standard_error);
         errors.fold(0.0, f64::max)
     }
 
     /// Whether every unknown is determined within a factor of 1.2.
     #[must_use]
-    pub fn is_told(&self) -> bool {
-        self.unknowns.iter().all(ExpectedResult::is_told)
+    pub fn is_determined(&self) -> bool {
+        self.unknowns.iter().all(ExpectedResult::is_determined)
     }
 }
 
@@ -87,7 +87,7 @@ impl ExpectedResult {
 
     /// Whether the parameter is determined within a factor of 1.2.
     #[must_use]
-    pub fn is_told(&self) -> bool {
+    pub fn is_determined(&self) -> bool {
         !self.is_lost() && (self.factor).is_some_and(|factor| factor <= IDENTIFIED_WITHIN)
     }
 

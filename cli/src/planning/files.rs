@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_a_plan_are_known_and_no_others() {
+    fn only_the_file_names_of_a_plan_are_recognised() {
         for name in [
             "plan.json",
             "plan.csv",

@@ -110,7 +110,8 @@ impl Premises<'_> {
         let assumed = (self.noise == NoiseSource::Assumed).then(|| WarningResult {
             code: "assumed-noise".into(),
             message: format!(
-                "the fit file gives no noise of the {what}: {} % of it is assumed, independent from point to point",
+                "the fit file gives no noise for the {what}; {} % of the {what} is assumed, \
+                 independent from point to point",
                 100.0 * self.plan.noise.relative
             ),
         });

@@ -33,7 +33,7 @@ pub fn text(plan: &PlanResult) -> String {
 pub fn conditions(plan: &PlanResult) -> String {
     let mut curves = plan.designs.iter().flat_map(|design| &design.curves);
     let points = curves.next().map_or(0, |curve| curve.points);
-    format!("{}, {points} points a curve", noise(&plan.noise))
+    format!("{}, {points} points per curve", noise(&plan.noise))
 }
 
 fn noise(of: &NoiseResult) -> String {

@@ -32,7 +32,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn short_numbers_have_no_zeros_at_the_end() {
+    fn short_numbers_have_no_trailing_zeros() {
         assert_eq!(short(0.1), "0.1");
         assert_eq!(short(10.0), "10");
     }

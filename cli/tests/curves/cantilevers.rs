@@ -7,7 +7,7 @@ use super::{check_ends, codes, excluded, one, refused};
 const WORKSHOP: &str = "file = \"fmt-afm-workshop*.csv\"\n";
 
 #[test]
-fn extend_and_retract_side_by_side_are_columns_of_their_own() {
+fn extend_and_retract_side_by_side_are_separate_columns() {
     let extend = "columns = { height = \"Extend Z-Sense\", force = \"Extend Force\" }\nspring_constant = \"40 N/m\"";
     let curve = one(&format!("{WORKSHOP}{extend}"));
     assert_eq!((curve.table_rows, curve.rows.len()), (1015, 1015));
@@ -26,7 +26,7 @@ fn extend_and_retract_side_by_side_are_columns_of_their_own() {
 }
 
 #[test]
-fn a_height_without_a_spring_constant_and_a_retract_given_as_a_loading_are_refused() {
+fn a_height_without_spring_constant_and_a_retract_read_as_loading_are_refused() {
     let found = refused(&format!("{WORKSHOP}columns = {{ height = 1, force = 2 }}"));
     assert!(
         found.contains("key `data[0].spring_constant`") && found.contains("\"0.04 N/m\""),
@@ -48,7 +48,7 @@ spring_constant = { mean = "0.043493666407368466 N/m", sd = "0.004 N/m" }
 "#;
 
 #[test]
-fn a_jpk_table_has_comments_segments_and_heights_that_count_away() {
+fn a_jpk_table_has_comments_segments_and_heights_that_increase_away_from_the_sample() {
     let curve = one(&format!("{JPK}segment = {{ value = 0 }}"));
     assert_eq!((curve.table_rows, curve.rows.len()), (4000, 2000));
     assert_eq!(excluded(&curve, ExclusionReason::OtherSegment), 2000);
@@ -65,7 +65,7 @@ fn a_jpk_table_has_comments_segments_and_heights_that_count_away() {
 }
 
 #[test]
-fn the_retract_of_a_jpk_table_is_no_loading() {
+fn the_retract_of_a_jpk_table_is_not_a_loading() {
     let found = refused(&format!("{JPK}segment = {{ value = 1 }}"));
     assert!(
         found.contains("key `data[0].segment`") && found.contains("an unloading"),

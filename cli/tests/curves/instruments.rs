@@ -34,7 +34,7 @@ fn a_fischerscope_file_has_decimal_commas_prose_and_several_tables() {
 }
 
 #[test]
-fn without_a_text_to_skip_to_the_longest_tables_are_taken_not_the_statistics_before_them() {
+fn without_skip_until_the_longest_tables_are_read_not_the_statistics_before_them() {
     let text = "text = { decimal = \",\" }";
     let curve = one(&format!("{FISCHER}{text}"));
     assert_eq!((curve.table_rows, curve.rows.len()), (1200, 1170));
@@ -42,7 +42,7 @@ fn without_a_text_to_skip_to_the_longest_tables_are_taken_not_the_statistics_bef
 }
 
 #[test]
-fn a_fischerscope_file_read_otherwise_says_what_is_missing() {
+fn a_fischerscope_file_read_with_other_options_names_the_missing_option() {
     let found = refused(&format!("{FISCHER}text = {{ encoding = \"latin-1\" }}"));
     assert!(found.contains("decimal = \",\" gives one"), "{found}");
     let found = refused(&format!("{FISCHER}text = {{ encoding = \"utf-8\" }}"));
@@ -86,7 +86,7 @@ fn a_hysitron_file_states_its_units_and_has_empty_lines_in_its_table() {
 }
 
 #[test]
-fn a_loading_between_two_forces_has_none_beyond_them_and_not_the_approach() {
+fn a_loading_between_two_forces_excludes_other_forces_and_the_approach() {
     let segment = "segment = { from = \"1 uN\", to = \"0.5 mN\" }";
     let curve = one(&format!("{HYSITRON}{segment}"));
     let force = curve.force().unwrap();
@@ -100,7 +100,7 @@ fn a_loading_between_two_forces_has_none_beyond_them_and_not_the_approach() {
 }
 
 #[test]
-fn a_unit_that_the_header_contradicts_is_refused_with_both() {
+fn a_unit_that_contradicts_the_header_is_refused_naming_both() {
     let found = refused(&format!("{HYSITRON}units = {{ force = \"mN\" }}"));
     assert!(
         found.contains("key `data[0].units.force`")
@@ -114,7 +114,7 @@ fn a_unit_that_the_header_contradicts_is_refused_with_both() {
 }
 
 #[test]
-fn a_name_that_two_columns_have_and_a_column_of_volts_are_refused() {
+fn a_name_shared_by_two_columns_and_a_column_in_volts_are_refused() {
     let with = |depth: &str, force: &str| {
         let columns = format!("columns = {{ depth = {depth}, force = {force} }}");
         refused(&format!("file = \"RobinSteel0000LC.txt\"\n{columns}"))

@@ -49,7 +49,7 @@ fn twenty() -> impl Iterator<Item = f64> {
 }
 
 #[test]
-fn one_curve_is_read_the_same_from_every_way_of_writing_it() {
+fn a_curve_is_read_the_same_in_every_format() {
     let wanted = read(PLAIN, rows(twenty(), " ", "\n").as_bytes()).unwrap();
     assert_eq!((wanted.rows.len(), codes(&wanted).len()), (20, 0));
     let same = |table: &str, bytes: &[u8]| {
@@ -96,7 +96,7 @@ fn one_curve_is_read_the_same_from_every_way_of_writing_it() {
 
 proptest! {
     #[test]
-    fn numbers_come_back_in_any_decimal_mark_and_separator(
+    fn numbers_survive_any_decimal_mark_and_separator(
         steps in prop::collection::vec((1e-3..10.0_f64, 1e-3..10.0_f64), 3..40),
         separator in prop::sample::select(vec![";", "\t", "  "]),
         end in prop::sample::select(vec!["\n", "\r\n"]),
@@ -120,7 +120,7 @@ proptest! {
     }
 
     #[test]
-    fn any_bytes_are_read_or_refused_and_never_more(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+    fn arbitrary_bytes_are_read_or_refused_without_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
         if let Ok(curve) = read(PLAIN, &bytes) {
             prop_assert_eq!(curve.depth().unwrap().len(), curve.rows.len());
         }
@@ -199,7 +199,7 @@ fn invalid_values_are_left_out_and_counted() {
 }
 
 #[test]
-fn swapped_columns_are_refused_by_their_names_and_told_by_their_shape() {
+fn swapped_columns_are_refused_by_name_and_warned_of_by_shape() {
     let text = format!("Load;Depth\n{}", rows(twenty(), ";", "\n"));
     assert_eq!(code(PLAIN, &text), "other-quantity");
     // Without names only the shape decides: the slope of a contact's force increases.
@@ -209,7 +209,7 @@ fn swapped_columns_are_refused_by_their_names_and_told_by_their_shape() {
 }
 
 #[test]
-fn an_unloading_given_as_a_loading_is_refused_and_used_where_it_is_wanted() {
+fn an_unloading_is_refused_as_a_loading_and_read_if_requested() {
     let unloading = rows(twenty().map(|depth| 20.0 - depth), ";", "\n");
     assert_eq!(code(PLAIN, &unloading), "unloading");
     let curve = read(
@@ -221,7 +221,7 @@ fn an_unloading_given_as_a_loading_is_refused_and_used_where_it_is_wanted() {
 }
 
 #[test]
-fn a_depth_that_falls_as_the_force_rises_is_refused_unless_its_sign_is_turned() {
+fn a_depth_that_falls_as_the_force_rises_is_refused_unless_its_sign_is_reversed() {
     let text = rows(twenty().map(|depth| -depth), ";", "\n");
     assert_eq!(code(PLAIN, &text), "depth-falls");
     for unit in ["\"-nm\"", "\"-1 nm\"", "-1e-9"] {
@@ -235,7 +235,7 @@ fn a_depth_that_falls_as_the_force_rises_is_refused_unless_its_sign_is_turned() 
 }
 
 #[test]
-fn what_is_no_curve_is_refused_with_a_code() {
+fn data_that_are_not_a_curve_are_refused_with_a_code() {
     assert_eq!(code(PLAIN, ""), "empty-file");
     assert_eq!(code(PLAIN, " \r\n\n"), "empty-file");
     assert_eq!(code(PLAIN, "no numbers here\n"), "no-table");
@@ -248,7 +248,7 @@ fn what_is_no_curve_is_refused_with_a_code() {
 }
 
 #[test]
-fn a_size_that_no_indentation_has_is_told() {
+fn a_size_unusual_for_an_indentation_gives_a_warning() {
     let table = PLAIN.replace("\"nm\"", "\"m\"");
     let curve = read(&table, rows(twenty(), ";", "\n").as_bytes()).unwrap();
     assert_eq!(codes(&curve), ["unusual-size"]);
@@ -265,7 +265,7 @@ fn stiffness_over_contact_radius_needs_no_force() {
 }
 
 #[test]
-fn repeats_are_read_in_the_order_of_their_names() {
+fn repeats_are_read_in_order_of_their_file_names() {
     let folder = tempfile::tempdir().unwrap();
     for (name, first) in [("b.txt", 2.0), ("a.txt", 1.0), ("c.csv", 3.0)] {
         let text = rows([first, 4.0, 5.0], ";", "\n");
@@ -310,7 +310,7 @@ fn the_other_keys_of_a_table_are_read() {
 }
 
 #[test]
-fn a_wrong_key_of_a_table_is_told_at_its_place() {
+fn a_wrong_key_of_a_table_is_reported_at_its_position() {
     let with = |line: &str| fault(&format!("{PLAIN}{line}"));
     for (line, wanted) in [
         (

@@ -44,7 +44,7 @@ fn every_elastic_segment_ends_at_its_pop_in() {
 }
 
 #[test]
-fn forces_bound_the_segment_before_the_pop_in_does() {
+fn a_segment_bounded_by_forces_may_end_before_the_pop_in() {
     let segment =
         "segment = { from = \"0.01 mN\", to = \"0.8 mN\", until = \"largest depth step\" }";
     let curve = one(&format!(

@@ -86,7 +86,7 @@ fn keys(value: &Value) -> Vec<&str> {
 }
 
 #[test]
-fn moduli_of_a_coating_and_its_base_are_found_with_intervals_that_hold_them() {
+fn moduli_of_a_coating_and_its_substrate_lie_in_their_fitted_intervals() {
     let folder = simulated(COATING, "coating.csv", "3");
     let (ran, fit) = fitted(&folder, COATING, &[]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
@@ -154,7 +154,7 @@ fn the_same_seed_on_one_thread_or_two_gives_the_same_bytes() {
 }
 
 #[test]
-fn of_a_ball_on_a_half_space_the_modulus_times_the_root_of_the_radius_is_known() {
+fn a_ball_on_a_half_space_determines_the_modulus_times_the_root_of_the_radius() {
     let folder = simulated(BALL, "ball.csv", "1");
     let both = format!("{BALL}\"indenter.radius\" = {{ from = \"1 um\", to = \"100 um\" }}\n");
     let (ran, fit) = fitted(&folder, &both, &[]);
@@ -171,7 +171,7 @@ fn of_a_ball_on_a_half_space_the_modulus_times_the_root_of_the_radius_is_known()
 }
 
 #[test]
-fn twins_give_the_same_misfit_and_neither_poissons_ratio_is_told() {
+fn twin_coatings_give_the_same_misfit_and_neither_poissons_ratio_is_identifiable() {
     // The same compliance to 1e-15 (Dundurs).
     let twin = COATING
         .replace(
@@ -204,7 +204,7 @@ fn twins_give_the_same_misfit_and_neither_poissons_ratio_is_told() {
 }
 
 #[test]
-fn a_cone_taken_for_a_paraboloid_is_refused_with_exit_code_3() {
+fn a_cone_fitted_as_a_paraboloid_is_refused_with_exit_code_3() {
     let cone = BALL.replace(
         "kind = \"paraboloid\", radius = \"10 um\"",
         "kind = \"cone\", half_angle = \"75 deg\"",
@@ -256,7 +256,7 @@ segment = {{ from = "0.02 mN", until = "largest depth step" }}
 }
 
 #[test]
-fn results_are_written_to_a_folder_and_not_over_others() {
+fn results_are_written_to_a_folder_without_overwriting_others() {
     let folder = simulated(BALL, "ball.csv", "4");
     let ran = folder.run(&["identify", "fit.toml", "--out", "fit", "--quiet"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);

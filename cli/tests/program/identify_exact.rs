@@ -45,7 +45,7 @@ fn simulated(fit: &str) -> TestFolder {
 }
 
 #[test]
-fn a_modulus_follows_each_number_taken_as_exact_as_hertz_says() {
+fn a_modulus_varies_with_each_exact_parameter_as_in_hertz_theory() {
     let folder = simulated(BALLS);
     let ran = folder.run(&["identify", "fit.toml", "--out", "fit"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);

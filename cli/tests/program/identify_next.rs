@@ -37,7 +37,7 @@ intervals = "wald"
 }
 
 #[test]
-fn what_was_measured_has_the_intervals_of_the_fit_and_the_same_again_halves_their_variance() {
+fn existing_data_have_the_intervals_of_the_fit_and_a_repeat_halves_their_variance() {
     let folder = TestFolder::new();
     measured(&folder, "design = { forces = [\"10 mN\"] }");
     let ran = folder.run(&["identify", "fit.toml", "--out", "results"]);
@@ -99,7 +99,7 @@ fn without_a_design_nothing_is_planned() {
 
 /// Repeats scatter by more than the error of each: one more curve adds no more than one more repeat.
 #[test]
-fn of_repeats_the_scatter_between_them_is_in_the_plan() {
+fn the_plan_includes_the_scatter_between_repeats() {
     let curves =
         Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/curves/tungsten_sphere_test0*.csv");
     let fit = format!(

@@ -80,7 +80,7 @@ fn assert_near(found: f64, wanted: f64, tolerance: f64) {
 
 /// Errors for a coating computed earlier by another program: 1 % of noise, a free zero, 24 loads over two decades.
 #[test]
-fn a_plan_without_data_gives_the_errors_that_another_program_has_computed() {
+fn a_plan_without_data_gives_the_errors_computed_by_another_program() {
     let folder = TestFolder::new();
     let errors = |unknowns: &[&str], more: &str| {
         let design_of = "[report]\ndesign = { forces = [\"1 mN\"] }";
@@ -189,7 +189,7 @@ intervals = "wald"
 }
 
 #[test]
-fn of_a_ball_of_unknown_radius_only_a_product_is_told_whatever_the_design() {
+fn a_ball_of_unknown_radius_determines_only_a_product_in_any_design() {
     let folder = TestFolder::new();
     let more =
         "[report]\ndesign = { forces = [\"1 mN\", \"5 mN\"], radii = [\"1 um\", \"10 um\"] }";
@@ -211,7 +211,7 @@ fn of_a_ball_of_unknown_radius_only_a_product_is_told_whatever_the_design() {
         plan["advice"]
             .as_str()
             .unwrap()
-            .contains("No data of this kind can tell")
+            .contains("Data of this kind cannot determine")
     );
 
     // With another ball of known radius, both are determined.
@@ -240,7 +240,7 @@ set = { "indenter.radius" = "1 um" }
 /// On a half-space `D ~ E^(−2/3) R^(−1/3)`: the error of the modulus is that of the product, plus half that of the
 /// radius.
 #[test]
-fn the_prior_of_a_radius_is_in_the_error_of_the_modulus() {
+fn the_prior_of_a_radius_enters_the_error_of_the_modulus() {
     let folder = TestFolder::new();
     let prior = |factor: f64| {
         let prior = format!("{{ prior = \"lognormal\", median = \"10 um\", factor = {factor} }}");
@@ -275,7 +275,7 @@ fn the_prior_of_a_radius_is_in_the_error_of_the_modulus() {
 
 /// The force at a depth is the same measurement: with noise on both axes, neither form has more information.
 #[test]
-fn forces_at_depths_tell_what_depths_at_forces_do() {
+fn forces_at_depths_are_as_informative_as_depths_at_forces() {
     let folder = TestFolder::new();
     let errors = |observe: &str| {
         let data = format!(

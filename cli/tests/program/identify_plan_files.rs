@@ -8,7 +8,7 @@ use crate::identify_plan::{E1, E2, MODEL, fit_file};
 use crate::runner::{TestFolder, names};
 
 #[test]
-fn a_plan_leaves_a_folder_of_its_own_that_is_whole() {
+fn a_plan_writes_a_complete_folder_of_its_own() {
     let folder = TestFolder::new();
     let more = "[report]\ndesign = { forces = [\"1 mN\"], radii = [\"1 um\", \"5 um\"] }";
     fs::write(folder.path("fit.toml"), fit_file(MODEL, &[E1, E2], more)).unwrap();
@@ -143,7 +143,7 @@ fn a_bad_design_is_refused_in_one_sentence() {
 const GUIDE: &str = include_str!("../../../docs/identification.md");
 
 #[test]
-fn the_plan_of_the_page_is_what_the_page_says() {
+fn the_documented_plan_gives_the_documented_output() {
     let folder = TestFolder::new();
     let blocks: Vec<_> = GUIDE.split("```").skip(1).step_by(2).collect();
     let after = |start: &str| {

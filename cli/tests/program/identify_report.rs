@@ -88,7 +88,7 @@ fn assert_is_png(path: &Path) {
 }
 
 #[test]
-fn a_fit_of_one_unknown_leaves_curve_profile_and_page() {
+fn a_fit_of_one_unknown_writes_curve_profile_and_page() {
     let folder = TestFolder::new();
     hertz(&folder, MODULUS, 1.0);
     let output = folder.run(&["identify", "fit.toml", "--out", "results"]);
@@ -101,12 +101,12 @@ fn a_fit_of_one_unknown_leaves_curve_profile_and_page() {
     assert!(
         page.contains("Hertz &amp; &lt;noise&gt;") || page.contains("Hertz &#38; &#60;noise&#62;")
     );
-    assert!(page.contains("Fitted: the model follows the measurements."));
+    assert!(page.contains("Fitted: the model fits the measurements."));
     assert_eq!(page.matches("<figure").count(), 2);
 }
 
 #[test]
-fn a_fit_of_two_unknowns_that_can_be_told_has_their_pair() {
+fn a_fit_of_two_identifiable_unknowns_shows_their_pair() {
     let folder = TestFolder::new();
     // The two are indistinguishable without the prior; the radius is known to a tenth.
     let radius = r#""indenter.radius" = { prior = "lognormal", median = "10 um", factor = 1.1 }"#;
@@ -121,7 +121,7 @@ fn a_fit_of_two_unknowns_that_can_be_told_has_their_pair() {
 }
 
 #[test]
-fn what_no_data_can_tell_is_shown_with_what_is_known() {
+fn an_unidentifiable_unknown_is_shown_with_its_known_combination() {
     let folder = TestFolder::new();
     hertz(&folder, &format!("{MODULUS}\n{RADIUS}"), 1.0);
     let output = folder.run(&["identify", "fit.toml", "--out", "results"]);
@@ -147,7 +147,7 @@ fn a_misfit_is_marked_at_the_top_of_its_page_and_in_its_pictures() {
 }
 
 #[test]
-fn json_alone_leaves_nothing_and_force_replaces_all() {
+fn json_alone_writes_no_files_and_force_replaces_all() {
     let folder = TestFolder::new();
     hertz(&folder, MODULUS, 1.0);
     let before = folder.names();
@@ -209,7 +209,7 @@ segment = {{ from = "0.02 mN", to = "0.8 mN" }}
 const GUIDE: &str = include_str!("../../../docs/identification.md");
 
 #[test]
-fn the_worked_example_of_the_page_gives_what_the_page_says() {
+fn the_documented_fit_gives_the_documented_output() {
     let folder = TestFolder::new();
     let blocks: Vec<_> = GUIDE.split("```").skip(1).step_by(2).collect();
     let of = |language: &str| {
@@ -217,15 +217,18 @@ fn the_worked_example_of_the_page_gives_what_the_page_says() {
         found.unwrap().trim_start()
     };
     fs::write(folder.path("coating-fit.toml"), of("toml")).unwrap();
-    let mut told = String::new();
+    let mut written = String::new();
     for line in of("sh").lines() {
         let words: Vec<_> = line.split_whitespace().skip(1).collect();
         let output = folder.run(&words);
         assert_eq!(output.code, Some(0), "{line}: {}", output.stderr);
-        told = output.stderr;
+        written = output.stderr;
     }
-    let values: Vec<_> = told.lines().filter(|line| line.contains(" = ")).collect();
-    assert_eq!(values.len(), 2, "{told}");
+    let values: Vec<_> = written
+        .lines()
+        .filter(|line| line.contains(" = "))
+        .collect();
+    assert_eq!(values.len(), 2, "{written}");
     let said: Vec<_> = of("text")
         .lines()
         .filter(|line| line.contains(" = "))

@@ -84,7 +84,7 @@ fn half_width(found: &Value) -> f64 {
 }
 
 #[test]
-fn the_modulus_is_known_no_better_than_the_spring_constant() {
+fn the_modulus_is_no_more_certain_than_the_spring_constant() {
     let exact = fitted("\"0.05 N/m\"", "deflection", "wald");
     assert_eq!(exact["nuisances"], serde_json::json!([]));
     let uncertain = "{ mean = \"0.05 N/m\", sd = \"0.005 N/m\" }";
@@ -118,7 +118,7 @@ fn the_modulus_is_known_no_better_than_the_spring_constant() {
 }
 
 #[test]
-fn a_force_that_was_computed_from_the_deflection_gives_the_same() {
+fn a_force_computed_from_the_deflection_gives_the_same() {
     let uncertain = "{ mean = \"0.05 N/m\", sd = \"0.005 N/m\" }";
     let by = |column| fitted(uncertain, column, "wald");
     let (deflection, force) = (by("deflection"), by("force"));

@@ -39,7 +39,7 @@ fn fit(tables: usize) -> String {
 }
 
 #[test]
-fn ctrl_c_in_a_fit_keeps_what_is_found_and_marks_it() {
+fn ctrl_c_in_a_fit_keeps_and_marks_the_result_so_far() {
     let folder = TestFolder::new();
     fs::write(folder.path("fit.toml"), fit(1)).unwrap();
     let simulate = ["identify", "fit.toml", "--simulate", "--out", "coating.csv"];

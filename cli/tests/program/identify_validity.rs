@@ -91,7 +91,7 @@ fn assert_left_out(folder: &TestFolder, found: &Value, reason: &str, count: usiz
 }
 
 #[test]
-fn a_film_is_left_at_the_load_that_squeezes_it_by_its_thickness() {
+fn points_where_a_film_is_squeezed_by_its_thickness_are_excluded() {
     // A paraboloid on springs: p = (D − r²/2R)/η, so Q = π R D²/η, and ηp = h at Q = π R h²/η = π R h E.
     let limit = PI * 100e-6 * 1e-6 * 1e6;
     let count = forces(31.4159e-6).filter(|force| *force > limit).count();
@@ -110,7 +110,7 @@ fn a_film_is_left_at_the_load_that_squeezes_it_by_its_thickness() {
 }
 
 #[test]
-fn logarithmic_springs_are_never_squeezed_to_nothing() {
+fn logarithmic_springs_are_never_squeezed_to_zero_thickness() {
     // Beside a rigid body such springs would end at their height, in a knee that six loads per decade cannot follow.
     let softer = FILM.replace("\"1 TPa\"", "\"20 MPa\"");
     let logarithmic = softer.replace("\"1 MPa\" }", "\"1 MPa\", law = \"logarithmic\" }");
@@ -125,7 +125,7 @@ fn logarithmic_springs_are_never_squeezed_to_nothing() {
 }
 
 #[test]
-fn a_ball_is_left_where_it_is_steep_at_the_edge_of_the_contact() {
+fn points_where_a_ball_is_steep_at_the_contact_edge_are_excluded() {
     // a/R = 0.3 with a³ = 3QR/4E*.
     let limit = 4.0 / 3.0 * 1e9 / 0.96 * 1e-12 * 0.3_f64.powi(3);
     let count = forces(3.75e-6).filter(|force| *force > limit).count();
@@ -136,7 +136,7 @@ fn a_ball_is_left_where_it_is_steep_at_the_edge_of_the_contact() {
 }
 
 #[test]
-fn points_that_the_fit_file_keeps_are_fitted_and_told() {
+fn points_kept_by_the_fit_file_are_fitted_with_a_warning() {
     let keep = format!("{STEEP}[report]\noutside = \"keep\"\n");
     let (folder, ran, found) = fitted(STEEP, &keep);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
@@ -147,7 +147,7 @@ fn points_that_the_fit_file_keeps_are_fitted_and_told() {
 }
 
 #[test]
-fn a_fit_that_would_keep_too_few_points_is_none_and_says_why() {
+fn a_fit_with_too_few_valid_points_does_not_converge() {
     // Every load squeezes the film by more than its thickness.
     let higher = |fit: &str| {
         let fit = fit.replace("\"31.4159 uN\"", "\"400 uN\"");
@@ -172,6 +172,6 @@ fn a_fit_that_would_keep_too_few_points_is_none_and_says_why() {
     let (_, ran, found) = fitted(STEEP, &exact);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     assert_eq!(found["verdict"], "not-converged");
-    let told = "error of the prediction above half the noise";
-    assert!(ran.stderr.contains(told), "{}", ran.stderr);
+    let reason = "error of the prediction above half the noise";
+    assert!(ran.stderr.contains(reason), "{}", ran.stderr);
 }

@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn powers_of_the_load_fail_where_they_should_between_the_loads_and_beyond_them() {
+    fn validity_limits_follow_powers_of_the_load_between_and_beyond_the_loads() {
         let conditions = conditions();
         for (load, wanted) in [
             (0.01, Some(Invalidity::Unresolved)),
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_model_does_not_have_never_fails() {
+    fn conditions_that_a_model_lacks_never_fail() {
         let mut conditions = conditions();
         for one in &mut conditions {
             (one.shortening, one.slope) = (None, None);

@@ -14,11 +14,12 @@ impl Fitting<'_> {
     pub(super) fn covariance(&self, refined: &Refined) -> Vec<Vec<f64>> {
         let unknowns = self.problem.unknowns().len();
         let system = &refined.minimum.system;
-        let told = OrthonormalBasis::of(self.told.iter().map(|&j| system.jacobian[j].clone()));
-        let inverse = told.inverse_gram();
+        let determined =
+            OrthonormalBasis::of(self.determined.iter().map(|&j| system.jacobian[j].clone()));
+        let inverse = determined.inverse_gram();
         let mut covariance = vec![vec![0.0; unknowns]; unknowns];
-        for (a, &i) in self.told.iter().enumerate() {
-            for (b, &j) in self.told.iter().enumerate() {
+        for (a, &i) in self.determined.iter().enumerate() {
+            for (b, &j) in self.determined.iter().enumerate() {
                 if !self.null_space.moves(i) && !self.null_space.moves(j) {
                     covariance[i][j] = inverse[a][b];
                 }
@@ -35,7 +36,11 @@ impl Fitting<'_> {
     /// The linear nuisances, with intervals that allow for the uncertainty of the unknowns.
     pub(super) fn coefficients(&self, refined: &Refined, sought: &[Sought]) -> Vec<Coefficient> {
         let (_, jacobian) = refined.metric.rows(&refined.minimum.at);
-        let mut columns: Vec<Vec<f64>> = self.told.iter().map(|&j| jacobian[j].clone()).collect();
+        let mut columns: Vec<Vec<f64>> = self
+            .determined
+            .iter()
+            .map(|&j| jacobian[j].clone())
+            .collect();
         columns.extend(refined.metric.nuisance_columns());
         let inverse = OrthonormalBasis::of(columns).inverse_gram();
         let degrees = sought
@@ -50,7 +55,7 @@ impl Fitting<'_> {
             .zip(values)
             .enumerate()
             .map(|(k, (column, &value))| {
-                let place = self.told.len() + k;
+                let place = self.determined.len() + k;
                 let half = quantile * inverse[place][place].sqrt();
                 Coefficient {
                     name: column.name.clone(),

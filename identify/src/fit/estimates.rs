@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Above this correlation with a prior-driven parameter, the prior drives both.
-const CARRIED: f64 = 0.9;
+const CORRELATED_ABOVE: f64 = 0.9;
 
 impl Fitting<'_> {
     /// The estimates of all unknowns.
@@ -28,7 +28,7 @@ impl Fitting<'_> {
             .zip(intervals)
             .map(|(one, interval)| self.estimate(refined, one, &interval))
             .collect();
-        self.name_carriers(refined, &mut estimates);
+        self.name_driving_unknowns(refined, &mut estimates);
         estimates
     }
 
@@ -90,7 +90,7 @@ impl Fitting<'_> {
     }
 
     /// Names, for each unknown, the prior-driven parameter that carries its uncertainty.
-    fn name_carriers(&self, refined: &Refined, estimates: &mut [Estimate]) {
+    fn name_driving_unknowns(&self, refined: &Refined, estimates: &mut [Estimate]) {
         let correlation = correlation(&self.covariance(refined));
         let driven: Vec<(usize, String)> = estimates
             .iter()
@@ -100,7 +100,7 @@ impl Fitting<'_> {
             .collect();
         for (j, estimate) in estimates.iter_mut().enumerate() {
             for (k, name) in driven.iter().filter(|(k, _)| *k != j) {
-                if correlation[j][*k].abs() > CARRIED {
+                if correlation[j][*k].abs() > CORRELATED_ABOVE {
                     estimate.why.push_str(" Its uncertainty is mostly that of ");
                     estimate.why.push_str(name);
                     estimate.why.push('.');

@@ -43,22 +43,22 @@ pub fn exponents(
     let metric = Metric::at(problem, &fit.noise, &at);
     let options = FitOptions::default();
     let Fitting {
-        mut told,
+        mut determined,
         null_space,
         ..
     } = Fitting::new(problem, &options, Vec::new())?;
-    told.retain(|&j| !fit.warnings.contains(&FitWarning::AtBound(j)));
+    determined.retain(|&j| !fit.warnings.contains(&FitWarning::AtBound(j)));
     let jacobian = metric.system(&at).jacobian;
-    let basis = OrthonormalBasis::of(told.iter().map(|&j| jacobian[j].clone()));
+    let basis = OrthonormalBasis::of(determined.iter().map(|&j| jacobian[j].clone()));
     let of_change = |change: &Vec<f64>| {
         let mut rows = metric.reduce(change.clone());
         let components = basis.remove_from(&mut rows);
         let mut exponents = vec![None; unknowns.len()];
-        for (&j, moved) in told.iter().zip(basis.coefficients(&components)) {
+        for (&j, moved) in determined.iter().zip(basis.coefficients(&components)) {
             // d ln θ = (dθ/dx) dx/θ
             let exponent = -moved * unknowns[j].value_slope(parameters[j]) / parameters[j];
-            let is_told = exponent.is_finite() && !null_space.moves(j);
-            exponents[j] = is_told.then_some(exponent);
+            let is_determined = exponent.is_finite() && !null_space.moves(j);
+            exponents[j] = is_determined.then_some(exponent);
         }
         exponents
     };

@@ -30,7 +30,7 @@ const DIFFERENCE: f64 = 0.05;
 const FLAT: f64 = 0.05;
 
 /// A curve is at least this many correlation lengths of its noise long; a longer correlation counts as a misfit.
-const FORGOTTEN: f64 = 10.0;
+const LEAST_CORRELATION_LENGTHS: f64 = 10.0;
 
 /// One problem with its residuals, from which the noise is estimated.
 #[derive(Clone)]
@@ -90,7 +90,7 @@ impl<'a> RestrictedLikelihood<'a> {
             .iter()
             .map(|part| part.problem.points_of_longest())
             .max()?;
-        let limit = (-FORGOTTEN / longest as f64).exp();
+        let limit = (-LEAST_CORRELATION_LENGTHS / longest as f64).exp();
         if self.base.persistence <= limit {
             return Some(1.0);
         }

@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_least_of_a_curved_valley_is_found() {
+    fn the_minimum_of_a_curved_valley_is_found() {
         let valley = |x: &[f64]| (1.0 - x[0]).powi(2) + 10.0 * (x[1] - x[0] * x[0]).powi(2);
         let found = least(&[-1.0, 2.0], 0.5, valley);
         // The search ends when the simplex is smaller than 1e-4; the valley is flatter along its floor than across.
@@ -104,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn one_dimension_is_enough() {
+    fn a_minimum_in_one_dimension_is_found() {
         let found = least(&[3.0], 0.5, |x| (x[0] - 0.25).powi(2));
         // The size at which the search ends.
         assert!((found[0] - 0.25).abs() < 1e-4);

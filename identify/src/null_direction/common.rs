@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn a_direction_of_one_model_that_the_other_does_not_have_is_none() {
+    fn a_direction_of_only_one_of_two_models_is_not_common() {
         let film = model(&["E", "H"], &[&[1.0, 1.0]]);
         let bare = model(&["E"], &[]);
         let common = NullDirections::common(&[film.clone(), bare]).unwrap();

@@ -15,7 +15,7 @@ fn free(list: &[&str]) -> Vec<Unknown> {
 }
 
 #[test]
-fn of_a_half_space_and_a_ball_the_modulus_times_the_root_of_the_radius_is_known() {
+fn a_ball_on_a_half_space_determines_the_modulus_times_the_root_of_the_radius() {
     // D ~ (Q²/(R E²))^⅓ depends only on E √R, not on ν: (E, R, ν) → (E/√b, b R, ν), and ν is arbitrary.
     let directions = NullDirections::new(
         names(&["E", "R", "nu"]),
@@ -45,7 +45,7 @@ fn a_fixed_parameter_or_a_prior_closes_a_direction() {
 }
 
 #[test]
-fn two_directions_combine_to_one_that_leaves_the_fixed_parameter() {
+fn two_directions_combine_into_one_that_keeps_the_fixed_parameter() {
     // (1, 1, 0) and (0, 1, 1) with the second fixed: only their difference (1, 0, −1) counts.
     let directions = NullDirections::new(
         names(&["a", "b", "c"]),

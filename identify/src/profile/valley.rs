@@ -11,7 +11,7 @@ use crate::{
 /// A point found from elsewhere counts as lower than the end if its `z` is below this fraction of the target.
 const LOWER: f64 = 0.95;
 /// A scan continues if a linearisation predicts less than this fraction of `Δ` at the end.
-const PROMISE: f64 = 0.75;
+const PREDICTED_LOWER: f64 = 0.75;
 /// Only evaluations with at most this multiple of the end's `Δ` are linearised.
 const NEARLY_AS_GOOD: f64 = 2.0;
 
@@ -24,10 +24,10 @@ impl LikelihoodProfile<'_, '_> {
         end: f64,
         sign: f64,
     ) -> Result<Option<Scan>, IdentifyError> {
-        let Some(promised) = self.promised(predictor, end)? else {
+        let Some(predicted) = self.predicted(predictor, end)? else {
             return Ok(None);
         };
-        let Some(start) = predictor.evaluate(&promised)? else {
+        let Some(start) = predictor.evaluate(&predicted)? else {
             return Ok(None);
         };
         // The evaluation there may refute the prediction.
@@ -44,11 +44,11 @@ impl LikelihoodProfile<'_, '_> {
     }
 
     /// The point with the lowest predicted profile at `x`, from linearisations of fits nearly as good as the end.
-    fn promised(&self, predictor: &Predictor, x: f64) -> Result<Option<Vec<f64>>, IdentifyError> {
+    fn predicted(&self, predictor: &Predictor, x: f64) -> Result<Option<Vec<f64>>, IdentifyError> {
         let search = self.search();
         let end = self.target * self.target;
         let above = |system: &System| system.chi_squared - self.best.system.chi_squared;
-        let mut least = PROMISE * end;
+        let mut least = PREDICTED_LOWER * end;
         let mut found = None;
         for known in predictor
             .evaluations()

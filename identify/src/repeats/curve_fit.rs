@@ -45,7 +45,7 @@ impl Share {
     pub fn fit(
         &self,
         at: &Evaluation,
-        told: &[usize],
+        determined: &[usize],
         nuisances: &[f64],
         levels: &NoiseLevels,
     ) -> CurveFit {
@@ -55,7 +55,10 @@ impl Share {
         }
         let metric = Metric::at(&self.problem, levels, &at);
         let system = metric.system(&at);
-        let mut columns: Vec<Vec<f64>> = told.iter().map(|&j| system.jacobian[j].clone()).collect();
+        let mut columns: Vec<Vec<f64>> = determined
+            .iter()
+            .map(|&j| system.jacobian[j].clone())
+            .collect();
         columns.extend(
             self.common
                 .iter()
@@ -71,7 +74,7 @@ impl Share {
         let (mut whitened, jacobian) = metric.rows(&at);
         let mut own_columns = metric.nuisance_columns();
         let first = own_columns.len();
-        own_columns.extend(told.iter().map(|&j| jacobian[j].clone()));
+        own_columns.extend(determined.iter().map(|&j| jacobian[j].clone()));
         let whole = OrthonormalBasis::of(own_columns);
         let components = whole.remove_from(&mut whitened);
         let values = whole.coefficients(&components);
@@ -81,7 +84,7 @@ impl Share {
         for (column, c) in self.problem.columns().iter().zip(&values) {
             add(&mut model, *c, &column.values);
         }
-        for (&j, step) in told.iter().zip(&own) {
+        for (&j, step) in determined.iter().zip(&own) {
             add(&mut model, *step, &at.jacobian[j]);
         }
         CurveFit {
@@ -94,7 +97,7 @@ impl Share {
             own,
             model,
             degrees: whitened.len().saturating_sub(whole.rank()).max(1) as f64,
-            lower_half: lower_half_score(&self.problem, &metric, &at, told),
+            lower_half: lower_half_score(&self.problem, &metric, &at, determined),
             whitened,
         }
     }

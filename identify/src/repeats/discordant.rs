@@ -121,7 +121,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_median_is_not_moved_by_one_wild_value() {
+    fn one_outlier_does_not_move_the_median() {
         assert_eq!(median(&[1.0, 2.0, 1e9, 3.0, 2.5]), 2.5);
         assert_eq!(median(&[4.0, 1.0, 2.0, 3.0]), 2.5);
     }

@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn equally_good_estimates_have_the_mean_and_variance_of_their_sample() {
+    fn estimates_of_equal_variance_give_the_sample_mean_and_variance() {
         let values = [0.31, -0.12, 0.05, 0.22, -0.27];
         let (n, v) = (5.0, 1e-4);
         let mean = values.iter().sum::<f64>() / n;

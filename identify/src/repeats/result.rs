@@ -98,7 +98,7 @@ impl Repeats<'_> {
 
     /// An entry of the covariance of the determined unknowns; zero for those that are held.
     fn entry(&self, covariance: &Mat<f64>, i: usize, j: usize) -> f64 {
-        let place = |unknown: usize| self.told.iter().position(|&k| k == unknown);
+        let place = |unknown: usize| self.determined.iter().position(|&k| k == unknown);
         match (place(i), place(j)) {
             (Some(a), Some(b)) => covariance[(a, b)],
             _ => 0.0,
@@ -165,7 +165,7 @@ impl Repeats<'_> {
         model: &MixedModel,
         unknown: usize,
     ) -> Result<f64, IdentifyError> {
-        let Some(column) = self.told.iter().position(|&j| j == unknown) else {
+        let Some(column) = self.determined.iter().position(|&j| j == unknown) else {
             return Ok(f64::INFINITY);
         };
         let whole = common.covariance[(column, column)];
@@ -188,7 +188,7 @@ impl Repeats<'_> {
         common: &Common,
         unknown: usize,
     ) -> Option<BetweenCurves> {
-        let column = self.told.iter().position(|&j| j == unknown)?;
+        let column = self.determined.iter().position(|&j| j == unknown)?;
         let place = self.scattered().iter().position(|&k| k == column)?;
         let parameter = &self.problem.unknowns()[unknown];
         let x = state.at.position[unknown];
@@ -249,7 +249,7 @@ impl Repeats<'_> {
         };
         let mut coefficients = Vec::new();
         for (place, (&k, &value)) in self.shared.iter().zip(&state.nuisances).enumerate() {
-            let column = self.told.len() + place;
+            let column = self.determined.len() + place;
             let error = common.covariance[(column, column)].sqrt();
             coefficients.push(coefficient(
                 &self.problem.columns()[k].name,

@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn as_many_products_as_monomials_of_that_degree() {
+    fn there_are_as_many_products_as_monomials_of_that_degree() {
         // C(n + d, d).
         assert_eq!(Products::new(1, 5).count(), 6);
         assert_eq!(Products::new(3, 4).count(), 35);

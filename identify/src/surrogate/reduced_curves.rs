@@ -149,7 +149,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn curves_of_two_shapes_need_two_vectors_and_come_back() {
+    fn curves_of_two_shapes_need_two_vectors_and_are_reproduced() {
         let curve = |a: f64, b: f64| Prediction {
             value: (1..=50).map(|i| (a + b * f64::from(i)).exp()).collect(),
             slope: vec![-a; 50],

@@ -52,7 +52,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_part_of_the_square_gets_its_share() {
+    fn sample_points_cover_the_square_evenly() {
         let points = SamplePoints::new(2, 7);
         let mut counts = [0; 16];
         for i in 0..1600 {

@@ -55,7 +55,7 @@ fn is_wide(estimate: &Estimate) -> bool {
 
 #[test]
 #[ignore = "hundreds of contacts along flat profiles: a minute"]
-fn under_a_thick_coating_and_a_soft_frame_base_and_thickness_are_lost() {
+fn base_and_thickness_are_lost_under_a_thick_coating_and_a_soft_frame() {
     let thick = Coating {
         thickness: 4e-6,
         ..coating(10e-6)
@@ -66,7 +66,7 @@ fn under_a_thick_coating_and_a_soft_frame_base_and_thickness_are_lost() {
 }
 
 #[test]
-fn the_modulus_of_a_coating_too_thin_is_lost() {
+fn the_modulus_of_a_very_thin_coating_is_lost() {
     let thin = Coating {
         thickness: 0.1e-6,
         ..coating(10e-6)

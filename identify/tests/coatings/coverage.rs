@@ -194,7 +194,7 @@ impl Simulated {
 }
 
 #[test]
-fn of_forty_intervals_of_a_coating_nearly_all_hold_the_truth() {
+fn nearly_all_of_forty_coating_intervals_contain_the_truth() {
     for count in Simulated::new(&stiff(), Kind::White).held(40) {
         // 38, less three and a half standard deviations of the binomial distribution, 1.4.
         assert!(count[0] >= 33, "{count:?}");
@@ -221,7 +221,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 #[test]
-fn a_profile_whose_others_have_two_valleys_ends_where_the_lower_of_both_does() {
+fn a_profile_with_two_valleys_ends_where_the_lower_one_does() {
     let simulated = Simulated::new(&weak(), Kind::White);
     // At the upper end E2 is at its bound, 3 GPa, in one valley, and 8 GPa in the other.
     for seed in [115, 243] {
@@ -251,7 +251,7 @@ fn a_profile_whose_others_have_two_valleys_ends_where_the_lower_of_both_does() {
 
 #[test]
 #[ignore = "six minutes in release on two busy cores"]
-fn profiles_of_coatings_hold_what_they_say_and_covariances_of_weak_ones_do_not() {
+fn profile_intervals_of_coatings_cover_as_stated_and_covariances_of_weak_ones_do_not() {
     let mut failed = Vec::new();
     let mut weak_covariances = false;
     for (name, system) in [("weak", weak()), ("soft", soft()), ("stiff", stiff())] {

@@ -71,7 +71,7 @@ fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
 }
 
 #[test]
-fn each_unknown_more_makes_the_others_less_certain() {
+fn each_further_unknown_makes_the_others_less_certain() {
     let of = |count, more: &[LinearNuisance]| planned(&coating(10e-6), count, more);
     // To the digits of the expected numbers.
     assert_near(&of(1, &[]), &[0.010], 0.03);
@@ -83,7 +83,7 @@ fn each_unknown_more_makes_the_others_less_certain() {
 }
 
 #[test]
-fn a_small_and_a_large_ball_together_tell_what_neither_does() {
+fn a_small_and_a_large_ball_together_determine_what_neither_does_alone() {
     let ball = |radius| Coating {
         radius,
         ..coating(20e-6)
@@ -119,7 +119,7 @@ fn a_prior_is_one_more_observation() {
 
 /// With a coating so thick or thin, or a frame so soft, that a parameter is lost, no error is below a factor of two.
 #[test]
-fn no_certainty_where_a_parameter_is_lost() {
+fn errors_of_lost_parameters_exceed_a_factor_of_two() {
     let lost = std::f64::consts::LN_2 / 1.96;
     let of = |thickness, more: &[LinearNuisance]| {
         let one = Coating {
@@ -135,7 +135,7 @@ fn no_certainty_where_a_parameter_is_lost() {
 }
 
 #[test]
-fn two_curves_alike_halve_the_variance_and_scatter_between_them_stays() {
+fn two_equal_curves_halve_the_variance_but_not_the_scatter_between_curves() {
     let coating = coating(10e-6);
     let mut plan = plan_for(&unknowns()[..1], &[100e9], &[]);
     let one = information(&plan, &coating);
@@ -150,7 +150,7 @@ fn two_curves_alike_halve_the_variance_and_scatter_between_them_stays() {
 }
 
 #[test]
-fn an_exact_direction_is_told_as_such_whatever_the_numbers_say() {
+fn an_exact_null_direction_is_reported_whatever_the_numbers() {
     let coating = coating(10e-6);
     let plan = plan_for(&unknowns()[..2], &coating.truth()[..2], &[]);
     let one = information(&plan, &coating);

@@ -118,10 +118,10 @@ fn a_line_with_a_prior_and_a_frame_has_the_exact_posterior() {
 }
 
 #[test]
-fn quantiles_are_those_of_the_profiles_where_the_noise_is_estimated() {
+fn quantiles_agree_with_the_profiles_when_the_noise_is_estimated() {
     let model = Power {
         abscissa: (1..=40).map(|i| 0.1 * f64::from(i)).collect(),
-        asked: AtomicUsize::new(0),
+        evaluations: AtomicUsize::new(0),
     };
     let observed = measured(&model, &[1.5, 0.7, 0.1], |_| 0.01);
     let unknowns = vec![
@@ -157,7 +157,7 @@ fn coating_problem(model: &dyn ForwardModel) -> Problem {
 }
 
 #[test]
-fn two_moduli_of_a_coating_have_the_quantiles_of_their_profiles() {
+fn posterior_quantiles_of_two_coating_moduli_agree_with_their_profiles() {
     let model = coating(10e-6).curves(2);
     let problem = coating_problem(&model);
     let (fit, posterior) = sampled(&model, &problem, 40_000);

@@ -11,12 +11,12 @@ use crate::coating::coating;
 /// `y = a q^b + c`, with a count of its evaluations.
 pub struct Power {
     pub abscissa: Vec<f64>,
-    pub asked: AtomicUsize,
+    pub evaluations: AtomicUsize,
 }
 
 impl ForwardModel for Power {
     fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
-        self.asked.fetch_add(1, Ordering::Relaxed);
+        self.evaluations.fetch_add(1, Ordering::Relaxed);
         let [a, b, c] = [parameters[0], parameters[1], parameters[2]];
         let of = |f: &dyn Fn(f64) -> f64| self.abscissa.iter().map(|&q| f(q)).collect::<Vec<_>>();
         Ok(Prediction {
@@ -36,7 +36,7 @@ fn power(points: u32) -> Power {
         abscissa: (1..=points)
             .map(|i| 3.0 * f64::from(i) / f64::from(points))
             .collect(),
-        asked: AtomicUsize::new(0),
+        evaluations: AtomicUsize::new(0),
     }
 }
 
@@ -51,11 +51,14 @@ fn unknowns() -> [Unknown; 3] {
 const SIDES: [[f64; 2]; 3] = [[1.0, 2.0], [0.5, 0.8], [-0.1, 0.2]];
 
 #[test]
-fn values_slopes_and_derivatives_are_those_of_the_model_however_many_points() {
+fn values_slopes_and_derivatives_match_the_model_for_any_number_of_points() {
     let model = power(2000);
     let surrogate =
         Surrogate::over(&model, &unknowns(), &SIDES, SurrogateOptions::default()).unwrap();
-    assert_eq!(surrogate.predictions(), model.asked.load(Ordering::Relaxed));
+    assert_eq!(
+        surrogate.predictions(),
+        model.evaluations.load(Ordering::Relaxed)
+    );
     assert!(
         surrogate.error() < 1e-4 && surrogate.predictions() <= 300,
         "{surrogate:?}"
@@ -80,7 +83,7 @@ fn values_slopes_and_derivatives_are_those_of_the_model_however_many_points() {
 }
 
 #[test]
-fn outside_its_box_there_is_no_prediction() {
+fn there_is_no_prediction_outside_the_box() {
     let options = SurrogateOptions::default();
     let surrogate = Surrogate::over(&power(20), &unknowns(), &SIDES, options).unwrap();
     let outside = surrogate.predict(&[2.1, 0.6, 0.0]);
@@ -88,7 +91,7 @@ fn outside_its_box_there_is_no_prediction() {
 }
 
 #[test]
-fn a_model_with_a_kink_is_refused_with_what_was_reached() {
+fn a_model_with_a_kink_is_refused_with_the_error_reached() {
     struct Kink;
     impl ForwardModel for Kink {
         fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {

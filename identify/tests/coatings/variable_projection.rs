@@ -120,7 +120,7 @@ fn modulus_and_thickness(coating: Coating) -> ContactCurves {
 }
 
 #[test]
-fn a_coating_and_the_gain_of_the_depth_are_those_that_varpro_finds() {
+fn a_coating_and_the_depth_gain_agree_with_varpro() {
     let coating = Coating {
         points: 60,
         ..coating(10e-6)

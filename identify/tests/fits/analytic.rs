@@ -30,7 +30,7 @@ fn normal_equations(x: &[f64], y: &[f64]) -> ([f64; 2], [f64; 2]) {
 }
 
 #[test]
-fn a_straight_line_has_the_answer_and_the_intervals_of_the_normal_equations() {
+fn a_straight_line_has_the_solution_and_intervals_of_the_normal_equations() {
     let x: Vec<f64> = (0..40).map(|i| 0.1 * f64::from(i)).collect();
     let toy = Toy::new(x.clone(), line);
     let sigma = 0.3;
@@ -61,7 +61,7 @@ fn a_straight_line_has_the_answer_and_the_intervals_of_the_normal_equations() {
 }
 
 #[test]
-fn an_eliminated_nuisance_leaves_what_a_full_fit_leaves() {
+fn eliminating_a_nuisance_gives_the_result_of_the_full_fit() {
     // The same line, with its intercept as an unknown or a shift, and its slope as a frame compliance.
     let x: Vec<f64> = (0..30).map(|i| 1.0 + 0.2 * f64::from(i)).collect();
     let toy = Toy::new(x.clone(), |q, p| (p[0] * q, p[0], vec![q]));
@@ -143,7 +143,7 @@ fn a_prior_counts_as_one_more_observation() {
 }
 
 #[test]
-fn errors_of_the_abscissa_weigh_by_the_slope() {
+fn errors_of_the_abscissa_are_weighted_by_the_slope() {
     // y = b q with errors in both axes has the constant variance σ_y² + b² σ_q², so b is the plain least-squares
     // estimate, with that variance over Σ q².
     let x: Vec<f64> = (1..=50).map(f64::from).collect();

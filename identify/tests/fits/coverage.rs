@@ -155,7 +155,7 @@ fn weak() -> Measurement {
 }
 
 #[test]
-fn where_the_data_are_weak_the_covariance_promises_too_much_and_the_profile_does_not() {
+fn with_weak_data_the_covariance_covers_too_little_and_the_profile_does_not() {
     let held = weak().held(REPLICATES);
     for (j, count) in held.iter().enumerate() {
         // Only the lower limit: bounds and open sides make a profile cover more than its level, never less.
@@ -208,7 +208,7 @@ fn profiles_cover_under_noise_in_both_axes_of_unknown_size() {
 
 #[test]
 #[ignore = "4000 replicates of three measurements: half a minute"]
-fn profiles_cover_ten_times_as_many_measurements() {
+fn profiles_cover_in_ten_times_as_many_replicates() {
     for measurement in [white(), correlated(), both_axes()] {
         for (j, count) in measurement.held(10 * REPLICATES).iter().enumerate() {
             // 3800 and three standard deviations of the binomial distribution, 13.8.

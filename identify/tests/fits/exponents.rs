@@ -48,7 +48,7 @@ fn found(model: &Held, problem: &Problem) -> Vec<Option<f64>> {
 }
 
 #[test]
-fn a_modulus_goes_as_the_root_of_the_radius_that_is_taken_as_exact() {
+fn a_modulus_scales_with_the_inverse_root_of_an_exact_radius() {
     let forces = logarithmic(0.1, 10.0, 20);
     let toy = Toy::new(forces.clone(), hertz);
     let curve = noisy(
@@ -105,7 +105,7 @@ fn exponents_are_the_changes_of_the_fit_with_another_value() {
 }
 
 #[test]
-fn what_no_data_tell_has_no_exponent() {
+fn an_unknown_at_its_bound_has_no_exponent() {
     let forces = logarithmic(0.1, 10.0, 20);
     let toy = Toy::new(forces.clone(), coating);
     let curve = noisy(&forces, &toy.values(&[10.0, 1.5, 1.0]), 0.0, &[0.0; 20]);

@@ -79,10 +79,10 @@ fn correlated_noise_is_not_taken_for_a_misfit() {
             })
             .count()
     };
-    let told = refused(CORRELATED, 400);
+    let refusals = refused(CORRELATED, 400);
     // One in a hundred, out of 400.
-    assert!(told <= 4, "{told} of 400 refused");
+    assert!(refusals <= 4, "{refusals} of 400 refused");
     // Control: if the correlation is not declared, most are refused.
-    let untold = refused(Noise::default(), 100);
-    assert!(untold > 50, "{untold} of 100 refused");
+    let undeclared = refused(Noise::default(), 100);
+    assert!(undeclared > 50, "{undeclared} of 100 refused");
 }

@@ -35,7 +35,7 @@ const ESTIMATED: Noise = Noise {
 };
 
 #[test]
-fn a_long_series_tells_its_correlation() {
+fn a_long_series_determines_its_correlation() {
     let noise = correlated(10_000, ESTIMATED, 1).noise;
     // Of 10 000 points about 800 are independent: 3.5 % for the size, and 0.01 for a correlation.
     assert_relative_eq!(noise.observed, 0.02, max_relative = 0.07);
@@ -100,7 +100,7 @@ fn a_given_correlation_gives_the_generalised_least_squares_of_a_line() {
 }
 
 #[test]
-fn correlated_noise_taken_for_white_promises_too_much() {
+fn correlated_noise_treated_as_white_gives_too_narrow_intervals() {
     // Control for the coverage test with correlated noise, where 95 % contain the true value.
     let held = (0..200)
         .filter(|&seed| {
@@ -114,7 +114,7 @@ fn correlated_noise_taken_for_white_promises_too_much() {
 }
 
 #[test]
-fn noise_of_both_axes_is_told_apart_where_the_slope_varies() {
+fn noise_of_the_two_axes_is_separated_where_the_slope_varies() {
     let forces = logarithmic(0.2, 100.0, 2000);
     let mut normals = Normals::new(8);
     let actual = forces.iter().map(|q| q + 0.02 * normals.next()).collect();
@@ -137,7 +137,7 @@ fn noise_of_both_axes_is_told_apart_where_the_slope_varies() {
 }
 
 #[test]
-fn relative_noise_is_told_from_constant_noise() {
+fn relative_noise_is_distinguished_from_constant_noise() {
     let forces = logarithmic(0.01, 100.0, 2000);
     let toy = Toy::new(forces.clone(), coating_moduli);
     let mut normals = Normals::new(9);

@@ -164,9 +164,13 @@ fn assert_ends(systems: &[System], most: usize) {
         for seed in 0..5 {
             let fitted = system.fitted(seed);
             let work = fitted.fit.work;
-            let is_told = |verdict| matches!(verdict, Verdict::Identified | Verdict::Weak);
+            let is_determined = |verdict| matches!(verdict, Verdict::Identified | Verdict::Weak);
             assert!(
-                fitted.fit.estimates.iter().all(|of| is_told(of.verdict)),
+                fitted
+                    .fit
+                    .estimates
+                    .iter()
+                    .all(|of| is_determined(of.verdict)),
                 "{index} {seed}: {:?}",
                 fitted.fit.estimates
             );
@@ -195,11 +199,11 @@ fn assert_ends(systems: &[System], most: usize) {
 }
 
 #[test]
-fn two_unknowns_with_ends_right_to_a_hundredth_take_at_most_thirteen_predictions() {
+fn two_unknowns_with_accurate_interval_ends_take_at_most_thirteen_predictions() {
     assert_ends(&TWO, 13);
 }
 
 #[test]
-fn three_unknowns_with_ends_right_to_a_hundredth_take_at_most_twenty_predictions() {
+fn three_unknowns_with_accurate_interval_ends_take_at_most_twenty_predictions() {
     assert_ends(&THREE, 20);
 }

@@ -106,13 +106,13 @@ fn intervals_of_repeats_cover_and_good_curves_stay() {
 }
 
 #[test]
-fn intervals_of_repeats_without_scatter_hold_the_truth_at_least_as_often_as_they_say() {
+fn intervals_of_repeats_without_scatter_cover_at_least_the_stated_level() {
     let (held, _) = held(0.0);
     assert!(held.iter().all(|count| *count >= 368), "{held:?} of 400");
 }
 
 #[test]
-fn a_curve_with_a_wrong_surface_is_named_and_left_out() {
+fn a_curve_with_a_wrong_surface_is_named_and_excluded() {
     let mut all = curves(100, 0.03, 3);
     // The surface was detected late: the forces of this curve, from 0.01 to 100, are too small by 0.2.
     let forces = all[5].abscissa().to_vec();

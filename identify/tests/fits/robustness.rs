@@ -58,7 +58,7 @@ fn jagged_fit(jitter: f64, error: f64, seed: u64) -> Fit {
 }
 
 #[test]
-fn jitter_and_rough_derivatives_cost_a_few_predictions_and_no_convergence() {
+fn jitter_and_rough_derivatives_cost_a_few_predictions_but_not_convergence() {
     for seed in 0..20 {
         let smooth = jagged_fit(0.0, 0.0, seed);
         // The jitter of a contact on a grid, and the error of derivatives of its discrete map.
@@ -98,7 +98,7 @@ fn waves(q: f64, parameters: &[f64]) -> Point {
 }
 
 #[test]
-fn the_best_of_several_minima_is_found_and_the_others_are_told_of() {
+fn the_best_of_several_minima_is_found_and_the_others_are_reported() {
     let q: Vec<f64> = (0..30).map(|i| 0.1 * f64::from(i)).collect();
     let toy = Toy::new(q.clone(), waves);
     let truth = 0.5_f64.exp();
@@ -136,7 +136,7 @@ impl ForwardModel for Refusing {
 }
 
 #[test]
-fn a_model_without_predictions_and_a_stop_are_errors() {
+fn a_model_without_predictions_and_a_stopped_fit_are_errors() {
     let curve = noisy(&[1.0, 2.0], &[1.0, 2.0], 0.0, &[0.0, 0.0]);
     let unknowns = vec![unknown("x", [0.1, 10.0], 1.0)];
     let problem = Problem::new(vec![curve], unknowns, &[], Noise::white(1.0)).unwrap();
@@ -170,7 +170,7 @@ fn data_without_any_noise_are_fitted_exactly() {
 }
 
 #[test]
-fn a_value_beyond_its_range_ends_at_the_bound_and_says_so() {
+fn a_value_beyond_its_range_ends_at_the_bound_with_a_warning() {
     let forces = logarithmic(0.01, 100.0, 40);
     let toy = Toy::new(forces.clone(), coating_moduli);
     let curve = noisy(

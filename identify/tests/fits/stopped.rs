@@ -51,7 +51,7 @@ fn whole() -> Fit {
 }
 
 #[test]
-fn without_a_prediction_nothing_is_left() {
+fn without_a_prediction_there_is_no_fit() {
     let stopped = fit_of(0);
     assert!(
         matches!(stopped, Err(IdentifyError::Stopped { predictions: 1 })),
@@ -82,7 +82,7 @@ fn a_stopped_search_leaves_its_best_values_without_intervals() {
 }
 
 #[test]
-fn profiles_that_are_finished_stay_and_the_others_leave_the_covariance() {
+fn finished_profiles_are_kept_and_unfinished_ones_leave_the_covariance() {
     let whole = whole();
     let mut missing_first = 0;
     for predictions in whole.work.search..whole.work.curves_solved {

@@ -14,7 +14,7 @@ pub type Point = (f64, f64, Vec<f64>);
 pub struct Toy {
     pub abscissa: Vec<f64>,
     law: fn(f64, &[f64]) -> Point,
-    asked: Mutex<Vec<Vec<f64>>>,
+    evaluations: Mutex<Vec<Vec<f64>>>,
 }
 
 impl Toy {
@@ -22,7 +22,7 @@ impl Toy {
         Self {
             abscissa,
             law,
-            asked: Mutex::new(Vec::new()),
+            evaluations: Mutex::new(Vec::new()),
         }
     }
 
@@ -41,14 +41,14 @@ impl Toy {
     }
 
     /// Every set of parameters evaluated, in order.
-    pub fn asked(&self) -> Vec<Vec<f64>> {
-        self.asked.lock().unwrap().clone()
+    pub fn evaluations(&self) -> Vec<Vec<f64>> {
+        self.evaluations.lock().unwrap().clone()
     }
 }
 
 impl ForwardModel for Toy {
     fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
-        self.asked.lock().unwrap().push(parameters.to_vec());
+        self.evaluations.lock().unwrap().push(parameters.to_vec());
         let points = self.points(parameters);
         Ok(Prediction {
             value: points.iter().map(|p| p.0).collect(),

@@ -44,7 +44,7 @@ fn ball_unknowns() -> Vec<Unknown> {
 }
 
 #[test]
-fn of_a_ball_and_a_half_space_only_the_modulus_times_the_root_of_the_radius_is_told() {
+fn a_ball_on_a_half_space_determines_only_the_modulus_times_the_root_of_the_radius() {
     let (e, r) = (5.0_f64, 2.0_f64);
     let fit = fit(hertz, &[e, r], ball_unknowns(), 0.005, ball());
     for estimate in &fit.estimates {
@@ -144,7 +144,7 @@ fn a_coating_of_known_thickness_is_identified_and_a_buried_one_is_not() {
 }
 
 #[test]
-fn a_thickness_seen_from_one_side_is_one_sided() {
+fn a_thickness_bounded_only_from_below_is_one_sided() {
     // Loads too small to feel the substrate show that the coating is not thin.
     let unknowns = vec![
         unknown("E1", [1.0, 100.0], 10.0),

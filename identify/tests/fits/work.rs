@@ -47,7 +47,7 @@ fn two_unknowns_take_at_most_twelve_predictions_to_the_best_fit() {
             "{} predictions from {start:?}",
             fit.work.search
         );
-        assert_eq!(fit.work.curves_solved, toy.asked().len());
+        assert_eq!(fit.work.curves_solved, toy.evaluations().len());
         assert!(
             fit.work.curves_solved <= 12 + 4 * 6,
             "{} in all",
@@ -77,15 +77,18 @@ fn three_unknowns_take_at_most_twenty_predictions_to_the_best_fit() {
 }
 
 #[test]
-fn no_prediction_is_asked_for_twice() {
+fn no_point_is_evaluated_twice() {
     let unknowns = vec![
         unknown("E1", [1.0, 100.0], 3.0),
         unknown("E2", [0.2, 10.0], 3.0),
     ];
     let (_, toy) = coating_fit(coating_moduli, &[10.0, 1.5], unknowns, 7);
-    let asked = toy.asked();
-    for (i, parameters) in asked.iter().enumerate() {
-        assert!(!asked[..i].contains(parameters), "{parameters:?} twice");
+    let evaluations = toy.evaluations();
+    for (i, parameters) in evaluations.iter().enumerate() {
+        assert!(
+            !evaluations[..i].contains(parameters),
+            "{parameters:?} twice"
+        );
     }
 }
 
@@ -119,7 +122,7 @@ impl ForwardModel for Limited {
 }
 
 #[test]
-fn a_search_turns_back_from_where_the_model_has_no_prediction() {
+fn a_search_retreats_where_the_model_has_no_prediction() {
     let forces = logarithmic(FORCES[0], FORCES[1], 60);
     let toy = Toy::new(forces.clone(), coating_moduli);
     let curve = noisy(

@@ -39,8 +39,8 @@ pub fn plan(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     line.finish_and_clear();
     let mut plan = match planned {
         Err(Failure::Identify(IdentifyError::Stopped { predictions })) => {
-            let told = format!("stopped after {predictions} curves solved; nothing is written");
-            terminal::tell(&told);
+            let message = format!("stopped after {predictions} curves solved; nothing is written");
+            terminal::tell(&message);
             return Ok(Outcome::Stopped);
         }
         planned => planned?,

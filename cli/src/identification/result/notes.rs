@@ -36,7 +36,7 @@ impl Identification {
             let reason = match exclusion {
                 Exclusion::Discordant { deviation, .. } => {
                     format!(
-                        "{file} disagrees with the other repeats, by {deviation:.1} standard deviations"
+                        "{file} disagrees with the other repeats by {deviation:.1} standard deviations"
                     )
                 }
                 Exclusion::Rough { factor, .. } => {
@@ -67,8 +67,8 @@ impl Identification {
             ),
             FitWarning::Jitter => warning(
                 "jitter",
-                "predictions jump about what their derivatives promise: the best fit is known to no better than a \
-                 part of a standard error"
+                "the predictions deviate from their derivatives: the best fit is known only to a fraction of a \
+                 standard error"
                     .into(),
             ),
             FitWarning::AtBound(index) => warning(
@@ -93,7 +93,9 @@ impl Identification {
                 let missing = missing.join(", ");
                 warning(
                     "stopped",
-                    format!("the fit was stopped before the profiles of {missing}: no intervals but those of the covariance"),
+                    format!(
+                        "the fit was stopped before the profiles of {missing}: their intervals are those of the covariance"
+                    ),
                 )
             }
         });

@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ends_are_those_of_the_finite_values() {
+    fn ends_ignore_values_that_are_not_finite() {
         assert_eq!(
             ends([2.0, f64::NAN, -1.0, f64::INFINITY]),
             Some([-1.0, 2.0])
@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn an_axis_holds_its_values_and_names_a_unit_that_there_is() {
+    fn an_axis_contains_its_values_and_names_its_unit_if_any() {
         let scale = DisplayUnit {
             divisor: 1e-9,
             label: "nm".into(),

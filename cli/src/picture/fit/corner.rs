@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn the_levels_hold_their_part_of_a_normal_distribution_of_two() {
+    fn the_levels_contain_their_share_of_a_bivariate_normal_distribution() {
         for (level, part) in LEVELS.into_iter().zip([0.68, 0.95]) {
             // The levels have this many digits.
             assert_relative_eq!(1.0 - (-0.5 * level).exp(), part, max_relative = 1e-6);
@@ -277,7 +277,7 @@ mod tests {
     }
 
     #[test]
-    fn samples_are_dots_and_bars() {
+    fn samples_are_drawn_as_dots_and_bars() {
         let mut with = corner(&["one", "two"]);
         let sample = |i: i32| vec![7e10 * (1.0 + 3e-3 * f64::from(i % 17)), 7e10];
         with.samples = (0..400).map(sample).collect();

@@ -246,7 +246,7 @@ impl Curves {
         let stride = self.all.iter().map(|curve| self.stride(curve)).max();
         let stride = stride.filter(|stride| *stride > 1);
         let thinned =
-            stride.map(|stride| format!("of the longest curve one point in {stride} is drawn"));
+            stride.map(|stride| format!("one point in {stride} of the longest curve is drawn"));
         let unnamed = (more > 0).then(|| format!("and {more} more curves"));
         let notes: Vec<_> = unnamed.into_iter().chain(thinned).collect();
         (!notes.is_empty()).then(|| notes.join("; "))
@@ -331,7 +331,7 @@ mod tests {
     }
 
     #[test]
-    fn thousands_of_points_are_thinned_and_said_to_be() {
+    fn thousands_of_points_are_thinned_with_a_note() {
         let few = curves(200, 0.0).draw(&Style::default()).unwrap();
         let many = curves(20_000, 0.0).draw(&Style::default()).unwrap();
         assert!(!few.contains("one point in") && many.contains("one point in 40"));
@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn decades_of_forces_have_logarithmic_axes_unless_a_depth_is_below_zero() {
+    fn forces_over_decades_get_logarithmic_axes_unless_a_depth_is_negative() {
         let is_logarithmic = |shift| {
             let drawn = curves(200, shift).draw(&Style::default());
             drawn.unwrap().contains("logarithmic axes")

@@ -193,12 +193,12 @@ impl Designs {
                 width.clamp(panel.y.from, panel.y.to),
             )
         };
-        let told: Vec<_> = points
+        let known: Vec<_> = points
             .iter()
             .filter_map(|(force, width)| Some(at(*force, (*width)?)))
             .collect();
-        svg.line(&told, line(i));
-        svg.dots(&told, 7.0, colour(i));
+        svg.line(&known, line(i));
+        svg.dots(&known, 7.0, colour(i));
         for (force, _) in points.iter().filter(|(_, width)| width.is_none()) {
             svg.circle(at(*force, panel.y.to), 5.0, colours::WHITE, colour(i));
         }
@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn every_indenter_has_its_line_and_what_is_lost_is_told() {
+    fn every_indenter_has_a_line_and_lost_unknowns_are_marked() {
         let svg = designs().draw(&Style::default()).unwrap();
         for text in [
             "R 1 µm",

@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_neither_profile_nor_covariance_has_no_panel() {
+    fn an_unknown_with_neither_profile_nor_covariance_has_no_panel() {
         let mut lost = unknown("lost", 7e10, 0.02);
         lost.profile.clear();
         lost.interval = [None, None];
@@ -268,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn levels_are_told_in_percent() {
+    fn levels_are_written_in_percent() {
         assert_eq!(percent(0.95), "95");
         assert_eq!(percent(0.999), "99.9");
     }

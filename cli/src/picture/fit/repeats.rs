@@ -176,7 +176,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_repeat_has_its_row_and_those_left_out_are_marked() {
+    fn every_repeat_has_a_row_and_excluded_ones_are_marked() {
         let repeats = RepeatsPlot {
             head: FitHeading {
                 title: "a fit".into(),

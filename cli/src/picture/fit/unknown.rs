@@ -168,7 +168,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn between_its_points_a_quadratic_profile_is_the_parabola() {
+    fn a_quadratic_profile_is_the_parabola_between_its_points() {
         let found = unknown("E", 7e9, 0.1);
         for [value, delta] in found.smooth_profile() {
             let parabola = found.parabola(value).unwrap();
@@ -178,7 +178,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn a_smooth_line_goes_through_its_nodes_and_not_beyond_them() {
+    fn a_smooth_line_passes_through_its_nodes_without_overshoot() {
         let nodes = [[0.0, -2.0], [1.0, -1.9], [1.5, 0.0], [4.0, 3.0]];
         let line = smooth_line(&nodes);
         assert!(nodes.iter().all(|node| line.contains(node)), "{line:?}");
@@ -189,7 +189,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn a_profile_goes_on_to_the_end_of_its_interval() {
+    fn a_profile_extends_to_the_end_of_its_interval() {
         let mut found = unknown("E", 7e9, 0.1);
         found.profile.truncate(4);
         let end = found.interval[1].unwrap();
@@ -200,7 +200,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn an_open_side_is_called_so() {
+    fn an_open_side_is_written_as_open() {
         let mut found = unknown("E", 7e9, 0.1);
         found.interval = [Some(6e9), None];
         assert_eq!(found.numbers(), "7.000 [6.000, open] GPa");
