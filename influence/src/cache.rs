@@ -28,7 +28,7 @@ pub use report::{CacheWarning, Cached, Origin, Usage};
 
 /// Version of the cached numbers and structs. Raise it whenever either changes: when a coefficient or a number of the
 /// radial tables may change by a single bit, because the arithmetic, tolerances or panels of this crate or of the
-/// kernel change, or when a struct gains a field. The test `the_algorithm_has_the_version_of_its_numbers` in this
+/// kernel change, or when a struct gains a field. The test `changed_numbers_need_a_new_version` in this
 /// crate's `tests/cache/contents.rs` detects most such changes.
 const VERSION: u32 = 4;
 
@@ -248,17 +248,17 @@ impl Cache {
             let (value, origin) = (compute()?, Origin::Computed);
             return Ok(Cached { value, origin });
         };
-        if let Some(value) = self.told(disk.read(&wanted.key, wanted.bytes)) {
+        if let Some(value) = self.or_warn(disk.read(&wanted.key, wanted.bytes)) {
             let origin = Origin::Disk;
             return Ok(Cached { value, origin });
         }
         let (value, origin) = (compute()?, Origin::Computed);
-        self.told(disk.write(&wanted.key, &value));
+        self.or_warn(disk.write(&wanted.key, &value));
         Ok(Cached { value, origin })
     }
 
     /// The result of a disk operation, or the default if it failed; then a warning is kept for [`Self::take_warnings`].
-    fn told<T: Default>(&self, outcome: Result<T, CacheWarning>) -> T {
+    fn or_warn<T: Default>(&self, outcome: Result<T, CacheWarning>) -> T {
         outcome.unwrap_or_else(|warning| {
             self.warnings().push(warning);
             T::default()

@@ -113,7 +113,7 @@ fn tables_of_a_shape_serve_every_size_and_stiffness() {
 }
 
 #[test]
-fn along_null_directions_no_coefficient_changes() {
+fn coefficients_are_constant_along_null_directions() {
     for foundation in foundations() {
         let body = ElasticBodies::new(foundation, Some(Material::new(5.0, 0.1).unwrap()));
         let tables = tables_of(&body);

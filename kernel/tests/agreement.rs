@@ -99,7 +99,7 @@ fn on_springs(mut check: impl FnMut(f64, Material, Interface, Material)) {
 }
 
 #[test]
-fn springs_in_the_recursion_are_springs_in_the_transformed_system() {
+fn springs_in_the_recursion_agree_with_the_transformed_system() {
     on_springs(|s, layer, interface, half_space| {
         let coating = Layer::new(1.0, layer, interface).unwrap();
         let foundation = Foundation::new(vec![coating], Base::HalfSpace(half_space)).unwrap();

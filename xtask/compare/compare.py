@@ -70,7 +70,7 @@ COLUMNS = (
 TEXTS = ("case", "program", "version")
 
 
-def tell(line):
+def report(line):
     print(line, file=sys.stderr, flush=True)
 
 
@@ -79,7 +79,7 @@ def complaint(log):
     lines = [line.strip() for line in log.splitlines() if line.strip()]
     fatal = [line for line in lines if "fatal error" in line.lower()][:1]
     errors = [line for line in lines if "error" in line.lower()][-1:]
-    return (fatal + errors + lines[-1:] + ["it said nothing"])[0]
+    return (fatal + errors + lines[-1:] + ["no output"])[0]
 
 
 def environment(folder, name):
@@ -90,7 +90,7 @@ def environment(folder, name):
     mark = place / "requirements.json"
     if mark.exists() and mark.read_text() == wanted:
         return inside, None
-    tell(f"installing {name}")
+    report(f"installing {name}")
     commands = [[sys.executable, "-m", "venv", "--clear", str(place)]]
     commands += [[str(inside), "-m", "pip", "install", "--no-input", *arguments] for arguments in REQUIREMENTS[name]]
     for command in commands:
@@ -133,11 +133,11 @@ class Lane:
         self.spent += time.perf_counter() - start
         if done is not None and done.returncode == 0:
             self.runs.append(json.loads(done.stdout.splitlines()[-1]))
-            tell(f"  {self.name} at {self.tolerance:g}: {seconds(self.runs[-1]):.3f} s")
+            report(f"  {self.name} at {self.tolerance:g}: {seconds(self.runs[-1]):.3f} s")
             return self.runs[-1]
         # A failed later run does not discard the earlier good ones.
         self.ended = f"stopped after {self.spent:.0f} s" if done is None else f"failed: {complaint(done.stderr)}"
-        tell(f"  {self.name} at {self.tolerance:g}: {self.ended}")
+        report(f"  {self.name} at {self.tolerance:g}: {self.ended}")
         return None
 
 
@@ -279,7 +279,7 @@ def main():
         workshop[name] = ([str(python), "-B", *driver] if python else None, reason and "missing")
         if reason:
             missing[name] = reason
-            tell(f"{name} is missing: {reason}")
+            report(f"{name} is missing: {reason}")
     if workshop["the-certificate"][0] is None:
         sys.exit("the certificate needs numpy and scipy")
 
@@ -289,7 +289,7 @@ def main():
             if n < SMALLEST.get(kind(case), 0):
                 continue
             for threads in arguments.threads:
-                tell(f"{case}, n = {n}, {threads} threads")
+                report(f"{case}, n = {n}, {threads} threads")
                 problem = posed(case, n, threads, workshop["the-certificate"][0], arguments.out)
                 rows += contest(problem, workshop, arguments)
                 write(rows, missing, arguments.out)

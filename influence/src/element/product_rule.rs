@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn soft_layers_ask_for_more_points() {
+    fn soft_layers_get_more_points() {
         for offset in [[6, 0], [12, 3], [40, 40], [200, 0]] {
             let soft = count(Borders::new(1e-6), offset).unwrap_or(1000);
             assert!(soft > count(Borders::HOMOGENEOUS, offset).unwrap_or(1000));

@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn the_usual_borders_are_left_where_they_are() {
+    fn the_usual_borders_are_not_moved() {
         let mut functions = functions(&[[1.0, 10.0, 0.3]], [1.0, 0.3]);
         let borders = *functions.borders();
         fit_borders(&mut functions);
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn around_a_buried_soft_layer_the_borders_are_put_further_out() {
+    fn a_buried_soft_layer_moves_the_borders_outward() {
         let layers = [
             [0.52, 1.4, 0.14],
             [0.25, 0.83, 0.25],

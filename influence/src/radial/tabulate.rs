@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn the_area_grows_as_the_function_below_it() {
+    fn the_derivative_of_the_area_is_the_function() {
         for functions in [coated(0.1), coated(10.0)] {
             for t in radii(&functions) {
                 let step = 1e-4 * t;

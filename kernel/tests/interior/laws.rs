@@ -24,7 +24,7 @@ fn the_surface_carries_the_loads_and_moves_by_the_compliance() {
 }
 
 #[test]
-fn what_pressure_moves_along_traction_lifts() {
+fn horizontal_and_vertical_cross_displacements_are_reciprocal() {
     for foundation in foundations() {
         for k in WAVENUMBERS {
             let surface = foundation.interior(k).unwrap().at(0.0, Side::Below);
@@ -216,7 +216,7 @@ impl Meeting {
 }
 
 #[test]
-fn an_interface_has_two_sides() {
+fn stress_may_jump_at_an_interface() {
     let foundation = Foundation::coated(0.5, material(10.0, 0.3), material(1.0, 0.4)).unwrap();
     let interior = foundation.interior(2.0).unwrap();
     let stress = |depth, side| interior.at(depth, side).normal.longitudinal_stress;

@@ -34,7 +34,7 @@ pub(super) fn named_tests_exist(tree: &Tree) -> Vec<Violation> {
         .collect();
     let mut found = Vec::new();
     for page in PROMISES {
-        for (number, name) in promised(tree.text(page).unwrap_or("")) {
+        for (number, name) in named_as_tests(tree.text(page).unwrap_or("")) {
             if !tests.contains(name) {
                 let message = format!("there is no test `{name}`");
                 found.push(Violation::new(page, Some(number), message));
@@ -64,8 +64,8 @@ fn tests(text: &str) -> Vec<&str> {
     found
 }
 
-/// The names in backquotes that a page promises as tests, with their lines.
-fn promised(page: &str) -> Vec<(usize, &str)> {
+/// The names in backquotes that a page gives as tests, with their lines.
+fn named_as_tests(page: &str) -> Vec<(usize, &str)> {
     let (mut found, mut is_table, mut holds_tests) = (Vec::new(), false, false);
     for (number, line) in prose(page) {
         let cell = line

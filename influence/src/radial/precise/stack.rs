@@ -270,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn the_recursion_in_32_digits_is_the_kernels() {
+    fn the_recursion_in_32_digits_agrees_with_the_kernel() {
         for (interface, base) in [
             (Interface::Bonded, Base::Rigid),
             (Interface::Frictionless, Base::Rigid),
