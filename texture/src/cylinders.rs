@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_without_meaning_are_refused_by_name() {
+    fn invalid_numbers_are_refused_by_name() {
         let refused = |spec| Cylinders::new(spec).unwrap_err();
         let not_positive = |quantity, found| TextureError::NotPositive { quantity, found };
         assert_eq!(

@@ -47,7 +47,7 @@ pub fn fitted_exponent(peaks: &[(usize, f64)]) -> f64 {
 }
 
 #[test]
-fn a_number_reads_as_its_own_digits_and_as_no_others() {
+fn a_number_is_compared_by_its_printed_digits() {
     for (found, written) in [
         (0.011_084_9, "1.11 %"),
         (1.0, "100 %"),

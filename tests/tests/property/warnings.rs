@@ -51,7 +51,7 @@ fn assert_told_apart(code: &str, case: &[&str], neighbour: &[&str]) {
 }
 
 #[test]
-fn a_plain_contact_warns_of_nothing() {
+fn a_plain_contact_gives_no_warning() {
     let found = codes(&bare(paraboloid(1.0)), SIDE, ELEMENTS);
     assert!(found.is_empty(), "{found:?}");
 }

@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn links_to_no_file_no_heading_and_out_of_the_tree_are_found() {
+    fn links_to_missing_files_missing_headings_and_outside_the_tree_are_found() {
         let found = links("# Here\n\n![a](images/none.png)\n");
         assert_eq!(
             found,
