@@ -119,8 +119,8 @@ fn coefficients_are_constant_along_null_directions() {
         let tables = tables_of(&body);
         let directions = body.null_directions();
         let is_homogeneous = body.foundation().layers().is_empty();
-        let is_held = body.foundation().base() == Base::Rigid;
-        let wanted = 2 + usize::from(is_homogeneous) - usize::from(is_held);
+        let is_rigid = body.foundation().base() == Base::Rigid;
+        let wanted = 2 + usize::from(is_homogeneous) - usize::from(is_rigid);
         assert_eq!(directions.len(), wanted);
         for direction in directions {
             let terms = direction.into_iter();

@@ -56,8 +56,8 @@ impl Borders {
     /// The rule for an element `offset` elements away; `None` if that is too near for any.
     pub(crate) fn rule(&self, offset: [usize; 2]) -> Option<&'static ProductRule> {
         let distance = offset[0].max(offset[1]);
-        let held = self.0.iter().take_while(|border| **border <= distance);
-        LINES.get(held.count().checked_sub(1)?)
+        let passed = self.0.iter().take_while(|border| **border <= distance);
+        LINES.get(passed.count().checked_sub(1)?)
     }
 
     /// Each rule at its border.
