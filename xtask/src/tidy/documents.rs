@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// Pages that name tests, in a table's last column headed `test` or on a separate line.
-const PROMISES: [&str; 2] = ["docs/evidence.md", "docs/claims.md"];
+const PAGES: [&str; 2] = ["docs/evidence.md", "docs/claims.md"];
 
 /// Every relative link in a `.md` file without a target file or heading. Links to other sites are not followed.
 pub(super) fn links_resolve(tree: &Tree) -> Vec<Violation> {
@@ -33,7 +33,7 @@ pub(super) fn named_tests_exist(tree: &Tree) -> Vec<Violation> {
         .flat_map(|(_, text)| tests(text))
         .collect();
     let mut found = Vec::new();
-    for page in PROMISES {
+    for page in PAGES {
         for (number, name) in named_as_tests(tree.text(page).unwrap_or("")) {
             if !tests.contains(name) {
                 let message = format!("there is no test `{name}`");
@@ -212,8 +212,8 @@ mod tests {
                     | what | where |\n|---|---|\n| x | `a/tests` |\n";
         let claims = "# A claim\n\n`two_is_one`\n\n`one_is_one`\n";
         let files = [
-            (PROMISES[0], page),
-            (PROMISES[1], claims),
+            (PAGES[0], page),
+            (PAGES[1], claims),
             ("a/tests/b.rs", source),
         ];
         let wanted = [
