@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn every_number_is_listed_read_and_replaced_alone() {
+    fn every_parameter_is_listed_read_and_replaced_independently() {
         let body = foundation();
         let all = body.parameters();
         let values: Vec<f64> = all.iter().map(|of| body.parameter(*of).unwrap()).collect();

@@ -195,7 +195,7 @@ fn the_compliance_is_constant_along_null_directions() {
 }
 
 #[test]
-fn along_a_scaling_the_compliance_scales() {
+fn the_compliance_is_inversely_proportional_to_the_moduli() {
     for foundation in foundations() {
         for k in wavenumbers() {
             // C is inversely proportional to the moduli.

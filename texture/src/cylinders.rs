@@ -190,7 +190,7 @@ mod tests {
     };
 
     #[test]
-    fn a_cylinder_stands_on_its_offset() {
+    fn a_cylinder_is_centred_on_the_offset() {
         let cylinders = Cylinders::new(CylinderSpec {
             offset: [1e-3, -2e-3],
             ..SPEC

@@ -50,7 +50,7 @@ fn text<'a>(files: &'a BTreeMap<String, Vec<u8>>, name: &str) -> &'a str {
 }
 
 #[test]
-fn a_figure_is_drawing_pixels_and_table_with_its_certificate() {
+fn a_figure_consists_of_svg_png_and_csv_with_its_certificate() {
     let results = tempfile::tempdir().unwrap();
     let files = drawn(Figure::Six, &results, "first");
     let names: Vec<_> = files.keys().map(String::as_str).collect();

@@ -129,7 +129,7 @@ fn check_in_plane(
 }
 
 #[test]
-fn interfaces_transmit_what_they_should() {
+fn interfaces_transmit_tractions_and_displacements_by_their_kind() {
     for foundation in foundations() {
         for k in WAVENUMBERS {
             let interior = foundation.interior(k).unwrap();

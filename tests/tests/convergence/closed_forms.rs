@@ -41,7 +41,7 @@ fn of_pressure(pressure: impl Fn(f64) -> f64) -> impl Fn(&LoadingPath) -> f64 {
 }
 
 #[test]
-fn hertzs_penetration_converges_with_order_two_and_his_pressure_with_order_one() {
+fn hertzs_penetration_converges_with_order_two_and_the_pressure_with_order_one() {
     let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
     let load = Load::Force(hertz.force);
     let found = errors(
