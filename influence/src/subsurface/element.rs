@@ -117,7 +117,7 @@ impl ElementFields {
         let sum = |states: &mut dyn Iterator<Item = SubsurfaceState>| {
             states.fold(SubsurfaceState::default(), Add::add)
         };
-        let parts = loaded.par_chunks(SUMMED);
+        let parts = loaded.par_chunks(ELEMENTS_PER_TASK);
         let parts: Vec<_> = parts
             .map(|part| sum(&mut part.iter().map(of_element)))
             .collect();
@@ -130,7 +130,7 @@ impl ElementFields {
 }
 
 /// Number of elements that one task sums over.
-const SUMMED: usize = 512;
+const ELEMENTS_PER_TASK: usize = 512;
 
 /// Fields of one element at many depths.
 ///

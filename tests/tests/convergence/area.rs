@@ -83,8 +83,7 @@ fn the_counted_area_of_circles_is_too_large_by_a_fraction_of_the_perimeter() {
 
 /// The truth comes from counting alone: its error is of first order, so two grids are extrapolated.
 #[test]
-fn on_a_rough_contact_the_area_within_the_edge_is_more_accurate_than_the_corrected_area_and_that_than_the_counted_area()
- {
+fn on_a_rough_contact_edge_corrected_and_counted_areas_are_accurate_in_this_order() {
     let surface = repeated(&samples(11));
     let areas = [256, 512].map(|elements| {
         let step = solve(surface.clone(), Domain::Periodic(1.0), elements, 0.03);

@@ -29,8 +29,8 @@ fn rows() -> Vec<ErrorBars> {
 }
 
 #[test]
-fn nineteen_of_twenty_error_bars_contain_the_truth_and_their_median_is_at_most_eight_times_the_error()
- {
+fn nineteen_of_twenty_error_bars_contain_the_truth_and_their_median_width_is_at_most_eight_errors()
+{
     let rows = rows();
     let (within, width) = coverage(&rows);
     assert!(within >= 0.95 && width <= 8.0, "{within} {width}");
