@@ -137,13 +137,13 @@ impl Cache {
         }
         let shape = self.0.by_shape.then(|| shape::of(foundation)).transpose()?;
         let tabulated = shape.as_ref().unwrap_or(foundation);
-        let wanted = Wanted {
+        let request = Request {
             key: key("radial tables", tabulated),
             bytes: LARGEST_TABLES,
             is_immediate: false,
         };
         let compute = || accurate_functions(tabulated);
-        let functions = self.get(&self.0.functions, &wanted, compute)?;
+        let functions = self.get(&self.0.functions, &request, compute)?;
         Ok(functions.map(|functions| tables(Some(functions))))
     }
 
@@ -179,12 +179,12 @@ impl Cache {
             return Ok(Cached { value, origin });
         }
         let grid = format!("coefficients, {size} elements of {element_side:?}");
-        let wanted = Wanted {
+        let request = Request {
             key: key(&grid, tables.bodies()),
             bytes,
             is_immediate: size < self.0.smallest,
         };
-        self.get(&self.0.coefficients, &wanted, compute)
+        self.get(&self.0.coefficients, &request, compute)
     }
 
     /// The folder on disk, if there is one.
@@ -223,24 +223,24 @@ impl Cache {
     fn get<T: Serialize + DeserializeOwned>(
         &self,
         memory: &Memory<T>,
-        wanted: &Wanted,
+        request: &Request,
         compute: impl FnOnce() -> Result<T, InfluenceError>,
     ) -> Result<Cached<Arc<T>>, InfluenceError> {
-        if let Some(value) = memory.get(&wanted.key) {
+        if let Some(value) = memory.get(&request.key) {
             let origin = Origin::Memory;
             return Ok(Cached { value, origin });
         }
-        let found = self.read_or_compute(wanted, compute)?.map(Arc::new);
-        memory.insert(wanted.key, &found.value, wanted.bytes);
+        let found = self.read_or_compute(request, compute)?.map(Arc::new);
+        memory.insert(request.key, &found.value, request.bytes);
         Ok(found)
     }
 
     fn read_or_compute<T: Serialize + DeserializeOwned>(
         &self,
-        wanted: &Wanted,
+        request: &Request,
         compute: impl FnOnce() -> Result<T, InfluenceError>,
     ) -> Result<Cached<T>, InfluenceError> {
-        if wanted.is_immediate {
+        if request.is_immediate {
             let (value, origin) = (compute()?, Origin::Immediate);
             return Ok(Cached { value, origin });
         }
@@ -248,12 +248,12 @@ impl Cache {
             let (value, origin) = (compute()?, Origin::Computed);
             return Ok(Cached { value, origin });
         };
-        if let Some(value) = self.or_warn(disk.read(&wanted.key, wanted.bytes)) {
+        if let Some(value) = self.or_warn(disk.read(&request.key, request.bytes)) {
             let origin = Origin::Disk;
             return Ok(Cached { value, origin });
         }
         let (value, origin) = (compute()?, Origin::Computed);
-        self.or_warn(disk.write(&wanted.key, &value));
+        self.or_warn(disk.write(&request.key, &value));
         Ok(Cached { value, origin })
     }
 
@@ -272,7 +272,7 @@ impl Cache {
 }
 
 /// Data that may be cached.
-struct Wanted {
+struct Request {
     key: Hash,
     /// Their size in bytes, or a bound.
     bytes: usize,

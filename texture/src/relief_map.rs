@@ -19,7 +19,7 @@ pub enum MapCompliance {
 /// A measured relief: a compliance and a height map whose highest point is level with the plane of the tops.
 ///
 /// Outside the map's rectangle the height at its rim continues outwards, so a domain may be larger than the measured
-/// area; [`ReliefMap::covers`] tells whether the map covers a grid.
+/// area; [`ReliefMap::covers`] says whether the map covers a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReliefMap {
     map: HeightMap,
