@@ -28,7 +28,7 @@ pub use report::{CacheWarning, Cached, Origin, Usage};
 
 /// Version of the cached numbers and structs. Raise it whenever either changes: when a coefficient or a number of the
 /// radial tables may change by a single bit, because the arithmetic, tolerances or panels of this crate or of the
-/// kernel change, or when a struct gains a field. The test `the_algorithm_has_the_version_of_its_numbers` in this
+/// kernel change, or when a struct gains a field. The test `changed_numbers_need_a_new_version` in this
 /// crate's `tests/cache/contents.rs` detects most such changes.
 const VERSION: u32 = 4;
 
@@ -137,13 +137,13 @@ impl Cache {
         }
         let shape = self.0.by_shape.then(|| shape::of(foundation)).transpose()?;
         let tabulated = shape.as_ref().unwrap_or(foundation);
-        let wanted = Wanted {
+        let request = Request {
             key: key("radial tables", tabulated),
             bytes: LARGEST_TABLES,
             is_immediate: false,
         };
         let compute = || accurate_functions(tabulated);
-        let functions = self.get(&self.0.functions, &wanted, compute)?;
+        let functions = self.get(&self.0.functions, &request, compute)?;
         Ok(functions.map(|functions| tables(Some(functions))))
     }
 
@@ -179,12 +179,12 @@ impl Cache {
             return Ok(Cached { value, origin });
         }
         let grid = format!("coefficients, {size} elements of {element_side:?}");
-        let wanted = Wanted {
+        let request = Request {
             key: key(&grid, tables.bodies()),
             bytes,
             is_immediate: size < self.0.smallest,
         };
-        self.get(&self.0.coefficients, &wanted, compute)
+        self.get(&self.0.coefficients, &request, compute)
     }
 
     /// The folder on disk, if there is one.
@@ -223,24 +223,24 @@ impl Cache {
     fn get<T: Serialize + DeserializeOwned>(
         &self,
         memory: &Memory<T>,
-        wanted: &Wanted,
+        request: &Request,
         compute: impl FnOnce() -> Result<T, InfluenceError>,
     ) -> Result<Cached<Arc<T>>, InfluenceError> {
-        if let Some(value) = memory.get(&wanted.key) {
+        if let Some(value) = memory.get(&request.key) {
             let origin = Origin::Memory;
             return Ok(Cached { value, origin });
         }
-        let found = self.read_or_compute(wanted, compute)?.map(Arc::new);
-        memory.insert(wanted.key, &found.value, wanted.bytes);
+        let found = self.read_or_compute(request, compute)?.map(Arc::new);
+        memory.insert(request.key, &found.value, request.bytes);
         Ok(found)
     }
 
     fn read_or_compute<T: Serialize + DeserializeOwned>(
         &self,
-        wanted: &Wanted,
+        request: &Request,
         compute: impl FnOnce() -> Result<T, InfluenceError>,
     ) -> Result<Cached<T>, InfluenceError> {
-        if wanted.is_immediate {
+        if request.is_immediate {
             let (value, origin) = (compute()?, Origin::Immediate);
             return Ok(Cached { value, origin });
         }
@@ -248,17 +248,17 @@ impl Cache {
             let (value, origin) = (compute()?, Origin::Computed);
             return Ok(Cached { value, origin });
         };
-        if let Some(value) = self.told(disk.read(&wanted.key, wanted.bytes)) {
+        if let Some(value) = self.or_warn(disk.read(&request.key, request.bytes)) {
             let origin = Origin::Disk;
             return Ok(Cached { value, origin });
         }
         let (value, origin) = (compute()?, Origin::Computed);
-        self.told(disk.write(&wanted.key, &value));
+        self.or_warn(disk.write(&request.key, &value));
         Ok(Cached { value, origin })
     }
 
     /// The result of a disk operation, or the default if it failed; then a warning is kept for [`Self::take_warnings`].
-    fn told<T: Default>(&self, outcome: Result<T, CacheWarning>) -> T {
+    fn or_warn<T: Default>(&self, outcome: Result<T, CacheWarning>) -> T {
         outcome.unwrap_or_else(|warning| {
             self.warnings().push(warning);
             T::default()
@@ -272,7 +272,7 @@ impl Cache {
 }
 
 /// Data that may be cached.
-struct Wanted {
+struct Request {
     key: Hash,
     /// Their size in bytes, or a bound.
     bytes: usize,

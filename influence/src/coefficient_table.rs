@@ -186,7 +186,7 @@ mod tests {
     use crate::error::InfluenceError;
 
     #[test]
-    fn every_offset_is_asked_once_and_found_again() {
+    fn every_offset_is_computed_once_and_found_in_the_table() {
         let table = CoefficientTable::from_fn(1.0, 7, |[m, n]| (10 * m + n) as f64).unwrap();
         for m in 0..7 {
             for n in 0..7 {
@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn coefficients_side_by_side_are_those_of_their_offsets() {
+    fn adjacent_coefficients_are_those_of_their_offsets() {
         let table = CoefficientTable::from_fn(1.0, 7, |[m, n]| (10 * m + n + 1) as f64).unwrap();
         for (first, offset) in (0..9).flat_map(|first| (0..7).map(move |n| (first, n))) {
             let found: [f64; 3] = table.side_by_side(first, offset);
@@ -213,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn the_least_from_an_offset_on_is_that_of_all_beyond() {
+    fn the_minimum_from_an_offset_on_covers_all_larger_offsets() {
         let size = 150;
         let kernel =
             |[m, n]: [usize; 2]| (1.0 + 0.7 * m as f64 + 1.3 * n as f64).sin() / (1 + m) as f64;
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn nonsense_is_refused_with_its_numbers() {
+    fn invalid_sides_and_sizes_are_refused_with_their_values() {
         let build = |side, size| CoefficientTable::from_fn(side, size, |_| 1.0);
         assert!(matches!(
             build(-1.0, 4),

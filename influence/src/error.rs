@@ -80,7 +80,7 @@ pub enum InfluenceError {
     },
     /// The direct quadrature of a coefficient oscillates too often to be affordable.
     #[error(
-        "found {found} oscillations in the direct quadrature of this coefficient, wanted at most {largest}; radial tables have no such limit"
+        "found {found} oscillations in the direct quadrature of this coefficient, wanted at most {largest}: use radial tables instead"
     )]
     TooManyOscillations {
         /// Oscillations of the integrand in each of two directions.
@@ -90,7 +90,7 @@ pub enum InfluenceError {
     },
     /// The total thickness of the layers is too large for that of the top one.
     #[error(
-        "found layers {found:e} times as thick together as the top one, wanted at most {largest:e} times for radial tables"
+        "found a total thickness of {found:e} times that of the top layer, wanted at most {largest:e} for radial tables"
     )]
     LayerThicknesses {
         /// Thickness of all layers over that of the top one.

@@ -7,7 +7,7 @@ use crate::numerics::chebyshev::{ChebyshevTransform, nodes, sum, tail, taylor};
 use crate::numerics::chebyshev_panels::ChebyshevPanels;
 
 /// Beyond this wavenumber, in units of 1/thickness of the top layer, `|Φ−1|` is below 4s² e^{−2s} = 3e-18.
-const NOTHING_BELOW: f64 = 24.0;
+const NEGLIGIBLE_BEYOND: f64 = 24.0;
 
 /// Terms of the polynomial for Φ at small wavenumbers.
 const LOW_TERMS: usize = 16;
@@ -59,10 +59,10 @@ impl ResponseTable {
             .layers()
             .first()
             .map_or(thickness, pellicle_kernel::Layer::thickness);
-        let end = if thickness < f64::MAX / NOTHING_BELOW {
-            NOTHING_BELOW * thickness / top
+        let end = if thickness < f64::MAX / NEGLIGIBLE_BEYOND {
+            NEGLIGIBLE_BEYOND * thickness / top
         } else {
-            NOTHING_BELOW * (thickness / top)
+            NEGLIGIBLE_BEYOND * (thickness / top)
         };
         let (low, reach) = low_polynomial(&response, limit, tolerance);
         let ends = [(reach / 2.0).ln(), end.ln()];

@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn the_whole_stays_as_it_is() {
+    fn the_whole_grid_is_not_cut() {
         let field: Vec<f64> = (0..9).map(f64::from).collect();
         let whole = SectorGrid::whole(3);
         assert_eq!(whole.cut(&field), field);

@@ -87,7 +87,7 @@ fn quadrature_and_tables_agree_on_a_rigid_base() {
 }
 
 #[test]
-fn quadrature_of_a_very_thin_layer_is_refused_not_endless() {
+fn quadrature_of_a_very_thin_layer_is_refused_rather_than_endless() {
     let outcome = direct::coefficient(&coated(10.0, 0.3, 0.3), 2000.0, [3, 0]);
     assert!(matches!(
         outcome,
@@ -113,7 +113,7 @@ fn a_homogeneous_body_has_loves_coefficients_to_the_bit() {
 }
 
 #[test]
-fn a_thick_coating_is_all_that_small_elements_feel() {
+fn small_elements_on_a_thick_coating_do_not_feel_the_substrate() {
     let foundation = coated(10.0, 0.3, 0.4);
     let tables = RadialTables::build(&foundation).unwrap();
     let ratio = tables.coefficient(2e-6, [0, 0])
@@ -123,7 +123,7 @@ fn a_thick_coating_is_all_that_small_elements_feel() {
 }
 
 #[test]
-fn a_thin_coating_is_hardly_felt_far_away() {
+fn a_thin_coating_has_little_effect_far_away() {
     let foundation = coated(10.0, 0.3, 0.4);
     let tables = RadialTables::build(&foundation).unwrap();
     let substrate = material(0.1, 0.4);
@@ -135,7 +135,7 @@ fn a_thin_coating_is_hardly_felt_far_away() {
 }
 
 #[test]
-fn displacement_dies_out_on_a_rigid_base() {
+fn displacement_decays_to_zero_on_a_rigid_base() {
     let tables = RadialTables::build(&on_rigid_base(0.3)).unwrap();
     let own = tables.coefficient(1.0, [0, 0]);
     assert!(own > 0.0);
@@ -298,7 +298,7 @@ fn impossible_thicknesses_end_in_an_error_or_in_finite_coefficients() {
 }
 
 #[test]
-fn what_is_wrong_on_purpose_counts_as_an_error() {
+fn a_perturbation_counts_as_an_error() {
     let tables = RadialTables::build(&coated(10.0, 0.3, 0.4)).unwrap();
     let wrong = tables.perturbed(-1e-6).error_estimate();
     // Both errors together.

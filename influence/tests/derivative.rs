@@ -113,14 +113,14 @@ fn tables_of_a_shape_serve_every_size_and_stiffness() {
 }
 
 #[test]
-fn along_null_directions_no_coefficient_changes() {
+fn coefficients_are_constant_along_null_directions() {
     for foundation in foundations() {
         let body = ElasticBodies::new(foundation, Some(Material::new(5.0, 0.1).unwrap()));
         let tables = tables_of(&body);
         let directions = body.null_directions();
         let is_homogeneous = body.foundation().layers().is_empty();
-        let is_held = body.foundation().base() == Base::Rigid;
-        let wanted = 2 + usize::from(is_homogeneous) - usize::from(is_held);
+        let is_rigid = body.foundation().base() == Base::Rigid;
+        let wanted = 2 + usize::from(is_homogeneous) - usize::from(is_rigid);
         assert_eq!(directions.len(), wanted);
         for direction in directions {
             let terms = direction.into_iter();

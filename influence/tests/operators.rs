@@ -63,7 +63,7 @@ fn unfolded(quadrant: &[f64], size: usize) -> Vec<f64> {
 }
 
 #[test]
-fn a_quadrant_moves_as_the_whole_surface_does() {
+fn a_quadrant_is_displaced_like_the_whole_surface() {
     for size in [1, 2, 3, 5, 8, 9, 31, 64] {
         let table = steel_table(2 * size);
         for loaded in [1, size.div_ceil(3), size.div_ceil(2), size] {
@@ -101,7 +101,7 @@ fn a_quadrant_moves_as_the_whole_surface_does() {
 }
 
 #[test]
-fn a_half_moves_as_the_whole_surface_does() {
+fn a_half_is_displaced_like_the_whole_surface() {
     let unfolded = |half: &[f64], size: usize| -> Vec<f64> {
         let along = |j: usize| if j < size { size - 1 - j } else { j - size };
         let elements = 0..4 * size * size;
@@ -145,7 +145,7 @@ fn a_half_moves_as_the_whole_surface_does() {
 }
 
 #[test]
-fn under_a_window_the_grid_moves_as_under_the_whole_pressure() {
+fn a_window_gives_the_displacement_of_the_whole_pressure() {
     // In the middle, at two borders, at a corner, one element, all.
     for (size, origin, part) in [
         (40, [12, 14], 15),
@@ -195,7 +195,7 @@ fn a_window_beyond_the_grid_is_no_window() {
 }
 
 #[test]
-fn a_second_product_does_not_remember_the_first() {
+fn a_second_product_is_independent_of_the_first() {
     let table = steel_table(20);
     let mut operator = ConvolutionOperator::new(&table);
     let pressure = scattered(400);

@@ -63,8 +63,8 @@ impl Foundation {
             .peekable();
         let mut constant = 0.0;
         while let Some(group) = groups.next() {
-            let held = groups.peek().is_none() && is_bonded_below(group);
-            let strain = if held {
+            let is_bonded = groups.peek().is_none() && is_bonded_below(group);
+            let strain = if is_bonded {
                 base_strain
             } else {
                 free_strain(group)
@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn a_homogeneous_half_space_has_no_layer_to_be_short_in() {
+    fn a_homogeneous_half_space_has_no_limit_of_short_waves() {
         let half_space = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
         assert_eq!(half_space.short_waves(), None);
         // C = A/k exactly
@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn a_layer_of_the_bases_own_material_adds_nothing_to_a_long_wave() {
+    fn a_layer_of_the_base_material_adds_nothing_to_the_limit_of_long_waves() {
         let material = Material::new(3.0, 0.2).unwrap();
         let layer = Layer::new(2.0, material, Interface::Bonded).unwrap();
         let long = Foundation::new(vec![layer], Base::HalfSpace(material))
@@ -295,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn a_film_that_slides_on_a_rigid_base_has_its_short_waves_in_closed_form() {
+    fn a_film_sliding_on_a_rigid_base_has_a_closed_form_for_short_waves() {
         let film = layer(0.5, 3.0, 0.3, Interface::Frictionless);
         let foundation = Foundation::new(vec![film], Base::Rigid).unwrap();
         // Φ = (1 − θ)²/(1 − θ² + 4 s θ), θ = e^{−2s}: Φ − 1 → −θ (2 + 4 s)

@@ -41,7 +41,7 @@ impl Foundation {
     ///
     /// let (coating, base) = (Material::new(100e9, 0.25)?, Material::new(10e9, 0.3)?);
     /// let coated = Foundation::coated(0.5e-6, coating, base)?;
-    /// // Four elastic constants, of which C(k) tells three numbers.
+    /// // Four elastic constants, of which C(k) determines three numbers.
     /// assert_eq!(coated.null_directions().len(), 1);
     /// # Ok::<(), pellicle_kernel::KernelError>(())
     /// ```

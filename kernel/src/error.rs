@@ -39,9 +39,7 @@ pub enum KernelError {
         found: f64,
     },
     /// The total thickness of all layers overflows.
-    #[error(
-        "found {found} for the thickness of all {layers} layers together, wanted a finite number"
-    )]
+    #[error("found {found} for the total thickness of {layers} layers, wanted a finite number")]
     TotalThickness {
         /// Number of layers.
         layers: usize,
@@ -50,7 +48,7 @@ pub enum KernelError {
     },
     /// The moduli of two adjacent bodies differ too much to compute with their ratio.
     #[error(
-        "found {found:e} for the ratio of the moduli of layer {layer} and of what lies below it, \
+        "found {found:e} for the ratio of the shear modulus of layer {layer} to that of the body below it, \
          wanted {smallest:e} to {largest:e}"
     )]
     ModulusRatio {
@@ -89,7 +87,7 @@ pub enum KernelError {
     },
     /// A parameter of a body that does not exist or does not have this parameter.
     #[error(
-        "found body {found}, which has no such number, wanted a layer (0 to {layers}, exclusive) or the elastic half-space below"
+        "found body {found}, which does not have this parameter, wanted a layer (0 to {layers}, exclusive) or the elastic half-space below"
     )]
     NoBody {
         /// The requested body, from 0 at the surface.

@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn layers_that_add_up_to_infinity_are_refused() {
+    fn an_infinite_total_thickness_is_refused() {
         let layer = Layer::new(f64::MAX, material(1.0, 0.3), Interface::Bonded).unwrap();
         let refused = Foundation::new(vec![layer; 2], Base::Rigid);
         let found = f64::INFINITY;
@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn neighbours_beyond_any_material_are_refused_with_their_ratio() {
+    fn adjacent_layers_of_extreme_modulus_ratio_are_refused_with_that_ratio() {
         let refused = Foundation::coated(1.0, material(1e40, 0.3), material(1.0, 0.3));
         let Err(KernelError::ModulusRatio {
             layer,
@@ -268,7 +268,7 @@ mod tests {
     }
 
     #[test]
-    fn the_shortest_waves_see_the_surface_alone() {
+    fn the_shortest_waves_depend_on_the_surface_material_alone() {
         let coated = Foundation::coated(1.0, material(1e6, 0.5), material(1.0, 0.0)).unwrap();
         for k in [1e6, 1e300, f64::INFINITY] {
             // One rounding each of numerator and denominator.
@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn the_longest_waves_see_the_base_alone() {
+    fn the_longest_waves_depend_on_the_base_alone() {
         let (coating, base) = (material(10.0, 0.3), material(1.0, 0.4));
         let coated = Foundation::coated(1.0, coating, base).unwrap();
         // χ (1 − ν₂²) / (1 − ν₁²), a few roundings
@@ -290,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn the_longest_waves_on_a_rigid_base_see_springs() {
+    fn the_longest_waves_on_a_rigid_base_are_those_of_springs() {
         let layer = Layer::new(2.0, material(3.0, 0.25), Interface::Bonded).unwrap();
         let foundation = Foundation::new(vec![layer], Base::Rigid).unwrap();
         assert!(foundation.response(0.0).abs() <= 0.0);

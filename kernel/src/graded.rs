@@ -381,14 +381,14 @@ mod tests {
     }
 
     #[test]
-    fn halves_err_by_half_of_what_all_changes_add_up_to_at_the_worst_wavenumber() {
+    fn the_error_of_halving_is_half_the_summed_changes_at_the_worst_wavenumber() {
         let changes = [vec![1.0, -2.0, 0.0], vec![3.0, 4.0, 1.0]];
         assert!((error_of_halves(&changes) - 3.0).abs() <= 0.0);
         assert!(error_of_halves(&[vec![f64::NAN, 1.0], vec![0.0, 1.0]]).is_nan());
     }
 
     #[test]
-    fn a_profile_that_fails_is_reported() {
+    fn an_error_in_the_profile_is_returned() {
         let layer = GradedLayer::new(1.0, Interface::Bonded, |z| {
             Material::new(1.0 - 2.0 * z, 0.3)
         })

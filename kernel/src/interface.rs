@@ -94,7 +94,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_spring_without_compliance_or_without_shear_is_one_of_the_plain_interfaces() {
+    fn limiting_spring_compliances_give_the_plain_interfaces() {
         assert_eq!(Interface::spring(0.0, 0.0), Ok(Interface::Bonded));
         assert_eq!(Interface::spring(-0.0, -0.0), Ok(Interface::Bonded));
         let sliding = Interface::spring(0.0, f64::INFINITY);
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn compliances_that_would_push_or_let_go_are_refused_with_their_number() {
+    fn negative_and_infinite_compliances_are_refused_with_their_value() {
         for found in [-1.0, f64::INFINITY] {
             let refused = Interface::spring(found, 0.0);
             assert_eq!(refused, Err(KernelError::NormalCompliance { found }));

@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_layer_without_thickness_is_refused_with_its_number() {
+    fn a_layer_without_thickness_is_refused_with_its_value() {
         let material = Material::new(1.0, 0.3).unwrap();
         for found in [0.0, -1e-6, f64::INFINITY] {
             let layer = Layer::new(found, material, Interface::Bonded);

@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn nonsense_is_refused_with_its_number() {
+    fn invalid_moduli_and_ratios_are_refused_with_their_value() {
         for found in [0.0, -1.0, f64::INFINITY] {
             assert_eq!(
                 Material::new(found, 0.3),

@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn the_load_transform_is_the_integral_over_the_square() {
+    fn the_transformed_load_is_the_integral_over_the_square() {
         for (gamma, phi) in [(0.7_f64, 0.4_f64), (3.0, 1.2), (8.0, 0.0), (2.0, 4.0)] {
             let integral =
                 integral_of_cosine(gamma * phi.cos()) * integral_of_cosine(gamma * phi.sin());
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn nonsense_is_refused() {
+    fn invalid_ratios_are_refused() {
         assert!(TwoLayer::new(0.0, [0.3, 0.3]).is_err());
         assert!(TwoLayer::new(1.0, [0.3, 0.51]).is_err());
     }
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn the_thickness_enters_as_that_of_the_wave_in_the_layer() {
+    fn the_thickness_enters_only_through_the_response() {
         let layered = TwoLayer::new(10.0, [0.3, 0.4]).unwrap();
         let material = |young, poisson| Material::new(young, poisson).unwrap();
         let coated = Foundation::coated(1.0, material(10.0, 0.3), material(1.0, 0.4)).unwrap();

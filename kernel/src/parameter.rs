@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn every_number_is_listed_read_and_replaced_alone() {
+    fn every_parameter_is_listed_read_and_replaced_independently() {
         let body = foundation();
         let all = body.parameters();
         let values: Vec<f64> = all.iter().map(|of| body.parameter(*of).unwrap()).collect();
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_there_has_no_number() {
+    fn a_missing_parameter_has_no_value() {
         let body = foundation();
         for parameter in [
             FoundationParameter::YoungModulus { body: 3 },
@@ -211,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_that_no_body_has_is_refused() {
+    fn an_invalid_value_is_refused() {
         let ratio = FoundationParameter::PoissonRatio { body: 2 };
         let refused = foundation().with_parameter(ratio, 0.6);
         assert_eq!(refused, Err(KernelError::PoissonRatio { found: 0.6 }));

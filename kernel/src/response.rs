@@ -14,7 +14,7 @@ pub(crate) use minors::Minors;
 pub(crate) use one_layer::OneLayer;
 pub(crate) use poisson::Poisson;
 pub(crate) use spring::ComplianceShare;
-pub(crate) use stack::{HeldBottom, Stack};
+pub(crate) use stack::{BottomSupport, Stack};
 
 /// The constants from which `Φ` is evaluated, prepared once per foundation.
 #[derive(Debug, Clone, PartialEq)]

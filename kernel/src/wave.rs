@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn propagation_there_and_back_is_no_propagation() {
+    fn propagation_there_and_back_is_the_identity() {
         for t in [1e-6, 0.3, 0.999, 1.0, 2.0] {
             let product = propagator(&poisson(0.37), t) * propagator(&poisson(0.37), -t);
             // e^{2t} ≤ 55 magnifies the roundings of entries of order 1.
@@ -271,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn the_square_of_the_generator_minus_one_squares_to_nothing() {
+    fn the_square_of_the_generator_minus_the_identity_is_nilpotent() {
         for nu in [0.0, 0.2, 0.5] {
             let a = generator(&poisson(nu));
             let nilpotent = a * a - Matrix4::identity();
@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn the_waves_of_thin_and_thick_layers_are_carried_by_the_propagator() {
+    fn the_propagator_carries_the_waves_of_thin_and_thick_layers() {
         for s in [0.8, 2.5] {
             let poisson = poisson(0.37);
             let amplitudes = Vector4::new(0.3, -1.0, 0.7, 0.2);

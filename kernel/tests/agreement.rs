@@ -11,7 +11,7 @@ const RATIOS: [f64; 9] = [1e-6, 1e-4, 1e-2, 0.3, 1.0, 3.0, 1e2, 1e4, 1e6];
 const POISSON: [f64; 5] = [0.0, 0.2, 0.37, 0.499, 0.5];
 
 /// Calls `check(s, layer, half-space)` for `s` in [1e-8, 1e3], `χ` in [1e-6, 1e6], `ν` in [0, 0.5].
-fn everywhere(mut check: impl FnMut(f64, Material, Material)) {
+fn for_each_case(mut check: impl FnMut(f64, Material, Material)) {
     for step in 0..=44 {
         let s = 10_f64.powf(-8.0 + 0.25 * f64::from(step));
         for chi in RATIOS {
@@ -31,7 +31,7 @@ fn relative(found: f64, wanted: f64) -> f64 {
 
 #[test]
 fn the_closed_form_solves_the_transformed_system() {
-    everywhere(|s, layer, half_space| {
+    for_each_case(|s, layer, half_space| {
         let closed = Foundation::coated(1.0, layer, half_space)
             .unwrap()
             .response(s);
@@ -57,7 +57,7 @@ fn cut(layer: Material, half_space: Material) -> Foundation {
 
 #[test]
 fn the_recursion_through_three_pieces_is_the_closed_form() {
-    everywhere(|s, layer, half_space| {
+    for_each_case(|s, layer, half_space| {
         let closed = Foundation::coated(1.0, layer, half_space).unwrap();
         let pieces = cut(layer, half_space);
         // Measured 1e-15: roundings only, three layers instead of one.
@@ -99,7 +99,7 @@ fn on_springs(mut check: impl FnMut(f64, Material, Interface, Material)) {
 }
 
 #[test]
-fn springs_in_the_recursion_are_springs_in_the_transformed_system() {
+fn springs_in_the_recursion_agree_with_the_transformed_system() {
     on_springs(|s, layer, interface, half_space| {
         let coating = Layer::new(1.0, layer, interface).unwrap();
         let foundation = Foundation::new(vec![coating], Base::HalfSpace(half_space)).unwrap();

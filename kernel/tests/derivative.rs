@@ -49,7 +49,7 @@ fn compliance_derivative(body: &Foundation, parameter: Parameter, wavenumber: f6
 /// `∂C/∂ ln E` of a body is minus the work on it, `∮ t·u`, since the field remains the minimum of the energy; `∂C/∂c`
 /// of springs is the square of the traction on them.
 #[test]
-fn a_stiffer_body_saves_the_work_done_on_it() {
+fn the_derivative_by_a_modulus_is_minus_the_work_on_the_body() {
     for foundation in foundations() {
         for k in wavenumbers() {
             let interior = foundation.interior(k).unwrap();
@@ -134,7 +134,7 @@ fn dundurs([young_1, nu_1, young_2, nu_2]: [f64; 4]) -> Vector3<f64> {
 /// A bonded layer's compliance depends on three combinations of its four constants, so its derivatives with respect to
 /// Poisson's ratios follow from those with respect to moduli.
 #[test]
-fn along_materials_of_equal_dundurs_numbers_the_compliance_stands_still() {
+fn the_compliance_is_constant_along_materials_of_equal_dundurs_parameters() {
     for numbers in [
         [100.0, 0.25, 10.0, 0.3],
         [1.0, 0.4, 30.0, 0.2],
@@ -174,7 +174,7 @@ fn along(body: &Foundation, direction: &[(Parameter, f64)], wavenumber: f64) -> 
 }
 
 #[test]
-fn along_null_directions_no_compliance_changes() {
+fn the_compliance_is_constant_along_null_directions() {
     // The blocks: one; one; two, above and below the frictionless interface; one, since the other is held.
     for (foundation, blocks) in foundations().into_iter().zip([1, 1, 2, 1]) {
         let directions = foundation.null_directions();
@@ -195,7 +195,7 @@ fn along_null_directions_no_compliance_changes() {
 }
 
 #[test]
-fn along_a_scaling_the_compliance_scales() {
+fn the_compliance_is_inversely_proportional_to_the_moduli() {
     for foundation in foundations() {
         for k in wavenumbers() {
             // C is inversely proportional to the moduli.

@@ -159,7 +159,7 @@ fn states_are_right_to_the_last_digits_of_their_larger_components() {
 }
 
 #[test]
-fn what_the_layers_change_is_right_to_the_last_digits() {
+fn the_correction_for_the_layers_is_right_to_the_last_digits() {
     for case in all() {
         let [_, _, _, _, _, _, _, _, _, _, ref wanted @ ..] = case.values[..] else {
             panic!("{}", case.line)

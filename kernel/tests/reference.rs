@@ -78,7 +78,7 @@ fn assert_response(case: &Case, tolerance: f64) {
 }
 
 #[test]
-fn one_layer_of_any_kind_has_a_response_to_the_last_digits() {
+fn the_response_of_one_layer_is_right_to_the_last_digits() {
     for case in one_layer() {
         // Measured 4.7e-16: a sum of positive terms in numerator and denominator.
         assert_response(&case, 1.5e-15);
@@ -86,7 +86,7 @@ fn one_layer_of_any_kind_has_a_response_to_the_last_digits() {
 }
 
 #[test]
-fn one_layer_of_any_kind_differs_from_one_to_the_last_digits() {
+fn the_response_minus_one_of_one_layer_is_right_to_the_last_digits() {
     for case in one_layer() {
         let found = case.foundation.response_minus_one(case.wavenumber);
         let s = case.wavenumber * case.foundation.thickness();
@@ -98,7 +98,7 @@ fn one_layer_of_any_kind_differs_from_one_to_the_last_digits() {
 }
 
 #[test]
-fn stacks_of_any_kind_have_a_response_to_the_last_digits() {
+fn the_response_of_stacks_is_right_to_the_last_digits() {
     for case in stacks() {
         // Measured 1.1e-15 with up to eight layers.
         assert_response(&case, 4e-15);
@@ -106,7 +106,7 @@ fn stacks_of_any_kind_have_a_response_to_the_last_digits() {
 }
 
 #[test]
-fn stacks_differ_from_one_without_cancellation() {
+fn the_response_minus_one_of_stacks_is_free_of_cancellation() {
     for case in stacks() {
         let found = case.foundation.response_minus_one(case.wavenumber);
         let s = case.wavenumber * case.foundation.thickness();

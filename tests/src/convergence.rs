@@ -93,13 +93,13 @@ mod tests {
     }
 
     #[test]
-    fn an_error_that_is_large_everywhere_is_refused_whatever_its_order() {
+    fn a_large_error_is_refused_whatever_its_order() {
         let refused = demand(&errors(2.0, 0.0), 1.7, 1e-3);
         assert!(matches!(refused, Err(NoConvergence::Error { .. })));
     }
 
     #[test]
-    fn what_is_no_number_is_refused() {
+    fn nan_and_empty_errors_are_refused() {
         let mut broken = errors(2.0, 0.0);
         broken[4].1 = f64::NAN;
         assert!(demand(&broken, 1.7, 1.0).is_err());

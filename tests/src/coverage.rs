@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_resolved_is_not_counted() {
+    fn unresolved_numbers_are_not_counted() {
         let row = row(&[0.5, f64::NAN, 1.5, 4.0]);
         assert_eq!(
             (row.resolved().count(), row.above(1.0), row.above(3.0)),

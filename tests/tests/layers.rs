@@ -19,7 +19,7 @@ fn pressed(foundation: &Foundation) -> (f64, Vec<f64>) {
 }
 
 #[test]
-fn a_coating_of_the_substrates_own_material_is_not_felt() {
+fn a_coating_of_the_substrate_material_has_no_effect() {
     for nu in [0.0, 0.3, 0.5] {
         let body = material(0.91, nu);
         let (penetration, pressure) = pressed(&Foundation::half_space(body));
@@ -38,31 +38,31 @@ fn a_coating_of_the_substrates_own_material_is_not_felt() {
 }
 
 /// The relative change of the penetration from that into a homogeneous body.
-fn felt(thickness: f64, coating: Material, substrate: Material, alone: Material) -> f64 {
+fn effect(thickness: f64, coating: Material, substrate: Material, alone: Material) -> f64 {
     let (wanted, _) = pressed(&Foundation::half_space(alone));
     relative(pressed(&coated(thickness, coating, substrate)).0, wanted)
 }
 
 #[test]
-fn a_thin_coating_is_felt_in_proportion_to_its_thickness() {
+fn the_effect_of_a_thin_coating_is_proportional_to_its_thickness() {
     let (coating, substrate) = (material(5.0, 0.2), material(0.91, 0.3));
-    let [more, less] = [1e-5, 1e-6].map(|h| felt(h, coating, substrate, substrate));
+    let [more, less] = [1e-5, 1e-6].map(|h| effect(h, coating, substrate, substrate));
     // First order in H/a: ten times thinner, ten times less.
     assert!((more / less - 10.0).abs() < 0.5, "{more} {less}");
     assert!(less < 1e-4, "{less}");
 }
 
 #[test]
-fn a_thick_coating_hides_its_substrate_in_proportion_to_its_thickness() {
+fn the_effect_of_the_substrate_is_inversely_proportional_to_the_thickness_of_a_thick_coating() {
     let (coating, substrate) = (material(0.91, 0.3), material(5.0, 0.2));
-    let [more, less] = [10.0, 100.0].map(|h| felt(h, coating, substrate, coating));
+    let [more, less] = [10.0, 100.0].map(|h| effect(h, coating, substrate, coating));
     // First order in a/H.
     assert!((more / less - 10.0).abs() < 0.5, "{more} {less}");
     assert!(less < 1e-2, "{less}");
 }
 
 #[test]
-fn a_thickness_wrong_by_a_hundred_billionth_is_seen() {
+fn a_thickness_wrong_by_1e_11_is_detected() {
     let errors = one_layer().expect("the data").into_iter().map(|mut value| {
         let expected = value.bonded;
         value.s *= 1.0 + 1e-11;
@@ -73,7 +73,7 @@ fn a_thickness_wrong_by_a_hundred_billionth_is_seen() {
 }
 
 #[test]
-fn the_response_of_stacks_of_layers_has_all_digits() {
+fn the_response_of_layer_stacks_is_right_to_the_last_digits() {
     let data = stacks().expect("the data");
     for value in &data.values {
         let foundation = data.stacks[&value.stack].foundation().expect("a stack");

@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_uniform_compliance_takes_the_place_of_the_shapes() {
+    fn a_uniform_compliance_replaces_that_of_the_shape() {
         let valley = CustomRelief::new(Valley);
         let uniform = valley.clone().with_uniform_compliance(7.0).unwrap();
         assert_ne!(valley, uniform);
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shape_equals_its_copies_alone() {
+    fn a_shape_equals_only_its_clones() {
         let relief = Relief::custom(Valley);
         assert_eq!(relief, relief.clone());
         assert_ne!(relief, Relief::custom(Valley));

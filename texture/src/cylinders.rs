@@ -190,7 +190,7 @@ mod tests {
     };
 
     #[test]
-    fn a_cylinder_stands_on_its_offset() {
+    fn a_cylinder_is_centred_on_the_offset() {
         let cylinders = Cylinders::new(CylinderSpec {
             offset: [1e-3, -2e-3],
             ..SPEC
@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_without_meaning_are_refused_by_name() {
+    fn invalid_numbers_are_refused_by_name() {
         let refused = |spec| Cylinders::new(spec).unwrap_err();
         let not_positive = |quantity, found| TextureError::NotPositive { quantity, found };
         assert_eq!(

@@ -66,7 +66,7 @@ pub enum TextureError {
     },
     /// Stiffening springs are requested, but they have no height.
     #[error(
-        "found a compliance of {found} for springs that stiffen, wanted a Young's modulus, with which they have a height"
+        "found a compliance of {found} for stiffening springs, wanted a Young's modulus, which gives them a height"
     )]
     NoHeight {
         /// The compliance, m/Pa.
@@ -90,7 +90,7 @@ pub enum TextureError {
     },
     /// Neighbouring cylinders overlap.
     #[error(
-        "found {radius:?} for the radius of cylinders, which overlap, wanted at most half the period of {period:?}"
+        "found {radius:?} for the radius of overlapping cylinders, wanted at most half the period of {period:?}"
     )]
     Overlap {
         /// Radius of a cylinder, m.

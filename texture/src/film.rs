@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn a_film_is_linear_until_it_is_to_stiffen() {
+    fn a_film_is_linear_unless_stiffening_is_requested() {
         let film = Film::new(4.0, 8.0).unwrap();
         assert!(film.spring_law().is_linear());
         let stiffening = film.stiffening();

@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mirrored_function_is_sampled_as_any_other() {
+    fn a_mirrored_function_is_sampled_like_any_other() {
         for size in [1, 2, 5, 8] {
             let grid = Grid::new(3.0, size).unwrap();
             let mirrored = |[x, y]: [f64; 2]| x * x + 2.0 * y.abs();

@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn cubics_come_back_wherever_a_sample_has_two_neighbours_and_parabolas_everywhere() {
+    fn cubics_are_reproduced_where_a_sample_has_two_neighbours_and_parabolas_everywhere() {
         let cubic = |x: f64| 1.0 - 2.0 * x + 0.5 * x * x - 0.125 * x * x * x;
         let parabola = |x: f64| 1.0 - 2.0 * x + 0.5 * x * x;
         for k in 0..=90 {
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn few_samples_give_what_they_can() {
+    fn few_samples_reduce_the_order_of_interpolation() {
         let line = |x: f64| 3.0 - x;
         assert_eq!(value(line, 2, 0.25), 2.75);
         let stencil = Stencil::cubic(0, 0.0, 1);

@@ -86,7 +86,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_nearest_centre_is_the_nearest_of_all(x in -4.0..4.0, y in -4.0..4.0, period in 0.8..2.0) {
+        fn distance_agrees_with_enumeration(x in -4.0..4.0, y in -4.0..4.0, period in 0.8..2.0) {
             for lattice in [Lattice::Square, Lattice::Hexagonal] {
                 let found = lattice.distance_to_centre(period, [x, y]);
                 // Rounding of coordinates up to 30 is 4e-15.

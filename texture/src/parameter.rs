@@ -102,7 +102,7 @@ mod tests {
     use crate::Lattice;
 
     #[test]
-    fn every_number_is_listed_read_and_replaced_alone() {
+    fn every_parameter_is_listed_read_and_replaced_independently() {
         let film = Film::new(0.5, 2.0).unwrap();
         let stiffening = Relief::Film(film.stiffening());
         let film = Relief::Film(film);

@@ -211,7 +211,7 @@ mod tests {
     use crate::{CylinderSpec, HeightMap, Lattice, MapCompliance};
 
     #[test]
-    fn a_part_is_sampled_as_the_whole_is() {
+    fn a_part_is_sampled_like_the_whole() {
         let spec = CylinderSpec {
             lattice: Lattice::Square,
             radius: 0.2,

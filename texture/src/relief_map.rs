@@ -19,7 +19,7 @@ pub enum MapCompliance {
 /// A measured relief: a compliance and a height map whose highest point is level with the plane of the tops.
 ///
 /// Outside the map's rectangle the height at its rim continues outwards, so a domain may be larger than the measured
-/// area; [`ReliefMap::covers`] tells whether the map covers a grid.
+/// area; [`ReliefMap::covers`] says whether the map covers a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReliefMap {
     map: HeightMap,
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn a_domain_beyond_the_measurement_is_told() {
+    fn a_domain_larger_than_the_map_is_detected() {
         let relief = ReliefMap::new(ramp(), MapCompliance::Uniform(0.0)).unwrap();
         assert!(relief.covers(&Grid::new(3.0, 10).unwrap()));
         assert!(!relief.covers(&Grid::new(4.0, 10).unwrap()));
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn springs_stiffen_where_they_have_a_height() {
+    fn springs_can_stiffen_only_if_they_have_a_height() {
         let relief = |compliance| ReliefMap::new(ramp(), compliance).unwrap().stiffening();
         let law = relief(MapCompliance::YoungModulus(4.0)).map(|relief| relief.spring_law());
         assert_eq!(law, SpringLaw::logarithmic(4.0));

@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn a_logarithmic_spring_is_never_squeezed_to_nothing() {
+    fn a_logarithmic_spring_never_shortens_to_zero_height() {
         let [_, law] = laws();
         let height = COMPLIANCE * MODULUS;
         for pressure in [1e-9, 0.1, 8.0, 80.0] {
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn it_tends_to_the_linear_law_with_half_the_strain_as_the_difference() {
+    fn the_logarithmic_law_differs_from_the_linear_one_by_half_the_strain() {
         let [linear, law] = laws();
         for ratio in [1e-3, 1e-5] {
             let pressure = ratio * MODULUS;
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_beyond_a_tangent_is_what_its_definition_says() {
+    fn deviations_from_a_tangent_agree_with_their_definition() {
         for law in laws() {
             for (from, to) in [(0.0, 3.0), (5.0, 0.0), (2.0, 2.5), (40.0, 0.0), (1.0, 90.0)] {
                 let change = to - from;
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn far_pressures_leave_finite_numbers_and_units_do_not_matter() {
+    fn extreme_pressures_give_finite_numbers_and_units_do_not_matter() {
         let [_, law] = laws();
         let far = 1e4 * MODULUS;
         assert!(law.beyond_tangent(COMPLIANCE, far, 0.0).is_finite());

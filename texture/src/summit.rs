@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn a_crest_between_samples_is_found_where_it_stands() {
+    fn a_crest_between_samples_is_located() {
         let map = map(|x, y| 7.0 - (x - 0.123).powi(2) - 2.0 * (y + 0.456).powi(2));
         let found = summit(&map, 1.0);
         // The quadratic is reproduced, and its slope locates the summit to a few roundings of heights up to 7 over a
@@ -307,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn of_a_flat_top_the_point_nearest_to_the_middle_is_taken() {
+    fn the_summit_of_a_flat_top_is_its_point_nearest_to_the_middle() {
         let flat = HeightMap::new(vec![1e3; 25], [5, 5], [1.0, 1.0]).unwrap();
         assert_eq!(
             summit(&flat, 1.0),

@@ -70,16 +70,16 @@ COLUMNS = (
 TEXTS = ("case", "program", "version")
 
 
-def tell(line):
+def report(line):
     print(line, file=sys.stderr, flush=True)
 
 
-def complaint(log):
+def error_line(log):
     """The first line with a fatal error, or else the last with an error, or else the last line."""
     lines = [line.strip() for line in log.splitlines() if line.strip()]
     fatal = [line for line in lines if "fatal error" in line.lower()][:1]
     errors = [line for line in lines if "error" in line.lower()][-1:]
-    return (fatal + errors + lines[-1:] + ["it said nothing"])[0]
+    return (fatal + errors + lines[-1:] + ["no output"])[0]
 
 
 def environment(folder, name):
@@ -90,7 +90,7 @@ def environment(folder, name):
     mark = place / "requirements.json"
     if mark.exists() and mark.read_text() == wanted:
         return inside, None
-    tell(f"installing {name}")
+    report(f"installing {name}")
     commands = [[sys.executable, "-m", "venv", "--clear", str(place)]]
     commands += [[str(inside), "-m", "pip", "install", "--no-input", *arguments] for arguments in REQUIREMENTS[name]]
     for command in commands:
@@ -101,7 +101,7 @@ def environment(folder, name):
         if done.returncode:
             log = folder / f"{name}.log"
             log.write_text(done.stdout + done.stderr)
-            return None, f"{complaint(done.stderr)} (whole log: {log.name})"
+            return None, f"{error_line(done.stderr)} (whole log: {log.name})"
     mark.write_text(wanted)
     return inside, None
 
@@ -133,11 +133,11 @@ class Lane:
         self.spent += time.perf_counter() - start
         if done is not None and done.returncode == 0:
             self.runs.append(json.loads(done.stdout.splitlines()[-1]))
-            tell(f"  {self.name} at {self.tolerance:g}: {seconds(self.runs[-1]):.3f} s")
+            report(f"  {self.name} at {self.tolerance:g}: {seconds(self.runs[-1]):.3f} s")
             return self.runs[-1]
         # A failed later run does not discard the earlier good ones.
-        self.ended = f"stopped after {self.spent:.0f} s" if done is None else f"failed: {complaint(done.stderr)}"
-        tell(f"  {self.name} at {self.tolerance:g}: {self.ended}")
+        self.ended = f"stopped after {self.spent:.0f} s" if done is None else f"failed: {error_line(done.stderr)}"
+        report(f"  {self.name} at {self.tolerance:g}: {self.ended}")
         return None
 
 
@@ -149,10 +149,10 @@ def cpu(run):
     return run["cpu_seconds"] or seconds(run)
 
 
-def contest(problem, workshop, arguments):
+def compare(problem, programs, arguments):
     """Runs all programs on one problem, in pairs with Pellicle; returns one row each."""
     def lane(key, name, tolerance, options):
-        command, missing = workshop[key]
+        command, missing = programs[key]
         if problem["threads"] > 1 and key not in THREADED:
             missing = "serial"
         if problem["case"] in CELLS and (key in NOT_PERIODIC or "active-set" in options):
@@ -172,10 +172,10 @@ def contest(problem, workshop, arguments):
                 rival.pairs.append(cpu(found) / cpu(beside))
     if not pellicle.runs:
         pellicle.run(problem, UNBOUNDED, arguments.out)
-    return [row(one, problem, pellicle, workshop) for one in [pellicle, *rivals]]
+    return [row(one, problem, pellicle, programs) for one in [pellicle, *rivals]]
 
 
-def row(lane, problem, pellicle, workshop):
+def row(lane, problem, pellicle, programs):
     """The median run, and the certificate of the last pressure."""
     cells = {"case": problem["case"], "n": problem["n"], "threads": problem["threads"], "program": lane.name}
     cells["tolerance"] = f"{lane.tolerance:g}"
@@ -190,11 +190,11 @@ def row(lane, problem, pellicle, workshop):
     cells["memory, MiB"] = median["peak_bytes"] and -(-median["peak_bytes"] // 2**20)
     if lane is pellicle or lane.pairs:
         cells["CPU / Pellicle's"] = f"{statistics.median(lane.pairs or [1.0]):.1f}"
-    python, _ = workshop["the-certificate"]
+    python, _ = programs["the-certificate"]
     if python:
         operator = "continuum" if lane.key in CONTINUUM else "elements"
-        posed = [problem["case"], problem["n"], operator]
-        command = [*python, HERE / "certificate.py", *posed, lane.pressure, pellicle.pressure]
+        arguments = [problem["case"], problem["n"], operator]
+        command = [*python, HERE / "certificate.py", *arguments, lane.pressure, pellicle.pressure]
         lines = json.loads(subprocess.run(list(map(str, command)), capture_output=True, text=True, check=True).stdout)
         of_hardness = ("gap_at_limit", "over_limit") if problem["case"] == "saturated" else ()
         for name in ("complementarity", "gap_in_contact", "overlap", "load", "difference", *of_hardness):
@@ -231,7 +231,7 @@ def write(rows, missing, folder):
     (folder / "rivals.json").write_text(json.dumps({"rows": rows, "missing": missing}, indent=1) + "\n")
 
 
-def posed(case, n, threads, python, scratch):
+def pose(case, n, threads, python, scratch):
     """A problem with the input of Pellicle's driver: the rough gap as a file, mean pressure, hardness."""
     problem = {"case": case, "n": n, "threads": threads, "settings": {}, "mirrored": kind(case) not in SMALLEST}
     if not problem["mirrored"]:
@@ -248,16 +248,16 @@ def kind(case):
     return case.split("-")[0]
 
 
-def listed(of):
+def list_of(of):
     return lambda text: [of(item) for item in text.split(",")]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sizes", type=listed(int), default=[1024, 2048], help="elements per side")
-    parser.add_argument("--cases", type=listed(str), default=list(CASES), help=", ".join(CASES))
-    parser.add_argument("--threads", type=listed(int), default=[1, 2])
-    parser.add_argument("--peers", type=listed(str), default=list(PEERS), help=", ".join(PEERS))
+    parser.add_argument("--sizes", type=list_of(int), default=[1024, 2048], help="elements per side")
+    parser.add_argument("--cases", type=list_of(str), default=list(CASES), help=", ".join(CASES))
+    parser.add_argument("--threads", type=list_of(int), default=[1, 2])
+    parser.add_argument("--peers", type=list_of(str), default=list(PEERS), help=", ".join(PEERS))
     parser.add_argument("--repeats", type=int, default=5, help="pairs of runs")
     parser.add_argument("--budget", type=float, default=600.0, help="seconds for a rival's runs on one problem")
     parser.add_argument("--out", type=Path, default=ROOT / "target" / "compare")
@@ -272,15 +272,15 @@ def main():
     build = ["cargo", "build", "--release", "--workspace", "--bin", "compare-pellicle"]
     subprocess.run(build, cwd=ROOT, check=True)
     binary = ROOT / "target" / "release" / "compare-pellicle"
-    workshop, missing = {"pellicle": ([binary], None)}, {}
+    programs, missing = {"pellicle": ([binary], None)}, {}
     for name in ["the-certificate", *arguments.peers]:
         python, reason = environment(environments, name)
         driver = [] if name == "the-certificate" else [str(HERE / f"{name}_driver.py")]
-        workshop[name] = ([str(python), "-B", *driver] if python else None, reason and "missing")
+        programs[name] = ([str(python), "-B", *driver] if python else None, reason and "missing")
         if reason:
             missing[name] = reason
-            tell(f"{name} is missing: {reason}")
-    if workshop["the-certificate"][0] is None:
+            report(f"{name} is missing: {reason}")
+    if programs["the-certificate"][0] is None:
         sys.exit("the certificate needs numpy and scipy")
 
     rows = []
@@ -289,9 +289,9 @@ def main():
             if n < SMALLEST.get(kind(case), 0):
                 continue
             for threads in arguments.threads:
-                tell(f"{case}, n = {n}, {threads} threads")
-                problem = posed(case, n, threads, workshop["the-certificate"][0], arguments.out)
-                rows += contest(problem, workshop, arguments)
+                report(f"{case}, n = {n}, {threads} threads")
+                problem = pose(case, n, threads, programs["the-certificate"][0], arguments.out)
+                rows += compare(problem, programs, arguments)
                 write(rows, missing, arguments.out)
     print((arguments.out / "rivals.md").read_text())
 

@@ -47,7 +47,9 @@ fn main() -> Result<(), DriverError> {
         _ => (arguments, false),
     };
     let [case, elements, threads, tolerance, pressure_file] = &arguments[..] else {
-        return Err("CASE N THREADS TOLERANCE PRESSURE_FILE [--whole-grid] wanted".into());
+        return Err(
+            "wanted the arguments CASE N THREADS TOLERANCE PRESSURE_FILE [--whole-grid]".into(),
+        );
     };
     let elements: usize = elements.parse()?;
     let options = SolverOptions {
@@ -119,7 +121,7 @@ fn solve(
             rough(gap)?,
             Indenter::FlatPunch(FlatPunch::new(2.0 * SIDE)?),
         ),
-        _ => return Err(format!("no case {case}").into()),
+        _ => return Err(format!("found no case named {case}").into()),
     };
     let model = Model {
         tables: Arc::new(RadialTables::build(&Foundation::half_space(
@@ -158,9 +160,10 @@ fn rough(gap: Array2<f64>) -> Result<Relief, DriverError> {
 /// Pillars whose periods fill the grid exactly.
 fn pillars(elements: usize) -> Result<Relief, DriverError> {
     if !elements.is_multiple_of(ELEMENTS_PER_PERIOD) {
-        return Err(
-            format!("a multiple of {ELEMENTS_PER_PERIOD} elements wanted, got {elements}").into(),
-        );
+        return Err(format!(
+            "found {elements} elements per side, wanted a multiple of {ELEMENTS_PER_PERIOD}"
+        )
+        .into());
     }
     let period = SIDE * ELEMENTS_PER_PERIOD as f64 / elements as f64;
     Ok(Relief::Cylinders(Cylinders::new(CylinderSpec {

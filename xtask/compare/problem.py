@@ -81,7 +81,7 @@ def valleys(n):
 
 def rough(kind, n):
     if n < SMALLEST[kind]:
-        raise ValueError(f"{kind} needs n >= {SMALLEST[kind]}, got {n}")
+        raise ValueError(f"found n = {n} for {kind}, wanted at least {SMALLEST[kind]}")
     longest, shortest = WAVES[kind]
     # Waves -shortest ... shortest in both directions: the same surface for every n.
     wave = np.arange(-shortest, shortest + 1)

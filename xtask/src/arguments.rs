@@ -68,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn coarse_pictures_never_become_those_of_the_documents() {
+    fn coarse_pictures_never_replace_those_of_the_documents() {
         assert!(figures("--quick --docs").is_err());
     }
 }

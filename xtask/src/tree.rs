@@ -130,7 +130,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn reading_skips_output_and_tools_and_keeps_what_is_not_text() {
+    fn reading_skips_output_and_tools_and_keeps_binary_files() {
         let root = tempfile::tempdir().unwrap();
         for (path, bytes) in [
             ("Cargo.toml", b"[workspace]".as_slice()),

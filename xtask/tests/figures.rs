@@ -50,7 +50,7 @@ fn text<'a>(files: &'a BTreeMap<String, Vec<u8>>, name: &str) -> &'a str {
 }
 
 #[test]
-fn a_figure_is_drawing_pixels_and_table_with_its_certificate() {
+fn a_figure_consists_of_svg_png_and_csv_with_its_certificate() {
     let results = tempfile::tempdir().unwrap();
     let files = drawn(Figure::Six, &results, "first");
     let names: Vec<_> = files.keys().map(String::as_str).collect();
@@ -94,7 +94,7 @@ fn stresses_have_a_section_for_each_case_of_figure_2() {
 }
 
 #[test]
-fn a_case_that_is_missing_refused_or_not_certified_is_an_error_and_not_drawn() {
+fn missing_refused_and_uncertified_cases_are_errors_and_not_drawn() {
     let results = tempfile::tempdir().unwrap();
     let nowhere = TempDir::new().unwrap();
     let out = results.path().join("out");

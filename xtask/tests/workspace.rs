@@ -18,7 +18,7 @@ fn the_workspace_is_tidy() {
 
 /// Without this test, a reader that finds no files would make every rule pass.
 #[test]
-fn the_rules_see_every_member_of_the_workspace() {
+fn the_rules_cover_every_member_of_the_workspace() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let tree = Tree::read(&root).expect("the workspace can be read");
     let paths = tree.paths();

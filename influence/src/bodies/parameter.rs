@@ -80,7 +80,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_number_is_listed_read_and_replaced() {
+    fn every_parameter_is_listed_read_and_replaced() {
         let material = |young, poisson| Material::new(young, poisson).unwrap();
         let foundation = Foundation::half_space(material(2.0, 0.1));
         let bodies = ElasticBodies::new(foundation.clone(), Some(material(7.0, 0.2)));

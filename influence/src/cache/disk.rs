@@ -240,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn every_bit_comes_back() {
+    fn values_are_read_back_to_the_bit() {
         let (_folder, disk, values) = filled();
         let found: Vec<f64> = disk.read(&key(), 8 * values.len()).unwrap().unwrap();
         assert_eq!(bits(&found), bits(&values));
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_longer_than_its_value_can_be_is_refused() {
+    fn a_file_too_long_for_its_value_is_refused() {
         let (_folder, disk, values) = filled();
         let found = disk.read::<Vec<f64>>(&key(), 4 * values.len());
         assert!(matches!(found, Err(CacheWarning::Damaged { .. })));

@@ -103,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn the_value_that_was_not_used_for_longest_makes_room() {
+    fn the_least_recently_used_value_is_evicted() {
         let memory = Memory::new(30);
         for number in 0..3 {
             memory.insert(key(number), &Arc::new(number), 10);
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_kept_again_counts_once() {
+    fn a_value_stored_twice_counts_once() {
         let memory = Memory::new(30);
         for _ in 0..5 {
             memory.insert(key(0), &Arc::new(0), 10);
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_that_is_too_large_is_not_kept() {
+    fn a_value_that_is_too_large_is_not_stored() {
         let memory = Memory::new(30);
         memory.insert(key(0), &Arc::new(0), 1);
         memory.insert(key(1), &Arc::new(1), 31);

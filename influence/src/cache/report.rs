@@ -67,13 +67,13 @@ impl Usage {
 #[non_exhaustive]
 pub enum CacheWarning {
     /// A file is truncated, altered or foreign; it is replaced.
-    #[error("the cached file {} is damaged: its contents are computed again", path.display())]
+    #[error("the cached file {} is damaged; its contents are recomputed", path.display())]
     Damaged {
         /// The file.
         path: PathBuf,
     },
     /// A file cannot be read; it is replaced.
-    #[error("the cached file {} cannot be read and its contents are computed again: {kind}", path.display())]
+    #[error("the cached file {} cannot be read ({kind}); its contents are recomputed", path.display())]
     Unreadable {
         /// The file.
         path: PathBuf,
@@ -81,7 +81,7 @@ pub enum CacheWarning {
         kind: ErrorKind,
     },
     /// The folder cannot be written to; no further writes are attempted.
-    #[error("nothing is cached: the folder {} cannot be written to: {kind}", path.display())]
+    #[error("nothing is cached; the folder {} cannot be written to: {kind}", path.display())]
     Folder {
         /// The folder.
         path: PathBuf,
@@ -106,7 +106,7 @@ mod tests {
     use super::Origin::{Computed, Disk, Immediate, Memory};
 
     #[test]
-    fn a_whole_is_from_the_cache_if_no_part_was_computed_and_one_was_kept() {
+    fn combined_data_are_cached_if_no_part_was_computed_and_one_was_cached() {
         assert!(Immediate.max(Memory).max(Disk).is_cache());
         assert!(!Immediate.max(Immediate).is_cache());
         assert!(!Disk.max(Computed).is_cache());

@@ -59,7 +59,7 @@ mod tests {
     }
 
     #[test]
-    fn size_and_stiffness_do_not_change_the_shape_by_a_bit() {
+    fn the_shape_is_independent_of_size_and_stiffness_to_the_bit() {
         let shape = of(&foundation(1.0, 1.0)).unwrap();
         for (length, modulus) in [(3e-7, 1.7e9), (0.7, 1.3), (1e-3, 4.1e11)] {
             assert_eq!(of(&foundation(length, modulus)).unwrap(), shape);
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn rounding_is_to_the_nearest() {
+    fn values_are_rounded_to_the_nearest() {
         for value in [1.0, 1.0 / 3.0, 6.02e23, 1.6e-19] {
             assert!((rounded(value) / value - 1.0).abs() < 0.5_f64.powi(41));
         }

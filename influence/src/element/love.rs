@@ -129,7 +129,7 @@ mod tests {
     ];
 
     #[test]
-    fn no_digit_is_lost_near_or_far() {
+    fn coefficients_keep_all_digits_near_and_far() {
         for (offset, expected) in FIFTY_DIGITS {
             let error = shape_factor(offset) / expected - 1.0;
             // Rounding of some tens of terms, and 4e-15 of the product rule at its borders.
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn the_order_of_the_offsets_does_not_matter() {
+    fn the_order_of_an_offsets_components_does_not_matter() {
         for m in 0..20 {
             for n in 0..m {
                 let ratio = shape_factor([m, n]) / shape_factor([n, m]);

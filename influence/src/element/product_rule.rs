@@ -56,8 +56,8 @@ impl Borders {
     /// The rule for an element `offset` elements away; `None` if that is too near for any.
     pub(crate) fn rule(&self, offset: [usize; 2]) -> Option<&'static ProductRule> {
         let distance = offset[0].max(offset[1]);
-        let held = self.0.iter().take_while(|border| **border <= distance);
-        LINES.get(held.count().checked_sub(1)?)
+        let passed = self.0.iter().take_while(|border| **border <= distance);
+        LINES.get(passed.count().checked_sub(1)?)
     }
 
     /// Each rule at its border.
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn soft_layers_ask_for_more_points() {
+    fn soft_layers_get_more_points() {
         for offset in [[6, 0], [12, 3], [40, 40], [200, 0]] {
             let soft = count(Borders::new(1e-6), offset).unwrap_or(1000);
             assert!(soft > count(Borders::HOMOGENEOUS, offset).unwrap_or(1000));

@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn the_polynomial_is_the_sum_between_its_nodes_too() {
+    fn the_polynomial_equals_the_sum_between_its_nodes() {
         for bodies in &bodies() {
             let body = GriddedBodies {
                 bodies,

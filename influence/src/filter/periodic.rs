@@ -126,13 +126,13 @@ impl PeriodicFilter {
                 sums
             })
             .collect();
-        let mut answers = [[0.0; REACH]; REACH];
+        let mut response = [[0.0; REACH]; REACH];
         for (wave, along) in waves.iter().zip(&along) {
-            for (row, w) in answers.iter_mut().zip(wave) {
-                (row.iter_mut().zip(along)).for_each(|(answer, sum)| *answer += w * sum);
+            for (row, w) in response.iter_mut().zip(wave) {
+                (row.iter_mut().zip(along)).for_each(|(value, sum)| *value += w * sum);
             }
         }
-        answers
+        response
     }
 }
 
@@ -195,25 +195,25 @@ mod tests {
     }
 
     #[test]
-    fn the_answers_are_those_to_a_unit() {
+    fn the_impulse_response_is_the_filtered_unit_impulse() {
         for size in [8, 15, 64] {
             let mut filter = PeriodicFilter::new(symbol(size), SectorGrid::whole(size));
             filter.multiply_by(reciprocal);
             let mut unit = vec![0.0; size * size];
             unit[0] = 1.0;
             filter.apply(&mut unit);
-            let answers = filter.answers::<4>(reciprocal);
-            for (m, row) in answers.iter().enumerate() {
-                for (n, answer) in row.iter().enumerate() {
-                    // Single precision of an answer of order 1.
-                    assert!((answer - unit[m * size + n]).abs() < 1e-6, "{size} {m} {n}");
+            let response = filter.answers::<4>(reciprocal);
+            for (m, row) in response.iter().enumerate() {
+                for (n, value) in row.iter().enumerate() {
+                    // Single precision of a value of order 1.
+                    assert!((value - unit[m * size + n]).abs() < 1e-6, "{size} {m} {n}");
                 }
             }
         }
     }
 
     #[test]
-    fn a_sector_is_filtered_as_the_whole_field_is() {
+    fn a_sector_is_filtered_like_the_whole_field() {
         for (sector, half) in [Sector::Half, Sector::Quadrant]
             .into_iter()
             .flat_map(|sector| [4, 9, 32].map(|half| (sector, half)))

@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn frequencies_beyond_the_middle_mirror_those_before() {
+    fn frequencies_above_nyquist_mirror_those_below() {
         for size in [6, 7] {
             let symbol = symbol(size);
             for i in 1..size {
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_the_fourier_sum_of_the_coefficients_down_to_the_shortest_wave() {
+    fn the_symbol_is_the_fourier_sum_of_the_coefficients_down_to_the_shortest_wave() {
         for frequency in [[0, 2], [1, 3], [0, 4], [4, 4]] {
             let wave = frequency.map(|f: usize| f as f64 * PI / 4.0);
             let (expected, found) = (sum_of_coefficients(wave), symbol(8).value(frequency));

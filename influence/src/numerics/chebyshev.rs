@@ -104,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn an_entire_function_is_met_to_rounding() {
+    fn an_entire_function_is_approximated_to_rounding() {
         let coefficients = exponential();
         for x in [-1.0, -0.3, 0.0, 0.77, 1.0_f64] {
             assert!((sum(&coefficients, x) - x.exp()).abs() < 2e-15);
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn a_chebyshev_sum_becomes_its_powers() {
+    fn a_chebyshev_sum_is_converted_to_powers() {
         // T_3(2u−1) = 32u³ − 48u² + 18u − 1
         let cubic = [0.0, 0.0, 0.0, 1.0];
         for (power, expected) in [(0, -1.0), (1, 18.0), (2, -48.0), (3, 32.0), (4, 0.0)] {

@@ -151,7 +151,7 @@ mod tests {
     use super::ChebyshevPanels;
 
     #[test]
-    fn a_function_with_a_narrow_feature_is_met_everywhere() {
+    fn a_function_with_a_narrow_feature_is_approximated_everywhere() {
         let feature = |ln_x: f64| 1.0 / (1.0 + (20.0 * (ln_x - 1.0)).powi(2));
         let panels = ChebyshevPanels::fit([-3.0, 4.0], feature, |_, _| 1e-14);
         assert!(panels.panels().len() < 60);

@@ -24,7 +24,7 @@ mod tests {
     use super::{nodes, weights};
 
     #[test]
-    fn polynomials_of_less_terms_than_nodes_come_back() {
+    fn polynomials_with_fewer_terms_than_nodes_are_reproduced() {
         let cubic = |x: f64| 2.0 - x + 3.0 * x.powi(3);
         for place in [0.0, 0.17, 0.5, 1.0] {
             let terms = nodes::<4>().map(cubic).into_iter().zip(weights::<4>(place));

@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn legal_but_hard_integrands_are_met() {
+    fn hard_integrands_reach_the_tolerance() {
         // Infinite slope at an end, a kink inside, a narrow peak, 80 oscillations: each to the tolerance.
         assert!(error_of(f64::sqrt, [0.0, 1.0], 2.0 / 3.0) < 1e-12);
         assert!(error_of(|x| (x - 0.3).abs(), [0.0, 1.0], 0.29) < 1e-12);
@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn the_error_reported_covers_the_error_made() {
+    fn the_reported_error_bounds_the_actual_error() {
         let found = integrate(|x: f64| (x * x).sin(), [0.0, 10.0], 3, 1e-9).unwrap();
         // ∫₀¹⁰ sin x² dx, mpmath 1.3 at 30 digits.
         let made = (found.value - 0.583_670_899_929_623_3).abs();
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn an_integrand_that_is_nan_somewhere_is_an_error() {
+    fn an_integrand_that_is_nan_at_a_point_is_an_error() {
         let somewhere = |x: f64| if x > 0.9 { f64::NAN } else { 1.0 };
         assert!(matches!(
             integrate(somewhere, [0.0, 1.0], 1, 1e-8),
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn limits_that_are_reversed_or_infinite_are_an_error() {
+    fn reversed_or_infinite_limits_are_an_error() {
         for ends in [
             [1.0, 0.0],
             [0.0, 0.0],

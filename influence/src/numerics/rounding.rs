@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn a_digit_that_a_plain_sum_loses_is_kept() {
+    fn digits_lost_by_a_plain_sum_are_kept() {
         let terms = [1.0, 1e100, 1.0, -1e100];
         assert!((Sum::from_iter(terms).value() - 2.0).abs() < f64::EPSILON);
         assert!(terms.iter().sum::<f64>().abs() < f64::EPSILON);

@@ -119,7 +119,7 @@ impl SectorConvolution {
 /// On a [sector](SectorGrid) of a grid each element is loaded together with its mirror images, and its displacement is
 /// due to all of them. Transforms are half as long along a mirrored axis, and real instead of complex: a product takes
 /// half the time on a half, a quarter to a third of it on a quadrant. Both agree with the whole grid to rounding (tests
-/// `a_half_moves_as_the_whole_surface_does`, `a_quadrant_moves_as_the_whole_surface_does`).
+/// `a_half_is_displaced_like_the_whole_surface`, `a_quadrant_is_displaced_like_the_whole_surface`).
 ///
 /// Memory: 8 bytes per element of the whole grid for the spectrum, 16 per element of the sector for the
 /// half-transformed field, and 600 N bytes of scratch per thread, 900 N on a quadrant. Accuracy: rounding, some 1e-15
@@ -163,7 +163,7 @@ impl ElasticOperator for ConvolutionOperator {
 ///
 /// The length of the transforms is that of the window and the grid together, not twice that of the grid: with a
 /// window of half the side a product takes half the time of [`ConvolutionOperator`]'s, and agrees with it to rounding
-/// (test `under_a_window_the_grid_moves_as_under_the_whole_pressure`). Uses the current rayon pool; the result has
+/// (test `a_window_gives_the_displacement_of_the_whole_pressure`). Uses the current rayon pool; the result has
 /// the same bits for every pool.
 #[derive(Debug)]
 pub struct WindowOperator(SectorConvolution);

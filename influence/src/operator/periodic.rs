@@ -27,7 +27,7 @@ use crate::transform::{FourierLines, Lines, PlaneTransform};
 ///
 /// Memory: 2 bytes per element for the multipliers, 8 for the half-transformed field. Accuracy: 1e-12 of
 /// the largest displacement; sums of a single square's coefficients over all cells agree to that (test
-/// `it_is_the_sum_of_the_coefficients_over_all_cells`). Uses the current rayon pool; the result has the
+/// `the_operator_sums_the_coefficients_over_all_cells`). Uses the current rayon pool; the result has the
 /// same bits for every pool.
 pub struct PeriodicOperator {
     transform: PlaneTransform<FourierLines<f64>>,
@@ -106,7 +106,7 @@ mod tests {
     }
 
     /// The displacements under a unit pressure on the first element.
-    fn answer(bodies: &ElasticBodies, size: usize) -> Vec<f64> {
+    fn response_to_unit(bodies: &ElasticBodies, size: usize) -> Vec<f64> {
         let (mut unit, mut found) = (vec![0.0; size * size], vec![0.0; size * size]);
         unit[0] = 1.0;
         PeriodicOperator::new(bodies, 1.0, size).apply_into(&unit, &mut found);
@@ -116,7 +116,7 @@ mod tests {
     /// On a rigid base coefficients decay exponentially, so their sum over all cells converges; elements of side 1 on
     /// layers much thinner, equally thin and thicker, compressible and incompressible.
     #[test]
-    fn it_is_the_sum_of_the_coefficients_over_all_cells() {
+    fn the_operator_sums_the_coefficients_over_all_cells() {
         let size = 6;
         for (thickness, young_modulus, poisson_ratio) in [
             (0.5, 1.0, 0.3),
@@ -140,7 +140,7 @@ mod tests {
             let tables = RadialTables::build(&foundation).unwrap();
             let reach = 26 * size;
             let table = CoefficientTable::assemble(&tables, 1.0, reach + size).unwrap();
-            let found = answer(&foundation.into(), size);
+            let found = response_to_unit(&foundation.into(), size);
             for (element, found) in found.iter().enumerate() {
                 let distance = [element / size, element % size];
                 let cells = -25..=25_i32;
@@ -166,9 +166,9 @@ mod tests {
     /// `u(0) − u(x)` under a unit pressure in each cell: the sum of differences over a square of cells, minus those of
     /// a uniform pressure on the square, extrapolated from three squares.
     #[test]
-    fn on_a_half_space_the_differences_are_those_of_the_coefficients_over_all_cells() {
+    fn on_a_half_space_differences_equal_those_of_the_coefficients_summed_over_all_cells() {
         let (size, steel) = (4_usize, material(1.0, 0.3));
-        let found = answer(&Foundation::half_space(steel).into(), size);
+        let found = response_to_unit(&Foundation::half_space(steel).into(), size);
         let of_cells = |most: isize, [x, y]: [isize; 2]| {
             let cells = (-most..=most).flat_map(|i| (-most..=most).map(move |j| [i, j]));
             cells
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn a_wave_moves_the_surface_in_its_own_shape_and_its_mean_not_at_all() {
+    fn a_pressure_wave_displaces_the_surface_in_its_own_shape_and_a_mean_pressure_does_not() {
         let (size, steel) = (512, material(2.0, 0.3));
         let mut operator = PeriodicOperator::new(&Foundation::half_space(steel).into(), 1.0, size);
         let wave = |element: usize| (TAU * (element / size) as f64 / size as f64).cos();

@@ -38,7 +38,7 @@ const RUNS: usize = 64;
 /// `u = K p` among listed elements of a grid.
 ///
 /// The cost is that of the near pairs of elements and of a product on a grid with a sixth of the elements per side.
-/// The error is 2e-9 of the largest displacement (test `scattered_elements_move_as_the_whole_grid_does`): a
+/// The error is 2e-9 of the largest displacement (test `scattered_elements_are_displaced_like_the_whole_grid`): a
 /// solution obtained with it is exact, or one step of iterative refinement from exact. The bits are the same for
 /// every number of threads.
 pub struct ScatteredOperator {

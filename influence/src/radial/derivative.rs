@@ -12,7 +12,7 @@ use crate::response::ResponseTable;
 /// Wavenumbers, over a reciprocal thickness, at which the response's sensitivity is sampled: `10^(i/8)`.
 const SAMPLES: std::ops::RangeInclusive<i32> = -48..=24;
 /// Largest relative change of the response.
-const LARGEST_MOVE: f64 = 0.5;
+const LARGEST_CHANGE: f64 = 0.5;
 /// Relative error of a derivative of the response: 1e-10 by `ResponseDerivative`, most of it common to many waves. Its
 /// rounding, which expansions cannot follow, is a hundredth of that.
 const TOLERANCE: f64 = 2e-12;
@@ -117,7 +117,7 @@ impl Moved {
         let waves = SAMPLES.map(|i| 10_f64.powf(f64::from(i) / 8.0) / thickness);
         let relative = waves.map(|k| (derivative(k) / foundation.response(k)).abs());
         let steepest = relative.fold(0.0, f64::max);
-        let by = (LARGEST_MOVE / steepest).min(unit(foundation, parameter));
+        let by = (LARGEST_CHANGE / steepest).min(unit(foundation, parameter));
         let limit = match foundation.base() {
             Base::Rigid => 0.0,
             Base::HalfSpace(_) => foundation.response_at_zero() + by * derivative(0.0),

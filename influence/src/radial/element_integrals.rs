@@ -10,7 +10,7 @@ use crate::element::product_rule::{AtBorder, ProductRule};
 use crate::numerics::quadrature::{Node, legendre_of};
 
 /// Largest error of the rules before their borders are moved outwards.
-const LARGEST_LEFT: f64 = 2e-13;
+const LARGEST_RULE_ERROR: f64 = 2e-13;
 
 /// Number of times the borders are moved outwards before the remaining error is accepted.
 const ATTEMPTS: usize = 4;
@@ -78,33 +78,33 @@ fn nearest(edge: &Edge) -> f64 {
 
 /// Moves the borders of the rules to where their errors are small, and adds these errors to that of the functions.
 pub(crate) fn fit_borders(functions: &mut RadialFunctions) {
-    let mut left = left_by_rules(functions);
+    let mut worst = error_of_rules(functions);
     for _ in 0..ATTEMPTS {
-        if left.error <= LARGEST_LEFT || !left.error.is_finite() {
+        if worst.error <= LARGEST_RULE_ERROR || !worst.error.is_finite() {
             break;
         }
-        functions.tighten_borders(LARGEST_LEFT / left.error / 2.0);
-        left = left_by_rules(functions);
+        functions.tighten_borders(LARGEST_RULE_ERROR / worst.error / 2.0);
+        worst = error_of_rules(functions);
     }
-    left.error += ROUNDING;
-    functions.add_error(left);
+    worst.error += ROUNDING;
+    functions.add_error(worst);
 }
 
 /// The largest difference between each rule and the next finer one, at the border between them.
-fn left_by_rules(functions: &RadialFunctions) -> Worst {
+fn error_of_rules(functions: &RadialFunctions) -> Worst {
     let borders = functions.borders().each();
-    let left = borders.map(|border| left_at(functions, &border));
-    left.fold(Worst::NONE, Worst::larger)
+    let errors = borders.map(|border| error_at_border(functions, &border));
+    errors.fold(Worst::NONE, Worst::larger)
 }
 
-fn left_at(functions: &RadialFunctions, border: &AtBorder) -> Worst {
+fn error_at_border(functions: &RadialFunctions, border: &AtBorder) -> Worst {
     let [start, end] = functions.ends();
     let distance = 2.0 * border.offset[0] as f64;
     let mut yardstick = Yardstick::new(functions);
     // The panels start at NEAR thicknesses of the top layer.
     let smallest = SMALLEST * start / NEAR;
     let scales = std::iter::successors(Some(smallest), |scale| Some(STEP * scale));
-    let left = scales
+    let errors = scales
         .take_while(|scale| scale * distance < end)
         .map(|scale| {
             let integral = |rule| far_integral(functions, rule, scale, border.offset);
@@ -121,14 +121,14 @@ fn left_at(functions: &RadialFunctions, border: &AtBorder) -> Worst {
                 t,
             }
         });
-    left.fold(Worst::NONE, Worst::larger)
+    errors.fold(Worst::NONE, Worst::larger)
 }
 
 #[cfg(test)]
 mod tests {
     use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
-    use super::{LARGEST_LEFT, fit_borders, left_by_rules};
+    use super::{LARGEST_RULE_ERROR, error_of_rules, fit_borders};
     use crate::radial::RadialFunctions;
 
     fn functions(layers: &[[f64; 3]], base: [f64; 2]) -> RadialFunctions {
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn the_usual_borders_are_left_where_they_are() {
+    fn the_usual_borders_are_not_moved() {
         let mut functions = functions(&[[1.0, 10.0, 0.3]], [1.0, 0.3]);
         let borders = *functions.borders();
         fit_borders(&mut functions);
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn around_a_buried_soft_layer_the_borders_are_put_further_out() {
+    fn a_buried_soft_layer_moves_the_borders_outward() {
         let layers = [
             [0.52, 1.4, 0.14],
             [0.25, 0.83, 0.25],
@@ -157,8 +157,8 @@ mod tests {
             [1.45, 0.016, 0.5],
         ];
         let mut functions = functions(&layers, [230.0, 0.02]);
-        assert!(left_by_rules(&functions).error > 10.0 * LARGEST_LEFT);
+        assert!(error_of_rules(&functions).error > 10.0 * LARGEST_RULE_ERROR);
         fit_borders(&mut functions);
-        assert!(left_by_rules(&functions).error <= LARGEST_LEFT);
+        assert!(error_of_rules(&functions).error <= LARGEST_RULE_ERROR);
     }
 }

@@ -127,7 +127,7 @@ mod tests {
     use super::{FarField, place, point};
 
     #[test]
-    fn places_are_those_of_the_bits() {
+    fn place_and_point_are_inverse() {
         let panel = super::number(5.3);
         for expected in [-1.0, -0.25, 0.5] {
             assert!((place(point(panel, expected)) - expected).abs() < 1e-14);
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn a_decaying_function_is_met_to_rounding() {
+    fn a_decaying_function_is_approximated_to_rounding() {
         let function = |t: f64| (-2.0 * t).exp() + 1e-3;
         let field = FarField::new([1e-3, 100.0], function, |largest, _| largest);
         for i in 0..1000 {

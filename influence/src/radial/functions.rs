@@ -140,15 +140,16 @@ impl RadialFunctions {
 
     /// `P(t)` in the requested form.
     pub(crate) fn area(&self, t: f64, form: Area) -> f64 {
-        let (value, held) = self.area_as_held(t);
-        match (form, held) {
+        let (value, stored) = self.stored_area(t);
+        match (form, stored) {
             (Area::Whole, Area::Reduced) => value + self.constant,
             (Area::Reduced, Area::Whole) => value - self.constant,
             _ => value,
         }
     }
 
-    pub(super) fn area_as_held(&self, t: f64) -> (f64, Area) {
+    /// `P(t)` and the form in which it is stored.
+    pub(super) fn stored_area(&self, t: f64) -> (f64, Area) {
         if t < self.ends[0] {
             return (t * (1.0 + self.slope * t / 2.0), Area::Whole);
         }

@@ -180,7 +180,7 @@ mod tests {
 
     /// `∫ e^{−bx} J0(x) dx = 1/√(1+b²)`.
     #[test]
-    fn the_transform_of_an_exponential_is_met_to_rounding() {
+    fn the_transform_of_an_exponential_is_exact_to_rounding() {
         for b in [1e-6, 1e-3, 0.1, 1.0, 10.0, 1e4] {
             let rule = HankelRule::shared();
             let found = rule.integrate(|node| (-b * node.x).exp(), 0.5 / b, f64::INFINITY);
@@ -196,7 +196,7 @@ mod tests {
 
     /// `∫ J0(x) dx = 1`, all of it from the sums of weights.
     #[test]
-    fn the_weights_beyond_count_where_the_function_is_one() {
+    fn the_summed_weights_integrate_the_constant_part() {
         let found = HankelRule::shared().integrate(|_| 1.0, 1e-8, 1e-6);
         assert!((found.value - 1.0).abs() < 1e-15);
     }

@@ -155,11 +155,11 @@ mod tests {
     }
 
     #[test]
-    fn the_area_grows_as_the_function_below_it() {
+    fn the_derivative_of_the_area_is_the_function() {
         for functions in [coated(0.1), coated(10.0)] {
             for t in radii(&functions) {
                 let step = 1e-4 * t;
-                let [less, more] = [t - step, t + step].map(|t| functions.area_as_held(t));
+                let [less, more] = [t - step, t + step].map(|t| functions.stored_area(t));
                 // Stored in the same form on both sides of most radii; P' = T, to (step/t)² of its curvature.
                 let growth = (more.0 - less.0) / (2.0 * step);
                 if less.1 == more.1 {

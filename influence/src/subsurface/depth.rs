@@ -47,7 +47,7 @@ impl Depth {
     }
 
     /// Whether the body is held from below along the surface, with no frictionless interface in between.
-    pub(super) fn is_held(&self, foundation: &Foundation) -> bool {
+    pub(super) fn is_held_laterally(&self, foundation: &Foundation) -> bool {
         let layers = foundation.layers().iter().enumerate();
         let mut slides = layers.filter(|(_, layer)| layer.interface().is_frictionless());
         !slides.any(|(i, _)| self.is_above(foundation.interface_depth(i + 1)))

@@ -42,7 +42,7 @@ pub struct ElementLoads {
 pub struct ElementFields {
     element_side: f64,
     /// Whether `u_x` and `u_y` under a traction are bounded.
-    is_held: bool,
+    is_held_laterally: bool,
     normal: UnderPressure,
     tangential: UnderTraction,
 }
@@ -86,7 +86,7 @@ impl ElementFields {
             SurfaceLoad::Pressure => self.normal.at(place),
             SurfaceLoad::Traction => self.tangential.at(place),
         };
-        if load == SurfaceLoad::Traction && !self.is_held {
+        if load == SurfaceLoad::Traction && !self.is_held_laterally {
             state.displacement[..2].fill(f64::NAN);
         }
         state
@@ -117,12 +117,12 @@ impl ElementFields {
         let sum = |states: &mut dyn Iterator<Item = SubsurfaceState>| {
             states.fold(SubsurfaceState::default(), Add::add)
         };
-        let parts = loaded.par_chunks(SUMMED);
+        let parts = loaded.par_chunks(ELEMENTS_PER_TASK);
         let parts: Vec<_> = parts
             .map(|part| sum(&mut part.iter().map(of_element)))
             .collect();
         let mut state = sum(&mut parts.into_iter());
-        if slides && !self.is_held {
+        if slides && !self.is_held_laterally {
             state.displacement[..2].fill(f64::NAN);
         }
         state
@@ -130,7 +130,7 @@ impl ElementFields {
 }
 
 /// Number of elements that one task sums over.
-const SUMMED: usize = 512;
+const ELEMENTS_PER_TASK: usize = 512;
 
 /// Fields of one element at many depths.
 ///
@@ -180,7 +180,7 @@ impl ElementDepths {
         let waves = DepthWaves::new(&mut self.0, depth, largest_distance)?;
         Ok(ElementFields {
             element_side: self.0.unit(),
-            is_held: depth.is_held(self.0.foundation()),
+            is_held_laterally: depth.is_held_laterally(self.0.foundation()),
             normal: UnderLoad::new(&waves),
             tangential: UnderLoad::new(&waves),
         })

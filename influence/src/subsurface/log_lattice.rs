@@ -78,7 +78,7 @@ mod tests {
 
     /// `∫ e^{−k} J_n(k r) k dk` for n = 0 and 1: `1/ρ³` and `r/ρ³`, `ρ² = 1 + r²`.
     #[test]
-    fn transforms_of_an_exponential_are_met_to_rounding() {
+    fn transforms_of_an_exponential_are_exact_to_rounding() {
         for index in (-700..=700).step_by(35) {
             let r = (index as f64 * STEP).exp();
             let mut sums = [0.0; 4];

@@ -128,7 +128,7 @@ impl PlaneFields {
         mut take: impl FnMut(usize, &[f64]),
     ) -> Result<(), InfluenceError> {
         self.tabulate(depth)?;
-        let is_held = depth.is_held(self.waves.foundation());
+        let is_held_laterally = depth.is_held_laterally(self.waves.foundation());
         for of_pair in PAIRS {
             let wanted = |field: &&usize| chosen.contains(field);
             if !of_pair.iter().any(|field| wanted(&field)) {
@@ -139,7 +139,7 @@ impl PlaneFields {
                 let parts = self.spectra.of(*field, self.friction);
                 self.pressed.convolve(&parts, &mut self.shown);
                 // Where nothing holds the body, the displacements under a traction are unbounded.
-                if self.tangential.is_some() && !is_held && *field < 2 {
+                if self.tangential.is_some() && !is_held_laterally && *field < 2 {
                     self.shown.fill(f64::NAN);
                 }
                 take(*field, &self.shown);

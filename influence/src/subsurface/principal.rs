@@ -51,7 +51,7 @@ mod tests {
     use super::axes_of;
 
     #[test]
-    fn values_and_axes_make_the_tensor_again() {
+    fn principal_values_and_axes_reproduce_the_tensor() {
         for tensor in [
             [[1.0, 2.0, -3.0], [2.0, 0.5, 4.0], [-3.0, 4.0, -7.0]],
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -2.0]],

@@ -139,7 +139,7 @@ mod tests {
     use super::{Layout, RadialPanels};
 
     #[test]
-    fn functions_of_point_loads_are_met_to_thirteen_digits() {
+    fn functions_of_point_loads_are_accurate_to_thirteen_digits() {
         for (reach, ends) in [
             (0.3, [0.0, 500.0]),
             (200.0, [0.0, 40.0]),

@@ -210,7 +210,7 @@ mod tests {
     use super::{Layout, STENCIL, Waves, interpolated, lagrange_weights};
 
     #[test]
-    fn further_depths_take_the_waves_of_the_first() {
+    fn further_depths_reuse_the_waves_of_the_first() {
         let [coating, base] = [5.0, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
         let foundation = Foundation::coated(3.0, coating, base).unwrap();
         let mut waves = Waves::new(&foundation, 0.5);

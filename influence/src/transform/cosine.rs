@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn the_transforms_are_their_sums_of_cosines_and_go_back() {
+    fn the_transforms_equal_their_cosine_sums_and_are_inverse() {
         for length in [1, 2, 3, 5, 8, 15, 16] {
             for (frequencies, first) in [(Frequencies::Whole, 0.0), (Frequencies::Half, 0.5)] {
                 let x = line(length);

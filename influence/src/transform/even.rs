@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn a_periodic_field_is_filtered_around_its_ends() {
+    fn a_periodic_field_is_filtered_across_its_ends() {
         for size in [1, 2, 3, 8, 9, 30, 67] {
             let mut plane = PlaneTransform::new(EvenLines::<f64>::periodic(size));
             let factors = |column: usize| -> Vec<f64> {

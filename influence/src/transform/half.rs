@@ -128,7 +128,7 @@ mod tests {
     use super::HalfLines;
 
     #[test]
-    fn a_periodic_field_is_filtered_around_its_ends() {
+    fn a_periodic_field_is_filtered_across_its_ends() {
         for half in [1, 2, 3, 8, 9, 30] {
             let period = 2 * half;
             let field: Vec<f64> = (0..period * half)

@@ -77,14 +77,14 @@ impl MirrorTransform {
         }
     }
 
-    /// Transforms [`LINES`] lines, where `entries` gives the entries below `length` and the others are 0. Calls `tell`
+    /// Transforms [`LINES`] lines, where `entries` gives the entries below `length` and the others are 0. Calls `emit`
     /// with every frequency and the values of all lines.
     pub(crate) fn transform(
         &self,
         length: usize,
         entries: impl Fn(usize) -> Across,
         buffers: &mut MirrorBuffers,
-        tell: impl FnMut(usize, Across),
+        emit: impl FnMut(usize, Across),
     ) {
         let (given, beyond) = buffers.given.split_at_mut(length);
         for (position, given) in given.iter_mut().enumerate() {
@@ -92,8 +92,8 @@ impl MirrorTransform {
         }
         beyond.fill([0.0; LINES]);
         match self.parity {
-            Parity::Even => self.transform_given::<true>(buffers, tell),
-            Parity::Odd => self.transform_given::<false>(buffers, tell),
+            Parity::Even => self.transform_given::<true>(buffers, emit),
+            Parity::Odd => self.transform_given::<false>(buffers, emit),
         }
     }
 
@@ -104,7 +104,7 @@ impl MirrorTransform {
             pairs,
             scratch,
         }: &mut MirrorBuffers,
-        tell: impl FnMut(usize, Across),
+        emit: impl FnMut(usize, Across),
     ) {
         let mut chunks = pairs.chunks_exact_mut(self.half);
         let mut lines: [&mut [Complex64]; PAIRS] =
@@ -113,7 +113,7 @@ impl MirrorTransform {
         for line in &mut lines {
             self.forward.process_with_scratch(line, scratch);
         }
-        self.unfold::<EVEN>(&lines, first, tell);
+        self.unfold::<EVEN>(&lines, first, emit);
     }
 
     /// Writes `y_0 … y_(M−1)` and returns `X_1`.
@@ -155,19 +155,19 @@ impl MirrorTransform {
         first
     }
 
-    /// Calls `tell` with the transforms of the lines, computed from those of y.
+    /// Calls `emit` with the transforms of the lines, computed from those of y.
     #[inline]
     fn unfold<const EVEN: bool>(
         &self,
         lines: &[&mut [Complex64]; PAIRS],
         first: Across,
-        mut tell: impl FnMut(usize, Across),
+        mut emit: impl FnMut(usize, Across),
     ) {
         let half = self.half;
         let zeroth = side_by_side(|pair| lines[pair][0]);
         let mut odd = if EVEN { first } else { zeroth.map(|y| y / 2.0) };
-        tell(0, if EVEN { zeroth } else { [0.0; LINES] });
-        tell(1, odd);
+        emit(0, if EVEN { zeroth } else { [0.0; LINES] });
+        emit(1, odd);
         for k in 1..=half / 2 {
             let sum = side_by_side(|pair| (lines[pair][k] + lines[pair][half - k]) * 0.5);
             let difference = side_by_side(|pair| {
@@ -181,9 +181,9 @@ impl MirrorTransform {
                 (difference, sum)
             };
             odd = across(&odd, &step, |odd, step| odd + step);
-            tell(2 * k, even);
+            emit(2 * k, even);
             if 2 * k < half {
-                tell(2 * k + 1, odd);
+                emit(2 * k + 1, odd);
             }
         }
     }
@@ -222,7 +222,7 @@ mod tests {
             for length in [1, half, half + 1] {
                 let lines = MirrorTransform::new(half, parity);
                 let entries = |j| std::array::from_fn(|line| entry(line, j));
-                let mut told = 0;
+                let mut calls = 0;
                 lines.transform(length, entries, &mut lines.buffers(), |k, values| {
                     for (line, value) in values.into_iter().enumerate() {
                         let weight = |j: usize| if j == 0 || j == half { ends } else { 2.0 };
@@ -232,22 +232,22 @@ mod tests {
                         let error = (value - terms.sum::<f64>()).abs();
                         assert!(error < 1e-12, "{half} {length} {k}: {error:e}");
                     }
-                    told += 1;
+                    calls += 1;
                 });
-                assert_eq!(told, half + 1);
+                assert_eq!(calls, half + 1);
             }
         }
     }
 
     #[test]
-    fn even_sequences_are_transformed_into_their_sums_of_cosines() {
+    fn transforms_of_even_sequences_equal_their_cosine_sums() {
         check(Parity::Even, 1.0, |j, k, half| {
             (PI * (j * k) as f64 / half as f64).cos()
         });
     }
 
     #[test]
-    fn odd_sequences_are_transformed_into_their_sums_of_sines() {
+    fn transforms_of_odd_sequences_equal_their_sine_sums() {
         check(Parity::Odd, 0.0, |j, k, half| {
             (PI * (j * k) as f64 / half as f64).sin()
         });

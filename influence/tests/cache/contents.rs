@@ -9,7 +9,7 @@ use pellicle_kernel::Foundation;
 use crate::scene::{ELEMENT_SIDE, SIZE, bits, coated, filled, foundations, material, plain};
 
 #[test]
-fn what_is_read_is_what_was_computed_to_the_bit() {
+fn data_read_equal_the_data_computed_to_the_bit() {
     for foundation in foundations() {
         let folder = tempfile::tempdir().unwrap();
         let fresh = || Cache::at(folder.path());
@@ -41,7 +41,7 @@ fn what_is_read_is_what_was_computed_to_the_bit() {
 }
 
 #[test]
-fn the_algorithm_has_the_version_of_its_numbers() {
+fn changed_numbers_need_a_new_version() {
     // If this fails after a change of the arithmetic, put the new numbers here and raise `VERSION` in
     // `src/cache.rs`: files written before must no longer be read. Length of the file of the tables, and two
     // coefficients of each foundation.
@@ -71,7 +71,7 @@ fn the_algorithm_has_the_version_of_its_numbers() {
 }
 
 #[test]
-fn memory_is_shared_by_clones_and_asked_first() {
+fn clones_share_the_memory_and_search_it_first() {
     let (folder, file) = filled();
     let cache = Cache::at(folder.path());
     let get = |cache: &Cache| cache.coefficients(&plain(), ELEMENT_SIDE, SIZE).unwrap();
@@ -83,7 +83,7 @@ fn memory_is_shared_by_clones_and_asked_first() {
 }
 
 #[test]
-fn other_grids_and_foundations_are_other_data() {
+fn other_grids_and_foundations_are_cached_separately() {
     let cache = Cache::in_memory();
     let tables = cache.radial_tables(&coated()).unwrap().value;
     let origin =
@@ -100,7 +100,7 @@ fn other_grids_and_foundations_are_other_data() {
 }
 
 #[test]
-fn no_cache_computes_every_time() {
+fn without_a_cache_data_are_computed_every_time() {
     let cache = Cache::none();
     for _ in 0..2 {
         let found = cache.coefficients(&plain(), ELEMENT_SIDE, SIZE).unwrap();
@@ -112,7 +112,7 @@ fn no_cache_computes_every_time() {
 }
 
 #[test]
-fn what_is_computed_as_fast_as_read_is_not_written() {
+fn data_computed_as_fast_as_read_are_not_written() {
     let folder = tempfile::tempdir().unwrap();
     let cache = Cache::at(folder.path().join("cache"));
     let homogeneous = Foundation::half_space(material(1.0, 0.3));
@@ -126,7 +126,7 @@ fn what_is_computed_as_fast_as_read_is_not_written() {
 }
 
 #[test]
-fn errors_are_those_of_the_computation() {
+fn errors_of_the_computation_are_passed_on() {
     let folder = tempfile::tempdir().unwrap();
     let cache = Cache::at(folder.path());
     assert!(matches!(
@@ -141,7 +141,7 @@ fn errors_are_those_of_the_computation() {
 }
 
 #[test]
-fn what_is_wrong_on_purpose_is_wrong_by_the_factor_and_never_kept() {
+fn perturbed_coefficients_are_wrong_by_the_factor_and_never_cached() {
     let folder = tempfile::tempdir().unwrap();
     let cache = Cache::at(folder.path());
     let get = |tables: &RadialTables| cache.coefficients(tables, ELEMENT_SIDE, SIZE).unwrap();

@@ -9,7 +9,7 @@ use pellicle_influence::{Cache, CacheWarning};
 use crate::scene::{SIZE, assert_replaced, filled, only_file, plain};
 
 #[test]
-fn a_file_cut_off_anywhere_is_computed_again() {
+fn a_file_truncated_anywhere_is_recomputed() {
     let (folder, file) = filled();
     let whole = fs::read(&file).unwrap();
     for length in (0..whole.len()).step_by(16).chain([whole.len() - 1]) {
@@ -19,7 +19,7 @@ fn a_file_cut_off_anywhere_is_computed_again() {
 }
 
 #[test]
-fn a_turned_bit_is_found_wherever_it_is() {
+fn a_flipped_bit_is_detected_at_every_position() {
     let (folder, file) = filled();
     let whole = fs::read(&file).unwrap();
     // In the checksum, the side of an element, the size of the grid, the number of coefficients, and the coefficients.
@@ -31,7 +31,7 @@ fn a_turned_bit_is_found_wherever_it_is() {
 }
 
 #[test]
-fn a_file_that_goes_on_where_it_should_end_is_not_trusted() {
+fn a_file_with_trailing_bytes_is_not_trusted() {
     let (folder, file) = filled();
     let whole = fs::read(&file).unwrap();
     for surplus in [1, 100_000] {

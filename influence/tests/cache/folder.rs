@@ -9,7 +9,7 @@ use pellicle_influence::{Cache, CacheWarning, Origin};
 use crate::scene::{ELEMENT_SIDE, SIZE, bits, coefficients, expected, filled, only_file, plain};
 
 #[test]
-fn a_folder_in_a_files_place_costs_only_the_cache() {
+fn a_folder_in_place_of_a_file_costs_only_the_cache() {
     let (folder, file) = filled();
     fs::remove_file(&file).unwrap();
     fs::create_dir(&file).unwrap();
@@ -24,7 +24,7 @@ fn a_folder_in_a_files_place_costs_only_the_cache() {
 }
 
 #[test]
-fn a_file_in_the_folders_place_costs_only_the_cache() {
+fn a_file_in_place_of_the_folder_costs_only_the_cache() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("cache");
     fs::write(&path, "mine").unwrap();
@@ -55,7 +55,7 @@ fn a_folder_that_cannot_be_created_costs_only_the_cache() {
 
 #[cfg(unix)]
 #[test]
-fn a_read_only_folder_gives_what_it_has_and_takes_nothing() {
+fn a_read_only_folder_is_read_but_not_written() {
     use std::os::unix::fs::PermissionsExt;
     let (folder, _file) = filled();
     let set = |mode| fs::set_permissions(folder.path(), fs::Permissions::from_mode(mode)).unwrap();
@@ -75,7 +75,7 @@ const FOLDER_OF_LIMITED: &str = "PELLICLE_TEST_CACHE_OF_LIMITED";
 
 #[cfg(unix)]
 #[test]
-fn a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache() {
+fn a_disk_that_fills_up_within_a_file_costs_only_the_cache() {
     if let Some(folder) = std::env::var_os(FOLDER_OF_LIMITED) {
         let (table, origin, warnings) = coefficients(Path::new(&folder));
         assert_eq!((origin, bits(&table)), (Origin::Computed, expected()));
@@ -85,7 +85,7 @@ fn a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache() {
     let folder = tempfile::tempdir().unwrap();
     // A process whose files cannot grow beyond 8 blocks, half the size of the coefficients, and whose
     // write returns an error.
-    let name = "folder::a_disk_that_is_full_in_the_middle_of_a_file_costs_only_the_cache";
+    let name = "folder::a_disk_that_fills_up_within_a_file_costs_only_the_cache";
     let line = format!("trap '' XFSZ; ulimit -f 8; exec \"$0\" {name} --exact");
     let mut limited = Command::new("sh");
     limited.arg("-c").arg(line);
@@ -126,7 +126,7 @@ fn clearing_removes_the_caches_own_files_and_no_other() {
 }
 
 #[test]
-fn a_folder_that_is_not_there_yet_is_an_empty_cache() {
+fn a_missing_folder_is_an_empty_cache() {
     let folder = tempfile::tempdir().unwrap();
     let cache = Cache::at(folder.path().join("not/yet"));
     assert_eq!(cache.usage().unwrap().files, 0);

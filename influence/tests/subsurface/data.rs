@@ -6,14 +6,14 @@ use serde_json::Value;
 
 use super::{KEYS, nine};
 
-/// Nine fields of one load, in the order of the data's keys; `None` where unbounded.
-type Nine = [Option<f64>; 9];
+/// The nine fields of one load, in the order of the data's keys; `None` where unbounded.
+type NineFields = [Option<f64>; 9];
 
 /// One point of the data: x, y, z, its side, the fields of both loads.
 struct Entry {
     point: [f64; 3],
     side: Side,
-    loads: [Nine; 2],
+    loads: [NineFields; 2],
 }
 
 fn data() -> Vec<(String, Foundation, Vec<Entry>)> {

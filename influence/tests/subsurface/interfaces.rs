@@ -27,7 +27,7 @@ fn the_surface_sinks_by_the_influence_coefficient() {
 }
 
 #[test]
-fn tractions_and_displacements_pass_bonded_interfaces() {
+fn tractions_and_displacements_are_continuous_across_bonded_interfaces() {
     for foundation in stacks() {
         let depths = (1..=foundation.layers().len()).map(|i| foundation.interface_depth(i));
         for depth in depths {

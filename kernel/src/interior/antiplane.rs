@@ -16,7 +16,7 @@ use crate::{Base, Layer, Material};
 
 /// The ratio `W : T` of the bodies below a plane, and `W − T`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Held {
+pub(super) struct Support {
     w: f64,
     t: f64,
     difference: f64,
@@ -26,14 +26,18 @@ pub(super) struct Held {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum AntiplaneWave {
     /// `s = k H`, the support of the bottom, and the factor that scales it.
-    Layer { s: f64, held: Held, scale: f64 },
+    Layer {
+        s: f64,
+        support: Support,
+        scale: f64,
+    },
     /// `T` on the top.
     HalfSpace(f64),
     /// Nothing moves.
     Rigid,
 }
 
-impl Held {
+impl Support {
     const HALF_SPACE: Self = Self {
         w: 1.0,
         t: 1.0,
@@ -88,7 +92,7 @@ fn carried(r: f64, first: f64, second: f64) -> f64 {
 impl AntiplaneWave {
     /// The waves of all bodies, surface first, the base last, under unit traction on the surface.
     pub(super) fn of(layers: &[Layer], base: Base, wavenumber: f64) -> Vec<Self> {
-        let held = held_bottoms(layers, base, wavenumber);
+        let supports = bottom_supports(layers, base, wavenumber);
         let surface = match (layers.first(), base) {
             (Some(layer), _) => layer.material(),
             (None, Base::HalfSpace(material)) => material,
@@ -96,12 +100,12 @@ impl AntiplaneWave {
         };
         let mut traction = 1.0 / (surface.shear_modulus() * wavenumber);
         let mut waves = Vec::with_capacity(layers.len() + 1);
-        for (layer, (held, mu)) in layers.iter().zip(held) {
+        for (layer, (support, mu)) in layers.iter().zip(supports) {
             let s = wavenumber * layer.thickness();
-            let scale = traction / carried(s, held.t, held.w);
-            waves.push(Self::Layer { s, held, scale });
+            let scale = traction / carried(s, support.t, support.w);
+            waves.push(Self::Layer { s, support, scale });
             // T on the bottom, in the units of the body below
-            traction = mu * (2.0 * held.t * scale * (-s).exp());
+            traction = mu * (2.0 * support.t * scale * (-s).exp());
         }
         waves.push(match base {
             Base::HalfSpace(_) => Self::HalfSpace(traction),
@@ -114,12 +118,12 @@ impl AntiplaneWave {
     pub(super) fn at(&self, place: &PlaceInLayer, stiffness: f64) -> Antiplane {
         let decay = (-place.below_top).exp();
         let (w, t) = match *self {
-            Self::Layer { held, scale, .. } => {
+            Self::Layer { support, scale, .. } => {
                 let r = place.above_bottom;
                 let factor = scale * decay;
                 (
-                    factor * carried(r, held.w, held.t),
-                    factor * carried(r, held.t, held.w),
+                    factor * carried(r, support.w, support.t),
+                    factor * carried(r, support.t, support.w),
                 )
             }
             Self::HalfSpace(t) => (t * decay, t * decay),
@@ -130,11 +134,11 @@ impl AntiplaneWave {
 
     /// The amplitudes in the top layer minus those in a half-space of its material.
     pub(super) fn correction(&self, place: &PlaceInLayer, stiffness: f64) -> Antiplane {
-        let Self::Layer { s, held, scale } = *self else {
+        let Self::Layer { s, support, scale } = *self else {
             return antiplane(0.0, 0.0, stiffness);
         };
         // (W − T) e^{−s} (e^{−r} ± e^{−r − 2ζ})
-        let factor = scale * held.difference * (-s).exp() * (-place.above_bottom).exp();
+        let factor = scale * support.difference * (-s).exp() * (-place.above_bottom).exp();
         let lost = -(-2.0 * place.below_top).exp_m1();
         antiplane(factor * (2.0 - lost), -factor * lost, stiffness)
     }
@@ -150,10 +154,10 @@ fn antiplane(w: f64, t: f64, stiffness: f64) -> Antiplane {
 
 /// The support of the bottom of every layer, surface first, with `μ`, the layer's shear modulus over that of the body
 /// below (1 on a rigid base).
-fn held_bottoms(layers: &[Layer], base: Base, wavenumber: f64) -> Vec<(Held, f64)> {
-    let (mut held, mut below) = match base {
-        Base::HalfSpace(material) => (Held::HALF_SPACE, Some(material)),
-        Base::Rigid => (Held::CLAMPED, None),
+fn bottom_supports(layers: &[Layer], base: Base, wavenumber: f64) -> Vec<(Support, f64)> {
+    let (mut support, mut below) = match base {
+        Base::HalfSpace(material) => (Support::HALF_SPACE, Some(material)),
+        Base::Rigid => (Support::CLAMPED, None),
     };
     let mut bottoms = Vec::with_capacity(layers.len());
     for layer in layers.iter().rev() {
@@ -165,9 +169,9 @@ fn held_bottoms(layers: &[Layer], base: Base, wavenumber: f64) -> Vec<(Held, f64
         } else {
             ComplianceShare::new(compliance * stiffness)
         };
-        let bottom = held.onto(mu, excess, shear);
+        let bottom = support.onto(mu, excess, shear);
         bottoms.push((bottom, mu));
-        held = bottom.through(wavenumber * layer.thickness());
+        support = bottom.through(wavenumber * layer.thickness());
         below = Some(layer.material());
     }
     bottoms.reverse();

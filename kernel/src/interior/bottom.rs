@@ -10,7 +10,7 @@
 
 use super::crossing::best_pair;
 use crate::response::contrast::Contrast;
-use crate::response::{HeldBottom, Minors, Poisson};
+use crate::response::{BottomSupport, Minors, Poisson};
 use crate::wave::{U, V};
 use nalgebra::RowVector4;
 
@@ -55,12 +55,13 @@ pub(super) fn rows(minors: &Minors) -> [RowVector4<f64>; 2] {
 /// The equations are linear in the minors and hold for such a state with the minors of the half-space, so only the
 /// deviation from those minors is left.
 pub(super) fn rows_of_half_space(
-    held: &HeldBottom,
+    support: &BottomSupport,
     poisson: &Poisson,
     layers: usize,
 ) -> [RowVector4<f64>; 2] {
-    let deviation = deviation(&held.minors, &held.contrast, poisson, layers);
-    equations(&held.minors).map(|equation| equation.row(&deviation) / equation.size(&held.minors))
+    let deviation = deviation(&support.minors, &support.contrast, poisson, layers);
+    equations(&support.minors)
+        .map(|equation| equation.row(&deviation) / equation.size(&support.minors))
 }
 
 impl Equation {

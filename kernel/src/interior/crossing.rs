@@ -5,7 +5,7 @@
 //! one with the largest minor magnifies no error. The components below an interface follow in this way directly from
 //! those above it, in the units of the body above, without the subtraction of a spring's jump.
 
-use crate::response::{ComplianceShare, HeldBottom, Minors};
+use crate::response::{BottomSupport, ComplianceShare, Minors};
 use crate::wave::{SIGMA, TAU, TopPair, U, V};
 use nalgebra::Vector4;
 
@@ -25,11 +25,11 @@ pub(super) fn best_pair(minors: &Minors) -> TopPair {
 }
 
 /// The state below the interface, in the units of the body above it.
-pub(super) fn cross(held: &HeldBottom, state: &Vector4<f64>) -> Vector4<f64> {
-    let Minors { p, q, f, g, d } = held.minors;
-    let mixed = Mixed::new(held);
+pub(super) fn cross(support: &BottomSupport, state: &Vector4<f64>) -> Vector4<f64> {
+    let Minors { p, q, f, g, d } = support.minors;
+    let mixed = Mixed::new(support);
     let [u, v, tau, sigma] = [U, V, TAU, SIGMA].map(|i| state[i]);
-    match best_pair(&held.minors).0 {
+    match best_pair(&support.minors).0 {
         [U, V] => {
             Vector4::new(
                 mixed.uv * u - mixed.uu * v,
@@ -82,10 +82,10 @@ struct Mixed {
 }
 
 impl Mixed {
-    fn new(held: &HeldBottom) -> Self {
-        let Minors { p, q, f, g, .. } = held.below;
-        let ComplianceShare { held: s1, free: s2 } = held.spring.shear;
-        let ComplianceShare { held: n1, free: n2 } = held.spring.normal;
+    fn new(support: &BottomSupport) -> Self {
+        let Minors { p, q, f, g, .. } = support.below;
+        let ComplianceShare { held: s1, free: s2 } = support.spring.shear;
+        let ComplianceShare { held: n1, free: n2 } = support.spring.normal;
         Self {
             uv: s1 * (n1 * p + n2 * f),
             vu: n1 * (s1 * p + s2 * g),

@@ -8,7 +8,7 @@
 use super::InPlane;
 use super::bottom::{rows, rows_of_half_space};
 use super::crossing::{best_pair, cross};
-use crate::response::{HeldBottom, Minors, Poisson, Stack};
+use crate::response::{BottomSupport, Minors, Poisson, Stack};
 use crate::wave::{
     DepthFactors, LayerEquations, LayerWave, PlaceInLayer, SIGMA, TAU, TopPair, U, V, decayed,
     slope,
@@ -76,15 +76,15 @@ impl Waves {
             });
         }
         let stack = Stack::new(foundation.layers(), foundation.base());
-        let held = stack.held_bottoms(wavenumber);
+        let supports = stack.bottom_supports(wavenumber);
         let correction = correction(
             &foundation.layers()[0],
             wavenumber,
-            &held[0].0,
+            &supports[0].0,
             tops,
-            held.len(),
+            supports.len(),
         )?;
-        let bodies = descend(foundation, wavenumber, &held)?;
+        let bodies = descend(foundation, wavenumber, &supports)?;
         Ok(Self { bodies, correction })
     }
 }
@@ -93,7 +93,7 @@ impl Waves {
 fn descend(
     foundation: &Foundation,
     wavenumber: f64,
-    held: &[(HeldBottom, Minors)],
+    supports: &[(BottomSupport, Minors)],
 ) -> Result<Vec<InPlaneWave>, KernelError> {
     let layers = foundation.layers();
     let unit = unit_traction(foundation.surface_material(), wavenumber);
@@ -103,10 +103,10 @@ fn descend(
         Vector4::new(0.0, 0.0, -1.0 / unit, 0.0),
     ];
     let mut bodies = Vec::with_capacity(layers.len() + 1);
-    for (i, (layer, (held, below))) in layers.iter().zip(held).enumerate() {
+    for (i, (layer, (support, below))) in layers.iter().zip(supports).enumerate() {
         let s = wavenumber * layer.thickness();
         let poisson = Poisson::new(layer.material());
-        let equations = LayerEquations::new(&poisson, s, pair, rows(&held.minors));
+        let equations = LayerEquations::new(&poisson, s, pair, rows(&support.minors));
         let [first, second] = pair.0;
         let loads = tops.map(|top| Vector4::new(top[first], top[second], 0.0, 0.0));
         let waves = equations.solve(loads).ok_or(KernelError::Singular { s })?;
@@ -115,7 +115,7 @@ fn descend(
         let mu = body_below(foundation, i).map_or(1.0, |below| {
             layer.material().shear_modulus() / below.shear_modulus()
         });
-        tops = waves.map(|wave| in_units_below(cross(held, &wave.at(&bottom)), mu));
+        tops = waves.map(|wave| in_units_below(cross(support, &wave.at(&bottom)), mu));
         pair = best_pair(below);
     }
     bodies.push(match foundation.base() {
@@ -142,14 +142,14 @@ fn in_units_below(state: Vector4<f64>, mu: f64) -> Vector4<f64> {
 fn correction(
     layer: &Layer,
     wavenumber: f64,
-    held: &HeldBottom,
+    support: &BottomSupport,
     tops: Pair<Vector4<f64>>,
     layers: usize,
 ) -> Result<InPlaneWave, KernelError> {
     let s = wavenumber * layer.thickness();
     let poisson = Poisson::new(layer.material());
-    let equations = LayerEquations::new(&poisson, s, TopPair::TRACTIONS, rows(&held.minors));
-    let lacking = rows_of_half_space(held, &poisson, layers);
+    let equations = LayerEquations::new(&poisson, s, TopPair::TRACTIONS, rows(&support.minors));
+    let lacking = rows_of_half_space(support, &poisson, layers);
     let loads = tops.map(|top| {
         let bottom = in_half_space(&top, s);
         let [third, fourth] = lacking.map(|row| -(row * bottom)[0]);

@@ -114,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn series_and_exponentials_meet() {
+    fn series_and_exponentials_agree_where_they_meet() {
         let (series, direct) = (Decay::shallow(1.0), Decay::thick(1.0));
         // Cancellation in the direct form loses a factor 4 at s = 1: 4 · 2.2e-16 · few.
         for (x, y) in [
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn small_layers_keep_every_digit() {
+    fn thin_layers_keep_every_digit() {
         let s = 1e-8;
         let decay = Decay::new(s);
         // q₁ = 16 s³ / 3 · θ (1 + O(s²)), q₂ = 4 s⁴ / 3 · θ (1 + O(s²)); roundings only
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn deep_layers_end_in_their_limit() {
+    fn thick_layers_reach_their_limit() {
         assert_eq!(Decay::new(1e300), Decay::DEEP);
         assert_eq!(Decay::new(f64::INFINITY), Decay::DEEP);
         assert!(Decay::new(359.9).theta4 < 1e-300);

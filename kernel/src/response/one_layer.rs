@@ -27,7 +27,7 @@ impl OneLayer {
         let junction = Junction::with_base(layer, base);
         let below = junction.base_minors();
         let contrast = junction.contrast(&below, &Contrast::NONE);
-        Self::held(layer, &junction.minors(&below), &contrast)
+        Self::supported(layer, &junction.minors(&below), &contrast)
     }
 
     /// A layer on any interface, for one wavenumber.
@@ -41,11 +41,11 @@ impl OneLayer {
         let spring = SpringWave::new(layer.interface(), unit);
         let poisson = Poisson::new(layer.material());
         let contrast = spring.contrast(&below, &contrast, &poisson);
-        Self::held(layer, &spring.minors(&below), &contrast)
+        Self::supported(layer, &spring.minors(&below), &contrast)
     }
 
     /// A layer with these minors and this contrast on its bottom.
-    fn held(layer: &Layer, minors: &Minors, contrast: &Contrast) -> Self {
+    fn supported(layer: &Layer, minors: &Minors, contrast: &Contrast) -> Self {
         let poisson = Poisson::new(layer.material());
         let &Contrast { c1, c2, c3, c4 } = contrast;
         let Poisson { nu, b, w, x, .. } = poisson;

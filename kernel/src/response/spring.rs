@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn the_minors_above_a_spring_fulfil_their_identity() {
+    fn the_minors_above_a_spring_satisfy_their_identity() {
         let spring = SpringWave::new(Interface::spring(0.4, 7.0).unwrap(), 1.0);
         let Minors { p, q, f, g, d } = spring.minors(&MINORS);
         // p d = f g − q², a few roundings

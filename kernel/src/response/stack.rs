@@ -29,7 +29,7 @@ struct LayerStep {
 
 /// The support of the bottom of one layer, in the units of the layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct HeldBottom {
+pub(crate) struct BottomSupport {
     /// The minors of the bodies below the interface.
     pub(crate) below: Minors,
     /// The interface.
@@ -82,11 +82,11 @@ impl Stack {
 
     /// The support of the bottom of every layer, surface first, and the minors on the top of every layer but the first
     /// and of the base, each in the units of its body.
-    pub(crate) fn held_bottoms(&self, wavenumber: f64) -> Vec<(HeldBottom, Minors)> {
+    pub(crate) fn bottom_supports(&self, wavenumber: f64) -> Vec<(BottomSupport, Minors)> {
         let (mut top, mut contrast) = (self.base, Contrast::NONE);
         let mut bottoms = Vec::with_capacity(self.steps.len());
         for step in &self.steps {
-            let bottom = step.held_bottom(&top, &contrast, wavenumber);
+            let bottom = step.bottom_support(&top, &contrast, wavenumber);
             bottoms.push((bottom, top));
             let decay = Decay::new(wavenumber * step.thickness);
             top = bottom.minors.through(&step.poisson, &decay);
@@ -133,17 +133,22 @@ impl LayerStep {
         wavenumber: f64,
     ) -> Contrast {
         let bottom = match self.interface {
-            Interface::Spring(_) => self.held_bottom(below, contrast, wavenumber).contrast,
+            Interface::Spring(_) => self.bottom_support(below, contrast, wavenumber).contrast,
             Interface::Bonded | Interface::Frictionless => self.junction.contrast(below, contrast),
         };
         bottom.through(&self.poisson, decay)
     }
 
     /// The support of the bottom as a bond below a spring, whatever the kind of the interface.
-    fn held_bottom(&self, below: &Minors, contrast: &Contrast, wavenumber: f64) -> HeldBottom {
+    fn bottom_support(
+        &self,
+        below: &Minors,
+        contrast: &Contrast,
+        wavenumber: f64,
+    ) -> BottomSupport {
         let (below, contrast) = self.junction.bonded(below, contrast);
         let spring = self.spring(wavenumber);
-        HeldBottom {
+        BottomSupport {
             below,
             spring,
             minors: spring.minors(&below),
@@ -202,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_layer_cut_into_sublayers_stays_the_same() {
+    fn a_layer_split_into_sublayers_has_the_same_response() {
         for pieces in [2_u8, 50] {
             let thickness = 1.0 / f64::from(pieces);
             let sublayers = vec![layer(thickness, 30.0, 0.4); usize::from(pieces)];
@@ -225,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn a_layer_on_a_rigid_base_cut_in_two_keeps_the_digits_of_short_waves() {
+    fn a_layer_on_a_rigid_base_split_in_two_keeps_the_digits_of_short_waves() {
         for interface in [Interface::Bonded, Interface::Frictionless] {
             let lower = |thickness| {
                 let material = Material::new(3.0, 0.4).unwrap();

@@ -24,7 +24,7 @@ fn the_surface_carries_the_loads_and_moves_by_the_compliance() {
 }
 
 #[test]
-fn what_pressure_moves_along_traction_lifts() {
+fn horizontal_and_vertical_cross_displacements_are_reciprocal() {
     for foundation in foundations() {
         for k in WAVENUMBERS {
             let surface = foundation.interior(k).unwrap().at(0.0, Side::Below);
@@ -129,7 +129,7 @@ fn check_in_plane(
 }
 
 #[test]
-fn interfaces_transmit_what_they_should() {
+fn interfaces_transmit_tractions_and_displacements_by_their_kind() {
     for foundation in foundations() {
         for k in WAVENUMBERS {
             let interior = foundation.interior(k).unwrap();
@@ -138,14 +138,14 @@ fn interfaces_transmit_what_they_should() {
                 let softer = below.map_or(f64::INFINITY, |body| body.shear_modulus());
                 let depth = foundation.interface_depth(i + 1);
                 let sides = [Side::Above, Side::Below].map(|side| interior.at(depth, side));
-                let meeting = Meeting {
+                let joint = Joint {
                     interface: layer.interface(),
                     unit: 2.0 * k * softer.min(layer.material().shear_modulus()),
                     rigid: below.is_none(),
                 };
-                meeting.check(sides.map(|side| side.normal));
-                meeting.check(sides.map(|side| side.shear));
-                meeting.check_antiplane(sides.map(|side| side.antiplane));
+                joint.check(sides.map(|side| side.normal));
+                joint.check(sides.map(|side| side.shear));
+                joint.check_antiplane(sides.map(|side| side.antiplane));
             }
         }
     }
@@ -160,14 +160,14 @@ fn body_below(foundation: &Foundation, i: usize) -> Option<Material> {
 }
 
 /// An interface; a rigid body below has no tractions to compare.
-struct Meeting {
+struct Joint {
     interface: Interface,
     /// `2 G k` of the softer side, where a small error of traction causes the larger displacement
     unit: f64,
     rigid: bool,
 }
 
-impl Meeting {
+impl Joint {
     fn check(&self, [above, below]: [InPlane; 2]) {
         // To 1e-13 of the state, the error of the eliminations above and below.
         let bound = 1e-13 * size(&above, self.unit);
@@ -216,7 +216,7 @@ impl Meeting {
 }
 
 #[test]
-fn an_interface_has_two_sides() {
+fn stress_may_jump_at_an_interface() {
     let foundation = Foundation::coated(0.5, material(10.0, 0.3), material(1.0, 0.4)).unwrap();
     let interior = foundation.interior(2.0).unwrap();
     let stress = |depth, side| interior.at(depth, side).normal.longitudinal_stress;

@@ -68,7 +68,7 @@ fn numbers(place: &Amplitudes) -> [f64; 15] {
 }
 
 #[test]
-fn the_homogeneous_body_and_the_correction_are_the_layered_body() {
+fn the_homogeneous_body_plus_the_correction_is_the_layered_body() {
     for foundation in foundations() {
         let homogeneous = Foundation::half_space(foundation.surface_material());
         for k in WAVENUMBERS {
@@ -142,7 +142,7 @@ fn difference(found: &Foundation, wanted: &Foundation, depth: f64) -> f64 {
 }
 
 #[test]
-fn a_spring_leads_from_the_bond_to_the_frictionless_interface() {
+fn a_spring_ranges_from_the_bonded_to_the_frictionless_interface() {
     for base in [Base::HalfSpace(material(1.0, 0.4)), Base::Rigid] {
         let coated =
             |interface| Foundation::new(vec![layer(1.0, 3.0, 0.3, interface)], base).unwrap();
@@ -164,7 +164,7 @@ fn a_spring_leads_from_the_bond_to_the_frictionless_interface() {
 }
 
 #[test]
-fn deep_waves_end_in_nothing_and_long_ones_in_the_base_alone() {
+fn short_waves_are_finite_at_every_depth_and_long_ones_depend_on_the_base_alone() {
     for foundation in foundations() {
         for k in [700.0, 5e3, 1e9, 1e300] {
             let interior = foundation.interior(k).unwrap();
@@ -198,7 +198,7 @@ fn deep_waves_end_in_nothing_and_long_ones_in_the_base_alone() {
 }
 
 #[test]
-fn a_wave_without_a_length_is_refused() {
+fn invalid_wavenumbers_are_refused() {
     let half_space = Foundation::half_space(material(2.0, 0.3));
     for k in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(half_space.interior(k).is_err());

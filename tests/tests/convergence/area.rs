@@ -48,7 +48,7 @@ fn error(found: f64, exact: f64) -> f64 {
 /// elements, whereas Yastrebov, Anciaux and Molinari subtract 0.118. Both areas converge to the circle's with first
 /// order.
 #[test]
-fn of_circles_the_counted_area_is_too_large_by_a_part_of_the_perimeter() {
+fn the_counted_area_of_circles_is_too_large_by_a_fraction_of_the_perimeter() {
     for elements in [64, 256] {
         let h = 1.0 / elements as f64;
         let (mut part, mut errors) = (0.0, [0.0; 3]);
@@ -83,8 +83,7 @@ fn of_circles_the_counted_area_is_too_large_by_a_part_of_the_perimeter() {
 
 /// The truth comes from counting alone: its error is of first order, so two grids are extrapolated.
 #[test]
-fn on_a_rough_contact_the_area_by_its_edge_is_nearer_than_the_corrected_one_and_that_than_the_counted_one()
- {
+fn on_a_rough_contact_edge_corrected_and_counted_areas_are_accurate_in_this_order() {
     let surface = repeated(&samples(11));
     let areas = [256, 512].map(|elements| {
         let step = solve(surface.clone(), Domain::Periodic(1.0), elements, 0.03);

@@ -41,7 +41,7 @@ fn of_pressure(pressure: impl Fn(f64) -> f64) -> impl Fn(&LoadingPath) -> f64 {
 }
 
 #[test]
-fn hertzs_penetration_converges_with_order_two_and_his_pressure_with_order_one() {
+fn hertzs_penetration_converges_with_order_two_and_the_pressure_with_order_one() {
     let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
     let load = Load::Force(hertz.force);
     let found = errors(
@@ -81,7 +81,7 @@ fn the_area_of_hertzs_contact_converges_with_order_near_two() {
 }
 
 #[test]
-fn a_flat_punchs_area_is_that_of_its_rim() {
+fn the_contact_area_of_a_flat_punch_is_the_area_within_its_rim() {
     let punch = reference::flat_punch::from_force(0.1, 1.0, 0.02);
     let indenter = Indenter::FlatPunch(FlatPunch::new(0.1).expect("a punch"));
     let area = |path: &LoadingPath| relative(path.steps[0].summary.contact_area, PI * 0.01);
@@ -127,39 +127,42 @@ fn a_flat_punchs_penetration_converges_with_order_one() {
 }
 
 #[test]
-fn the_order_that_a_solution_says_of_itself_is_the_one_that_is_seen() {
+fn the_reported_order_is_the_observed_order() {
     let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
     let load = Load::Force(hertz.force);
     let of_penetration = of_penetration(hertz.penetration);
-    let seen = observed_order(&errors(paraboloid(1.0), 0.3, load, of_penetration));
+    let observed = observed_order(&errors(paraboloid(1.0), 0.3, load, of_penetration));
     let model = model(&unit_half_space(), Relief::Bare, paraboloid(1.0));
     for elements in [256, 320, 416] {
         let step = solve(&model, 0.3, elements, load).steps.remove(0);
-        let said = step.grid_error.penetration.expect("several grids");
-        let order = said.order.expect("a change");
+        let reported = step.grid_error.penetration.expect("several grids");
+        let order = reported.order.expect("a change");
         // The order from three grids scatters by a fifth; a first-order method would be off by 0.9.
-        assert!((order - seen).abs() < 0.3, "said {order}, seen {seen}");
+        assert!(
+            (order - observed).abs() < 0.3,
+            "reported {order}, observed {observed}"
+        );
     }
 }
 
 #[test]
-fn the_error_that_a_solution_estimates_is_of_the_size_of_its_error() {
+fn the_estimated_error_has_the_size_of_the_actual_error() {
     let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
     let model = model(&unit_half_space(), Relief::Bare, paraboloid(1.0));
     let load = Load::Force(hertz.force);
     let step = solve(&model, 0.3, 416, load).steps.remove(0);
-    let said = step.grid_error.penetration.expect("several grids");
+    let reported = step.grid_error.penetration.expect("several grids");
     let truth = (step.solution.penetration - hertz.penetration).abs();
     // Single errors scatter by some factor with the position of the contact's edge on the grid.
     assert!(
-        said.resolved && said.estimate > 0.2 * truth && said.estimate < 20.0 * truth,
-        "{said:?} {truth:e}"
+        reported.resolved && reported.estimate > 0.2 * truth && reported.estimate < 20.0 * truth,
+        "{reported:?} {truth:e}"
     );
 }
 
 /// Negative control: a first-order method does not pass for a second-order one.
 #[test]
-fn a_penetration_off_by_a_part_of_an_element_is_seen_to_be_of_first_order() {
+fn a_penetration_off_by_a_fraction_of_an_element_is_detected_as_first_order() {
     let hertz = reference::hertz::from_contact_radius(1.0, 1.0, 0.1);
     let model = model(&unit_half_space(), Relief::Bare, paraboloid(1.0));
     let error = |elements| {

@@ -63,7 +63,7 @@ fn cones_on_coatings_approach_the_continuum_with_order_two() {
 }
 
 #[test]
-fn coefficients_wrong_by_a_thousandth_converge_to_something_else_and_are_refused() {
+fn coefficients_wrong_by_a_thousandth_converge_to_a_wrong_limit_and_are_refused() {
     let case = cases(AxisymmetricIndenter::Paraboloid)
         .next()
         .expect("a case");

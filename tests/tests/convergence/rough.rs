@@ -76,7 +76,7 @@ fn numbers(elements: usize) -> [f64; 3] {
 
 /// The edge of the area is located within an element; the shortest wave of the map spans 4 to 16 elements.
 #[test]
-fn area_stiffness_and_mean_gap_of_a_rough_contact_converge_with_the_second_order() {
+fn area_stiffness_and_mean_gap_of_a_rough_contact_converge_with_order_two() {
     let finest = numbers(1024);
     let grids = [64, 128, 256].map(|elements| (elements, numbers(elements)));
     for (k, largest) in [3e-4, 6e-4, 7e-4].into_iter().enumerate() {

@@ -147,7 +147,7 @@ fn the_gradient_of_penetration_does_not_become_constant() {
 }
 
 #[test]
-fn nor_does_the_gradient_become_constant_within_ten_times_the_loads() {
+fn within_ten_times_the_loads_the_gradient_does_not_become_constant() {
     assert_still_falls(PaperCase::Beyond(Coating::Soft), [["21.1 %", "-0.34"]; 2]);
     assert_still_falls(PaperCase::Beyond(Coating::Stiff), [["21.0 %", "-0.34"]; 2]);
 }

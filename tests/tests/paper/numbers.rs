@@ -1,14 +1,14 @@
 //! Numbers as written on the page, with as many digits as it gives.
 
 /// Fractions below this are written as `0 %`: solutions are certified to 1e-8.
-const NOTHING: f64 = 1e-7;
+const ZERO_BELOW: f64 = 1e-7;
 /// Half a unit of the last digit, and a little more for two solutions that differ by their certificates.
 const ROUNDING: f64 = 0.51;
 
 /// Asserts that a number rounds to the written one: `0.2397`, `2.0181e-4`, or `98.8 %` for a fraction.
 pub fn assert_reads(found: f64, written: &str) {
     if written == "0 %" {
-        assert!(found.abs() < NOTHING, "{found:e} for 0 %");
+        assert!(found.abs() < ZERO_BELOW, "{found:e} for 0 %");
         return;
     }
     let (digits, scale) = written
@@ -47,7 +47,7 @@ pub fn fitted_exponent(peaks: &[(usize, f64)]) -> f64 {
 }
 
 #[test]
-fn a_number_reads_as_its_own_digits_and_as_no_others() {
+fn a_number_is_compared_by_its_printed_digits() {
     for (found, written) in [
         (0.011_084_9, "1.11 %"),
         (1.0, "100 %"),

@@ -91,18 +91,18 @@ fn assert_lines(belongs: impl Fn(usize) -> bool) {
 }
 
 #[test]
-fn every_line_of_the_tables_up_to_1024_elements_is_what_is_found() {
+fn every_row_of_the_tables_up_to_1024_elements_is_reproduced() {
     assert_lines(|elements| elements <= 1024);
 }
 
 #[test]
-fn every_line_of_the_tables_of_2048_elements_is_what_is_found() {
+fn every_row_of_the_tables_of_2048_elements_is_reproduced() {
     assert_lines(|elements| elements == 2048);
 }
 
 #[test]
 #[ignore = "minutes and 2 GB for the grids of 4096 elements a side"]
-fn every_line_of_the_tables_of_4096_elements_and_every_fit_is_what_is_found() {
+fn every_row_of_the_tables_of_4096_elements_and_every_fit_is_reproduced() {
     assert_lines(|elements| elements == 4096);
     for (case, coating, heading) in TABLES {
         let (rows, fits) = table(heading);

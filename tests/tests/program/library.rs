@@ -70,7 +70,7 @@ fn a_case_of_the_paper_gives_the_librarys_numbers_to_the_bit() {
 }
 
 #[test]
-fn units_change_names_and_not_the_answer() {
+fn units_change_the_names_but_not_the_solution() {
     // R = 2 mm, E1 = 3 GPa: lengths times 2e-3 m, forces times 3e9 · 4e-6 N = 12 kN.
     let in_units = "
 [foundation]

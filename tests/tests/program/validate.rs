@@ -29,7 +29,7 @@ fn of(name: &str, report: &Value) -> [usize; 2] {
 }
 
 #[test]
-fn every_row_passes_and_the_exit_code_says_so() {
+fn every_row_passes_and_the_exit_code_is_zero() {
     let ran = validate(&["--json", "--threads", "2"]);
     let report = ran.json();
     let sections = report["sections"].as_array().unwrap();
@@ -46,11 +46,11 @@ fn every_row_passes_and_the_exit_code_says_so() {
     assert_eq!(report["threads"], 2);
     let rows: usize = failures(&report).iter().map(|section| section.2).sum();
     assert_eq!(report["passed"].as_u64(), Some(rows as u64));
-    assert_eq!(rows, 112, "the README tells this number");
+    assert_eq!(rows, 112, "the number given in the README");
 }
 
 #[test]
-fn coefficients_wrong_by_a_thousandth_fail_every_section_that_has_an_outer_reference() {
+fn coefficients_wrong_by_a_thousandth_fail_every_section_with_an_independent_reference() {
     let ran = validate(&["--json", "--perturb-coefficients", "1e-3"]);
     assert_eq!(ran.code, Some(1));
     let report = ran.json();
@@ -69,7 +69,7 @@ fn coefficients_wrong_by_a_thousandth_fail_every_section_that_has_an_outer_refer
 }
 
 #[test]
-fn errors_down_to_the_thirteenth_digit_are_seen_with_either_sign() {
+fn errors_down_to_the_thirteenth_digit_are_detected_with_either_sign() {
     for (perturbation, grids) in [(-1e-6, 12), (1e-9, 12), (1e-12, 0), (-1e-12, 0)] {
         let run = ValidationRun { perturbation };
         let failed = |name: &str| {
@@ -101,7 +101,7 @@ fn coefficients_wrong_by_a_millionth_fail_and_the_table_names_the_rows() {
 }
 
 #[test]
-fn a_perturbation_that_makes_no_sense_is_a_wrong_command_line() {
+fn an_invalid_perturbation_is_an_error_of_the_command_line() {
     for by in ["-1", "nan", "inf", "x"] {
         let ran = validate(&["--perturb-coefficients", by]);
         assert_eq!(ran.code, Some(2), "{by}");

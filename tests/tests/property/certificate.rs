@@ -59,36 +59,36 @@ fn found(load: Load, pressure: [f64; 4]) -> Vec<&'static str> {
 }
 
 #[test]
-fn the_right_pressure_breaks_no_line() {
+fn the_correct_pressure_satisfies_every_condition() {
     assert!(found(Load::Force(1.5), RIGHT).is_empty());
     assert!(found(Load::Penetration(1.0), RIGHT).is_empty());
 }
 
 #[test]
-fn a_right_pressure_of_another_force_breaks_the_line_of_the_load_alone() {
+fn a_correct_pressure_for_another_force_violates_only_the_load() {
     assert_eq!(found(Load::Force(1.5 * (1.0 + 1e-6)), RIGHT), ["load"]);
 }
 
 #[test]
-fn an_element_left_out_of_contact_breaks_the_line_of_the_overlap_alone() {
+fn an_element_left_out_of_contact_violates_only_the_overlap() {
     assert_eq!(found(Load::Force(1.0), [1.0, 0.0, 0.0, 0.0]), ["overlap"]);
 }
 
 #[test]
-fn a_trace_of_pressure_over_an_open_gap_breaks_the_line_of_the_gap_in_contact_alone() {
+fn a_trace_of_pressure_over_an_open_gap_violates_only_the_gap_in_contact() {
     let trace = [1.0, 0.5, 0.0, 1e-12];
     assert_eq!(found(Load::Force(1.5), trace), ["gap in contact"]);
 }
 
 #[test]
-fn adhesion_breaks_the_line_of_the_negative_pressure_alone() {
+fn adhesion_violates_only_the_negative_pressure() {
     // The third element sticks to the indenter: no gap, no overlap, but it pulls.
     let sticking = [1.0, 0.5, -0.5, 0.0];
     assert_eq!(found(Load::Force(1.0), sticking), ["negative pressure"]);
 }
 
 #[test]
-fn complementarity_is_broken_together_with_the_gaps_that_it_weighs() {
+fn complementarity_is_violated_together_with_the_gaps_that_it_weighs() {
     // Complementarity is a pressure-weighted mean of the gaps in contact, so it cannot be broken alone.
     let larger = RIGHT.map(|p| p * (1.0 + 1e-6));
     let both = ["complementarity", "gap in contact"];
@@ -99,7 +99,7 @@ fn complementarity_is_broken_together_with_the_gaps_that_it_weighs() {
 }
 
 #[test]
-fn what_is_no_number_breaks_what_it_touches() {
+fn nan_and_infinity_are_not_certified() {
     for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let certificate = judge(Load::Force(1.5), [1.0, wrong, 0.0, 0.0]);
         assert!(!certificate.is_satisfied(), "{certificate:?}");
@@ -107,7 +107,7 @@ fn what_is_no_number_breaks_what_it_touches() {
 }
 
 #[test]
-fn each_line_alone_decides() {
+fn each_condition_alone_decides() {
     let right = judge(Load::Force(1.5), RIGHT);
     let wrong = 2.0 * TOLERANCE;
     let spoilt = [

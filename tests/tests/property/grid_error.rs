@@ -29,7 +29,8 @@ fn rows() -> Vec<ErrorBars> {
 }
 
 #[test]
-fn nineteen_of_twenty_error_bars_contain_the_truth_and_are_eight_times_the_error_at_most() {
+fn nineteen_of_twenty_error_bars_contain_the_truth_and_their_median_width_is_at_most_eight_errors()
+{
     let rows = rows();
     let (within, width) = coverage(&rows);
     assert!(within >= 0.95 && width <= 8.0, "{within} {width}");
@@ -61,7 +62,7 @@ fn the_penetration_is_resolved_where_the_peak_is_not() {
 }
 
 #[test]
-fn two_grids_resolve_nothing_and_one_says_nothing() {
+fn two_grids_resolve_nothing_and_one_grid_has_no_estimate() {
     let of_radius = |indenter, elements| pressed(indenter, elements).grid_error.max_pressure;
     assert!(!of_radius(paraboloid(1.0), 32).unwrap().resolved);
     assert!(of_radius(paraboloid(1.0), 20).is_none());

@@ -35,7 +35,7 @@ fn unloading_returns_through_the_states_of_loading() {
 }
 
 #[test]
-fn the_penetration_of_a_force_gives_that_force_back() {
+fn the_penetration_under_a_force_gives_the_same_force() {
     for panel in figure_2() {
         let [ref by_force] = solve(&panel, 64, &[panel.load], 1e-10)[..] else {
             panic!("one load, one step")

@@ -57,7 +57,7 @@ fn the_dense_active_set_and_the_gradient_method_agree_on_the_textured_cases() {
 }
 
 #[test]
-fn they_disagree_where_one_has_coefficients_wrong_by_a_millionth() {
+fn the_methods_disagree_if_one_has_coefficients_wrong_by_a_millionth() {
     let [panel, ..] = figure_2();
     let wrong = Model {
         tables: panel.model.tables.perturbed(1e-6).into(),

@@ -130,7 +130,7 @@ fn a_rough_film_of_springs_takes_few_products() {
 
 #[test]
 #[ignore = "a minute of processor time with optimisation, several without"]
-fn no_cell_takes_more_products_on_elements_of_half_the_side() {
+fn no_cell_takes_more_products_with_elements_of_half_the_side() {
     let elements = TWICE_THE_ELEMENTS;
     assert_few_products(elements, "bare", |_| Relief::Bare);
     assert_few_products(elements, "pillars", pillars);

@@ -75,7 +75,7 @@ fn force_area_and_every_pressure_on_a_tall_relief_grow_with_the_penetration() {
 }
 
 #[test]
-fn a_relief_moved_by_its_period_is_the_same_relief() {
+fn a_relief_shifted_by_its_period_is_the_same_relief() {
     let at = |offset| {
         let spec = CylinderSpec {
             lattice: Lattice::Square,

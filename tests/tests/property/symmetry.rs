@@ -52,7 +52,7 @@ fn textured_solutions_have_the_eight_symmetries_of_the_square() {
 }
 
 #[test]
-fn a_relief_beside_the_axis_has_one_symmetry_beside_the_identity() {
+fn an_off_axis_relief_has_one_symmetry_besides_the_identity() {
     let spec = CylinderSpec {
         lattice: Lattice::Square,
         radius: 0.02,

@@ -20,7 +20,7 @@ const EXPECTED: [(f64, usize); 4] = [
 ];
 
 #[test]
-fn the_textured_cases_are_certified_within_their_products() {
+fn the_textured_cases_are_certified_within_the_expected_products() {
     for (panel, (penetration, products)) in figure_2().iter().zip(EXPECTED) {
         let step = solve(panel);
         let solution = &step.solution;
@@ -38,7 +38,8 @@ fn the_textured_cases_are_certified_within_their_products() {
 }
 
 #[test]
-fn large_loads_touch_between_the_cylinders_and_the_soft_coatings_small_load_does_not() {
+fn large_loads_close_the_gap_between_the_cylinders_and_the_small_load_on_the_soft_coating_does_not()
+{
     let [small_soft, _, large_soft, large_stiff] = figure_2();
     let between = |panel: &Fig2Panel| solve(panel).summary.contact_area_between;
     assert_eq!(between(&small_soft).to_bits(), 0.0_f64.to_bits());

@@ -5,7 +5,7 @@ use pellicle_kernel::{Base, Foundation, Interface};
 use rayon::prelude::*;
 
 #[test]
-fn a_box_in_a_random_stack_bears_the_load_and_nothing_else() {
+fn the_tractions_on_a_box_in_a_random_stack_balance_the_load() {
     let stacks = random_stacks(12).unwrap();
     stacks.par_iter().for_each(|body| {
         for ([wanted, found], error) in box_forces(body).unwrap() {
@@ -16,7 +16,7 @@ fn a_box_in_a_random_stack_bears_the_load_and_nothing_else() {
 }
 
 #[test]
-fn tractions_pass_every_interface_of_random_stacks() {
+fn tractions_are_continuous_across_every_interface_of_random_stacks() {
     let stacks = random_stacks(40).unwrap();
     let has = |interface: fn(Interface) -> bool| {
         let mut layers = stacks.iter().flat_map(Foundation::layers);

@@ -19,7 +19,7 @@ fn layers(first: Interface) -> Foundation {
 }
 
 #[test]
-fn a_circle_of_squares_becomes_the_circle_with_second_order() {
+fn a_circle_of_squares_converges_to_the_circle_with_second_order() {
     let load = LoadedCircle {
         radius: 1.0,
         pressure: 1.0,

@@ -64,7 +64,7 @@ fn errors(nu: f64, friction: f64) -> Vec<(usize, f64)> {
 }
 
 #[test]
-fn stresses_become_hubers_with_second_order() {
+fn stresses_converge_to_hubers_with_second_order() {
     for nu in [0.0, 0.3, 0.5] {
         let errors = errors(nu, 0.0);
         let order = demand(&errors, 1.6, 1.5e-4);
@@ -73,14 +73,14 @@ fn stresses_become_hubers_with_second_order() {
 }
 
 #[test]
-fn stresses_under_sliding_become_hamiltons_with_second_order() {
+fn stresses_under_sliding_converge_to_hamiltons_with_second_order() {
     let errors = errors(0.3, 0.4);
     let order = demand(&errors, 1.6, 1.5e-4);
     assert!(order.is_ok(), "{order:?} {errors:?}");
 }
 
 #[test]
-fn the_stress_of_another_poisson_ratio_is_not_approached() {
+fn a_poisson_ratio_wrong_by_a_hundredth_changes_the_stress() {
     // Control: the closed form for ν = 0.31 is off by 1e-2.
     let body = |poisson_ratio| HalfSpace {
         shear_modulus: 1.0,

@@ -44,7 +44,7 @@ const ERRORS: [[f64; 7]; 7] = [
 ];
 
 #[test]
-fn the_table_of_the_page_on_thin_films_is_computed() {
+fn the_table_of_the_page_on_thin_films_is_reproduced() {
     let ratios = [0.5, 0.49, 0.45, 0.3, 0.0];
     let bonded = ratios.map(|nu| film(Bonded, nu));
     for [chi, psi @ ..] in PSI {
@@ -77,7 +77,7 @@ fn the_table_of_the_page_on_thin_films_is_computed() {
 }
 
 #[test]
-fn the_series_leaves_nothing_up_to_the_fourth_power() {
+fn the_series_is_exact_up_to_the_fourth_power() {
     for film in [
         film(Bonded, 0.5),
         film(Bonded, 0.3),
@@ -97,7 +97,7 @@ fn the_force_on_a_sliding_layer_depends_on_the_plane_strain_modulus_alone() {
 }
 
 #[test]
-fn a_very_thin_layer_becomes_its_limit() {
+fn a_very_thin_layer_approaches_its_limit() {
     // The rim, one thickness wide, is not negligible compared with the contact radius.
     for (film, chi) in [
         (film(Bonded, 0.5), 12.0),

@@ -114,7 +114,7 @@ fn a_linear_map_has_its_extremes_in_samples_and_the_bits_of_the_bilinear_formula
 }
 
 #[test]
-fn the_lowest_of_equal_points_is_the_middlemost() {
+fn the_most_central_of_equal_lowest_points_is_taken() {
     let mut heights = vec![0.0; 25];
     heights[0] = 1.0;
     assert_eq!(
@@ -129,7 +129,7 @@ fn the_lowest_of_equal_points_is_the_middlemost() {
 }
 
 #[test]
-fn maps_that_do_not_fit_their_shape_or_hold_no_numbers_are_refused() {
+fn maps_of_the_wrong_size_or_with_values_not_finite_are_refused() {
     let wrong = HeightMap::new(vec![0.0; 5], [2, 3], [1.0, 1.0]);
     assert_eq!(
         wrong,
@@ -151,7 +151,7 @@ fn maps_that_do_not_fit_their_shape_or_hold_no_numbers_are_refused() {
 }
 
 #[test]
-fn heights_at_crossings_are_those_at_the_points_to_the_last_bit() {
+fn heights_at_crossings_equal_those_at_the_points_to_the_bit() {
     let map = sampled(9, |x, y| (7.0 * x + y).sin() + (5.0 * x * y).cos());
     // Samples, points between them, and points beyond the rim.
     let (x, y) = ([-0.7, -0.25, 0.0, 0.1, 0.31], [-0.6, 0.0, 1.0 / 9.0, 0.2]);

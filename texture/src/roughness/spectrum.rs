@@ -64,7 +64,7 @@ impl PowerSpectrum {
     pub(super) fn of(mut samples: Vec<f64>, map: &HeightMap, rim: MapRim) -> (Self, Moments) {
         let (shape, extent) = (map.shape(), map.extent());
         if rim == MapRim::Ends {
-            lay_window(&mut samples, shape);
+            apply_window(&mut samples, shape);
         }
         let waves = transform_rows(samples, shape);
         let sums = sums_over_columns(&waves, shape, extent);
@@ -81,7 +81,7 @@ impl PowerSpectrum {
 }
 
 /// Multiplies by Hann's window along both axes, `√(8/3) sin²`, whose square has the mean 1.
-fn lay_window(samples: &mut [f64], [rows, columns]: [usize; 2]) {
+fn apply_window(samples: &mut [f64], [rows, columns]: [usize; 2]) {
     let window = |n: usize| -> Vec<f64> {
         let at = |i: usize| {
             let sine = (std::f64::consts::PI * (i as f64 + 0.5) / n as f64).sin();
@@ -123,7 +123,7 @@ fn sums_over_columns(
     let width = columns / 2 + 1;
     let bands = Bands::new([rows, columns], extent);
     let of_block = |block: usize| {
-        let mut sums = bands.nothing();
+        let mut sums = bands.empty_sums();
         let mut lines = vec![Complex::default(); BLOCK * rows];
         let first = block * BLOCK;
         let count = BLOCK.min(width - first);
@@ -140,7 +140,7 @@ fn sums_over_columns(
     };
     let blocks = (0..width.div_ceil(BLOCK)).into_par_iter().map(of_block);
     let blocks: Vec<WaveSums> = blocks.collect();
-    blocks.into_iter().fold(bands.nothing(), WaveSums::and)
+    blocks.into_iter().fold(bands.empty_sums(), WaveSums::and)
 }
 
 /// The bands of the waves that fit in a map.
@@ -176,7 +176,7 @@ impl Bands {
         (BANDS_PER_OCTAVE * (wavenumber / self.longest).log2() + 0.5) as usize
     }
 
-    fn nothing(&self) -> WaveSums {
+    fn empty_sums(&self) -> WaveSums {
         WaveSums {
             moments: Moments::default(),
             bands: vec![Band::default(); self.count],

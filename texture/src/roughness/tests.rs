@@ -88,7 +88,7 @@ fn the_power_of_all_bands_is_the_mean_square_height() {
 
 /// White noise has `C = ⟨h²⟩ w_x w_y` at all wavenumbers, under Hann's window too.
 #[test]
-fn noise_has_the_same_power_everywhere_whether_the_map_ends_or_not() {
+fn noise_has_a_flat_spectrum_on_periodic_and_finite_maps() {
     let shape = [256, 256];
     for rim in [MapRim::Repeats, MapRim::Ends] {
         let rough = Roughness::of(&noise(shape, [1.0, 1.0]), rim);
@@ -111,7 +111,7 @@ fn noise_has_the_same_power_everywhere_whether_the_map_ends_or_not() {
 }
 
 #[test]
-fn a_plane_is_not_rough_where_a_map_ends() {
+fn a_tilted_plane_has_no_roughness_on_a_finite_map() {
     let plane = |[x, y]: [f64; 2]| 1e3 + 0.2 * x - 0.3 * y;
     for shape in [[20, 30], [1, 9], [9, 1], [1, 1], [2, 2]] {
         let rough = Roughness::of(&map(shape, [2.0, 1.0], plane), MapRim::Ends);
@@ -126,7 +126,7 @@ fn a_plane_is_not_rough_where_a_map_ends() {
 /// A crest in the middle, so that the mean plane is zero. Differences give `2/w sin(qw/2)` in place of `q`, its square
 /// in place of `q²`, and the sums over the squares of sines and cosines lack the terms at the rim.
 #[test]
-fn differences_of_a_wave_are_those_of_its_samples() {
+fn slope_and_curvature_of_a_wave_are_those_of_its_differences() {
     let (n, waves) = (64, 5.0);
     let q = TAU * waves;
     let wave = map([n, 20], [1.0, 1.0], |[x, y]| {
@@ -134,10 +134,10 @@ fn differences_of_a_wave_are_those_of_its_samples() {
     });
     let rough = Roughness::of(&wave, MapRim::Ends);
     let (n, half) = (n as f64, 0.5 * q / n as f64);
-    let seen = 2.0 * n * half.sin();
-    let slope = seen * (0.5 * n / (n - 1.0)).sqrt();
+    let by_differences = 2.0 * n * half.sin();
+    let slope = by_differences * (0.5 * n / (n - 1.0)).sqrt();
     let rim = 2.0 * half.cos().powi(2);
-    let curvature = 0.5 * seen * seen * ((0.5 * n - rim) / (n - 2.0)).sqrt();
+    let curvature = 0.5 * by_differences * by_differences * ((0.5 * n - rim) / (n - 2.0)).sqrt();
     assert_relative_eq!(rough.rms_slope, slope, max_relative = 1e-10);
     assert_relative_eq!(rough.rms_curvature, curvature, max_relative = 1e-10);
 }

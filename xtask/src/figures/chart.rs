@@ -174,7 +174,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_table_holds_every_bit_of_every_point() {
+    fn a_table_keeps_every_bit_of_every_point() {
         let third = 1.0 / 3.0;
         let parts = vec![vec![(1.0, third)], vec![(2.0, -third)]];
         let line = ChartLine::new("a, b", (Colour(0, 0, 0), Dash::Solid), parts);

@@ -32,7 +32,7 @@ const COATINGS: [(&str, f64); 2] = [("compliant", 0.1), ("stiff", 1.0)];
 
 /// The fraction of the elements in contact whose pressures a map's colours distinguish: an edge peak would give all the
 /// others the same dark colour.
-const TOLD_APART: f64 = 0.95;
+const COLOURED_SHARE: f64 = 0.95;
 
 /// Draws the pressure as maps and as columns over the surface, and panel (c) in the program's style for the README.
 pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
@@ -59,7 +59,7 @@ fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
         format!("{MATERIALS}. Grey: relief that carries nothing."),
         "E₁ of (a), (c) is a tenth of E₁ of (b), (d): equal heights are equal pressures in all panels. A cell has the largest of its elements."
             .into(),
-        format!("Colours of the maps end where {} % of the contact lies below. {BRACKETS}.", power(100.0 * TOLD_APART, 2)),
+        format!("Colours of the maps end where {} % of the contact lies below. {BRACKETS}.", power(100.0 * COLOURED_SHARE, 2)),
     ];
     let peaks = steps.iter().zip(COATINGS.iter().cycle());
     let top = rounded_up(peaks.map(|(step, (_, modulus))| step.numbers().max_pressure * modulus));
@@ -117,6 +117,6 @@ fn common_peak(step: &SolvedStep) -> f64 {
         clippy::cast_sign_loss,
         reason = "a part of a length"
     )]
-    let at = (TOLD_APART * pressures.len() as f64) as usize;
+    let at = (COLOURED_SHARE * pressures.len() as f64) as usize;
     pressures.get(at).copied().unwrap_or(0.0)
 }

@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn a_use_downward_is_allowed_and_in_tests_a_longer_one() {
+    fn downward_dependencies_are_allowed_and_in_tests_indirect_ones() {
         let downward = |tables| found("", tables).len();
         assert_eq!(
             downward("[dependencies]\npellicle-influence.workspace = true"),
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn a_use_upward_and_a_package_without_a_place_are_found() {
+    fn upward_dependencies_and_unlisted_packages_are_found() {
         for kind in TABLES {
             let upward = format!("[{kind}]\npellicle-contact.workspace = true");
             assert_eq!(found(&upward, "").len(), 1, "{kind}");

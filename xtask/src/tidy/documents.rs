@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// Pages that name tests, in a table's last column headed `test` or on a separate line.
-const PROMISES: [&str; 2] = ["docs/evidence.md", "docs/claims.md"];
+const PAGES: [&str; 2] = ["docs/evidence.md", "docs/claims.md"];
 
 /// Every relative link in a `.md` file without a target file or heading. Links to other sites are not followed.
 pub(super) fn links_resolve(tree: &Tree) -> Vec<Violation> {
@@ -33,8 +33,8 @@ pub(super) fn named_tests_exist(tree: &Tree) -> Vec<Violation> {
         .flat_map(|(_, text)| tests(text))
         .collect();
     let mut found = Vec::new();
-    for page in PROMISES {
-        for (number, name) in promised(tree.text(page).unwrap_or("")) {
+    for page in PAGES {
+        for (number, name) in named_as_tests(tree.text(page).unwrap_or("")) {
             if !tests.contains(name) {
                 let message = format!("there is no test `{name}`");
                 found.push(Violation::new(page, Some(number), message));
@@ -64,8 +64,8 @@ fn tests(text: &str) -> Vec<&str> {
     found
 }
 
-/// The names in backquotes that a page promises as tests, with their lines.
-fn promised(page: &str) -> Vec<(usize, &str)> {
+/// The names in backquotes that a page gives as tests, with their lines.
+fn named_as_tests(page: &str) -> Vec<(usize, &str)> {
     let (mut found, mut is_table, mut holds_tests) = (Vec::new(), false, false);
     for (number, line) in prose(page) {
         let cell = line
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn links_to_no_file_no_heading_and_out_of_the_tree_are_found() {
+    fn links_to_missing_files_missing_headings_and_outside_the_tree_are_found() {
         let found = links("# Here\n\n![a](images/none.png)\n");
         assert_eq!(
             found,
@@ -212,8 +212,8 @@ mod tests {
                     | what | where |\n|---|---|\n| x | `a/tests` |\n";
         let claims = "# A claim\n\n`two_is_one`\n\n`one_is_one`\n";
         let files = [
-            (PROMISES[0], page),
-            (PROMISES[1], claims),
+            (PAGES[0], page),
+            (PAGES[1], claims),
             ("a/tests/b.rs", source),
         ];
         let wanted = [

@@ -14,17 +14,17 @@ const MARKS: [(&str, &str); 2] = [("TO", "DO"), ("FIX", "ME")];
 
 /// Every `.rs` file whose first line is not `//!` with text.
 pub(super) fn begin_with_their_job(tree: &Tree) -> Vec<Violation> {
-    let says_something = |text: &str| {
+    let has_doc_line = |text: &str| {
         let first = text.lines().next().unwrap_or("");
         first
             .strip_prefix("//!")
             .is_some_and(|rest| !rest.trim().is_empty())
     };
-    let silent = tree
+    let undocumented = tree
         .texts_ending(".rs")
-        .filter(|(_, text)| !says_something(text));
+        .filter(|(_, text)| !has_doc_line(text));
     let message = "must begin with `//!` and the file's one job";
-    silent
+    undocumented
         .map(|(path, _)| Violation::new(path, Some(1), message))
         .collect()
 }
@@ -96,7 +96,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_without_a_job_is_found() {
+    fn a_file_that_does_not_begin_with_its_job_is_found() {
         let count = |text| broken(begin_with_their_job, &[("a/b.rs", text)]).len();
         assert_eq!(count("//! Its job.\n"), 0);
         for text in [

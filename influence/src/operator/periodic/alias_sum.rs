@@ -166,7 +166,7 @@ mod tests {
 
     /// Elements a hundred times as large as the coating is thick, equally large, and a tenth as large.
     #[test]
-    fn the_polynomial_is_the_sum_between_its_nodes_too() {
+    fn the_polynomial_equals_the_sum_between_its_nodes() {
         let material = |modulus| Material::new(modulus, 0.3).unwrap();
         for thickness in [0.01, 1.0, 10.0] {
             let coated = Foundation::coated(thickness, material(30.0), material(1.0)).unwrap();

@@ -5,7 +5,7 @@ use crate::error::InfluenceError;
 
 /// Distances from `R`, in elements, at which the polynomial equals the coefficient: with seven, six elements apart, the
 /// kink at `R` alone causes an error twenty times as large.
-const MEETINGS: [isize; 11] = [-20, -16, -12, -8, -4, 0, 4, 8, 12, 16, 20];
+const FIT_OFFSETS: [isize; 11] = [-20, -16, -12, -8, -4, 0, 4, 8, 12, 16, 20];
 
 /// `R`, in elements.
 pub(super) const RADIUS: usize = 96;
@@ -44,28 +44,28 @@ fn lagrange(nodes: usize, node: usize, place: f64) -> f64 {
 pub(super) struct Smooth<'a> {
     table: &'a CoefficientTable,
     /// `(r/R)²` and `k` where the polynomial equals the coefficient.
-    meetings: [[f64; 2]; MEETINGS.len()],
+    fit_points: [[f64; 2]; FIT_OFFSETS.len()],
 }
 
 impl<'a> Smooth<'a> {
     pub fn new(table: &'a CoefficientTable) -> Self {
-        let meetings = MEETINGS.map(|more| {
+        let fit_points = FIT_OFFSETS.map(|more| {
             let distance = RADIUS.saturating_add_signed(more);
             [scaled([distance, 0]), table.coefficient([distance, 0])]
         });
-        Self { table, meetings }
+        Self { table, fit_points }
     }
 
     /// `P(r²)`, by Lagrange's formula.
     fn polynomial(&self, offset: [usize; 2]) -> f64 {
         let s = scaled(offset);
         let term = |(which, [own, value]): (usize, &[f64; 2])| {
-            let others = self.meetings.iter().enumerate();
+            let others = self.fit_points.iter().enumerate();
             let others = others.filter(|(other, _)| *other != which);
             let factors = others.map(|(_, [other, _])| (s - other) / (own - other));
             value * factors.product::<f64>()
         };
-        self.meetings.iter().enumerate().map(term).sum()
+        self.fit_points.iter().enumerate().map(term).sum()
     }
 
     fn coefficient(&self, offset: [usize; 2]) -> f64 {

@@ -77,7 +77,7 @@ fn difference([found, whole]: &[Vec<f64>; 2]) -> f64 {
 }
 
 #[test]
-fn scattered_elements_move_as_the_whole_grid_does() {
+fn scattered_elements_are_displaced_like_the_whole_grid() {
     let soft = Material::new(2e9, 0.49).unwrap();
     let coatings = [1e-6, 1e-5, 1e-4].map(|h| Foundation::coated(h, soft, steel()).unwrap());
     for foundation in [Foundation::half_space(steel())].iter().chain(&coatings) {

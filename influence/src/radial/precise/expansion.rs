@@ -90,7 +90,7 @@ mod tests {
     use super::Cosines;
 
     #[test]
-    fn an_exponential_is_met_to_24_digits() {
+    fn an_exponential_is_approximated_to_24_digits() {
         let expansion = Cosines::new().expansion(Twofold::exp);
         for x in [-0.9, 0.0, 0.3, 1.0] {
             let x = Twofold::from(x);

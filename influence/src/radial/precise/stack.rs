@@ -184,7 +184,7 @@ impl Minors {
     /// The minors in the layer above the interface, in its units and scaled to size 1: a common factor has no meaning.
     fn onto(&self, step: &LayerStep, s: Twofold) -> Self {
         let &Self { p, q, f, g, d } = self;
-        let held = match (step.is_frictionless, step.contrast) {
+        let bottom = match (step.is_frictionless, step.contrast) {
             (false, None) => Self::CLAMPED,
             (true, None) => Self::SLIDING,
             (false, Some(mu)) => Self {
@@ -201,7 +201,8 @@ impl Minors {
                 ..Self::CLAMPED
             },
         };
-        held.on_springs(step.compliances.map(|compliance| compliance * s))
+        bottom
+            .on_springs(step.compliances.map(|compliance| compliance * s))
             .normalised()
     }
 
@@ -270,7 +271,7 @@ mod tests {
     }
 
     #[test]
-    fn the_recursion_in_32_digits_is_the_kernels() {
+    fn the_recursion_in_32_digits_agrees_with_the_kernel() {
         for (interface, base) in [
             (Interface::Bonded, Base::Rigid),
             (Interface::Frictionless, Base::Rigid),
