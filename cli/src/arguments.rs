@@ -326,7 +326,7 @@ mod tests {
     }
 
     #[test]
-    fn wavenumbers_and_offsets_come_in_every_form() {
+    fn wavenumbers_and_offsets_may_be_listed_or_repeated() {
         let line = "pellicle kernel case.toml --wavenumber 1 2e3,3 --wavenumber 4";
         let Command::Kernel(kernel) = Arguments::parse_from(line.split(' ')).command else {
             panic!("not kernel")

@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_variable_goes_before_the_platform_and_an_empty_one_means_none() {
+    fn the_variable_overrides_the_platform_folder_and_an_empty_one_disables_the_cache() {
         let platform = || Some("platform".into());
         assert_eq!(folder(None, platform), Some("platform".into()));
         assert_eq!(folder(Some("".into()), platform), None);

@@ -77,7 +77,7 @@ mod tests {
     use crate::input::units::Units;
 
     #[test]
-    fn the_keys_of_stresses_in_the_template_are_those_of_a_case() {
+    fn the_stress_keys_in_the_template_are_valid() {
         let uncomment = |line: &str| {
             let inner = line
                 .strip_prefix("# ")

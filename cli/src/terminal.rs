@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn control_characters_are_written_out_and_all_else_is_left() {
+    fn control_characters_are_escaped_and_all_others_kept() {
         assert_eq!(
             clean("µ \u{1b}[31m\u{9b}\u{7}\r\n\tä"),
             "µ \\u001b[31m\\u009b\\u0007\\u000d\n\tä"

@@ -62,7 +62,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shape_stands_where_the_case_asks_for_one_and_nowhere_else() {
+    fn a_shape_passed_in_is_used_only_where_the_case_asks_for_one() {
         let case = read(CASE, &handing_over()).unwrap();
         assert_eq!(case.indenter.build().unwrap().height(3.0, 4.0), 6.25);
         assert!(case.indenter.build_material().unwrap().is_some());
@@ -72,7 +72,7 @@ mod tests {
     }
 
     #[test]
-    fn a_case_that_asks_for_a_shape_is_refused_where_there_is_none() {
+    fn a_case_that_asks_for_a_missing_shape_is_rejected() {
         let refused = read(CASE, &MapSources::default()).unwrap_err();
         assert!(refused.contains("\"function\""), "{refused}");
         let radius = CASE.replace("\"function\"", "\"function\"\nradius = 7.0");

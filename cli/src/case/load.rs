@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn sensitivities_are_asked_for_beside_the_load() {
+    fn sensitivities_are_a_key_of_the_load_table() {
         let read = |text: &str| read_table(text, |table| LoadCase::read(&table));
         let asked = |text: &str| read(text).map(|load| load.sensitivities);
         assert_eq!(asked("force = 1\nsensitivities = true"), Ok(true));
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn a_load_is_given_once() {
+    fn exactly_one_form_of_load_is_accepted() {
         let message = read("force = 1\npenetration = 2").unwrap_err();
         assert_eq!(
             message,
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn faulty_loads_are_refused() {
+    fn invalid_loads_are_rejected() {
         let faulty = [
             "force = -1",
             "force = 0",

@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bare_number_is_told_by_its_line_its_key_and_what_it_is_taken_for() {
+    fn a_bare_number_is_reported_with_its_line_key_and_assumed_unit() {
         assert_eq!(
             found("[[foundation.layer]]\nthickness = 2\npoisson_ratio = 0.3\n"),
             [
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn lists_and_ranges_are_told_once_and_zero_and_numbers_without_dimension_are_not() {
+    fn bare_lists_and_ranges_are_reported_once_zeros_and_dimensionless_numbers_never() {
         let text = "[load]\nforces = { from = 1e-3, to = 2e-3, count = 4 }\n[surface]\noffset = [0, 1e-6]\n\
             [grid]\nelements = 64\n[indenter]\ntip_radius = 0\nhalf_angle = 1.2\nradius = \"5 nm\"\n";
         let found = found(text);

@@ -148,7 +148,7 @@ pub mod tests {
     }
 
     #[test]
-    fn the_memory_of_a_large_grid_is_forecast_and_at_most_two_fifths_more() {
+    fn the_memory_forecast_of_a_large_grid_is_at_most_two_fifths_too_large() {
         // Largest resident sets, measured for the solution alone and with writing.
         let berkovich = || pressed("kind = \"berkovich\"\ntip_radius = 0.0", "10 mN", 2048);
         for (case, writers, measured) in [
@@ -171,7 +171,7 @@ pub mod tests {
     }
 
     #[test]
-    fn a_periodic_cell_is_forecast_on_the_whole_grid_though_all_is_mirrored() {
+    fn a_symmetric_periodic_cell_is_still_forecast_on_the_whole_grid() {
         let mut case = hertz(LEAST_TRIED);
         let model = case.model(&Cache::in_memory()).unwrap().value;
         let bytes = |case: &Case| Need::new(case, &model, Domain::Side(1e-3), 0).bytes;
@@ -181,7 +181,7 @@ pub mod tests {
     }
 
     #[test]
-    fn what_is_said_to_fit_fits() {
+    fn the_suggested_grid_fits_in_memory() {
         let case = hertz(4096);
         let model = case.model(&Cache::in_memory()).unwrap().value;
         let domain = case.domain(&model).unwrap();

@@ -185,7 +185,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_is_suggested_for_a_key_unlike_any() {
+    fn no_suggestion_is_made_for_a_key_unlike_any_other() {
         assert_eq!(closest("colour", &["thickness", "young_modulus"]), None);
         assert_eq!(
             closest("Flat_Punch", &["flat-punch", "cone"]),

@@ -120,7 +120,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_unit_that_is_named_is_read() {
+    fn every_listed_unit_is_parsed() {
         for dimension in Dimension::ALL {
             for unit in dimension
                 .unit_names()

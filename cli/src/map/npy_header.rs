@@ -173,7 +173,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn a_header_that_numpy_would_not_write_is_refused() {
+    fn headers_that_numpy_would_not_write_are_rejected() {
         let right = "'descr': '<f8', 'fortran_order': False";
         for header in [
             format!("{{{right}, 'shape': (1, 1), 'shape': (9999999, 9999999)}}"),

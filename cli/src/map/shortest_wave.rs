@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn the_shortest_of_several_waves_is_found_along_either_axis_and_beside_a_trend() {
+    fn the_shortest_of_several_waves_is_found_along_either_axis_and_on_a_trend() {
         let wave = |x: f64, length: f64| (std::f64::consts::TAU * x / length + 0.3).cos();
         let short_x = found(|x, y| 5.0 * wave(x, 31.0) + wave(x, 5.0) + wave(y, 20.0) + 3.0 * x);
         let short_y = found(|x, y| 5.0 * wave(x, 31.0) + wave(y, 4.0) - 9.0 * y);

@@ -139,7 +139,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_separator_is_read_and_comments_are_skipped() {
+    fn every_separator_is_accepted_and_comments_are_skipped() {
         for text in [
             "1,2\n3,4",
             "1;2\n3;4\n",
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn commas_that_may_mean_either_are_refused_with_their_line() {
+    fn ambiguous_commas_are_rejected_with_their_line() {
         for text in [
             "1;2\n1,2,3;4",
             "1;2\n1,5;2.5,",
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_table_of_numbers_is_told_by_its_line() {
+    fn an_invalid_table_is_reported_with_its_line() {
         let message = |text: &str| parse(text.as_bytes()).unwrap_err().to_string();
         assert!(message("x,y\n1,2").contains("line 1 holds \"x\""));
         assert!(message("1,2\n\n3").contains("line 3 holds 1 numbers and those before it 2"));

@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn arrays_that_would_take_all_memory_are_refused_by_what_they_say_of_themselves() {
+    fn arrays_whose_headers_claim_too_much_memory_are_rejected_before_unpacking() {
         let header = "{'descr': '|b1', 'fortran_order': False, 'shape': (1, 1)}";
         // The uncompressed size in the directory entry.
         let large = refused(header, &[1], Some((24, 4_000_000_000)));

@@ -128,7 +128,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_stop_is_told_from_a_disk_that_fails_however_it_is_wrapped() {
+    fn a_stop_is_distinguished_from_a_disk_error_even_when_wrapped() {
         let failure = |cause| Failure::Write {
             path: PathBuf::new(),
             cause,

@@ -185,7 +185,7 @@ mod tests {
     use super::{WarningSummary, warning_lines};
 
     #[test]
-    fn many_warnings_of_one_kind_are_told_by_the_first_and_their_number() {
+    fn many_warnings_of_one_kind_are_shown_as_the_first_and_a_count() {
         let warning = |code: &str, message: String| WarningSummary {
             code: code.into(),
             message,

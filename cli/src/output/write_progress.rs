@@ -167,7 +167,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_picture_that_panics_is_a_warning_and_the_others_are_written() {
+    fn a_panic_in_one_picture_is_a_warning_and_the_others_are_written() {
         let folder = tempfile::tempdir().unwrap();
         let writer = WriteProgress::new(3, &|_, _| ());
         let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2\" height=\"2\"/>";

@@ -184,7 +184,7 @@ mod tests {
     };
 
     #[test]
-    fn labels_stand_apart_within_the_panel_and_short_lines_have_none() {
+    fn contour_labels_do_not_overlap_and_short_contours_have_none() {
         let mut svg = Svg::new(400.0, 100.0);
         let mut places = ContourPlaces::new(PANEL);
         let line = |y: f64, to: f64| vec![(0.0, y), (to / 2.0, y), (to, y)];
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn the_text_of_a_mark_stays_in_the_panel() {
+    fn the_text_of_a_mark_stays_inside_the_panel() {
         let places = ContourPlaces::new(PANEL);
         let right = places.beside_mark((50.0, 50.0), "1.2 GPa");
         assert!(right.0 > 50.0 && right.1 == 50.0);
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_goes_to_the_other_side_where_its_corner_is_taken() {
+    fn a_name_moves_to_the_other_corner_if_its_own_is_occupied() {
         let mut places = ContourPlaces::new(PANEL);
         let first = places.in_corner((400.0, 0.0), "layer");
         let second = places.in_corner((400.0, 0.0), "layer");

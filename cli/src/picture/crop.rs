@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn a_part_of_the_way_to_the_edge_is_that_part_of_the_elements() {
+    fn a_fraction_of_the_way_to_the_edge_is_that_fraction_of_the_elements() {
         assert_eq!(Crop::around_axis(100, 0.5).x, 25..75);
         assert_eq!(Crop::around_axis(100, 7.0).y, 0..100);
         assert_eq!(Crop::around_axis(8, 0.01).x, 3..5);

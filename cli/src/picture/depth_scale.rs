@@ -127,7 +127,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn thick_bodies_are_in_proportion_and_thin_ones_have_their_least() {
+    fn thick_bodies_are_to_scale_and_thin_ones_have_a_minimum_height() {
         let even = DepthScale::new(&[0.0, 1.0, 3.0]);
         assert!(!even.is_uneven);
         assert!((even.down(1, 2.0) - 2.0 / 3.0).abs() < 1e-15);
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn ticks_name_the_interfaces_and_keep_away_from_them() {
+    fn ticks_mark_the_interfaces_and_other_ticks_keep_clear_of_them() {
         let axis = DepthScale::new(&[0.0, 2.1e-6, 20e-6]).axis(1e-6, "depth".into());
         let labels: Vec<&str> = axis.ticks.iter().map(|(_, label)| &label[..]).collect();
         assert_eq!(labels[0], "0");

@@ -127,7 +127,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_area_below_a_density_is_one() {
+    fn the_area_under_a_density_is_one() {
         let histogram = Histogram {
             largest: 6.0,
             mean: 2.0,

@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn no_text_breaks_the_document() {
+    fn any_text_is_escaped() {
         let mut svg = Svg::new(10.0, 10.0);
         svg.text((1.0, 1.0), 5.0, Anchor::Start, "<a> & \"b\" \u{1} 'c'");
         let text = svg.finish();
@@ -348,7 +348,7 @@ mod tests {
     }
 
     #[test]
-    fn many_lines_are_one_element() {
+    fn many_lines_form_one_svg_element() {
         let mut svg = Svg::new(10.0, 10.0);
         let stroke = Stroke::new(colours::INK, 1.0);
         svg.lines(

@@ -318,7 +318,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_name_tells_its_part() {
+    fn a_file_name_states_its_part() {
         let part = |name| part(name, "results", "csv");
         assert_eq!(part("results.csv"), Some(Shard::WHOLE));
         assert_eq!(

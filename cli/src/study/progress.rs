@@ -103,7 +103,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn slow_rates_are_told_for_longer_times() {
+    fn slow_rates_are_printed_per_minute_or_hour() {
         let words = [123.4, 1.0, 0.5, 0.001].map(rate_in_words);
         let wanted = [
             "123 cases a second",

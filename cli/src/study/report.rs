@@ -232,7 +232,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_sample_is_about_as_large_as_wanted_and_takes_every_value_of_a_key() {
+    fn a_sample_has_about_the_wanted_size_and_contains_every_value_of_a_key() {
         let share = share_of_numbers(5000, 1_000_000);
         let is_in = |case: &usize| shard::mixed(*case) <= share;
         let sample: Vec<_> = (1..=1_000_000).filter(is_in).collect();

@@ -70,7 +70,7 @@ fn ran_on_a_small_disk(folder: &TestFolder, size: &str) -> Option<[String; 3]> {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn on_a_full_disk_a_study_says_so_and_goes_on_where_it_stopped_once_there_is_room() {
+fn on_a_full_disk_a_study_stops_with_an_error_and_continues_once_there_is_space() {
     let keeps = STUDY.replace("\n\n", "\nkeep = [\"pressure\"]\n\n");
     for (text, size, full, names) in [
         (STUDY, "20k", "results.csv", &["results.csv"][..]),
@@ -105,7 +105,7 @@ fn on_a_full_disk_a_study_says_so_and_goes_on_where_it_stopped_once_there_is_roo
 /// The same on any system whose shell can limit the size of a file: the table reaches the limit.
 #[cfg(unix)]
 #[test]
-fn a_table_that_can_grow_no_more_keeps_its_cases() {
+fn a_table_at_the_file_size_limit_keeps_its_cases() {
     let folder = folder(STUDY);
     // Without the trap the system ends the program; 8 blocks of 512 bytes hold a quarter of the table.
     let script = "trap '' XFSZ; ulimit -f 8; exec \"$0\" study many.toml --quiet --threads 2";
@@ -130,7 +130,7 @@ fn a_table_that_can_grow_no_more_keeps_its_cases() {
 }
 
 #[test]
-fn of_a_part_started_many_times_at_once_one_works_and_the_others_say_so() {
+fn of_many_processes_started_on_one_part_one_works_and_the_others_report_it() {
     let folder = folder(STUDY);
     let line = [
         "study",
@@ -181,7 +181,7 @@ fn other_clock() -> Option<&'static str> {
 }
 
 #[test]
-fn parts_on_machines_whose_clocks_are_an_hour_apart_give_the_table_of_one() {
+fn parts_on_machines_with_clocks_an_hour_apart_give_the_table_of_one() {
     // Long enough for both to be at work when the status is read.
     let text = STUDY
         .replace("\n\n", "\nkeep = [\"pressure\"]\n\n")

@@ -24,7 +24,7 @@ fn steps(folder: &TestFolder, out: &str, start: &str, end: &str) -> Vec<String> 
 }
 
 #[test]
-fn fields_and_pictures_are_those_of_the_last_step_unless_more_are_wanted() {
+fn fields_and_pictures_are_of_the_last_step_unless_more_are_requested() {
     let folder = TestFolder::with_case(CASE);
     run(&folder, "last", &["--set", LOADS]);
     assert_eq!(steps(&folder, "last", "fields-", ".npz"), ["002"]);
@@ -39,7 +39,7 @@ fn fields_and_pictures_are_those_of_the_last_step_unless_more_are_wanted() {
 }
 
 #[test]
-fn the_case_says_what_is_written_and_in_which_formats() {
+fn the_case_sets_what_is_written_and_in_which_formats() {
     let output = "[output]\nfields = \"all\"\npictures = \"all\"\nformats = [\"vti\", \"npz\"]\n";
     let folder = TestFolder::with_case(format!("{CASE}{output}"));
     run(&folder, "a", &["--set", LOADS]);
@@ -64,7 +64,7 @@ fn the_last_line_names_the_report_which_opens_at_the_last_step() {
 }
 
 #[test]
-fn the_total_time_contains_the_writing() {
+fn the_total_time_includes_writing() {
     let folder = TestFolder::with_case(CASE);
     let start = Instant::now();
     run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
@@ -79,7 +79,7 @@ fn the_total_time_contains_the_writing() {
 }
 
 #[test]
-fn check_tells_the_room_that_a_run_takes() {
+fn check_estimates_the_disk_space_of_a_run() {
     let folder = TestFolder::with_case(CASE);
     let many = [
         "--set",
@@ -209,7 +209,7 @@ mod stopped {
     }
 
     #[test]
-    fn large_fields_are_left_out_within_a_second_as_well() {
+    fn large_fields_are_also_left_out_within_a_second() {
         let folder = TestFolder::with_case(CASE);
         // Half a minute of compression and drawing.
         let child = writing_on(&folder, "512");

@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn depths_rise_from_the_surface_to_the_deepest_through_every_interface_above() {
+    fn depths_increase_from_the_surface_to_the_deepest_and_include_every_interface_above_it() {
         for (bottoms, deepest) in [
             (&[][..], 2.0),
             (&[0.01], 2.0),
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn they_are_denser_at_the_surface_and_at_interfaces() {
+    fn depths_are_denser_near_the_surface_and_interfaces() {
         let depths = chosen(&[0.5], 2.0);
         let steps: Vec<_> = depths.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let interface = depths.iter().position(|depth| *depth == 0.5).unwrap();

@@ -171,7 +171,7 @@ mod tests {
     };
 
     #[test]
-    fn a_pressure_that_is_no_number_pulls() {
+    fn a_nan_pressure_counts_as_negative() {
         let text = CertificateText::new(&GOOD, 1e-8);
         assert_eq!((&text.worst[..], &text.bound[..]), ("3.0e-9", "1.0e-8"));
         assert!(!text.pulls);

@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn a_view_comes_back_as_it_was_written() {
+    fn a_view_is_read_back_as_written() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(file(0));
         write(&path, &view()).unwrap();
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn arrays_that_do_not_belong_together_are_refused() {
+    fn arrays_of_inconsistent_shapes_are_rejected() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(file(0));
         let mut odd = view();

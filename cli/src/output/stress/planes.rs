@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn planes_chosen_by_the_program_serve_files_and_pictures() {
+    fn default_planes_are_used_for_both_files_and_pictures() {
         let both = planes(None, true, true);
         assert!(both.iter().all(|plane| plane.is_filed && plane.is_viewed));
         assert_eq!(both.len(), planes(None, true, false).len());
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn a_case_with_depths_of_its_own_has_pictures_through_all_bodies_down_to_the_deepest() {
+    fn with_given_depths_pictures_still_span_all_bodies_down_to_the_deepest() {
         let planes = planes(Some(vec![0.25, 0.5, 1.5]), true, true);
         let filed = planes.iter().filter(|plane| plane.is_filed);
         let filed: Vec<_> = filed

@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn a_critical_load_is_told_with_its_error_and_place() {
+    fn a_critical_load_is_printed_with_its_error_and_place() {
         let yields = load("layer[0]", Criterion::Yield, Some(3.2e-3));
         assert_eq!(
             sentence(&yields, true, 1, Units::Si),
@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn a_strength_that_no_load_reaches_is_told_with_the_part_that_is() {
+    fn an_unreached_strength_is_printed_with_its_utilisation() {
         let holds = load("interface[0]", Criterion::InterfaceShear, None);
         assert_eq!(
             sentence(&holds, false, 1, Units::Si),

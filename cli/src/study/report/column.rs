@@ -137,7 +137,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_column_is_of_numbers_or_of_words_as_its_first_cell_tells() {
+    fn the_first_cell_makes_a_column_numeric_or_text() {
         let mut numbers = StudyColumn::new("force [N]".into(), true);
         let found = ["", "2e-6", "1.23456789", "oops", "inf"].map(|cell| numbers.add(cell));
         assert_eq!(found, [None, Some(2e-6), Some(1.23457), None, None]);

@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn reasons_that_differ_in_numbers_are_one_and_the_most_frequent_comes_first() {
+    fn reasons_differing_only_in_numbers_are_merged_and_the_most_frequent_comes_first() {
         let mut reasons = Reasons::default();
         reasons.add(7, "no room");
         for case in 8..11 {
