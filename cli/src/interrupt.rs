@@ -61,7 +61,7 @@ pub fn listen() {
 }
 
 /// Runs work of many parts. A SIGTERM meanwhile lets the running parts finish; [`is_leaving`] is true from then on.
-pub fn finishing_what_is_in_hand<T>(work: impl FnOnce() -> T) -> T {
+pub fn finish_running_cases<T>(work: impl FnOnce() -> T) -> T {
     PATIENT.store(true, Ordering::SeqCst);
     let done = work();
     PATIENT.store(false, Ordering::SeqCst);
@@ -111,7 +111,7 @@ pub fn hold() {
 #[cfg(unix)]
 fn terminated() {
     if PATIENT.load(Ordering::SeqCst) && !LEAVING.swap(true, Ordering::SeqCst) {
-        terminal::tell("finishing the cases in hand; another signal stops them");
+        terminal::tell("finishing the running cases; a second signal stops them");
     } else {
         received();
     }

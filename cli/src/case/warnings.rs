@@ -75,7 +75,7 @@ impl Case {
         let Some(stress) = &self.stress else {
             return self.foundation.has_strengths().then_some(CaseWarning {
                 code: "unused-strength",
-                message: "strengths are given, but nothing is compared with them: a table [stress] asks for stresses"
+                message: "strengths are given but not used: add a table [stress] to compute stresses"
                     .into(),
             });
         };

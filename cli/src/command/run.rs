@@ -176,7 +176,7 @@ fn tell(arguments: &RunArguments, summary: &RunSummary, folder: Option<&Path>) {
     match summary.status {
         Status::Certified => {}
         Status::CutOff => terminal::tell(
-            "Error: cut off: the contact would go on where the domain or a map ends, do not use these numbers",
+            "Error: cut off: the contact would extend beyond the edge of the domain or of a map, do not use these numbers",
         ),
         Status::NotConverged => terminal::tell(
             "Error: not converged: the certificate is not satisfied, do not use these numbers",

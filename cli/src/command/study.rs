@@ -75,7 +75,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         .threads
         .map_or_else(runner::default_threads, usize::from);
     let solve = || runner::run(&kit, to_do, threads, &mut table, &lines);
-    interrupt::finishing_what_is_in_hand(solve)?;
+    interrupt::finish_running_cases(solve)?;
     cache::tell_warnings(&kit.cache);
     let (tally, path) = (table.tally(), table.path().to_owned());
     if tally.done() == cases {
@@ -122,7 +122,7 @@ fn tell_status(
         return Ok(Outcome::Done);
     }
     let parts = match status.parts_at_work {
-        0 => "; nobody is at work on it".to_owned(),
+        0 => "; no process is working on it".to_owned(),
         1 => "; 1 part at work".to_owned(),
         count => format!("; {count} parts at work"),
     };

@@ -34,7 +34,7 @@ impl NpyHeader {
     pub fn read(bytes: &[u8]) -> Result<Self, MapError> {
         let fault = |reason: &str| MapError::Npy(reason.into());
         let after = bytes.strip_prefix(MAGIC);
-        let after = after.ok_or_else(|| fault("it has no header of NumPy's"))?;
+        let after = after.ok_or_else(|| fault("it has no NumPy header"))?;
         let (length, start) = match after {
             [1, 0, a, b, ..] => (usize::from(u16::from_le_bytes([*a, *b])), 10),
             [2 | 3, 0, a, b, c, d, ..] => (u32::from_le_bytes([*a, *b, *c, *d]) as usize, 12),

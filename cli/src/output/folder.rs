@@ -272,7 +272,7 @@ fn make(path: &Path) -> io::Result<Vec<Unfinished>> {
 fn take_lock(path: &Path, is_made: bool) -> io::Result<Option<Lock>> {
     let made = if is_made { MADE } else { "" };
     let text = format!(
-        "pellicle (process {}) is at work here. If it was killed, the next run here removes what it has left.\n{made}",
+        "pellicle (process {}) is working in this folder. If it was killed, the next run removes what it left.\n{made}",
         process::id()
     );
     Lock::take(&path.join(LOCK), &text)

@@ -14,7 +14,7 @@ use crate::output::lock::Lock;
 use crate::output::{own_files, partial_file};
 
 /// Contents of the lock file.
-const AT_WORK: &str = "pellicle is at work on this study.\n";
+const AT_WORK: &str = "pellicle is working on this study.\n";
 
 /// Name of the folder for the results folders of the cases.
 const CASES: &str = "cases";

@@ -11,7 +11,7 @@ use super::section::ValidationSection;
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {
     name: "The certificate's negative controls",
-    source: "a solution of a textured contact, spoilt on purpose: the certificate must refuse it",
+    source: "a solution of a textured contact, deliberately altered: the certificate must reject it",
     because: "the error is the worst line of the certificate, the tolerance the certificate's: here the error must exceed it",
     rows,
 };

@@ -138,7 +138,7 @@ fn sigterm_finishes_the_running_cases_of_a_study_and_starts_no_other() {
     let (ran, _) = interrupted(&folder, &line, "-TERM", || cases().len() == 20);
     assert_eq!(ran.code, Some(130), "{}", ran.stderr);
     assert!(
-        ran.stderr.contains("finishing the cases in hand"),
+        ran.stderr.contains("finishing the running cases"),
         "{}",
         ran.stderr
     );

@@ -131,7 +131,7 @@ fn stresses_are_listed_by_body_and_interface_and_strengths_in_sentences() {
         "stress in layer[0]",
         "stress on interface 0",
         "of the shear strength",
-        "the interface shears off first at ",
+        "the interface fails in shear first at ",
         "the coating yields at none of these loads",
     ] {
         assert!(ran.stderr.contains(words), "{words} in {}", ran.stderr);

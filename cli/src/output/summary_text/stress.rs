@@ -141,8 +141,8 @@ fn verb(criterion: Criterion) -> &'static str {
     match criterion {
         Criterion::Yield => "yields",
         Criterion::Tension => "cracks",
-        Criterion::InterfaceShear => "shears off",
-        Criterion::InterfaceTension => "is pulled off",
+        Criterion::InterfaceShear => "fails in shear",
+        Criterion::InterfaceTension => "fails in tension",
     }
 }
 
@@ -187,7 +187,7 @@ mod tests {
         let holds = load("interface[0]", Criterion::InterfaceShear, None);
         assert_eq!(
             sentence(&holds, false, 1, Units::Si),
-            "the interface shears off at none of these loads: 0.340 of its strength is reached"
+            "the interface fails in shear at none of these loads: 0.340 of its strength is reached"
         );
     }
 }
