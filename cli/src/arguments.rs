@@ -79,11 +79,11 @@ pub enum Command {
     Plot(PlotArguments),
     /// Show the folder and size of the cache of coefficients, or clear it
     #[command(
-        after_help = "PELLICLE_CACHE names the folder; set but empty, it turns the cache on disk off."
+        after_help = "PELLICLE_CACHE names the folder; if it is set but empty, nothing is cached on disk."
     )]
     Cache(CacheArguments),
     /// Compare the program with known results: closed forms, high-precision data, limits, and wrong pressures that its
-    /// certificate must refuse
+    /// certificate must reject
     #[command(
         after_help = "Takes a few seconds; reads and writes no files. The line below each section defines its error; \
                             in the certificate's negative controls it is the worst line of a wrong pressure's certificate and must exceed \

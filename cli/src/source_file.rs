@@ -41,7 +41,7 @@ fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     let read = file.take(LARGEST_FILE + 1).read_to_end(&mut bytes)?;
     if read as u64 > LARGEST_FILE {
         let message = format!(
-            "larger than {} MiB, which no case file is",
+            "larger than {} MiB, too large for a case file",
             LARGEST_FILE >> 20
         );
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));

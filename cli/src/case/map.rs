@@ -220,7 +220,7 @@ fn refuse_points(
         return Ok(());
     }
     let reason = format!(
-        "which holds {} lines of three numbers, apparently points x, y, z of no rectangular grid",
+        "which holds {} lines of three numbers, apparently points x, y, z that form no rectangular grid",
         x.max(y)
     );
     Err(field.unusable(

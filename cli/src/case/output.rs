@@ -22,11 +22,11 @@ pub struct OutputCase {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Steps {
-    /// Every one
+    /// Every loading step
     All,
-    /// The last one
+    /// The last loading step
     Last,
-    /// None
+    /// No loading step
     None,
 }
 

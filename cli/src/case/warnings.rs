@@ -75,8 +75,9 @@ impl Case {
         let Some(stress) = &self.stress else {
             return self.foundation.has_strengths().then_some(CaseWarning {
                 code: "unused-strength",
-                message: "strengths are given but not used: add a table [stress] to compute stresses"
-                    .into(),
+                message:
+                    "strengths are given but not used: add a table [stress] to compute stresses"
+                        .into(),
             });
         };
         let slides = |layer: &LayerCase| layer.slides();
@@ -102,7 +103,7 @@ fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option
     (pixel > element_side * (1.0 + 1e-9)).then(|| CaseWarning {
         code: "coarse-map",
         message: format!(
-            "the map of the {table}, {}, has a sample every {}, farther apart than elements of {}: what lies between is interpolated",
+            "the map of the {table}, {}, has a sample every {}, farther apart than elements of {}: heights in between are interpolated",
             map.file,
             metres(pixel),
             metres(element_side)

@@ -95,7 +95,7 @@ impl Stream {
         match solved {
             Ok(Ok(summary)) => summary.map(|summary| Answer::Solved(Box::new(summary))),
             Ok(Err(failure)) => Some(failed(failure.to_string())),
-            Err(_) => Some(failed("an error of the program itself".into())),
+            Err(_) => Some(failed("an internal error of the program".into())),
         }
     }
 

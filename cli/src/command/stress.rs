@@ -167,7 +167,9 @@ fn state(field: &StressField, point: [f64; 2], depth: Depth) -> Result<Subsurfac
 fn outcome(status: Status) -> Outcome {
     let complaint = match status {
         Status::Certified => return Outcome::Done,
-        Status::CutOff => "cut off: the contact would extend beyond the edge of the domain or of a map",
+        Status::CutOff => {
+            "cut off: the contact would extend beyond the edge of the domain or of a map"
+        }
         Status::NotConverged => "not converged: the certificate is not satisfied",
     };
     terminal::tell(&format!("Error: {complaint}, do not use these numbers"));

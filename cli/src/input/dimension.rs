@@ -46,7 +46,7 @@ impl Dimension {
             Self::Angle => "an angle",
             Self::Compliance => "a compliance",
             Self::Stiffness => "a stiffness",
-            Self::FrameCompliance => "a compliance of a frame",
+            Self::FrameCompliance => "a frame compliance",
             Self::Time => "a time",
         }
     }

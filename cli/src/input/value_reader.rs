@@ -227,7 +227,7 @@ impl<'a> ValueReader<'a> {
         let (noun, unit) = (dimension.noun(), dimension.si_unit());
         let (least, most) = range.into_inner();
         Err(self.wanted(format!(
-            "{noun} between {least:e} and {most:e} {unit}, or as many of the case's own units"
+            "{noun} between {least:e} and {most:e} {unit}, or the same number in the case's own units"
         )))
     }
 

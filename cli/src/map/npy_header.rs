@@ -42,14 +42,13 @@ impl NpyHeader {
         };
         let text = bytes.get(start..start + length.min(LONGEST + 1));
         let text = text.filter(|text| text.len() == length);
-        let text =
-            text.ok_or_else(|| fault("its header is longer than the file or than any header"))?;
-        let text = std::str::from_utf8(text).map_err(|_| fault("its header is no text"))?;
+        let text = text.ok_or_else(|| fault("its header is longer than the file or too long"))?;
+        let text = std::str::from_utf8(text).map_err(|_| fault("its header is not text"))?;
         let dictionary = text
             .trim()
             .strip_prefix('{')
             .and_then(|text| text.strip_suffix('}'));
-        let dictionary = dictionary.ok_or_else(|| fault("its header is no dictionary"))?;
+        let dictionary = dictionary.ok_or_else(|| fault("its header is not a dictionary"))?;
         let mut keys = Keys::default();
         keys.read(dictionary).map_err(|reason| fault(&reason))?;
         match keys {
@@ -90,7 +89,7 @@ impl Keys {
     fn read(&mut self, dictionary: &str) -> Result<(), String> {
         let mut rest = dictionary.trim();
         while !rest.is_empty() {
-            let (key, after) = quoted(rest).ok_or("its header has a key that is no string")?;
+            let (key, after) = quoted(rest).ok_or("its header has a key that is not a string")?;
             let after = after.trim_start().strip_prefix(':');
             let after = after
                 .ok_or("its header has a key without a value")?
@@ -118,10 +117,10 @@ impl Keys {
             }
             "shape" => {
                 let (shape, after) =
-                    tuple(text).ok_or("its header has a shape that is no tuple of numbers")?;
+                    tuple(text).ok_or("its header has a shape that is not a tuple of numbers")?;
                 (self.shape.replace(shape).is_none(), after)
             }
-            _ => return Err("its header has a key that is none of NumPy's".into()),
+            _ => return Err("its header has a key that NumPy does not write".into()),
         };
         if is_new {
             Ok(after)

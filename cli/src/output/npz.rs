@@ -107,7 +107,7 @@ pub(super) fn check(path: &Path) -> Result<(), String> {
         let (name, size) = (entry.name().to_owned(), entry.size());
         if size > LARGEST_ARRAY {
             return Err(format!(
-                "{name} unpacks to {size} bytes, more than any grid's field"
+                "{name} unpacks to {size} bytes, more than a field of any grid"
             ));
         }
         let mut start = Vec::new();
@@ -116,7 +116,7 @@ pub(super) fn check(path: &Path) -> Result<(), String> {
         let header = NpyHeader::read(&start).map_err(|error| format!("{name}, {error}"))?;
         if header.size() != Some(size) {
             return Err(format!(
-                "{name} unpacks to {size} bytes, and its header says otherwise"
+                "{name} unpacks to {size} bytes, but its header says otherwise"
             ));
         }
     }

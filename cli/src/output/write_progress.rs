@@ -116,7 +116,7 @@ impl<'a> WriteProgress<'a> {
         let reason = match drawn {
             Ok(Ok(drawn)) => return Some(drawn),
             Ok(Err(reason)) => reason,
-            Err(_) => "an error in the program itself".to_owned(),
+            Err(_) => "an internal error of the program".to_owned(),
         };
         let message = format!("the picture {name} cannot be drawn: {reason}");
         let warning = WarningSummary {

@@ -10,7 +10,7 @@ pub enum ColourMap {
     /// Dark blue to yellow
     #[default]
     Viridis,
-    /// Dark blue to yellow, for every kind of eye alike
+    /// Dark blue to yellow, nearly the same with colour-blindness
     Cividis,
     /// Black to pale yellow
     Magma,

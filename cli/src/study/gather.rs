@@ -55,7 +55,10 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     }
     if !first.is_of_this_layout() {
         let path = StudyIdentity::path(folder, first.shard);
-        return Err(Failure::damaged(&path, &"it is of another version"));
+        return Err(Failure::damaged(
+            &path,
+            &"it was written by another version",
+        ));
     }
     let whole = StudyIdentity {
         shard: Shard::WHOLE,

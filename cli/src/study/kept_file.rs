@@ -138,7 +138,8 @@ impl KeptFile {
         let length = start + u64::from(cases) * record;
         if fs::symlink_metadata(&path).is_err() {
             if done > 0 {
-                let reason = "it is missing, and the table has cases: give --fresh to begin again";
+                let reason =
+                    "it is missing although the table has cases: give --fresh to begin again";
                 return Err(Failure::damaged(&path, &reason));
             }
             file::write_whole(&path, |file| {

@@ -205,7 +205,7 @@ impl StudyTables {
             counts: self.tally.words(cases),
             sample: (shown < self.rows_read).then(|| {
                 format!(
-                    "{shown} of {} rows are drawn, a random sample of the cases; ranges and reasons are those of all.",
+                    "{shown} of {} rows are drawn, a random sample of the cases; ranges and reasons cover all cases.",
                     self.rows_read
                 )
             }),

@@ -46,7 +46,7 @@ const SPOILT: [(&str, Spoil); 8] = [
     ("an element pressed far from the contact", |p| {
         p[0] = SMALL * p[largest(p)];
     }),
-    ("one pressure no number", |p| {
+    ("one pressure NaN", |p| {
         let largest = largest(p);
         p[largest] = f64::NAN;
     }),

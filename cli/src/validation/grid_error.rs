@@ -12,7 +12,7 @@ use super::section::ValidationSection;
 pub const SECTION: ValidationSection = ValidationSection {
     name: "The grid error's controls",
     source: "Hertz's peak is finite, that at the rim of a flat punch is not",
-    because: "a word: what is said of the largest pressure",
+    because: "a word: the verdict on the largest pressure",
     rows,
 };
 

@@ -304,7 +304,7 @@ fn a_strength_without_a_unit_among_units_is_warned_of() {
     let sentence = "line 10, key `foundation.layer[0].tensile_strength`: 2e9 among values with units is 2e9 Pa";
     assert!(checked.contains(sentence), "{checked}");
     assert!(
-        checked.contains("a table [stress] asks for stresses"),
+        checked.contains("add a table [stress] to compute stresses"),
         "{checked}"
     );
 }

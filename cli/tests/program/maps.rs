@@ -251,7 +251,8 @@ fn maps_of_points_and_with_decimal_commas_are_read_correctly() {
     let (_folder, ran) = with_map(&some, &format!("{indenter}, side=\"840 nm\"}}"));
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert!(
-        ran.stderr.contains("points x, y, z of no rectangular grid"),
+        ran.stderr
+            .contains("points x, y, z that form no rectangular grid"),
         "{}",
         ran.stderr
     );

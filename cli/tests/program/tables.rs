@@ -185,7 +185,7 @@ fn check_prints_a_case_with_every_default_filled_in() {
         "interface = \"bonded\"",
         "# elements per radius of a cylinder",
         "# elements per contact radius, about",
-        "# products with K a step, about",
+        "# products with K per step, about",
         "# memory, about",
         "# a trial of the largest load on 32 × 32 elements: Q = 1.0000 µN",
     ] {
@@ -208,7 +208,7 @@ fn check_estimates_the_work_of_stresses() {
     assert_eq!(checked.code, Some(0), "{}", checked.stderr);
     for text in [
         "[stress]",
-        "# stresses of a step, about             3 planes of 8 × 8 points",
+        "# stresses per step, about             3 planes of 8 × 8 points",
         "#   down to                             10.000 nm",
         "# critical loads                        1, each by solving",
         "yield_strength = 1000000000.0",

@@ -81,7 +81,7 @@ fn shaped<D: Dimension>(
 pub fn read(path: &Path) -> Result<StressView, Failure> {
     check(path).map_err(|reason| Failure::damaged(path, &reason))?;
     let view = try_read(path).map_err(|cause| Failure::damaged(path, &cause))?;
-    view.ok_or_else(|| Failure::damaged(path, &"its arrays do not belong together"))
+    view.ok_or_else(|| Failure::damaged(path, &"its arrays have inconsistent shapes"))
 }
 
 /// Reads the view; none if its arrays do not match.
@@ -205,7 +205,7 @@ mod tests {
         odd.section.bodies.swap(0, 2);
         write(&path, &odd).unwrap();
         let message = read(&path).unwrap_err().to_string();
-        assert!(message.contains("do not belong together"), "{message}");
+        assert!(message.contains("inconsistent shapes"), "{message}");
         std::fs::write(&path, "no archive").unwrap();
         assert!(read(&path).is_err());
     }

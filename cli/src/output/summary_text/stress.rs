@@ -83,7 +83,7 @@ fn sentence(load: &CriticalLoad, is_first: bool, layers: usize, units: Units) ->
             format!("{what} {verb} at none of these loads: {ratio} of its strength is reached")
         } else {
             format!(
-                "{what} {verb} under the smallest load tried already: {ratio} times its strength is reached"
+                "{what} {verb} already at the smallest load tried: {ratio} times its strength is reached"
             )
         };
     };
