@@ -30,9 +30,9 @@ pub fn open_for_many() -> Cache {
 }
 
 /// Prints the warnings of the cache to standard error.
-pub fn tell_warnings(cache: &Cache) {
-    let tell = |warning: CacheWarning| terminal::tell(&format!("warning: {warning}"));
-    cache.take_warnings().into_iter().for_each(tell);
+pub fn report_warnings(cache: &Cache) {
+    let report = |warning: CacheWarning| terminal::report(&format!("warning: {warning}"));
+    cache.take_warnings().into_iter().for_each(report);
 }
 
 /// The named folder; none if the name is empty, the platform's folder if there is no name.

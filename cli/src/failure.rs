@@ -304,10 +304,10 @@ mod tests {
             side: 2.0,
             trials: 100,
         });
-        let told = failure.render();
+        let message = failure.render();
         assert!(
-            told.trim_end().ends_with("give its side (`grid.side`)"),
-            "{told}"
+            message.trim_end().ends_with("give its side (`grid.side`)"),
+            "{message}"
         );
         assert_eq!(failure.exit_code(), 1);
     }

@@ -85,7 +85,7 @@ pub struct SearchLine(Option<ProgressBar>);
 
 impl SearchLine {
     /// Shows the current search.
-    pub fn tell(&self, search: StressSearch) {
+    pub fn show(&self, search: StressSearch) {
         if let Some(line) = &self.0 {
             line.set_message(searching(search));
         }
@@ -242,8 +242,8 @@ impl TimeLeft {
         let to_fall = (progress.residual / self.tolerance).ln().max(0.0);
         let share = to_fall / fallen;
         let done = progress.iteration.saturating_sub(self.level.iteration);
-        let judged = done >= 3 && fallen > 0.0 && share.is_finite();
-        judged.then(|| (now - self.level.time).mul_f64(share.min(1e6)))
+        let is_reliable = done >= 3 && fallen > 0.0 && share.is_finite();
+        is_reliable.then(|| (now - self.level.time).mul_f64(share.min(1e6)))
     }
 }
 

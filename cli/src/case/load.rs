@@ -136,10 +136,10 @@ mod tests {
     #[test]
     fn sensitivities_are_a_key_of_the_load_table() {
         let read = |text: &str| read_table(text, |table| LoadCase::read(&table));
-        let asked = |text: &str| read(text).map(|load| load.sensitivities);
-        assert_eq!(asked("force = 1\nsensitivities = true"), Ok(true));
-        assert_eq!(asked("force = 1"), Ok(false));
-        assert!(asked("force = 1\nsensitivities = 1").is_err());
+        let requested = |text: &str| read(text).map(|load| load.sensitivities);
+        assert_eq!(requested("force = 1\nsensitivities = true"), Ok(true));
+        assert_eq!(requested("force = 1"), Ok(false));
+        assert!(requested("force = 1\nsensitivities = 1").is_err());
     }
 
     #[test]

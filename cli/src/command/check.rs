@@ -31,9 +31,9 @@ pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let estimates = estimates(&case, &forecast, chosen)?;
     terminal::print(&format!("{}\n{resolved}\n{estimates}", heading(case.units)))?;
     for warning in &forecast.warnings {
-        terminal::tell(&format!("warning: {warning}"));
+        terminal::report(&format!("warning: {warning}"));
     }
-    cache::tell_warnings(&cache);
+    cache::report_warnings(&cache);
     Ok(Outcome::Done)
 }
 

@@ -22,7 +22,7 @@ pub fn gather(arguments: &GatherArguments) -> Result<Outcome, Failure> {
     };
     let found = gather::gather(&arguments.folder, other)?;
     let cases = found.tally.done() + found.missing.len();
-    terminal::tell(&found.tally.words(cases));
+    terminal::report(&found.tally.words(cases));
     let Some(table) = found.table else {
         let first = found.missing.iter().take(MOST_NAMED);
         let names: Vec<_> = first.map(|case| (case + 1).to_string()).collect();
@@ -32,12 +32,12 @@ pub fn gather(arguments: &GatherArguments) -> Result<Outcome, Failure> {
             ""
         };
         let names = names.join(", ");
-        terminal::tell(&format!(
+        terminal::report(&format!(
             "Error: nothing is written: cases {names}{more} are missing"
         ));
         return Ok(Outcome::NotConverged);
     };
-    terminal::tell(&format!("written to {}", table.display()));
+    terminal::report(&format!("written to {}", table.display()));
     Ok(if found.tally.is_certified() {
         Outcome::Done
     } else {

@@ -53,7 +53,7 @@ pub fn solve(arguments: &SolveArguments) -> Result<Outcome, Failure> {
         }
         terminal::print(&format!("{}\n", serde_json::to_string(&answer)?))?;
     }
-    cache::tell_warnings(&stream.cache);
+    cache::report_warnings(&stream.cache);
     Ok(outcome)
 }
 

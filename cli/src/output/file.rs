@@ -106,11 +106,11 @@ impl LongFile {
     /// # Errors
     ///
     /// [`Failure::Write`] if it fails or is stopped.
-    pub fn go_on(
+    pub fn append(
         &mut self,
         write: impl FnOnce(&mut StoppableFile<'_>) -> io::Result<()>,
     ) -> Result<(), Failure> {
-        let mut file = StoppableFile::going_on(&mut self.file, self.unsynced);
+        let mut file = StoppableFile::resuming(&mut self.file, self.unsynced);
         let written = write(&mut file);
         self.unsynced = file.unsynced();
         written.map_err(|cause| Failure::write(&self.path, cause))
@@ -188,8 +188,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let [path, other] = ["a.txt", "b.txt"].map(|name| folder.path().join(name));
         let mut file = LongFile::begin(&path).unwrap();
-        file.go_on(|file| file.write_all(b"half")).unwrap();
-        file.go_on(|file| {
+        file.append(|file| file.write_all(b"half")).unwrap();
+        file.append(|file| {
             file.seek(SeekFrom::Start(0))?;
             file.write_all(b"Half and half")
         })
@@ -198,7 +198,7 @@ mod tests {
         file.finish().unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "Half and half");
         let mut given_up = LongFile::begin(&other).unwrap();
-        given_up.go_on(|file| file.write_all(b"half")).unwrap();
+        given_up.append(|file| file.write_all(b"half")).unwrap();
         drop(given_up);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }

@@ -30,15 +30,15 @@ pub fn text(summary: &RunSummary) -> String {
 /// others.
 #[must_use]
 pub fn warning_lines(warnings: &[WarningSummary]) -> String {
-    let mut told: Vec<&str> = Vec::new();
+    let mut shown: Vec<&str> = Vec::new();
     let mut lines = Vec::new();
     for WarningSummary { code, message } in warnings {
         let alike = warnings.iter().filter(|other| other.code == *code);
         let count = alike.count();
         if count <= MOST_ALIKE {
             lines.push(format!("warning: {message}"));
-        } else if !told.contains(&code.as_str()) {
-            told.push(code);
+        } else if !shown.contains(&code.as_str()) {
+            shown.push(code);
             lines.push(format!("warning: {message}"));
             let more = count - 1;
             lines.push(format!(

@@ -190,13 +190,13 @@ mod tests {
 
     #[test]
     fn every_file_is_counted() {
-        let told = Mutex::new(Vec::new());
-        let tell = |done, total| told.lock().unwrap().push((done, total));
-        let writer = WriteProgress::new(2, &tell);
+        let reported = Mutex::new(Vec::new());
+        let report = |done, total| reported.lock().unwrap().push((done, total));
+        let writer = WriteProgress::new(2, &report);
         for _ in 0..2 {
             writer.file(|| Ok(())).unwrap();
         }
-        assert_eq!(*told.lock().unwrap(), [(0, 2), (1, 2), (2, 2)]);
+        assert_eq!(*reported.lock().unwrap(), [(0, 2), (1, 2), (2, 2)]);
         assert!(writer.is_whole() && writer.warnings().is_empty());
     }
 }

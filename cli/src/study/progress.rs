@@ -23,11 +23,11 @@ pub struct StudyProgress {
 }
 
 impl StudyProgress {
-    /// Returns lines for a part of `total` cases, of which `before` are done; none are shown unless `watched`.
+    /// Returns lines for a part of `total` cases, of which `before` are done; they are hidden unless `shown`.
     #[must_use]
-    pub fn new(total: usize, before: usize, watched: bool) -> Self {
+    pub fn new(total: usize, before: usize, shown: bool) -> Self {
         Self {
-            terminal: watched.then(MultiProgress::new),
+            terminal: shown.then(MultiProgress::new),
             total,
             start: Instant::now(),
             done: Mutex::new((before, 0)),
@@ -63,7 +63,7 @@ impl StudyProgress {
             done.words()
         );
         if lines.is_hidden() {
-            terminal::tell(&line);
+            terminal::report(&line);
         } else {
             // If the terminal is gone, the message is dropped.
             drop(lines.println(line));

@@ -102,7 +102,7 @@ pub fn write(folder: &Path, parts: &[StudyIdentity]) -> Result<bool, Failure> {
 /// # Errors
 ///
 /// [`Failure::Write`] if it cannot be removed.
-pub fn forget(folder: &Path) -> Result<(), Failure> {
+pub fn discard(folder: &Path) -> Result<(), Failure> {
     let path = folder.join(FILE);
     if !path.is_file() || !is_free(&path) {
         return Ok(());

@@ -20,9 +20,9 @@ pub const SECTION: ValidationSection = ValidationSection {
 const SMALL: f64 = 1e-6;
 
 /// A change that makes a correct pressure wrong.
-type Spoil = fn(&mut Vec<f64>);
+type Alteration = fn(&mut Vec<f64>);
 
-const SPOILT: [(&str, Spoil); 8] = [
+const ALTERATIONS: [(&str, Alteration); 8] = [
     ("all pressures larger by a millionth", |p| {
         p.iter_mut().for_each(|p| *p *= 1.0 + SMALL);
     }),
@@ -60,9 +60,9 @@ fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
         "as solved".into(),
         &judge.judge(right.clone()),
     )];
-    for (check, spoil) in SPOILT {
+    for (check, alter) in ALTERATIONS {
         let mut wrong = right.clone();
-        spoil(&mut wrong);
+        alter(&mut wrong);
         rows.push(Comparison::refused(check.into(), &judge.judge(wrong)));
     }
     let other_load = Load::Force(FORCE * (1.0 + SMALL));

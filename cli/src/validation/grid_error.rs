@@ -18,13 +18,13 @@ pub const SECTION: ValidationSection = ValidationSection {
 
 fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let punch = Indenter::FlatPunch(FlatPunch::new(0.1)?);
-    let said = |indenter| -> Result<&str, ValidationError> {
+    let verdict = |indenter| -> Result<&str, ValidationError> {
         let path = run.solve(&contact(indenter)?)?;
         Ok(of_the_peak(&path.steps[0]))
     };
     Ok(vec![
-        Comparison::words("Hertz".into(), "resolved", said(paraboloid(1.0)?)?),
-        Comparison::words("Flat punch".into(), "unresolved", said(punch)?),
+        Comparison::words("Hertz".into(), "resolved", verdict(paraboloid(1.0)?)?),
+        Comparison::words("Flat punch".into(), "unresolved", verdict(punch)?),
     ])
 }
 

@@ -19,7 +19,7 @@ pub struct WantedPlane {
 
 /// The uses for which planes are needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Wishes {
+pub struct PlaneUses {
     /// Files of fields.
     pub files: bool,
     /// Pictures, or the file to redraw them.
@@ -34,14 +34,14 @@ pub fn wanted(
     case: &FoundationCase,
     foundation: &Foundation,
     contact_radius: f64,
-    wishes: Wishes,
+    uses: PlaneUses,
 ) -> Vec<WantedPlane> {
     let filed = stress.planes(case, foundation, contact_radius);
     let mut viewed = stress.drawn_planes(case, foundation, contact_radius);
     viewed.extend(case.planes_at(foundation, &case.bottoms(foundation)));
     let mut planes: Vec<WantedPlane> = Vec::with_capacity(filed.len() + viewed.len());
-    for (wish, is_filed, of_it) in [(wishes.files, true, &filed), (wishes.view, false, &viewed)] {
-        planes.extend(of_it.iter().filter(|_| wish).map(|plane| WantedPlane {
+    for (is_used, is_filed, of_it) in [(uses.files, true, &filed), (uses.view, false, &viewed)] {
+        planes.extend(of_it.iter().filter(|_| is_used).map(|plane| WantedPlane {
             plane: *plane,
             is_filed,
             is_viewed: !is_filed,
@@ -85,7 +85,7 @@ mod tests {
             depths,
             ..StressCase::default()
         };
-        wanted(&stress, &case, &foundation, 1.0, Wishes { files, view })
+        wanted(&stress, &case, &foundation, 1.0, PlaneUses { files, view })
     }
 
     #[test]

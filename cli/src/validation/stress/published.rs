@@ -228,13 +228,13 @@ fn two_circles() -> Result<Vec<Comparison>, ValidationError> {
         let beside = [0.0, ELLEA_LOAD.radius];
         let state = ELLEA_LOAD.states(&body, ELEMENTS, above(z), &[beside])?[0] * 2.0;
         let [xx, yy, zz, ..] = state.stress;
-        let sunk = state.displacement[2];
+        let displacement = state.displacement[2];
         pairs.extend(
             [
                 [across, -xx],
                 [along, -yy],
                 [downwards, -zz],
-                [sinking, sunk],
+                [sinking, displacement],
             ]
             .map(off),
         );
