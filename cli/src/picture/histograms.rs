@@ -36,7 +36,10 @@ pub fn draw(subject: &Subject<'_>) -> String {
     };
     let mean = |histogram: &Histogram, unit| quantity(histogram.mean, unit, subject.units);
     let pressures = format!("mean pressure {}", mean(&rough.pressures, Unit::Pascal));
-    let gaps = format!("mean gap out of contact {}", mean(&rough.gaps, Unit::Metre));
+    let gaps = format!(
+        "mean gap outside contact {}",
+        mean(&rough.gaps, Unit::Metre)
+    );
     let right = LEFT + SIDE + BETWEEN;
     draw_panel(
         &mut svg,

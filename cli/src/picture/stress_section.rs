@@ -294,7 +294,7 @@ impl<'a> SectionDrawing<'a> {
             let beside = if self.is_on_section(&found) {
                 ""
             } else {
-                " (beside this section)"
+                " (off this section)"
             };
             title = format!(
                 "{} {value} in {}, at x, y, z = {at}{beside}",
