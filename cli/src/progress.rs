@@ -238,11 +238,11 @@ impl TimeLeft {
 
     fn of_this_grid(&self, progress: &Progress, now: Instant) -> Option<Duration> {
         // ln r₀/r gained in the iterations so far, ln r/tolerance still to go
-        let fallen = (self.level.residual / progress.residual).ln();
-        let to_fall = (progress.residual / self.tolerance).ln().max(0.0);
-        let share = to_fall / fallen;
+        let gained = (self.level.residual / progress.residual).ln();
+        let to_gain = (progress.residual / self.tolerance).ln().max(0.0);
+        let share = to_gain / gained;
         let done = progress.iteration.saturating_sub(self.level.iteration);
-        let is_reliable = done >= 3 && fallen > 0.0 && share.is_finite();
+        let is_reliable = done >= 3 && gained > 0.0 && share.is_finite();
         is_reliable.then(|| (now - self.level.time).mul_f64(share.min(1e6)))
     }
 }

@@ -232,12 +232,9 @@ mod tests {
             large.contains("mask.npy unpacks to 4000000000 bytes"),
             "{large}"
         );
-        let promising = header.replace("(1, 1)", "(8000, 8000)");
-        let promising = refused(&promising, &[1], None);
-        assert!(
-            promising.contains("its header says otherwise"),
-            "{promising}"
-        );
+        let larger = header.replace("(1, 1)", "(8000, 8000)");
+        let message = refused(&larger, &[1], None);
+        assert!(message.contains("its header says otherwise"), "{message}");
         let twice = header.replace("(1, 1)", "(1, 1), 'shape': (99999999, 99999999)");
         let twice = refused(&twice, &[1], None);
         assert!(twice.contains("the key shape twice"), "{twice}");

@@ -325,7 +325,7 @@ impl<'a> SectionDrawing<'a> {
                 (x, y),
                 15.0,
                 Anchor::Start,
-                "red: tension, blue: compression, broken lines",
+                "red: tension; blue, dashed lines: compression",
             );
         }
         let place = (LEFT + PANEL_WIDTH, y);

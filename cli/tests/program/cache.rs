@@ -68,8 +68,8 @@ fn a_damaged_cache_is_warned_of_and_repaired() {
     let damaged = summary(&folder);
     assert!(!is_from_cache(&damaged));
     assert_eq!(codes(&damaged), vec!["cache-file"; files.len()]);
-    let mended = summary(&folder);
-    assert!(is_from_cache(&mended) && codes(&mended).is_empty());
+    let repaired = summary(&folder);
+    assert!(is_from_cache(&repaired) && codes(&repaired).is_empty());
 }
 
 #[test]

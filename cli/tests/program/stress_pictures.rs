@@ -45,7 +45,7 @@ fn run_and_plot_draw_the_same_stress_pictures_and_the_report_shows_them() {
         "layer[0]",
         "substrate",
         "depth z (case units)",
-        "broken lines",
+        "dashed lines",
     ] {
         assert!(section.contains(words), "{words}");
     }

@@ -82,17 +82,17 @@ fn on_a_full_disk_a_study_stops_with_an_error_and_continues_once_there_is_space(
         ),
     ] {
         let folder = folder(text);
-        let Some([code, told, again]) = ran_on_a_small_disk(&folder, size) else {
+        let Some([code, message, again]) = ran_on_a_small_disk(&folder, size) else {
             say_skipped("no small file system can be mounted");
             return;
         };
-        assert_eq!(code, "2\n", "{told}");
+        assert_eq!(code, "2\n", "{message}");
         let sentence = format!("results/many/{full}: cannot be written: No space left on device");
         assert!(
-            told.starts_with("Error: ") && told.contains(&sentence),
-            "{told}"
+            message.starts_with("Error: ") && message.contains(&sentence),
+            "{message}"
         );
-        assert_eq!(told.lines().count(), 1, "{told}");
+        assert_eq!(message.lines().count(), 1, "{message}");
         assert_eq!(again, "1\n");
         let found: Vec<_> = names
             .iter()
@@ -155,9 +155,9 @@ fn of_many_processes_started_on_one_part_one_works_and_the_others_report_it() {
             assert_eq!(ran.stderr, "");
         } else {
             assert_eq!(ran.code, Some(2), "{}", ran.stderr);
-            let told = "results-1-of-2.csv: found another process writing to it: wait until it has ended\n";
+            let message = "results-1-of-2.csv: found another process writing to it: wait until it has ended\n";
             assert!(
-                ran.stderr.ends_with(told) && ran.stderr.lines().count() == 1,
+                ran.stderr.ends_with(message) && ran.stderr.lines().count() == 1,
                 "{}",
                 ran.stderr
             );
@@ -210,13 +210,13 @@ fn parts_on_machines_with_clocks_an_hour_apart_give_the_table_of_one() {
     };
     let mut parts = [("1/2", "+1h"), ("2/2", "-1h")].map(|(part, hour)| start(part, hour));
     // Waits until cases of both parts are on disk; on a busy machine both may be done by then.
-    let asked = Instant::now();
+    let waiting = Instant::now();
     let mut most_at_work = 0;
     loop {
         let ran = study(&folder, &["--status", "--json"]);
         let status: Value = serde_json::from_str(&ran.stdout).unwrap();
         most_at_work = most_at_work.max(status["parts_at_work"].as_u64().unwrap());
-        if status["certified"] != 0 && most_at_work == 2 || asked.elapsed().as_secs() > 60 {
+        if status["certified"] != 0 && most_at_work == 2 || waiting.elapsed().as_secs() > 60 {
             break;
         }
         sleep(Duration::from_millis(20));

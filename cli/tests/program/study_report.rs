@@ -110,9 +110,9 @@ fn the_study_report_works_while_parts_are_missing_and_replaces_no_foreign_file()
     assert!(!folder.path("results").exists());
     assert_eq!(study(&folder, &["--shard", "1/2"]).code, Some(1));
     assert!(!folder.path("results/many/report.html").exists());
-    let told = study(&folder, &["--report"]);
+    let ran = study(&folder, &["--report"]);
     assert_eq!(
-        (told.code, told.stdout.as_str()),
+        (ran.code, ran.stdout.as_str()),
         (Some(0), "results/many/report.html\n")
     );
     assert!(page(&folder).contains("12 to do"));

@@ -55,8 +55,8 @@ fn the_case_sets_what_is_written_and_in_which_formats() {
 #[test]
 fn the_last_line_names_the_report_which_opens_at_the_last_step() {
     let folder = TestFolder::with_case(CASE);
-    let said = run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
-    let last = said.trim_end().lines().last().unwrap();
+    let printed = run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
+    let last = printed.trim_end().lines().last().unwrap();
     let named = last.strip_prefix("report: ").unwrap();
     let page = fs::read_to_string(folder.path(named)).unwrap();
     assert!(page.contains("<option value=\"step-2\" selected>step 2, Q = 4.0000 µN"));
@@ -96,17 +96,17 @@ fn check_estimates_the_disk_space_of_a_run() {
         let checked = folder.run(&[&["check", "case.toml"], sets].concat()).stdout;
         let line = checked.lines().find(|line| line.contains("disk, about"));
         let words: Vec<_> = line.unwrap().split_whitespace().collect();
-        let [.., told, "MB"] = words[..] else {
+        let [.., estimate, "MB"] = words[..] else {
             panic!("{words:?}")
         };
-        let told: f64 = told.parse().unwrap();
+        let estimate: f64 = estimate.parse().unwrap();
         run(&folder, out, sets);
         let entries = fs::read_dir(folder.path(out)).unwrap();
         let sizes = entries.map(|entry| entry.unwrap().metadata().unwrap().len());
-        let ratio = sizes.sum::<u64>() as f64 / 1e6 / told;
+        let ratio = sizes.sum::<u64>() as f64 / 1e6 / estimate;
         assert!(
             (0.8..1.2).contains(&ratio),
-            "{sets:?}: {ratio} of {told} MB"
+            "{sets:?}: {ratio} of {estimate} MB"
         );
     }
 }
