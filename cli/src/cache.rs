@@ -24,8 +24,8 @@ pub fn open() -> Cache {
 /// and read as to compute. Radial tables of foundations, which cases share, are always kept.
 #[must_use]
 pub fn open_for_many() -> Cache {
-    const SMALLEST: usize = 128;
-    let at = |folder: PathBuf| Cache::storing_from(SMALLEST, folder);
+    const MIN_ELEMENTS: usize = 128;
+    let at = |folder: PathBuf| Cache::storing_from(MIN_ELEMENTS, folder);
     folder(env::var_os(VARIABLE), platform_folder).map_or_else(Cache::in_memory, at)
 }
 

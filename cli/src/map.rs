@@ -22,7 +22,7 @@ pub use self::error::MapError;
 pub use self::map_file::MapFile;
 
 /// The largest file that is read, bytes.
-const LARGEST_FILE: u64 = 512 << 20;
+const MAX_FILE_BYTES: u64 = 512 << 20;
 
 /// Reads the bytes of a file of one format.
 type Parser = fn(&[u8]) -> Result<MapFile, MapError>;
@@ -57,11 +57,11 @@ fn bytes(path: &Path) -> Result<Vec<u8>, MapError> {
     }
     let mut bytes = Vec::new();
     let read = File::open(path)?
-        .take(LARGEST_FILE + 1)
+        .take(MAX_FILE_BYTES + 1)
         .read_to_end(&mut bytes)?;
-    if read as u64 > LARGEST_FILE {
+    if read as u64 > MAX_FILE_BYTES {
         return Err(MapError::TooLarge {
-            largest: LARGEST_FILE,
+            largest: MAX_FILE_BYTES,
         });
     }
     Ok(bytes)

@@ -20,7 +20,7 @@ const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
 const HELP: &str = "to replace one by the other, replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
 
 /// The largest number of steps of a curve; more is a mistake.
-const MOST_STEPS: usize = 10_000;
+const MAX_STEPS: usize = 10_000;
 
 /// The load of a case, and whether derivatives are requested.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -115,13 +115,13 @@ fn the_one_given(table: &TableReader<'_>) -> Result<&'static str, Diagnosis> {
 const FORCE: QuantityList = QuantityList {
     dimension: Dimension::Force,
     sign: Sign::Positive,
-    most: MOST_STEPS,
+    most: MAX_STEPS,
 };
 
 const PENETRATION: QuantityList = QuantityList {
     dimension: Dimension::Length,
     sign: Sign::Any,
-    most: MOST_STEPS,
+    most: MAX_STEPS,
 };
 
 #[cfg(test)]

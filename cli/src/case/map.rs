@@ -119,11 +119,11 @@ impl MapCase {
         let heights = HeightMap::new(heights.collect(), file.shape, sides);
         let heights = heights.map_err(|error| field.refused(&error))?;
         limits.check(&heights).map_err(|too_steep| {
-            let blamed = table.optional("height_unit").unwrap_or(field);
+            let at_fault = table.optional("height_unit").unwrap_or(field);
             let has_unit =
-                matches!(blamed.value(), TomlValue::Text(_)) || names_a_unit(table, &file);
+                matches!(at_fault.value(), TomlValue::Text(_)) || names_a_unit(table, &file);
             let wanted = limits.wanted(&heights, height_unit, has_unit);
-            blamed.unusable(&too_steep, wanted)
+            at_fault.unusable(&too_steep, wanted)
         })?;
         Ok(Self {
             file: name.to_owned(),

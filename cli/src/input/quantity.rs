@@ -5,7 +5,7 @@ use uom::si::f64::{Angle, Force, Length, Pressure, Time};
 use super::dimension::Dimension;
 
 /// The longest number that is read, in bytes.
-const LONGEST_NUMBER: usize = 64;
+const MAX_NUMBER_LENGTH: usize = 64;
 
 /// The reason why a text is not a quantity of the wanted dimension.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -97,7 +97,7 @@ fn split(text: &str) -> Result<(&str, &str), QuantityError> {
         text.get(..*end)
             .is_some_and(|start| start.parse::<f64>().is_ok())
     };
-    let end = (1..=text.len().min(LONGEST_NUMBER))
+    let end = (1..=text.len().min(MAX_NUMBER_LENGTH))
         .rev()
         .find(is_number)
         .ok_or(QuantityError::NoNumber)?;

@@ -10,7 +10,7 @@ use super::error::MapError;
 const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// The longest header that is read, bytes.
-const LONGEST: usize = 1 << 16;
+const MAX_LENGTH: usize = 1 << 16;
 
 /// The header of an array.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -40,7 +40,7 @@ impl NpyHeader {
             [2 | 3, 0, a, b, c, d, ..] => (u32::from_le_bytes([*a, *b, *c, *d]) as usize, 12),
             _ => return Err(fault("its header is of an unknown version")),
         };
-        let text = bytes.get(start..start + length.min(LONGEST + 1));
+        let text = bytes.get(start..start + length.min(MAX_LENGTH + 1));
         let text = text.filter(|text| text.len() == length);
         let text = text.ok_or_else(|| fault("its header is longer than the file or too long"))?;
         let text = std::str::from_utf8(text).map_err(|_| fault("its header is not text"))?;

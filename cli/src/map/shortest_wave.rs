@@ -11,7 +11,7 @@ use realfft::num_complex::Complex;
 const SHARE: f64 = 0.99;
 
 /// The smallest number of samples of a line with a useful spectrum.
-const FEWEST: usize = 16;
+const MIN_SAMPLES: usize = 16;
 
 /// Returns the shortest wave along either axis, in samples; none if the map is flat, or small along both axes.
 #[must_use]
@@ -24,7 +24,7 @@ pub fn shortest_wave(shape: [usize; 2], heights: &[f64]) -> Option<f64> {
 }
 
 fn of_lines(samples: usize, lines: impl Iterator<Item = Vec<f64>>) -> Option<f64> {
-    if samples < FEWEST {
+    if samples < MIN_SAMPLES {
         return None;
     }
     let transform = RealFftPlanner::new().plan_fft_forward(samples);

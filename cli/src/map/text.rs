@@ -8,7 +8,7 @@ use super::grid_points;
 use super::map_file::MapFile;
 
 /// With fewer lines than this, two columns of integers are a small map.
-const FEWEST_OF_A_COLUMN: usize = 3;
+const MIN_COLUMN_LINES: usize = 3;
 
 /// Reads the text; each line is a row of the picture, from the top down, or a point x, y, z of a grid.
 ///
@@ -113,7 +113,7 @@ fn either(text: &str) -> Option<String> {
     let mut lines = lines.into_iter().filter(|row| !row.is_empty()).peekable();
     let first = lines.peek()?.chars().take(40).collect();
     let count = lines.clone().count();
-    (count >= FEWEST_OF_A_COLUMN && lines.all(is_either)).then_some(first)
+    (count >= MIN_COLUMN_LINES && lines.all(is_either)).then_some(first)
 }
 
 fn number(line: usize, word: &str) -> Result<f64, MapError> {

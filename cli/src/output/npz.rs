@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::map::npy_header::NpyHeader;
 
 /// Largest size of an array, bytes: 16,384² numbers, the largest grid of a case, and a header.
-const LARGEST_ARRAY: u64 = (8 << 28) + (1 << 16);
+const MAX_ARRAY_BYTES: u64 = (8 << 28) + (1 << 16);
 
 /// Level of compression, from 1 to 9. The usual level 6 makes files 13 % smaller in three times the time; compression
 /// took 13 % of the run of a curve.
@@ -105,7 +105,7 @@ pub(super) fn check(path: &Path) -> Result<(), String> {
     for i in 0..archive.len() {
         let entry = archive.by_index(i).map_err(|cause| cause.to_string())?;
         let (name, size) = (entry.name().to_owned(), entry.size());
-        if size > LARGEST_ARRAY {
+        if size > MAX_ARRAY_BYTES {
             return Err(format!(
                 "{name} unpacks to {size} bytes, more than a field of any grid"
             ));

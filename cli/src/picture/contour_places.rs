@@ -10,10 +10,10 @@ const LETTER: f64 = 0.62;
 const MARGIN: f64 = 3.0;
 
 /// A line shorter than this many label widths has no label.
-const SHORTEST: f64 = 2.5;
+const MIN_LENGTH: f64 = 2.5;
 
 /// Most labels of one level in one body.
-const MOST: usize = 3;
+const MAX_LABELS: usize = 3;
 
 /// Positions of a label along its line, as parts of the length, best first.
 const PARTS: [f64; 7] = [0.5, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85];
@@ -120,10 +120,10 @@ impl ContourPlaces {
     pub fn draw_labels(&mut self, svg: &mut Svg, lines: &[Polyline], label: &str) {
         let width = rectangle((0.0, 0.0), label).width;
         let mut long: Vec<_> = (lines.iter().map(|line| (length(line), line)))
-            .filter(|(length, _)| *length > SHORTEST * width)
+            .filter(|(length, _)| *length > MIN_LENGTH * width)
             .collect();
         long.sort_by(|one, other| other.0.total_cmp(&one.0));
-        for (length, line) in long.into_iter().take(MOST) {
+        for (length, line) in long.into_iter().take(MAX_LABELS) {
             let places = PARTS.iter().filter_map(|part| point(line, part * length));
             let free = places
                 .into_iter()

@@ -26,8 +26,8 @@ fn round_step(step: f64) -> f64 {
 }
 
 /// Fewest and most ticks of a logarithmic axis: fewer do not show that it is logarithmic, more make labels overlap.
-const FEWEST: usize = 3;
-const MOST: usize = 10;
+const MIN_TICKS: usize = 3;
+const MAX_TICKS: usize = 10;
 
 /// Digits of the ticks within a decade, from few to many.
 const DIGITS: [&[f64]; 4] = [
@@ -49,15 +49,15 @@ pub fn logarithmic(from: f64, to: f64) -> Vec<f64> {
     let few = DIGITS.iter().skip(usize::from(high / low < 1e4));
     let mut ticks = few
         .map(|digits| with_digits(digits, low, high))
-        .find(|ticks| ticks.len() >= FEWEST)
+        .find(|ticks| ticks.len() >= MIN_TICKS)
         .or_else(|| {
             (4..=12)
                 .map(|count| linear(low, high, count))
-                .find(|ticks| ticks.len() >= FEWEST)
+                .find(|ticks| ticks.len() >= MIN_TICKS)
         })
         .unwrap_or_default();
     // Over very many decades, keep every second, every third and so on.
-    let stride = ticks.len().div_ceil(MOST);
+    let stride = ticks.len().div_ceil(MAX_TICKS);
     let mut index = 0..;
     ticks.retain(|_| index.next().is_none_or(|i: usize| i.is_multiple_of(stride)));
     ticks
@@ -119,7 +119,7 @@ mod tests {
             for ratio in [1.02, 1.3, 1.69, 2.0, 3.3, 10.0, 55.0, 1e3, 2e4, 1e9, 1e30] {
                 let ticks = logarithmic(low, low * ratio);
                 assert!(
-                    (3..=MOST + 2).contains(&ticks.len()),
+                    (3..=MAX_TICKS + 2).contains(&ticks.len()),
                     "{low} {ratio}: {ticks:?}"
                 );
                 let within =

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::display::significant;
 
 /// Most distinct words of a column; all others are drawn as one.
-const MOST_WORDS: usize = 40;
+const MAX_WORDS: usize = 40;
 
 /// The word for all others.
 const OTHERS: &str = "others";
@@ -115,10 +115,10 @@ fn place(words: &mut Vec<String>, word: &str) -> usize {
     if let Some(place) = words.iter().position(|known| known == word) {
         return place;
     }
-    if words.len() > MOST_WORDS {
-        return MOST_WORDS;
+    if words.len() > MAX_WORDS {
+        return MAX_WORDS;
     }
-    let word = if words.len() == MOST_WORDS {
+    let word = if words.len() == MAX_WORDS {
         OTHERS
     } else {
         word
@@ -155,6 +155,6 @@ mod tests {
         let ColumnValues::Words(all) = &words.values else {
             panic!("words")
         };
-        assert_eq!((all.len(), &*all[MOST_WORDS]), (MOST_WORDS + 1, OTHERS));
+        assert_eq!((all.len(), &*all[MAX_WORDS]), (MAX_WORDS + 1, OTHERS));
     }
 }
