@@ -8,8 +8,8 @@ use pellicle_contact::{
 use pellicle_kernel::{KernelError, Material};
 use serde::Serialize;
 
+use super::caller_shape::{self, CallerShape};
 use super::foundation::substrate::POISSON_RATIO;
-use super::handed_over::{self, HandedOver};
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
@@ -141,7 +141,7 @@ pub enum IndenterShape {
     /// A measured surface.
     Map(MapCase),
     /// A function defined by the caller.
-    Function(HandedOver<Indenter>),
+    Function(CallerShape<Indenter>),
 }
 
 /// The dimensions of a pyramid.
@@ -186,7 +186,7 @@ impl IndenterShape {
     /// A [`Diagnosis`] of the first key that is invalid for its kind.
     pub fn read(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
         let field = table.required("kind", WANTED)?;
-        if let Some(indenter) = handed_over::behind(&field, maps.indenter()) {
+        if let Some(indenter) = caller_shape::of_kind(&field, maps.indenter()) {
             only(table, &["kind"])?;
             return Ok(Self::Function(indenter));
         }
