@@ -175,7 +175,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_trial_of_a_periodic_cell_is_one() {
+    fn the_trial_of_a_periodic_cell_is_periodic() {
         let mut case = hertz(TRIAL);
         let model = case.model(&Cache::in_memory()).unwrap().value;
         let side = 3e-4;

@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
+    fn an_unresolved_grid_error_is_shown_in_brackets() {
         let estimate = |resolved| {
             Some(ErrorEstimate {
                 estimate: 0.02,
