@@ -79,11 +79,11 @@ pub enum Command {
     Plot(PlotArguments),
     /// Show the folder and size of the cache of coefficients, or clear it
     #[command(
-        after_help = "PELLICLE_CACHE names the folder; set but empty, it turns the cache on disk off."
+        after_help = "PELLICLE_CACHE names the folder; if it is set but empty, nothing is cached on disk."
     )]
     Cache(CacheArguments),
     /// Compare the program with known results: closed forms, high-precision data, limits, and wrong pressures that its
-    /// certificate must refuse
+    /// certificate must reject
     #[command(
         after_help = "Takes a few seconds; reads and writes no files. The line below each section defines its error; \
                             in the certificate's negative controls it is the worst line of a wrong pressure's certificate and must exceed \
@@ -326,7 +326,7 @@ mod tests {
     }
 
     #[test]
-    fn wavenumbers_and_offsets_come_in_every_form() {
+    fn wavenumbers_and_offsets_may_be_listed_or_repeated() {
         let line = "pellicle kernel case.toml --wavenumber 1 2e3,3 --wavenumber 4";
         let Command::Kernel(kernel) = Arguments::parse_from(line.split(' ')).command else {
             panic!("not kernel")

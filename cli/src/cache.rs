@@ -24,15 +24,15 @@ pub fn open() -> Cache {
 /// and read as to compute. Radial tables of foundations, which cases share, are always kept.
 #[must_use]
 pub fn open_for_many() -> Cache {
-    const SMALLEST: usize = 128;
-    let at = |folder: PathBuf| Cache::storing_from(SMALLEST, folder);
+    const MIN_ELEMENTS: usize = 128;
+    let at = |folder: PathBuf| Cache::storing_from(MIN_ELEMENTS, folder);
     folder(env::var_os(VARIABLE), platform_folder).map_or_else(Cache::in_memory, at)
 }
 
 /// Prints the warnings of the cache to standard error.
-pub fn tell_warnings(cache: &Cache) {
-    let tell = |warning: CacheWarning| terminal::tell(&format!("warning: {warning}"));
-    cache.take_warnings().into_iter().for_each(tell);
+pub fn report_warnings(cache: &Cache) {
+    let report = |warning: CacheWarning| terminal::report(&format!("warning: {warning}"));
+    cache.take_warnings().into_iter().for_each(report);
 }
 
 /// The named folder; none if the name is empty, the platform's folder if there is no name.
@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_variable_goes_before_the_platform_and_an_empty_one_means_none() {
+    fn the_variable_overrides_the_platform_folder_and_an_empty_one_disables_the_cache() {
         let platform = || Some("platform".into());
         assert_eq!(folder(None, platform), Some("platform".into()));
         assert_eq!(folder(Some("".into()), platform), None);

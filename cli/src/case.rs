@@ -1,8 +1,8 @@
 //! The case file: one problem in TOML, read into numbers and checked, every default filled in.
 
+pub mod caller_shape;
 pub mod foundation;
 pub mod grid;
-pub mod handed_over;
 mod hardness;
 pub mod height_limits;
 pub mod indenter;

@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn si_values_have_the_prefix_that_suits_them() {
+    fn si_values_get_a_suitable_prefix() {
         assert_eq!(si(1.01301e-6, Unit::Metre), "1.0130 µm");
         assert_eq!(si(1e-6, Unit::Metre), "1.0000 µm");
         assert_eq!(si(9.999_999_99, Unit::Newton), "10.000 N");
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn an_error_is_told_in_the_unit_of_its_value() {
+    fn an_error_is_printed_in_the_unit_of_its_value() {
         let error = error_of(9.96e-11, 2.94e-13, Unit::SquareMetre, Units::Si);
         assert_eq!(error, "± 0.29 µm²");
         assert_eq!(
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn no_unit_is_invented_for_a_case_without_units() {
+    fn a_case_without_units_is_printed_without_units() {
         assert_eq!(
             quantity(6.38e-4, Unit::Metre, Units::Consistent),
             "6.3800e-4"

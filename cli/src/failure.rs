@@ -299,21 +299,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_contact_that_outgrows_every_domain_names_the_key_that_gives_one() {
+    fn a_contact_larger_than_any_domain_is_reported_with_the_key_grid_side() {
         let failure = Failure::from(ContactError::DomainTooSmall {
             side: 2.0,
             trials: 100,
         });
-        let told = failure.render();
+        let message = failure.render();
         assert!(
-            told.trim_end().ends_with("give its side (`grid.side`)"),
-            "{told}"
+            message.trim_end().ends_with("give its side (`grid.side`)"),
+            "{message}"
         );
         assert_eq!(failure.exit_code(), 1);
     }
 
     #[test]
-    fn too_little_memory_comes_with_the_elements_that_fit() {
+    fn a_memory_error_states_the_largest_grid_that_fits() {
         let message = |fitting| {
             let (needed, available) = (2_000_000_000, 300_000_000);
             let failure = Failure::Memory {

@@ -23,7 +23,7 @@ const GROWTH: f64 = 1.5;
 
 /// With fewer elements than this from the centre of a contact to its edge, the area is uncertain by a tenth or more: a
 /// circle of radius 5 holds some 80 elements, of which 30 are cut by its rim.
-const FEWEST_PER_CONTACT: f64 = 5.0;
+const MIN_ELEMENTS_PER_RADIUS: f64 = 5.0;
 
 /// The result of a trial.
 #[derive(Debug)]
@@ -96,7 +96,7 @@ fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<Strin
     let loads = case.load.loads();
     let found = path.steps.last()?.summary.contact_radius;
     let estimated = default_side(model, &loads) / 3.0;
-    let radius = if found < FEWEST_PER_CONTACT * path.grid.element_side() {
+    let radius = if found < MIN_ELEMENTS_PER_RADIUS * path.grid.element_side() {
         found.min(estimated)
     } else {
         found
@@ -112,7 +112,7 @@ fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
         return None;
     };
     let elements = first.summary.contact_radius / element_side;
-    (elements > 0.0 && elements < FEWEST_PER_CONTACT).then(|| {
+    (elements > 0.0 && elements < MIN_ELEMENTS_PER_RADIUS).then(|| {
         format!(
             "at the smallest load, the contact's radius is some {} elements: solve small loads separately, or with more elements",
             significant(elements, 1)
@@ -175,7 +175,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_trial_of_a_periodic_cell_is_one() {
+    fn the_trial_of_a_periodic_cell_is_periodic() {
         let mut case = hertz(TRIAL);
         let model = case.model(&Cache::in_memory()).unwrap().value;
         let side = 3e-4;

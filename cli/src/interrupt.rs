@@ -22,7 +22,7 @@ use crate::{terminal, unfinished};
 pub const EXIT_CODE: u8 = 130;
 
 /// Time for an observer to notice the request: a second, less the time to end.
-const PATIENCE: Duration = Duration::from_millis(900);
+const REACTION_TIME: Duration = Duration::from_millis(900);
 
 /// Time for which large results are still written; the rest of the second is for the numbers, which are written last.
 pub const GRACE: Duration = Duration::from_millis(100);
@@ -31,8 +31,8 @@ static REQUESTED: LazyLock<StopFlag> = LazyLock::new(StopFlag::default);
 static OVERDUE: AtomicBool = AtomicBool::new(false);
 static HELD: AtomicBool = AtomicBool::new(false);
 /// Whether the first SIGTERM lets the running parts finish.
-static PATIENT: AtomicBool = AtomicBool::new(false);
-static LEAVING: AtomicBool = AtomicBool::new(false);
+static LETS_CASES_FINISH: AtomicBool = AtomicBool::new(false);
+static FINISHING: AtomicBool = AtomicBool::new(false);
 
 /// Installs the handler. Without it, or where the system refuses it, Ctrl-C ends the program at once.
 #[cfg(unix)]
@@ -60,18 +60,18 @@ pub fn listen() {
     drop(ctrlc::set_handler(received));
 }
 
-/// Runs work of many parts. A SIGTERM meanwhile lets the running parts finish; [`is_leaving`] is true from then on.
-pub fn finishing_what_is_in_hand<T>(work: impl FnOnce() -> T) -> T {
-    PATIENT.store(true, Ordering::SeqCst);
+/// Runs work of many parts. A SIGTERM meanwhile lets the running parts finish; [`is_finishing`] is true from then on.
+pub fn finish_running_cases<T>(work: impl FnOnce() -> T) -> T {
+    LETS_CASES_FINISH.store(true, Ordering::SeqCst);
     let done = work();
-    PATIENT.store(false, Ordering::SeqCst);
+    LETS_CASES_FINISH.store(false, Ordering::SeqCst);
     done
 }
 
 /// Whether no more parts of the work may begin.
 #[must_use]
-pub fn is_leaving() -> bool {
-    LEAVING.load(Ordering::SeqCst) || is_requested()
+pub fn is_finishing() -> bool {
+    FINISHING.load(Ordering::SeqCst) || is_requested()
 }
 
 /// Whether the user has asked to stop.
@@ -110,8 +110,8 @@ pub fn hold() {
 /// Handles a SIGTERM, on its own thread rather than in the signal handler.
 #[cfg(unix)]
 fn terminated() {
-    if PATIENT.load(Ordering::SeqCst) && !LEAVING.swap(true, Ordering::SeqCst) {
-        terminal::tell("finishing the cases in hand; another signal stops them");
+    if LETS_CASES_FINISH.load(Ordering::SeqCst) && !FINISHING.swap(true, Ordering::SeqCst) {
+        terminal::report("finishing the running cases; a second signal stops them");
     } else {
         received();
     }
@@ -122,11 +122,11 @@ fn received() {
     if !REQUESTED.raise() {
         end();
     }
-    terminal::tell("stopping; press Ctrl-C again to stop at once");
+    terminal::report("stopping; press Ctrl-C again to stop at once");
     thread::spawn(|| {
         thread::sleep(GRACE);
         OVERDUE.store(true, Ordering::Relaxed);
-        thread::sleep(PATIENCE.saturating_sub(GRACE));
+        thread::sleep(REACTION_TIME.saturating_sub(GRACE));
         if !HELD.load(Ordering::SeqCst) {
             end();
         }

@@ -22,7 +22,7 @@ pub use self::error::MapError;
 pub use self::map_file::MapFile;
 
 /// The largest file that is read, bytes.
-const LARGEST_FILE: u64 = 512 << 20;
+const MAX_FILE_BYTES: u64 = 512 << 20;
 
 /// Reads the bytes of a file of one format.
 type Parser = fn(&[u8]) -> Result<MapFile, MapError>;
@@ -57,11 +57,11 @@ fn bytes(path: &Path) -> Result<Vec<u8>, MapError> {
     }
     let mut bytes = Vec::new();
     let read = File::open(path)?
-        .take(LARGEST_FILE + 1)
+        .take(MAX_FILE_BYTES + 1)
         .read_to_end(&mut bytes)?;
-    if read as u64 > LARGEST_FILE {
+    if read as u64 > MAX_FILE_BYTES {
         return Err(MapError::TooLarge {
-            largest: LARGEST_FILE,
+            largest: MAX_FILE_BYTES,
         });
     }
     Ok(bytes)
@@ -90,7 +90,7 @@ mod tests {
 
     proptest::proptest! {
         #[test]
-        fn a_damaged_file_is_read_or_refused_and_never_more(
+        fn a_damaged_map_is_read_or_rejected_without_panic(
             changes in proptest::collection::vec((0.0..1.0, proptest::num::u8::ANY), 1..8),
             length in 0.0..1.5_f64,
         ) {
@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn nesting_without_end_does_not_overflow_the_stack() {
+    fn very_deep_nesting_does_not_overflow_the_stack() {
         let shape = "'shape': (1, 1), ";
         for open in ["(", "[", "{"] {
             let header = format!("{{{shape}'descr': {}", open.repeat(60_000));
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn an_ending_that_names_no_format_is_refused_before_the_file_is_opened() {
+    fn an_unknown_file_extension_is_rejected_before_the_file_is_opened() {
         let found = MapFile::read(Path::new("nowhere/tip.xyz"));
         assert!(matches!(found, Err(MapError::Ending { found }) if found == "xyz"));
     }

@@ -199,7 +199,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_least_of_what_is_left_counts() {
+    fn available_memory_is_the_smallest_of_all_limits() {
         let meminfo = "MemTotal: 900 kB\nMemFree: 10 kB\nMemAvailable:   200 kB\nSwapFree: 50 kB\n";
         assert_eq!(free(meminfo), Some(250 * 1024));
         let status = "Name: a\nVmSize:\t   100 kB\nVmData:\t 30 kB\n";
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn a_group_leaves_what_it_has_not_used() {
+    fn a_control_group_leaves_its_limit_minus_its_usage() {
         let group = tempfile::tempdir().unwrap();
         let write = |name: &str, text: &str| fs::write(group.path().join(name), text).unwrap();
         assert_eq!(left_by_group(group.path()), None);
@@ -235,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn a_case_waits_for_what_another_has_and_fails_if_there_is_too_little_for_it_alone() {
+    fn a_case_waits_for_memory_in_use_and_fails_if_it_could_not_run_alone() {
         let memory = MemoryBudget::of(|| Some(10));
         let need = |bytes| Need { bytes, elements: 1 };
         let first = memory.take(need(6)).unwrap().unwrap();

@@ -28,7 +28,7 @@ pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) ->
         Ok(Outcome::Misfit) => ExitCode::from(3),
         Ok(Outcome::Stopped) => ExitCode::from(interrupt::EXIT_CODE),
         Err(failure) => {
-            terminal::tell_drawn(&failure.render());
+            terminal::report_coloured(&failure.render());
             ExitCode::from(failure.exit_code())
         }
     }

@@ -85,7 +85,7 @@ pub struct SearchLine(Option<ProgressBar>);
 
 impl SearchLine {
     /// Shows the current search.
-    pub fn tell(&self, search: StressSearch) {
+    pub fn show(&self, search: StressSearch) {
         if let Some(line) = &self.0 {
             line.set_message(searching(search));
         }
@@ -238,12 +238,12 @@ impl TimeLeft {
 
     fn of_this_grid(&self, progress: &Progress, now: Instant) -> Option<Duration> {
         // ln r₀/r gained in the iterations so far, ln r/tolerance still to go
-        let fallen = (self.level.residual / progress.residual).ln();
-        let to_fall = (progress.residual / self.tolerance).ln().max(0.0);
-        let share = to_fall / fallen;
+        let gained = (self.level.residual / progress.residual).ln();
+        let to_gain = (progress.residual / self.tolerance).ln().max(0.0);
+        let share = to_gain / gained;
         let done = progress.iteration.saturating_sub(self.level.iteration);
-        let judged = done >= 3 && fallen > 0.0 && share.is_finite();
-        judged.then(|| (now - self.level.time).mul_f64(share.min(1e6)))
+        let is_reliable = done >= 3 && gained > 0.0 && share.is_finite();
+        is_reliable.then(|| (now - self.level.time).mul_f64(share.min(1e6)))
     }
 }
 
@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn progress_counts_steps_from_one() {
+    fn progress_numbers_steps_from_one() {
         let left = Some(Duration::from_secs(12));
         assert_eq!(
             message(&progress(0, 3, 5, 1.5e-4), left),
@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn files_are_counted_while_they_are_written() {
+    fn files_are_counted_as_they_are_written() {
         assert_eq!(
             writing(3, 12),
             "writing results, 3 of 12 fields and pictures"
@@ -286,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn a_residual_that_has_fallen_half_way_takes_as_long_again() {
+    fn a_residual_halfway_to_the_tolerance_takes_as_long_again() {
         let (mut clock, start) = (TimeLeft::start(1e-8), Instant::now());
         assert_eq!(clock.remaining(&progress(0, 1, 0, 1.0), start), None);
         let left = clock.remaining(&progress(0, 1, 10, 1e-4), after(start, 5.0));
@@ -294,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_to_come_take_as_long_as_those_before() {
+    fn remaining_steps_are_estimated_from_finished_ones() {
         let (mut clock, start) = (TimeLeft::start(1e-8), Instant::now());
         assert_eq!(clock.remaining(&progress(0, 4, 0, 1.0), start), None);
         clock.remaining(&progress(1, 4, 0, 1.0), after(start, 10.0));
@@ -303,7 +303,7 @@ mod tests {
     }
 
     #[test]
-    fn times_are_told_in_the_unit_that_suits_them() {
+    fn times_are_printed_in_a_suitable_unit() {
         let words = |seconds| in_words(Duration::from_secs_f64(seconds));
         assert_eq!(
             [0.2, 59.2, 300.0, 9000.0].map(words),

@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mean_is_zero_and_the_root_mean_square_as_asked() {
+    fn the_mean_is_zero_and_the_rms_height_as_requested() {
         let heights = SURFACE.heights().unwrap();
         let mean = heights.iter().sum::<f64>() / 4096.0;
         let square = heights.iter().map(|h| h * h).sum::<f64>() / 4096.0;
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn there_are_no_waves_beyond_the_band() {
+    fn the_spectrum_is_zero_outside_the_band() {
         let heights = SURFACE.heights().unwrap();
         let amplitude = |m, n| amplitude(&heights, 64, [m, n]);
         let inside = amplitude(10, 3);
@@ -133,7 +133,7 @@ mod tests {
 
     /// Each wave is the sum of two of random phases: `E |z + z̄'|² = 2 a²`.
     #[test]
-    fn the_spectrum_falls_with_the_power_of_the_hurst_exponent() {
+    fn the_spectrum_decays_with_the_power_set_by_the_hurst_exponent() {
         let at = |q: usize| {
             let surfaces = (0..200).map(|seed| SelfAffine { seed, ..SURFACE });
             let squares = surfaces.map(|surface| {
@@ -193,14 +193,14 @@ mod tests {
     }
 
     #[test]
-    fn a_seed_is_a_surface() {
+    fn the_same_seed_gives_the_same_surface() {
         let other = SelfAffine { seed: 4, ..SURFACE };
         assert_eq!(SURFACE.heights(), SURFACE.heights());
         assert_ne!(SURFACE.heights(), other.heights());
     }
 
     #[test]
-    fn a_band_without_a_wave_makes_no_surface() {
+    fn a_band_without_a_wave_gives_no_surface() {
         let empty = SelfAffine {
             waves: [4.1, 4.11],
             ..SURFACE

@@ -22,9 +22,9 @@ pub fn find(
     }
     let parameters = case.parameters(model)?;
     let wanted: Vec<_> = parameters.iter().map(|of| of.parameter).collect();
-    let blamed = |error| case.blame(error);
-    let derivatives = model.derivatives(&wanted).map_err(blamed)?;
-    let sensitivities = derivatives.of_path(path).map_err(blamed)?;
+    let locate = |error| case.blame(error);
+    let derivatives = model.derivatives(&wanted).map_err(locate)?;
+    let sensitivities = derivatives.of_path(path).map_err(locate)?;
     let steps = (0..path.steps.len()).map(|step| {
         let found = sensitivities.at(step).into_iter();
         let named = found.zip(&parameters);

@@ -10,7 +10,7 @@ use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::span::{Source, Span};
 
 /// The largest file that is read, bytes; a case file is far smaller.
-const LARGEST_FILE: u64 = 16 << 20;
+const MAX_FILE_BYTES: u64 = 16 << 20;
 
 /// The mark that some editors write at the beginning of UTF-8 text.
 const BYTE_ORDER_MARK: char = '\u{feff}';
@@ -38,11 +38,11 @@ pub fn read(path: &Path) -> Result<Source, Failure> {
 fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let file = File::open(path)?;
-    let read = file.take(LARGEST_FILE + 1).read_to_end(&mut bytes)?;
-    if read as u64 > LARGEST_FILE {
+    let read = file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
+    if read as u64 > MAX_FILE_BYTES {
         let message = format!(
-            "larger than {} MiB, which no case file is",
-            LARGEST_FILE >> 20
+            "larger than {} MiB, too large for a case file",
+            MAX_FILE_BYTES >> 20
         );
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
     }

@@ -26,18 +26,19 @@ pub enum StressSearch {
     Critical,
 }
 
-/// Finds the stresses of a solved path if the case requests any; `tell` is called before each search and may cancel it.
+/// Finds the stresses of a solved path if the case requests any; `report` is called before each search and may cancel
+/// it.
 ///
 /// # Errors
 ///
-/// [`ContactError::Cancelled`] if `tell` or the observer stops it; [`Failure`] if a stress or a critical load cannot be
-/// computed.
+/// [`ContactError::Cancelled`] if `report` or the observer stops it; [`Failure`] if a stress or a critical load cannot
+/// be computed.
 pub fn find(
     case: &Case,
     model: &Model,
     domain: Domain,
     path: &LoadingPath,
-    tell: &dyn Fn(StressSearch) -> Signal,
+    report: &dyn Fn(StressSearch) -> Signal,
     observer: &mut dyn Observer,
 ) -> Result<Option<Stresses>, Failure> {
     let Some(stress) = &case.stress else {
@@ -46,7 +47,7 @@ pub fn find(
     let stress = stress.model(&case.foundation, path.tables.foundation());
     let count = path.steps.len();
     let of_step = |step| {
-        if tell(StressSearch::Step(step, count)) == Signal::Cancel {
+        if report(StressSearch::Step(step, count)) == Signal::Cancel {
             return Err(ContactError::Cancelled { step });
         }
         stress_extremes(path, step, &stress)
@@ -57,7 +58,7 @@ pub fn find(
         let critical = None;
         return Ok(Some(Stresses { steps, critical }));
     }
-    if tell(StressSearch::Critical) == Signal::Cancel {
+    if report(StressSearch::Critical) == Signal::Cancel {
         return Err(ContactError::Cancelled { step: count }.into());
     }
     let options = case.solver_options();

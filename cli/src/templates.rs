@@ -10,17 +10,17 @@ pub enum Template {
     Cylinders,
     /// A Berkovich pyramid on a coating with a soft film
     Film,
-    /// A ball on a hard coating, a load-penetration curve
+    /// A ball on a hard coating: a load-penetration curve
     Coating,
     /// A Berkovich pyramid on a bare half-space
     Berkovich,
-    /// A Vickers pyramid on a coated steel
+    /// A Vickers pyramid on coated steel
     Vickers,
     /// A cube corner on a film that slides on a rigid base
     CubeCorner,
     /// A rounded cone on a coating
     Cone,
-    /// A flat punch on an elastic layer with a rigid base
+    /// A flat punch on an elastic layer on a rigid base
     FlatPunch,
     /// A ball on a half-space, to compare with the closed form
     Hertz,
@@ -77,7 +77,7 @@ mod tests {
     use crate::input::units::Units;
 
     #[test]
-    fn the_keys_of_stresses_in_the_template_are_those_of_a_case() {
+    fn the_stress_keys_in_the_template_are_valid() {
         let uncomment = |line: &str| {
             let inner = line
                 .strip_prefix("# ")

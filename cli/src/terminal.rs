@@ -25,12 +25,12 @@ pub fn print(text: &str) -> Result<(), NoOutput> {
 }
 
 /// Writes a line to standard error, [cleaned](clean()).
-pub fn tell(line: &str) {
-    tell_drawn(&clean(line));
+pub fn report(line: &str) {
+    report_coloured(&clean(line));
 }
 
 /// Writes the program's own line, which may be coloured, to standard error; a failure is ignored.
-pub fn tell_drawn(line: &str) {
+pub fn report_coloured(line: &str) {
     let mut stderr = io::stderr().lock();
     drop(writeln!(stderr, "{line}"));
 }
@@ -39,12 +39,12 @@ pub fn tell_drawn(line: &str) {
 /// instead of obeying them. Inside a JSON or TOML string the escaped text means the same.
 #[must_use]
 pub fn clean(text: &str) -> String {
-    let is_obeyed = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
-    if !text.contains(is_obeyed) {
+    let is_escaped = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    if !text.contains(is_escaped) {
         return text.to_owned();
     }
     let shown = |c: char| {
-        if is_obeyed(c) {
+        if is_escaped(c) {
             format!("\\u{:04x}", u32::from(c))
         } else {
             c.to_string()
@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn control_characters_are_written_out_and_all_else_is_left() {
+    fn control_characters_are_escaped_and_all_others_kept() {
         assert_eq!(
             clean("µ \u{1b}[31m\u{9b}\u{7}\r\n\tä"),
             "µ \\u001b[31m\\u009b\\u0007\\u000d\n\tä"

@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn files_folders_and_empty_folders_are_removed_and_folders_with_anything_in_them_stay() {
+    fn files_and_folders_are_removed_but_a_folder_claimed_empty_stays_if_it_was_filled() {
         let folder = tempfile::tempdir().unwrap();
         let [full, kept, empty, file] =
             ["full", "kept", "empty", "file"].map(|name| folder.path().join(name));

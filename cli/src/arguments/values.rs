@@ -101,7 +101,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_are_ordered_in_words_and_units() {
+    fn ranges_and_sections_are_parsed_from_words_and_units() {
         assert_eq!(range("2 GPa"), Ok([0.0, 2e9]));
         assert_eq!(range("0.5 GPa:2 GPa"), Ok([0.5e9, 2e9]));
         assert_eq!(range("0.1:0.3"), Ok([0.1, 0.3]));
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_wavenumber_or_offset_is_refused() {
+    fn invalid_wavenumbers_offsets_and_depths_are_rejected() {
         for text in ["0", "-1", "nan", "inf", "x", ""] {
             assert!(positive(text).is_err(), "{text}");
         }
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_is_three_lengths_the_last_a_depth() {
+    fn a_point_is_x_y_and_a_depth() {
         assert_eq!(point("0, -1 um,0.5 um"), Ok([0.0, -1e-6, 0.5e-6]));
         assert_eq!(point(" -2,3e-1,0"), Ok([-2.0, 0.3, 0.0]));
         for text in ["1,2", "1,2,3,4", "1,2,-3", "1,2 GPa,3", "a,b,c", ""] {

@@ -77,7 +77,7 @@ impl FoundationCase {
         };
         match foundation.try_split() {
             Ok(_) => Ok(foundation),
-            Err(refusal) => Err(blamed(table, &refusal)?.refused(&refusal.error)),
+            Err(refusal) => Err(faulty_field(table, &refusal)?.refused(&refusal.error)),
         }
     }
 
@@ -206,7 +206,7 @@ impl FoundationCase {
 }
 
 /// The value to change if the layers and the substrate are valid but incompatible.
-fn blamed<'a>(
+fn faulty_field<'a>(
     table: &TableReader<'a>,
     refusal: &RefusedLayer,
 ) -> Result<ValueReader<'a>, Diagnosis> {

@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn a_periodic_cell_has_a_side() {
+    fn a_periodic_cell_requires_a_side() {
         let cell = read("side = 2\nboundary = \"periodic\"").unwrap();
         assert_eq!(cell.boundary, BoundaryCase::Periodic);
         let message = read("boundary = \"periodic\"").unwrap_err();
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn grids_without_elements_or_beyond_memory_are_refused() {
+    fn grids_with_too_few_or_too_many_elements_are_rejected() {
         for elements in ["0", "16385", "-4", "1_000_000_000", "1e9", "nan"] {
             let message = read(&format!("side = 1\nelements = {elements}")).unwrap_err();
             let start = format!(

@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn it_is_the_solvers_or_that_of_the_topmost_body() {
+    fn the_hardness_is_that_of_the_solver_table_or_of_the_topmost_body() {
         let hardness = |layer, more| read(layer, more).unwrap().hardness();
         assert_eq!(hardness("", ""), None);
         assert_eq!(hardness("", "[solver]\nhardness = 0.1"), Some(0.1));
@@ -80,7 +80,7 @@ mod tests {
     }
 
     #[test]
-    fn two_that_differ_and_what_is_not_computed_with_one_are_refused() {
+    fn two_different_hardnesses_and_unsupported_combinations_are_rejected() {
         for (layer, more, words) in [
             (
                 ", hardness = 0.2",

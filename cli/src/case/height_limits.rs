@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn nanometres_read_as_metres_are_recognised_and_named() {
+    fn heights_in_nanometres_read_as_metres_are_recognised() {
         let wrong = map(50.0);
         let too_steep = HeightLimits::SURFACE.check(&wrong).unwrap_err().to_string();
         assert!(too_steep.contains("an rms slope of 1.1"), "{too_steep}");
@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn surfaces_and_tips_as_steep_as_they_may_be_are_accepted() {
+    fn surfaces_and_tips_at_the_slope_limit_are_accepted() {
         // A slope of 0.24.
         assert_eq!(HeightLimits::SURFACE.check(&map(1e-6)), Ok(()));
         let cube_corner = (0..400_u32).map(|n| 1.42e-6 * f64::from(n / 20));

@@ -8,8 +8,8 @@ use pellicle_contact::{
 use pellicle_kernel::{KernelError, Material};
 use serde::Serialize;
 
+use super::caller_shape::{self, CallerShape};
 use super::foundation::substrate::POISSON_RATIO;
-use super::handed_over::{self, HandedOver};
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
@@ -141,7 +141,7 @@ pub enum IndenterShape {
     /// A measured surface.
     Map(MapCase),
     /// A function defined by the caller.
-    Function(HandedOver<Indenter>),
+    Function(CallerShape<Indenter>),
 }
 
 /// The dimensions of a pyramid.
@@ -186,7 +186,7 @@ impl IndenterShape {
     /// A [`Diagnosis`] of the first key that is invalid for its kind.
     pub fn read(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
         let field = table.required("kind", WANTED)?;
-        if let Some(indenter) = handed_over::behind(&field, maps.indenter()) {
+        if let Some(indenter) = caller_shape::of_kind(&field, maps.indenter()) {
             only(table, &["kind"])?;
             return Ok(Self::Function(indenter));
         }
@@ -318,7 +318,7 @@ mod tests {
     }
 
     #[test]
-    fn an_elastic_indenter_has_both_constants() {
+    fn an_elastic_indenter_requires_both_constants() {
         let read = |constants: &str| {
             let text = format!("kind = \"paraboloid\"\nradius = 1\n{constants}");
             read_table(&text, |table| {
@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn pyramids_have_their_standard_face_angle_and_a_sharp_tip() {
+    fn pyramids_default_to_the_standard_face_angle_and_a_sharp_tip() {
         let standard = PyramidCase {
             tip_radius: 0.0,
             face_angle: Pyramid::BERKOVICH_FACE_ANGLE,
@@ -352,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_are_given_in_degrees_or_in_radians() {
+    fn angles_may_be_in_degrees_or_radians() {
         let cone = |text: &str| match read(&format!("kind = \"cone\"\nhalf_angle = {text}")) {
             Ok(IndenterShape::Cone { half_angle, .. }) => half_angle,
             other => panic!("{other:?}"),
@@ -362,13 +362,13 @@ mod tests {
     }
 
     #[test]
-    fn a_bare_number_of_degrees_is_refused_with_the_reason() {
+    fn an_angle_in_degrees_without_unit_is_rejected_with_the_reason() {
         let message = read("kind = \"cone\"\nhalf_angle = 60").unwrap_err();
         assert!(message.contains("a bare number in radians"), "{message}");
     }
 
     #[test]
-    fn what_is_no_indenter_is_refused() {
+    fn invalid_indenters_are_rejected() {
         for text in [
             "",
             "kind = \"paraboloid\"",

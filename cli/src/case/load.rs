@@ -20,7 +20,7 @@ const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
 const HELP: &str = "to replace one by the other, replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
 
 /// The largest number of steps of a curve; more is a mistake.
-const MOST_STEPS: usize = 10_000;
+const MAX_STEPS: usize = 10_000;
 
 /// The load of a case, and whether derivatives are requested.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -115,13 +115,13 @@ fn the_one_given(table: &TableReader<'_>) -> Result<&'static str, Diagnosis> {
 const FORCE: QuantityList = QuantityList {
     dimension: Dimension::Force,
     sign: Sign::Positive,
-    most: MOST_STEPS,
+    most: MAX_STEPS,
 };
 
 const PENETRATION: QuantityList = QuantityList {
     dimension: Dimension::Length,
     sign: Sign::Any,
-    most: MOST_STEPS,
+    most: MAX_STEPS,
 };
 
 #[cfg(test)]
@@ -134,12 +134,12 @@ mod tests {
     }
 
     #[test]
-    fn sensitivities_are_asked_for_beside_the_load() {
+    fn sensitivities_are_a_key_of_the_load_table() {
         let read = |text: &str| read_table(text, |table| LoadCase::read(&table));
-        let asked = |text: &str| read(text).map(|load| load.sensitivities);
-        assert_eq!(asked("force = 1\nsensitivities = true"), Ok(true));
-        assert_eq!(asked("force = 1"), Ok(false));
-        assert!(asked("force = 1\nsensitivities = 1").is_err());
+        let requested = |text: &str| read(text).map(|load| load.sensitivities);
+        assert_eq!(requested("force = 1\nsensitivities = true"), Ok(true));
+        assert_eq!(requested("force = 1"), Ok(false));
+        assert!(requested("force = 1\nsensitivities = 1").is_err());
     }
 
     #[test]
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn a_load_is_given_once() {
+    fn exactly_one_form_of_load_is_accepted() {
         let message = read("force = 1\npenetration = 2").unwrap_err();
         assert_eq!(
             message,
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn faulty_loads_are_refused() {
+    fn invalid_loads_are_rejected() {
         let faulty = [
             "force = -1",
             "force = 0",

@@ -119,11 +119,11 @@ impl MapCase {
         let heights = HeightMap::new(heights.collect(), file.shape, sides);
         let heights = heights.map_err(|error| field.refused(&error))?;
         limits.check(&heights).map_err(|too_steep| {
-            let blamed = table.optional("height_unit").unwrap_or(field);
+            let at_fault = table.optional("height_unit").unwrap_or(field);
             let has_unit =
-                matches!(blamed.value(), TomlValue::Text(_)) || names_a_unit(table, &file);
+                matches!(at_fault.value(), TomlValue::Text(_)) || names_a_unit(table, &file);
             let wanted = limits.wanted(&heights, height_unit, has_unit);
-            blamed.unusable(&too_steep, wanted)
+            at_fault.unusable(&too_steep, wanted)
         })?;
         Ok(Self {
             file: name.to_owned(),
@@ -220,7 +220,7 @@ fn refuse_points(
         return Ok(());
     }
     let reason = format!(
-        "which holds {} lines of three numbers, apparently points x, y, z of no rectangular grid",
+        "which holds {} lines of three numbers, apparently points x, y, z that form no rectangular grid",
         x.max(y)
     );
     Err(field.unusable(
@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn one_side_means_square_pixels() {
+    fn a_single_side_means_square_pixels() {
         let map = read("file = \"a.csv\"\nside = \"3 um\"\nheight_unit = \"nm\"").unwrap();
         assert_eq!((map.shape(), map.sides), ([3, 2], [3e-6, 2e-6]));
         assert_eq!((map.height_unit, map.units), (1e-9, Units::Consistent));
@@ -351,7 +351,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_case_says_goes_before_what_the_file_says() {
+    fn the_case_overrides_the_header_of_the_map() {
         let map = read("file = \"volts.gsf\"\nheight_unit = \"-0.5 um\"").unwrap();
         assert_eq!((map.sides, map.units), ([2e-6, 4e-6], Units::Si));
         assert_eq!(
@@ -363,7 +363,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_map_is_told_with_key_file_found_and_wanted() {
+    fn an_invalid_map_is_reported_with_key_file_found_and_wanted() {
         let message = |text: &str| read(text).unwrap_err();
         let found = message("file = \"b.csv\"\nside = 1");
         let start =

@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_array_goes_before_the_file_of_its_name() {
+    fn an_array_takes_precedence_over_the_file_of_its_name() {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("a.csv"), "1,2\n").unwrap();
         let files = MapSources::in_folder(folder.path());

@@ -22,11 +22,11 @@ pub struct OutputCase {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Steps {
-    /// Every one
+    /// Every loading step
     All,
-    /// The last one
+    /// The last loading step
     Last,
-    /// None
+    /// No loading step
     None,
 }
 
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_and_pictures_are_those_of_the_last_step_unless_said() {
+    fn fields_and_pictures_default_to_the_last_step() {
         let output = read("").unwrap();
         assert_eq!((output.fields, output.pictures), (Steps::Last, Steps::Last));
         assert_eq!(output.formats.len(), FORMATS.len());
@@ -151,13 +151,13 @@ mod tests {
     }
 
     #[test]
-    fn formats_are_taken_by_name_and_once() {
+    fn each_format_is_chosen_by_name_and_counted_once() {
         let output = read("formats = [\"nc\", \"npz\", \"nc\"]").unwrap();
         assert_eq!(output.formats, [Format::Npz, Format::Nc]);
     }
 
     #[test]
-    fn what_is_no_choice_of_steps_or_formats_is_refused_with_the_choices() {
+    fn invalid_steps_and_formats_are_rejected_with_the_valid_choices() {
         for (text, wanted) in [
             ("fields = \"lats\"", "\"all\", \"last\", \"none\""),
             ("pictures = true", "\"all\", \"last\", \"none\""),

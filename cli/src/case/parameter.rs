@@ -163,7 +163,7 @@ force = 0.1
 "#;
 
     #[test]
-    fn every_number_but_those_of_graded_layers_has_the_key_that_changes_it() {
+    fn every_parameter_except_those_of_graded_layers_has_its_key() {
         let source = Arc::new(Source::new("case.toml", CASE.into()));
         let read = |sets: &[String]| Case::parse(&source, "case", Path::new(""), sets).unwrap();
         let case = read(&[]);

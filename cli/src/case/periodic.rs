@@ -55,7 +55,10 @@ pub fn fit(
 
 fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> {
     if let Some(stress) = root.optional("stress") {
-        return Err(stress.unusable(&BECAUSE, "no stresses: they are those of a single contact"));
+        return Err(stress.unusable(
+            &BECAUSE,
+            "no stresses: they are computed only for a single contact",
+        ));
     }
     let Some(load) = root.optional("load") else {
         return Ok(());
@@ -63,7 +66,7 @@ fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> 
     let load = load.table()?;
     for key in ["penetration", "penetrations"] {
         if let Some(field) = load.optional(key) {
-            let wanted = "force or forces on a cell: its mean displacement may have no limit";
+            let wanted = "force or forces on the cell: its mean displacement may be unbounded";
             return Err(field.unusable(&BECAUSE, wanted));
         }
     }

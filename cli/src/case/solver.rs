@@ -107,14 +107,14 @@ mod tests {
     }
 
     #[test]
-    fn a_grid_too_large_for_the_dense_system_is_diagnosed_at_the_method() {
+    fn a_grid_too_large_for_the_dense_system_is_reported_at_the_method() {
         let message = read("method = \"active-set\"").unwrap_err();
         let start = "case.toml, line 1, key `method`: found 256 elements";
         assert!(message.starts_with(start), "{message}");
     }
 
     #[test]
-    fn what_no_solver_can_have_is_refused() {
+    fn invalid_solver_settings_are_rejected() {
         for text in [
             "tolerance = 0",
             "tolerance = -1",

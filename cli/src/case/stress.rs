@@ -46,7 +46,7 @@ const DEPTHS: QuantityList = QuantityList {
 };
 
 /// No two materials have a larger coefficient of friction.
-const MOST_FRICTION: f64 = 10.0;
+const MAX_FRICTION: f64 = 10.0;
 
 impl StressCase {
     /// Reads the table for a body on a domain of this side, if given.
@@ -245,9 +245,9 @@ pub fn extent_wanted(side: f64) -> String {
 }
 
 fn friction(field: &ValueReader<'_>) -> Result<f64, Diagnosis> {
-    let wanted = format!("a coefficient of friction, a number from 0 to {MOST_FRICTION}");
+    let wanted = format!("a coefficient of friction, a number from 0 to {MAX_FRICTION}");
     let friction = field.number(&wanted)?;
-    if (0.0..=MOST_FRICTION).contains(&friction) {
+    if (0.0..=MAX_FRICTION).contains(&friction) {
         Ok(friction)
     } else {
         Err(field.wanted(wanted))

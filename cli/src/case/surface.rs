@@ -6,8 +6,8 @@ use pellicle_texture::{
 };
 use serde::Serialize;
 
+use super::caller_shape::{self, CallerShape};
 use super::foundation::FoundationCase;
-use super::handed_over::{self, HandedOver};
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
@@ -47,7 +47,7 @@ pub enum SurfaceCase {
 pub struct ReliefFunctionCase {
     /// The functions.
     #[serde(skip)]
-    pub relief: HandedOver<CustomRelief>,
+    pub relief: CallerShape<CustomRelief>,
     /// The uniform compliance, m/Pa; none if the compliance is one of the functions.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compliance: Option<f64>,
@@ -140,7 +140,7 @@ impl SurfaceCase {
     ) -> Result<Self, Diagnosis> {
         let kind = match table.optional("kind") {
             Some(field) => {
-                if let Some(relief) = handed_over::behind(&field, maps.relief()) {
+                if let Some(relief) = caller_shape::of_kind(&field, maps.relief()) {
                     return ReliefFunctionCase::read(table, relief).map(Self::Function);
                 }
                 field.choice(&KINDS)?
@@ -225,7 +225,7 @@ impl SurfaceCase {
 }
 
 impl ReliefFunctionCase {
-    fn read(table: &TableReader<'_>, relief: HandedOver<CustomRelief>) -> Result<Self, Diagnosis> {
+    fn read(table: &TableReader<'_>, relief: CallerShape<CustomRelief>) -> Result<Self, Diagnosis> {
         table.only(&["kind", "compliance"])?;
         let read =
             |field: ValueReader<'_>| field.quantity(Dimension::Compliance, Sign::NotNegative);

@@ -49,13 +49,13 @@ fn check_written(case: &Case) {
 }
 
 #[test]
-fn the_resolved_case_is_a_case_file_again() {
+fn the_resolved_case_is_a_valid_case_file() {
     let case = read(CASE, &[]).unwrap();
     check_written(&case);
 }
 
 #[test]
-fn strengths_and_stresses_are_among_what_is_written() {
+fn the_resolved_case_includes_strengths_and_stresses() {
     let layer = "yield_strength = \"2 GPa\"\ntensile_strength = \"1 GPa\"\ninterface_shear_strength = \"0.4 GPa\"\n\
         interface_tensile_strength = \"0.3 GPa\"\n[surface]";
     let substrate = "poisson_ratio = 0.4, yield_strength = \"0.2 GPa\", tensile_strength = 1e8 }";
@@ -99,7 +99,7 @@ fn a_value_set_on_the_command_line_replaces_that_of_the_file() {
 }
 
 #[test]
-fn a_faulty_value_on_the_command_line_is_diagnosed_there() {
+fn an_invalid_value_on_the_command_line_is_reported_there() {
     let message = read(CASE, &["foundation.layer.0.poisson_ratio=0.6"])
         .unwrap_err()
         .to_string();
@@ -110,14 +110,14 @@ fn a_faulty_value_on_the_command_line_is_diagnosed_there() {
 }
 
 #[test]
-fn a_misspelt_table_is_diagnosed_before_the_missing_one() {
+fn a_misspelt_table_is_reported_before_the_missing_one() {
     let diagnosis = read(&CASE.replace("[load]", "[laod]"), &[]).unwrap_err();
     assert_eq!(diagnosis.key.as_deref(), Some("laod"));
     assert_eq!(diagnosis.help.as_deref(), Some("did you mean `load`?"));
 }
 
 #[test]
-fn a_missing_table_is_diagnosed_at_the_end() {
+fn a_missing_table_is_reported_at_the_end() {
     let text = CASE.replace("[load]", "").replace("forces =", "# forces =");
     let message = read(&text, &[]).unwrap_err().to_string();
     assert!(

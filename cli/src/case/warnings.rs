@@ -75,8 +75,9 @@ impl Case {
         let Some(stress) = &self.stress else {
             return self.foundation.has_strengths().then_some(CaseWarning {
                 code: "unused-strength",
-                message: "strengths are given, but nothing is compared with them: a table [stress] asks for stresses"
-                    .into(),
+                message:
+                    "strengths are given but not used: add a table [stress] to compute stresses"
+                        .into(),
             });
         };
         let slides = |layer: &LayerCase| layer.slides();
@@ -102,7 +103,7 @@ fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option
     (pixel > element_side * (1.0 + 1e-9)).then(|| CaseWarning {
         code: "coarse-map",
         message: format!(
-            "the map of the {table}, {}, has a sample every {}, farther apart than elements of {}: what lies between is interpolated",
+            "the map of the {table}, {}, has a sample every {}, farther apart than elements of {}: heights in between are interpolated",
             map.file,
             metres(pixel),
             metres(element_side)
@@ -200,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bare_number_is_told_by_its_line_its_key_and_what_it_is_taken_for() {
+    fn a_bare_number_is_reported_with_its_line_key_and_assumed_unit() {
         assert_eq!(
             found("[[foundation.layer]]\nthickness = 2\npoisson_ratio = 0.3\n"),
             [
@@ -210,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn lists_and_ranges_are_told_once_and_zero_and_numbers_without_dimension_are_not() {
+    fn bare_lists_and_ranges_are_reported_once_zeros_and_dimensionless_numbers_never() {
         let text = "[load]\nforces = { from = 1e-3, to = 2e-3, count = 4 }\n[surface]\noffset = [0, 1e-6]\n\
             [grid]\nelements = 64\n[indenter]\ntip_radius = 0\nhalf_angle = 1.2\nradius = \"5 nm\"\n";
         let found = found(text);

@@ -35,7 +35,7 @@ pub fn cache(arguments: &CacheArguments) -> Result<Outcome, Failure> {
     };
     if arguments.clear {
         let removed = cache.clear().map_err(failure)?;
-        terminal::tell(&format!("removed {}", size(removed)));
+        terminal::report(&format!("removed {}", size(removed)));
     }
     let usage = cache.usage().map_err(failure)?;
     let contents = Contents {

@@ -31,9 +31,9 @@ pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let estimates = estimates(&case, &forecast, chosen)?;
     terminal::print(&format!("{}\n{resolved}\n{estimates}", heading(case.units)))?;
     for warning in &forecast.warnings {
-        terminal::tell(&format!("warning: {warning}"));
+        terminal::report(&format!("warning: {warning}"));
     }
-    cache::tell_warnings(&cache);
+    cache::report_warnings(&cache);
     Ok(Outcome::Done)
 }
 
@@ -72,7 +72,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     lines.add("disk, about", &megabytes(disk));
     if let Some([least, most]) = forecast.products(case.grid.elements) {
         lines.add(
-            "products with K a step, about",
+            "products with K per step, about",
             &format!("{least:.0} to {most:.0}"),
         );
     }
@@ -133,7 +133,7 @@ impl Estimates {
         let size = size.round().max(1.0) as usize;
         let count = planes.len();
         self.add(
-            "stresses of a step, about",
+            "stresses per step, about",
             &format!("{count} planes of {size} × {size} points"),
         );
         let deepest = planes.last().map_or(0.0, |plane| plane.depth.z);

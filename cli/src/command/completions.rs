@@ -65,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_shell_knows_every_command() {
+    fn completions_of_every_shell_list_every_command() {
         for shell in clap_complete::Shell::value_variants() {
             let mut text = Vec::new();
             clap_complete::generate(*shell, &mut Arguments::command(), "pellicle", &mut text);

@@ -7,7 +7,7 @@ use crate::study::gather::{self, OtherTable};
 use crate::terminal;
 
 /// The largest number of missing cases that are named.
-const MOST_NAMED: usize = 10;
+const MAX_NAMED: usize = 10;
 
 /// Writes the merged table if every case is there; otherwise names the missing ones.
 ///
@@ -22,22 +22,22 @@ pub fn gather(arguments: &GatherArguments) -> Result<Outcome, Failure> {
     };
     let found = gather::gather(&arguments.folder, other)?;
     let cases = found.tally.done() + found.missing.len();
-    terminal::tell(&found.tally.words(cases));
+    terminal::report(&found.tally.words(cases));
     let Some(table) = found.table else {
-        let first = found.missing.iter().take(MOST_NAMED);
+        let first = found.missing.iter().take(MAX_NAMED);
         let names: Vec<_> = first.map(|case| (case + 1).to_string()).collect();
-        let more = if found.missing.len() > MOST_NAMED {
+        let more = if found.missing.len() > MAX_NAMED {
             ", …"
         } else {
             ""
         };
         let names = names.join(", ");
-        terminal::tell(&format!(
+        terminal::report(&format!(
             "Error: nothing is written: cases {names}{more} are missing"
         ));
         return Ok(Outcome::NotConverged);
     };
-    terminal::tell(&format!("written to {}", table.display()));
+    terminal::report(&format!("written to {}", table.display()));
     Ok(if found.tally.is_certified() {
         Outcome::Done
     } else {

@@ -46,7 +46,7 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     let mut fitted = match fit_and_plan::fit(file, start, &interrupt::flag(), &report) {
         Err(Failure::Identify(IdentifyError::Stopped { .. })) => {
             line.finish_and_clear();
-            terminal::tell("stopped before the first curve was solved; nothing is written");
+            terminal::report("stopped before the first curve was solved; nothing is written");
             return Ok(Outcome::Stopped);
         }
         found => found?,
@@ -65,14 +65,14 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     let written = folder.map(write).transpose()?;
     let FittedFile { fit, found, .. } = fitted;
     if !(arguments.quiet || arguments.json) {
-        terminal::tell(text::text(&found).trim_end());
+        terminal::report(text::text(&found).trim_end());
         if let Some(folder) = &written {
-            terminal::tell(&format!("written to {}", folder.display()));
+            terminal::report(&format!("written to {}", folder.display()));
         }
     }
     if !arguments.quiet {
         for warning in &found.warnings {
-            terminal::tell(&format!("warning: {}", warning.message));
+            terminal::report(&format!("warning: {}", warning.message));
         }
     }
     if arguments.json {
@@ -95,7 +95,7 @@ fn simulate(arguments: &IdentifyArguments, file: &FitFile, out: &Path) -> Result
         };
         write(&path, text.as_bytes())?;
         if !arguments.quiet {
-            terminal::tell(&format!("written to {}", path.display()));
+            terminal::report(&format!("written to {}", path.display()));
         }
     }
     Ok(Outcome::Done)
@@ -136,14 +136,14 @@ fn outcome(arguments: &IdentifyArguments, fit: &Fit) -> Outcome {
         FitVerdict::Fitted => Outcome::Done,
         FitVerdict::Misfit if arguments.accept_misfit => Outcome::Done,
         FitVerdict::Misfit => {
-            terminal::tell(
+            terminal::report(
                 "Error: misfit: the model does not fit the measurements; do not use these numbers \
                  (--accept-misfit accepts them)",
             );
             Outcome::Misfit
         }
         FitVerdict::NotConverged => {
-            terminal::tell("Error: not converged: do not use these numbers");
+            terminal::report("Error: not converged: do not use these numbers");
             Outcome::NotConverged
         }
     }

@@ -31,7 +31,7 @@ pub fn influence(arguments: &InfluenceArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     let cache = cache::open();
     let model = case.model(&cache)?.value;
-    cache::tell_warnings(&cache);
+    cache::report_warnings(&cache);
     let element_side =
         case.side(&model).map_err(|error| case.blame(error))? / case.grid.elements as f64;
     let text = if arguments.depths.is_empty() {

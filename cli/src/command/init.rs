@@ -31,6 +31,6 @@ fn write(path: &Path, kind: Template, force: bool) -> Result<(), Failure> {
     }
     let path = path.display().to_string();
     let next = kind.next(&path);
-    terminal::tell(&format!("wrote {path}; now: {next}"));
+    terminal::report(&format!("wrote {path}; now: {next}"));
     Ok(())
 }

@@ -27,10 +27,10 @@ pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
         _ => several(arguments)?,
     };
     for warning in &warnings {
-        terminal::tell(&format!("warning: {}", warning.message));
+        terminal::report(&format!("warning: {}", warning.message));
     }
     let pictures = if count == 1 { "picture" } else { "pictures" };
-    terminal::tell(&format!("{count} {pictures} drawn in {}", out.display()));
+    terminal::report(&format!("{count} {pictures} drawn in {}", out.display()));
     Ok(Outcome::Done)
 }
 

@@ -62,9 +62,9 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let mut summary = RunSummary::new(&case, &path, clock, &cache.take_warnings())?;
     solving::complete(&case, &model.value, &path, stresses, &mut summary)?;
     let write = |folder: ResultsFolder| {
-        let tell = line.writing();
+        let on_progress = line.writing();
         folder.write(|folder| {
-            let written = results::write(folder, &path, &mut summary, &case, start, &tell)?;
+            let written = results::write(folder, &path, &mut summary, &case, start, &on_progress)?;
             Ok(if path.interrupted {
                 Completeness::Part
             } else {
@@ -74,7 +74,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     };
     let written = folder.map(write).transpose()?;
     drop(line);
-    tell(arguments, &summary, written.as_deref());
+    print_result(arguments, &summary, written.as_deref());
     if arguments.json {
         terminal::print(&json(&summary)?)?;
     }
@@ -111,18 +111,20 @@ fn find_beside(
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
     let pool = pool.build()?;
     let (case, model, path) = (case.clone(), model.clone(), Arc::clone(path));
-    let (alive, watched) = mpsc::channel::<()>();
+    let (alive, ended) = mpsc::channel::<()>();
     let search = thread::spawn(move || {
         // Dropped when the search ends, in whatever way.
         let _alive = alive;
         let mut observer = line.clone();
-        let tell = |search| {
-            line.tell(search);
+        let on_search = |search| {
+            line.show(search);
             interrupt::signal()
         };
-        pool.install(|| stress_search::find(&case, &model, domain, &path, &tell, &mut observer))
+        pool.install(|| {
+            stress_search::find(&case, &model, domain, &path, &on_search, &mut observer)
+        })
     });
-    while watched.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+    while ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
         if interrupt::is_requested() {
             return Err(ContactError::Cancelled { step: 0 }.into());
         }
@@ -148,7 +150,7 @@ fn claim(arguments: &RunArguments) -> Result<Option<ResultsFolder>, Failure> {
 }
 
 fn progress_line(arguments: &RunArguments, tolerance: f64) -> ProgressLine {
-    let line = if is_watched(arguments) {
+    let line = if prints_text(arguments) {
         ProgressLine::new(tolerance)
     } else {
         ProgressLine::hidden()
@@ -157,35 +159,35 @@ fn progress_line(arguments: &RunArguments, tolerance: f64) -> ProgressLine {
 }
 
 fn stopped_at_once() -> Outcome {
-    terminal::tell("stopped before the first loading step was solved; nothing is written");
+    terminal::report("stopped before the first loading step was solved; nothing is written");
     Outcome::Stopped
 }
 
-fn is_watched(arguments: &RunArguments) -> bool {
+fn prints_text(arguments: &RunArguments) -> bool {
     !arguments.quiet && !arguments.json
 }
 
 /// Prints the summary in words, the warnings, and the path of the results.
-fn tell(arguments: &RunArguments, summary: &RunSummary, folder: Option<&Path>) {
-    if is_watched(arguments) {
-        terminal::tell(summary_text::text(summary).trim_end());
+fn print_result(arguments: &RunArguments, summary: &RunSummary, folder: Option<&Path>) {
+    if prints_text(arguments) {
+        terminal::report(summary_text::text(summary).trim_end());
     }
     if !arguments.quiet && !summary.warnings.is_empty() {
-        terminal::tell(&summary_text::warning_lines(&summary.warnings));
+        terminal::report(&summary_text::warning_lines(&summary.warnings));
     }
     match summary.status {
         Status::Certified => {}
-        Status::CutOff => terminal::tell(
-            "Error: cut off: the contact would go on where the domain or a map ends, do not use these numbers",
+        Status::CutOff => terminal::report(
+            "Error: cut off: the contact would extend beyond the edge of the domain or of a map, do not use these numbers",
         ),
-        Status::NotConverged => terminal::tell(
+        Status::NotConverged => terminal::report(
             "Error: not converged: the certificate is not satisfied, do not use these numbers",
         ),
     }
-    if let (true, Some(folder)) = (is_watched(arguments), folder) {
-        terminal::tell(&format!("written to {}", folder.display()));
+    if let (true, Some(folder)) = (prints_text(arguments), folder) {
+        terminal::report(&format!("written to {}", folder.display()));
         let report = folder.join(report::FILE);
-        terminal::tell(&format!("report: {}", report.display()));
+        terminal::report(&format!("report: {}", report.display()));
     }
 }
 

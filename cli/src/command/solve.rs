@@ -53,7 +53,7 @@ pub fn solve(arguments: &SolveArguments) -> Result<Outcome, Failure> {
         }
         terminal::print(&format!("{}\n", serde_json::to_string(&answer)?))?;
     }
-    cache::tell_warnings(&stream.cache);
+    cache::report_warnings(&stream.cache);
     Ok(outcome)
 }
 
@@ -95,7 +95,7 @@ impl Stream {
         match solved {
             Ok(Ok(summary)) => summary.map(|summary| Answer::Solved(Box::new(summary))),
             Ok(Err(failure)) => Some(failed(failure.to_string())),
-            Err(_) => Some(failed("an error of the program itself".into())),
+            Err(_) => Some(failed("an internal error of the program".into())),
         }
     }
 

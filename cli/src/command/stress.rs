@@ -75,19 +75,19 @@ pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
         table(&rows, step, case.units)
     };
     terminal::print(&text)?;
-    cache::tell_warnings(&cache);
+    cache::report_warnings(&cache);
     for warning in case.warnings(side) {
-        terminal::tell(&format!("warning: {}", warning.message));
+        terminal::report(&format!("warning: {}", warning.message));
     }
     Ok(outcome(status))
 }
 
 /// The requested step, by default the last.
-fn step(case: &Case, asked: Option<usize>) -> Result<usize, Failure> {
+fn step(case: &Case, requested: Option<usize>) -> Result<usize, Failure> {
     let last = case.load.loads().len().saturating_sub(1);
-    match asked {
+    match requested {
         Some(found) if found > last => Err(Failure::NoStep { found, last }),
-        asked => Ok(asked.unwrap_or(last)),
+        requested => Ok(requested.unwrap_or(last)),
     }
 }
 
@@ -167,10 +167,12 @@ fn state(field: &StressField, point: [f64; 2], depth: Depth) -> Result<Subsurfac
 fn outcome(status: Status) -> Outcome {
     let complaint = match status {
         Status::Certified => return Outcome::Done,
-        Status::CutOff => "cut off: the contact would go on where the domain or a map ends",
+        Status::CutOff => {
+            "cut off: the contact would extend beyond the edge of the domain or of a map"
+        }
         Status::NotConverged => "not converged: the certificate is not satisfied",
     };
-    terminal::tell(&format!("Error: {complaint}, do not use these numbers"));
+    terminal::report(&format!("Error: {complaint}, do not use these numbers"));
     Outcome::NotConverged
 }
 

@@ -39,19 +39,19 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     if arguments.list {
         return list(&study, &plan.identity);
     }
-    if let Some(words) = plan.refused.words().filter(|_| is_watched(arguments)) {
-        terminal::tell(&format!("warning: {words}"));
+    if let Some(words) = plan.refused.words().filter(|_| prints_text(arguments)) {
+        terminal::report(&format!("warning: {words}"));
     }
     let folder = folder(arguments, &study);
     if arguments.status {
-        return tell_status(arguments, &folder, &plan.identity);
+        return print_status(arguments, &folder, &plan.identity);
     }
     if arguments.report {
         return write_report(&folder, &plan.identity);
     }
     let place = StudyFolder::claim(&folder, &plan.identity, arguments.fresh)?;
-    if let Some(before) = place.before.as_ref().filter(|_| is_watched(arguments)) {
-        terminal::tell(&format!(
+    if let Some(before) = place.before.as_ref().filter(|_| prints_text(arguments)) {
+        terminal::report(&format!(
             "the old table is kept until the new one is complete: {}",
             before.display()
         ));
@@ -59,11 +59,11 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let mut table = ResultsTable::open(place, &plan.identity)?;
     let cases = plan.identity.case_count();
     let to_do = table.remaining(&plan.identity);
-    let lines = StudyProgress::new(cases, cases - to_do.count_left(), is_watched(arguments));
+    let lines = StudyProgress::new(cases, cases - to_do.count_left(), prints_text(arguments));
     let memory = MemoryBudget::default();
     let done = table.tally().done();
     let kept = KeptFields::open(&folder, &plan.identity, done)?;
-    let kit = CaseSolver {
+    let solver = CaseSolver {
         study: &study,
         columns: &plan.columns,
         cache: cache::open_for_many(),
@@ -74,9 +74,9 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let threads = arguments
         .threads
         .map_or_else(runner::default_threads, usize::from);
-    let solve = || runner::run(&kit, to_do, threads, &mut table, &lines);
-    interrupt::finishing_what_is_in_hand(solve)?;
-    cache::tell_warnings(&kit.cache);
+    let solve = || runner::run(&solver, to_do, threads, &mut table, &lines);
+    interrupt::finish_running_cases(solve)?;
+    cache::report_warnings(&solver.cache);
     let (tally, path) = (table.tally(), table.path().to_owned());
     if tally.done() == cases {
         kept.as_ref().map_or(Ok(()), KeptFields::finish)?;
@@ -88,7 +88,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     report(arguments, tally, &path, cases)
 }
 
-fn is_watched(arguments: &StudyArguments) -> bool {
+fn prints_text(arguments: &StudyArguments) -> bool {
     !arguments.quiet && !arguments.json
 }
 
@@ -104,7 +104,7 @@ struct StatusReport {
 }
 
 /// Prints the progress of the study.
-fn tell_status(
+fn print_status(
     arguments: &StudyArguments,
     folder: &Path,
     identity: &StudyIdentity,
@@ -122,7 +122,7 @@ fn tell_status(
         return Ok(Outcome::Done);
     }
     let parts = match status.parts_at_work {
-        0 => "; nobody is at work on it".to_owned(),
+        0 => "; no process is working on it".to_owned(),
         1 => "; 1 part at work".to_owned(),
         count => format!("; {count} parts at work"),
     };
@@ -190,8 +190,8 @@ fn report(
     if arguments.json {
         terminal::print(&output::json(&report)?)?;
     }
-    if is_watched(arguments) {
-        terminal::tell(&format!("{}; {}", tally.words(cases), report.table));
+    if prints_text(arguments) {
+        terminal::report(&format!("{}; {}", tally.words(cases), report.table));
     }
     Ok(match tally.done() {
         done if done < cases => Outcome::Stopped,

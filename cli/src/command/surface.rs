@@ -47,7 +47,7 @@ pub fn surface(arguments: &SurfaceArguments) -> Result<Outcome, Failure> {
         MapFormat::Npy => format!("file = \"{shown}\", side = \"{side:?} m\", height_unit = \"m\""),
         MapFormat::Gsf => format!("file = \"{shown}\""),
     };
-    terminal::tell(&format!(
+    terminal::report(&format!(
         "wrote {shown}; in a case: surface = {{ kind = \"rough\", {keys} }}"
     ));
     Ok(Outcome::Done)

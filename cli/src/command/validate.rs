@@ -30,7 +30,7 @@ pub fn validate(arguments: &ValidateArguments) -> Result<Outcome, Failure> {
     }
     let mut sections = Vec::new();
     for (count, section) in SECTIONS.iter().enumerate() {
-        let section = watched(section, count, run);
+        let section = compute_with_progress(section, count, run);
         if !arguments.json {
             terminal::print(&section_text(&section))?;
         }
@@ -45,21 +45,25 @@ pub fn validate(arguments: &ValidateArguments) -> Result<Outcome, Failure> {
     if report.passes() {
         return Ok(Outcome::Done);
     }
-    terminal::tell("Error: the validation fails: do not trust this program's numbers");
+    terminal::report("Error: the validation fails: do not trust this program's numbers");
     Ok(Outcome::Refuted)
 }
 
 fn warn_of_hook(run: ValidationRun) {
     let by = run.perturbation;
     if by.abs() > 0.0 {
-        terminal::tell(&format!(
+        terminal::report(&format!(
             "test hook: every influence coefficient is multiplied by 1 + {by:e}"
         ));
     }
 }
 
 /// Computes a section, with a progress line on the terminal.
-fn watched(section: &'static ValidationSection, count: usize, run: ValidationRun) -> SectionResult {
+fn compute_with_progress(
+    section: &'static ValidationSection,
+    count: usize,
+    run: ValidationRun,
+) -> SectionResult {
     let line = ProgressBar::new_spinner();
     // The template is a constant; if it were invalid, the default style would remain.
     if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {msg}") {

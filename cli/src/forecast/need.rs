@@ -33,7 +33,7 @@ const BYTES_PER_SAMPLE: f64 = 24.0;
 
 /// Elements per side above which a trial is solved: smaller grids need so little memory that the size of the contact
 /// does not matter.
-const LEAST_TRIED: usize = 512;
+const TRIAL_ELEMENTS: usize = 512;
 
 /// The memory that a case needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,7 +50,7 @@ impl Need {
     #[must_use]
     pub fn new(case: &Case, model: &Model, domain: Domain, writers: usize) -> Self {
         let elements = case.grid.elements;
-        let trial = (elements > LEAST_TRIED).then(|| trial::solve(case, model, domain, TRIAL));
+        let trial = (elements > TRIAL_ELEMENTS).then(|| trial::solve(case, model, domain, TRIAL));
         let share = trial
             .and_then(Result::ok)
             .as_ref()
@@ -148,7 +148,7 @@ pub mod tests {
     }
 
     #[test]
-    fn the_memory_of_a_large_grid_is_forecast_and_at_most_two_fifths_more() {
+    fn the_memory_forecast_of_a_large_grid_is_at_most_two_fifths_too_large() {
         // Largest resident sets, measured for the solution alone and with writing.
         let berkovich = || pressed("kind = \"berkovich\"\ntip_radius = 0.0", "10 mN", 2048);
         for (case, writers, measured) in [
@@ -171,8 +171,8 @@ pub mod tests {
     }
 
     #[test]
-    fn a_periodic_cell_is_forecast_on_the_whole_grid_though_all_is_mirrored() {
-        let mut case = hertz(LEAST_TRIED);
+    fn a_symmetric_periodic_cell_is_still_forecast_on_the_whole_grid() {
+        let mut case = hertz(TRIAL_ELEMENTS);
         let model = case.model(&Cache::in_memory()).unwrap().value;
         let bytes = |case: &Case| Need::new(case, &model, Domain::Side(1e-3), 0).bytes;
         let of_quadrant = bytes(&case);
@@ -181,7 +181,7 @@ pub mod tests {
     }
 
     #[test]
-    fn what_is_said_to_fit_fits() {
+    fn the_suggested_grid_fits_in_memory() {
         let case = hertz(4096);
         let model = case.model(&Cache::in_memory()).unwrap().value;
         let domain = case.domain(&model).unwrap();

@@ -10,7 +10,7 @@ use crate::case::Case;
 pub const TRIAL: usize = 64;
 
 /// Number of products after which the trial gives up, to stay quick.
-const MOST_PRODUCTS: usize = 150;
+const MAX_PRODUCTS: usize = 150;
 
 /// Solves the smallest and the largest load on a domain.
 ///
@@ -25,7 +25,7 @@ pub fn solve(
 ) -> Result<LoadingPath, ContactError> {
     let options = SolverOptions {
         method: Method::Gradient,
-        max_applications: MOST_PRODUCTS,
+        max_applications: MAX_PRODUCTS,
         coarse_pressures: false,
         ..case.solver_options()
     };

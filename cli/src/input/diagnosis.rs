@@ -10,7 +10,7 @@ use super::span::{Source, Span};
 use crate::terminal::clean;
 
 /// The longest line that is quoted, in bytes; a longer one was not written by hand, and only its number is given.
-const LONGEST_DRAWN_LINE: usize = 400;
+const MAX_DRAWN_LINE_LENGTH: usize = 400;
 
 /// A fault at a position in the text.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -159,7 +159,7 @@ impl Diagnostic for Diagnosis {
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        let drawable = self.span.line_length() <= LONGEST_DRAWN_LINE;
+        let drawable = self.span.line_length() <= MAX_DRAWN_LINE_LENGTH;
         drawable.then(|| self.span.source.as_ref() as _)
     }
 
@@ -185,7 +185,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_is_suggested_for_a_key_unlike_any() {
+    fn no_suggestion_is_made_for_a_key_unlike_any_other() {
         assert_eq!(closest("colour", &["thickness", "young_modulus"]), None);
         assert_eq!(
             closest("Flat_Punch", &["flat-punch", "cone"]),

@@ -46,7 +46,7 @@ impl Dimension {
             Self::Angle => "an angle",
             Self::Compliance => "a compliance",
             Self::Stiffness => "a stiffness",
-            Self::FrameCompliance => "a compliance of a frame",
+            Self::FrameCompliance => "a frame compliance",
             Self::Time => "a time",
         }
     }
@@ -120,7 +120,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_unit_that_is_named_is_read() {
+    fn every_listed_unit_is_parsed() {
         for dimension in Dimension::ALL {
             for unit in dimension
                 .unit_names()

@@ -22,7 +22,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn items_of_lists_are_numbered_in_brackets_or_between_dots() {
+    fn list_items_are_numbered_in_brackets_or_between_dots() {
         let thickness = ["foundation", "layer", "0", "thickness"].map(str::to_owned);
         for key in [
             "foundation.layer[0].thickness",

@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_is_read_as_toml_or_else_as_text() {
+    fn a_value_is_parsed_as_toml_or_else_taken_as_text() {
         let set = |argument| load(&with(argument).unwrap(), "force");
         assert_eq!(set("load.force=3.5"), TomlValue::Float(3.5));
         assert_eq!(set("load.force = \"3 mN\""), TomlValue::Text("3 mN".into()));
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn a_layer_is_reached_by_its_number() {
+    fn a_layer_is_addressed_by_its_number() {
         for key in [
             "foundation.layer.0.thickness",
             "foundation.layer[0].thickness",
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn a_faulty_argument_is_diagnosed_and_names_the_option() {
+    fn an_invalid_override_is_reported_with_its_option() {
         for argument in ["load.force", "=3", "load..force=1", "load.force.x=1", ""] {
             let message = with(argument).unwrap_err().to_string();
             assert!(message.starts_with("--set"), "{message}");

@@ -5,7 +5,7 @@ use uom::si::f64::{Angle, Force, Length, Pressure, Time};
 use super::dimension::Dimension;
 
 /// The longest number that is read, in bytes.
-const LONGEST_NUMBER: usize = 64;
+const MAX_NUMBER_LENGTH: usize = 64;
 
 /// The reason why a text is not a quantity of the wanted dimension.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -97,7 +97,7 @@ fn split(text: &str) -> Result<(&str, &str), QuantityError> {
         text.get(..*end)
             .is_some_and(|start| start.parse::<f64>().is_ok())
     };
-    let end = (1..=text.len().min(LONGEST_NUMBER))
+    let end = (1..=text.len().min(MAX_NUMBER_LENGTH))
         .rev()
         .find(is_number)
         .ok_or(QuantityError::NoNumber)?;
@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn units_give_the_bits_of_the_bare_number() {
+    fn a_value_with_unit_has_the_bits_of_the_bare_number() {
         assert_eq!(length("10 nm"), Ok(1e-8));
         assert_eq!(length("400 nm"), Ok(4e-7));
         assert_eq!(length("0.3 um"), Ok(0.3e-6));
@@ -171,7 +171,7 @@ mod tests {
 
     /// One unit for every prefix that the library supports, with its power of ten.
     #[test]
-    fn a_decimal_unit_moves_the_point_and_rounds_once() {
+    fn a_decimal_prefix_shifts_the_point_and_rounds_once() {
         let prefixes = [
             ("y", -24),
             ("z", -21),
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stiffness_is_a_force_over_a_length_and_a_time_has_minutes() {
+    fn a_stiffness_is_a_force_over_a_length_and_times_may_be_in_minutes() {
         let stiffness = |text| parse(text, Dimension::Stiffness);
         assert_eq!(stiffness("0.04 N/m"), Ok(0.04));
         assert_eq!(stiffness("3 uN/nm"), Ok(3e3));
@@ -275,13 +275,13 @@ mod tests {
     }
 
     #[test]
-    fn a_unit_of_the_wrong_kind_is_named() {
+    fn a_unit_of_the_wrong_dimension_is_named() {
         let found = parse("5 nm", Dimension::Pressure);
         assert_eq!(found, Err(QuantityError::OtherDimension(Dimension::Length)));
     }
 
     #[test]
-    fn what_is_not_a_quantity_is_refused() {
+    fn invalid_quantities_are_rejected() {
         assert_eq!(length("five nm"), Err(QuantityError::NoNumber));
         assert_eq!(length(""), Err(QuantityError::NoNumber));
         assert_eq!(length("µ"), Err(QuantityError::NoNumber));

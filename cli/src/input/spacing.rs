@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_between_are_those_a_person_would_write() {
+    fn intermediate_values_are_rounded_to_the_shortest_decimals() {
         assert_eq!(
             Spacing::Linear.between(0.1, 0.5, 5),
             [0.1, 0.2, 0.3, 0.4, 0.5]

@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn the_end_is_behind_the_last_thing_written() {
+    fn the_end_of_a_file_is_on_its_last_non_blank_line() {
         assert_eq!(Span::end_of(&source()).line(), 2);
     }
 }

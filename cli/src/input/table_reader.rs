@@ -162,7 +162,7 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn a_missing_key_is_diagnosed_at_its_table() {
+    fn a_missing_key_is_reported_at_its_table() {
         let root = root("title = \"a\"\n[load]\n");
         let load = TableReader::root(&root)
             .unwrap()

@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn every_value_knows_its_place() {
+    fn every_value_has_its_span() {
         let text = "title = \"a\"\n[foundation]\nsubstrate = { poisson_ratio = 0.3 }\n[[foundation.layer]]\nthickness = \"5 nm\"\n";
         let root = parse(&source(text)).unwrap();
         let TomlValue::Table(table) = &root.value else {
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_without_a_case_is_refused() {
+    fn a_file_without_a_case_is_rejected() {
         for text in ["", "\n\n", "# nothing\n"] {
             assert!(
                 fault(text).to_string().contains("found an empty file"),
@@ -213,24 +213,24 @@ mod tests {
     }
 
     #[test]
-    fn a_text_that_is_not_toml_is_diagnosed_where_it_breaks() {
+    fn invalid_toml_is_reported_at_its_position() {
         let diagnosis = fault("[load]\nforce = = 3\n");
         assert_eq!(diagnosis.span.line(), 2);
         assert!(diagnosis.to_string().contains("wanted TOML"));
     }
 
     #[test]
-    fn a_key_given_twice_is_diagnosed() {
+    fn a_duplicate_key_is_reported() {
         assert_eq!(fault("[load]\nforce = 1\nforce = 2\n").span.line(), 3);
     }
 
     #[test]
-    fn nesting_without_end_is_refused_and_does_not_overflow_the_stack() {
+    fn very_deep_nesting_is_rejected_without_overflowing_the_stack() {
         fault(&format!("a = {}", "[".repeat(100_000)));
     }
 
     #[test]
-    fn numbers_of_every_spelling_are_read() {
+    fn every_toml_number_format_is_read() {
         let root = parse(&source(
             "a = 0x10\nb = 1_000\nc = 1e400\nd = nan\ne = 99999999999999999999\n",
         ))

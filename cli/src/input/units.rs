@@ -79,12 +79,12 @@ mod tests {
     }
 
     #[test]
-    fn one_unit_makes_a_case_si() {
+    fn a_single_unit_makes_a_case_si() {
         assert_eq!(units("a = 1\nb = [{ c = \"5 nm\" }]"), Units::Si);
     }
 
     #[test]
-    fn neither_a_title_nor_an_angle_does() {
+    fn titles_and_angles_do_not_make_a_case_si() {
         assert_eq!(
             units("title = \"5 nm\"\nhalf_angle = \"70 deg\""),
             Units::Consistent

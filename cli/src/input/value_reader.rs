@@ -227,7 +227,7 @@ impl<'a> ValueReader<'a> {
         let (noun, unit) = (dimension.noun(), dimension.si_unit());
         let (least, most) = range.into_inner();
         Err(self.wanted(format!(
-            "{noun} between {least:e} and {most:e} {unit}, or as many of the case's own units"
+            "{noun} between {least:e} and {most:e} {unit}, or the same number in the case's own units"
         )))
     }
 
@@ -279,14 +279,14 @@ mod tests {
     }
 
     #[test]
-    fn quantities_are_bare_numbers_or_strings_with_units() {
+    fn a_quantity_is_a_bare_number_or_a_string_with_unit() {
         assert_eq!(quantity("70", Dimension::Pressure), Ok(70.0));
         assert_eq!(quantity("1e-4", Dimension::Length), Ok(1e-4));
         assert_eq!(quantity("\"70 GPa\"", Dimension::Pressure), Ok(70e9));
     }
 
     #[test]
-    fn a_unit_of_the_wrong_kind_says_found_and_wanted() {
+    fn a_unit_of_the_wrong_dimension_is_reported_as_found_and_wanted() {
         assert_eq!(
             quantity("\"5 nm\"", Dimension::Pressure).unwrap_err(),
             "case.toml, line 2, key `a`: found \"5 nm\" (a length), \
@@ -295,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn sizes_that_no_arithmetic_can_hold_are_refused_with_the_limits() {
+    fn quantities_too_small_or_large_for_the_arithmetic_are_rejected_with_the_limits() {
         for text in ["1e307", "1e-308", "\"1e40 nm\"", "1e-31"] {
             let message = quantity(text, Dimension::Length).unwrap_err();
             assert!(
@@ -307,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_unit_comes_with_the_known_ones() {
+    fn an_unknown_unit_is_rejected_with_the_list_of_known_units() {
         let root = root("a = \"5 micros\"");
         let field = TableReader::root(&root).unwrap().required("a", "").unwrap();
         let diagnosis = field
@@ -322,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_no_quantity_can_be_are_refused() {
+    fn nan_infinities_and_signs_out_of_range_are_rejected() {
         for text in [
             "nan",
             "inf",

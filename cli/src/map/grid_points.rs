@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn points_of_a_grid_are_a_map_in_whatever_order() {
+    fn points_of_a_grid_form_a_map_in_any_order() {
         let mut points = points();
         let expected = map(points.as_flattened()).unwrap();
         assert_eq!(expected.shape, [4, 3]);
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn points_that_are_no_grid_are_no_map() {
+    fn points_not_on_a_grid_form_no_map() {
         let change = |n: usize, axis: usize, to: f64| {
             let mut points = points();
             points[n][axis] = to;

@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn size_units_and_data_are_read_behind_every_padding() {
+    fn size_units_and_data_are_read_after_any_padding() {
         for title in ["", "a", "ab", "abc"] {
             let header = format!(
                 "XRes = 3\nYRes=2\n XReal = 3e-06 \nYReal = 2e-6\nXYUnits = m\nZUnits = nm\nTitle = {title}\n"
@@ -127,13 +127,13 @@ mod tests {
     }
 
     #[test]
-    fn a_field_may_leave_its_size_and_units_open() {
+    fn a_field_without_size_and_units_is_read() {
         let map = parse(&file("XRes = 1\nYRes = 1\nZUnits = \n", &[1.0])).unwrap();
         assert_eq!(map, MapFile::bare([1, 1], vec![1.0]));
     }
 
     #[test]
-    fn what_is_no_simple_field_is_refused() {
+    fn invalid_gsf_files_are_rejected() {
         let good = file("XRes = 2\nYRes = 2\n", &[0.0; 4]);
         assert!(parse(&good).is_ok());
         let faulty = [

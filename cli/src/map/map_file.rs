@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_top_left_pixel_of_a_picture_lies_at_small_x_and_large_y() {
+    fn the_top_left_pixel_of_an_image_has_small_x_and_large_y() {
         let map = MapFile::from_picture(3, &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
         assert_eq!(map.shape, [3, 2]);
         assert_eq!(map.heights, [4.0, 1.0, 5.0, 2.0, 6.0, 3.0]);

@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn arrays_of_every_number_and_order_are_read_with_the_first_index_along_x() {
+    fn arrays_of_every_type_and_order_are_read_with_the_first_index_along_x() {
         let mut fortran = Array2::<f64>::zeros((3, 2).f());
         fortran.assign(&array![[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]]);
         let files = [
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn signs_sizes_and_orders_of_bytes_are_those_of_the_kind() {
+    fn every_sign_size_and_byte_order_is_decoded() {
         let values = |kind: &str, data: &[u8]| {
             let header =
                 format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': (2, 1), }}");
@@ -188,7 +188,7 @@ mod tests {
     }
 
     #[test]
-    fn a_type_that_is_not_read_is_named() {
+    fn an_unsupported_type_is_named() {
         for kind in ["<c16", "|b1", "<U7", "|O", "<f16", "", "<M8[ns]"] {
             let header =
                 format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': (1, 1), }}");
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_array_in_two_dimensions_is_refused() {
+    fn invalid_or_not_two_dimensional_arrays_are_rejected() {
         let whole = bytes(&array![[1.0, 2.0]]);
         let promising = String::from_utf8_lossy(&whole).replace("(1, 2), ", "(1, 9999999999), ");
         let files = [

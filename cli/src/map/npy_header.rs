@@ -10,7 +10,7 @@ use super::error::MapError;
 const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// The longest header that is read, bytes.
-const LONGEST: usize = 1 << 16;
+const MAX_LENGTH: usize = 1 << 16;
 
 /// The header of an array.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -34,22 +34,21 @@ impl NpyHeader {
     pub fn read(bytes: &[u8]) -> Result<Self, MapError> {
         let fault = |reason: &str| MapError::Npy(reason.into());
         let after = bytes.strip_prefix(MAGIC);
-        let after = after.ok_or_else(|| fault("it has no header of NumPy's"))?;
+        let after = after.ok_or_else(|| fault("it has no NumPy header"))?;
         let (length, start) = match after {
             [1, 0, a, b, ..] => (usize::from(u16::from_le_bytes([*a, *b])), 10),
             [2 | 3, 0, a, b, c, d, ..] => (u32::from_le_bytes([*a, *b, *c, *d]) as usize, 12),
             _ => return Err(fault("its header is of an unknown version")),
         };
-        let text = bytes.get(start..start + length.min(LONGEST + 1));
+        let text = bytes.get(start..start + length.min(MAX_LENGTH + 1));
         let text = text.filter(|text| text.len() == length);
-        let text =
-            text.ok_or_else(|| fault("its header is longer than the file or than any header"))?;
-        let text = std::str::from_utf8(text).map_err(|_| fault("its header is no text"))?;
+        let text = text.ok_or_else(|| fault("its header is longer than the file or too long"))?;
+        let text = std::str::from_utf8(text).map_err(|_| fault("its header is not text"))?;
         let dictionary = text
             .trim()
             .strip_prefix('{')
             .and_then(|text| text.strip_suffix('}'));
-        let dictionary = dictionary.ok_or_else(|| fault("its header is no dictionary"))?;
+        let dictionary = dictionary.ok_or_else(|| fault("its header is not a dictionary"))?;
         let mut keys = Keys::default();
         keys.read(dictionary).map_err(|reason| fault(&reason))?;
         match keys {
@@ -90,7 +89,7 @@ impl Keys {
     fn read(&mut self, dictionary: &str) -> Result<(), String> {
         let mut rest = dictionary.trim();
         while !rest.is_empty() {
-            let (key, after) = quoted(rest).ok_or("its header has a key that is no string")?;
+            let (key, after) = quoted(rest).ok_or("its header has a key that is not a string")?;
             let after = after.trim_start().strip_prefix(':');
             let after = after
                 .ok_or("its header has a key without a value")?
@@ -118,10 +117,10 @@ impl Keys {
             }
             "shape" => {
                 let (shape, after) =
-                    tuple(text).ok_or("its header has a shape that is no tuple of numbers")?;
+                    tuple(text).ok_or("its header has a shape that is not a tuple of numbers")?;
                 (self.shape.replace(shape).is_none(), after)
             }
-            _ => return Err("its header has a key that is none of NumPy's".into()),
+            _ => return Err("its header has a key that NumPy does not write".into()),
         };
         if is_new {
             Ok(after)
@@ -173,7 +172,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn a_header_that_numpy_would_not_write_is_refused() {
+    fn headers_that_numpy_would_not_write_are_rejected() {
         let right = "'descr': '<f8', 'fortran_order': False";
         for header in [
             format!("{{{right}, 'shape': (1, 1), 'shape': (9999999, 9999999)}}"),

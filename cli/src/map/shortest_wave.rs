@@ -11,7 +11,7 @@ use realfft::num_complex::Complex;
 const SHARE: f64 = 0.99;
 
 /// The smallest number of samples of a line with a useful spectrum.
-const FEWEST: usize = 16;
+const MIN_SAMPLES: usize = 16;
 
 /// Returns the shortest wave along either axis, in samples; none if the map is flat, or small along both axes.
 #[must_use]
@@ -24,7 +24,7 @@ pub fn shortest_wave(shape: [usize; 2], heights: &[f64]) -> Option<f64> {
 }
 
 fn of_lines(samples: usize, lines: impl Iterator<Item = Vec<f64>>) -> Option<f64> {
-    if samples < FEWEST {
+    if samples < MIN_SAMPLES {
         return None;
     }
     let transform = RealFftPlanner::new().plan_fft_forward(samples);
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn the_shortest_of_several_waves_is_found_along_either_axis_and_beside_a_trend() {
+    fn the_shortest_of_several_waves_is_found_along_either_axis_and_on_a_trend() {
         let wave = |x: f64, length: f64| (std::f64::consts::TAU * x / length + 0.3).cos();
         let short_x = found(|x, y| 5.0 * wave(x, 31.0) + wave(x, 5.0) + wave(y, 20.0) + 3.0 * x);
         let short_y = found(|x, y| 5.0 * wave(x, 31.0) + wave(y, 4.0) - 9.0 * y);

@@ -8,7 +8,7 @@ use super::grid_points;
 use super::map_file::MapFile;
 
 /// With fewer lines than this, two columns of integers are a small map.
-const FEWEST_OF_A_COLUMN: usize = 3;
+const MIN_COLUMN_LINES: usize = 3;
 
 /// Reads the text; each line is a row of the picture, from the top down, or a point x, y, z of a grid.
 ///
@@ -113,7 +113,7 @@ fn either(text: &str) -> Option<String> {
     let mut lines = lines.into_iter().filter(|row| !row.is_empty()).peekable();
     let first = lines.peek()?.chars().take(40).collect();
     let count = lines.clone().count();
-    (count >= FEWEST_OF_A_COLUMN && lines.all(is_either)).then_some(first)
+    (count >= MIN_COLUMN_LINES && lines.all(is_either)).then_some(first)
 }
 
 fn number(line: usize, word: &str) -> Result<f64, MapError> {
@@ -139,7 +139,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_separator_is_read_and_comments_are_skipped() {
+    fn every_separator_is_accepted_and_comments_are_skipped() {
         for text in [
             "1,2\n3,4",
             "1;2\n3;4\n",
@@ -174,7 +174,7 @@ mod tests {
     }
 
     #[test]
-    fn commas_that_may_mean_either_are_refused_with_their_line() {
+    fn ambiguous_commas_are_rejected_with_their_line() {
         for text in [
             "1;2\n1,2,3;4",
             "1;2\n1,5;2.5,",
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_table_of_numbers_is_told_by_its_line() {
+    fn an_invalid_table_is_reported_with_its_line() {
         let message = |text: &str| parse(text.as_bytes()).unwrap_err().to_string();
         assert!(message("x,y\n1,2").contains("line 1 holds \"x\""));
         assert!(message("1,2\n\n3").contains("line 3 holds 1 numbers and those before it 2"));

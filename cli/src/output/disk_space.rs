@@ -37,7 +37,7 @@ const CONVERGENCE: f64 = 110e3;
 const CURVE: f64 = 66e3;
 
 /// Smallest number of elements per side of a run on several grids.
-const FEWEST_OF_SEVERAL_GRIDS: usize = 64;
+const MIN_ELEMENTS_OF_SEVERAL_GRIDS: usize = 64;
 
 /// Bytes of a step in the report, bytes per element per side in it, and bytes per element in its maps of other fields.
 const REPORT: f64 = 20e3;
@@ -126,7 +126,7 @@ fn of_a_step_in_report(case: &Case) -> f64 {
 
 fn of_the_run(case: &Case, pictures: bool) -> f64 {
     let has_curve = case.load.loads().len() > 1;
-    let has_grids = case.grid.elements >= FEWEST_OF_SEVERAL_GRIDS;
+    let has_grids = case.grid.elements >= MIN_ELEMENTS_OF_SEVERAL_GRIDS;
     let curve = f64::from(u8::from(pictures && has_curve)) * CURVE;
     curve + f64::from(u8::from(pictures && has_grids)) * CONVERGENCE
 }

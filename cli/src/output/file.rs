@@ -106,11 +106,11 @@ impl LongFile {
     /// # Errors
     ///
     /// [`Failure::Write`] if it fails or is stopped.
-    pub fn go_on(
+    pub fn append(
         &mut self,
         write: impl FnOnce(&mut StoppableFile<'_>) -> io::Result<()>,
     ) -> Result<(), Failure> {
-        let mut file = StoppableFile::going_on(&mut self.file, self.unsynced);
+        let mut file = StoppableFile::resuming(&mut self.file, self.unsynced);
         let written = write(&mut file);
         self.unsynced = file.unsynced();
         written.map_err(|cause| Failure::write(&self.path, cause))
@@ -160,7 +160,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_appears_when_it_is_complete() {
+    fn a_file_appears_only_when_complete() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.txt");
         write_whole(&path, |file| {
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_fails_leaves_the_old_one_and_nothing_else() {
+    fn a_failed_write_leaves_the_old_file_and_nothing_else() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.txt");
         fs::write(&path, "old").unwrap();
@@ -184,12 +184,12 @@ mod tests {
     }
 
     #[test]
-    fn a_long_file_appears_when_it_is_finished_and_one_that_is_given_up_leaves_nothing() {
+    fn a_long_file_appears_when_finished_and_an_abandoned_one_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();
         let [path, other] = ["a.txt", "b.txt"].map(|name| folder.path().join(name));
         let mut file = LongFile::begin(&path).unwrap();
-        file.go_on(|file| file.write_all(b"half")).unwrap();
-        file.go_on(|file| {
+        file.append(|file| file.write_all(b"half")).unwrap();
+        file.append(|file| {
             file.seek(SeekFrom::Start(0))?;
             file.write_all(b"Half and half")
         })
@@ -198,13 +198,13 @@ mod tests {
         file.finish().unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "Half and half");
         let mut given_up = LongFile::begin(&other).unwrap();
-        given_up.go_on(|file| file.write_all(b"half")).unwrap();
+        given_up.append(|file| file.write_all(b"half")).unwrap();
         drop(given_up);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 
     #[test]
-    fn a_new_file_replaces_none() {
+    fn a_new_file_never_replaces_an_existing_one() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.txt");
         write_new(&path, b"mine").unwrap();
@@ -214,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_dead_left_is_swept_and_what_the_living_write_is_not() {
+    fn partial_files_of_dead_processes_are_removed_and_those_of_live_ones_kept() {
         let folder = tempfile::tempdir().unwrap();
         let left = folder.path().join(".pellicle-left.partial");
         fs::write(&left, "half").unwrap();
@@ -230,7 +230,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn a_link_is_replaced_and_never_followed_and_the_umask_holds() {
+    fn links_are_replaced_rather_than_followed_and_the_umask_applies() {
         use std::os::unix::fs::{PermissionsExt, symlink};
         let folder = tempfile::tempdir().unwrap();
         let [other, path] = ["other", "a.txt"].map(|name| folder.path().join(name));

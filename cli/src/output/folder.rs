@@ -25,7 +25,7 @@ const STOPPED: &str = "stopped";
 const BESIDE: &str = "results";
 
 /// Largest number tried for a name that is taken.
-const MOST_NUMBERS: usize = 9999;
+const MAX_NUMBER: usize = 9999;
 
 /// Attempts to claim a folder that another process may remove meanwhile.
 const ATTEMPTS: usize = 100;
@@ -81,7 +81,7 @@ impl ResultsFolder {
         if existing == Existing::Replace {
             return Self::claim(&first, existing);
         }
-        let numbered = (2..=MOST_NUMBERS).map(|i| results.join(format!("{name}-{i}")));
+        let numbered = (2..=MAX_NUMBER).map(|i| results.join(format!("{name}-{i}")));
         let taken = |failure: &Failure| {
             matches!(
                 failure,
@@ -155,7 +155,7 @@ impl ResultsFolder {
 
     /// Renames the hidden folder to `name`, or to the first numbered name that is free.
     fn put_aside(&self, name: &str) -> Result<PathBuf, Failure> {
-        let numbered = (2..=MOST_NUMBERS).map(|i| format!("{name}-{i}"));
+        let numbered = (2..=MAX_NUMBER).map(|i| format!("{name}-{i}"));
         for name in std::iter::once(name.to_owned()).chain(numbered) {
             let path = self.path.join(name);
             if fs::symlink_metadata(&path).is_err() {
@@ -272,7 +272,7 @@ fn make(path: &Path) -> io::Result<Vec<Unfinished>> {
 fn take_lock(path: &Path, is_made: bool) -> io::Result<Option<Lock>> {
     let made = if is_made { MADE } else { "" };
     let text = format!(
-        "pellicle (process {}) is at work here. If it was killed, the next run here removes what it has left.\n{made}",
+        "pellicle (process {}) is working in this folder. If it was killed, the next run removes what it left.\n{made}",
         process::id()
     );
     Lock::take(&path.join(LOCK), &text)

@@ -124,7 +124,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_values_begin_at_a_multiple_of_four_after_at_least_one_zero() {
+    fn values_begin_at_a_multiple_of_four_after_at_least_one_zero_byte() {
         for side in [1.0, 1.5, 1.25, 1.125, 1.0625] {
             let fields = Fields {
                 side,

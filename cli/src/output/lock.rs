@@ -126,7 +126,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_lock_is_held_once_and_leaves_nothing() {
+    fn a_lock_has_one_holder_and_leaves_no_file() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("lock");
         let first = Lock::take(&path, "first").unwrap().unwrap();
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn of_many_at_once_one_has_it() {
+    fn of_many_threads_exactly_one_obtains_the_lock() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("lock");
         let held = std::sync::atomic::AtomicUsize::new(0);

@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::map::npy_header::NpyHeader;
 
 /// Largest size of an array, bytes: 16,384² numbers, the largest grid of a case, and a header.
-const LARGEST_ARRAY: u64 = (8 << 28) + (1 << 16);
+const MAX_ARRAY_BYTES: u64 = (8 << 28) + (1 << 16);
 
 /// Level of compression, from 1 to 9. The usual level 6 makes files 13 % smaller in three times the time; compression
 /// took 13 % of the run of a curve.
@@ -105,9 +105,9 @@ pub(super) fn check(path: &Path) -> Result<(), String> {
     for i in 0..archive.len() {
         let entry = archive.by_index(i).map_err(|cause| cause.to_string())?;
         let (name, size) = (entry.name().to_owned(), entry.size());
-        if size > LARGEST_ARRAY {
+        if size > MAX_ARRAY_BYTES {
             return Err(format!(
-                "{name} unpacks to {size} bytes, more than any grid's field"
+                "{name} unpacks to {size} bytes, more than a field of any grid"
             ));
         }
         let mut start = Vec::new();
@@ -116,7 +116,7 @@ pub(super) fn check(path: &Path) -> Result<(), String> {
         let header = NpyHeader::read(&start).map_err(|error| format!("{name}, {error}"))?;
         if header.size() != Some(size) {
             return Err(format!(
-                "{name} unpacks to {size} bytes, and its header says otherwise"
+                "{name} unpacks to {size} bytes, but its header says otherwise"
             ));
         }
     }
@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn arrays_that_would_take_all_memory_are_refused_by_what_they_say_of_themselves() {
+    fn arrays_whose_headers_claim_too_much_memory_are_rejected_before_unpacking() {
         let header = "{'descr': '|b1', 'fortran_order': False, 'shape': (1, 1)}";
         // The uncompressed size in the directory entry.
         let large = refused(header, &[1], Some((24, 4_000_000_000)));
@@ -232,12 +232,9 @@ mod tests {
             large.contains("mask.npy unpacks to 4000000000 bytes"),
             "{large}"
         );
-        let promising = header.replace("(1, 1)", "(8000, 8000)");
-        let promising = refused(&promising, &[1], None);
-        assert!(
-            promising.contains("its header says otherwise"),
-            "{promising}"
-        );
+        let larger = header.replace("(1, 1)", "(8000, 8000)");
+        let message = refused(&larger, &[1], None);
+        assert!(message.contains("its header says otherwise"), "{message}");
         let twice = header.replace("(1, 1)", "(1, 1), 'shape': (99999999, 99999999)");
         let twice = refused(&twice, &[1], None);
         assert!(twice.contains("the key shape twice"), "{twice}");

@@ -206,7 +206,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_a_run_are_known_and_no_others() {
+    fn only_the_file_names_of_a_run_are_recognised() {
         for name in [
             "summary.json",
             "curve.csv",
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn a_summary_of_something_else_is_none() {
+    fn a_summary_of_another_program_is_not_recognised() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(summary::FILE);
         for text in [

@@ -215,9 +215,10 @@ pub fn step(
         Ok(svg.map(|svg| (picture, svg)))
     });
     let drawn = drawn.collect::<Result<Vec<_>, Failure>>()?;
-    let surface = writer.drawn(&format!("turned by hand, of step {step}"), || {
-        Ok(SurfaceFigure::new(&subject))
-    });
+    let surface = writer.drawn(
+        &format!("of the pressure in three dimensions at step {step}"),
+        || Ok(SurfaceFigure::new(&subject)),
+    );
     Ok(StepDrawings {
         step,
         drawings: drawn.into_iter().flatten().collect(),

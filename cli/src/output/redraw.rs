@@ -141,7 +141,7 @@ pub fn draw_curves(
     let other = summaries.iter().position(|summary| summary.units != units);
     if let Some(other) = other {
         let reason =
-            "its units are not those of the first: one is in SI units, the other in its own";
+            "its units are not those of the first: one is in SI units, the other in case units";
         return Err(Failure::damaged(&folders[other], &reason));
     }
     let names = names(folders, &summaries);

@@ -52,12 +52,12 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
     let last = summary.steps.len().checked_sub(1);
     let section = |drawings| StepSection::new(summary, drawings);
     // The numbers of the last step are shown whether it is drawn or not.
-    let undrawn = StepDrawings {
+    let without_drawings = StepDrawings {
         step: last.unwrap_or_default(),
         ..StepDrawings::default()
     };
-    let is_there = last.is_none() || steps.last().map(|drawings| drawings.step) == last;
-    let undrawn = (!is_there).then_some(&undrawn);
+    let is_drawn = last.is_none() || steps.last().map(|drawings| drawings.step) == last;
+    let without_drawings = (!is_drawn).then_some(&without_drawings);
     let metres = |value| quantity(value, Unit::Metre, summary.units);
     let seconds = |value| significant(value, 3);
     let page = RunPage {
@@ -71,7 +71,7 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
             .iter()
             .map(|step| row(summary, step))
             .collect(),
-        steps: steps.iter().chain(undrawn).map(section).collect(),
+        steps: steps.iter().chain(without_drawings).map(section).collect(),
         critical: (summary_text::stress::critical(summary).lines())
             .map(str::to_owned)
             .collect(),

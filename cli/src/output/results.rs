@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_curve_has_its_ends_and_steps_between_in_the_report() {
+    fn the_report_of_a_long_curve_has_its_ends_and_steps_in_between() {
         assert!(kept(0).is_empty());
         assert_eq!(kept(1), [0]);
         assert_eq!(in_report(&[7]), [7]);

@@ -80,11 +80,11 @@ pub struct StoppableFile<'a> {
 impl<'a> StoppableFile<'a> {
     /// Creates the writer of a new file.
     pub fn new(file: &'a mut PartialFile) -> Self {
-        Self::going_on(file, 0)
+        Self::resuming(file, 0)
     }
 
     /// Creates the writer of a file of which `unsynced` bytes are not yet on the disk.
-    pub fn going_on(file: &'a mut PartialFile, unsynced: usize) -> Self {
+    pub fn resuming(file: &'a mut PartialFile, unsynced: usize) -> Self {
         Self {
             file: StoppableWriter(file),
             unsynced,
@@ -128,7 +128,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_stop_is_told_from_a_disk_that_fails_however_it_is_wrapped() {
+    fn a_stop_is_distinguished_from_a_disk_error_even_when_wrapped() {
         let failure = |cause| Failure::Write {
             path: PathBuf::new(),
             cause,

@@ -18,7 +18,7 @@ use pellicle_contact::{LoadingPath, StressField};
 use self::plane_file::{StressFile, StressHead};
 use self::plane_values::PlaneValues;
 pub use self::plane_values::{FIELDS, FieldName};
-use self::planes::{Wishes, block_radius};
+use self::planes::{PlaneUses, block_radius};
 use self::view::{SectionDepths, StressView, SurfaceLine, ViewCollector};
 use super::fields::Fields;
 use super::pictures::{self, StressDrawings};
@@ -131,11 +131,11 @@ fn write_step(
     let foundation = path.tables.foundation();
     let is_of_fields = |format: &&Format| **format != Format::Npz;
     let of_fields: Vec<_> = formats.iter().filter(is_of_fields).collect();
-    let wishes = Wishes {
+    let uses = PlaneUses {
         files: !of_fields.is_empty(),
         view: wanted.is_pictured || of_fields.len() < formats.len(),
     };
-    let wanted = planes::wanted(&stress, &case.foundation, foundation, radius, wishes);
+    let wanted = planes::wanted(&stress, &case.foundation, foundation, radius, uses);
     let filed: Vec<_> = wanted.iter().filter(|wanted| wanted.is_filed).collect();
     let mut computed = field.planes(stress.side(radius, summary.grid.side));
     let centres = computed.centres().to_vec();
@@ -178,7 +178,7 @@ fn write_step(
     if formats.contains(&Format::Npz) {
         npz::write(&folder.join(npz::file(*step)), &view)?;
     }
-    Ok(wishes.view.then_some(view))
+    Ok(uses.view.then_some(view))
 }
 
 /// The line through the point of the largest von Mises stress, along the direction of sliding or along x.

@@ -13,7 +13,7 @@ use crate::display::{Unit, quantity, significant};
 use crate::input::units::Units;
 
 /// Largest number of warnings with the same code that are all printed.
-const MOST_ALIKE: usize = 3;
+const MAX_SHOWN_PER_CODE: usize = 3;
 
 /// Describes a run in a few lines; a curve as a table with one line per step.
 #[must_use]
@@ -26,19 +26,19 @@ pub fn text(summary: &RunSummary) -> String {
     text + &stress::critical(summary)
 }
 
-/// Lists the warnings, one per line; of more than [`MOST_ALIKE`] with one code, only the first and the number of
-/// others.
+/// Lists the warnings, one per line; of more than [`MAX_SHOWN_PER_CODE`] with one code, only the first and the number
+/// of others.
 #[must_use]
 pub fn warning_lines(warnings: &[WarningSummary]) -> String {
-    let mut told: Vec<&str> = Vec::new();
+    let mut shown: Vec<&str> = Vec::new();
     let mut lines = Vec::new();
     for WarningSummary { code, message } in warnings {
         let alike = warnings.iter().filter(|other| other.code == *code);
         let count = alike.count();
-        if count <= MOST_ALIKE {
+        if count <= MAX_SHOWN_PER_CODE {
             lines.push(format!("warning: {message}"));
-        } else if !told.contains(&code.as_str()) {
-            told.push(code);
+        } else if !shown.contains(&code.as_str()) {
+            shown.push(code);
             lines.push(format!("warning: {message}"));
             let more = count - 1;
             lines.push(format!(
@@ -185,7 +185,7 @@ mod tests {
     use super::{WarningSummary, warning_lines};
 
     #[test]
-    fn many_warnings_of_one_kind_are_told_by_the_first_and_their_number() {
+    fn many_warnings_of_one_kind_are_shown_as_the_first_and_a_count() {
         let warning = |code: &str, message: String| WarningSummary {
             code: code.into(),
             message,

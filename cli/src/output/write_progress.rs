@@ -116,7 +116,7 @@ impl<'a> WriteProgress<'a> {
         let reason = match drawn {
             Ok(Ok(drawn)) => return Some(drawn),
             Ok(Err(reason)) => reason,
-            Err(_) => "an error in the program itself".to_owned(),
+            Err(_) => "an internal error of the program".to_owned(),
         };
         let message = format!("the picture {name} cannot be drawn: {reason}");
         let warning = WarningSummary {
@@ -167,7 +167,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_picture_that_panics_is_a_warning_and_the_others_are_written() {
+    fn a_panic_in_one_picture_is_a_warning_and_the_others_are_written() {
         let folder = tempfile::tempdir().unwrap();
         let writer = WriteProgress::new(3, &|_, _| ());
         let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2\" height=\"2\"/>";
@@ -190,13 +190,13 @@ mod tests {
 
     #[test]
     fn every_file_is_counted() {
-        let told = Mutex::new(Vec::new());
-        let tell = |done, total| told.lock().unwrap().push((done, total));
-        let writer = WriteProgress::new(2, &tell);
+        let reported = Mutex::new(Vec::new());
+        let report = |done, total| reported.lock().unwrap().push((done, total));
+        let writer = WriteProgress::new(2, &report);
         for _ in 0..2 {
             writer.file(|| Ok(())).unwrap();
         }
-        assert_eq!(*told.lock().unwrap(), [(0, 2), (1, 2), (2, 2)]);
+        assert_eq!(*reported.lock().unwrap(), [(0, 2), (1, 2), (2, 2)]);
         assert!(writer.is_whole() && writer.warnings().is_empty());
     }
 }

@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
+    fn an_unresolved_grid_error_is_shown_in_brackets() {
         let estimate = |resolved| {
             Some(ErrorEstimate {
                 estimate: 0.02,
@@ -88,7 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn percents_have_two_digits_however_small() {
+    fn percentages_have_two_digits_however_small() {
         let parts = [0.0, -0.0021, 1.1e-5, 7.2e-7, -1.26e-6];
         let words = ["0 %", "−0.21 %", "0.0011 %", "7.2·10⁻⁵ %", "−1.3·10⁻⁴ %"];
         assert_eq!(parts.map(percent), words);

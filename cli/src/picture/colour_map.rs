@@ -10,7 +10,7 @@ pub enum ColourMap {
     /// Dark blue to yellow
     #[default]
     Viridis,
-    /// Dark blue to yellow, for every kind of eye alike
+    /// Dark blue to yellow, nearly the same with colour-blindness
     Cividis,
     /// Black to pale yellow
     Magma,
@@ -101,14 +101,14 @@ mod tests {
     }
 
     #[test]
-    fn each_scale_ends_in_other_colours_than_it_begins() {
+    fn each_scale_begins_and_ends_in_different_colours() {
         for map in ColourMap::value_variants() {
             assert_ne!(map.at(0.0), map.at(1.0), "{map:?}");
         }
     }
 
     #[test]
-    fn more_pressure_is_lighter() {
+    fn higher_pressure_is_lighter() {
         let lightness = |t: f64| ColourMap::Viridis.at(t).luma();
         let steps: Vec<_> = (0..=20).map(|i| lightness(f64::from(i) / 20.0)).collect();
         assert!(steps.windows(2).all(|pair| pair[0] < pair[1]), "{steps:?}");

@@ -101,7 +101,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_colour_is_written_as_svg_has_it() {
+    fn a_colour_is_written_in_svg_notation() {
         assert_eq!(INK.to_string(), "#1e1e1e");
     }
 }

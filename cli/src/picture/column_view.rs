@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn every_point_shows_what_a_ray_meets_first() {
+    fn every_point_shows_the_first_surface_on_its_ray() {
         let cells = 9;
         let field = columns(cells, |i, j| ((5 * i + 3 * j) % 7) as f64 / 7.0);
         let height = truncated(PLACE.height);
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn a_column_has_its_own_light_on_each_of_its_faces() {
+    fn each_face_of_a_column_has_its_own_shade() {
         let colour = Colour(100, 150, 200);
         let column = ColumnField {
             cells: 1,
@@ -272,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn a_field_that_is_not_in_the_place_is_not_seen() {
+    fn a_field_outside_the_view_is_not_drawn() {
         let elsewhere = Rect {
             left: 900.0,
             ..PLACE

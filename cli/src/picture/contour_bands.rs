@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn zero_divides_blue_from_red_however_small_one_side_is() {
+    fn zero_separates_blue_from_red_however_small_one_side_is() {
         let bands = ContourBands::signed(-1.0, 0.1);
         let zero = bands.levels.iter().position(|level| *level == 0.0).unwrap();
         assert!(zero >= 4 && bands.levels.len() - zero >= 2, "{bands:?}");
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn one_sign_or_none_has_no_level_at_zero() {
+    fn values_of_one_sign_have_no_level_at_zero() {
         assert!(!ContourBands::signed(-2.0, -1.0).levels.contains(&0.0));
         assert!(!ContourBands::signed(1.0, 2.0).levels.contains(&0.0));
         let none = ContourBands::signed(0.0, 0.0);

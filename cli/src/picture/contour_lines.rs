@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plane_has_one_straight_line_from_rim_to_rim() {
+    fn a_plane_has_one_straight_contour_from_edge_to_edge() {
         let lines = mesh(9, 5, |x, y| x + 0.5 * y).lines_at(3.2);
         assert_eq!(lines.len(), 1);
         for (x, y) in &lines[0] {
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn a_hill_has_a_closed_line_of_its_radius() {
+    fn a_hill_has_a_closed_contour_of_its_radius() {
         let lines = mesh(41, 41, |x, y| -(x - 20.0).hypot(y - 20.0)).lines_at(-12.3);
         assert_eq!(lines.len(), 1);
         let line = &lines[0];
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn a_saddle_has_two_lines_and_no_value_outside_the_range_has_one() {
+    fn a_saddle_has_two_contours_and_values_outside_the_range_have_none() {
         let saddle = mesh(2, 2, |x, y| (x - 0.5) * (y - 0.5));
         assert_eq!(saddle.lines_at(0.0).len(), 2);
         assert!(saddle.lines_at(1.0).is_empty());

@@ -10,10 +10,10 @@ const LETTER: f64 = 0.62;
 const MARGIN: f64 = 3.0;
 
 /// A line shorter than this many label widths has no label.
-const SHORTEST: f64 = 2.5;
+const MIN_LENGTH: f64 = 2.5;
 
 /// Most labels of one level in one body.
-const MOST: usize = 3;
+const MAX_LABELS: usize = 3;
 
 /// Positions of a label along its line, as parts of the length, best first.
 const PARTS: [f64; 7] = [0.5, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85];
@@ -120,10 +120,10 @@ impl ContourPlaces {
     pub fn draw_labels(&mut self, svg: &mut Svg, lines: &[Polyline], label: &str) {
         let width = rectangle((0.0, 0.0), label).width;
         let mut long: Vec<_> = (lines.iter().map(|line| (length(line), line)))
-            .filter(|(length, _)| *length > SHORTEST * width)
+            .filter(|(length, _)| *length > MIN_LENGTH * width)
             .collect();
         long.sort_by(|one, other| other.0.total_cmp(&one.0));
-        for (length, line) in long.into_iter().take(MOST) {
+        for (length, line) in long.into_iter().take(MAX_LABELS) {
             let places = PARTS.iter().filter_map(|part| point(line, part * length));
             let free = places
                 .into_iter()
@@ -184,7 +184,7 @@ mod tests {
     };
 
     #[test]
-    fn labels_stand_apart_within_the_panel_and_short_lines_have_none() {
+    fn contour_labels_do_not_overlap_and_short_contours_have_none() {
         let mut svg = Svg::new(400.0, 100.0);
         let mut places = ContourPlaces::new(PANEL);
         let line = |y: f64, to: f64| vec![(0.0, y), (to / 2.0, y), (to, y)];
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn the_text_of_a_mark_stays_in_the_panel() {
+    fn the_text_of_a_mark_stays_inside_the_panel() {
         let places = ContourPlaces::new(PANEL);
         let right = places.beside_mark((50.0, 50.0), "1.2 GPa");
         assert!(right.0 > 50.0 && right.1 == 50.0);
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_goes_to_the_other_side_where_its_corner_is_taken() {
+    fn a_name_moves_to_the_other_corner_if_its_own_is_occupied() {
         let mut places = ContourPlaces::new(PANEL);
         let first = places.in_corner((400.0, 0.0), "layer");
         let second = places.in_corner((400.0, 0.0), "layer");

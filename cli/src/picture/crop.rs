@@ -6,7 +6,7 @@ use std::ops::Range;
 const MARGIN: f64 = 0.12;
 
 /// Fewest elements across a picture.
-const FEWEST: usize = 12;
+const MIN_ELEMENTS: usize = 12;
 
 /// A square of elements: `x` and `y` have the same length.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -54,7 +54,7 @@ impl Crop {
         )]
         let margin = (MARGIN * extent as f64).ceil() as usize;
         // The same margin on both sides, so that a contact centred on the axis stays centred.
-        let margin = margin.max(FEWEST.saturating_sub(extent).div_ceil(2));
+        let margin = margin.max(MIN_ELEMENTS.saturating_sub(extent).div_ceil(2));
         let length = (extent + 2 * margin).min(size);
         Self {
             x: widen(&x, length, size),
@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn a_part_of_the_way_to_the_edge_is_that_part_of_the_elements() {
+    fn a_fraction_of_the_way_to_the_edge_is_that_fraction_of_the_elements() {
         assert_eq!(Crop::around_axis(100, 0.5).x, 25..75);
         assert_eq!(Crop::around_axis(100, 7.0).y, 0..100);
         assert_eq!(Crop::around_axis(8, 0.01).x, 3..5);

@@ -5,7 +5,7 @@ use super::panel::Axis;
 use super::ticks;
 
 /// Least fraction of the height for a body if there are few bodies; the sum of these minima if there are many.
-const LEAST: f64 = 0.22;
+const MIN_SHARE: f64 = 0.22;
 const SHARED: f64 = 0.6;
 
 /// Least distance of a tick from the ends of its body, and approximate distance between ticks, as fractions of the
@@ -99,7 +99,7 @@ impl DepthScale {
 /// Fractions of the height: proportional to the thickness, except that no body gets less than the minimum; and whether
 /// any body was raised to it.
 fn shares(thicknesses: &[f64]) -> (Vec<f64>, bool) {
-    let least = LEAST.min(SHARED / thicknesses.len() as f64);
+    let least = MIN_SHARE.min(SHARED / thicknesses.len() as f64);
     let mut is_raised = vec![false; thicknesses.len()];
     loop {
         let raised = is_raised.iter().filter(|is| **is).count();
@@ -127,13 +127,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn thick_bodies_are_in_proportion_and_thin_ones_have_their_least() {
+    fn thick_bodies_are_to_scale_and_thin_ones_have_a_minimum_height() {
         let even = DepthScale::new(&[0.0, 1.0, 3.0]);
         assert!(!even.is_uneven);
         assert!((even.down(1, 2.0) - 2.0 / 3.0).abs() < 1e-15);
         let thin = DepthScale::new(&[0.0, 1e-4, 1.0]);
         assert!(thin.is_uneven);
-        assert_eq!(thin.within(0), [0.0, LEAST]);
+        assert_eq!(thin.within(0), [0.0, MIN_SHARE]);
         assert!((thin.depth(1, thin.down(1, 0.3)) - 0.3).abs() < 1e-15);
         let many: Vec<f64> = (0..10).map(|i| f64::from(i) * 1e-3).chain([1.0]).collect();
         let many = DepthScale::new(&many);
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn ticks_name_the_interfaces_and_keep_away_from_them() {
+    fn ticks_mark_the_interfaces_and_other_ticks_keep_clear_of_them() {
         let axis = DepthScale::new(&[0.0, 2.1e-6, 20e-6]).axis(1e-6, "depth".into());
         let labels: Vec<&str> = axis.ticks.iter().map(|(_, label)| &label[..]).collect();
         assert_eq!(labels[0], "0");

@@ -172,7 +172,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn blocks_have_the_mean_of_what_is_finite_and_an_extent() {
+    fn blocks_hold_the_mean_of_their_finite_values_and_the_extent_covers_all() {
         let size = 2 * pressure_map::CELLS;
         let mut gap = vec![1.0; size * size];
         // The first block holds 3, 5, an infinity and a NaN.

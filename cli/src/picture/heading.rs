@@ -46,7 +46,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_title_is_cut_where_the_picture_ends() {
+    fn a_title_is_cut_at_the_edge_of_the_picture() {
         assert_eq!(fitted("short", 100.0, 10.0), "short");
         assert_eq!(fitted("much too long a title", 60.0, 10.0), "much too…");
     }

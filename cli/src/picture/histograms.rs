@@ -36,7 +36,10 @@ pub fn draw(subject: &Subject<'_>) -> String {
     };
     let mean = |histogram: &Histogram, unit| quantity(histogram.mean, unit, subject.units);
     let pressures = format!("mean pressure {}", mean(&rough.pressures, Unit::Pascal));
-    let gaps = format!("mean gap out of contact {}", mean(&rough.gaps, Unit::Metre));
+    let gaps = format!(
+        "mean gap outside contact {}",
+        mean(&rough.gaps, Unit::Metre)
+    );
     let right = LEFT + SIDE + BETWEEN;
     draw_panel(
         &mut svg,
@@ -127,7 +130,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_area_below_a_density_is_one() {
+    fn the_area_under_a_density_is_one() {
         let histogram = Histogram {
             largest: 6.0,
             mean: 2.0,

@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn labels_of_a_logarithmic_axis_tell_its_ticks_apart() {
+    fn labels_of_a_logarithmic_axis_distinguish_its_ticks() {
         assert_eq!(logarithmic_ticks(&[0.1, 0.2, 0.5]), ["0.1", "0.2", "0.5"]);
         assert_eq!(logarithmic_ticks(&[1.0, 1.5, 2.0]), ["1", "1.5", "2"]);
         assert_eq!(logarithmic_ticks(&[1e-5, 1e-3]), ["10⁻⁵", "10⁻³"]);
@@ -101,13 +101,13 @@ mod tests {
     }
 
     #[test]
-    fn an_axis_names_its_unit() {
+    fn an_axis_title_has_its_unit() {
         assert_eq!(axis_title("p", "GPa"), "p, GPa");
         assert_eq!(axis_title("p", ""), "p (case units)");
     }
 
     #[test]
-    fn small_numbers_have_a_power_of_ten() {
+    fn small_numbers_are_written_with_a_power_of_ten() {
         assert_eq!(power(0.3571e-4, 4), "3.571·10⁻⁵");
         assert_eq!(power(1e-4, 3), "10⁻⁴");
         assert_eq!(power(0.01, 3), "0.01");

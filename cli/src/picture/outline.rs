@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn elements_that_meet_in_a_corner_have_outlines_of_their_own() {
+    fn elements_that_meet_at_a_corner_have_separate_outlines() {
         let lines = outlines(&["....", ".x..", "..x.", "...."]);
         assert_eq!(lines.len(), 2);
         assert!(
@@ -127,13 +127,13 @@ mod tests {
     }
 
     #[test]
-    fn a_hole_has_an_outline_and_the_rim_has_none() {
+    fn a_hole_has_an_outline_and_the_edge_of_the_grid_none() {
         assert_eq!(outlines(&["xxx", "x.x", "xxx"]).len(), 1);
         assert!(outlines(&["xx", "xx"]).is_empty());
     }
 
     #[test]
-    fn an_outline_that_ends_at_the_rim_is_one_open_line() {
+    fn an_outline_that_ends_at_the_edge_of_the_grid_is_one_open_line() {
         assert_eq!(
             outlines(&["xx..", "xx..", "xx..", "xx.."]),
             [[(2, 0), (2, 4)]]
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn every_side_is_walked_once() {
+    fn every_element_side_is_traced_once() {
         let inside = |i: usize, j: usize| (i * 7 + j * 5 + i * j).is_multiple_of(3);
         let lines = trace(20, inside);
         let length = |line: &Vec<(usize, usize)>| -> usize {

@@ -44,7 +44,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn few_colours_come_back_as_they_are() {
+    fn a_picture_of_few_colours_keeps_them_exactly() {
         let colours = [[255, 255, 255], [30, 30, 30], [0, 114, 178]];
         let rgb: Vec<u8> = (0..64 * 64)
             .flat_map(|i: usize| colours[i / 7 % 3])
@@ -61,7 +61,7 @@ mod tests {
     }
 
     #[test]
-    fn sides_that_do_not_fit_the_pixels_are_refused() {
+    fn sides_that_do_not_match_the_pixels_are_rejected() {
         assert!(encode(3, 3, &[0; 12]).is_err());
     }
 }

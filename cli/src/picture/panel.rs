@@ -184,7 +184,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_have_their_places_also_on_an_axis_that_runs_down() {
+    fn values_are_placed_correctly_on_a_reversed_axis() {
         let panel = Panel {
             place: Rect {
                 left: 10.0,

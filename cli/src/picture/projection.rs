@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_behind_is_higher_on_the_sheet_and_what_is_high_too() {
+    fn points_farther_back_or_higher_are_drawn_higher() {
         let view = Projection {
             unit: 100.0,
             height: 50.0,
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_of_sight_holds_what_is_seen_at_one_place() {
+    fn points_on_a_line_of_sight_project_to_one_place() {
         let view = Projection {
             unit: 100.0,
             height: 50.0,

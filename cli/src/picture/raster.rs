@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_raster_is_addressed_as_png() {
+    fn a_raster_is_embedded_as_png() {
         let address = Raster::of(3, 2, |_, _| Colour(1, 2, 3)).data_address();
         // The signature of PNG in base 64.
         assert!(

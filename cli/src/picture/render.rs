@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rectangle_has_its_colour_and_its_place() {
+    fn a_rectangle_is_rendered_in_its_colour_and_place() {
         let mut svg = Svg::new(20.0, 10.0);
         let place = Rect {
             left: 10.0,
@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn letters_are_drawn_without_any_typeface_of_the_system() {
+    fn text_is_rendered_without_system_fonts() {
         let mut svg = Svg::new(40.0, 20.0);
         svg.text((20.0, 10.0), 16.0, Anchor::Middle, "pµ²");
         assert!(pixels(svg).1.iter().any(|channel| *channel < 100));

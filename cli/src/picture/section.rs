@@ -211,9 +211,9 @@ impl Depths<'_> {
         });
         let line = panel.all_at(steps);
         panel.draw_mesh(svg);
-        let ground = PRESSURE.bottom();
+        let baseline = PRESSURE.bottom();
         svg.within(PRESSURE, |svg| {
-            svg.area(&closed(&line, ground), Colour(200, 220, 236));
+            svg.area(&closed(&line, baseline), Colour(200, 220, 236));
             svg.line(&line, Stroke::new(colours::BLUE, 1.6));
         });
         panel.draw_axes(svg);
@@ -245,7 +245,7 @@ impl Depths<'_> {
             };
         let bodies = lines(&|i| self.body(i), self.runs(|_| true));
         let tops = lines(&|i| self.top(i), self.runs(|i| self.is_relief(i)));
-        let feet = lines(&|i| self.body(i), self.runs(|i| self.is_relief(i)));
+        let bases = lines(&|i| self.body(i), self.runs(|i| self.is_relief(i)));
         let indenters = lines(
             &|i| self.indenter(i),
             self.runs(|i| self.indenter(i).is_finite()),
@@ -254,8 +254,8 @@ impl Depths<'_> {
             for body in &bodies {
                 svg.area(&closed(body, DEPTH.bottom()), colours::BODY);
             }
-            for (top, foot) in tops.iter().zip(&feet) {
-                let outline = top.iter().chain(foot.iter().rev()).copied();
+            for (top, base) in tops.iter().zip(&bases) {
+                let outline = top.iter().chain(base.iter().rev()).copied();
                 svg.area(&outline.collect::<Vec<_>>(), colours::SPRINGS);
             }
             for indenter in &indenters {

@@ -32,7 +32,7 @@ const NOTE: f64 = 15.0;
 const MARK: f64 = 6.0;
 
 /// Most interfaces in one picture.
-pub const MOST: usize = 8;
+pub const MAX_INTERFACES: usize = 8;
 
 /// Returns the file name of a step's picture, without extension.
 #[must_use]
@@ -50,7 +50,7 @@ enum InterfaceTraction {
 /// Draws the picture as SVG: a row for each interface.
 #[must_use]
 pub fn draw(subject: &Subject<'_>, view: &StressView) -> String {
-    let shown = &view.interfaces[..view.interfaces.len().min(MOST)];
+    let shown = &view.interfaces[..view.interfaces.len().min(MAX_INTERFACES)];
     let height = heading::HEIGHT + ROW * shown.len() as f64;
     let mut svg = subject.style.sheet(WIDTH, height);
     subject.draw_heading(&mut svg, LEFT, WIDTH - LEFT, "");

@@ -294,7 +294,7 @@ impl<'a> SectionDrawing<'a> {
             let beside = if self.is_on_section(&found) {
                 ""
             } else {
-                " (beside this section)"
+                " (off this section)"
             };
             title = format!(
                 "{} {value} in {}, at x, y, z = {at}{beside}",
@@ -325,7 +325,7 @@ impl<'a> SectionDrawing<'a> {
                 (x, y),
                 15.0,
                 Anchor::Start,
-                "red: tension, blue: compression, broken lines",
+                "red: tension; blue, dashed lines: compression",
             );
         }
         let place = (LEFT + PANEL_WIDTH, y);

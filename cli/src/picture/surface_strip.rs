@@ -79,7 +79,7 @@ mod tests {
     use crate::output::stress::view::SurfaceLine;
 
     #[test]
-    fn runs_are_those_of_the_elements_below_the_line() {
+    fn runs_cover_the_elements_below_the_line() {
         let zeros = [0.0; 16];
         let mut pressure = zeros;
         // In the row at y = 0.5: elements 1 and 2 along x.

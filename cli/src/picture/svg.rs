@@ -286,14 +286,14 @@ fn path(points: &[(f64, f64)]) -> String {
 
 /// The largest coordinate drawn. The sheet ends far before it, and the renderer, which counts quarter pixels in 16
 /// bits, panics beyond it.
-const FARTHEST: f64 = 8e3;
+const MAX_COORDINATE: f64 = 8e3;
 
 /// Writes a coordinate to a hundredth of a pixel, as short as possible; 0 for NaN.
 fn number(value: f64) -> String {
     let value = if value.is_nan() {
         0.0
     } else {
-        value.clamp(-FARTHEST, FARTHEST)
+        value.clamp(-MAX_COORDINATE, MAX_COORDINATE)
     };
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn no_text_breaks_the_document() {
+    fn any_text_is_escaped() {
         let mut svg = Svg::new(10.0, 10.0);
         svg.text((1.0, 1.0), 5.0, Anchor::Start, "<a> & \"b\" \u{1} 'c'");
         let text = svg.finish();
@@ -348,7 +348,7 @@ mod tests {
     }
 
     #[test]
-    fn many_lines_are_one_element() {
+    fn many_lines_form_one_svg_element() {
         let mut svg = Svg::new(10.0, 10.0);
         let stroke = Stroke::new(colours::INK, 1.0);
         svg.lines(

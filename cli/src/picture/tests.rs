@@ -141,7 +141,7 @@ fn every_finite_solution_can_be_drawn() {
 }
 
 #[test]
-fn a_surface_that_yields_is_drawn_by_its_plastic_depth_deeper() {
+fn a_yielding_surface_is_drawn_deeper_by_its_plastic_depth() {
     let pressure: Vec<f64> = (0..SIZE * SIZE)
         .map(|e| f64::from(u8::from(e % SIZE > 2)))
         .collect();

@@ -26,8 +26,8 @@ fn round_step(step: f64) -> f64 {
 }
 
 /// Fewest and most ticks of a logarithmic axis: fewer do not show that it is logarithmic, more make labels overlap.
-const FEWEST: usize = 3;
-const MOST: usize = 10;
+const MIN_TICKS: usize = 3;
+const MAX_TICKS: usize = 10;
 
 /// Digits of the ticks within a decade, from few to many.
 const DIGITS: [&[f64]; 4] = [
@@ -49,15 +49,15 @@ pub fn logarithmic(from: f64, to: f64) -> Vec<f64> {
     let few = DIGITS.iter().skip(usize::from(high / low < 1e4));
     let mut ticks = few
         .map(|digits| with_digits(digits, low, high))
-        .find(|ticks| ticks.len() >= FEWEST)
+        .find(|ticks| ticks.len() >= MIN_TICKS)
         .or_else(|| {
             (4..=12)
                 .map(|count| linear(low, high, count))
-                .find(|ticks| ticks.len() >= FEWEST)
+                .find(|ticks| ticks.len() >= MIN_TICKS)
         })
         .unwrap_or_default();
     // Over very many decades, keep every second, every third and so on.
-    let stride = ticks.len().div_ceil(MOST);
+    let stride = ticks.len().div_ceil(MAX_TICKS);
     let mut index = 0..;
     ticks.retain(|_| index.next().is_none_or(|i: usize| i.is_multiple_of(stride)));
     ticks
@@ -84,7 +84,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn ticks_are_round_and_within_the_axis() {
+    fn ticks_are_round_numbers_within_the_axis() {
         assert_eq!(linear(0.0, 10.0, 5), [0.0, 2.0, 4.0, 6.0, 8.0, 10.0]);
         assert_eq!(linear(-3.0, 3.1, 6), [-2.0, 0.0, 2.0]);
         let ticks = linear(0.1, 0.4, 3);
@@ -96,12 +96,12 @@ mod tests {
     }
 
     #[test]
-    fn an_axis_that_runs_down_has_the_same_ticks() {
+    fn a_reversed_axis_has_the_same_ticks() {
         assert_eq!(linear(10.0, 0.0, 5), linear(0.0, 10.0, 5));
     }
 
     #[test]
-    fn an_axis_without_length_has_none() {
+    fn an_axis_of_zero_length_has_no_ticks() {
         for (from, to) in [(1.0, 1.0), (0.0, f64::NAN), (0.0, f64::INFINITY)] {
             assert!(linear(from, to, 5).is_empty());
         }
@@ -114,12 +114,12 @@ mod tests {
     }
 
     #[test]
-    fn a_logarithmic_axis_has_at_least_three_ticks_however_short_and_never_too_many() {
+    fn a_logarithmic_axis_of_any_length_has_at_least_three_ticks_and_never_too_many() {
         for low in [1e-9, 0.37, 1.0, 2.1, 9.5, 4e7] {
             for ratio in [1.02, 1.3, 1.69, 2.0, 3.3, 10.0, 55.0, 1e3, 2e4, 1e9, 1e30] {
                 let ticks = logarithmic(low, low * ratio);
                 assert!(
-                    (3..=MOST + 2).contains(&ticks.len()),
+                    (3..=MAX_TICKS + 2).contains(&ticks.len()),
                     "{low} {ratio}: {ticks:?}"
                 );
                 let within =

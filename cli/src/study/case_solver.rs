@@ -102,7 +102,7 @@ impl CaseSolver<'_> {
             )) => Err(failure),
             Ok(Err(failure)) => self.failed(case, &failure.to_string()).map(Some),
             Err(_) => self
-                .failed(case, "an error of the program itself")
+                .failed(case, "an internal error of the program")
                 .map(Some),
         }
     }

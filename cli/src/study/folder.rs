@@ -14,7 +14,7 @@ use crate::output::lock::Lock;
 use crate::output::{own_files, partial_file};
 
 /// Contents of the lock file.
-const AT_WORK: &str = "pellicle is at work on this study.\n";
+const LOCK_TEXT: &str = "pellicle is working on this study.\n";
 
 /// Name of the folder for the results folders of the cases.
 const CASES: &str = "cases";
@@ -23,7 +23,7 @@ const CASES: &str = "cases";
 const BEFORE: &str = ".pellicle-before-";
 
 /// Number of attempts and interval between them, while waiting for a process that is nearly done.
-const PATIENCE: (usize, Duration) = (100, Duration::from_millis(50));
+const RETRIES: (usize, Duration) = (100, Duration::from_millis(50));
 
 /// How a study begins if there is a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,9 +62,9 @@ impl StudyFolder {
             path: identity.table(folder),
         })?;
         partial_file::sweep(folder);
-        let there = identities(folder)?;
+        let existing = identities(folder)?;
         let is_other = |other: &&StudyIdentity| other.fingerprint != identity.fingerprint;
-        for other in there.iter().filter(is_other) {
+        for other in existing.iter().filter(is_other) {
             if !fresh {
                 let path = other.table(folder);
                 let path = if path.exists() {
@@ -74,14 +74,14 @@ impl StudyFolder {
                 };
                 return Err(Failure::OtherStudy { path });
             }
-            forget(folder, other, identity.shard)?;
+            discard(folder, other, identity.shard)?;
         }
-        if there.iter().any(|other| is_other(&other)) {
-            forget_cases(&folder.join(CASES)).map_err(failed)?;
+        if existing.iter().any(|other| is_other(&other)) {
+            discard_cases(&folder.join(CASES)).map_err(failed)?;
         }
         if fresh {
             set_aside(folder, identity)?;
-            report::forget(folder)?;
+            report::discard(folder)?;
         }
         let before = before(&identity.table(folder)).filter(|path| is_file(path));
         let is_empty = fs::metadata(identity.table(folder)).map_or(true, |data| data.len() == 0);
@@ -112,7 +112,7 @@ impl StudyFolder {
 /// [`Failure::Write`] if it cannot be made.
 pub fn lock(folder: &Path, part: Shard) -> Result<Option<Lock>, Failure> {
     let path = lock_path(folder, part);
-    Lock::take(&path, AT_WORK).map_err(|cause| Failure::write(&path, cause))
+    Lock::take(&path, LOCK_TEXT).map_err(|cause| Failure::write(&path, cause))
 }
 
 /// Whether a process is working on a part.
@@ -131,7 +131,7 @@ fn lock_path(folder: &Path, part: Shard) -> PathBuf {
 ///
 /// [`Failure::Busy`] if the other process keeps it, [`Failure::Write`] if the lock cannot be made.
 pub fn wait_for_lock(folder: &Path, part: Shard) -> Result<Lock, Failure> {
-    let (times, pause) = PATIENCE;
+    let (times, pause) = RETRIES;
     for _ in 0..times {
         if let Some(lock) = lock(folder, part)? {
             return Ok(lock);
@@ -192,29 +192,29 @@ fn refuse_foreign(folder: &Path) -> Result<(), Failure> {
     if fs::symlink_metadata(folder).is_ok() && !folder.is_dir() {
         return foreign(folder.to_owned());
     }
-    let (names, there) = (names(folder), identities(folder)?);
+    let (names, existing) = (names(folder), identities(folder)?);
     for name in &names {
         let path = folder.join(name);
         let is_empty = is_file(&path) && fs::metadata(&path).is_ok_and(|data| data.len() == 0);
         if let Some(shard) = part(name, "results", "csv").filter(|_| !is_empty) {
-            let own = there.iter().find(|identity| identity.shard == shard);
+            let own = existing.iter().find(|identity| identity.shard == shard);
             match own {
                 Some(own) if is_table_of(folder, own)? => {}
                 _ => return foreign(path),
             }
         }
     }
-    let is_ours = |name: &String| {
+    let is_own = |name: &String| {
         part(name, "results", "csv").is_some() || name == CASES || name.starts_with(".pellicle-")
     };
-    if there.is_empty() && !names.iter().all(is_ours) {
+    if existing.is_empty() && !names.iter().all(is_own) {
         return foreign(folder.to_owned());
     }
     Ok(())
 }
 
 /// Sets the table of another study aside and removes its identity.
-fn forget(folder: &Path, other: &StudyIdentity, locked: Shard) -> Result<(), Failure> {
+fn discard(folder: &Path, other: &StudyIdentity, locked: Shard) -> Result<(), Failure> {
     let _lock = if other.shard == locked {
         None
     } else {
@@ -257,7 +257,7 @@ fn set_aside(folder: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
 /// # Errors
 ///
 /// [`Failure::Write`] if one cannot be removed.
-pub fn forget_before(folder: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
+pub fn discard_before(folder: &Path, identity: &StudyIdentity) -> Result<(), Failure> {
     let own = identity.shard.suffix();
     let is_replaced = |name: &String| {
         let stem = name.split('.').nth(1).unwrap_or_default();
@@ -275,7 +275,7 @@ fn remove(path: &Path) -> Result<(), Failure> {
 }
 
 /// Removes the results of another study's cases, and nothing else.
-fn forget_cases(cases: &Path) -> io::Result<()> {
+fn discard_cases(cases: &Path) -> io::Result<()> {
     for name in names(cases) {
         let case = cases.join(&name);
         if own_files::case_in(&case).is_some()
@@ -318,7 +318,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_name_tells_its_part() {
+    fn a_file_name_states_its_part() {
         let part = |name| part(name, "results", "csv");
         assert_eq!(part("results.csv"), Some(Shard::WHOLE));
         assert_eq!(

@@ -55,7 +55,10 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     }
     if !first.is_of_this_layout() {
         let path = StudyIdentity::path(folder, first.shard);
-        return Err(Failure::damaged(&path, &"it is of another version"));
+        return Err(Failure::damaged(
+            &path,
+            &"it was written by another version",
+        ));
     }
     let whole = StudyIdentity {
         shard: Shard::WHOLE,
@@ -66,11 +69,11 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
     let before = StudyIdentity::read(&StudyIdentity::path(folder, Shard::WHOLE))?;
     check_whole(folder, &whole, before.as_ref(), other)?;
     // Kept fields of the study gathered here before are replaced along with its table.
-    let given_way = match (&before, other) {
+    let replaceable = match (&before, other) {
         (Some(before), OtherTable::Replace) => before.kept_files(folder),
         _ => Vec::new(),
     };
-    kept_file::check_whole(folder, &whole, &given_way)?;
+    kept_file::check_whole(folder, &whole, &replaceable)?;
     let mut tables = Vec::new();
     let mut statuses = vec![None; first.numbering.len()];
     for part in &parts {
@@ -95,7 +98,7 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
         whole.write(folder)?;
         kept_file::gather(folder, &whole, &parts)?;
         results_table::write_in_order(path, &whole.header, tables)?;
-        folder::forget_before(folder, &whole)?;
+        folder::discard_before(folder, &whole)?;
         report::write(folder, std::slice::from_ref(&whole))?;
     }
     Ok(Gathered {
@@ -109,20 +112,20 @@ pub fn gather(folder: &Path, other: OtherTable) -> Result<Gathered, Failure> {
 fn check_whole(
     folder: &Path,
     whole: &StudyIdentity,
-    remembered: Option<&StudyIdentity>,
+    previous: Option<&StudyIdentity>,
     other: OtherTable,
 ) -> Result<(), Failure> {
     let path = whole.table(folder);
     if fs::symlink_metadata(&path).is_err() {
         return Ok(());
     }
-    let is_known = match remembered {
-        Some(remembered) => folder::is_table_of(folder, remembered)?,
+    let is_known = match previous {
+        Some(previous) => folder::is_table_of(folder, previous)?,
         None => false,
     };
-    match (remembered, other) {
+    match (previous, other) {
         (Some(_), OtherTable::Replace) if is_known => Ok(()),
-        (Some(remembered), _) if is_known && remembered.fingerprint == whole.fingerprint => Ok(()),
+        (Some(previous), _) if is_known && previous.fingerprint == whole.fingerprint => Ok(()),
         (Some(_), _) if is_known => Err(Failure::OtherTable { path }),
         _ => Err(Failure::NoResults { path }),
     }

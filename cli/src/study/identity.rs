@@ -128,7 +128,7 @@ impl StudyIdentity {
         let text = fs::read_to_string(path).map_err(|cause| damaged(&cause))?;
         let head: Head = serde_json::from_str(&text).map_err(|cause| damaged(&cause))?;
         if !head.schema.starts_with(LAYOUT) || !(1..=head.shard.count).contains(&head.shard.index) {
-            return Err(damaged(&"it is not of a study"));
+            return Err(damaged(&"it does not belong to a study"));
         }
         if head.schema != SCHEMA {
             return Ok(Some(head.into()));

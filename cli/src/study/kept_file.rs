@@ -138,7 +138,8 @@ impl KeptFile {
         let length = start + u64::from(cases) * record;
         if fs::symlink_metadata(&path).is_err() {
             if done > 0 {
-                let reason = "it is missing, and the table has cases: give --fresh to begin again";
+                let reason =
+                    "it is missing although the table has cases: give --fresh to begin again";
                 return Err(Failure::damaged(&path, &reason));
             }
             file::write_whole(&path, |file| {
@@ -202,7 +203,7 @@ fn begins_with(path: &Path, beginning: &[u8], length: Option<u64>) -> bool {
     found == beginning
 }
 
-/// Refuses files of something else in the places of the merged ones, except those in `given_way`.
+/// Refuses files of something else in the places of the merged ones, except those in `replaceable`.
 ///
 /// # Errors
 ///
@@ -210,7 +211,7 @@ fn begins_with(path: &Path, beginning: &[u8], length: Option<u64>) -> bool {
 pub fn check_whole(
     folder: &Path,
     whole: &StudyIdentity,
-    given_way: &[PathBuf],
+    replaceable: &[PathBuf],
 ) -> Result<(), Failure> {
     let Some(layout) = &whole.kept else {
         return Ok(());
@@ -220,7 +221,7 @@ pub fn check_whole(
         let beginning = layout.beginning(&whole.study, elements, 0);
         let beginning = beginning.map_err(|cause| Failure::write(&path, cause))?;
         let is_there = fs::symlink_metadata(&path).is_ok();
-        if is_there && !given_way.contains(&path) && !begins_with(&path, &beginning, None) {
+        if is_there && !replaceable.contains(&path) && !begins_with(&path, &beginning, None) {
             return Err(Failure::NotKept { path });
         }
     }

@@ -22,7 +22,7 @@ use crate::output::fields::Fields;
 use crate::output::netcdf::header::{Attribute, Header, Kind, RECORDS, Variable};
 
 /// Most bytes of a variable in one case: the format has 32 bits for its size.
-const MOST_BYTES: usize = u32::MAX as usize - 3;
+const MAX_BYTES: usize = u32::MAX as usize - 3;
 
 /// Bytes of a case before its fields: number, status and side.
 pub const HEAD: usize = 4 + 4 + 8;
@@ -59,7 +59,7 @@ impl KeptLayout {
             elements: CaseCounts::elements(study),
         };
         let elements = layout.grids().into_iter().max().unwrap_or(0);
-        if layout.field_bytes(elements) > MOST_BYTES {
+        if layout.field_bytes(elements) > MAX_BYTES {
             let steps = layout.steps.unwrap_or(1);
             return Err(Failure::KeptTooLarge { elements, steps });
         }

@@ -105,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn the_cases_around_one_differ_in_the_axes_named_and_come_in_the_order_of_their_places() {
+    fn neighbouring_cases_differ_in_the_named_axes_and_come_in_order() {
         let product = numbering(Combine::Product, &[2, 3, 4]);
         for reference in 0..product.len() {
             for axes in [&[][..], &[0], &[1], &[2], &[0, 2], &[0, 1, 2]] {
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn zipped_axes_change_together() {
+    fn zipped_axes_vary_together() {
         let zip = numbering(Combine::Zip, &[5, 5]);
         assert_eq!((zip.len(), zip.choice(3)), (5, vec![3, 3]));
         assert!(zip.around(2, &[1]).eq(0..5));

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::input::diagnosis::Diagnosis;
 
 /// Most values of one axis tried before anything is solved; the others are read in their turn.
-const MOST_TRIED: usize = 10_000;
+const MAX_TRIED: usize = 10_000;
 
 /// The columns and the identity of a study, with the cases known to be invalid.
 #[derive(Debug, Clone)]
@@ -109,7 +109,7 @@ fn cases_to_try(study: &Study, reference: usize) -> Vec<usize> {
     let numbering = study.numbering();
     let mut cases = Vec::new();
     for axis in 0..numbering.lengths.len() {
-        cases.extend(numbering.around(reference, &[axis]).take(MOST_TRIED));
+        cases.extend(numbering.around(reference, &[axis]).take(MAX_TRIED));
     }
     let shaping = study
         .varied_keys()

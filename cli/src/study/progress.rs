@@ -23,11 +23,11 @@ pub struct StudyProgress {
 }
 
 impl StudyProgress {
-    /// Returns lines for a part of `total` cases, of which `before` are done; none are shown unless `watched`.
+    /// Returns lines for a part of `total` cases, of which `before` are done; they are hidden unless `shown`.
     #[must_use]
-    pub fn new(total: usize, before: usize, watched: bool) -> Self {
+    pub fn new(total: usize, before: usize, shown: bool) -> Self {
         Self {
-            terminal: watched.then(MultiProgress::new),
+            terminal: shown.then(MultiProgress::new),
             total,
             start: Instant::now(),
             done: Mutex::new((before, 0)),
@@ -63,7 +63,7 @@ impl StudyProgress {
             done.words()
         );
         if lines.is_hidden() {
-            terminal::tell(&line);
+            terminal::report(&line);
         } else {
             // If the terminal is gone, the message is dropped.
             drop(lines.println(line));
@@ -103,7 +103,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn slow_rates_are_told_for_longer_times() {
+    fn slow_rates_are_printed_per_minute_or_hour() {
         let words = [123.4, 1.0, 0.5, 0.001].map(rate_in_words);
         let wanted = [
             "123 cases a second",

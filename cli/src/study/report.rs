@@ -102,7 +102,7 @@ pub fn write(folder: &Path, parts: &[StudyIdentity]) -> Result<bool, Failure> {
 /// # Errors
 ///
 /// [`Failure::Write`] if it cannot be removed.
-pub fn forget(folder: &Path) -> Result<(), Failure> {
+pub fn discard(folder: &Path) -> Result<(), Failure> {
     let path = folder.join(FILE);
     if !path.is_file() || !is_free(&path) {
         return Ok(());
@@ -205,7 +205,7 @@ impl StudyTables {
             counts: self.tally.words(cases),
             sample: (shown < self.rows_read).then(|| {
                 format!(
-                    "{shown} of {} rows are drawn, a random sample of the cases; ranges and reasons are those of all.",
+                    "{shown} of {} rows are drawn, a random sample of the cases; ranges and reasons cover all cases.",
                     self.rows_read
                 )
             }),
@@ -232,7 +232,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_sample_is_about_as_large_as_wanted_and_takes_every_value_of_a_key() {
+    fn a_sample_has_about_the_wanted_size_and_contains_every_value_of_a_key() {
         let share = share_of_numbers(5000, 1_000_000);
         let is_in = |case: &usize| shard::mixed(*case) <= share;
         let sample: Vec<_> = (1..=1_000_000).filter(is_in).collect();

@@ -169,7 +169,7 @@ impl ResultsTable {
                 vec![(self.file, blocks.blocks)],
             )?;
         }
-        folder::forget_before(&self.place.folder, identity)
+        folder::discard_before(&self.place.folder, identity)
     }
 }
 

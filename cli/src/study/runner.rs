@@ -26,7 +26,7 @@ const FORCE_EVERY: Duration = Duration::from_secs(1);
 ///
 /// [`Failure`] for the first case whose results could not be written; the others would fail too.
 pub fn run(
-    kit: &CaseSolver<'_>,
+    solver: &CaseSolver<'_>,
     cases: RemainingCases,
     count: usize,
     table: &mut ResultsTable,
@@ -57,13 +57,13 @@ pub fn run(
                 }
                 // All threads allocate their memory before the first case checks how much is left.
                 begun.wait();
-                let work = |pool: rayon::ThreadPool| pool.install(|| work(kit, shared, lines));
+                let work = |pool: rayon::ThreadPool| pool.install(|| work(solver, shared, lines));
                 shared.end(pool.map_err(Failure::from).and_then(work));
                 drop(working);
             });
         }
         drop(working);
-        force_until(kit, &shared, &all_done);
+        force_until(solver, &shared, &all_done);
     });
     let failure = shared.failure.into_inner();
     let failure = failure.unwrap_or_else(PoisonError::into_inner);
@@ -88,7 +88,7 @@ struct SharedWork<'a> {
 
 impl<'a> SharedWork<'a> {
     fn take(&self) -> Option<usize> {
-        if self.is_closed.load(Ordering::SeqCst) || interrupt::is_leaving() {
+        if self.is_closed.load(Ordering::SeqCst) || interrupt::is_finishing() {
             return None;
         }
         let mut queue = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
@@ -114,32 +114,32 @@ impl<'a> SharedWork<'a> {
 }
 
 fn work(
-    kit: &CaseSolver<'_>,
+    solver: &CaseSolver<'_>,
     shared: &SharedWork<'_>,
     lines: &StudyProgress,
 ) -> Result<(), Failure> {
     while let Some(case) = shared.take() {
-        let mut line = lines.case(kit.study, case);
-        let Some(done) = kit.solve(case, &mut line, &|_| interrupt::signal())? else {
+        let mut line = lines.case(solver.study, case);
+        let Some(done) = solver.solve(case, &mut line, &|_| interrupt::signal())? else {
             return Ok(());
         };
         drop(line);
-        if kit.kept.is_some() {
+        if solver.kept.is_some() {
             shared.waiting().push((case, done.clone()));
         } else {
             shared.table().add(case, done.status, &done.rows)?;
         }
-        lines.ended(kit.study, case, &done);
+        lines.ended(solver.study, case, &done);
     }
     Ok(())
 }
 
 /// Forces the results to disk at intervals and at the end, while the workers continue.
-fn force_until(kit: &CaseSolver<'_>, shared: &SharedWork<'_>, all_done: &mpsc::Receiver<()>) {
+fn force_until(solver: &CaseSolver<'_>, shared: &SharedWork<'_>, all_done: &mpsc::Receiver<()>) {
     loop {
         // Nothing is ever sent: the channel closes when the last worker is done.
         let is_last = all_done.recv_timeout(FORCE_EVERY) == Err(RecvTimeoutError::Disconnected);
-        let forced = force(kit, shared);
+        let forced = force(solver, shared);
         let failed = forced.is_err();
         shared.end(forced);
         if is_last || failed {
@@ -149,9 +149,9 @@ fn force_until(kit: &CaseSolver<'_>, shared: &SharedWork<'_>, all_done: &mpsc::R
 }
 
 /// Forces the kept fields to disk, adds the rows of their cases to the table, and forces the table.
-fn force(kit: &CaseSolver<'_>, shared: &SharedWork<'_>) -> Result<(), Failure> {
+fn force(solver: &CaseSolver<'_>, shared: &SharedWork<'_>) -> Result<(), Failure> {
     let waiting = std::mem::take(&mut *shared.waiting());
-    if let Some(kept) = kit.kept {
+    if let Some(kept) = solver.kept {
         kept.force()?;
     }
     for (case, done) in waiting {

@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn units_stand_in_the_heading_or_with_the_values() {
+    fn units_are_in_the_heading_or_with_the_values() {
         let text = "\u{feff}load.force [mN], foundation.layer[0].thickness,\"grid.elements\",a,b\r\n\
                     1,10 nm,32,1e-3,bare\n2.5,0.02 um,64,2,film\n";
         let columns = read(text).unwrap();
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_of_another_kind_is_named_with_its_line_and_key() {
+    fn a_value_of_the_wrong_kind_is_reported_with_its_line_and_key() {
         for (text, wanted) in [
             (
                 "a [mN]\n1\n2 N\n",

@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_are_equally_large_and_none_has_all_cases_of_one_value() {
+    fn parts_are_of_equal_size_and_none_holds_all_cases_of_one_value() {
         for index in 1..=4 {
             let shard = Shard { index, count: 4 };
             let held: Vec<_> = (0..400).filter(|case| shard.holds(*case)).collect();
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn a_task_of_an_array_or_of_srun_has_a_part_and_all_tasks_have_all_parts() {
+    fn each_slurm_task_has_a_part_and_the_tasks_cover_all_parts() {
         let of = |variables: &[(&str, usize)]| {
             let variable = |name: &str| {
                 let found = variables.iter().find(|(known, _)| *known == name);
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_are_counted_from_one() {
+    fn parts_are_numbered_from_one() {
         assert_eq!("2/8".parse(), Ok(Shard { index: 2, count: 8 }));
         for text in ["0/8", "9/8", "2", "a/b", "", "1/0", "-1/2"] {
             assert!(text.parse::<Shard>().is_err(), "{text}");

@@ -32,7 +32,7 @@ use crate::input::value_reader::ValueReader;
 use crate::source_file;
 
 /// The most cases of a study; more are a mistake.
-const MOST_CASES: usize = 1_000_000;
+const MAX_CASES: usize = 1_000_000;
 
 /// The key of `[study.vary]` that names a file and no key of the case.
 const FROM: &str = "from";
@@ -168,7 +168,7 @@ fn sampled(table: &TomlTable, here: &Path) -> Result<Vec<VariedKey>, Failure> {
         return Ok(Vec::new());
     };
     let name = ValueReader::new(format!("study.vary.{FROM}"), &entry.node);
-    let columns = samples::read(&here.join(name.text()?), MOST_CASES)?;
+    let columns = samples::read(&here.join(name.text()?), MAX_CASES)?;
     let key = |(key, column)| VariedKey::sampled(key, entry.key_span.clone(), column);
     Ok(columns.into_iter().map(key).collect())
 }
@@ -223,9 +223,9 @@ fn check(varied_keys: &[VariedKey], numbering: &CaseNumbering) -> Result<(), Dia
         let wanted = format!("{wanted}, as many as `{}` has, to be zipped", first.key);
         return wrong(other, found, wanted);
     }
-    if numbering.len() > MOST_CASES {
+    if numbering.len() > MAX_CASES {
         let found = format!("{} cases", numbering.len());
-        return wrong(first, found, format!("at most {MOST_CASES}"));
+        return wrong(first, found, format!("at most {MAX_CASES}"));
     }
     Ok(())
 }

@@ -16,7 +16,7 @@ use crate::input::units::Units;
 use crate::input::value_reader::ValueReader;
 
 /// Most values of one key; more are assumed to be a mistake.
-const MOST_VALUES: usize = 100_000;
+const MAX_VALUES: usize = 100_000;
 
 const WANTED: &str = "a list of values, or a table of from, to, count and spacing";
 
@@ -65,9 +65,9 @@ impl VariedKey {
             TomlValue::Table(_) => range(&field.table()?, &node.span)?,
             _ => return Err(field.wanted(WANTED)),
         };
-        if values.len() > MOST_VALUES {
+        if values.len() > MAX_VALUES {
             let field = ValueReader::new(key, node);
-            return Err(field.wanted(format!("at most {MOST_VALUES} values")));
+            return Err(field.wanted(format!("at most {MAX_VALUES} values")));
         }
         let dimension = common_dimension(&values);
         if dimension.is_none()
@@ -310,7 +310,7 @@ fn range(table: &TableReader<'_>, span: &Span) -> Result<Vec<TomlNode>, Diagnosi
         }));
     }
     let count = table.required("count", "how many values, an integer")?;
-    let count = count.count(2..=MOST_VALUES, " values")?;
+    let count = count.count(2..=MAX_VALUES, " values")?;
     let integers = from.is_integer && to.is_integer;
     let node = |number: f64| TomlNode {
         value: value(number, from.dimension, integers),

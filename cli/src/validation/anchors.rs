@@ -11,8 +11,8 @@ use super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {
-    name: "Punches of the literature",
-    source: "an integral equation solved here by another way (W. C. Hayes and others 1972); H. Gao, C.-H. Chiu, J. Lee 1992; \
+    name: "Punches from the literature",
+    source: "an integral equation solved here in another way (W. C. Hayes and others 1972); H. Gao, C.-H. Chiu, J. Lee 1992; \
              the capacity of a square plate, 0.36679 of its side",
     because: "relative; a limit extrapolated over grids, of first order in the element's side at a rim; the integral \
               equation itself has 1e-11",

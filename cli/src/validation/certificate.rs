@@ -11,7 +11,7 @@ use super::section::ValidationSection;
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {
     name: "The certificate's negative controls",
-    source: "a solution of a textured contact, spoilt on purpose: the certificate must refuse it",
+    source: "a solution of a textured contact, deliberately altered: the certificate must reject it",
     because: "the error is the worst line of the certificate, the tolerance the certificate's: here the error must exceed it",
     rows,
 };
@@ -20,9 +20,9 @@ pub const SECTION: ValidationSection = ValidationSection {
 const SMALL: f64 = 1e-6;
 
 /// A change that makes a correct pressure wrong.
-type Spoil = fn(&mut Vec<f64>);
+type Alteration = fn(&mut Vec<f64>);
 
-const SPOILT: [(&str, Spoil); 8] = [
+const ALTERATIONS: [(&str, Alteration); 8] = [
     ("all pressures larger by a millionth", |p| {
         p.iter_mut().for_each(|p| *p *= 1.0 + SMALL);
     }),
@@ -46,7 +46,7 @@ const SPOILT: [(&str, Spoil); 8] = [
     ("an element pressed far from the contact", |p| {
         p[0] = SMALL * p[largest(p)];
     }),
-    ("one pressure no number", |p| {
+    ("one pressure NaN", |p| {
         let largest = largest(p);
         p[largest] = f64::NAN;
     }),
@@ -60,9 +60,9 @@ fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
         "as solved".into(),
         &judge.judge(right.clone()),
     )];
-    for (check, spoil) in SPOILT {
+    for (check, alter) in ALTERATIONS {
         let mut wrong = right.clone();
-        spoil(&mut wrong);
+        alter(&mut wrong);
         rows.push(Comparison::refused(check.into(), &judge.judge(wrong)));
     }
     let other_load = Load::Force(FORCE * (1.0 + SMALL));

@@ -155,7 +155,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_error_above_the_tolerance_fails_and_so_does_what_is_no_number() {
+    fn errors_above_the_tolerance_and_nan_fail() {
         let row = |computed| Comparison::relative("x".into(), 2.0, computed, 1e-3);
         assert!(row(2.001).passes());
         assert!(!row(2.003).passes());
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn the_worst_of_none_fails_and_what_is_no_number_is_the_worst() {
+    fn the_worst_of_no_rows_fails_and_nan_is_the_worst() {
         let worst = |errors: &[f64]| {
             let comparisons = errors.iter().map(|error| ([1.0, 2.0], *error));
             Comparison::worst("x".into(), comparisons, 0.5)

@@ -12,19 +12,19 @@ use super::section::ValidationSection;
 pub const SECTION: ValidationSection = ValidationSection {
     name: "The grid error's controls",
     source: "Hertz's peak is finite, that at the rim of a flat punch is not",
-    because: "a word: what is said of the largest pressure",
+    because: "a word: the verdict on the largest pressure",
     rows,
 };
 
 fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let punch = Indenter::FlatPunch(FlatPunch::new(0.1)?);
-    let said = |indenter| -> Result<&str, ValidationError> {
+    let verdict = |indenter| -> Result<&str, ValidationError> {
         let path = run.solve(&contact(indenter)?)?;
         Ok(of_the_peak(&path.steps[0]))
     };
     Ok(vec![
-        Comparison::words("Hertz".into(), "resolved", said(paraboloid(1.0)?)?),
-        Comparison::words("Flat punch".into(), "unresolved", said(punch)?),
+        Comparison::words("Hertz".into(), "resolved", verdict(paraboloid(1.0)?)?),
+        Comparison::words("Flat punch".into(), "unresolved", verdict(punch)?),
     ])
 }
 

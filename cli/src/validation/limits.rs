@@ -10,7 +10,7 @@ use super::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {
-    name: "Limits, and two ways to one number",
+    name: "Limits, and the same number computed in two ways",
     source: "another problem, solved here, that has the same answer",
     because: "relative; what the limit leaves (some 1e-6 where a thickness or a stiffness is a million), and ten times the certificate's 1e-8",
     rows,
@@ -37,12 +37,12 @@ const LIMITS: [(&str, f64, SetupPair); 8] = [
     ),
     ("a layer cut in two: the layer", CERTIFIED, cut_in_two),
     (
-        "film of no compliance: the bare surface",
+        "film of zero compliance: the bare surface",
         CERTIFIED,
         hard_film,
     ),
     (
-        "relief of no height: the bare surface",
+        "relief of zero height: the bare surface",
         CERTIFIED,
         low_relief,
     ),

@@ -8,7 +8,7 @@ use crate::display::significant;
 const DIGITS: usize = 9;
 
 /// Characters of the longest word that fits its column.
-const LONGEST_WORD: usize = 14;
+const MAX_WORD_LENGTH: usize = 14;
 
 /// Returns the names of the columns.
 #[must_use]
@@ -37,7 +37,7 @@ fn row(row: &Comparison) -> String {
     };
     let (reference, computed) = (value(&row.reference), value(&row.computed));
     // An error message is put on its own line.
-    let (computed, reason) = if computed.chars().count() > LONGEST_WORD {
+    let (computed, reason) = if computed.chars().count() > MAX_WORD_LENGTH {
         ("none".to_owned(), format!("      {computed}\n"))
     } else {
         (computed, String::new())

@@ -3,7 +3,7 @@
 use crate::runner::{CASE, TestFolder};
 
 #[test]
-fn a_wrong_value_on_the_command_line_is_diagnosed_there() {
+fn a_wrong_value_on_the_command_line_is_reported_there() {
     let folder = TestFolder::with_case(CASE);
     for set in [
         "load.force=-1",
@@ -45,7 +45,7 @@ fn a_wrong_command_line_exits_with_2() {
 }
 
 #[test]
-fn a_load_set_beside_another_says_what_to_write() {
+fn setting_a_second_load_is_rejected_with_what_to_write() {
     let curve = CASE.replace("force = \"1 uN\"", "forces = [\"1 uN\", \"2 uN\"]");
     let folder = TestFolder::with_case(curve);
     let ran = folder.run(&["run", "case.toml", "--set", "load.force=3 uN"]);
@@ -60,7 +60,7 @@ fn a_load_set_beside_another_says_what_to_write() {
 }
 
 #[test]
-fn a_list_of_a_study_refuses_what_the_study_refuses() {
+fn study_list_rejects_whatever_the_study_rejects() {
     let study = format!("{CASE}\n[study.vary]\n\"indenter.radius\" = [\"-1 um\"]\n");
     let folder = TestFolder::with_case(study);
     let [listed, solved] = [

@@ -4,7 +4,7 @@ use crate::bad_input::{Expected, refuses, refuses_case};
 use crate::runner::{CASE, TestFolder};
 
 #[test]
-fn a_file_that_is_not_toml_is_refused_where_it_breaks() {
+fn a_file_that_is_not_toml_is_rejected_at_its_position() {
     let expected = Expected {
         key: "",
         line: 3,
@@ -37,7 +37,7 @@ fn a_file_that_is_not_utf8_is_refused() {
 }
 
 #[test]
-fn a_file_that_is_not_there_and_a_folder_are_refused() {
+fn a_missing_file_and_a_folder_are_rejected() {
     let folder = TestFolder::new();
     for (path, reason) in [("none.toml", "No such file"), (".", "directory")] {
         let ran = folder.run(&["run", path]);
@@ -67,7 +67,7 @@ fn a_case_with_a_byte_order_mark_is_read() {
 }
 
 #[test]
-fn what_a_terminal_would_obey_never_reaches_it() {
+fn control_sequences_never_reach_the_terminal() {
     let texts = [
         CASE.replace(
             "title = \"Test\"",

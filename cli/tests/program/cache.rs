@@ -57,7 +57,7 @@ fn the_second_run_reads_its_coefficients_and_gives_the_same_bits() {
 }
 
 #[test]
-fn damage_is_warned_of_and_mended() {
+fn a_damaged_cache_is_warned_of_and_repaired() {
     let folder = TestFolder::with_case(CASE);
     summary(&folder);
     let files = kept(&folder);
@@ -68,12 +68,12 @@ fn damage_is_warned_of_and_mended() {
     let damaged = summary(&folder);
     assert!(!is_from_cache(&damaged));
     assert_eq!(codes(&damaged), vec!["cache-file"; files.len()]);
-    let mended = summary(&folder);
-    assert!(is_from_cache(&mended) && codes(&mended).is_empty());
+    let repaired = summary(&folder);
+    assert!(is_from_cache(&repaired) && codes(&repaired).is_empty());
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_to_costs_one_warning_and_no_result() {
+fn an_unwritable_cache_gives_one_warning_and_the_same_result() {
     let folder = TestFolder::with_case(CASE);
     fs::write(folder.path("kept"), "mine").unwrap();
     let found = summary(&folder);
@@ -143,7 +143,7 @@ fn an_empty_variable_means_no_cache_on_disk() {
 
 #[cfg(unix)]
 #[test]
-fn others_may_read_what_the_mask_allows() {
+fn permissions_of_cache_and_results_follow_the_umask() {
     use std::os::unix::fs::PermissionsExt;
     let folder = TestFolder::with_case(CASE);
     summary(&folder);

@@ -40,7 +40,7 @@ fn every_case_runs_to_a_satisfied_certificate() {
 }
 
 #[test]
-fn the_case_of_the_readme_leaves_its_files() {
+fn the_case_of_the_readme_writes_its_files() {
     let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/fig2c.toml");
     let folder = TestFolder::new();
     let ran = folder.run(&["run", case.to_str().unwrap(), "--out", "results"]);

@@ -190,7 +190,7 @@ fn set_read_only(path: &std::path::Path, read_only: bool) {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_to_is_told_before_any_work() {
+fn an_unwritable_folder_is_reported_before_any_work() {
     if is_root() {
         let folder = TestFolder::with_case(CASE);
         // A folder cannot be made in a file.
@@ -221,7 +221,7 @@ fn refused(ran: &ProgramOutput, name: &str) {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn a_full_disk_is_told_with_2() {
+fn a_full_disk_is_reported_with_exit_code_2() {
     let folder = TestFolder::with_case(CASE);
     for line in [
         &["run", "case.toml", "--json"][..],
@@ -239,7 +239,7 @@ fn a_full_disk_is_told_with_2() {
 }
 
 #[test]
-fn a_reader_that_leaves_early_is_no_error() {
+fn a_closed_pipe_is_not_an_error() {
     let folder = TestFolder::with_case(CASE);
     for line in [
         &["run", "case.toml", "--json", "--quiet"][..],
@@ -259,7 +259,7 @@ fn a_reader_that_leaves_early_is_no_error() {
 }
 
 #[test]
-fn a_case_of_any_size_is_read_or_refused() {
+fn a_case_file_of_any_size_is_read_or_rejected() {
     let folder = TestFolder::new();
     let mut file = fs::File::create(folder.path("case.toml")).unwrap();
     file.write_all(CASE.as_bytes()).unwrap();

@@ -30,7 +30,7 @@ const FILES: [&str; 17] = [
 ];
 
 #[test]
-fn a_run_leaves_a_folder_named_after_the_case_and_numbers_the_next() {
+fn a_run_writes_a_folder_named_after_the_case_and_the_next_is_numbered() {
     let folder = TestFolder::with_case(CASE);
     for _ in 0..2 {
         let ran = folder.run(&["run", "case.toml"]);
@@ -63,7 +63,7 @@ fn a_results_folder_is_replaced_only_with_force() {
 }
 
 #[test]
-fn a_folder_of_something_else_is_never_replaced() {
+fn a_folder_of_another_origin_is_never_replaced() {
     let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&["run", "case.toml", "--out", ".", "--force"]);
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
@@ -71,7 +71,7 @@ fn a_folder_of_something_else_is_never_replaced() {
 }
 
 #[test]
-fn a_result_that_did_not_converge_is_written_and_marked() {
+fn an_unconverged_result_is_written_and_marked() {
     let folder = TestFolder::with_case(CASE);
     // The smallest force that a number can hold: divided over the elements it underflows.
     let ran = folder.run(&[
@@ -90,7 +90,7 @@ fn a_result_that_did_not_converge_is_written_and_marked() {
 }
 
 #[test]
-fn a_contact_that_the_domain_cuts_off_is_written_and_marked() {
+fn a_contact_cut_off_by_the_domain_is_written_and_marked() {
     let folder = TestFolder::with_case(CASE);
     let side = "grid.side=40 nm";
     let ran = folder.run(&["run", "case.toml", "--out", "a", "--set", side]);
@@ -141,7 +141,7 @@ fn quiet_is_silent_and_json_with_a_folder_does_both() {
 }
 
 #[test]
-fn the_curve_has_units_in_its_header_and_a_row_a_step() {
+fn the_curve_has_units_in_its_header_and_one_row_per_step() {
     let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&[
         "run",
@@ -206,7 +206,7 @@ fn the_fields_are_arrays_of_the_grid() {
 }
 
 #[test]
-fn pictures_are_drawn_again_from_the_files_alone() {
+fn pictures_are_redrawn_from_the_files_alone() {
     let folder = TestFolder::with_case(CASE);
     folder.run(&["run", "case.toml", "--out", "a"]);
     let pictures = || {
@@ -234,7 +234,7 @@ fn pictures_are_drawn_again_from_the_files_alone() {
 }
 
 #[test]
-fn the_report_holds_everything_it_shows_and_says_warnings_aloud() {
+fn the_report_is_self_contained_and_shows_warnings() {
     let folder = TestFolder::with_case(CASE);
     folder.run(&[
         "run",

@@ -23,7 +23,7 @@ fn path() -> String {
 }
 
 #[test]
-fn every_command_of_the_guide_does_what_it_says() {
+fn every_command_of_the_guide_works_as_described() {
     let (folder, path) = (TestFolder::new(), path());
     for (language, text) in blocks() {
         // A block with a file name is saved under it.
@@ -48,7 +48,7 @@ fn run(folder: &TestFolder, path: &str, line: &str) {
 }
 
 #[test]
-fn the_first_case_of_the_guide_is_that_of_the_template() {
+fn the_first_case_of_the_guide_matches_the_template() {
     let template = TestFolder::new().run(&["init", "coating"]).stdout;
     let case = blocks()
         .into_iter()
@@ -66,7 +66,7 @@ fn the_first_case_of_the_guide_is_that_of_the_template() {
 }
 
 #[test]
-fn recipes_are_the_cases_of_that_name() {
+fn recipes_match_the_case_files_of_their_names() {
     for name in ["dlc-on-steel.toml", "crn-sliding.toml", "soft-metal.toml"] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("../cases")

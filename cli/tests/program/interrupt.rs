@@ -63,7 +63,7 @@ fn ctrl_c_ends_a_run_within_a_second_with_130_and_leaves_nothing_half_written() 
 }
 
 #[test]
-fn ctrl_c_keeps_the_finished_steps_of_a_curve_and_says_that_it_is_not_whole() {
+fn ctrl_c_keeps_the_finished_steps_of_a_curve_and_marks_it_incomplete() {
     let folder = TestFolder::with_case(CASE);
     // A step takes some tens of milliseconds: in a second some are done, but never all.
     let start = Instant::now();
@@ -121,7 +121,7 @@ fn ctrl_c_keeps_the_finished_cases_of_a_study() {
 }
 
 #[test]
-fn sigterm_finishes_the_cases_of_a_study_in_hand_and_begins_no_other() {
+fn sigterm_finishes_the_running_cases_of_a_study_and_starts_no_other() {
     let folder = TestFolder::with_case(CASE);
     // The second case takes a second or more: it is being solved when the signal comes.
     let study = "[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 1024, 48]\n";
@@ -138,7 +138,7 @@ fn sigterm_finishes_the_cases_of_a_study_in_hand_and_begins_no_other() {
     let (ran, _) = interrupted(&folder, &line, "-TERM", || cases().len() == 20);
     assert_eq!(ran.code, Some(130), "{}", ran.stderr);
     assert!(
-        ran.stderr.contains("finishing the cases in hand"),
+        ran.stderr.contains("finishing the running cases"),
         "{}",
         ran.stderr
     );
@@ -148,7 +148,7 @@ fn sigterm_finishes_the_cases_of_a_study_in_hand_and_begins_no_other() {
 }
 
 #[test]
-fn an_unfinished_curve_replaces_no_whole_one() {
+fn an_unfinished_curve_replaces_no_complete_one() {
     let folder = TestFolder::with_case(CASE);
     let first = ["run", "case.toml", "--quiet", "--out", "a"];
     assert_eq!(folder.run(&first).code, Some(0));
@@ -171,7 +171,7 @@ fn an_unfinished_curve_replaces_no_whole_one() {
 }
 
 #[test]
-fn a_signal_is_heard_from_the_first_thing_a_command_does() {
+fn signals_are_handled_from_the_start_of_a_command() {
     let folder = TestFolder::new();
     // A command that reads from a pipe waits until the pipe is closed.
     let pipe = |name: &str| {
@@ -225,7 +225,7 @@ fn a_study_stopped_while_it_is_planned_leaves_nothing() {
 }
 
 #[test]
-fn ctrl_c_while_stresses_are_looked_for_keeps_the_contact_and_says_what_is_missing() {
+fn ctrl_c_during_the_stress_search_keeps_the_contact_and_reports_what_is_missing() {
     let folder = TestFolder::with_case(CASE);
     // The loads take a fraction of a second, their stresses take minutes.
     let start = Instant::now();

@@ -34,7 +34,7 @@ fn refused(ran: &ProgramOutput, words: &str) {
 }
 
 #[test]
-fn runs_of_one_case_at_once_have_a_folder_each() {
+fn simultaneous_runs_of_one_case_have_separate_folders() {
     let folder = TestFolder::with_case(CASE);
     let forces = ["1 uN", "2 uN", "3 uN", "4 uN"];
     let start = |force| {
@@ -58,7 +58,7 @@ fn runs_of_one_case_at_once_have_a_folder_each() {
 }
 
 #[test]
-fn an_empty_folder_is_a_place_as_dot_and_through_a_link() {
+fn an_empty_folder_is_used_also_as_dot_and_through_a_link() {
     let folder = TestFolder::with_case(CASE);
     fs::create_dir(folder.path("empty")).unwrap();
     let mut command = folder.command(&["run", "../case.toml", "--quiet", "--out", "."]);
@@ -77,7 +77,7 @@ fn an_empty_folder_is_a_place_as_dot_and_through_a_link() {
 }
 
 #[test]
-fn force_replaces_every_file_of_the_older_run_and_none_of_others() {
+fn force_replaces_every_file_of_the_older_run_and_no_others() {
     let folder = TestFolder::with_case(CASE);
     let run = |more: &[&str]| {
         folder.run(&[&["run", "case.toml", "--quiet", "--out", "a"], more].concat())
@@ -96,7 +96,7 @@ fn force_replaces_every_file_of_the_older_run_and_none_of_others() {
 }
 
 #[test]
-fn a_file_of_the_users_own_under_the_name_of_one_of_a_run_is_not_replaced() {
+fn a_file_of_the_user_with_the_name_of_a_result_is_not_replaced() {
     let folder = TestFolder::with_case(CASE);
     let line = ["run", "case.toml", "--quiet", "--out", "a", "--force"];
     assert_eq!(folder.run(&line).code, Some(0));
@@ -117,7 +117,7 @@ fn a_file_of_the_users_own_under_the_name_of_one_of_a_run_is_not_replaced() {
 }
 
 #[test]
-fn a_summary_of_something_else_is_not_replaced_by_a_run_or_by_a_study() {
+fn a_summary_of_another_origin_is_not_replaced_by_a_run_or_a_study() {
     let folder = with_study(STUDY);
     let foreign = ["a", "results/many/cases/case-0002"];
     for place in foreign {
@@ -143,7 +143,7 @@ fn a_summary_of_something_else_is_not_replaced_by_a_run_or_by_a_study() {
 }
 
 #[test]
-fn a_study_replaces_folders_of_its_own_cases_and_of_no_others() {
+fn a_study_replaces_only_folders_of_its_own_cases() {
     let folder = with_study(STUDY);
     let case = "results/many/cases/case-0002";
     let place = folder.path(case);
@@ -173,7 +173,7 @@ fn a_study_replaces_folders_of_its_own_cases_and_of_no_others() {
 }
 
 #[test]
-fn line_ends_and_quotes_in_a_value_read_back() {
+fn line_breaks_and_quotes_in_a_value_are_read_back() {
     let titles = ["a\nb", "c\rd", "e,f", "g\"h", "i\r\nj", "k"];
     let list = serde_json::to_string(&titles).unwrap();
     let folder = with_study(&format!(
@@ -197,7 +197,7 @@ fn line_ends_and_quotes_in_a_value_read_back() {
 }
 
 #[test]
-fn gather_replaces_no_table_of_another_study_or_of_the_users_own() {
+fn gather_replaces_no_table_of_another_study_or_of_the_user() {
     let folder = with_study(STUDY);
     let whole = "results/many/results.csv";
     for shard in ["1/2", "2/2"] {
@@ -228,7 +228,7 @@ fn gather_replaces_no_table_of_another_study_or_of_the_users_own() {
 }
 
 #[test]
-fn parts_of_two_studies_are_not_put_into_one_folder() {
+fn parts_of_two_studies_are_not_mixed_in_one_folder() {
     let folder = with_study(STUDY);
     assert_eq!(study(&folder, &[]).code, Some(0));
     let whole = read(&folder, "results/many/results.csv");
@@ -250,7 +250,7 @@ fn parts_of_two_studies_are_not_put_into_one_folder() {
 }
 
 #[test]
-fn a_table_of_the_users_own_is_not_begun_again() {
+fn a_table_of_the_user_is_not_overwritten() {
     let folder = with_study(STUDY);
     fs::create_dir_all(folder.path("a")).unwrap();
     fs::write(folder.path("a/results.csv"), "mine\n").unwrap();
@@ -264,7 +264,7 @@ fn a_table_of_the_users_own_is_not_begun_again() {
 }
 
 #[test]
-fn gathers_at_once_all_end_well() {
+fn simultaneous_gathers_all_succeed() {
     let folder = with_study(STUDY);
     for shard in ["1/2", "2/2"] {
         assert_eq!(study(&folder, &["--shard", shard]).code, Some(0));
@@ -282,7 +282,7 @@ fn gathers_at_once_all_end_well() {
 }
 
 #[test]
-fn a_template_written_beside_a_file_of_a_temporary_name_leaves_it() {
+fn writing_a_template_keeps_an_existing_file_of_a_temporary_name() {
     let folder = TestFolder::new();
     fs::write(folder.path(".partial-case.toml"), "mine").unwrap();
     let ran = folder.run(&["init", "--out", "case.toml"]);
@@ -293,7 +293,7 @@ fn a_template_written_beside_a_file_of_a_temporary_name_leaves_it() {
 
 #[cfg(unix)]
 #[test]
-fn links_in_a_folder_from_elsewhere_are_not_followed() {
+fn links_in_a_foreign_folder_are_not_followed() {
     use std::os::unix::fs::symlink;
     let folder = with_study(STUDY);
     fs::write(folder.path("bashrc"), "mine").unwrap();
@@ -333,7 +333,7 @@ fn wait_for(child: &mut Child, is_so: impl Fn() -> bool) {
 }
 
 #[test]
-fn what_a_killed_run_leaves_says_so_and_is_removed_by_the_next() {
+fn remains_of_a_killed_run_are_marked_and_removed_by_the_next() {
     let folder = TestFolder::with_case(CASE);
     let long = [
         "--set",
@@ -363,7 +363,7 @@ fn what_a_killed_run_leaves_says_so_and_is_removed_by_the_next() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_case_for_which_there_is_too_little_memory_fails_by_itself() {
+fn a_case_with_too_little_memory_fails_without_the_others() {
     let folder =
         with_study("[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 8192, 64]\n");
     let limited = |line: &str| {

@@ -67,7 +67,7 @@ fn penetration(summary: &Value) -> f64 {
 }
 
 #[test]
-fn the_three_formats_give_the_same_indenter() {
+fn the_three_map_formats_give_the_same_indenter() {
     let folder = folder();
     let [npy, csv, gsf] = INDENTERS.map(|set| run(&folder, set));
     assert!(npy["steps"][0]["max_pressure_at"][0].as_f64().unwrap() > 0.0);
@@ -81,7 +81,7 @@ fn the_three_formats_give_the_same_indenter() {
 }
 
 #[test]
-fn a_map_is_found_from_the_folder_of_the_case_and_its_resolved_case_is_a_case_again() {
+fn a_map_path_is_relative_to_the_case_and_the_resolved_case_runs_again() {
     let folder = folder();
     fs::create_dir(folder.path("elsewhere")).unwrap();
     let mut command = folder.command(&[
@@ -111,7 +111,7 @@ fn a_map_is_found_from_the_folder_of_the_case_and_its_resolved_case_is_a_case_ag
 }
 
 #[test]
-fn a_rigid_relief_pressed_by_a_paraboloid_is_a_paraboloid_pressed_by_the_relief_upside_down() {
+fn moving_the_shape_from_indenter_to_rigid_relief_changes_nothing() {
     let folder = folder();
     // f − f*: it does not matter which body has the height, except for the position of the lowest point.
     let flat = "surface={kind=\"bare\"}";
@@ -168,7 +168,7 @@ fn with_map(text: &str, set: &str) -> (TestFolder, ProgramOutput) {
 }
 
 #[test]
-fn a_smooth_map_has_the_pressure_of_the_surface_it_samples_and_a_linear_one_ridges() {
+fn a_smoothly_interpolated_map_has_the_pressure_of_its_surface_and_a_linear_one_has_ridges() {
     let peak = |indenter: &str| {
         let (_folder, ran) = with_map(&text(PARABOLOID), &format!("indenter={indenter}"));
         summary(&ran)["steps"][0]["max_pressure"].as_f64().unwrap()
@@ -183,7 +183,7 @@ fn a_smooth_map_has_the_pressure_of_the_surface_it_samples_and_a_linear_one_ridg
 }
 
 #[test]
-fn a_map_in_the_wrong_unit_is_refused_with_the_likely_one() {
+fn a_map_in_the_wrong_unit_is_rejected_with_the_likely_one() {
     let rough = |x: f64, y: f64| 5e-9 * ((x / 60e-9).sin() + (y / 40e-9).cos());
     let surface =
         |rest: &str| format!("surface={{kind=\"rough\", file=\"map.csv\", side=\"840 nm\"{rest}}}");
@@ -229,7 +229,7 @@ fn a_rough_body_is_a_map_without_springs() {
 }
 
 #[test]
-fn points_and_decimal_commas_give_the_map_that_they_are() {
+fn maps_of_points_and_with_decimal_commas_are_read_correctly() {
     let indenter = "indenter={kind=\"map\", file=\"map.csv\", height_unit=\"nm\"";
     let of = |text: &str, rest: &str| {
         let (_folder, ran) = with_map(text, &format!("{indenter}{rest}}}"));
@@ -251,14 +251,15 @@ fn points_and_decimal_commas_give_the_map_that_they_are() {
     let (_folder, ran) = with_map(&some, &format!("{indenter}, side=\"840 nm\"}}"));
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert!(
-        ran.stderr.contains("points x, y, z of no rectangular grid"),
+        ran.stderr
+            .contains("points x, y, z that form no rectangular grid"),
         "{}",
         ran.stderr
     );
 }
 
 #[test]
-fn check_counts_samples_and_a_map_coarser_than_the_grid_is_warned_of() {
+fn check_reports_samples_per_element_and_warns_of_a_map_coarser_than_the_grid() {
     let wave = |x: f64, _: f64| 1e-9 * (x * std::f64::consts::TAU / 210e-9).sin();
     let surface = "surface={kind=\"rough\", file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"}";
     let (folder, ran) = with_map(&text(wave), surface);
@@ -289,7 +290,7 @@ fn check_counts_samples_and_a_map_coarser_than_the_grid_is_warned_of() {
 }
 
 #[test]
-fn the_rough_template_and_its_map_run_as_they_are() {
+fn the_rough_template_and_its_map_run_unchanged() {
     let folder = TestFolder::new();
     for line in [
         &["init", "rough-map", "--out", "rough-surface.csv"][..],

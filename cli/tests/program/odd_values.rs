@@ -113,7 +113,7 @@ const ODD: [(&str, &str, &str, &str, &str); 16] = [
 ];
 
 #[test]
-fn each_of_a_dozen_odd_values_gets_one_sentence_with_key_found_and_wanted() {
+fn each_of_a_dozen_odd_values_is_rejected_in_one_sentence_with_key_found_and_wanted() {
     for (from, to, key, found, wanted) in ODD {
         assert_eq!(CASE.matches(from).count(), 1, "{from}");
         let ran = TestFolder::with_case(CASE.replace(from, to)).run(&["check", "case.toml"]);

@@ -58,7 +58,7 @@ fn summary(folder: &TestFolder) -> Value {
 
 /// Five samples are eight elements, so the elements shift with the samples, also across the border of the cell.
 #[test]
-fn a_cell_may_be_cut_anywhere() {
+fn shifting_the_origin_of_the_cell_changes_nothing() {
     let text = case(CELL, "force = 0.01");
     let found = [[0, 0], [5, 0], [10, 15]].map(|moved| summary(&folder(&text, moved)));
     assert_eq!(found[0]["grid"]["boundary"], "periodic");
@@ -94,7 +94,7 @@ fn a_cell_may_be_cut_anywhere() {
 }
 
 #[test]
-fn what_does_not_go_with_a_cell_is_refused_by_its_key() {
+fn keys_incompatible_with_a_periodic_cell_are_rejected() {
     for (text, key, wanted) in [
         (
             case(CELL, "penetration = 0.01"),
@@ -133,7 +133,7 @@ fn what_does_not_go_with_a_cell_is_refused_by_its_key() {
 }
 
 #[test]
-fn the_period_of_cylinders_divides_the_cell() {
+fn the_period_of_cylinders_must_divide_the_cell() {
     let cell = |side: &str| {
         CASE.replace(
             "side = \"400 nm\"",

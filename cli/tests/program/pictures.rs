@@ -32,7 +32,7 @@ fn svg(path: &Path) -> String {
 }
 
 #[test]
-fn pictures_are_drawn_to_order_beside_those_that_are_there() {
+fn custom_pictures_are_added_beside_the_existing_ones() {
     let folder = results();
     let before = svg(&folder.path("one/pressure-000.svg"));
     assert!(before.contains("Q = 1.0000 µN"));
@@ -58,7 +58,7 @@ fn pictures_are_drawn_to_order_beside_those_that_are_there() {
 }
 
 #[test]
-fn a_section_is_where_it_is_ordered_and_says_how_depth_is_enlarged() {
+fn a_section_is_at_the_requested_place_and_states_its_depth_scale() {
     let folder = results();
     let section = |order: &str| {
         plot(&folder, &format!("plot one --out s --force{order}"));
@@ -77,7 +77,7 @@ fn a_section_is_where_it_is_ordered_and_says_how_depth_is_enlarged() {
 }
 
 #[test]
-fn a_range_of_pressures_is_that_of_the_bar() {
+fn the_colour_bar_has_the_given_pressure_range() {
     let folder = results();
     plot(&folder, "plot one --out r --range 0.5GPa:3GPa");
     let map = svg(&folder.path("r/pressure-000.svg"));
@@ -87,7 +87,7 @@ fn a_range_of_pressures_is_that_of_the_bar() {
 }
 
 #[test]
-fn the_curves_of_several_results_are_one_picture() {
+fn curves_of_several_results_are_drawn_in_one_picture() {
     let folder = results();
     plot(&folder, "plot three one --out c");
     assert_eq!(names(&folder.path("c")), ["curves.png", "curves.svg"]);
@@ -143,7 +143,7 @@ fn a_measured_surface_has_maps_of_its_heights_the_gap_and_the_displacement() {
     let spectrum = svg(&folder.path("a/spectrum.svg"));
     assert!(spectrum.contains("surface: rms height") && page.contains("<h2>Roughness</h2>"));
     let histograms = svg(&folder.path("a/histograms-000.svg"));
-    assert!(histograms.contains("mean gap out of contact") && page.contains("Pressures and gaps"));
+    assert!(histograms.contains("mean gap outside contact") && page.contains("Pressures and gaps"));
     let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();
     let header = curve.lines().next().unwrap();
     assert!(

@@ -141,7 +141,7 @@ fn numpy_reads_the_npz() {
 }
 
 #[test]
-fn gwyddions_simple_field_is_read_as_written() {
+fn gwyddion_reads_the_gsf_as_written() {
     check_both_cases("gwyddion_gsf.py");
 }
 
@@ -202,7 +202,7 @@ fn xarray_reads_the_fields_of_a_study_with_the_case_as_a_dimension() {
 }
 
 #[test]
-fn every_summary_keeps_to_its_schema() {
+fn every_summary_conforms_to_its_schema() {
     let folder = TestFolder::with_case(CASE);
     let runs = [
         vec!["case.toml"],

@@ -32,7 +32,7 @@ fn summary(folder: &TestFolder) -> Value {
 }
 
 #[test]
-fn an_elastic_indenter_makes_the_contact_softer_and_its_constants_count() {
+fn an_elastic_indenter_softens_the_contact_and_has_sensitivities() {
     let folder = TestFolder::with_case(HERTZ);
     let summary = summary(&folder);
     assert_eq!(summary["case"]["indenter"]["young_modulus"], 1141e9);
@@ -74,7 +74,7 @@ fn an_elastic_indenter_makes_the_contact_softer_and_its_constants_count() {
 }
 
 #[test]
-fn the_curve_has_two_columns_for_each_number() {
+fn the_curve_has_two_columns_for_each_parameter() {
     let folder = TestFolder::with_case(HERTZ);
     summary(&folder);
     let curve = std::fs::read_to_string(folder.path("results").join("curve.csv")).unwrap();

@@ -34,7 +34,7 @@ fn numbers(mut summary: Value) -> Value {
 }
 
 #[test]
-fn every_line_is_answered_before_the_next_with_the_summary_of_a_run() {
+fn every_line_is_answered_with_the_summary_of_a_run_before_the_next_is_read() {
     let folder = TestFolder::with_case(CASE);
     let lines = [
         "{\"load.force\": \"2 uN\", \"grid.elements\": 48}",
@@ -63,7 +63,7 @@ fn every_line_is_answered_before_the_next_with_the_summary_of_a_run() {
 }
 
 #[test]
-fn a_fault_is_an_answer_with_its_line_and_the_next_line_is_solved() {
+fn an_error_is_an_answer_with_its_line_and_the_next_line_is_solved() {
     let folder = TestFolder::with_case(CASE);
     let lines = [
         "{\"load.froce\": \"2 uN\"}",
@@ -103,7 +103,7 @@ fn a_warning_quotes_the_value_and_its_line() {
 }
 
 #[test]
-fn without_a_stream_nothing_is_solved() {
+fn without_the_stream_option_nothing_is_solved() {
     let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&["solve", "case.toml"]);
     assert_eq!(ran.code, Some(2));

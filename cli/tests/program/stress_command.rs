@@ -26,7 +26,7 @@ fn keys(value: &Value) -> Vec<&str> {
 }
 
 #[test]
-fn stresses_on_the_axis_are_those_of_hertz_under_the_load_of_the_step() {
+fn stresses_on_the_axis_match_hertz_at_the_load_of_the_step() {
     let folder = TestFolder::with_case(HERTZ);
     for (step, force) in [(&["--step", "0"][..], 1e-4_f64), (&[], 1e-3)] {
         let radius = (0.75 * force).cbrt();
@@ -60,7 +60,7 @@ fn stresses_on_the_axis_are_those_of_hertz_under_the_load_of_the_step() {
 }
 
 #[test]
-fn rows_have_the_names_and_the_sides_of_the_interface() {
+fn interface_points_have_a_row_per_side_with_the_body_names() {
     let folder = TestFolder::with_case(CASE);
     let ran = folder.run(&[
         "stress",
@@ -99,7 +99,7 @@ fn rows_have_the_names_and_the_sides_of_the_interface() {
 }
 
 #[test]
-fn a_point_is_what_the_files_of_a_run_hold_there() {
+fn stresses_at_a_point_match_the_files_of_a_run() {
     let sliding =
         "stress={friction=0.3, direction=\"20 deg\", depths=[\"5 nm\"], extent=\"400 nm\"}";
     let folder = TestFolder::with_case(CASE);
@@ -159,7 +159,7 @@ fn a_point_is_what_the_files_of_a_run_hold_there() {
 }
 
 #[test]
-fn displacements_that_are_unbounded_are_null_with_a_warning() {
+fn unbounded_displacements_are_null_with_a_warning() {
     let slides = "poisson_ratio = 0.3\ninterface = \"frictionless\"";
     let folder = TestFolder::with_case(CASE.replace("poisson_ratio = 0.3", slides));
     let ran = folder.run(&[
@@ -185,7 +185,7 @@ fn displacements_that_are_unbounded_are_null_with_a_warning() {
 }
 
 #[test]
-fn what_is_no_point_or_step_is_refused_with_one_sentence() {
+fn invalid_points_and_steps_are_rejected_in_one_sentence() {
     let folder = TestFolder::with_case(CASE);
     for (line, sentence) in [
         (&["--at", "0,0"][..], "wanted three lengths"),

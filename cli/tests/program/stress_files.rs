@@ -68,7 +68,7 @@ const FIELDS: [&str; 11] = [
 ];
 
 #[test]
-fn both_files_hold_the_same_fields_and_the_surface_bears_the_pressure() {
+fn both_files_hold_the_same_fields_and_the_surface_stress_is_the_pressure() {
     let folder = TestFolder::with_case(with_stress("extent = \"300 nm\"\nfriction = 0.25"));
     let ran = folder.run(&["run", "case.toml", "--out", "a", "--pictures", "none"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
@@ -116,7 +116,7 @@ fn both_files_hold_the_same_fields_and_the_surface_bears_the_pressure() {
 }
 
 #[test]
-fn stresses_are_written_of_the_steps_with_fields_in_the_formats_wanted() {
+fn stresses_are_written_for_the_steps_with_fields_in_the_requested_formats() {
     let folder = TestFolder::with_case(with_stress(""));
     let curve = "load={forces=[\"1 uN\", \"2 uN\"]}";
     for (out, more, wanted) in [
@@ -175,7 +175,7 @@ fn stresses_are_written_of_the_steps_with_fields_in_the_formats_wanted() {
 }
 
 #[test]
-fn displacements_that_friction_leaves_unbounded_are_no_numbers_and_stresses_are_finite() {
+fn displacements_unbounded_under_friction_are_nan_and_stresses_are_finite() {
     let slides = "poisson_ratio = 0.3\ninterface = \"frictionless\"";
     let text = with_stress("friction = 0.25").replace("poisson_ratio = 0.3", slides);
     let folder = TestFolder::with_case(text);
@@ -200,7 +200,7 @@ fn displacements_that_friction_leaves_unbounded_are_no_numbers_and_stresses_are_
 }
 
 #[test]
-fn a_step_without_contact_has_stresses_of_zero() {
+fn a_step_without_contact_has_zero_stresses() {
     let folder = TestFolder::with_case(with_stress(""));
     let apart = "load={penetration=\"-1 nm\"}";
     let line = [

@@ -27,7 +27,7 @@ fn run(folder: &TestFolder, line: &str) {
 }
 
 #[test]
-fn a_run_draws_what_plot_draws_again_and_the_report_shows() {
+fn run_and_plot_draw_the_same_stress_pictures_and_the_report_shows_them() {
     let folder = TestFolder::with_case(COATED);
     run(&folder, "run case.toml --out a --formats npz");
     let files = names(&folder.path("a"));
@@ -45,7 +45,7 @@ fn a_run_draws_what_plot_draws_again_and_the_report_shows() {
         "layer[0]",
         "substrate",
         "depth z (case units)",
-        "broken lines",
+        "dashed lines",
     ] {
         assert!(section.contains(words), "{words}");
     }
@@ -87,7 +87,7 @@ fn a_run_draws_what_plot_draws_again_and_the_report_shows() {
 }
 
 #[test]
-fn the_section_is_that_of_the_stresses_at_its_points() {
+fn the_section_shows_the_stresses_at_its_points() {
     let folder = TestFolder::with_case(COATED);
     let line = "run case.toml --out a --formats npz --pictures none --set foundation.layer[0].thickness=0.1";
     run(&folder, &(line.to_owned() + " --set stress={friction=0.3}"));
@@ -137,7 +137,7 @@ fn the_section_is_that_of_the_stresses_at_its_points() {
 }
 
 #[test]
-fn a_damaged_view_is_refused_with_its_name() {
+fn a_damaged_view_is_rejected_with_its_name() {
     let folder = TestFolder::with_case(COATED);
     run(
         &folder,

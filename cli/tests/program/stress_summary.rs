@@ -32,7 +32,7 @@ fn keys(value: &Value) -> Vec<&str> {
 }
 
 #[test]
-fn a_half_space_yields_where_and_when_hertz_says() {
+fn a_half_space_yields_at_the_load_and_depth_of_hertz() {
     // Von Mises is 0.6200 p0 at 0.481 a for ν = 0.3 (Johnson 1985, §4.2).
     let force = 5e-4;
     let strength = 0.62 * peak(force);
@@ -75,7 +75,7 @@ fn a_half_space_yields_where_and_when_hertz_says() {
 }
 
 #[test]
-fn bodies_and_interfaces_have_their_names_and_strengths_are_told_in_words() {
+fn stresses_are_listed_by_body_and_interface_and_strengths_in_sentences() {
     let strengths =
         "poisson_ratio = 0.3\nyield_strength = \"100 GPa\"\ninterface_shear_strength = \"1 MPa\"";
     let text = CASE.replace("poisson_ratio = 0.3", strengths);
@@ -131,7 +131,7 @@ fn bodies_and_interfaces_have_their_names_and_strengths_are_told_in_words() {
         "stress in layer[0]",
         "stress on interface 0",
         "of the shear strength",
-        "the interface shears off first at ",
+        "the interface fails in shear first at ",
         "the coating yields at none of these loads",
     ] {
         assert!(ran.stderr.contains(words), "{words} in {}", ran.stderr);
@@ -149,7 +149,7 @@ fn bodies_and_interfaces_have_their_names_and_strengths_are_told_in_words() {
 }
 
 #[test]
-fn without_a_table_of_stresses_there_are_none() {
+fn without_a_stress_table_no_stresses_are_computed() {
     let folder = TestFolder::with_case(CASE);
     let summary = summary(&folder, &[]);
     assert!(summary["steps"][0].get("stress").is_none() && summary.get("critical").is_none());

@@ -58,7 +58,7 @@ impl Chance {
 }
 
 #[test]
-fn a_study_killed_at_ten_moments_ends_with_the_table_of_one_left_alone() {
+fn a_study_killed_ten_times_ends_with_the_table_of_an_uninterrupted_one() {
     let (folder, expected) = (folder(), undisturbed());
     let whole = {
         let start = Instant::now();
@@ -126,7 +126,7 @@ fn a_failed_case_is_recorded_and_does_not_stop_the_others() {
 }
 
 #[test]
-fn two_parts_gathered_are_the_whole_and_share_no_case() {
+fn two_merged_parts_are_the_whole_and_share_no_case() {
     let (folder, expected) = (folder(), undisturbed());
     assert_eq!(study(&folder, &["--shard", "1/2"]).code, Some(1));
     let early = folder.run(&["gather", "results/many"]);
@@ -148,7 +148,7 @@ fn two_parts_gathered_are_the_whole_and_share_no_case() {
 }
 
 #[test]
-fn results_of_another_study_are_kept_unless_it_is_begun_again() {
+fn results_of_another_study_are_kept_unless_started_afresh() {
     let folder = folder();
     let small = STUDY
         .replace("count = 10", "count = 2")
@@ -166,7 +166,7 @@ fn results_of_another_study_are_kept_unless_it_is_begun_again() {
 }
 
 #[test]
-fn a_fresh_study_that_is_killed_leaves_the_table_that_was_there() {
+fn a_killed_fresh_study_leaves_the_old_table() {
     let folder = folder();
     let study_of = |grids: &str| {
         format!("[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = {grids}\n")
@@ -205,7 +205,7 @@ fn a_fresh_study_that_is_killed_leaves_the_table_that_was_there() {
 }
 
 #[test]
-fn a_study_that_is_wrong_leaves_nothing() {
+fn an_invalid_study_leaves_nothing() {
     let folder = folder();
     for (from, to) in [
         ("load.force", "load.froce"),
@@ -224,7 +224,7 @@ fn a_study_that_is_wrong_leaves_nothing() {
 }
 
 #[test]
-fn a_folder_of_something_else_is_no_place_for_a_study() {
+fn a_study_is_not_written_into_a_foreign_folder() {
     let folder = folder();
     let ran = study(&folder, &["--out", "."]);
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
@@ -255,7 +255,7 @@ fn the_cases_can_be_listed_and_have_folders_of_their_own() {
 }
 
 #[test]
-fn the_template_of_a_study_is_one() {
+fn the_study_template_is_a_valid_study() {
     let folder = TestFolder::new();
     let template = folder.run(&["init", "study", "--out", "study.toml"]);
     assert_eq!(template.code, Some(0));
@@ -264,7 +264,7 @@ fn the_template_of_a_study_is_one() {
 }
 
 #[test]
-fn samples_of_a_file_give_the_table_of_the_same_values_zipped() {
+fn samples_from_a_file_give_the_table_of_the_same_values_zipped() {
     let folder = folder();
     let zipped = "[study]\ncase = \"case.toml\"\ncombine = \"zip\"\n[study.vary]\n\
                   load.force = [\"1 uN\", \"3 uN\", \"2 uN\"]\nsurface.radius = [\"10 nm\", \"20 nm\", \"15 nm\"]\n";
@@ -289,7 +289,7 @@ fn samples_of_a_file_give_the_table_of_the_same_values_zipped() {
 }
 
 #[test]
-fn an_invalid_value_is_told_before_the_cases_and_recorded() {
+fn an_invalid_value_is_reported_before_solving_and_recorded() {
     let folder = folder();
     let text = "[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = [\"1 uN\", \"-1 uN\"]\n";
     fs::write(folder.path("many.toml"), text).unwrap();
@@ -371,7 +371,7 @@ fn the_status_counts_the_cases_of_all_parts_while_they_are_solved() {
 }
 
 #[test]
-fn a_part_is_taken_from_a_task_only_if_there_is_one() {
+fn shard_auto_requires_a_slurm_task() {
     let folder = folder();
     let mut command = folder.command(&["study", "many.toml", "--shard", "auto"]);
     for name in ["SLURM_ARRAY_TASK_ID", "SLURM_PROCID"] {

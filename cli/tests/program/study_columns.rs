@@ -31,7 +31,7 @@ fn rows(text: &str) -> Vec<BTreeMap<String, String>> {
 }
 
 #[test]
-fn each_case_has_the_columns_of_its_curve_and_none_in_those_of_others() {
+fn each_case_fills_only_the_columns_of_its_own_curve() {
     let folder = TestFolder::with_case(MIXED);
     let surface = [
         "surface",

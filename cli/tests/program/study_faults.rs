@@ -70,7 +70,7 @@ fn ran_on_a_small_disk(folder: &TestFolder, size: &str) -> Option<[String; 3]> {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn on_a_full_disk_a_study_says_so_and_goes_on_where_it_stopped_once_there_is_room() {
+fn on_a_full_disk_a_study_stops_with_an_error_and_continues_once_there_is_space() {
     let keeps = STUDY.replace("\n\n", "\nkeep = [\"pressure\"]\n\n");
     for (text, size, full, names) in [
         (STUDY, "20k", "results.csv", &["results.csv"][..]),
@@ -82,17 +82,17 @@ fn on_a_full_disk_a_study_says_so_and_goes_on_where_it_stopped_once_there_is_roo
         ),
     ] {
         let folder = folder(text);
-        let Some([code, told, again]) = ran_on_a_small_disk(&folder, size) else {
+        let Some([code, message, again]) = ran_on_a_small_disk(&folder, size) else {
             say_skipped("no small file system can be mounted");
             return;
         };
-        assert_eq!(code, "2\n", "{told}");
+        assert_eq!(code, "2\n", "{message}");
         let sentence = format!("results/many/{full}: cannot be written: No space left on device");
         assert!(
-            told.starts_with("Error: ") && told.contains(&sentence),
-            "{told}"
+            message.starts_with("Error: ") && message.contains(&sentence),
+            "{message}"
         );
-        assert_eq!(told.lines().count(), 1, "{told}");
+        assert_eq!(message.lines().count(), 1, "{message}");
         assert_eq!(again, "1\n");
         let found: Vec<_> = names
             .iter()
@@ -105,7 +105,7 @@ fn on_a_full_disk_a_study_says_so_and_goes_on_where_it_stopped_once_there_is_roo
 /// The same on any system whose shell can limit the size of a file: the table reaches the limit.
 #[cfg(unix)]
 #[test]
-fn a_table_that_can_grow_no_more_keeps_its_cases() {
+fn a_table_at_the_file_size_limit_keeps_its_cases() {
     let folder = folder(STUDY);
     // Without the trap the system ends the program; 8 blocks of 512 bytes hold a quarter of the table.
     let script = "trap '' XFSZ; ulimit -f 8; exec \"$0\" study many.toml --quiet --threads 2";
@@ -130,7 +130,7 @@ fn a_table_that_can_grow_no_more_keeps_its_cases() {
 }
 
 #[test]
-fn of_a_part_started_many_times_at_once_one_works_and_the_others_say_so() {
+fn of_many_processes_started_on_one_part_one_works_and_the_others_report_it() {
     let folder = folder(STUDY);
     let line = [
         "study",
@@ -155,9 +155,9 @@ fn of_a_part_started_many_times_at_once_one_works_and_the_others_say_so() {
             assert_eq!(ran.stderr, "");
         } else {
             assert_eq!(ran.code, Some(2), "{}", ran.stderr);
-            let told = "results-1-of-2.csv: found another process writing to it: wait until it has ended\n";
+            let message = "results-1-of-2.csv: found another process writing to it: wait until it has ended\n";
             assert!(
-                ran.stderr.ends_with(told) && ran.stderr.lines().count() == 1,
+                ran.stderr.ends_with(message) && ran.stderr.lines().count() == 1,
                 "{}",
                 ran.stderr
             );
@@ -181,7 +181,7 @@ fn other_clock() -> Option<&'static str> {
 }
 
 #[test]
-fn parts_on_machines_whose_clocks_are_an_hour_apart_give_the_table_of_one() {
+fn parts_on_machines_with_clocks_an_hour_apart_give_the_table_of_one() {
     // Long enough for both to be at work when the status is read.
     let text = STUDY
         .replace("\n\n", "\nkeep = [\"pressure\"]\n\n")
@@ -210,13 +210,13 @@ fn parts_on_machines_whose_clocks_are_an_hour_apart_give_the_table_of_one() {
     };
     let mut parts = [("1/2", "+1h"), ("2/2", "-1h")].map(|(part, hour)| start(part, hour));
     // Waits until cases of both parts are on disk; on a busy machine both may be done by then.
-    let asked = Instant::now();
+    let waiting = Instant::now();
     let mut most_at_work = 0;
     loop {
         let ran = study(&folder, &["--status", "--json"]);
         let status: Value = serde_json::from_str(&ran.stdout).unwrap();
         most_at_work = most_at_work.max(status["parts_at_work"].as_u64().unwrap());
-        if status["certified"] != 0 && most_at_work == 2 || asked.elapsed().as_secs() > 60 {
+        if status["certified"] != 0 && most_at_work == 2 || waiting.elapsed().as_secs() > 60 {
             break;
         }
         sleep(Duration::from_millis(20));

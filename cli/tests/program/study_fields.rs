@@ -54,7 +54,7 @@ fn are_bits(one: &[f64], other: &[f64]) -> bool {
 }
 
 #[test]
-fn the_kept_fields_are_those_of_a_run_of_each_case_to_the_bit() {
+fn kept_fields_equal_those_of_single_runs_to_the_bit() {
     let folder = folder(STUDY);
     let ran = study(&folder, &[]);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
@@ -120,7 +120,7 @@ fn long() -> String {
 }
 
 #[test]
-fn kept_fields_survive_kills_and_read_empty_until_all_are_there() {
+fn kept_fields_survive_kills_and_read_as_empty_until_complete() {
     let text = long();
     let (folder, expected) = (folder(&text), undisturbed(&text));
     let start = || -> Child {
@@ -155,7 +155,7 @@ fn kept_fields_survive_kills_and_read_empty_until_all_are_there() {
 }
 
 #[test]
-fn parts_of_several_machines_are_gathered_into_the_files_of_one() {
+fn parts_from_several_machines_are_merged_into_the_files_of_one() {
     let expected = undisturbed(STUDY);
     let folder = folder(STUDY);
     // Each machine has its own folder; all are copied into one.
@@ -191,7 +191,7 @@ fn parts_of_several_machines_are_gathered_into_the_files_of_one() {
 }
 
 #[test]
-fn all_loading_steps_are_kept_where_the_case_asks_for_them() {
+fn all_loading_steps_are_kept_if_the_case_requests_them() {
     let text = "[study]\ncase = \"case.toml\"\nkeep = [\"pressure\", \"profile\"]\n[study.vary]\n\
                 load.forces = [[\"1 uN\", \"2 uN\", \"3 uN\"], [\"2 uN\"]]\n";
     let case = CASE.replace("force = \"1 uN\"\n", "");
@@ -214,7 +214,7 @@ fn all_loading_steps_are_kept_where_the_case_asks_for_them() {
 }
 
 #[test]
-fn fields_of_something_else_are_not_touched_and_lost_ones_are_told() {
+fn foreign_field_files_are_not_touched_and_missing_ones_are_reported() {
     let folder = folder(STUDY);
     fs::write(
         folder.path("many.toml"),

@@ -37,7 +37,7 @@ fn data(page: &str) -> Value {
 }
 
 #[test]
-fn the_page_of_a_study_holds_its_columns_and_the_reasons_of_its_failures() {
+fn the_study_report_has_its_columns_and_the_reasons_of_failures() {
     let folder = folder();
     assert_eq!(study(&folder, &[]).code, Some(1));
     let page = page(&folder);
@@ -103,16 +103,16 @@ fn the_page_of_a_study_holds_its_columns_and_the_reasons_of_its_failures() {
 }
 
 #[test]
-fn the_page_can_be_had_while_parts_are_missing_and_replaces_nobody_elses() {
+fn the_study_report_works_while_parts_are_missing_and_replaces_no_foreign_file() {
     let folder = folder();
     let nothing = study(&folder, &["--report"]);
     assert_eq!(nothing.code, Some(2));
     assert!(!folder.path("results").exists());
     assert_eq!(study(&folder, &["--shard", "1/2"]).code, Some(1));
     assert!(!folder.path("results/many/report.html").exists());
-    let told = study(&folder, &["--report"]);
+    let ran = study(&folder, &["--report"]);
     assert_eq!(
-        (told.code, told.stdout.as_str()),
+        (ran.code, ran.stdout.as_str()),
         (Some(0), "results/many/report.html\n")
     );
     assert!(page(&folder).contains("12 to do"));

@@ -40,7 +40,7 @@ fn a_surface_is_written_in_both_formats_and_runs_in_a_case() {
 }
 
 #[test]
-fn a_seed_makes_the_same_file_and_none_is_replaced_without_force() {
+fn the_same_seed_gives_the_same_file_and_none_is_replaced_without_force() {
     let folder = TestFolder::with_case(CASE);
     let make =
         |more: &[&str]| folder.run(&[&["surface", "--out", "rough.npy"][..], &LINE, more].concat());
@@ -56,7 +56,7 @@ fn a_seed_makes_the_same_file_and_none_is_replaced_without_force() {
 }
 
 #[test]
-fn what_makes_no_surface_is_refused_with_a_sentence() {
+fn invalid_surface_options_are_rejected_in_one_sentence() {
     let folder = TestFolder::with_case(CASE);
     for (more, wanted) in [
         (&["--wavelengths", "1 nm", "1 um"][..], "two samples"),

@@ -162,7 +162,7 @@ fn a_depth_inside_a_rigid_base_is_refused() {
 }
 
 #[test]
-fn tables_for_people_name_their_units() {
+fn text_tables_name_their_units() {
     let folder = TestFolder::with_case(CASE);
     let kernel = folder.run(&["kernel", "case.toml", "--wavenumber", "1e6"]);
     assert!(kernel.stdout.contains("C(k) [m/Pa]"), "{}", kernel.stdout);
@@ -185,7 +185,7 @@ fn check_prints_a_case_with_every_default_filled_in() {
         "interface = \"bonded\"",
         "# elements per radius of a cylinder",
         "# elements per contact radius, about",
-        "# products with K a step, about",
+        "# products with K per step, about",
         "# memory, about",
         "# a trial of the largest load on 32 × 32 elements: Q = 1.0000 µN",
     ] {
@@ -200,7 +200,7 @@ fn check_prints_a_case_with_every_default_filled_in() {
 }
 
 #[test]
-fn check_tells_what_stresses_take() {
+fn check_estimates_the_work_of_stresses() {
     let folder = TestFolder::with_case(CASE);
     let sets = ["--set", "stress={depths=[0, \"10 nm\"], extent=\"100 nm\"}"];
     let strength = ["--set", "foundation.substrate.yield_strength=1 GPa"];
@@ -208,7 +208,7 @@ fn check_tells_what_stresses_take() {
     assert_eq!(checked.code, Some(0), "{}", checked.stderr);
     for text in [
         "[stress]",
-        "# stresses of a step, about             3 planes of 8 × 8 points",
+        "# stresses per step, about             3 planes of 8 × 8 points",
         "#   down to                             10.000 nm",
         "# critical loads                        1, each by solving",
         "yield_strength = 1000000000.0",
@@ -222,7 +222,7 @@ fn check_tells_what_stresses_take() {
 }
 
 #[test]
-fn check_warns_of_what_the_solution_would_warn_of() {
+fn check_gives_the_warnings_of_the_solution() {
     let folder = TestFolder::with_case(CASE);
     let warns = |sets: &[&str], words: &str| {
         let sets: Vec<_> = sets.iter().flat_map(|set| ["--set", set]).collect();
@@ -348,7 +348,7 @@ fn every_template_passes_its_check() {
 }
 
 #[test]
-fn a_template_never_replaces_a_file_unless_told() {
+fn a_template_replaces_a_file_only_with_force() {
     let folder = TestFolder::with_case("mine");
     assert_eq!(folder.run(&["init", "--out", "case.toml"]).code, Some(2));
     assert_eq!(

@@ -24,7 +24,7 @@ fn steps(folder: &TestFolder, out: &str, start: &str, end: &str) -> Vec<String> 
 }
 
 #[test]
-fn fields_and_pictures_are_those_of_the_last_step_unless_more_are_wanted() {
+fn fields_and_pictures_are_of_the_last_step_unless_more_are_requested() {
     let folder = TestFolder::with_case(CASE);
     run(&folder, "last", &["--set", LOADS]);
     assert_eq!(steps(&folder, "last", "fields-", ".npz"), ["002"]);
@@ -39,7 +39,7 @@ fn fields_and_pictures_are_those_of_the_last_step_unless_more_are_wanted() {
 }
 
 #[test]
-fn the_case_says_what_is_written_and_in_which_formats() {
+fn the_case_sets_what_is_written_and_in_which_formats() {
     let output = "[output]\nfields = \"all\"\npictures = \"all\"\nformats = [\"vti\", \"npz\"]\n";
     let folder = TestFolder::with_case(format!("{CASE}{output}"));
     run(&folder, "a", &["--set", LOADS]);
@@ -55,8 +55,8 @@ fn the_case_says_what_is_written_and_in_which_formats() {
 #[test]
 fn the_last_line_names_the_report_which_opens_at_the_last_step() {
     let folder = TestFolder::with_case(CASE);
-    let said = run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
-    let last = said.trim_end().lines().last().unwrap();
+    let printed = run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
+    let last = printed.trim_end().lines().last().unwrap();
     let named = last.strip_prefix("report: ").unwrap();
     let page = fs::read_to_string(folder.path(named)).unwrap();
     assert!(page.contains("<option value=\"step-2\" selected>step 2, Q = 4.0000 µN"));
@@ -64,7 +64,7 @@ fn the_last_line_names_the_report_which_opens_at_the_last_step() {
 }
 
 #[test]
-fn the_total_time_contains_the_writing() {
+fn the_total_time_includes_writing() {
     let folder = TestFolder::with_case(CASE);
     let start = Instant::now();
     run(&folder, "a", &["--set", LOADS, "--pictures", "all"]);
@@ -79,7 +79,7 @@ fn the_total_time_contains_the_writing() {
 }
 
 #[test]
-fn check_tells_the_room_that_a_run_takes() {
+fn check_estimates_the_disk_space_of_a_run() {
     let folder = TestFolder::with_case(CASE);
     let many = [
         "--set",
@@ -96,17 +96,17 @@ fn check_tells_the_room_that_a_run_takes() {
         let checked = folder.run(&[&["check", "case.toml"], sets].concat()).stdout;
         let line = checked.lines().find(|line| line.contains("disk, about"));
         let words: Vec<_> = line.unwrap().split_whitespace().collect();
-        let [.., told, "MB"] = words[..] else {
+        let [.., estimate, "MB"] = words[..] else {
             panic!("{words:?}")
         };
-        let told: f64 = told.parse().unwrap();
+        let estimate: f64 = estimate.parse().unwrap();
         run(&folder, out, sets);
         let entries = fs::read_dir(folder.path(out)).unwrap();
         let sizes = entries.map(|entry| entry.unwrap().metadata().unwrap().len());
-        let ratio = sizes.sum::<u64>() as f64 / 1e6 / told;
+        let ratio = sizes.sum::<u64>() as f64 / 1e6 / estimate;
         assert!(
             (0.8..1.2).contains(&ratio),
-            "{sets:?}: {ratio} of {told} MB"
+            "{sets:?}: {ratio} of {estimate} MB"
         );
     }
 }
@@ -209,7 +209,7 @@ mod stopped {
     }
 
     #[test]
-    fn large_fields_are_left_out_within_a_second_as_well() {
+    fn large_fields_are_also_left_out_within_a_second() {
         let folder = TestFolder::with_case(CASE);
         // Half a minute of compression and drawing.
         let child = writing_on(&folder, "512");

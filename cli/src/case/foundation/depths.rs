@@ -114,7 +114,7 @@ mod tests {
     }
 
     #[test]
-    fn interfaces_of_the_case_have_two_sides_and_splits_of_a_graded_layer_none() {
+    fn case_interfaces_have_two_sides_and_sublayer_interfaces_one() {
         let case = read("{ young_modulus = 1, poisson_ratio = 0.3 }");
         assert_eq!(planes(&case, 0.0), [("above", 0)]);
         assert_eq!(planes(&case, 0.1), [("above", 0), ("below", 1)]);
@@ -135,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_below_the_top_of_a_rigid_base() {
+    fn there_is_no_plane_below_the_top_of_a_rigid_base() {
         let case = read("\"rigid\"");
         assert_eq!(planes(&case, 0.3), [("above", 1)]);
         assert_eq!(case.body_names(), ["layer[0]", "layer[1]"]);

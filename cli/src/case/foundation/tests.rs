@@ -15,7 +15,7 @@ const LAYER: &str =
     "[[layer]]\nthickness = \"10 nm\"\nyoung_modulus = \"70 GPa\"\npoisson_ratio = 0.3\n";
 
 #[test]
-fn a_coated_body_is_read_from_the_surface_down() {
+fn layers_are_read_from_the_surface_down() {
     let foundation = read(&format!("{SUBSTRATE}{LAYER}interface = \"frictionless\"")).unwrap();
     assert_eq!(foundation.layer.len(), 1);
     assert_eq!(foundation.layer[0].thickness, 1e-8);
@@ -32,7 +32,7 @@ fn graded(modulus: &str) -> Result<SplitFoundation, String> {
 }
 
 #[test]
-fn an_interface_may_be_an_imperfect_bond() {
+fn an_interface_may_have_spring_compliances() {
     let spring = "interface = { normal_compliance = 0, shear_compliance = \"2 nm/GPa\" }";
     let foundation = read(&format!("{SUBSTRATE}{LAYER}{spring}")).unwrap();
     let built = foundation.split().unwrap().foundation;
@@ -62,7 +62,7 @@ fn an_interface_may_be_an_imperfect_bond() {
 }
 
 #[test]
-fn a_graded_layer_is_split_until_its_compliance_is_right() {
+fn a_graded_layer_is_split_until_its_compliance_converges() {
     for (profile, middle) in [("linear", 40e9), ("exponential", 10e9 * 7_f64.sqrt())] {
         let grading = format!("{{ from = \"10 GPa\", to = \"70 GPa\", profile = \"{profile}\" }}");
         let SplitFoundation { foundation, splits } = graded(&grading).unwrap();
@@ -88,7 +88,7 @@ fn a_graded_layer_is_split_until_its_compliance_is_right() {
 }
 
 #[test]
-fn a_layer_graded_between_equal_moduli_is_a_homogeneous_one() {
+fn a_layer_graded_between_equal_moduli_is_homogeneous() {
     let same = graded("{ from = \"70 GPa\", to = \"70 GPa\", profile = \"linear\" }").unwrap();
     let one = graded("\"70 GPa\"").unwrap().foundation;
     for k in [1e6, 1e8, 1e10] {
@@ -98,7 +98,7 @@ fn a_layer_graded_between_equal_moduli_is_a_homogeneous_one() {
 }
 
 #[test]
-fn a_grading_that_is_none_is_diagnosed_at_its_key() {
+fn an_invalid_grading_is_reported_at_its_key() {
     let message = |modulus: &str| graded(modulus).err().unwrap();
     for (modulus, wanted) in [
         ("{ from = 1, to = 2 }", "young_modulus.profile`"),
@@ -128,7 +128,7 @@ fn layers_may_rest_on_a_rigid_base() {
 }
 
 #[test]
-fn a_layer_without_thickness_is_diagnosed_at_its_header() {
+fn a_layer_without_thickness_is_reported_at_its_header() {
     let text = format!(
         "{SUBSTRATE}{}",
         LAYER.replace("thickness = \"10 nm\"\n", "")
@@ -141,7 +141,7 @@ fn a_layer_without_thickness_is_diagnosed_at_its_header() {
 }
 
 #[test]
-fn poissons_ratio_of_a_material_that_cannot_be_is_diagnosed_at_its_key() {
+fn an_impossible_poissons_ratio_is_reported_at_its_key() {
     for ratio in ["0.6", "-0.1", "nan", "\"0.3\""] {
         let text = format!(
             "{SUBSTRATE}{}",
@@ -159,7 +159,7 @@ fn poissons_ratio_of_a_material_that_cannot_be_is_diagnosed_at_its_key() {
 }
 
 #[test]
-fn what_is_no_foundation_is_refused() {
+fn invalid_foundations_are_rejected() {
     let faulty = [
         "",
         "substrate = \"rigit\"",

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 const PLANES: f64 = 32.0;
 
 /// Smallest number of steps from one interface to the next.
-const FEWEST: f64 = 8.0;
+const MIN_STEPS: f64 = 8.0;
 
 /// The uniform part of the spacing: without it the first plane below an interface would be much closer than the side of
 /// any element.
@@ -32,7 +32,7 @@ pub fn chosen(bottoms: &[f64], deepest: f64) -> Vec<f64> {
             clippy::cast_sign_loss,
             reason = "between 8 and 32"
         )]
-        let steps = (PLANES * thickness / deepest).round().max(FEWEST) as usize;
+        let steps = (PLANES * thickness / deepest).round().max(MIN_STEPS) as usize;
         // The lower end of the last part is not an interface, so depths need not be dense there.
         let turn = if i + 1 == parts && bottoms.last() != Some(&deepest) {
             0.5
@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn depths_rise_from_the_surface_to_the_deepest_through_every_interface_above() {
+    fn depths_increase_from_the_surface_to_the_deepest_and_include_every_interface_above_it() {
         for (bottoms, deepest) in [
             (&[][..], 2.0),
             (&[0.01], 2.0),
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn they_are_denser_at_the_surface_and_at_interfaces() {
+    fn depths_are_denser_near_the_surface_and_interfaces() {
         let depths = chosen(&[0.5], 2.0);
         let steps: Vec<_> = depths.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let interface = depths.iter().position(|depth| *depth == 0.5).unwrap();

@@ -77,14 +77,14 @@ fn the_bodies_of_a_model_are_the_layers_of_the_case_and_the_substrate() {
 }
 
 #[test]
-fn a_rigid_base_is_no_body_and_its_interface_is_one() {
+fn a_rigid_base_is_not_a_body_but_has_an_interface() {
     let model = model("\"rigid\"");
     assert_eq!((model.bodies.len(), model.interfaces.len()), (2, 2));
     assert_eq!(model.bodies[1].bottom, model.interfaces[1].depth);
 }
 
 #[test]
-fn planes_are_those_given_or_go_down_to_two_radii_with_both_sides_of_interfaces() {
+fn planes_are_as_given_or_down_to_two_radii_with_both_sides_of_interfaces() {
     let foundation = format!("{LAYERS}substrate = {HALF_SPACE}");
     let case = read_table(&foundation, |table| FoundationCase::read(&table)).unwrap();
     let built = case.split().unwrap().foundation;
@@ -100,14 +100,14 @@ fn planes_are_those_given_or_go_down_to_two_radii_with_both_sides_of_interfaces(
 }
 
 #[test]
-fn the_square_is_as_given_or_as_wide_as_one_and_a_half_contacts_within_the_domain() {
+fn the_extent_is_as_given_or_one_and_a_half_contacts_within_the_domain() {
     assert_eq!(read("extent = 2").unwrap().side(1.0, 9.0), 2.0);
     assert_eq!(read("").unwrap().side(1.0, 9.0), 3.0);
     assert_eq!(read("").unwrap().side(4.0, 9.0), 9.0);
 }
 
 #[test]
-fn depths_are_a_list_or_a_range_and_come_out_rising() {
+fn depths_are_a_list_or_a_range_and_are_sorted() {
     let depths = |text: &str| read(text).unwrap().depths.unwrap();
     assert_eq!(depths("depths = [3, 0, 2, 3]"), [0.0, 2.0, 3.0]);
     let range = "depths = { from = 0, to = \"10 um\", count = 3 }";
@@ -115,14 +115,14 @@ fn depths_are_a_list_or_a_range_and_come_out_rising() {
 }
 
 #[test]
-fn a_direction_is_an_angle_with_its_unit_or_in_radians() {
+fn a_direction_is_an_angle_with_unit_or_in_radians() {
     let direction = |text: &str| read(text).unwrap().direction;
     assert!((direction("direction = \"90 deg\"") - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     assert_eq!(direction("direction = -1.5"), -1.5);
 }
 
 #[test]
-fn what_is_no_stress_is_refused_with_what_is_wanted() {
+fn invalid_stress_tables_are_rejected_with_what_is_wanted() {
     for (text, wanted) in [
         (
             "friction = -0.1",
@@ -159,7 +159,7 @@ fn what_is_no_stress_is_refused_with_what_is_wanted() {
 }
 
 #[test]
-fn a_depth_inside_a_rigid_base_is_refused_and_its_top_is_not() {
+fn a_depth_inside_a_rigid_base_is_rejected_and_its_top_accepted() {
     assert!(read_on("\"rigid\"", None, "depths = [0, 2]").is_ok());
     let message = read_on("\"rigid\"", None, "depths = [0, 2.1]").unwrap_err();
     let wanted = "found 2.1, wanted at most 2e0, the depth of the rigid base";
@@ -167,7 +167,7 @@ fn a_depth_inside_a_rigid_base_is_refused_and_its_top_is_not() {
 }
 
 #[test]
-fn an_extent_beyond_the_domain_is_refused_where_its_side_is_given() {
+fn an_extent_beyond_a_given_domain_is_rejected() {
     assert!(read_on(HALF_SPACE, Some(4.0), "extent = 4").is_ok());
     let message = read_on(HALF_SPACE, Some(4.0), "extent = 5").unwrap_err();
     let wanted = "found 5, wanted at most the side of the domain, 4e0";

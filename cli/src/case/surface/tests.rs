@@ -23,7 +23,7 @@ fn read(text: &str) -> Result<SurfaceCase, String> {
 const CYLINDERS: &str = "kind = \"cylinders\"\nradius = 1\nheight = 2\nperiod = 3\n";
 
 #[test]
-fn cylinders_take_the_modulus_of_the_surface() {
+fn cylinders_default_to_the_modulus_of_the_topmost_body() {
     let Ok(SurfaceCase::Cylinders(cylinders)) = read(CYLINDERS) else {
         panic!("not cylinders")
     };
@@ -32,12 +32,12 @@ fn cylinders_take_the_modulus_of_the_surface() {
 }
 
 #[test]
-fn a_surface_is_bare_unless_it_says_otherwise() {
+fn a_surface_is_bare_by_default() {
     assert_eq!(read(""), Ok(SurfaceCase::Bare));
 }
 
 #[test]
-fn overlapping_cylinders_are_diagnosed_at_their_radius() {
+fn overlapping_cylinders_are_reported_at_their_radius() {
     let message = read(&CYLINDERS.replace("radius = 1", "radius = 1.6")).unwrap_err();
     assert!(
         message.starts_with("case.toml, line 2, key `radius`: found 1.6"),
@@ -47,7 +47,7 @@ fn overlapping_cylinders_are_diagnosed_at_their_radius() {
 }
 
 #[test]
-fn keys_of_another_kind_are_unknown() {
+fn keys_of_another_kind_of_surface_are_unknown() {
     let message =
         read("kind = \"film\"\nthickness = 1\nyoung_modulus = 1\nradius = 3").unwrap_err();
     assert!(
@@ -57,7 +57,7 @@ fn keys_of_another_kind_are_unknown() {
 }
 
 #[test]
-fn springs_are_linear_unless_they_are_to_stiffen() {
+fn springs_are_linear_by_default() {
     let film = "kind = \"film\"\nthickness = 1\nyoung_modulus = 1\n";
     for (text, linear) in [(CYLINDERS, "law = \"linear\""), (film, "law = \"linear\"")] {
         let law = |law: &str| {
@@ -77,7 +77,7 @@ fn springs_are_linear_unless_they_are_to_stiffen() {
 }
 
 #[test]
-fn what_is_no_surface_is_refused() {
+fn invalid_surfaces_are_rejected() {
     for text in [
         "kind = \"cilinders\"",
         "kind = 3",

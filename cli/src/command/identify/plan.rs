@@ -40,7 +40,7 @@ pub fn plan(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     let mut plan = match planned {
         Err(Failure::Identify(IdentifyError::Stopped { predictions })) => {
             let message = format!("stopped after {predictions} curves solved; nothing is written");
-            terminal::tell(&message);
+            terminal::report(&message);
             return Ok(Outcome::Stopped);
         }
         planned => planned?,
@@ -54,14 +54,14 @@ pub fn plan(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     };
     let written = folder.map(write).transpose()?;
     if !(arguments.quiet || arguments.json) {
-        terminal::tell(text::text(&plan).trim_end());
+        terminal::report(text::text(&plan).trim_end());
         if let Some(folder) = &written {
-            terminal::tell(&format!("written to {}", folder.display()));
+            terminal::report(&format!("written to {}", folder.display()));
         }
     }
     if !arguments.quiet {
         for warning in &plan.warnings {
-            terminal::tell(&format!("warning: {}", warning.message));
+            terminal::report(&format!("warning: {}", warning.message));
         }
     }
     if arguments.json {

@@ -78,9 +78,9 @@ impl StressColumns {
                 self.interfaces.push(index);
             }
         }
-        for asked in case.foundation.criteria() {
-            if !self.critical.contains(&asked) {
-                self.critical.push(asked);
+        for criterion in case.foundation.criteria() {
+            if !self.critical.contains(&criterion) {
+                self.critical.push(criterion);
             }
         }
     }

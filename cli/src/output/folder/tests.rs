@@ -49,7 +49,7 @@ fn parent() -> (TempDir, PathBuf) {
 }
 
 #[test]
-fn results_are_kept_unless_they_may_be_replaced() {
+fn existing_results_are_kept_unless_replacement_is_allowed() {
     let (_parent, path) = parent();
     put(&path, Existing::Keep, Completeness::Whole, "001");
     let kept = ResultsFolder::claim(&path, Existing::Keep);
@@ -63,7 +63,7 @@ fn results_are_kept_unless_they_may_be_replaced() {
 }
 
 #[test]
-fn a_part_never_replaces_the_whole() {
+fn partial_results_never_replace_complete_ones() {
     let (_parent, path) = parent();
     assert_eq!(
         put(&path, Existing::Replace, Completeness::Part, "001"),
@@ -81,7 +81,7 @@ fn a_part_never_replaces_the_whole() {
 }
 
 #[test]
-fn a_claimed_place_is_nobody_elses_and_leaves_nothing_if_it_fails() {
+fn a_claimed_folder_is_exclusive_and_leaves_nothing_on_failure() {
     let (parent, path) = parent();
     let folder = ResultsFolder::claim(&path, Existing::Keep).unwrap();
     for existing in [Existing::Keep, Existing::Replace] {
@@ -111,7 +111,7 @@ fn an_empty_folder_is_used_and_a_foreign_one_never_replaced() {
 }
 
 #[test]
-fn what_comes_into_the_place_meanwhile_is_kept_and_the_results_are_too() {
+fn files_that_appear_meanwhile_are_kept_and_so_are_the_results() {
     let (_parent, path) = parent();
     let folder = ResultsFolder::claim(&path, Existing::Keep).unwrap();
     fs::write(path.join(summary::FILE), "mine").unwrap();
@@ -137,7 +137,7 @@ fn left(hidden: &str, inside: &[&str], beside: &[&str]) -> (TempDir, PathBuf) {
 }
 
 #[test]
-fn what_a_kill_left_half_written_is_removed_by_the_next_run() {
+fn half_written_results_of_a_killed_run_are_removed_by_the_next() {
     let (parent, path) = left(FILLING, &["fields-000.npz", ".pellicle-0.partial"], &[]);
     sweep_beside(&path.with_file_name("b"));
     assert_eq!(names(&parent.path().join("deep")), [""; 0]);
@@ -147,7 +147,7 @@ fn what_a_kill_left_half_written_is_removed_by_the_next_run() {
 }
 
 #[test]
-fn what_a_kill_left_complete_is_finished_by_the_next_run() {
+fn complete_results_of_a_killed_run_are_moved_into_place_by_the_next() {
     let new = ["fields-001.npz", summary::FILE];
     let (_parent, path) = left(COMPLETE, &new, &["fields-000.npz", "curve.csv", "notes"]);
     sweep_beside(&path);
@@ -162,7 +162,7 @@ fn what_a_kill_left_complete_is_finished_by_the_next_run() {
 }
 
 #[test]
-fn folders_of_others_are_not_swept() {
+fn folders_of_other_origin_are_not_removed() {
     let (_parent, path) = left(FILLING, &["thesis.tex"], &[]);
     sweep_beside(&path);
     assert_eq!(names(&path), [format!("{FILLING}0")]);

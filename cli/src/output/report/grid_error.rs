@@ -38,7 +38,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_error_that_is_not_resolved_is_not_given_as_an_error() {
+    fn an_unresolved_grid_error_is_not_given_as_a_number() {
         let note = |resolved| {
             let estimate = ErrorEstimate {
                 estimate: 0.02,

@@ -35,7 +35,7 @@ pub struct CertificateText {
     pub overlap: String,
     pub load: String,
     /// Whether a pressure is negative or NaN.
-    pub pulls: bool,
+    pub negative_pressure: bool,
     pub worst: String,
     pub bound: String,
     pub satisfied: bool,
@@ -102,13 +102,17 @@ fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
         plain("elements in contact", step.contact_elements.to_string()),
     ];
     if let (Some(fraction), Some(depth)) = (step.fraction_at_limit, step.plastic_depth) {
-        rows.push(plain("part at the hardness", significant(fraction, 4)));
+        rows.push(plain("fraction at the hardness", significant(fraction, 4)));
         rows.push(number("plastic depth", depth, Unit::Metre));
     }
     if summary.has_relief() {
         let (on, between) = (step.contact_area_on_relief, step.contact_area_between);
-        rows.push(number("contact on the relief", on, Unit::SquareMetre));
-        rows.push(number("contact beside it", between, Unit::SquareMetre));
+        rows.push(number("contact area on the relief", on, Unit::SquareMetre));
+        rows.push(number(
+            "contact area beside the relief",
+            between,
+            Unit::SquareMetre,
+        ));
     }
     if let Some(rough) = &step.rough_contact {
         let islands = rough.islands.count.to_string();
@@ -116,12 +120,12 @@ fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
             number("nominal area", rough.nominal_area, Unit::SquareMetre),
             plain("contact fraction", significant(rough.contact_fraction, 4)),
             number(
-                "contact area by counting",
+                "contact area by counting elements",
                 rough.counted_area,
                 Unit::SquareMetre,
             ),
             number(
-                "… corrected by the perimeter",
+                "… with perimeter correction",
                 rough.corrected_area,
                 Unit::SquareMetre,
             ),
@@ -140,13 +144,13 @@ fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
 impl CertificateText {
     fn new(certificate: &CertificateSummary, tolerance: f64) -> Self {
         let part = |value: f64| significant(value, 2);
-        let pulls = certificate.min_pressure < 0.0 || certificate.min_pressure.is_nan();
+        let negative_pressure = certificate.min_pressure < 0.0 || certificate.min_pressure.is_nan();
         Self {
             complementarity: part(certificate.complementarity),
             gap_in_contact: part(certificate.gap_in_contact),
             overlap: part(certificate.overlap),
             load: part(certificate.load),
-            pulls,
+            negative_pressure,
             worst: part(certificate.worst),
             bound: part(tolerance),
             satisfied: certificate.satisfied,
@@ -171,14 +175,14 @@ mod tests {
     };
 
     #[test]
-    fn a_pressure_that_is_no_number_pulls() {
+    fn a_nan_pressure_counts_as_negative() {
         let text = CertificateText::new(&GOOD, 1e-8);
         assert_eq!((&text.worst[..], &text.bound[..]), ("3.0e-9", "1.0e-8"));
-        assert!(!text.pulls);
+        assert!(!text.negative_pressure);
         let bad = CertificateSummary {
             min_pressure: f64::NAN,
             ..GOOD
         };
-        assert!(CertificateText::new(&bad, 1e-8).pulls);
+        assert!(CertificateText::new(&bad, 1e-8).negative_pressure);
     }
 }

@@ -122,7 +122,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_extreme_says_how_far_it_can_be_trusted() {
+    fn an_extreme_states_its_grid_error() {
         let note = |resolved, estimate, value| {
             let extreme = Extreme {
                 value,
@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn a_strength_is_told_by_the_part_that_is_used() {
+    fn a_strength_is_reported_by_its_utilisation() {
         assert_eq!(used(Some(0.3371), "yield"), "0.337 of the yield strength");
         assert_eq!(used(None, "yield"), "");
     }

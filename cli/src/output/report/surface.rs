@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pressures_are_told_from_what_carries_none() {
+    fn pressures_are_distinguished_from_unloaded_elements() {
         assert_eq!(value(None, false), BARE);
         assert_eq!(value(None, true), RELIEF);
         assert_eq!(value(Some(1e-9), false), PRESSURES[0]);

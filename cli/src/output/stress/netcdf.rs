@@ -33,7 +33,7 @@ impl StressNetcdf {
             let body = i32::try_from(plane.body).unwrap_or(i32::MAX);
             (plane.depth.z, body)
         });
-        file.go_on(|file| {
+        file.append(|file| {
             file.write_all(&header(head).bytes()?)?;
             // Along x and along y.
             write_numbers(file, head.centres)?;
@@ -49,7 +49,7 @@ impl StressNetcdf {
 impl StressFile for StressNetcdf {
     fn add(&mut self, plane: usize, values: &PlaneValues) -> Result<(), Failure> {
         let (depth, body) = self.planes[plane];
-        self.file.go_on(|file| {
+        self.file.append(|file| {
             file.write_all(&depth.to_be_bytes())?;
             file.write_all(&body.to_be_bytes())?;
             values.fields.iter().try_for_each(|field| {

@@ -81,7 +81,7 @@ fn shaped<D: Dimension>(
 pub fn read(path: &Path) -> Result<StressView, Failure> {
     check(path).map_err(|reason| Failure::damaged(path, &reason))?;
     let view = try_read(path).map_err(|cause| Failure::damaged(path, &cause))?;
-    view.ok_or_else(|| Failure::damaged(path, &"its arrays do not belong together"))
+    view.ok_or_else(|| Failure::damaged(path, &"its arrays have inconsistent shapes"))
 }
 
 /// Reads the view; none if its arrays do not match.
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn a_view_comes_back_as_it_was_written() {
+    fn a_view_is_read_back_as_written() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(file(0));
         write(&path, &view()).unwrap();
@@ -198,14 +198,14 @@ mod tests {
     }
 
     #[test]
-    fn arrays_that_do_not_belong_together_are_refused() {
+    fn arrays_of_inconsistent_shapes_are_rejected() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(file(0));
         let mut odd = view();
         odd.section.bodies.swap(0, 2);
         write(&path, &odd).unwrap();
         let message = read(&path).unwrap_err().to_string();
-        assert!(message.contains("do not belong together"), "{message}");
+        assert!(message.contains("inconsistent shapes"), "{message}");
         std::fs::write(&path, "no archive").unwrap();
         assert!(read(&path).is_err());
     }

@@ -19,7 +19,7 @@ pub struct WantedPlane {
 
 /// The uses for which planes are needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Wishes {
+pub struct PlaneUses {
     /// Files of fields.
     pub files: bool,
     /// Pictures, or the file to redraw them.
@@ -34,14 +34,14 @@ pub fn wanted(
     case: &FoundationCase,
     foundation: &Foundation,
     contact_radius: f64,
-    wishes: Wishes,
+    uses: PlaneUses,
 ) -> Vec<WantedPlane> {
     let filed = stress.planes(case, foundation, contact_radius);
     let mut viewed = stress.drawn_planes(case, foundation, contact_radius);
     viewed.extend(case.planes_at(foundation, &case.bottoms(foundation)));
     let mut planes: Vec<WantedPlane> = Vec::with_capacity(filed.len() + viewed.len());
-    for (wish, is_filed, of_it) in [(wishes.files, true, &filed), (wishes.view, false, &viewed)] {
-        planes.extend(of_it.iter().filter(|_| wish).map(|plane| WantedPlane {
+    for (is_used, is_filed, of_it) in [(uses.files, true, &filed), (uses.view, false, &viewed)] {
+        planes.extend(of_it.iter().filter(|_| is_used).map(|plane| WantedPlane {
             plane: *plane,
             is_filed,
             is_viewed: !is_filed,
@@ -85,11 +85,11 @@ mod tests {
             depths,
             ..StressCase::default()
         };
-        wanted(&stress, &case, &foundation, 1.0, Wishes { files, view })
+        wanted(&stress, &case, &foundation, 1.0, PlaneUses { files, view })
     }
 
     #[test]
-    fn planes_chosen_by_the_program_serve_files_and_pictures() {
+    fn default_planes_are_used_for_both_files_and_pictures() {
         let both = planes(None, true, true);
         assert!(both.iter().all(|plane| plane.is_filed && plane.is_viewed));
         assert_eq!(both.len(), planes(None, true, false).len());
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn a_case_with_depths_of_its_own_has_pictures_through_all_bodies_down_to_the_deepest() {
+    fn with_given_depths_pictures_still_span_all_bodies_down_to_the_deepest() {
         let planes = planes(Some(vec![0.25, 0.5, 1.5]), true, true);
         let filed = planes.iter().filter(|plane| plane.is_filed);
         let filed: Vec<_> = filed

@@ -304,7 +304,7 @@ mod tests {
     }
 
     #[test]
-    fn a_section_along_x_or_y_has_the_points_of_the_planes() {
+    fn a_section_along_x_or_y_uses_the_points_of_the_planes() {
         let along_x = SurfaceLine {
             through: [0.3, 0.25],
             direction: 0.0,
@@ -326,7 +326,7 @@ mod tests {
     }
 
     #[test]
-    fn bodies_end_at_interfaces_and_one_plane_is_no_body() {
+    fn bodies_end_at_interfaces_and_a_single_plane_is_not_a_body() {
         let line = SurfaceLine {
             through: [0.0; 2],
             direction: 0.0,
@@ -339,7 +339,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slanting_section_runs_from_side_to_side_and_knows_its_places() {
+    fn an_oblique_section_runs_from_side_to_side_with_correct_positions() {
         let line = SurfaceLine {
             through: [1.0, 0.5],
             direction: 0.5,
@@ -377,7 +377,7 @@ mod tests {
     }
 
     #[test]
-    fn an_interface_below_the_section_has_its_tractions_all_the_same() {
+    fn an_interface_below_the_section_still_has_tractions() {
         let line = SurfaceLine {
             through: [0.0; 2],
             direction: 0.0,
@@ -388,7 +388,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_beside_the_planes_is_moved_onto_them() {
+    fn a_line_outside_the_planes_is_moved_onto_them() {
         let line = SurfaceLine {
             through: [9.0, -9.0],
             direction: 0.0,

@@ -79,7 +79,7 @@ impl StressVtr {
         let text = text(head, &layout);
         layout.start = text.len();
         let depths: Vec<_> = head.planes.iter().map(|plane| plane.depth.z).collect();
-        file.go_on(|file| {
+        file.append(|file| {
             file.write_all(text.as_bytes())?;
             for coordinates in [head.centres, head.centres, &depths] {
                 vtk::write_length(file, size_of_val(coordinates))?;
@@ -107,7 +107,7 @@ impl StressFile for StressVtr {
     fn add(&mut self, plane: usize, values: &PlaneValues) -> Result<(), Failure> {
         let layout = self.layout;
         let body = vec![self.bodies[plane]; layout.size * layout.size];
-        self.file.go_on(|file| {
+        self.file.append(|file| {
             for (i, field) in values.fields.iter().enumerate() {
                 file.seek(layout.plane(layout.field(i), plane, size_of::<f32>()))?;
                 (0..layout.size).try_for_each(|row| write_along_x(file, field, row))?;
@@ -119,7 +119,7 @@ impl StressFile for StressVtr {
 
     fn finish(mut self: Box<Self>) -> Result<(), Failure> {
         let layout = self.layout;
-        self.file.go_on(|file| {
+        self.file.append(|file| {
             file.seek(layout.array(layout.end()))?;
             file.write_all(b"\n  </AppendedData>\n</VTKFile>\n")
         })?;

@@ -189,7 +189,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_that_are_not_finite_are_null_and_read_back_as_nan() {
+    fn non_finite_numbers_are_written_as_null_and_read_back_as_nan() {
         let estimate = json!({"estimate": null, "order": null, "resolved": false});
         let step = json!({
             "force": null, "penetration": null, "max_pressure": null, "max_pressure_at": [null, 1.5],

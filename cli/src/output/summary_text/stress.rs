@@ -83,7 +83,7 @@ fn sentence(load: &CriticalLoad, is_first: bool, layers: usize, units: Units) ->
             format!("{what} {verb} at none of these loads: {ratio} of its strength is reached")
         } else {
             format!(
-                "{what} {verb} under the smallest load tried already: {ratio} times its strength is reached"
+                "{what} {verb} already at the smallest load tried: {ratio} times its strength is reached"
             )
         };
     };
@@ -141,8 +141,8 @@ fn verb(criterion: Criterion) -> &'static str {
     match criterion {
         Criterion::Yield => "yields",
         Criterion::Tension => "cracks",
-        Criterion::InterfaceShear => "shears off",
-        Criterion::InterfaceTension => "is pulled off",
+        Criterion::InterfaceShear => "fails in shear",
+        Criterion::InterfaceTension => "fails in tension",
     }
 }
 
@@ -165,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn a_critical_load_is_told_with_its_error_and_place() {
+    fn a_critical_load_is_printed_with_its_error_and_place() {
         let yields = load("layer[0]", Criterion::Yield, Some(3.2e-3));
         assert_eq!(
             sentence(&yields, true, 1, Units::Si),
@@ -183,11 +183,11 @@ mod tests {
     }
 
     #[test]
-    fn a_strength_that_no_load_reaches_is_told_with_the_part_that_is() {
+    fn an_unreached_strength_is_printed_with_its_utilisation() {
         let holds = load("interface[0]", Criterion::InterfaceShear, None);
         assert_eq!(
             sentence(&holds, false, 1, Units::Si),
-            "the interface shears off at none of these loads: 0.340 of its strength is reached"
+            "the interface fails in shear at none of these loads: 0.340 of its strength is reached"
         );
     }
 }

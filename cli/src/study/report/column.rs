@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::display::significant;
 
 /// Most distinct words of a column; all others are drawn as one.
-const MOST_WORDS: usize = 40;
+const MAX_WORDS: usize = 40;
 
 /// The word for all others.
 const OTHERS: &str = "others";
@@ -115,10 +115,10 @@ fn place(words: &mut Vec<String>, word: &str) -> usize {
     if let Some(place) = words.iter().position(|known| known == word) {
         return place;
     }
-    if words.len() > MOST_WORDS {
-        return MOST_WORDS;
+    if words.len() > MAX_WORDS {
+        return MAX_WORDS;
     }
-    let word = if words.len() == MOST_WORDS {
+    let word = if words.len() == MAX_WORDS {
         OTHERS
     } else {
         word
@@ -137,7 +137,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_column_is_of_numbers_or_of_words_as_its_first_cell_tells() {
+    fn the_first_cell_makes_a_column_numeric_or_text() {
         let mut numbers = StudyColumn::new("force [N]".into(), true);
         let found = ["", "2e-6", "1.23456789", "oops", "inf"].map(|cell| numbers.add(cell));
         assert_eq!(found, [None, Some(2e-6), Some(1.23457), None, None]);
@@ -155,6 +155,6 @@ mod tests {
         let ColumnValues::Words(all) = &words.values else {
             panic!("words")
         };
-        assert_eq!((all.len(), &*all[MOST_WORDS]), (MOST_WORDS + 1, OTHERS));
+        assert_eq!((all.len(), &*all[MAX_WORDS]), (MAX_WORDS + 1, OTHERS));
     }
 }

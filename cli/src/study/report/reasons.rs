@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 /// Most reasons counted separately.
-const MOST_REASONS: usize = 200;
+const MAX_REASONS: usize = 200;
 
 /// Most reasons listed.
-const MOST_LISTED: usize = 50;
+const MAX_LISTED: usize = 50;
 
 /// A reason, with the message of its first case.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,7 +29,7 @@ impl Reasons {
         let words = without_numbers(message);
         if let Some(known) = self.0.get_mut(&words) {
             known.cases += 1;
-        } else if self.0.len() < MOST_REASONS {
+        } else if self.0.len() < MAX_REASONS {
             let reason = Reason {
                 cases: 1,
                 first: case,
@@ -44,7 +44,7 @@ impl Reasons {
     pub fn sorted(&self) -> Vec<&Reason> {
         let mut reasons: Vec<_> = self.0.values().collect();
         reasons.sort_by_key(|reason| (std::cmp::Reverse(reason.cases), reason.first));
-        reasons.truncate(MOST_LISTED);
+        reasons.truncate(MAX_LISTED);
         reasons
     }
 }
@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn reasons_that_differ_in_numbers_are_one_and_the_most_frequent_comes_first() {
+    fn reasons_differing_only_in_numbers_are_merged_and_the_most_frequent_comes_first() {
         let mut reasons = Reasons::default();
         reasons.add(7, "no room");
         for case in 8..11 {
@@ -82,6 +82,6 @@ mod tests {
         for case in 0..1000 {
             reasons.add(case, &"x".repeat(case + 1));
         }
-        assert_eq!(reasons.sorted().len(), MOST_LISTED);
+        assert_eq!(reasons.sorted().len(), MAX_LISTED);
     }
 }

@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn other_values_make_another_study_and_other_words_do_not() {
+fn different_values_make_another_study_and_different_wording_does_not() {
     let fingerprint = |text: &str| plan(text, Shard::WHOLE).identity.fingerprint;
     let first = fingerprint(TWO_KEYS);
     assert_eq!(first, fingerprint(&format!("# a comment\n{TWO_KEYS}")));
@@ -33,7 +33,7 @@ fn fingerprint_of(base: &str, keys: &str, heights: &str) -> String {
 }
 
 #[test]
-fn heights_of_a_map_count_and_values_that_every_case_replaces_do_not() {
+fn the_identity_includes_map_heights_but_not_values_that_every_case_replaces() {
     let map = "kind = \"map\"\nfile = \"map.csv\"\nside = \"1 um\"\nheight_unit = \"1 nm\"";
     let bare = "kind = \"paraboloid\"\nradius = \"4 um\"";
     let base = BASE.replace(bare, map);
@@ -66,7 +66,7 @@ fn heights_of_a_map_count_and_values_that_every_case_replaces_do_not() {
 }
 
 #[test]
-fn a_default_written_out_leaves_the_study_the_same_and_another_value_does_not() {
+fn writing_out_a_default_keeps_the_study_and_another_value_changes_it() {
     let of = |base: &str| fingerprint_of(base, "indenter.radius = [\"3 um\", \"4 um\"]", "");
     let first = of(BASE);
     let elements = crate::case::grid::GridCase::default().elements;
@@ -77,7 +77,7 @@ fn a_default_written_out_leaves_the_study_the_same_and_another_value_does_not() 
 }
 
 #[test]
-fn results_of_an_older_layout_are_those_of_another_study() {
+fn results_of_an_older_layout_count_as_another_study() {
     let folder = tempfile::tempdir().unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let old = format!(

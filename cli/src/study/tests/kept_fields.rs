@@ -5,7 +5,7 @@ use crate::study::kept_record;
 
 #[cfg(unix)]
 #[test]
-fn the_fields_of_a_million_cases_have_their_places_beyond_four_gigabytes() {
+fn offsets_of_the_fields_of_a_million_cases_exceed_four_gigabytes() {
     use std::os::unix::fs::FileExt;
     let folder = tempfile::tempdir().unwrap();
     let keeps = MILLION.replace("[study]", "[study]\nkeep = [\"pressure\"]");
@@ -34,7 +34,7 @@ fn the_fields_of_a_million_cases_have_their_places_beyond_four_gigabytes() {
 }
 
 #[test]
-fn a_field_of_one_case_that_the_format_cannot_hold_is_refused_before_anything_is_solved() {
+fn a_field_too_large_for_the_format_is_rejected_before_anything_is_solved() {
     let base = format!("{BASE}\n[output]\nfields = \"all\"\n");
     let text = TWO_KEYS.replace("[study]", "[study]\nkeep = [\"pressure\"]");
     let loads: Vec<_> = (1..9).map(|i| format!("\"{i} uN\"")).collect();

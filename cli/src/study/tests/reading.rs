@@ -22,7 +22,7 @@ fn a_product_changes_the_last_key_fastest_and_integers_stay_integers() {
 }
 
 #[test]
-fn a_zip_takes_the_values_together() {
+fn zipped_values_are_taken_together() {
     let zipped = study(&TWO_KEYS.replace("[study]", "[study]\ncombine = \"zip\"")).unwrap();
     assert_eq!(zipped.case_count(), 3);
     assert_eq!(
@@ -32,7 +32,7 @@ fn a_zip_takes_the_values_together() {
 }
 
 #[test]
-fn the_columns_of_a_file_change_together_and_combine_with_other_keys() {
+fn columns_of_a_sample_file_vary_together_and_combine_with_other_keys() {
     let text = "[study]\ncase = \"base.toml\"\n[study.vary]\ngrid.elements = [32, 64]\nfrom = \"samples.csv\"\n";
     let product = study(text).unwrap();
     assert_eq!((product.case_count(), product.varied_keys().len()), (6, 4));
@@ -75,7 +75,7 @@ fn the_columns_of_a_file_change_together_and_combine_with_other_keys() {
 }
 
 #[test]
-fn the_base_case_may_stand_in_the_same_file_and_ranges_carry_units() {
+fn the_base_case_may_be_in_the_same_file_and_ranges_have_units() {
     let text = format!(
         "[study.vary]\nload.force = {{ from = \"1 uN\", to = \"1 mN\", count = 4, spacing = \"log\" }}\n{BASE}"
     );
@@ -91,7 +91,7 @@ fn the_base_case_may_stand_in_the_same_file_and_ranges_carry_units() {
 }
 
 #[test]
-fn what_is_no_study_is_told_with_its_key() {
+fn an_invalid_study_is_reported_with_its_key() {
     for (text, wanted) in [
         ("[load]\nforce = 1", "key `study`: found no such key"),
         (
@@ -131,7 +131,7 @@ fn what_is_no_study_is_told_with_its_key() {
 }
 
 #[test]
-fn a_key_that_no_case_can_have_is_told_before_any_work() {
+fn a_key_that_no_case_has_is_reported_before_any_work() {
     let text = TWO_KEYS.replace("grid.elements", "grid.elemnts");
     let study = study(&text).unwrap();
     let message = StudyPlan::new(&study, Shard::WHOLE)
@@ -145,7 +145,7 @@ fn a_key_that_no_case_can_have_is_told_before_any_work() {
 
 /// The study has a million cases.
 #[test]
-fn a_million_cases_are_planned_by_reading_as_many_as_there_are_values() {
+fn planning_a_million_cases_reads_only_as_many_as_there_are_values() {
     let plan = plan(MILLION, Shard { index: 3, count: 7 });
     assert_eq!(plan.identity.numbering.len(), 1_000_000);
     // The first case has one value of each key.
@@ -171,7 +171,7 @@ fn an_invalid_value_is_found_before_anything_is_solved() {
 }
 
 #[test]
-fn every_list_of_loads_has_its_own_number_of_rows() {
+fn each_list_of_loads_has_its_own_number_of_rows() {
     let text = "[study]\ncase = \"base.toml\"\n[study.vary]\ngrid.elements = [32, 64]\n\
                 load.forces = [[\"1 uN\"], [\"1 uN\", \"2 uN\", \"3 uN\"]]\nsolver.tolerance = [1e-6, 1e-8]\n";
     let identity = plan(text, Shard::WHOLE).identity;
@@ -180,7 +180,7 @@ fn every_list_of_loads_has_its_own_number_of_rows() {
 }
 
 #[test]
-fn a_layer_that_only_some_cases_have_has_columns() {
+fn a_layer_in_only_some_cases_has_columns() {
     let layer = "{ thickness = \"10 nm\", young_modulus = \"70 GPa\", poisson_ratio = 0.3 }";
     let text = format!(
         "[study]\ncase = \"base.toml\"\n[study.vary]\nstress = [{{}}]\n\
@@ -203,7 +203,7 @@ fn the_values_of_a_key_are_read_once() {
 }
 
 #[test]
-fn values_with_and_without_units_are_one_column_and_what_is_no_quantity_among_them_is_refused() {
+fn values_with_and_without_units_share_a_column_and_non_quantities_are_rejected() {
     let values = "[\"10 nm\", \"20 nm\", \"30 nm\"]";
     assert!(TWO_KEYS.contains(values));
     let with = |other: &str| study(&TWO_KEYS.replace(values, &format!("[\"10 nm\", {other}]")));

@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn results_are_forced_to_the_disk_in_groups() {
+fn results_are_flushed_to_disk_in_groups() {
     let folder = tempfile::tempdir().unwrap();
     let identity = plan(MILLION, Shard::WHOLE).identity;
     let columns = identity.header.split(',').count();
@@ -47,7 +47,7 @@ fn table(folder: &Path, identity: &StudyIdentity) -> ResultsTable {
 }
 
 #[test]
-fn a_table_cut_at_any_byte_keeps_its_whole_cases_and_no_other() {
+fn a_table_cut_at_any_byte_keeps_exactly_its_whole_cases() {
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let columns = identity.header.split(',').count();
     let order = [4, 0, 7, 2];
@@ -74,7 +74,7 @@ fn a_table_cut_at_any_byte_keeps_its_whole_cases_and_no_other() {
 }
 
 #[test]
-fn a_table_is_mended_gone_on_with_and_put_in_order() {
+fn a_table_is_repaired_continued_and_sorted() {
     let folder = tempfile::tempdir().unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let columns = identity.header.split(',').count();
@@ -101,7 +101,7 @@ fn a_table_is_mended_gone_on_with_and_put_in_order() {
 }
 
 #[test]
-fn a_table_of_something_else_is_not_touched() {
+fn a_table_of_another_origin_is_not_touched() {
     let folder = tempfile::tempdir().unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let path = identity.table(folder.path());
@@ -114,7 +114,7 @@ fn a_table_of_something_else_is_not_touched() {
 }
 
 #[test]
-fn a_table_is_open_for_one_process() {
+fn a_table_is_open_in_one_process_at_a_time() {
     let folder = tempfile::tempdir().unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let _first = table(folder.path(), &identity);
@@ -138,7 +138,7 @@ fn parts(folder: &TempDir, done: &[usize]) {
 }
 
 #[test]
-fn parts_are_gathered_only_when_no_case_is_missing() {
+fn parts_are_merged_only_if_no_case_is_missing() {
     let folder = tempfile::tempdir().unwrap();
     parts(&folder, &[0, 1, 2, 3, 4, 5, 6, 8]);
     let found = gather(folder.path(), OtherTable::Keep).unwrap();
@@ -161,7 +161,7 @@ fn parts_are_gathered_only_when_no_case_is_missing() {
 }
 
 #[test]
-fn a_row_ends_where_its_quotes_are_closed() {
+fn a_line_break_inside_quotes_does_not_end_a_row() {
     let text = TWO_KEYS.replace("grid.elements", "title").replace(
         "{ from = 32, to = 128, count = 3, spacing = \"log\" }",
         "[\"a\\nb\", \"c\\r\\n\\\"d\", \"e,f\"]",
@@ -180,7 +180,7 @@ fn a_row_ends_where_its_quotes_are_closed() {
 }
 
 #[test]
-fn the_place_is_held_until_the_table_is_in_order() {
+fn the_folder_is_locked_until_the_table_is_sorted() {
     let folder = tempfile::tempdir().unwrap();
     let identity = plan(TWO_KEYS, Shard::WHOLE).identity;
     let columns = identity.header.split(',').count();

@@ -170,7 +170,7 @@ mod tests {
     use pellicle_kernel::Material;
 
     #[test]
-    fn the_integral_equation_has_the_22_digit_penetrations_and_forces() {
+    fn the_integral_equation_reproduces_the_22_digit_penetrations_and_forces() {
         for case in axisymmetric().unwrap() {
             let coating = Material::new(case.e1, case.nu1).unwrap();
             let substrate = Material::new(1.0, case.nu2).unwrap();
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn without_layers_it_is_hertz_and_the_flat_punch() {
+    fn without_layers_the_integral_equation_gives_hertz_and_the_flat_punch() {
         let body = Foundation::half_space(Material::new(0.91, 0.3).unwrap());
         let hertz =
             AxisymmetricSolution::new(&body, AxisymmetricProfile::Paraboloid(2.0), 0.5).unwrap();

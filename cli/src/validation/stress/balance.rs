@@ -11,7 +11,7 @@ use super::super::section::ValidationSection;
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {
     name: "Stress inside: balance of forces",
-    source: "on a box below the loaded element five sides bear the load; tractions pass interfaces",
+    source: "five sides of a box below the loaded element carry the load; tractions are continuous across interfaces",
     because: "relative to the load, or to the largest traction on the interface; rounding of the fields, 1e-11, and the \
               rule of the box",
     rows,

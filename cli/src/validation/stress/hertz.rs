@@ -88,8 +88,8 @@ fn closed_form(
         let [x, y, z] = point.map(|along| along * wanted.contact_radius);
         let side = Side::Above;
         let found = field.at([x, y], Depth { z, side })?;
-        let dragged = under_traction(wanted, body, [x, y, z]) * friction;
-        let exact: SubsurfaceState = under_pressure(wanted, body, [x, y, z]) + dragged;
+        let tangential = under_traction(wanted, body, [x, y, z]) * friction;
+        let exact: SubsurfaceState = under_pressure(wanted, body, [x, y, z]) + tangential;
         for (found, exact) in found.stress.iter().zip(exact.stress) {
             pairs.push((
                 [exact, *found],

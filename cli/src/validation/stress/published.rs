@@ -14,7 +14,7 @@ pub const SECTION: ValidationSection = ValidationSection {
     name: "Stress inside: published numbers",
     source: "CONTACT's example subsurf (E. A. H. Vollebregt); ELLEA1 (E. Levenberg 2016) and the programs of AMADEUS \
              (European Commission 2000), as the validation files of ALVA (A. Skar, S. Andersen 2020) quote them",
-    because: "in units of the pressure, in mm, or in millionths of strain; the last digit printed, and the spread of the \
+    because: "in units of the pressure, in mm, or in microstrain; the last digit printed, and the spread of the \
               programs",
     rows,
 };
@@ -228,13 +228,13 @@ fn two_circles() -> Result<Vec<Comparison>, ValidationError> {
         let beside = [0.0, ELLEA_LOAD.radius];
         let state = ELLEA_LOAD.states(&body, ELEMENTS, above(z), &[beside])?[0] * 2.0;
         let [xx, yy, zz, ..] = state.stress;
-        let sunk = state.displacement[2];
+        let displacement = state.displacement[2];
         pairs.extend(
             [
                 [across, -xx],
                 [along, -yy],
                 [downwards, -zz],
-                [sinking, sunk],
+                [sinking, displacement],
             ]
             .map(off),
         );

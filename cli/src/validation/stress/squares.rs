@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_shares_add_up_to_the_circle() {
+    fn element_shares_add_up_to_the_area_of_the_circle() {
         let circle = LoadedCircle {
             radius: 3.0,
             pressure: 1.0,

@@ -11,23 +11,23 @@ const KIND: &str = "function";
 /// A shape defined by the caller; only its kind is written. It is not part of the case: all shapes compare equal here,
 /// and the caller must tell them apart.
 #[derive(Debug, Clone, Serialize)]
-pub struct HandedOver<T> {
+pub struct CallerShape<T> {
     /// The shape itself.
     #[serde(skip)]
     pub shape: T,
 }
 
-impl<T> PartialEq for HandedOver<T> {
+impl<T> PartialEq for CallerShape<T> {
     fn eq(&self, _other: &Self) -> bool {
         true
     }
 }
 
 /// The shape, if the kind requires one and one was handed over.
-pub fn behind<T: Clone>(kind: &ValueReader<'_>, handed: Option<&T>) -> Option<HandedOver<T>> {
-    let is_asked_for = matches!(kind.value(), TomlValue::Text(text) if text == KIND);
-    let shape = handed.filter(|_| is_asked_for).cloned()?;
-    Some(HandedOver { shape })
+pub fn of_kind<T: Clone>(kind: &ValueReader<'_>, shape: Option<&T>) -> Option<CallerShape<T>> {
+    let is_requested = matches!(kind.value(), TomlValue::Text(text) if text == KIND);
+    let shape = shape.filter(|_| is_requested).cloned()?;
+    Some(CallerShape { shape })
 }
 
 #[cfg(test)]
@@ -57,25 +57,25 @@ mod tests {
         Case::parse_with(&source, "case", maps).map_err(|diagnosis| diagnosis.to_string())
     }
 
-    fn handing_over() -> MapSources {
+    fn with_shape() -> MapSources {
         MapSources::default().with_indenter(Indenter::from(Paraboloid::new(2.0).unwrap()))
     }
 
     #[test]
-    fn a_shape_stands_where_the_case_asks_for_one_and_nowhere_else() {
-        let case = read(CASE, &handing_over()).unwrap();
+    fn a_shape_passed_in_is_used_only_where_the_case_asks_for_one() {
+        let case = read(CASE, &with_shape()).unwrap();
         assert_eq!(case.indenter.build().unwrap().height(3.0, 4.0), 6.25);
         assert!(case.indenter.build_material().unwrap().is_some());
         let other = CASE.replace("\"function\"", "\"sphere\"\nradius = 7.0");
-        let ball = read(&other, &handing_over()).unwrap();
+        let ball = read(&other, &with_shape()).unwrap();
         assert_eq!(ball.indenter.build().unwrap().height(0.0, 7.0), 7.0);
     }
 
     #[test]
-    fn a_case_that_asks_for_a_shape_is_refused_where_there_is_none() {
+    fn a_case_that_asks_for_a_missing_shape_is_rejected() {
         let refused = read(CASE, &MapSources::default()).unwrap_err();
         assert!(refused.contains("\"function\""), "{refused}");
         let radius = CASE.replace("\"function\"", "\"function\"\nradius = 7.0");
-        assert!(read(&radius, &handing_over()).is_err());
+        assert!(read(&radius, &with_shape()).is_err());
     }
 }
