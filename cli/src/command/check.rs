@@ -71,10 +71,13 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     let disk = disk_space::bytes(case) + disk_space::of_stresses(case, planes, size);
     lines.add("disk, about", &megabytes(disk));
     if let Some([least, most]) = forecast.products(case.grid.elements) {
-        lines.add(
-            "products with K per step, about",
-            &format!("{least:.0} to {most:.0}"),
-        );
+        let [least, most] = [least, most].map(|products| format!("{products:.0}"));
+        let range = if least == most {
+            least
+        } else {
+            format!("{least} to {most}")
+        };
+        lines.add("products with K per step, about", &range);
     }
     if let Some(step) = &forecast.step {
         lines.trial(step, forecast.trial, element_side, case.units);

@@ -208,7 +208,7 @@ fn check_estimates_the_work_of_stresses() {
     assert_eq!(checked.code, Some(0), "{}", checked.stderr);
     for text in [
         "[stress]",
-        "# stresses per step, about             3 planes of 8 × 8 points",
+        "# stresses per step, about              3 planes of 8 × 8 points",
         "#   down to                             10.000 nm",
         "# critical loads                        1, each by solving",
         "yield_strength = 1000000000.0",
