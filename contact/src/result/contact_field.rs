@@ -146,7 +146,7 @@ mod tests {
 
     const SIZE: usize = 6;
 
-    /// Evaluates a function of the field on a square of side 6, on a film of stiffening springs; the relief covers x > 0.
+    /// Evaluates a function of the field on a square of side 6, on a film of stiffening springs; relief covers x > 0.
     fn with_field<T>(
         boundary: Boundary,
         pressure: &[f64],

@@ -3,7 +3,7 @@
 use crate::{
     DiscreteProblem,
     solver::gradient::{
-        preconditioner::Preconditioner,
+        preconditioner::{Preconditioner, UniformAccuracy},
         state::State,
         steps::segment::{Part, Segment},
         working_set::WorkingSet,
@@ -22,9 +22,9 @@ pub struct Context<'a> {
 
 impl Context<'_> {
     /// Writes into `z` the [preconditioned residual](Preconditioner::direction_into); returns its `λ`.
-    pub fn direction_into(&mut self, z: &mut [f64]) -> f64 {
+    pub fn direction_into(&mut self, accuracy: UniformAccuracy, z: &mut [f64]) -> f64 {
         self.preconditioner
-            .direction_into(self.problem, self.state, self.set, z)
+            .direction_into(self.problem, self.state, self.set, accuracy, z)
     }
 
     /// Takes the [segment](Segment::take), or cuts it if the energy would rise above `ceiling`: one product.

@@ -100,13 +100,23 @@ enum Inverse {
     Scattered(Box<ScatteredFactor>),
 }
 
-/// `w = M⁻¹_I 1`, restricted to each later set: this saves an application of the inverse per set and costs no product,
-/// as long as few elements change.
+/// `w = M⁻¹_I 1` on the set for which it was computed, restricted to each later set.
 struct UniformResponse {
     values: Vec<f64>,
     total: f64,
-    /// The total on the set for which it was computed.
+    /// The total on the set for which it was computed, and the revision of that set.
     exact_total: f64,
+    exact_on: Option<u64>,
+}
+
+/// The accuracy of the uniform response that a direction needs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UniformAccuracy {
+    /// That of the current set. Restricted, it would cost Newton's method a sixth more products.
+    Exact,
+    /// Restricted from an earlier set, if that had at most twice its total: this saves steps that change the set an
+    /// application of the inverse each and costs no product.
+    Restricted,
 }
 
 impl Preconditioner {
@@ -143,6 +153,7 @@ impl Preconditioner {
                 values: vec![0.0; problem.elements()],
                 total: 0.0,
                 exact_total: 0.0,
+                exact_on: None,
             },
             adapted_to: None,
             neighbours,
@@ -204,15 +215,6 @@ impl Preconditioner {
     pub fn restart(&mut self) {
         self.adapted_to = None;
         self.secants.clear();
-        self.forget_uniform();
-    }
-
-    /// Discards the result for a uniform residual, because many elements change at once.
-    pub fn forget_uniform(&mut self) {
-        if self.uniform.exact_total != 0.0 {
-            self.uniform.values.fill(0.0);
-            self.uniform.total = 0.0;
-        }
     }
 
     /// Records a step on the set and its image under the system, for use once the set changes.
@@ -251,15 +253,28 @@ impl Preconditioner {
             let near = problem.coefficients_near(element, reach).into_iter();
             near.map(|(other, k)| (other, k / unit)).collect()
         });
+        if self.adapted_to.is_none() {
+            self.uniform.values.fill(0.0);
+            self.uniform.exact_on = None;
+        }
         self.adapted_to = Some(set.revision());
         set.clear_outside(&mut self.uniform.values);
         self.uniform.total = sum(&self.uniform.values);
     }
 
-    fn refresh(&mut self, problem: &DiscreteProblem, set: &WorkingSet) {
+    fn refresh(&mut self, problem: &DiscreteProblem, set: &WorkingSet, accuracy: UniformAccuracy) {
         self.follow(problem, set);
-        let most_is_there = self.uniform.total > (self.uniform.exact_total / 2.0).max(0.0);
-        if !most_is_there {
+        let UniformResponse {
+            total,
+            exact_total,
+            exact_on,
+            ..
+        } = self.uniform;
+        let serves = match accuracy {
+            UniformAccuracy::Exact => exact_on == Some(set.revision()),
+            UniformAccuracy::Restricted => total > (exact_total / 2.0).max(0.0),
+        };
+        if !serves {
             let mut values = std::mem::take(&mut self.uniform.values);
             values.fill(1.0);
             self.apply(set, &mut values);
@@ -268,6 +283,7 @@ impl Preconditioner {
                 values,
                 total,
                 exact_total: total,
+                exact_on: Some(set.revision()),
             };
         }
     }
@@ -293,9 +309,10 @@ impl Preconditioner {
         problem: &DiscreteProblem,
         state: &State,
         set: &WorkingSet,
+        accuracy: UniformAccuracy,
         z: &mut [f64],
     ) -> f64 {
-        self.refresh(problem, set);
+        self.refresh(problem, set, accuracy);
         update(z, &state.v, |z, v| *z = state.penetration - v);
         self.apply(set, z);
         if !state.keeps_total() {

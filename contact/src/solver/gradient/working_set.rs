@@ -13,6 +13,8 @@ pub struct WorkingSet {
     mask: Vec<bool>,
     /// The elements on the wrong side by the last [prediction](Self::predict_wrong_side).
     wrong: Vec<bool>,
+    /// The revision of the set on which it was made.
+    predicted_on: Option<u64>,
     len: usize,
     changed: usize,
     /// Number of revisions that changed the set.
@@ -45,6 +47,7 @@ impl WorkingSet {
         Self {
             mask: vec![false; elements],
             wrong: vec![false; elements],
+            predicted_on: None,
             len: 0,
             changed: 0,
             revision: 0,
@@ -55,6 +58,7 @@ impl WorkingSet {
     /// Takes the working set of a starting state. Every element counts as changed.
     pub fn start(&mut self, state: &State) {
         self.update(state);
+        self.revision += 1;
         self.changed = self.mask.len();
         self.moves = self.len;
     }
@@ -81,8 +85,12 @@ impl WorkingSet {
 
     /// Finds the elements that will be on the wrong side once the correction `missing` is added to the pressure:
     /// members that will pull, and elements outside that overlap by more than a fraction `slack` of the penetration.
-    /// Returns their number, and the number of changes since the last prediction.
+    /// Returns their number, and the number of changes since the last prediction on the same set.
     pub fn predict_wrong_side(&mut self, state: &State, missing: &[f64], slack: f64) -> Prediction {
+        if self.predicted_on != Some(self.revision) {
+            self.wrong.fill(false);
+            self.predicted_on = Some(self.revision);
+        }
         let lowest = state.penetration - slack * state.reference_length(state.penetration);
         let fields = (state.pressure.par_chunks(PART)).zip(missing.par_chunks(PART));
         let fields = fields.zip(state.v.par_chunks(PART));
@@ -107,11 +115,6 @@ impl WorkingSet {
         counts
             .into_iter()
             .fold(Prediction::default(), Prediction::and)
-    }
-
-    /// Discards the last prediction.
-    pub fn discard_prediction(&mut self) {
-        self.wrong.fill(false);
     }
 
     /// Keeps the members for which `belongs` holds, by index and pressure.
@@ -239,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn keeping_retains_only_members_and_predictions_can_be_discarded() {
+    fn keeping_retains_only_members_and_a_new_set_has_no_prediction() {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let control = LoadControl::of(&problem, Load::Penetration(0.0));
         let pressure: Vec<f64> = (0..SIZE * SIZE)
@@ -264,12 +267,13 @@ mod tests {
         assert_eq!((predicted.wrong, predicted.changed), (5, 5));
         let again = set.predict_wrong_side(&state, &missing, 0.1);
         assert_eq!((again.wrong, again.changed), (5, 0));
-        set.discard_prediction();
-        let anew = set.predict_wrong_side(&state, &missing, 0.1);
-        assert_eq!((anew.wrong, anew.changed), (5, 5));
         // Only these change sides.
         set.exchange(&state);
         let exchanged = |e: usize| (members(e) && e > 1) || (30..33).contains(&e);
         assert!((0..SIZE * SIZE).all(|e| set.mask()[e] == exchanged(e)));
+        // On the new set nothing has been predicted before.
+        missing[2] = -2.0 * state.pressure[2];
+        let on_another_set = set.predict_wrong_side(&state, &missing, 0.1);
+        assert_eq!((on_another_set.wrong, on_another_set.changed), (1, 1));
     }
 }

@@ -182,7 +182,7 @@ fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
     assert_eq!(set.len(), ELEMENTS);
     let mut preconditioner = Preconditioner::new(&problem);
     let mut z = vec![0.0; ELEMENTS];
-    preconditioner.direction_into(&problem, &state, &set, &mut z);
+    preconditioner.direction_into(&problem, &state, &set, UniformAccuracy::Exact, &mut z);
     for [a, b] in [[0, 1], [3, 0], [2, 5], [16, 16], [7, 16]] {
         let wave = |e: usize| {
             let phase = a * (e / SIZE) + b * (e % SIZE);

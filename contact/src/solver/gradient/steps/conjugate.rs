@@ -5,8 +5,9 @@
 
 use rayon::prelude::*;
 
+use crate::solver::gradient::context::Context;
+use crate::solver::gradient::preconditioner::{UniformAccuracy, residual_into};
 use crate::solver::gradient::steps::segment::{Part, Segment};
-use crate::solver::gradient::{context::Context, preconditioner::residual_into};
 use crate::vector::{dot, update};
 
 /// Fewest elements per thread.
@@ -111,7 +112,7 @@ impl ConjugateDirections {
 
     /// Finds the next direction; returns `r·z`. No product.
     pub fn aim(&mut self, context: &mut Context<'_>) -> f64 {
-        context.direction_into(&mut self.preconditioned);
+        context.direction_into(UniformAccuracy::Exact, &mut self.preconditioned);
         let Context { state, set, .. } = context;
         // r·z, with r = D − v; z sums to zero, or D is prescribed.
         let product = -state.control.slope(&self.preconditioned, &state.v);

@@ -67,11 +67,7 @@ impl Newton {
     /// enough for `tolerance` (one product if elements pull).
     pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> Turn {
         if self.first.is_none() {
-            // Many elements change at once: restricting the old uniform answer to the remaining ones would cost a sixth
-            // more products.
-            context.preconditioner.forget_uniform();
             self.conjugate.restart();
-            context.set.discard_prediction();
             self.steps = 0;
         }
         let missing = self.conjugate.aim(context);

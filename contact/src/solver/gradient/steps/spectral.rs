@@ -5,9 +5,10 @@
 //! metric). `M⁻¹y` is not computed but obtained from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, exactly if the set is
 //! the same.
 
+use crate::solver::gradient::context::Context;
+use crate::solver::gradient::preconditioner::{UniformAccuracy, residual_into};
 use crate::solver::gradient::steps::projection::project;
 use crate::solver::gradient::steps::segment::{Part, Segment};
-use crate::solver::gradient::{context::Context, preconditioner::residual_into};
 use crate::vector::dot;
 
 /// Bounds of the step length `α`; 1 is the preconditioner's own step. Steps in practice lie between 0.02 and 3.
@@ -51,7 +52,7 @@ impl SpectralSteps {
     pub fn step(&mut self, context: &mut Context<'_>) -> Part {
         self.remember_energy(context.state.energy());
         std::mem::swap(&mut self.direction, &mut self.direction_before);
-        let level = context.direction_into(&mut self.direction);
+        let level = context.direction_into(UniformAccuracy::Restricted, &mut self.direction);
         let alpha = self.alpha(level, context.preconditioner.uniform(), context.segment);
         self.before = Some(level);
         context.segment.clip(context.state, alpha, &self.direction);

@@ -20,6 +20,8 @@ use crate::vector::{add_scaled, dot, sum, update, update_with};
 const SMALLEST_GAIN: f64 = 1e-6;
 /// The same if the field is wanted: its error is the square root of this.
 const SMALLEST_GAIN_OF_FIELD: f64 = 1e-20;
+/// Relative gain that is rounding: the pressure itself solves the system, as under a flat punch.
+const ROUNDING: f64 = 1e-26;
 /// Steps after which the stiffness counts as not found.
 const MOST_STEPS: usize = 300;
 
@@ -80,7 +82,10 @@ pub fn pressure_sum_per_penetration(
         if !product.is_finite() {
             return (None, steps);
         }
-        let expected = if product == 0.0 { 0.0 } else { alpha * product };
+        if product.abs() <= ROUNDING * total {
+            return (Some(total), steps);
+        }
+        let expected = alpha * product;
         if expected.abs() <= smallest_gain * total {
             return (Some(total + expected), steps);
         }
