@@ -15,6 +15,7 @@
 mod arguments;
 mod cache;
 mod case;
+mod case_solution;
 mod command;
 mod display;
 mod failure;
@@ -34,7 +35,6 @@ mod program;
 mod progress;
 mod self_affine;
 mod sensitivities;
-mod solving;
 mod source_file;
 mod stress_search;
 mod study;
@@ -62,13 +62,13 @@ pub mod solved {
     pub use crate::case::grid::BoundaryCase;
     pub use crate::case::map_sources::MapSources;
     pub use crate::case::stress::StressCase;
+    pub use crate::case_solution::{Resources, SolvedCase, solve};
     pub use crate::map::MapError;
     pub use crate::memory::MemoryBudget;
     pub use crate::output::curve::csv as curve;
     pub use crate::output::folder::Completeness;
     pub use crate::output::json;
     pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
-    pub use crate::solving::{Resources, SolvedCase, solve};
     pub use crate::source_file::read as read_source;
     pub use crate::stress_search::StressSearch;
 }

@@ -2,6 +2,7 @@
 //! yields or cracks or an interface debonds.
 
 pub mod body_extremes;
+mod candidates;
 pub mod critical_load;
 pub mod extreme;
 mod extreme_finder;
@@ -9,9 +10,8 @@ pub mod field;
 mod load_search;
 pub mod model;
 mod neighbourhood;
+mod peak_search;
 mod quantity;
-mod refine;
-mod scan;
 
 /// The nearest whole number.
 #[expect(

@@ -21,7 +21,7 @@ use crate::output::summary::{Clock, RunSummary};
 use crate::output::{json, report, results, summary_text};
 use crate::progress::{ProgressLine, SearchLine};
 use crate::stress_search::{self, Stresses};
-use crate::{cache, interrupt, solving, terminal, threads};
+use crate::{cache, case_solution, interrupt, terminal, threads};
 
 /// Interval at which a request to stop is checked during the search for stresses.
 const LOOK: Duration = Duration::from_millis(20);
@@ -47,7 +47,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
     let domain = case.domain(&model.value)?;
     let _share = memory.take(Need::new(&case, &model.value, domain, writers))?;
-    let path = Arc::new(solving::path(&case, &model.value, domain, &mut line)?);
+    let path = Arc::new(case_solution::path(&case, &model.value, domain, &mut line)?);
     if path.interrupted && path.steps.is_empty() {
         drop(line);
         return Ok(stopped_at_once());
@@ -60,7 +60,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         tables_origin: model.origin,
     };
     let mut summary = RunSummary::new(&case, &path, clock, &cache.take_warnings())?;
-    solving::complete(&case, &model.value, &path, stresses, &mut summary)?;
+    case_solution::complete(&case, &model.value, &path, stresses, &mut summary)?;
     let write = |folder: ResultsFolder| {
         let on_progress = line.writing();
         folder.write(|folder| {
@@ -92,7 +92,7 @@ fn find_stresses(
     if interrupt::is_requested() {
         return Ok(None);
     }
-    solving::unless_stopped(find_beside(case, model, domain, path, line.searching()))
+    case_solution::unless_stopped(find_beside(case, model, domain, path, line.searching()))
 }
 
 /// Finds the stresses on separate threads, which are abandoned when the user asks to stop: the extremes of one step may

@@ -12,6 +12,7 @@ use serde_json::Value;
 
 use crate::arguments::SolveArguments;
 use crate::case::BaseCase;
+use crate::case_solution::{self, Resources, SolvedCase};
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::input::overrides;
@@ -21,7 +22,6 @@ use crate::memory::MemoryBudget;
 use crate::output::folder::Completeness;
 use crate::output::summary::RunSummary;
 use crate::progress::ProgressLine;
-use crate::solving::{self, Resources, SolvedCase};
 use crate::{cache, interrupt, terminal, threads};
 
 /// Reads objects of keys and values from standard input, one per line. For each it prints the summary of the case, or
@@ -113,7 +113,7 @@ impl Stream {
         };
         let search = |_| interrupt::signal();
         let mut line = ProgressLine::hidden();
-        let solved = solving::solve(&case, resources, start, &mut line, &search)?;
+        let solved = case_solution::solve(&case, resources, start, &mut line, &search)?;
         let whole = solved.filter(|solved| solved.completeness == Completeness::Whole);
         let Some(SolvedCase { mut summary, .. }) = whole else {
             return Ok(None);

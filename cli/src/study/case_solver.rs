@@ -13,13 +13,13 @@ use super::case_status::CaseStatus;
 use super::kept_record::{self, FieldKeeper, KeptRecords};
 use super::table_columns::{TableColumns, status};
 use crate::case::Case;
+use crate::case_solution::{self, Resources, SolvedCase};
 use crate::failure::Failure;
 use crate::input::units::Units;
 use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::{own_files, results};
-use crate::solving::{self, Resources, SolvedCase};
 use crate::stress_search::StressSearch;
 
 /// Solves the cases of a study.
@@ -151,7 +151,7 @@ impl CaseSolver<'_> {
             memory: self.memory,
             writers: self.writers(folder.as_ref()),
         };
-        let Some(solved) = solving::solve(&case, resources, start, observer, search)? else {
+        let Some(solved) = case_solution::solve(&case, resources, start, observer, search)? else {
             return Ok(None);
         };
         if solved.completeness == Completeness::Part {

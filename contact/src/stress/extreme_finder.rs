@@ -1,11 +1,11 @@
 //! The largest values of quantities in depth ranges: planes first, then points, then the same peak on coarser grids.
 
+use super::candidates::{Candidate, Target, candidates, is_nearly};
 use super::extreme::Extreme;
 use super::field::StressField;
 use super::model::Sliding;
+use super::peak_search::{PeakSearch, StressPeak};
 use super::quantity::StressQuantity;
-use super::refine::{PeakSearch, StressPeak};
-use super::scan::{Candidate, Target, candidates, is_nearly};
 use crate::result::peak::place_near;
 use crate::{ContactError, ErrorEstimate, LoadingPath, PeakPlace, Step};
 
