@@ -13,7 +13,7 @@ use pellicle_texture::Grid;
 
 use self::need::Need;
 use self::trial::{TRIAL, contact_share};
-use crate::case::{Case, grid::BoundaryCase};
+use crate::case::{Case, grid::BoundaryCase, warnings::with_key};
 use crate::display::significant;
 
 /// Growth of the number of products of a hard case when the elements are halved; in an easy case it hardly grows.
@@ -103,7 +103,7 @@ fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<Strin
     };
     let grid = Grid::new(path.grid.side(), case.grid.elements).ok()?;
     let warning = domain_much_larger(model, &grid, &loads, radius);
-    warning.map(|warning| warning.to_string())
+    warning.as_ref().map(with_key)
 }
 
 /// The warning that the contact of the smallest load has too few elements.
@@ -133,7 +133,7 @@ fn of_the_model(warning: &Warning, last: usize, is_given: bool) -> Option<String
     else {
         return None;
     };
-    let words = warning.to_string();
+    let words = with_key(warning);
     let words = words
         .strip_prefix(&format!("step {step}: "))
         .unwrap_or(&words);

@@ -1,5 +1,7 @@
 //! Warnings about a case that can be solved but may not be what its user meant.
 
+use pellicle_contact::{CutOff, Warning};
+
 use super::Case;
 use super::foundation::layer::LayerCase;
 use super::map::MapCase;
@@ -15,6 +17,20 @@ pub struct CaseWarning {
     pub code: &'static str,
     /// A sentence, for human readers.
     pub message: String,
+}
+
+/// The sentence of a warning about the solution, with the key to change.
+pub fn with_key(warning: &Warning) -> String {
+    let key = match warning {
+        Warning::DomainEdge { .. }
+        | Warning::DomainMuchLarger { .. }
+        | Warning::CutOff {
+            by: CutOff::Domain, ..
+        } => "grid.side",
+        Warning::FilmShortening { .. } => "surface.law",
+        _ => return warning.to_string(),
+    };
+    format!("{warning} (`{key}`)")
 }
 
 /// Keys of lengths, pressures, forces and compliances, with the unit of a bare number in a case that has units.
@@ -226,5 +242,15 @@ mod tests {
                 .iter()
                 .any(|words| words.contains("line 4, key `surface.offset`: 1e-6"))
         );
+    }
+
+    #[test]
+    fn a_warning_names_the_key_to_change_if_there_is_one() {
+        let step = 0;
+        let cut_off = |by| with_key(&Warning::CutOff { step, by });
+        assert!(cut_off(CutOff::Domain).ends_with("choose a larger side, or none (`grid.side`)"));
+        assert!(!cut_off(CutOff::IndenterMap).contains('`'));
+        let shortening = with_key(&Warning::FilmShortening { step, times: 2.0 });
+        assert!(shortening.ends_with("choose a logarithmic law (`surface.law`)"));
     }
 }

@@ -152,8 +152,7 @@ impl fmt::Display for Warning {
                 f,
                 "step {step}: the contact is cut off by {}",
                 match by {
-                    CutOff::Domain =>
-                        "the edge of the domain: choose a larger `grid.side`, or leave it out",
+                    CutOff::Domain => "the edge of the domain: choose a larger side, or none",
                     CutOff::ReliefMap =>
                         "the end of the surface's map: the surface beyond it is unknown",
                     CutOff::IndenterMap =>
@@ -167,12 +166,12 @@ impl fmt::Display for Warning {
                 wanted,
             } => write!(
                 f,
-                "the contact, of radius about {radius:.2e}, is {} wide: a `grid.side` of {side:.3e} is far too large; choose one near {wanted:.2e}, or leave it out",
+                "the contact, of radius about {radius:.2e}, is {} wide: a domain of side {side:.3e} is far too large; choose a side near {wanted:.2e}, or none",
                 counted(elements)
             ),
             Self::FilmShortening { step, times } => write!(
                 f,
-                "step {step}: the relief shortens by {times:.2} times its height, beyond what linear springs describe: choose `surface.law = \"logarithmic\"`"
+                "step {step}: the relief shortens by {times:.2} times its height, beyond what linear springs describe: choose a logarithmic law"
             ),
             Self::TextureUnderResolved {
                 elements_per_radius,

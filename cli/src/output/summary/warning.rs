@@ -4,7 +4,7 @@ use pellicle_contact::Warning;
 use pellicle_influence::CacheWarning;
 use serde::{Deserialize, Serialize};
 
-use crate::case::warnings::CaseWarning;
+use crate::case::warnings::{CaseWarning, with_key};
 
 /// A warning about the numbers.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -27,7 +27,7 @@ impl From<&Warning> for WarningSummary {
     fn from(warning: &Warning) -> Self {
         Self {
             code: warning.code().into(),
-            message: warning.to_string(),
+            message: with_key(warning),
         }
     }
 }
