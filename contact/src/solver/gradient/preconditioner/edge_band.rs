@@ -122,7 +122,7 @@ impl EdgeBand {
     /// `F_EE s = −(F r)_E`.
     pub fn balance(&mut self, filtered: &[f64], field: &mut [f64]) {
         update(&mut self.residual, &self.elements, |r, e| {
-            *r = -filtered[*e]
+            *r = -filtered[*e];
         });
         self.solution.fill(0.0);
         self.direction.fill(0.0);
