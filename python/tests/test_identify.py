@@ -192,12 +192,12 @@ def test_ctrl_c_keeps_the_result_so_far(model: pl.Case, measured: tuple[Array, A
 
     threading.Thread(target=interrupt).start()
 
-    def report(progress: pl.FitProgress) -> None:
+    def watch(progress: pl.FitProgress) -> None:
         if progress.solved is not None and progress.solved >= 4:
             reported.set()
 
     with pytest.raises(pl.Interrupted) as interrupted:
-        pl.identify(fit, progress=report)
+        pl.identify(fit, progress=watch)
     start = time.monotonic()
     result = interrupted.value.result
     # The current load is finished; the fit does not start again.
