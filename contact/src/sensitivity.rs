@@ -8,7 +8,7 @@
 //! ∂E/∂θ = A (½ p·(K_θ + η_θ) p + g0_θ·p)
 //! ```
 //!
-//! Non-linear springs have `∂w*/∂θ` in place of `η_θ p`, `∂/∂θ ∫ w* dp` in place of `½ p·η_θ p`, and `dw*/dp` in place
+//! Nonlinear springs have `∂w*/∂θ` in place of `η_θ p`, `∂/∂θ ∫ w* dp` in place of `½ p·η_θ p`, and `dw*/dp` in place
 //! of η below.
 //!
 //! On the elements in contact `(K + η) p + g0 = D`. With `(K + η)_cc s = 1` there, as for the contact stiffness,

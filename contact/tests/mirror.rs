@@ -133,7 +133,7 @@ fn a_quadrant_gives_the_solution_of_the_whole_grid() {
 }
 
 #[test]
-fn so_does_a_quadrant_of_an_odd_number_of_elements() {
+fn a_quadrant_of_an_odd_number_of_elements_gives_the_solution_of_the_whole_grid() {
     let pillars = cylinders(Lattice::Square, [0.025, 0.025]);
     for elements in [6, 34, 50, 90] {
         compare(
@@ -145,7 +145,7 @@ fn so_does_a_quadrant_of_an_odd_number_of_elements() {
 }
 
 #[test]
-fn so_do_the_sparse_factor_and_newton_under_a_stiff_coating() {
+fn a_quadrant_gives_the_solution_of_the_whole_grid_under_a_stiff_coating() {
     for modulus in [100.0, 1000.0] {
         for relief in [Relief::Bare, cylinders(Lattice::Square, [0.0, 0.0])] {
             compare(&model(modulus, relief, paraboloid()), 64, Load::Force(1e-2));
@@ -215,7 +215,7 @@ fn a_half_gives_the_solution_of_the_whole_grid() {
 }
 
 #[test]
-fn so_does_a_half_under_stiff_coatings_and_of_contacts_from_one_element_to_all() {
+fn a_half_gives_the_solution_under_stiff_coatings_and_for_one_element_to_all_in_contact() {
     let berkovich = || Indenter::from(Pyramid::berkovich(0.01).unwrap());
     for modulus in [100.0, 1000.0] {
         compare(

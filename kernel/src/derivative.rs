@@ -2,8 +2,8 @@
 
 use crate::{Foundation, FoundationParameter, KernelError};
 
-/// Points of the difference: the value and three steps on each side, or beyond it where the value lies at an end of its
-/// range.
+/// Points of the difference: the value and three steps on each side, or more of them on one side where the value lies
+/// near an end of its range.
 const POINTS: usize = 7;
 /// Relative step of positive parameters; for Poisson's ratio, the step over the length of its range.
 ///

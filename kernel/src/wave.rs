@@ -96,7 +96,7 @@ impl PlaceInLayer {
     }
 }
 
-/// The functions of depth at one place whose sums are a layer's waves.
+/// The functions of depth whose sums are a layer's waves, at one place.
 ///
 /// In thin layers, with `t` from mid-depth: `cosh t`, `t sinh t`, `sinh t`, `t cosh t − sinh t`. In thick ones:
 /// `e^{−ζ}`, `ζ e^{−ζ}` from the top and from the bottom.

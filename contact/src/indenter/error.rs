@@ -60,7 +60,7 @@ pub enum IndenterError {
         /// Its value, rad.
         found: f64,
     },
-    /// A pyramid has too few faces to close, or so many that it is a cone.
+    /// A pyramid has too few faces to close, or so many that it is hardly different from a cone.
     #[error("found {found} faces for a pyramid, wanted {least} to {most}")]
     FaceCount {
         /// Number of faces requested.

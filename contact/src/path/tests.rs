@@ -174,7 +174,7 @@ fn each_of_two_equal_bodies_is_displaced_by_half_the_total() {
 }
 
 #[test]
-fn an_automatic_domain_that_cuts_a_contact_off_is_enlarged_and_a_given_one_is_not() {
+fn a_chosen_domain_that_cuts_a_contact_off_is_enlarged_and_a_given_one_is_not() {
     let model = model(Relief::Bare, ball());
     // Hertz: a³ = 3 Q R/(4 E*), a = 0.2
     let loads = [Load::Force(4.0 / 3.0 * 0.2_f64.powi(3))];
@@ -191,7 +191,7 @@ fn an_automatic_domain_that_cuts_a_contact_off_is_enlarged_and_a_given_one_is_no
 }
 
 #[test]
-fn an_automatic_domain_too_small_to_carry_the_force_at_the_hardness_is_enlarged() {
+fn a_chosen_domain_too_small_to_carry_the_force_at_the_hardness_is_enlarged() {
     let model = model(Relief::Bare, ball());
     // An area of 1, on squares of side 0.8 and 1.2.
     let (loads, options) = ([Load::Force(0.01)], with_hardness(0.01));

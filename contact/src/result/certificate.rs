@@ -220,7 +220,7 @@ pub struct Trial<'a> {
     /// The window that holds all pressures.
     pub window: &'a Window,
     pub load: Load,
-    /// The penetration that the solver expects, in m; infinite if it gives none.
+    /// The penetration according to the solver, in m; infinite if it gives none.
     pub expected: f64,
     pub tolerance: f64,
 }

@@ -2,7 +2,7 @@
 //!
 //! Inside smooth contact the paraboloid through the largest element and its eight neighbours has its vertex at the
 //! peak, `p = p₀ − ½ gᵀ H⁻¹ g` with the central differences `g` and `H`, to third order in the element's side. At an
-//! edge the peak is the element's own value; where a hardness cuts the pressure, it is the hardness.
+//! edge the peak is the element's own value; where a hardness cuts the pressure, the peak is the hardness.
 
 use pellicle_texture::Relief;
 

@@ -16,7 +16,7 @@ pub struct Step {
     pub work: Work,
     /// The discretisation error.
     pub grid_error: GridError,
-    /// Largest line of the certificate at each iteration on the finest grid, by the solver's running account.
+    /// Largest line of the certificate at each iteration on the finest grid, by the iteration's own residual.
     pub residuals: Vec<f64>,
     /// Contact stiffness `dQ/dD`, in N/m; none without contact, or if it was not requested or not found.
     pub contact_stiffness: Option<f64>,

@@ -131,7 +131,7 @@ impl Sensitivities<'_> {
     }
 
     /// The energy `E = ∫ D dQ` of a step, in J: `½ (D Q + A g0·p)`, since `(K + η) p + g0 = D` where p is not zero,
-    /// plus `A Σ (∫ w* dp − ½ w* p)` for non-linear springs.
+    /// plus `A Σ (∫ w* dp − ½ w* p)` for nonlinear springs.
     ///
     /// # Panics
     /// If there is no such step.

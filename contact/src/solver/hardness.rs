@@ -19,9 +19,9 @@
 //! few elements exceed the limit many times over and none is to be released: without it, three elements that carried
 //! the force of seventy took more than 2000 products; more often, some problems filled and released in turn.
 //!
-//! **Start.** The elements at the limit are held if the start is a coarser grid's pressure, those above it if it is a
-//! guess; if they carry all of a prescribed force, only those that overlap most. Starting with no element held, a fully
-//! plastic contact took five to seven times the products, one ring of elements per exchange.
+//! **Start.** From a coarser grid's pressure the elements at the limit are held, from a guess those above the limit; if
+//! they carry all of a prescribed force, only those that overlap most. Starting with no element held, a fully plastic
+//! contact took five to seven times the products, one ring of elements per exchange.
 //!
 //! **Why it ends.** After four exchanges without progress a [descent](self::descent) takes over, whose energy decreases
 //! from one admissible pressure to the next. The number of products is also bounded, and the certificate judges the

@@ -20,7 +20,7 @@ pub struct CriticalLoad {
     /// Strength, in Pa.
     pub strength: f64,
     /// The smallest force at which the strength is reached, in N; none if it is not reached under the largest load, or
-    /// already under the smallest load tried.
+    /// is reached already under the smallest load tried.
     pub force: Option<f64>,
     /// The penetration under this force, in m.
     pub penetration: Option<f64>,

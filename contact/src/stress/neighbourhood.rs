@@ -206,7 +206,8 @@ mod tests {
 
     #[track_caller]
     fn assert_near(found: [f64; 3], wanted: [f64; 3]) {
-        // The last stencil is a hundredth wide, and terms beyond the quadratic move its vertex by less than a tenth.
+        // The last stencil is a hundredth wide, and terms beyond the quadratic move its vertex by less than a tenth of
+        // that.
         let is_near = (0..3).all(|i| (found[i] - wanted[i]).abs() < 1e-3);
         assert!(is_near, "{found:?} {wanted:?}");
     }

@@ -192,7 +192,7 @@ fn pillars_and_layers_that_elements_do_not_resolve_are_warned_about() {
 }
 
 #[test]
-fn a_contact_may_come_closer_to_the_edge_of_an_automatic_domain_without_a_warning() {
+fn a_contact_may_come_closer_to_the_edge_of_a_chosen_domain_without_a_warning() {
     let (_, mut step) = on_film();
     let mut codes = |to_edge: Option<usize>, domain: Domain| {
         step.summary.elements_to_edge = to_edge;

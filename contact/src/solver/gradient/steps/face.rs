@@ -179,7 +179,7 @@ mod tests {
     };
 
     #[test]
-    fn pressures_within_rounding_of_zero_become_zero() {
+    fn negative_pressures_and_those_within_rounding_of_zero_become_zero() {
         let third = 1.0 / 3.0;
         // Negative, 0 up to rounding of the step, reduced, and unchanged.
         let mut pressure = [-0.25, 1e-16 * third, 0.5, 0.0];
