@@ -27,9 +27,9 @@ use crate::vector::{by_parts, update};
 const MOST_CHANGED: f64 = 0.02;
 /// Most elements that may leave at once.
 const MOST_LEAVING: usize = 200;
-/// Most coefficients for all leaving elements together: the contribution of each is subtracted on as many of the nearest
-/// elements as this leaves for it. With a quarter, the bare coating 3000 times as stiff takes 25 products at N = 1024
-/// instead of 19; with more, no case takes fewer, but some up to half more time.
+/// Most coefficients for all leaving elements together: the contribution of each is subtracted on as many of the
+/// nearest elements as this leaves for it. With a quarter, the bare coating 3000 times as stiff takes 25 products at
+/// N = 1024 instead of 19; with more, no case takes fewer, but some up to half more time.
 const MOST_COEFFICIENTS: usize = 1 << 23;
 /// Most numbers in all pairs together: 256 MB.
 const MOST_NUMBERS: usize = 1 << 26;
