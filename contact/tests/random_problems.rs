@@ -181,7 +181,7 @@ fn stiffening(relief: Relief) -> Relief {
     }
 }
 
-/// A model that is symmetric in y, and mostly in x too, on a grid with an even number of elements per side, under a
+/// A model that is symmetric in y, and usually in x too, on a grid with an even number of elements per side, under a
 /// force from five decades.
 fn mirrored_model(random: &mut Random, tables: &Arc<RadialTables>) -> (SampledModel, Model, Load) {
     let (side, elements) = (random.decades(1e-2, 10.0), 2 * (4 + random.below(29)));

@@ -79,7 +79,7 @@ proptest! {
         let (length, modulus) = (1e-6, 1e9);
         let same = scaled(&foundation, length, modulus).compliance(k / length);
         let wanted = foundation.compliance(k) * length / modulus;
-        // Lengths and moduli are rounded anew: one rounding per layer; that of k H in e^{−2kH} hardly matters for C.
+        // Scaled lengths and moduli are rounded: once per layer; the rounding of k H in e^{−2kH} hardly matters for C.
         assert_relative_eq!(same, wanted, max_relative = 1e-13);
     }
 
