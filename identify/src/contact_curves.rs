@@ -3,7 +3,7 @@
 //! A measured curve has up to a hundred thousand points, but the contact is solved at only a few loads. Their energies
 //! `E(Q) = ∫ D dQ` and the derivatives `∂E/∂θ` are extrapolated from two grids, and [`ForceCurve`]s through them give
 //! `D = dE/dQ`, `dD/dQ` and `∂D/∂θ` at every point. As the parameters change, each load's domain scales with its
-//! contact, so the same elements stay in contact and none of them causes a jump by entering.
+//! contact, so the same elements stay in contact and no jump comes from one that enters.
 
 mod curve;
 mod fixed_number;

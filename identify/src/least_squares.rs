@@ -4,7 +4,7 @@
 //! at x:  r, J                              nuisances eliminated, metric.rs
 //! stop where a linear problem could fall by no more than the tolerance
 //! (JᵀJ + λ D²) δ = Jᵀr, |δ| ≤ 0.7          over the unknowns that no bound holds;
-//!                                          what a step leads beyond a bound stays there, and δ is found anew
+//!                                          what a step leads beyond a bound stops at it, and δ is found again
 //! ρ = fall of χ² / fall of the linear problem
 //! ρ > 0: go there, λ ← λ max(⅓, 1 − (2ρ − 1)³);  else: λ ← λ ν, ν ← 2ν, and the next step a quarter as long
 //! ```

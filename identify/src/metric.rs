@@ -44,8 +44,8 @@ impl<'a> Metric<'a> {
     }
 
     /// The covariance at an evaluation. Relative noise scales with the reading measured from its zero: the model's
-    /// value plus the frame compliance and the drift, but not a shift. These are first found under the model's values
-    /// alone.
+    /// value plus what the frame compliance and a drift add, but not a shift. These nuisances are found first,
+    /// under the noise at the model's values alone.
     pub fn at(problem: &'a Problem, levels: &NoiseLevels, at: &Evaluation) -> Self {
         let of_model = Self::new(problem, levels, &at.value, &at.slope);
         if levels.relative == 0.0 || problem.columns().iter().all(|column| column.is_zero) {

@@ -1,9 +1,9 @@
 //! Samples of the posterior of the unknowns.
 //!
 //! The density uses the fit's own noise, with the linear nuisances integrated out. It is a density over the coordinates
-//! of the unknowns, in which a missing prior is flat. An ensemble of walkers samples it (J. Goodman and J. Weare, Comm.
-//! App. Math. Comp. Sci. 5, 65 (2010)) on a [`Surrogate`]. Convergence is judged from four independent ensembles. Each
-//! walker has its own random numbers, so no sample depends on the number of threads.
+//! of the unknowns; without a prior an unknown has a flat one in its coordinate. An ensemble of walkers samples it
+//! (J. Goodman and J. Weare, Comm. App. Math. Comp. Sci. 5, 65 (2010)) on a [`Surrogate`]. Convergence is judged from
+//! four independent ensembles. Each walker has its own random numbers, so no sample depends on the number of threads.
 
 mod convergence;
 mod density;
@@ -26,7 +26,7 @@ const WALKERS: usize = 16;
 /// Steps discarded at the start, ten autocorrelation times.
 const BURN_IN: usize = 400;
 
-/// One step in this many is kept, or fewer if few samples are wanted.
+/// One step in this many is kept, or in more if few samples are wanted.
 const THINNING: usize = 16;
 
 /// Minimum number of steps after the burn-in, about 25 autocorrelation times, so that convergence can be judged.

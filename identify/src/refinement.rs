@@ -100,8 +100,8 @@ impl<'p> Refinement<'_, 'p> {
         (Metric::at(self.problem, &levels, at), levels)
     }
 
-    /// Takes one more step without checking `χ²`, whose decrease is below the error of the predicted derivatives, while
-    /// the step itself has only that relative error. If there is no such step, the fit is unchanged.
+    /// Takes one more step without checking `χ²`: its decrease would be lost in the error of the model's derivatives,
+    /// while the step itself has only their relative error. If there is no such step, the fit is unchanged.
     fn polished(
         &self,
         predictor: &mut Predictor,

@@ -168,7 +168,7 @@ fn the_hertz_curve_its_slope_and_derivatives_are_reproduced() {
 
 /// The cost of a load is its products times the elements of their sector.
 #[test]
-fn a_berkovich_curve_takes_few_more_products_than_a_paraboloid_on_half_the_grid() {
+fn a_berkovich_curve_on_a_half_takes_few_more_products_than_a_paraboloid_on_a_quadrant() {
     let paraboloid = || Indenter::from(Paraboloid::new(RADIUS).unwrap());
     let berkovich = || Indenter::from(Pyramid::berkovich(0.2e-6).unwrap());
     let bare = ElasticBodies::from(Foundation::half_space(material(10e9, 0.3)));

@@ -21,7 +21,7 @@ pub enum InfluenceError {
         /// The largest depth, m; infinite if the base is a half-space.
         largest: f64,
     },
-    /// The kernel rejects a body or a wave.
+    /// The kernel refuses a body or a wave.
     #[error(transparent)]
     Kernel(#[from] KernelError),
     /// A table of coefficients needs at least one element per side, and no more than fit in memory.

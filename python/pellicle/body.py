@@ -30,9 +30,9 @@ class Grading(Table):
 class Material(Table):
     """An isotropic elastic material: Young's modulus in Pa, Poisson's ratio in [0, 0.5], and strengths.
 
-    `yield_strength` limits the von Mises stress and `tensile_strength` the largest principal stress, both in Pa;
-    critical loads are found for the strengths given. The `hardness` of the topmost body, in Pa, limits the contact
-    pressure.
+    `yield_strength` is the von Mises stress and `tensile_strength` the largest principal stress that it bears, both in
+    Pa; critical loads are found for the strengths given, and no stress is changed. The `hardness` of the topmost body,
+    in Pa, limits the contact pressure.
     """
 
     young_modulus: Quantity | Grading

@@ -51,7 +51,7 @@ class Certificate:
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """The grid error of one number, in its unit, with the order of convergence and whether it is observed."""
+    """The grid error of one number, in its unit, with its order of convergence and whether the number is resolved."""
 
     estimate: float
     order: float | None

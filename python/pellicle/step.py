@@ -126,7 +126,7 @@ class Step:
 
     @property
     def status(self) -> Literal["certified", "cut-off", "not-converged"]:
-        """What the step may be used for; only `"certified"` is good."""
+        """Whether the step may be used; only `"certified"` is good."""
         status: Literal["certified", "cut-off", "not-converged"] = self._summary["status"]
         return status
 

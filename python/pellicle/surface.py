@@ -29,7 +29,8 @@ class Bare(Surface):
 class Cylinders(Surface):
     """Elastic cylinders of equal radius and height on a lattice of this period, all in m.
 
-    `offset` shifts an axis from that of the indenter, in m. The Young's modulus (Pa) defaults to that of the top layer.
+    `offset` shifts the axis of one cylinder from that of the indenter, in m. The Young's modulus (Pa) defaults
+    to that of the top layer.
     """
 
     _kind: ClassVar[str] = "cylinders"

@@ -9,13 +9,13 @@ inside the square [-1/2, 1/2]^2 only, on n x n square elements, constant on each
     pillars  the same above flat-topped rigid pillars of height 0.1 d_H, so g0 is larger by that between them; their
              axes form a square lattice of period T = 16 elements, the first at (T/2, T/2) from the domain's corner;
              an element stands on a pillar if its centre lies within 0.4 T of the pillar's axis
-    rough-P  a self-affine surface: waves of whole numbers (m, n) a side with 12 <= k = |(m, n)| <= 338, amplitude as
+    rough-P  a self-affine surface: waves of integers (m, n) per side with 12 <= k = |(m, n)| <= 338, amplitude as
              k^-(1 + H), H = 0.8, phases drawn from a fixed seed, rms height 0.02 of the side, under the mean pressure
              that brings P percent of the square into contact; for n >= 1024
     periodic the same with 4 <= k <= 64 under the mean pressure 0.05, and the square is one cell of many in both
              directions; for n >= 256
     saturated
-             the same with the pressure cut at the hardness 0.6, where gaps may be negative
+             the same with the pressure limited by the hardness 0.6, where gaps may be negative
 
 Errors are relative to `length`: the Hertzian approach d_H = a^2 / R, or the rms height. pellicle.rs repeats the
 definitions of hertz and pillars for Pellicle, which reads the gap of rough.

@@ -240,8 +240,8 @@ fn a_profile_with_two_valleys_ends_where_the_lower_one_does() {
         let least: Vec<f64> = (0..=60_i32).into_par_iter().map(least_along).collect();
         let least = least.into_iter().fold(f64::INFINITY, f64::min);
         let target = modulus.threshold(0.95);
-        // Scans end within a twentieth of the target; the 4 % grid finds no less than the profile, and a few tenths
-        // more.
+        // Scans end within a twentieth of the target; the 4 % grid finds no less than the profile, and at most a few
+        // tenths more.
         assert!(
             (0.9 * target..1.3 * target).contains(&least),
             "{seed}: {least} {target}"

@@ -62,7 +62,8 @@ fn by_rule(rule: &ProductRule, offset: [usize; 2]) -> f64 {
 
 /// `S` by the Taylor series of `1/r` about the centre of the square, with `r` = 2 (m² + n²)^½ and θ the angle from
 /// an axis.
-/// Of the derivatives of orders 2, 4 and 6 the even moments of the square leave
+///
+/// The odd moments of the square vanish; the derivatives of orders 2, 4 and 6 give
 ///
 /// ```text
 /// S = (4/r) (1 + t/6 + t² (7/80 − 7/48 cos 4θ) + t³ (15/224 − 3/32 cos 4θ) + O(t⁴)),    t = 1/r²,

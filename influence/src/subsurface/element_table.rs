@@ -1,8 +1,8 @@
 //! The fields of an element at the offsets of a quarter of a grid.
 //!
-//! The offsets are tabulated in square tiles. A tile (g, t) of the octant t ≤ g holds the fields at its own offsets (m,
-//! n) and those at (n, m), which have the same distance and so share the work: under a pressure each set is the other
-//! with x and y exchanged.
+//! The offsets are tabulated in square tiles. A tile (g, t) of the octant t ≤ g holds the fields at its own offsets
+//! (m, n) and those at (n, m), which have the same distance and so share the work: under a pressure each set is the
+//! other with x and y exchanged.
 
 use rayon::prelude::*;
 

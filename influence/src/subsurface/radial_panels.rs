@@ -1,9 +1,9 @@
 //! Functions of the radius as polynomials in r² on panels.
 //!
 //! Waves that decay with depth as `e^{−kz}` give functions of r² that are analytic except at `r² = −z²` and beyond.
-//! In `w = r² + z²`, on panels from w to 9/8 w, whose end lies at most 17 half widths from that point, polynomials
-//! of degree 9 leave some 1e-13 of the functions. Eight panels fill one power of two, so the leading bits of w are
-//! the number of its panel.
+//! In `w = r² + z²`, on panels from w to at most 9/8 w, whose centre lies at least 17 half widths from that point,
+//! polynomials of degree 9 leave some 1e-13 of the functions. Eight panels fill one power of two, so the leading
+//! bits of w are the number of its panel.
 
 use crate::numerics::chebyshev::{ChebyshevTransform, nodes, taylor_weight};
 

@@ -49,7 +49,7 @@ impl<T: Real> EvenLines<T> {
         }
     }
 
-    /// Number of real frequencies of a row: those of every transform, one after the other.
+    /// Number of real frequencies of a row, those of all transforms together.
     fn frequencies_of_a_row(&self) -> usize {
         self.parts() * self.length
     }

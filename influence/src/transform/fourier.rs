@@ -23,7 +23,7 @@ use super::lines::{Columns, Factors, Lines, Real, Space};
 pub(crate) struct FourierLines<T: Real> {
     loaded: usize,
     shown: usize,
-    /// Number of wanted numbers of a row before the first given one. They stand at the end of the padded row.
+    /// How many numbers of a row are wanted before the first given one. They stand at the end of the padded row.
     before: usize,
     rows: Arc<dyn RealToComplex<T>>,
     rows_back: Arc<dyn ComplexToReal<T>>,
@@ -34,7 +34,7 @@ pub(crate) struct FourierLines<T: Real> {
 pub(crate) struct FourierColumns<T: Real> {
     loaded: usize,
     shown: usize,
-    /// Number of wanted numbers before the first given one, as for rows.
+    /// How many numbers are wanted before the first given one, as for rows.
     before: usize,
     /// L, the length of a column with its padding.
     period: usize,

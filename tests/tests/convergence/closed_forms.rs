@@ -51,7 +51,7 @@ fn hertzs_penetration_converges_with_order_two_and_the_pressure_with_order_one()
         of_penetration(hertz.penetration),
     );
     demand(&found, 1.8, 3e-6).expect("order two");
-    // The pressure ends as a square root.
+    // The pressure vanishes like a square root at the edge.
     let found = errors(
         paraboloid(1.0),
         0.3,
