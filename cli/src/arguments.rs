@@ -18,7 +18,7 @@ use crate::picture::colour_map::ColourMap;
 use crate::picture::style::Cut;
 use crate::templates::Template;
 
-/// Contact of a rigid indenter with a layered, textured elastic body: a case file in, a certified solution out.
+/// Contact of an indenter with a layered, textured elastic body: a case file in, a certified solution out.
 #[derive(Debug, Parser)]
 #[command(name = "pellicle", version, arg_required_else_help = true)]
 #[command(

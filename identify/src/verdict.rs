@@ -99,7 +99,7 @@ fn closed(unknown: &Unknown, position: f64, low: f64, high: f64) -> (Verdict, St
     let why = if factor.is_finite() {
         format!("The interval closes on both sides, but only within a factor {factor:.3}.")
     } else {
-        "The interval closes on both sides, but is wide beside the value.".to_owned()
+        "The interval closes on both sides, but is wide compared with the value.".to_owned()
     };
     (Verdict::Weak, why)
 }

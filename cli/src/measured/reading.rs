@@ -119,13 +119,13 @@ fn of_text(guessed: Option<&str>, table: &TextTable<'_>, data: &DataTable) -> Ve
     let mut warnings = Vec::new();
     if let Some(encoding) = guessed {
         let message = format!(
-            "the file is not UTF-8 and is read as {encoding}; text.encoding = \"{encoding}\" states this"
+            "the file is not UTF-8 and is read as {encoding}: give text.encoding = \"{encoding}\" to confirm"
         );
         warnings.push(CurveWarning::new("encoding-guessed", message));
     }
     if table.tables > 1 && data.text.table.is_none() {
         let message = format!(
-            "the first of {} tables in the file is read; text.table = 1 states this",
+            "the first of {} tables in the file is read: give text.table = 1 to confirm",
             table.tables
         );
         warnings.push(CurveWarning::new("several-tables", message));
