@@ -2,7 +2,6 @@
 //! yields or cracks or an interface debonds.
 
 pub mod body_extremes;
-mod candidates;
 pub mod critical_load;
 pub mod extreme;
 mod extreme_finder;
@@ -12,6 +11,7 @@ pub mod model;
 mod neighbourhood;
 mod peak_search;
 mod quantity;
+mod starting_points;
 
 /// The nearest whole number.
 #[expect(

@@ -2,11 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::candidates::Target;
 use super::extreme::Extreme;
 use super::extreme_finder::ExtremeFinder;
 use super::model::StressModel;
 use super::quantity::{OF_BODIES, OF_INTERFACES};
+use super::starting_points::Target;
 use crate::{Boundary, ContactError, LoadingPath};
 
 /// The largest ratios of stresses to the strengths of a body; none if no strength is given.

@@ -3,11 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::body_extremes::{BodyStress, InterfaceStress, StressExtremes};
-use super::candidates::Target;
 use super::extreme::Extreme;
 use super::load_search::{LoadSearch, LoadSearchResult, Solved};
 use super::model::{Criterion, StressModel};
 use super::quantity::StressQuantity;
+use super::starting_points::Target;
 use crate::{ContactError, Domain, LoadingPath, Model, Observer, SolverOptions};
 
 /// The load at which one criterion is first met.

@@ -1,11 +1,11 @@
 //! The largest values of quantities in depth ranges: planes first, then points, then the same peak on coarser grids.
 
-use super::candidates::{Candidate, Target, candidates, is_nearly};
 use super::extreme::Extreme;
 use super::field::StressField;
 use super::model::Sliding;
 use super::peak_search::{PeakSearch, StressPeak};
 use super::quantity::StressQuantity;
+use super::starting_points::{StartingPoint, Target, is_nearly, starting_points};
 use crate::result::peak::place_near;
 use crate::{ContactError, ErrorEstimate, LoadingPath, PeakPlace, Step};
 
@@ -62,12 +62,12 @@ impl<'a> ExtremeFinder<'a> {
             };
             return Ok(targets.iter().map(unloaded).collect());
         }
-        let found = candidates(&self.field, targets)?;
+        let found = starting_points(&self.field, targets)?;
         let of_target = |(index, target): (usize, &Target)| {
             let of_quantity = |quantity: &StressQuantity| {
-                let own = found.iter().filter(|candidate| {
-                    candidate.target == index && candidate.quantity == *quantity
-                });
+                let own = found
+                    .iter()
+                    .filter(|start| start.target == index && start.quantity == *quantity);
                 self.extreme(target, *quantity, &own.copied().collect::<Vec<_>>())
             };
             target.quantities.iter().map(of_quantity).collect()
@@ -75,12 +75,12 @@ impl<'a> ExtremeFinder<'a> {
         targets.iter().enumerate().map(of_target).collect()
     }
 
-    /// Finds the extreme among candidates, which are sorted by falling value.
+    /// Finds the extreme among starting points, which are sorted by falling value.
     fn extreme(
         &self,
         target: &Target,
         quantity: StressQuantity,
-        candidates: &[Candidate],
+        starting_points: &[StartingPoint],
     ) -> Result<Extreme<3>, ContactError> {
         let element = self.field.grid().element_side();
         let loaded = self.field.loaded().size as f64 * element;
@@ -92,13 +92,13 @@ impl<'a> ExtremeFinder<'a> {
         let range = [depths[0], depths[depths.len() - 1]];
         let mut search = PeakSearch::new(&self.field, quantity, range);
         let mut followed: Vec<(StressPeak, usize)> = Vec::new();
-        for candidate in distinct(candidates, &depths, element) {
-            let peak = search.climb(candidate.at, depths[candidate.depth])?;
+        for start in distinct(starting_points, &depths, element) {
+            let peak = search.climb(start.at, depths[start.depth])?;
             let is_new = |(other, _): &(StressPeak, usize)| {
                 (other.value - peak.value).abs() > ALIKE * peak.value.abs()
             };
             if followed.iter().all(is_new) {
-                followed.push((peak, candidate.depth));
+                followed.push((peak, start.depth));
             }
         }
         let largest = followed
@@ -185,20 +185,20 @@ fn coarse_value(
         .value)
 }
 
-/// Selects the candidates, sorted by falling value, that come near the largest and belong to no larger one's peak.
-fn distinct(candidates: &[Candidate], depths: &[f64], element: f64) -> Vec<Candidate> {
-    let mut kept: Vec<Candidate> = Vec::new();
-    for candidate in candidates {
-        if kept.len() == PEAKS || !is_nearly(candidate.value, candidates[0].value) {
+/// Selects the starting points, sorted by falling value, that come near the largest and belong to no larger one's peak.
+fn distinct(starting_points: &[StartingPoint], depths: &[f64], element: f64) -> Vec<StartingPoint> {
+    let mut kept: Vec<StartingPoint> = Vec::new();
+    for start in starting_points {
+        if kept.len() == PEAKS || !is_nearly(start.value, starting_points[0].value) {
             break;
         }
-        let belongs = |other: &Candidate| {
-            let apart = (other.at[0] - candidate.at[0]).hypot(other.at[1] - candidate.at[1]);
-            other.depth.abs_diff(candidate.depth) == 1
-                && apart <= element.max(depths[candidate.depth] / 2.0)
+        let belongs = |other: &StartingPoint| {
+            let apart = (other.at[0] - start.at[0]).hypot(other.at[1] - start.at[1]);
+            other.depth.abs_diff(start.depth) == 1
+                && apart <= element.max(depths[start.depth] / 2.0)
         };
         if !kept.iter().any(belongs) {
-            kept.push(*candidate);
+            kept.push(*start);
         }
     }
     kept
@@ -215,12 +215,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn candidates_of_one_peak_are_followed_once_and_none_far_below_the_largest() {
+    fn starting_points_of_one_peak_are_followed_once_and_none_far_below_the_largest() {
         let depths = [0.0, 0.1, 0.4, 1.0];
-        let kept = |candidates: &[(f64, [f64; 2], usize)]| {
-            let candidates: Vec<_> = candidates
+        let kept = |starting_points: &[(f64, [f64; 2], usize)]| {
+            let starting_points: Vec<_> = starting_points
                 .iter()
-                .map(|(value, at, depth)| Candidate {
+                .map(|(value, at, depth)| StartingPoint {
                     target: 0,
                     quantity: StressQuantity::VonMises,
                     value: *value,
@@ -228,7 +228,7 @@ mod tests {
                     depth: *depth,
                 })
                 .collect();
-            let kept = distinct(&candidates, &depths, 0.1);
+            let kept = distinct(&starting_points, &depths, 0.1);
             kept.iter().map(|kept| kept.value).collect::<Vec<_>>()
         };
         let first = (10.0, [0.0; 2], 1);

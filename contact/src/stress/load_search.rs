@@ -3,10 +3,10 @@
 //! A stress grows roughly as a power of the load, so the secant between two solved loads in logarithms finds a strength
 //! in a few steps. Each step solves a contact on its own grids and searches its stresses.
 
-use super::candidates::Target;
 use super::extreme::Extreme;
 use super::extreme_finder::ExtremeFinder;
 use super::model::Sliding;
+use super::starting_points::Target;
 use crate::{ContactError, Domain, Load, Model, Observer, SolverOptions, choose_side, solve_path};
 
 /// Relative accuracy of a critical load.

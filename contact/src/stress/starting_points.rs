@@ -41,7 +41,7 @@ pub struct Target {
 
 /// A peak of a quantity on a plane.
 #[derive(Debug, Clone, Copy)]
-pub struct Candidate {
+pub struct StartingPoint {
     /// Index among the targets.
     pub target: usize,
     pub quantity: StressQuantity,
@@ -84,10 +84,10 @@ impl Target {
 }
 
 /// Scans all targets and returns the peaks of each quantity, largest first.
-pub fn candidates(
+pub fn starting_points(
     field: &StressField,
     targets: &[Target],
-) -> Result<Vec<Candidate>, InfluenceError> {
+) -> Result<Vec<StartingPoint>, InfluenceError> {
     let element = field.grid().element_side();
     let loaded = field.loaded().size as f64 * element;
     let mut planes = Vec::new();
@@ -116,7 +116,7 @@ pub fn candidates(
             let states = blocks.states_on(*depth)?;
             for quantity in &targets[*target].quantities {
                 let peaks = blocks.peaks(&states, *quantity);
-                found.extend(peaks.into_iter().map(|(value, at)| Candidate {
+                found.extend(peaks.into_iter().map(|(value, at)| StartingPoint {
                     target: *target,
                     quantity: *quantity,
                     value,

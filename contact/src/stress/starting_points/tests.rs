@@ -154,15 +154,15 @@ fn peaks_of_every_plane_equal_its_stresses_under_elements_and_under_blocks() {
         quantities: quantities.to_vec(),
     };
     let targets = [target(0.0, 3.0), target(0.5, 0.5)];
-    let found = candidates(&field, &targets).unwrap();
+    let found = starting_points(&field, &targets).unwrap();
     assert!(found.is_sorted_by(|one, other| one.value >= other.value));
     let element = grid.element_side();
     for (index, of) in targets.iter().enumerate() {
         let depths = of.depths(32.0 * element, element);
         for quantity in quantities {
             for (at, depth) in depths.iter().enumerate() {
-                let mut own = found.iter().filter(|candidate| {
-                    let place = (candidate.target, candidate.quantity, candidate.depth);
+                let mut own = found.iter().filter(|start| {
+                    let place = (start.target, start.quantity, start.depth);
                     place == (index, quantity, at)
                 });
                 let largest = own.next().unwrap();
