@@ -312,7 +312,7 @@ impl LimitExchange {
     }
 
     /// As many elements as can carry at the limit the excess of those above it: those with the largest pressure, then
-    /// those with the smallest gap.
+    /// those with the smallest gap; none if [not to be held now](Fill), which this call may decide for the next ones.
     fn next(&mut self, limit: f64, wrong: &Wrong, v: &[f64]) -> Vec<usize> {
         let above = wrong.above.iter().map(|element| self.free[*element]);
         let beyond: f64 = above.map(|p| p / limit - 1.0).sum();
@@ -321,7 +321,7 @@ impl LimitExchange {
             && beyond > FAR_ABOVE * wrong.above.len() as f64;
         match self.fill {
             Fill::Always if beyond >= 1.0 => (),
-            Fill::IfFarAbove if beyond >= 1.0 && is_far_above => self.fill = Fill::Never,
+            Fill::IfFarAbove if is_far_above => self.fill = Fill::Never,
             _ => return Vec::new(),
         }
         let is_below = |e: &usize| self.free[*e] <= limit && !self.held.mask[*e];

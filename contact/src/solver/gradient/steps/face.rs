@@ -20,8 +20,8 @@ use crate::solver::gradient::steps::conjugate::ConjugateDirections;
 use crate::solver::gradient::steps::segment::Segment;
 use crate::vector::{add_scaled, update, update_with};
 
-/// Largest error of the solution on a face, relative to the initial one, in the metric of the preconditioner; its
-/// square is the error of the energy.
+/// Largest error of the energy of the solution on a face, relative to the initial one, as the preconditioner estimates
+/// it: `r·z`.
 const SETTLED: f64 = 1e-2;
 /// Most steps for one linear system; its approximate solution is then used, since each conjugate gradient step has
 /// lowered the energy.
