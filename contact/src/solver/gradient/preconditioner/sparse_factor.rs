@@ -54,6 +54,9 @@ const HEAD: usize = 4;
 /// Numbers in all blocks together beyond which all blocks are discarded, about 0.5 GB: a path of many loads keeps
 /// adding blocks.
 const MOST_ENTRIES: usize = 1 << 27;
+/// Tiles whose blocks, about 1 MB, serve both products while they are in the cache: with all tiles at a time, and in
+/// double precision, applying the factor takes 1.4 times as long on a grid of 1024².
+const TOGETHER: usize = 1 << 8;
 /// Tiles per parallel chunk; the same for every number of threads.
 const PART: usize = 1 << 9;
 
@@ -79,8 +82,10 @@ pub struct SparseFactor {
     direct: Option<DirectFactor>,
     /// The tiles that hold elements of the set.
     tiles: Vec<Tile>,
-    /// `G r` on each of them.
+    /// `G r` on [`TOGETHER`] of them.
     product: Vec<Product>,
+    /// `Gᵀ G r` on the grid.
+    image: Vec<f64>,
 }
 
 /// A tile that holds elements of the set.
@@ -129,6 +134,7 @@ impl SparseFactor {
                 .collect(),
             tiles: Vec::new(),
             product: Vec::new(),
+            image: Vec::new(),
             elasticity,
         }
     }
@@ -310,17 +316,21 @@ impl SparseFactor {
             return direct.apply(field);
         }
         let blocks = &self.blocks;
+        self.image.clear();
+        self.image.resize(field.len(), 0.0);
         let from: &[f64] = field;
-        let products = self.tiles.par_iter().with_min_len(PART).map(|tile| {
-            let block = blocks.block(tile.block);
-            block.multiply(tile.first, from)
-        });
-        products.collect_into_vec(&mut self.product);
-        field.fill(0.0);
-        for (tile, y) in self.tiles.iter().zip(&self.product) {
-            let block = blocks.block(tile.block);
-            block.add_transposed(tile.first, y, field);
+        for tiles in self.tiles.chunks(TOGETHER) {
+            let products = tiles.par_iter().with_min_len(TOGETHER / 8).map(|tile| {
+                let block = blocks.block(tile.block);
+                block.multiply(tile.first, from)
+            });
+            products.collect_into_vec(&mut self.product);
+            for (tile, y) in tiles.iter().zip(&self.product) {
+                let block = blocks.block(tile.block);
+                block.add_transposed(tile.first, y, &mut self.image);
+            }
         }
+        field.copy_from_slice(&self.image);
     }
 }
 

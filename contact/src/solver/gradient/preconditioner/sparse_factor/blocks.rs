@@ -5,11 +5,11 @@ const LANES: usize = 4;
 /// Most lanes filled by a tile's own elements.
 const MOST_LANES: usize = 3;
 
-/// One lane of a block. Single precision is enough for a preconditioner.
+/// One lane of a block or of a product with it. Single precision is enough for a preconditioner.
 type Lane = [f32; LANES];
 
 /// `G r` of a tile.
-pub type Product = [[f64; LANES]; MOST_LANES];
+pub type Product = [Lane; MOST_LANES];
 
 /// Blocks of `G`, one after the other.
 #[derive(Default)]
@@ -145,7 +145,9 @@ impl Block<'_> {
             }
         }
         let mut product = [[0.0; LANES]; MOST_LANES];
-        product[..N].copy_from_slice(&sums);
+        for (product, sums) in product.iter_mut().zip(sums) {
+            *product = sums.map(single);
+        }
         product
     }
 
@@ -155,11 +157,11 @@ impl Block<'_> {
             let mut sums = [0.0; LANES];
             for (lane, y) in column.iter().zip(y) {
                 for (sum, (g, y)) in sums.iter_mut().zip(lane.iter().zip(y)) {
-                    *sum += f64::from(*g) * y;
+                    *sum += g * y;
                 }
             }
             let [a, b, c, d] = sums;
-            field[at(first, *distance)] += (a + b) + (c + d);
+            field[at(first, *distance)] += f64::from((a + b) + (c + d));
         }
     }
 }
@@ -220,7 +222,7 @@ mod tests {
         for (number, width) in (0..).zip(own) {
             let block = blocks.block(number);
             let product = block.multiply(first, &field);
-            let found: Vec<f64> = product.into_iter().flatten().collect();
+            let found: Vec<f64> = product.into_iter().flatten().map(f64::from).collect();
             let mut transposed = vec![0.0; field.len()];
             block.add_transposed(first, &product, &mut transposed);
             for (own, found) in found.iter().enumerate() {
