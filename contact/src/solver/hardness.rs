@@ -35,12 +35,10 @@
 //! largest `v` of those held to the smallest `v` of the others solves the problem: the smallest is taken.
 
 mod descent;
-mod elastic_solver;
 mod limit_exchange;
 
-pub use self::elastic_solver::ElasticSolver;
 use self::limit_exchange::LimitExchange;
-use super::{Iterate, Watch};
+use super::{ElasticSolver, Iterate, Watch};
 use crate::{ContactError, DiscreteProblem, Load};
 
 /// Fraction of the tolerance to which the problems are solved. If rounding brings one of two elements that differ by
