@@ -7,7 +7,7 @@ use pellicle_texture::ReliefParameter;
 
 use crate::{ContactError, IndenterQuantity, Model};
 
-/// One parameter of a [`Model`](crate::Model).
+/// One parameter of a [`Model`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelParameter {
     /// A parameter of the foundation, or of an elastic indenter's material.
