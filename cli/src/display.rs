@@ -1,4 +1,4 @@
-//! Numbers for human readers: a few digits and an SI prefix.
+//! Numbers for human readers: a few digits and an SI prefix, ranges, and counts.
 
 use crate::input::units::Units;
 
@@ -159,6 +159,31 @@ pub fn significant(value: f64, digits: usize) -> String {
     format!("{value:.*}", usize::try_from(after).unwrap_or(0))
 }
 
+/// The value with at most three digits, without trailing zeros.
+#[must_use]
+pub fn short(value: f64) -> String {
+    let rounded = significant(value, 3);
+    rounded
+        .parse::<f64>()
+        .map_or(rounded, |value| value.to_string())
+}
+
+/// A range: `0.1 to 10 mN`.
+#[must_use]
+pub fn span([least, most]: [f64; 2], scale: &DisplayUnit) -> String {
+    let number = |value: f64| short(value / scale.divisor);
+    format!("{} to {} {}", number(least), number(most), scale.label)
+}
+
+/// A count: `1 curve`, `2 curves`.
+#[must_use]
+pub fn count(number: usize, noun: &str) -> String {
+    match number {
+        1 => format!("1 {noun}"),
+        number => format!("{number} {noun}s"),
+    }
+}
+
 /// An integer as an exponent: `⁻³`.
 #[must_use]
 pub fn superscript(exponent: i32) -> String {
@@ -214,5 +239,11 @@ mod tests {
             (small.divisor, small.label.as_str()),
             (1e-6, "10⁻⁶ case units")
         );
+    }
+
+    #[test]
+    fn short_numbers_have_no_trailing_zeros() {
+        assert_eq!(short(0.1), "0.1");
+        assert_eq!(short(10.0), "10");
     }
 }

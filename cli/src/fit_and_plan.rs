@@ -9,11 +9,11 @@ use crate::fit_file::FitFile;
 use crate::identification::Identification;
 use crate::identification::fitted_file::FittedFile;
 use crate::identification::result::FitResult;
+use crate::planning::Planning;
 use crate::planning::after_fit::Next;
 use crate::planning::candidate::{POINTS, candidates};
 use crate::planning::premises::Premises;
 use crate::planning::result::PlanResult;
-use crate::planning::{Planning, table};
 
 /// The progress of a fit or a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,10 +65,4 @@ pub fn plan(
         report(Stage::Planned(done));
     })?;
     PlanResult::new(&planning, start.elapsed().as_secs_f64())
-}
-
-/// The table of a plan, as CSV.
-#[must_use]
-pub fn plan_table(plan: &PlanResult) -> String {
-    table::csv(&plan.designs)
 }

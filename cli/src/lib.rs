@@ -92,10 +92,11 @@ pub mod studied {
 
 /// Fits made as the program makes them.
 pub mod fitted {
-    pub use crate::fit_and_plan::{Stage, fit, plan, plan_table};
+    pub use crate::fit_and_plan::{Stage, fit, plan};
     pub use crate::fit_file::{FitFile, FitSources, Measurements};
     pub use crate::identification::fitted_file::FittedFile;
     pub use crate::measured::sources::MeasurementSources;
+    pub use crate::planning::files::table as plan_table;
     pub use crate::planning::result::PlanResult;
 }
 
@@ -139,10 +140,10 @@ pub mod measurements {
     pub use crate::measured::depth_step::DepthStep;
     pub use crate::measured::error::CurveError;
     pub use crate::measured::exclusion::{ExcludedRows, ExclusionReason};
-    pub use crate::measured::files::files;
     pub use crate::measured::header::{HeaderField, HeaderUnit};
     pub use crate::measured::noise::{MeasuredNoise, NoiseCorrelation};
     pub use crate::measured::separator::{DecimalMark, Separator};
+    pub use crate::measured::sources::files;
     pub use crate::measured::spring::{HeightDirection, SpringConstant, penetration};
     pub use crate::measured::text_options::TextOptions;
     pub use crate::measured::text_table::TextTable;

@@ -5,7 +5,6 @@ pub mod disk_space;
 pub mod fields;
 pub mod file;
 pub mod folder;
-pub mod formats;
 pub mod gsf;
 pub mod lock;
 pub mod netcdf;
@@ -21,7 +20,6 @@ pub mod stress;
 pub mod summary;
 pub mod summary_text;
 pub mod vti;
-pub mod vtk;
 pub mod write_progress;
 
 use serde::Serialize;

@@ -6,16 +6,13 @@ pub mod candidate;
 pub mod comparison;
 pub mod design;
 pub mod files;
-pub mod load_warnings;
 pub mod page;
 pub mod picture;
 pub mod premises;
 pub mod result;
-pub mod table;
 pub mod text;
-pub mod words;
 
-use pellicle_contact::Load;
+use pellicle_contact::{Domain, Load, Model, SolverOptions, Warning, solve_path};
 use pellicle_identify::{
     ContactCurve, ContactCurves, Curve, CurveOptions, ForwardError, ForwardModel, IdentifyError,
     Information, NullDirections, Observable, Prediction, StopFlag,
@@ -30,6 +27,9 @@ use crate::measured::data_table::Observe;
 
 /// Time between two points of a curve, s; for a drift only the shape matters.
 const INTERVAL: f64 = 0.1;
+
+/// Elements per side of the solution that gives the warnings about a model.
+const ELEMENTS: usize = 64;
 
 /// A measurement, existing or planned: its information, and the directions in which it does not change.
 #[derive(Debug)]
@@ -122,7 +122,7 @@ impl<'a> Planning<'a> {
         let values = premises.values(&indenter, candidate.radius);
         let solved = curves.predict(&values).map_err(not_solved)?;
         let load = Load::Force(candidate.forces[1]);
-        let warnings = load_warnings::at_load(&curves.model(0, &values)?, load)?;
+        let warnings = warnings_at(&curves.model(0, &values)?, load)?;
         let (abscissae, prediction) = observed(premises.observe, candidate.loads(), solved);
         let prediction = premises.spread(prediction, &indenter);
         let curve = timed(abscissae, &prediction)?;
@@ -135,10 +135,33 @@ impl<'a> Planning<'a> {
         });
         self.loads_solved += curves.loads_solved();
         for warning in warnings {
-            self.warn(warning.code(), candidate, &load_warnings::words(&warning));
+            self.warn(warning.code(), candidate, &words(&warning));
         }
         Ok(())
     }
+}
+
+/// Returns the warnings about a model under a load.
+fn warnings_at(model: &Model, load: Load) -> Result<Vec<Warning>, Failure> {
+    let options = SolverOptions {
+        contact_stiffness: false,
+        ..SolverOptions::default()
+    };
+    let domain = Domain::Automatic;
+    let path = solve_path(model, domain, ELEMENTS, &[load], &options, &mut ())?;
+    let is_of_model = |warning: &Warning| {
+        matches!(
+            warning,
+            Warning::FilmShortening { .. } | Warning::SteepIndenter { .. }
+        )
+    };
+    Ok(path.warnings.into_iter().filter(is_of_model).collect())
+}
+
+/// Returns the warning without its step number; there is only one step.
+fn words(warning: &Warning) -> String {
+    let words = warning.to_string();
+    words.trim_start_matches("step 0: ").to_owned()
 }
 
 /// The failure for a model without a prediction.

@@ -14,7 +14,6 @@ pub mod fingerprint;
 pub mod folder;
 pub mod gather;
 pub mod identity;
-pub mod kept_field;
 pub mod kept_file;
 pub mod kept_layout;
 pub mod kept_record;
@@ -34,7 +33,8 @@ pub mod varied_key;
 
 use std::path::PathBuf;
 
-use self::kept_field::KeptField;
+use serde::{Deserialize, Serialize};
+
 use self::numbering::CaseNumbering;
 use self::varied_key::VariedKey;
 use crate::case::Case;
@@ -126,6 +126,39 @@ impl Study {
             |(varied, i): (&VariedKey, &usize)| format!("{} = {}", varied.key, varied.words(*i));
         let pairs: Vec<_> = self.varied_keys.iter().zip(&choice).map(pair).collect();
         crate::terminal::clean(&pairs.join(", "))
+    }
+}
+
+/// A field of every case that can be kept in one file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum KeptField {
+    /// Pressure `p`.
+    Pressure,
+    /// Displacement `u` of the surface.
+    Displacement,
+    /// Gap `g`.
+    Gap,
+    /// Shortening `w*` of the relief.
+    Shortening,
+    /// Profile `f*` of the relief.
+    Profile,
+}
+
+impl KeptField {
+    /// The words of `study.keep`, in the order of [`Fields::numbers`](crate::output::fields::Fields::numbers).
+    pub const CHOICES: [(&'static str, Self); 5] = [
+        ("pressure", Self::Pressure),
+        ("displacement", Self::Displacement),
+        ("gap", Self::Gap),
+        ("shortening", Self::Shortening),
+        ("profile", Self::Profile),
+    ];
+
+    /// Whether the field is computed from the pressure by a product with `K`.
+    #[must_use]
+    pub fn is_of_the_surface(self) -> bool {
+        matches!(self, Self::Displacement | Self::Gap | Self::Shortening)
     }
 }
 

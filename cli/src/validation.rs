@@ -22,12 +22,10 @@ mod report;
 pub mod run;
 mod section;
 pub mod stress;
-mod table;
 
 pub use self::report::ValidationReport;
 pub use self::run::{ValidationError, ValidationRun};
-pub use self::section::{SectionResult, ValidationSection};
-pub use self::table::{heading, section_text};
+pub use self::section::{SectionResult, ValidationSection, heading, section_text};
 
 /// All sections, from the kernel up.
 pub static SECTIONS: [ValidationSection; 14] = [

@@ -12,7 +12,6 @@
 mod error;
 mod grid;
 mod indenter;
-mod model_parameter;
 mod path;
 mod problem;
 pub mod reference;
@@ -27,7 +26,6 @@ pub use indenter::{
     Cone, CustomProfile, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity,
     Paraboloid, Profile, Pyramid, Sphere,
 };
-pub use model_parameter::ModelParameter;
 pub use path::{
     LoadingPath,
     domain::{
@@ -43,10 +41,10 @@ pub use path::{
     },
 };
 pub use problem::{
-    boundary::Boundary,
     discrete_problem::{DiscreteProblem, Identity},
     load::Load,
     model::{Model, SampledModel},
+    operator_source::Boundary,
 };
 pub use result::{
     certificate::{Certificate, Solution},
@@ -61,7 +59,9 @@ pub use result::{
     warning::Warning,
     work::{LevelWork, Work},
 };
-pub use sensitivity::{ForceCurve, ModelDerivatives, ModelDirection, Sensitivities, Sensitivity};
+pub use sensitivity::{
+    ForceCurve, ModelDerivatives, ModelDirection, ModelParameter, Sensitivities, Sensitivity,
+};
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,
     active_set::ActiveSetSolver,

@@ -1,8 +1,6 @@
 //! The contact problem of an indenter pressed into a body, and its form on one grid.
 
-pub mod boundary;
 pub mod discrete_problem;
-pub mod held_pressure;
 pub mod load;
 pub mod model;
 pub mod operator_source;

@@ -150,6 +150,21 @@ pub trait Solver {
     ) -> Result<Iterate, ContactError>;
 }
 
+/// A solver around which the exchanges for a hardness are put: it can also leave the limit out.
+pub(crate) trait ElasticSolver: Solver {
+    /// The solver's options.
+    fn options(&mut self) -> &mut SolverOptions;
+
+    /// Solves without a limit on the pressure; also returns its `K p` (m) if that is known without a product.
+    fn solve_elastic(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        load: Load,
+        start: &[f64],
+        watch: &mut Watch<'_>,
+    ) -> Result<(Iterate, Option<Vec<f64>>), ContactError>;
+}
+
 /// The observer of a whole loading path, with the position of the current solution in it.
 pub struct Watch<'a> {
     /// The observer.

@@ -8,6 +8,9 @@
     reason = "a scene that cannot be built fails its test"
 )]
 
+#[path = "random_cases/random.rs"]
+mod random;
+
 use std::sync::Arc;
 
 use pellicle_contact::{
@@ -20,6 +23,8 @@ use pellicle_texture::{
     CylinderSpec, Cylinders, Film, HeightMap, Lattice, MapCompliance, Relief, ReliefMap,
 };
 use rayon::prelude::*;
+
+use self::random::Random;
 
 const ELEMENTS: usize = 48;
 /// Thickness of a coating over the length of a case, its modulus over the body's, and whether the body is rigid.
@@ -35,30 +40,6 @@ const FOUNDATIONS: [Option<(f64, f64, bool)>; 6] = [
 /// Number of cases.
 fn cases() -> u64 {
     std::env::var("PELLICLE_RANDOM_DOMAINS").map_or(20, |count| count.parse().unwrap())
-}
-
-/// Evenly distributed numbers from a seed (the generator `SplitMix64`; Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn decades(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        usize::try_from(self.bits() % count as u64).unwrap()
-    }
 }
 
 /// The unit of length (m) of a foundation, whose modulus is the unit of stress.

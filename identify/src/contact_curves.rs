@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
 
-pub use curve::{ContactCurve, CurveOptions, Observable};
+pub use curve::{ContactCurve, CurveOptions, Observable, StopFlag};
 pub use fixed_number::FixedNumber;
 pub use force_scale::ForceScale;
 use solved_curve::{Nodes, SolvedCurve};

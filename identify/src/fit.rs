@@ -4,15 +4,14 @@ use std::rc::Rc;
 
 use crate::{
     Fit, FitOptions, FitVerdict, FitWarning, FitWork, FittedPoints, ForwardModel, Goodness,
-    IdentifyError, Problem, REFUSAL, Scatter,
-    correlation::correlation,
-    global_search,
+    IdentifyError, Problem, REFUSAL, Scatter, global_search,
     goodness::{NoiseScale, Residuals, lower_half_score, smooth_score},
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
     predictor::{Evaluation, Predictor},
     refinement::{Refined, Refinement},
     repeats::Repeats,
+    result::correlation,
 };
 
 mod covariance;

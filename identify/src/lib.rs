@@ -11,7 +11,6 @@
 
 mod autoregressive;
 mod contact_curves;
-mod correlation;
 mod curve;
 mod distribution;
 mod error;
@@ -38,13 +37,13 @@ mod refinement;
 mod repeats;
 mod result;
 mod start;
-mod stop_flag;
 mod surrogate;
 mod unknown;
 mod verdict;
 
 pub use contact_curves::{
     ContactCurve, ContactCurves, CurveOptions, FixedNumber, ForceScale, Invalidity, Observable,
+    StopFlag,
 };
 pub use curve::Curve;
 pub use error::IdentifyError;
@@ -65,7 +64,6 @@ pub use result::{
     BetweenCurves, Coefficient, Estimate, Exclusion, Fit, FitVerdict, FitWarning, FitWork,
     FittedPoints, Stopped,
 };
-pub use stop_flag::StopFlag;
 pub use surrogate::{Surrogate, SurrogateOptions};
 pub use unknown::{Coordinate, Role, Unknown};
 pub use verdict::{IDENTIFIED_WITHIN, PRIOR_DRIVEN_ABOVE, Verdict};

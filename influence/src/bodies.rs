@@ -1,12 +1,10 @@
 //! The two elastic bodies whose displacements under a pressure add up.
 
-mod direction;
 mod parameter;
 
-pub use direction::ElasticDirection;
 pub use parameter::ElasticParameter;
 
-use pellicle_kernel::{Foundation, Material};
+use pellicle_kernel::{Foundation, FoundationParameter, Material};
 
 /// A foundation and, if it is elastic too, the counterbody pressed against it: a half-space, like an indenter much
 /// larger than the contact.
@@ -15,6 +13,9 @@ pub struct ElasticBodies {
     foundation: Foundation,
     counterbody: Option<Material>,
 }
+
+/// Rates of change `dθ/dt` of some parameters, each in its own unit.
+pub type ElasticDirection = Vec<(ElasticParameter, f64)>;
 
 impl ElasticBodies {
     /// A foundation under a counterbody; rigid if there is no material.
@@ -47,6 +48,56 @@ impl ElasticBodies {
             2.0 / (material.plane_strain_modulus() * wavenumber.abs())
         });
         self.foundation.compliance(wavenumber) + of_counterbody
+    }
+
+    /// The change of all parameters under a change of scale; see
+    /// [`Foundation::scaling`](pellicle_kernel::Foundation::scaling).
+    #[must_use]
+    pub fn scaling(&self, length: f64, modulus: f64) -> ElasticDirection {
+        let of_foundation = self.foundation.scaling(length, modulus).into_iter();
+        let of_foundation =
+            of_foundation.map(|(of, change)| (ElasticParameter::Foundation(of), change));
+        let of_counterbody = self.counterbody.map(|material| {
+            let change = modulus * material.young_modulus();
+            (ElasticParameter::CounterbodyYoungModulus, change)
+        });
+        of_foundation.chain(of_counterbody).collect()
+    }
+
+    /// Changes that preserve the compliance of both bodies together at every wavenumber: those of the
+    /// [foundation](pellicle_kernel::Foundation::null_directions), the change of the counterbody's constants at
+    /// constant `E_i*`, and on a homogeneous body the change of both moduli at constant `1/E* + 1/E_i*`.
+    #[must_use]
+    pub fn null_directions(&self) -> Vec<ElasticDirection> {
+        let own = |(of, change)| (ElasticParameter::Foundation(of), change);
+        let of_foundation = self.foundation.null_directions().into_iter();
+        let of_foundation = of_foundation.map(|direction| direction.into_iter().map(own).collect());
+        let mut directions: Vec<ElasticDirection> = of_foundation.collect();
+        let Some(material) = &self.counterbody else {
+            return directions;
+        };
+        let nu = material.poisson_ratio();
+        directions.push(vec![
+            // d ln E = −2ν/(1 − ν²) dν
+            (
+                ElasticParameter::CounterbodyYoungModulus,
+                -2.0 * nu / ((1.0 - nu) * (1.0 + nu)) * material.young_modulus(),
+            ),
+            (ElasticParameter::CounterbodyPoissonRatio, 1.0),
+        ]);
+        if self.foundation.layers().is_empty() {
+            // dE/E = E* dt, dE_i/E_i = −E_i* dt
+            let surface = self.foundation.surface_material();
+            let rate = |of: &Material| {
+                of.young_modulus() * of.plane_strain_modulus() / surface.plane_strain_modulus()
+            };
+            let modulus = FoundationParameter::YoungModulus { body: 0 };
+            directions.push(vec![
+                (ElasticParameter::Foundation(modulus), rate(&surface)),
+                (ElasticParameter::CounterbodyYoungModulus, -rate(material)),
+            ]);
+        }
+        directions
     }
 }
 

@@ -2,6 +2,5 @@
 
 pub(crate) mod chebyshev;
 pub(crate) mod chebyshev_panels;
-pub(crate) mod lagrange;
 pub(crate) mod quadrature;
 pub(crate) mod rounding;

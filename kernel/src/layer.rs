@@ -1,4 +1,4 @@
-//! One elastic layer of a foundation.
+//! One elastic layer of a foundation, and the base below the last one.
 
 use crate::{Interface, KernelError, Material};
 
@@ -48,6 +48,18 @@ impl Layer {
     pub fn interface(&self) -> Interface {
         self.interface
     }
+}
+
+/// The body below the last layer.
+///
+/// Every base reaches to infinity or does not move at all, so nothing above it can float away:
+/// there is deliberately no free base.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Base {
+    /// An elastic half-space.
+    HalfSpace(Material),
+    /// A body that does not deform.
+    Rigid,
 }
 
 #[cfg(test)]

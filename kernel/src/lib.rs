@@ -52,7 +52,6 @@
 //! `response/minors.rs` holds the central idea of the crate: the bodies below a plane as five numbers.
 
 mod asymptotics;
-mod base;
 mod derivative;
 mod direction;
 mod error;
@@ -69,7 +68,6 @@ mod transformed_system;
 mod wave;
 
 pub use asymptotics::{LongWaves, ShortWaves};
-pub use base::Base;
 pub use derivative::ResponseDerivative;
 pub use direction::FoundationDirection;
 pub use error::KernelError;
@@ -77,7 +75,7 @@ pub use foundation::Foundation;
 pub use graded::{GradedLayer, GradingOptions, SplitLayer};
 pub use interface::{Interface, Spring};
 pub use interior::{Amplitudes, Antiplane, InPlane, Interior, Side};
-pub use layer::Layer;
+pub use layer::{Base, Layer};
 pub use material::Material;
 pub use paper_notation::{TwoLayer, load_transform};
 pub use parameter::FoundationParameter;

@@ -5,14 +5,12 @@ mod decay;
 mod junction;
 pub(crate) mod minors;
 mod one_layer;
-mod poisson;
 mod spring;
 mod stack;
 
 use crate::{Base, Interface, Layer};
 pub(crate) use minors::Minors;
 pub(crate) use one_layer::OneLayer;
-pub(crate) use poisson::Poisson;
 pub(crate) use spring::ComplianceShare;
 pub(crate) use stack::{BottomSupport, Stack};
 

@@ -9,7 +9,7 @@
 //! the layer's four unknowns are the state at its mid-depth. For larger `s` they are the amplitudes of two waves that
 //! decay from the top and two that decay from the bottom: no exponential is large and no two columns become alike.
 
-use crate::response::Poisson;
+use crate::material::Poisson;
 use crate::wave::{DepthFactors, LayerEquations, PlaceInLayer, TopPair, U, V};
 use crate::{Interface, KernelError, Material};
 use nalgebra::{Matrix4, RowVector4, Vector4};

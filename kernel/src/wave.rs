@@ -8,7 +8,7 @@
 //! (A² − 1) v = (P, −Q, Q, −P)      P = (U + σ)/(1 − ν), Q = (V + τ)/(1 − ν)
 //! ```
 
-use crate::response::Poisson;
+use crate::material::Poisson;
 use nalgebra::{Matrix4, RowVector4, Vector4};
 
 /// Horizontal displacement `U`.

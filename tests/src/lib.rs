@@ -3,7 +3,6 @@
 
 pub mod convergence;
 pub mod coverage;
-pub mod figure_2;
 pub mod scene;
 
 #[cfg(doctest)]

@@ -4,9 +4,8 @@ use pellicle_contact::Boundary;
 use serde::{Deserialize, Serialize};
 
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
-use crate::input::value_reader::Sign;
 
 /// Default number of elements per side.
 const DEFAULT_ELEMENTS: usize = 256;

@@ -14,9 +14,9 @@ use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
-use crate::input::value_reader::{Sign, ValueReader};
+use crate::input::value_reader::ValueReader;
 
 /// The indenter of a case; every value is in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -3,10 +3,9 @@
 use serde::Serialize;
 
 use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::quantity_list::QuantityList;
 use crate::input::table_reader::TableReader;
-use crate::input::value_reader::Sign;
 
 /// The four keys of which exactly one is given.
 const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];

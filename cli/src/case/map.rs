@@ -14,12 +14,12 @@ use serde::Serialize;
 use super::height_limits::HeightLimits;
 use super::map_sources::MapSources;
 use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::quantity;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::TomlValue;
 use crate::input::units::Units;
-use crate::input::value_reader::{Sign, ValueReader};
+use crate::input::value_reader::ValueReader;
 use crate::map::MapFile;
 
 const FILE: &str =

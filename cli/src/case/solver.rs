@@ -4,9 +4,8 @@ use pellicle_contact::{Method, SolverOptions};
 use serde::Serialize;
 
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
-use crate::input::value_reader::Sign;
 
 /// Below the lower limit rounding errors dominate; above the upper limit the solution is useless.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-13..=1e-2;

@@ -15,13 +15,13 @@ use super::foundation::depths::BodyPlane;
 use super::foundation::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::foundation::substrate::SubstrateCase;
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::quantity_list::QuantityList;
 use crate::input::spacing::rounded;
 use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree;
-use crate::input::value_reader::{Sign, ValueReader};
+use crate::input::value_reader::ValueReader;
 
 /// The requested stresses; every value is in SI units or the case's own.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]

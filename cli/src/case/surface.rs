@@ -13,9 +13,9 @@ use super::map::MapCase;
 use super::map_sources::MapSources;
 use super::spring_law::LawCase;
 use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
-use crate::input::value_reader::{Sign, ValueReader};
+use crate::input::value_reader::ValueReader;
 
 /// The surface of a case; every value is in SI units or the case's own.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -3,9 +3,8 @@
 use pellicle_identify::Prior;
 
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
-use crate::input::value_reader::Sign;
 
 /// The keys of a prior.
 pub const KEYS: [&str; 5] = ["prior", "median", "factor", "mean", "sd"];

@@ -4,10 +4,10 @@ use pellicle_identify::{FitOptions, Intervals};
 
 use super::model::ModelParameters;
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::quantity_list::QuantityList;
 use crate::input::table_reader::TableReader;
-use crate::input::value_reader::{Sign, ValueReader};
+use crate::input::value_reader::ValueReader;
 
 /// The largest number of samples of a posterior.
 const MOST_SAMPLES: usize = 1_000_000;

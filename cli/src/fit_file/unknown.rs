@@ -7,11 +7,11 @@ use super::model::ModelParameters;
 use super::prior;
 use crate::case::parameter::{self, CaseParameter};
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::key_path::dotted;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::{TomlEntry, TomlTable, TomlValue};
-use crate::input::value_reader::{Sign, ValueReader};
+use crate::input::value_reader::ValueReader;
 
 /// Without bounds, a parameter is sought within this many standard deviations of its prior.
 const DEVIATIONS: f64 = 8.0;

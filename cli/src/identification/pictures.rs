@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::result::FitResult;
 use super::{Identification, names, units};
-use crate::display::significant;
+use crate::display::{count, significant};
 use crate::failure::Failure;
 use crate::output::write_progress::WriteProgress;
 use crate::picture::fit::corner::{self, CornerPlot};
@@ -112,10 +112,6 @@ impl FitSubject<'_> {
             FitVerdict::Fitted => "fitted",
             FitVerdict::Misfit => "MISFIT: the model does not fit the measurements",
             FitVerdict::NotConverged => "NOT CONVERGED",
-        };
-        let count = |number: usize, noun: &str| match number {
-            1 => format!("1 {noun}"),
-            number => format!("{number} {noun}s"),
         };
         let left_out = match self.fit.excluded.len() {
             0 => String::new(),

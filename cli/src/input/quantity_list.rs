@@ -1,10 +1,10 @@
 //! Lists of quantities, written one by one or as a range.
 
 use super::diagnosis::Diagnosis;
-use super::dimension::Dimension;
+use super::dimension::{Dimension, Sign};
 use super::spacing::{self, Spacing};
 use super::table_reader::TableReader;
-use super::value_reader::{Sign, ValueReader};
+use super::value_reader::ValueReader;
 
 /// The kind of quantity in a list, and the largest number of items.
 #[derive(Debug, Clone, Copy)]

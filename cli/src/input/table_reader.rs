@@ -1,11 +1,11 @@
 //! Reads a table key by key and diagnoses its faults.
 
 use super::diagnosis::{Diagnosis, Fault, closest};
-use super::dimension::Dimension;
+use super::dimension::{Dimension, Sign};
 use super::key_path::dotted;
 use super::span::Span;
 use super::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
-use super::value_reader::{Sign, ValueReader};
+use super::value_reader::ValueReader;
 
 /// A table and its dotted path.
 #[derive(Debug, Clone)]

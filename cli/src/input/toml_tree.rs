@@ -91,7 +91,7 @@ impl TomlTable {
 pub fn parse(source: &Arc<Source>) -> Result<TomlNode, Diagnosis> {
     let root = DeTable::parse(source.inner()).map_err(|error| not_toml(source, &error))?;
     let node = TomlNode {
-        value: TomlValue::Table(table(source, root.get_ref())),
+        value: TomlValue::Table(table(source, 0, root.get_ref())),
         span: Span::end_of(source),
     };
     refuse_empty(node)
@@ -136,7 +136,7 @@ pub fn node(source: &Arc<Source>, start: usize, spanned: &Spanned<DeValue<'_>>) 
         DeValue::Array(items) => {
             TomlValue::List(items.iter().map(|item| node(source, start, item)).collect())
         }
-        DeValue::Table(entries) => TomlValue::Table(table_at(source, start, entries)),
+        DeValue::Table(entries) => TomlValue::Table(table(source, start, entries)),
     };
     TomlNode { value, span }
 }
@@ -146,11 +146,7 @@ fn float(digits: &str) -> TomlValue {
     TomlValue::Float(digits.parse().unwrap_or(f64::NAN))
 }
 
-fn table(source: &Arc<Source>, entries: &DeTable<'_>) -> TomlTable {
-    table_at(source, 0, entries)
-}
-
-fn table_at(source: &Arc<Source>, start: usize, entries: &DeTable<'_>) -> TomlTable {
+fn table(source: &Arc<Source>, start: usize, entries: &DeTable<'_>) -> TomlTable {
     let entry = |(key, value): (&Spanned<_>, &Spanned<DeValue<'_>>)| {
         let span = key.span();
         let key: &std::borrow::Cow<'_, str> = key.get_ref();

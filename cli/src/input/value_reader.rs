@@ -1,13 +1,9 @@
 //! Reads the value of a key as the required type.
 
-mod sign;
-
 use std::ops::RangeInclusive;
 
-pub use sign::Sign;
-
 use super::diagnosis::{Diagnosis, Fault, closest};
-use super::dimension::Dimension;
+use super::dimension::{Dimension, Sign};
 use super::quantity::{self, QuantityError};
 use super::toml_tree::{TomlNode, TomlValue};
 

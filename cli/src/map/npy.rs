@@ -15,7 +15,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     let kind = NumberType::named(&header.kind)?;
     let [along_x, along_y] = header.shape[..] else {
         let found = header.shape.len();
-        return Err(npy(format!("it has {found} dimensions")));
+        return Err(MapError::Npy(format!("it has {found} dimensions")));
     };
     let (count, size) = (along_x.checked_mul(along_y), kind.size);
     if count == Some(0) {
@@ -23,7 +23,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     }
     let data = &bytes[header.length..];
     if count.and_then(|count| count.checked_mul(size)) != Some(data.len()) {
-        return Err(npy(format!(
+        return Err(MapError::Npy(format!(
             "its header says {along_x} × {along_y} numbers of {size} bytes, and {} bytes follow",
             data.len()
         )));
@@ -47,10 +47,6 @@ impl MapFile {
         let points = (shape[1] == 3).then(|| grid_points::map(&values)).flatten();
         points.unwrap_or_else(|| Self::bare(shape, values))
     }
-}
-
-fn npy(reason: String) -> MapError {
-    MapError::Npy(reason)
 }
 
 /// A type of number, by NumPy's name: `<f8` is a little-endian float of 8 bytes.
@@ -84,7 +80,7 @@ impl NumberType {
             "u4" => (NumberClass::Unsigned, 4),
             "u8" => (NumberClass::Unsigned, 8),
             _ => {
-                return Err(npy(format!(
+                return Err(MapError::Npy(format!(
                     "its elements are of the type \"{name}\", wanted floats or integers of at most 64 bits"
                 )));
             }

@@ -2,10 +2,10 @@
 
 use super::channel::Channel;
 use super::columns::{ColumnUnit, CurveColumns};
-use super::contact_slope::contact_slope;
 use super::curve::{CurveWarning, MeasuredCurve};
 use super::error::CurveError;
 use super::exclusion::ExclusionReason;
+use super::spring::contact_slope;
 
 /// The smallest number of points of a curve.
 const LEAST_POINTS: usize = 3;

@@ -5,10 +5,11 @@ use super::error::CurveError;
 use super::header::{HeaderField, HeaderUnit};
 use super::text_table::TextTable;
 use crate::input::diagnosis::Diagnosis;
+use crate::input::dimension::Sign;
 use crate::input::quantity;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::TomlValue;
-use crate::input::value_reader::{Sign, ValueReader};
+use crate::input::value_reader::ValueReader;
 
 /// A column by its number from 1 or by its name in the header.
 #[derive(Debug, Clone, PartialEq)]

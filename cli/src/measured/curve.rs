@@ -75,14 +75,6 @@ impl MeasuredCurve {
         self.values(Channel::Deflection)
     }
 
-    /// Forces, N, at another spring constant, N/m, if they are computed from the deflection; the penetration does not
-    /// change. None otherwise.
-    #[must_use]
-    pub fn force_with(&self, spring_constant: f64) -> Option<Vec<f64>> {
-        let force = |deflection: &f64| spring_constant * deflection;
-        Some(self.deflection()?.iter().map(force).collect())
-    }
-
     /// Penetrations relative to the first point, m, at another spring constant, N/m, with unchanged forces; none
     /// without the height of a piezo.
     #[must_use]
@@ -92,16 +84,6 @@ impl MeasuredCurve {
             self.force()?,
             spring_constant,
         ))
-    }
-
-    /// Checks that there are enough points to fit this many unknowns: two more, one to estimate the noise and one to
-    /// assess the fit.
-    ///
-    /// # Errors
-    ///
-    /// [`CurveError::TooFewPoints`] if there are fewer.
-    pub fn enough_points(&self, unknowns: usize) -> Result<(), CurveError> {
-        self.at_least(unknowns + 2)
     }
 
     /// Checks that there are at least `wanted` points.

@@ -7,10 +7,17 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::files::files;
+use glob::{MatchOptions, Pattern};
 
 /// The largest file that is read, bytes.
 const LARGEST_FILE: u64 = 512 << 20;
+
+/// `*` and `?` match part of one name, but neither a folder separator nor the leading dot of a hidden file.
+const GLOB: MatchOptions = MatchOptions {
+    case_sensitive: true,
+    require_literal_separator: true,
+    require_literal_leading_dot: true,
+};
 
 /// The measurements that a fit file may name as `file`.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -78,6 +85,27 @@ fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// Returns the files in a folder that match a name or a pattern with `*` and `?`, in the order of their names.
+#[must_use]
+pub fn files(folder: &Path, pattern: &str) -> Vec<PathBuf> {
+    let named = folder.join(pattern);
+    if named.is_file() {
+        return vec![named];
+    }
+    let wild = |c: char| match c {
+        '*' | '?' => c.to_string(),
+        c => Pattern::escape(&c.to_string()),
+    };
+    let escaped: String = pattern.chars().map(wild).collect();
+    let folder = Pattern::escape(&folder.to_string_lossy());
+    let whole = Path::new(&folder).join(escaped);
+    let found = glob::glob_with(&whole.to_string_lossy(), GLOB);
+    let paths = found.into_iter().flatten().flatten();
+    let mut files: Vec<_> = paths.filter(|path| path.is_file()).collect();
+    files.sort();
+    files
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -97,5 +125,27 @@ mod tests {
         assert_eq!(content("b.csv"), [b"file"]);
         assert_eq!(content("*.csv"), [b"file", b"file"]);
         assert!(sources.read(Path::new("none")).is_err());
+    }
+
+    #[test]
+    fn a_pattern_matches_its_files_in_order() {
+        let folder = tempfile::tempdir().unwrap();
+        let inside = folder.path().join("[a] b");
+        fs::create_dir(&inside).unwrap();
+        for name in [
+            "t2.csv", "t10.csv", "t1.csv", ".t3.csv", "[x].csv", "t1.txt",
+        ] {
+            fs::write(inside.join(name), "1").unwrap();
+        }
+        let names = |pattern: &str| -> Vec<String> {
+            let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
+            files(&inside, pattern).iter().map(name).collect()
+        };
+        assert_eq!(names("t*.csv"), ["t1.csv", "t10.csv", "t2.csv"]);
+        assert_eq!(names("t?.csv"), ["t1.csv", "t2.csv"]);
+        assert_eq!(names("[x].csv"), ["[x].csv"]);
+        assert_eq!(names("[x].*"), ["[x].csv"]);
+        assert!(names("*.hdf5").is_empty() && names("").is_empty());
+        assert_eq!(files(folder.path(), "*/t1.txt").len(), 1);
     }
 }

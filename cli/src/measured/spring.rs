@@ -5,13 +5,12 @@
 //! but not the penetration. `identification/spring_constants.rs` describes the effect on a fit.
 
 use super::channel::Channel;
-use super::contact_slope::contact_slope;
 use super::error::CurveError;
 use super::raw_curve::RawCurve;
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
-use crate::input::value_reader::{Sign, ValueReader};
+use crate::input::value_reader::ValueReader;
 
 /// The spring constant of a cantilever, N/m.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -130,6 +129,27 @@ pub(super) fn add_penetration(
     raw.replace(Channel::Height, approach);
     raw.replace(Channel::Depth, depths);
     Ok(())
+}
+
+/// Returns the covariance of a length and the force over the points in the upper half of the force range, that is, in
+/// contact; its sign is that of the change of the length with the force. These points are not affected by adhesion,
+/// drift before contact, or a slow retract after it. Points with NaN are ignored.
+pub(super) fn contact_slope(lengths: &[f64], forces: &[f64]) -> f64 {
+    let is_valid = |(length, force): &(&f64, &f64)| length.is_finite() && force.is_finite();
+    let valid = || lengths.iter().zip(forces).filter(is_valid);
+    let highest = valid()
+        .map(|(_, force)| *force)
+        .fold(f64::NEG_INFINITY, f64::max);
+    let lowest = valid()
+        .map(|(_, force)| *force)
+        .fold(f64::INFINITY, f64::min);
+    let middle = 0.5 * (highest + lowest);
+    let contact: Vec<_> = valid().filter(|(_, force)| **force > middle).collect();
+    let count = contact.len() as f64;
+    let mean_length = contact.iter().map(|(length, _)| *length).sum::<f64>() / count;
+    let mean_force = contact.iter().map(|(_, force)| *force).sum::<f64>() / count;
+    let product = |(length, force): &(&f64, &f64)| (*length - mean_length) * (*force - mean_force);
+    contact.iter().map(product).sum()
 }
 
 #[cfg(test)]

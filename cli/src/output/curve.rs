@@ -1,14 +1,10 @@
 //! `curve.csv`: one row per loading step, units in the header.
 
-mod column;
-pub mod hardness;
-pub mod rough;
+pub mod columns;
 pub mod sensitivity;
 pub mod stress;
 
-use self::column::{CurveColumn, name, number};
-use self::hardness::HardnessColumns;
-use self::rough::RoughColumns;
+use self::columns::{CurveColumn, HardnessColumns, RoughColumns, name, number};
 use self::sensitivity::SensitivityColumns;
 use self::stress::StressColumns;
 use super::summary::{RunSummary, StepSummary};

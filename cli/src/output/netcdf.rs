@@ -4,7 +4,7 @@
 //! the coordinates, `shortening`, `profile`, `mask` and `contact`, which are the same in every format; global
 //! attributes `total_contact_area`, the part of the domain in contact, and `type` with the meaning they have there.
 //! `mean_pressure` is that of the summary, force over contact area; its meaning there, force over the whole domain, is
-//! here `nominal_pressure`. The file has the classic format with 64-bit offsets, described in its [header].
+//! here `nominal_pressure`. The file has the classic format with 64-bit offsets, described in its [header](mod@header).
 
 pub mod header;
 

@@ -14,9 +14,9 @@ use super::pictures::{self, StepDrawings};
 use super::report;
 use super::summary::RunSummary;
 use super::write_progress::{OnProgress, WriteProgress};
-use super::{curve, file, formats, json, stress, summary};
+use super::{curve, file, gsf, json, netcdf, npz, stress, summary, vti};
 use crate::case::Case;
-use crate::case::output::OutputCase;
+use crate::case::output::{Format, OutputCase};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::style::Style;
@@ -128,7 +128,7 @@ fn write_steps(
             pictures::step(folder, summary, i, fields, &Style::default(), writer).map(Some)
         };
         let (written, part) = rayon::join(
-            || formats::write(folder, summary, i, &fields, formats, writer),
+            || write_fields(folder, summary, i, &fields, formats, writer),
             draw,
         );
         written?;
@@ -136,6 +136,27 @@ fn write_steps(
     });
     let parts = parts.collect::<Result<Vec<Option<StepDrawings>>, Failure>>()?;
     Ok(parts.into_iter().flatten().collect())
+}
+
+/// Writes the fields of a step in every requested format, in parallel: compression takes about as long as all the rest.
+fn write_fields(
+    folder: &Path,
+    summary: &RunSummary,
+    step: usize,
+    fields: &Fields<'_>,
+    formats: &[Format],
+    writer: &WriteProgress<'_>,
+) -> Result<(), Failure> {
+    let units = summary.units;
+    formats.par_iter().try_for_each(|format| {
+        let write = || match format {
+            Format::Npz => npz::write(&folder.join(npz::file(step)), fields),
+            Format::Vti => vti::write(&folder.join(vti::file(step)), fields, units),
+            Format::Nc => netcdf::write(&folder.join(netcdf::file(step)), fields, summary, step),
+            Format::Gsf => gsf::write(folder, fields, units, step),
+        };
+        writer.file(write).map(drop)
+    })
 }
 
 /// Selects the steps with pictures that appear in the report: the first, the last and some evenly spaced between.

@@ -5,7 +5,6 @@
 pub mod fields;
 mod netcdf;
 pub mod npz;
-mod plane_file;
 mod plane_values;
 mod planes;
 pub mod view;
@@ -15,9 +14,8 @@ use std::path::Path;
 
 use pellicle_contact::{LoadingPath, StressField};
 
-use self::plane_file::{StressFile, StressHead};
-use self::plane_values::PlaneValues;
 pub use self::plane_values::{FIELDS, FieldName};
+use self::plane_values::{PlaneValues, StressFile, StressHead};
 use self::planes::{PlaneUses, block_radius};
 use self::view::{SectionDepths, StressView, SurfaceLine, ViewCollector};
 use super::fields::Fields;

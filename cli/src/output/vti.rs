@@ -1,16 +1,19 @@
 //! `fields-NNN.vti`: the fields of one loading step, for `ParaView` and everything else that reads VTK's XML.
 //!
 //! An image of N × N cells; the numbers follow the text in binary, each array after its length in bytes. Single
-//! precision is enough for any picture and halves the file; `fields-NNN.npz` has full precision.
+//! precision is enough for any picture and halves the file; `fields-NNN.npz` has full precision. The descriptions of
+//! the arrays and their lengths are the same in every file of this XML.
 
 use std::io::{self, Write};
 use std::path::Path;
 
 use super::fields::Fields;
 use super::file::write_stoppable;
-use super::vtk::{LENGTH, byte_array, number_array, write_length};
 use crate::failure::Failure;
 use crate::input::units::Units;
+
+/// Size in bytes of the length of an array, which precedes its values.
+pub const LENGTH: usize = size_of::<u64>();
 
 /// Name of the file of a step in a results folder.
 #[must_use]
@@ -87,4 +90,33 @@ fn write_truths(file: &mut impl Write, size: usize, values: &[bool]) -> io::Resu
 /// The elements in VTK's order: along x first.
 fn along_x(size: usize) -> impl Iterator<Item = usize> {
     (0..size).flat_map(move |j| (0..size).map(move |i| i * size + j))
+}
+
+/// Describes an array of numbers in single precision with its unit, `offset` bytes after the first array.
+#[must_use]
+pub fn number_array(name: &str, unit: &str, offset: usize) -> String {
+    format!(
+        r#"        <DataArray type="Float32" Name="{name}" format="appended" offset="{offset}">
+          <InformationKey name="UNITS_LABEL" location="vtkDataArray">{unit}</InformationKey>
+        </DataArray>
+"#
+    )
+}
+
+/// Describes an array of bytes, `offset` bytes after the first array.
+#[must_use]
+pub fn byte_array(name: &str, offset: usize) -> String {
+    format!(
+        r#"        <DataArray type="UInt8" Name="{name}" format="appended" offset="{offset}"/>
+"#
+    )
+}
+
+/// Writes the length of an array in bytes.
+///
+/// # Errors
+///
+/// The errors of the file.
+pub fn write_length(file: &mut impl Write, bytes: usize) -> io::Result<()> {
+    file.write_all(&(bytes as u64).to_le_bytes())
 }

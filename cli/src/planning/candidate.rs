@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::words::{short, span};
+use crate::display::{short, span};
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::result::{self, PlanResult};
-use super::{page, picture, table, text};
+use super::{page, picture, text};
 use crate::failure::Failure;
 use crate::identification::findings::WarningResult;
 use crate::output::write_progress::WriteProgress;
@@ -41,11 +41,38 @@ pub fn write(folder: &Path, plan: &mut PlanResult) -> Result<(), Failure> {
         code: warning.code,
         message: warning.message,
     }));
-    let csv = table::csv(&plan.designs);
-    file::write_bytes(&folder.join(TABLE), csv.as_bytes())?;
+    file::write_bytes(&folder.join(TABLE), table(plan).as_bytes())?;
     let page = page::html(plan, svg.as_deref());
     file::write_bytes(&folder.join(report::FILE), page.as_bytes())?;
     file::write_bytes(&folder.join(result::FILE), json(plan)?.as_bytes())
+}
+
+/// Returns the table, as CSV: a row for each design and parameter, best design first.
+#[must_use]
+pub fn table(plan: &PlanResult) -> String {
+    let header = "rank,design,curves,key,unit,value,standard error of ln,low,high,verdict\n";
+    let rows = plan.designs.iter().enumerate().flat_map(|(index, design)| {
+        text::numbers(design).map(move |of| {
+            let [low, high] = of.interval.map(number);
+            format!(
+                "{},\"{}\",{},{},{},{:e},{},{low},{high},{}\n",
+                index + 1,
+                text::name(design),
+                design.curves.len(),
+                of.key,
+                of.unit,
+                of.value,
+                number(of.standard_error),
+                of.verdict
+            )
+        })
+    });
+    header.to_owned() + &rows.collect::<String>()
+}
+
+/// Writes a number, or an empty cell.
+fn number(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |value| format!("{value:e}"))
 }
 
 #[cfg(test)]

@@ -5,8 +5,7 @@ use askama::Template;
 use super::design::{DesignResult, ExpectedResult};
 use super::result::PlanResult;
 use super::text::{self, percent};
-use super::words::count;
-use crate::display::significant;
+use crate::display::{count, significant};
 use crate::identification::names;
 
 /// The page, with its numbers as text.

@@ -3,8 +3,7 @@
 use super::advice;
 use super::design::{DesignResult, ExpectedResult};
 use super::result::PlanResult;
-use super::words::{count, short};
-use crate::display::significant;
+use crate::display::{count, short, significant};
 use crate::identification::findings::NoiseResult;
 use crate::identification::names;
 use crate::identification::units;

@@ -8,12 +8,11 @@ use std::io;
 
 use serde::{Deserialize, Serialize};
 
-use super::Study;
 use super::case_counts::CaseCounts;
 use super::case_status::CaseStatus;
-use super::kept_field::KeptField;
 use super::numbering::CaseNumbering;
 use super::shard::Shard;
+use super::{KeptField, Study};
 use crate::case::Case;
 use crate::case::output::Steps;
 use crate::failure::Failure;

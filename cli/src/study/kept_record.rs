@@ -8,9 +8,9 @@ use std::sync::{Mutex, PoisonError};
 
 use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
 
+use super::KeptField;
 use super::case_status::CaseStatus;
 use super::identity::StudyIdentity;
-use super::kept_field::KeptField;
 use super::kept_layout::{HEAD, KeptLayout};
 use super::numbering::CaseNumbering;
 use crate::failure::Failure;

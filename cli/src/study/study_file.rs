@@ -16,11 +16,10 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use super::Study;
-use super::kept_field::KeptField;
 use super::numbering::{CaseNumbering, Combine};
 use super::samples;
 use super::varied_key::VariedKey;
+use super::{KeptField, Study};
 use crate::failure::Failure;
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::key_path::{self, dotted};

@@ -10,8 +10,7 @@ use super::case_status::CaseStatus;
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::curve;
-use crate::output::curve::hardness::HardnessColumns;
-use crate::output::curve::rough::RoughColumns;
+use crate::output::curve::columns::{HardnessColumns, RoughColumns};
 use crate::output::curve::stress::StressColumns;
 use crate::output::summary::{RunSummary, StepSummary};
 

@@ -1,7 +1,14 @@
-//! A section of the validation, which is one kind of evidence, and its comparisons.
+//! A section of the validation, which is one kind of evidence, its comparisons, and their table for the terminal.
 
-use super::comparison::Comparison;
+use super::comparison::{ComparedValue, Comparison, RowVerdict};
 use super::run::{ValidationError, ValidationRun};
+use crate::display::significant;
+
+/// Digits of a number in the table; JSON has all.
+const DIGITS: usize = 9;
+
+/// Characters of the longest word that fits its column.
+const MAX_WORD_LENGTH: usize = 14;
 
 /// One kind of evidence.
 #[derive(Debug)]
@@ -34,5 +41,61 @@ impl ValidationSection {
             section: self,
             rows: (self.rows)(run).unwrap_or_else(failed),
         }
+    }
+}
+
+/// Returns the names of the columns.
+#[must_use]
+pub fn heading() -> String {
+    let cells = ["reference", "computed", "error", "tolerance", "verdict"];
+    line("check", cells)
+}
+
+/// Writes a section: its name, its rows, and the sources of its references and tolerances.
+#[must_use]
+pub fn section_text(section: &SectionResult) -> String {
+    let rows: String = section.rows.iter().map(row).collect();
+    let ValidationSection {
+        name,
+        source,
+        because,
+        ..
+    } = section.section;
+    format!("\n{name}\n{rows}  reference: {source}\n  error: {because}\n")
+}
+
+fn row(row: &Comparison) -> String {
+    let verdict = match row.verdict {
+        RowVerdict::Pass => "pass",
+        RowVerdict::Fail => "FAIL",
+    };
+    let (reference, computed) = (value(&row.reference), value(&row.computed));
+    // An error message is put on its own line.
+    let (computed, reason) = if computed.chars().count() > MAX_WORD_LENGTH {
+        ("none".to_owned(), format!("      {computed}\n"))
+    } else {
+        (computed, String::new())
+    };
+    let [error, tolerance] = [row.error, row.tolerance].map(small);
+    let cells = [&reference, &computed, &error, &tolerance, verdict];
+    line(&format!("  {}", row.check), cells) + &reason
+}
+
+fn line(check: &str, [reference, computed, error, tolerance, verdict]: [&str; 5]) -> String {
+    format!("{check:<54}{reference:>16}{computed:>16}{error:>10}{tolerance:>11}  {verdict}\n")
+}
+
+fn value(value: &ComparedValue) -> String {
+    match value {
+        ComparedValue::Number(number) => significant(*number, DIGITS),
+        ComparedValue::Word(word) => word.clone(),
+    }
+}
+
+fn small(number: f64) -> String {
+    if number == 0.0 {
+        "0".into()
+    } else {
+        format!("{number:.1e}")
     }
 }

@@ -122,7 +122,8 @@ fn the_deflection_of_an_optics11_file_gives_the_load_that_it_states() {
         assert!((force - stated).abs() < 0.51e-12, "{force:e} {stated:e}");
     }
     // Another spring constant scales the force; the penetration is the approach minus the deflection in any case.
-    let doubled = curve.force_with(0.038).unwrap();
+    let stiffer = one(&format!("file = \"optics11*.txt\"\n{columns}").replace("0.019", "0.038"));
+    let doubled = stiffer.force().unwrap();
     assert!((doubled[2000] - 2.0 * curve.force().unwrap()[2000]).abs() < 1e-20);
     let (approach, deflection) = (curve.approach().unwrap(), curve.deflection().unwrap());
     let penetration = approach[2000] - (deflection[2000] - deflection[0]);

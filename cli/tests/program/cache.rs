@@ -17,9 +17,7 @@ fn with_cache(folder: &TestFolder, arguments: &[&str]) -> ProgramOutput {
 }
 
 fn summary(folder: &TestFolder) -> Value {
-    let ran = with_cache(folder, &["run", "case.toml", "--json", "--set", SIZE]);
-    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    serde_json::from_str(&ran.stdout).unwrap()
+    with_cache(folder, &["run", "case.toml", "--json", "--set", SIZE]).json()
 }
 
 fn is_from_cache(summary: &Value) -> bool {
@@ -102,11 +100,7 @@ fn an_unwritable_cache_gives_one_warning_and_the_same_result() {
 #[test]
 fn the_cache_is_shown_and_cleared() {
     let folder = TestFolder::with_case(CASE);
-    let json = |arguments: &[&str]| -> Value {
-        let ran = with_cache(&folder, arguments);
-        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-        serde_json::from_str(&ran.stdout).unwrap()
-    };
+    let json = |arguments: &[&str]| -> Value { with_cache(&folder, arguments).json() };
     assert_eq!(json(&["cache", "--json"])["files"], 0);
     summary(&folder);
     let shown = json(&["cache", "--json"]);

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::runner::{ProgramOutput, TestFolder};
+use crate::identify_plan::number;
+use crate::runner::{ProgramOutput, TestFolder, keys};
 
 /// A coating on a polymer indented by a ball, with noise of 1 %.
 const COATING: &str = r#"
@@ -44,6 +45,27 @@ noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
 "foundation.substrate.young_modulus" = { from = "1 GPa", to = "1 TPa" }
 "#;
 
+/// A fit of the radius of a diamond ball to repeats on tungsten.
+pub fn tungsten() -> String {
+    let curves =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/curves/tungsten_sphere_test0*.csv");
+    format!(
+        r#"
+[model]
+foundation = {{ substrate = {{ young_modulus = "410 GPa", poisson_ratio = 0.28 }} }}
+indenter = {{ kind = "paraboloid", radius = "165 nm", young_modulus = "1141 GPa", poisson_ratio = 0.07 }}
+[[data]]
+file = "{}"
+columns = {{ depth = "depth", force = "load", time = 1 }}
+units = {{ depth = "nm", force = "mN", time = "s" }}
+segment = {{ from = "0.02 mN", until = "largest depth step" }}
+[unknown]
+"indenter.radius" = {{ from = "20 nm", to = "2 um" }}
+"#,
+        curves.display()
+    )
+}
+
 /// A folder with this fit file and the measurements simulated from it.
 fn simulated(fit: &str, data: &str, seed: &str) -> TestFolder {
     let folder = TestFolder::new();
@@ -70,19 +92,6 @@ fn fitted(folder: &TestFolder, fit: &str, more: &[&str]) -> (ProgramOutput, Valu
     let found = serde_json::from_str(&ran.stdout);
     let found = found.unwrap_or_else(|error| panic!("{error}: {}", ran.stderr));
     (ran, found)
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap_or(f64::NAN)
-}
-
-fn keys(value: &Value) -> Vec<&str> {
-    value
-        .as_object()
-        .unwrap()
-        .keys()
-        .map(String::as_str)
-        .collect()
 }
 
 #[test]
@@ -224,25 +233,8 @@ fn a_cone_fitted_as_a_paraboloid_is_refused_with_exit_code_3() {
 
 #[test]
 fn repeats_on_tungsten_scatter_by_more_than_the_error_of_each() {
-    let curves =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/curves/tungsten_sphere_test0*.csv");
-    let fit = format!(
-        r#"
-[model]
-foundation = {{ substrate = {{ young_modulus = "410 GPa", poisson_ratio = 0.28 }} }}
-indenter = {{ kind = "paraboloid", radius = "165 nm", young_modulus = "1141 GPa", poisson_ratio = 0.07 }}
-[[data]]
-file = "{}"
-columns = {{ depth = "depth", force = "load", time = 1 }}
-units = {{ depth = "nm", force = "mN", time = "s" }}
-segment = {{ from = "0.02 mN", until = "largest depth step" }}
-[unknown]
-"indenter.radius" = {{ from = "20 nm", to = "2 um" }}
-"#,
-        curves.display()
-    );
     let folder = TestFolder::new();
-    let (ran, found) = fitted(&folder, &fit, &["--accept-misfit"]);
+    let (ran, found) = fitted(&folder, &tungsten(), &["--accept-misfit"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let radius = &found["unknowns"][0];
     let (value, scatter) = (number(&radius["value"]), number(&radius["scatter"]));

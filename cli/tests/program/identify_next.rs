@@ -1,10 +1,10 @@
 //! The next measurement: the design of a fit file, evaluated together with its data.
 
 use std::fs;
-use std::path::Path;
 
 use serde_json::Value;
 
+use crate::identify::tungsten;
 use crate::identify_plan::{E1, E2, MODEL, design, error, number, unknown};
 use crate::runner::{TestFolder, names};
 
@@ -100,25 +100,7 @@ fn without_a_design_nothing_is_planned() {
 /// Repeats scatter by more than the error of each: one more curve adds no more than one more repeat.
 #[test]
 fn the_plan_includes_the_scatter_between_repeats() {
-    let curves =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/curves/tungsten_sphere_test0*.csv");
-    let fit = format!(
-        r#"
-[model]
-foundation = {{ substrate = {{ young_modulus = "410 GPa", poisson_ratio = 0.28 }} }}
-indenter = {{ kind = "paraboloid", radius = "165 nm", young_modulus = "1141 GPa", poisson_ratio = 0.07 }}
-[[data]]
-file = "{}"
-columns = {{ depth = "depth", force = "load", time = 1 }}
-units = {{ depth = "nm", force = "mN", time = "s" }}
-segment = {{ from = "0.02 mN", until = "largest depth step" }}
-[unknown]
-"indenter.radius" = {{ from = "20 nm", to = "2 um" }}
-[report]
-design = {{ forces = ["0.2 mN"] }}
-"#,
-        curves.display()
-    );
+    let fit = tungsten() + "[report]\ndesign = { forces = [\"0.2 mN\"] }\n";
     let folder = TestFolder::new();
     fs::write(folder.path("fit.toml"), fit).unwrap();
     let ran = folder.run(&["identify", "fit.toml", "--json", "--accept-misfit"]);

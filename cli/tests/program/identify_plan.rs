@@ -34,9 +34,9 @@ pub fn fit_file(model: &str, unknowns: &[&str], more: &str) -> String {
 /// The plan of a fit file, as JSON.
 fn planned(folder: &TestFolder, fit: &str) -> Value {
     fs::write(folder.path("fit.toml"), fit).unwrap();
-    let ran = folder.run(&["identify", "fit.toml", "--plan", "--json"]);
-    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    serde_json::from_str(&ran.stdout).unwrap()
+    folder
+        .run(&["identify", "fit.toml", "--plan", "--json"])
+        .json()
 }
 
 /// Finds the design of a list whose curves have these radii and largest forces.

@@ -61,9 +61,7 @@ intervals = "{intervals}"
     let folder = TestFolder::new();
     fs::write(folder.path("curve.csv"), measurement()).unwrap();
     fs::write(folder.path("fit.toml"), fit).unwrap();
-    let ran = folder.run(&["identify", "fit.toml", "--json"]);
-    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    serde_json::from_str(&ran.stdout).unwrap()
+    folder.run(&["identify", "fit.toml", "--json"]).json()
 }
 
 /// Value and interval ends of an estimate.

@@ -6,23 +6,11 @@ use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use serde_json::Value;
-
 use crate::runner::{CASE, ProgramOutput, TestFolder, names};
 
 /// Three cases that take almost no time.
 const STUDY: &str =
     "[study]\ncase = \"case.toml\"\n[study.vary]\nload.force = [\"1 uN\", \"2 uN\", \"3 uN\"]\n";
-
-fn with_study(text: &str) -> TestFolder {
-    let folder = TestFolder::with_case(CASE);
-    fs::write(folder.path("many.toml"), text).unwrap();
-    folder
-}
-
-fn study(folder: &TestFolder, more: &[&str]) -> ProgramOutput {
-    folder.run(&[&["study", "many.toml", "--quiet"], more].concat())
-}
 
 fn read(folder: &TestFolder, name: &str) -> String {
     fs::read_to_string(folder.path(name)).unwrap()
@@ -118,7 +106,7 @@ fn a_file_of_the_user_with_the_name_of_a_result_is_not_replaced() {
 
 #[test]
 fn a_summary_of_another_origin_is_not_replaced_by_a_run_or_a_study() {
-    let folder = with_study(STUDY);
+    let folder = TestFolder::with_study(CASE, STUDY);
     let foreign = ["a", "results/many/cases/case-0002"];
     for place in foreign {
         fs::create_dir_all(folder.path(place)).unwrap();
@@ -129,10 +117,7 @@ fn a_summary_of_another_origin_is_not_replaced_by_a_run_or_a_study() {
         &folder.run(&["run", "case.toml", "--out", "a", "--force"]),
         "other than a results folder",
     );
-    refused(
-        &study(&folder, &["--folders"]),
-        "other than a results folder",
-    );
+    refused(&folder.study(&["--folders"]), "other than a results folder");
     for place in foreign {
         assert_eq!(
             names(&folder.path(place)),
@@ -144,7 +129,7 @@ fn a_summary_of_another_origin_is_not_replaced_by_a_run_or_a_study() {
 
 #[test]
 fn a_study_replaces_only_folders_of_its_own_cases() {
-    let folder = with_study(STUDY);
+    let folder = TestFolder::with_study(CASE, STUDY);
     let case = "results/many/cases/case-0002";
     let place = folder.path(case);
     let out = place.to_str().unwrap().to_owned();
@@ -158,13 +143,13 @@ fn a_study_replaces_only_folders_of_its_own_cases() {
         "title=other",
     ];
     assert_eq!(folder.run(&other).code, Some(0));
-    refused(&study(&folder, &["--folders"]), "another case");
+    refused(&folder.study(&["--folders"]), "another case");
     assert_eq!(folder.summary(case)["title"], "other");
     let same = ["run", "case.toml", "--quiet", "--out", &out, "--force"];
     let set = ["--set", "load.force=2 uN"];
     assert_eq!(folder.run(&[&same[..], &set].concat()).code, Some(0));
     fs::write(place.join("thesis.tex"), "mine").unwrap();
-    let ran = study(&folder, &["--folders"]);
+    let ran = folder.study(&["--folders"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert_eq!(
         fs::read_to_string(place.join("thesis.tex")).unwrap(),
@@ -176,14 +161,13 @@ fn a_study_replaces_only_folders_of_its_own_cases() {
 fn line_breaks_and_quotes_in_a_value_are_read_back() {
     let titles = ["a\nb", "c\rd", "e,f", "g\"h", "i\r\nj", "k"];
     let list = serde_json::to_string(&titles).unwrap();
-    let folder = with_study(&format!(
-        "[study]\ncase = \"case.toml\"\n[study.vary]\ntitle = {list}\n"
-    ));
+    let folder = TestFolder::with_study(
+        CASE,
+        &format!("[study]\ncase = \"case.toml\"\n[study.vary]\ntitle = {list}\n"),
+    );
     // The second time the table is read and nothing is left to do.
     for _ in 0..2 {
-        let ran = folder.run(&["study", "many.toml", "--json"]);
-        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-        let report: Value = serde_json::from_str(&ran.stdout).unwrap();
+        let report = folder.run(&["study", "many.toml", "--json"]).json();
         assert_eq!(
             (&report["cases"], &report["certified"]),
             (&6.into(), &6.into())
@@ -192,16 +176,16 @@ fn line_breaks_and_quotes_in_a_value_are_read_back() {
     let mut reader = csv::Reader::from_path(folder.path("results/many/results.csv")).unwrap();
     let rows = reader.records().map(|row| row.unwrap()[2].to_owned());
     assert_eq!(rows.collect::<Vec<_>>(), titles);
-    let listed = study(&folder, &["--list"]).stdout;
+    let listed = folder.study(&["--list"]).stdout;
     assert_eq!(listed.lines().next(), Some("case 1: title = a\\nb"));
 }
 
 #[test]
 fn gather_replaces_no_table_of_another_study_or_of_the_user() {
-    let folder = with_study(STUDY);
+    let folder = TestFolder::with_study(CASE, STUDY);
     let whole = "results/many/results.csv";
     for shard in ["1/2", "2/2"] {
-        assert_eq!(study(&folder, &["--shard", shard]).code, Some(0));
+        assert_eq!(folder.study(&["--shard", shard]).code, Some(0));
     }
     fs::write(folder.path(whole), "mine\n").unwrap();
     for more in [&[][..], &["--force"]] {
@@ -211,7 +195,7 @@ fn gather_replaces_no_table_of_another_study_or_of_the_user() {
     }
     // Another, finished study, whose folder received the parts.
     fs::write(folder.path("many.toml"), STUDY.replace("3 uN", "4 uN")).unwrap();
-    assert_eq!(study(&folder, &["--out", "other"]).code, Some(0));
+    assert_eq!(folder.study(&["--out", "other"]).code, Some(0));
     for name in ["results.csv", "study.json"] {
         fs::copy(
             folder.path("other").join(name),
@@ -229,20 +213,20 @@ fn gather_replaces_no_table_of_another_study_or_of_the_user() {
 
 #[test]
 fn parts_of_two_studies_are_not_mixed_in_one_folder() {
-    let folder = with_study(STUDY);
-    assert_eq!(study(&folder, &[]).code, Some(0));
+    let folder = TestFolder::with_study(CASE, STUDY);
+    assert_eq!(folder.study(&[]).code, Some(0));
     let whole = read(&folder, "results/many/results.csv");
     fs::write(folder.path("many.toml"), STUDY.replace("3 uN", "4 uN")).unwrap();
-    refused(&study(&folder, &["--shard", "1/2"]), "--fresh");
+    refused(&folder.study(&["--shard", "1/2"]), "--fresh");
     assert_eq!(read(&folder, "results/many/results.csv"), whole);
-    assert_eq!(study(&folder, &["--shard", "1/2", "--fresh"]).code, Some(0));
+    assert_eq!(folder.study(&["--shard", "1/2", "--fresh"]).code, Some(0));
     let part = ["results-1-of-2.csv", "study-1-of-2.json"];
     // The existing table stays until the complete new one replaces it.
     let before = ".pellicle-before-results.csv";
     let there = names(&folder.path("results/many"));
     assert_eq!(there, [&[before], &part[..]].concat());
     assert_eq!(read(&folder, &format!("results/many/{before}")), whole);
-    assert_eq!(study(&folder, &["--shard", "2/2"]).code, Some(0));
+    assert_eq!(folder.study(&["--shard", "2/2"]).code, Some(0));
     assert_eq!(folder.run(&["gather", "results/many"]).code, Some(0));
     assert_eq!(read(&folder, "results/many/results.csv").lines().count(), 4);
     let there = names(&folder.path("results/many"));
@@ -251,12 +235,12 @@ fn parts_of_two_studies_are_not_mixed_in_one_folder() {
 
 #[test]
 fn a_table_of_the_user_is_not_overwritten() {
-    let folder = with_study(STUDY);
+    let folder = TestFolder::with_study(CASE, STUDY);
     fs::create_dir_all(folder.path("a")).unwrap();
     fs::write(folder.path("a/results.csv"), "mine\n").unwrap();
     for more in [&[][..], &["--fresh"], &["--shard", "1/2"]] {
         refused(
-            &study(&folder, &[&["--out", "a"], more].concat()),
+            &folder.study(&[&["--out", "a"], more].concat()),
             "results.csv",
         );
         assert_eq!(read(&folder, "a/results.csv"), "mine\n");
@@ -265,9 +249,9 @@ fn a_table_of_the_user_is_not_overwritten() {
 
 #[test]
 fn simultaneous_gathers_all_succeed() {
-    let folder = with_study(STUDY);
+    let folder = TestFolder::with_study(CASE, STUDY);
     for shard in ["1/2", "2/2"] {
-        assert_eq!(study(&folder, &["--shard", shard]).code, Some(0));
+        assert_eq!(folder.study(&["--shard", shard]).code, Some(0));
     }
     let start = |_| {
         let mut command = folder.command(&["gather", "results/many"]);
@@ -295,13 +279,13 @@ fn writing_a_template_keeps_an_existing_file_of_a_temporary_name() {
 #[test]
 fn links_in_a_foreign_folder_are_not_followed() {
     use std::os::unix::fs::symlink;
-    let folder = with_study(STUDY);
+    let folder = TestFolder::with_study(CASE, STUDY);
     fs::write(folder.path("bashrc"), "mine").unwrap();
     assert_eq!(
         folder.run(&["run", "case.toml", "--out", "a"]).code,
         Some(0)
     );
-    assert_eq!(study(&folder, &[]).code, Some(0));
+    assert_eq!(folder.study(&[]).code, Some(0));
     let link = |name: &str| {
         drop(fs::remove_file(folder.path(name)));
         symlink(folder.path("bashrc"), folder.path(name)).unwrap();
@@ -314,10 +298,10 @@ fn links_in_a_foreign_folder_are_not_followed() {
     link(".partial-new.toml");
     assert_eq!(folder.run(&["init", "--out", "new.toml"]).code, Some(0));
     link("results/many/.partial-study.json");
-    assert_eq!(study(&folder, &[]).code, Some(0));
+    assert_eq!(folder.study(&[]).code, Some(0));
     link("results/many/results.csv");
     for more in [&[][..], &["--fresh"]] {
-        assert_eq!(study(&folder, more).code, Some(2));
+        assert_eq!(folder.study(more).code, Some(2));
     }
     assert_eq!(read(&folder, "bashrc"), "mine");
 }
@@ -364,8 +348,10 @@ fn remains_of_a_killed_run_are_marked_and_removed_by_the_next() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_case_with_too_little_memory_fails_without_the_others() {
-    let folder =
-        with_study("[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 8192, 64]\n");
+    let folder = TestFolder::with_study(
+        CASE,
+        "[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = [32, 8192, 64]\n",
+    );
     let limited = |line: &str| {
         let program = env!("CARGO_BIN_EXE_pellicle");
         let script = format!("ulimit -v 900000; exec {program} {line}");

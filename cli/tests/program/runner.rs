@@ -61,6 +61,14 @@ impl From<Output> for ProgramOutput {
     }
 }
 
+impl ProgramOutput {
+    /// Returns the standard output of a run that succeeded, as JSON.
+    pub fn json(&self) -> Value {
+        assert_eq!(self.code, Some(0), "{}", self.stderr);
+        serde_json::from_str(&self.stdout).unwrap()
+    }
+}
+
 impl TestFolder {
     pub fn new() -> Self {
         Self(tempfile::tempdir().unwrap())
@@ -70,6 +78,13 @@ impl TestFolder {
     pub fn with_case(text: impl AsRef<[u8]>) -> Self {
         let folder = Self::new();
         fs::write(folder.path("case.toml"), text).unwrap();
+        folder
+    }
+
+    /// Returns such a folder with this text as `many.toml`.
+    pub fn with_study(case: impl AsRef<[u8]>, study: &str) -> Self {
+        let folder = Self::with_case(case);
+        fs::write(folder.path("many.toml"), study).unwrap();
         folder
     }
 
@@ -103,6 +118,11 @@ impl TestFolder {
         Self::ran(&mut self.command(arguments))
     }
 
+    /// Runs the study `many.toml`.
+    pub fn study(&self, more: &[&str]) -> ProgramOutput {
+        self.run(&[&["study", "many.toml", "--quiet"], more].concat())
+    }
+
     pub fn ran(command: &mut Command) -> ProgramOutput {
         command.output().unwrap().into()
     }
@@ -123,4 +143,10 @@ pub fn names(folder: &Path) -> Vec<String> {
         .collect();
     names.sort();
     names
+}
+
+/// The keys of a table, in order.
+pub fn keys(value: &Value) -> Vec<&str> {
+    let table = value.as_object().unwrap();
+    table.keys().map(String::as_str).collect()
 }

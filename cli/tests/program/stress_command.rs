@@ -4,25 +4,19 @@ use std::f64::consts::PI;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, ProgramOutput, TestFolder};
+use crate::runner::{CASE, ProgramOutput, TestFolder, keys};
 
 /// Hertz's contact with R = 1 and E/(1 − ν²) = 1.
 const HERTZ: &str = "[foundation]\nsubstrate = { young_modulus = 0.91, poisson_ratio = 0.3 }\n\
     [indenter]\nkind = \"paraboloid\"\nradius = 1\n[load]\nforces = [1e-4, 1e-3]\n[grid]\nelements = 64\n";
 
 fn rows(ran: &ProgramOutput) -> Vec<Value> {
-    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    let rows: Value = serde_json::from_str(&ran.stdout).unwrap();
+    let rows = ran.json();
     rows.as_array().unwrap().clone()
 }
 
 fn number(row: &Value, place: &str) -> f64 {
     row.pointer(place).unwrap().as_f64().unwrap()
-}
-
-fn keys(value: &Value) -> Vec<&str> {
-    let table = value.as_object().unwrap();
-    table.keys().map(String::as_str).collect()
 }
 
 #[test]

@@ -3,7 +3,6 @@
 use std::fs;
 
 use pellicle_cli::results::read_stresses;
-use serde_json::Value;
 
 use crate::runner::{TestFolder, names};
 
@@ -114,9 +113,7 @@ fn the_section_shows_the_stresses_at_its_points() {
                 "--set",
                 "stress={friction=0.3}",
             ];
-            let ran = folder.run(&[&line[..], &sets].concat());
-            assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-            let states: Value = serde_json::from_str(&ran.stdout).unwrap();
+            let states = folder.run(&[&line[..], &sets].concat()).json();
             let states = states.as_array().unwrap().clone();
             // On an interface, the first is that above it.
             let state = if plane == below {

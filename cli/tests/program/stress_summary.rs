@@ -5,7 +5,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, TestFolder};
+use crate::runner::{CASE, TestFolder, keys};
 
 /// Hertz's contact with R = 1, E/(1 − ν²) = 1 and a yield strength.
 fn hertz(yield_strength: f64) -> String {
@@ -21,14 +21,9 @@ fn peak(force: f64) -> f64 {
 }
 
 fn summary(folder: &TestFolder, more: &[&str]) -> Value {
-    let ran = folder.run(&[&["run", "case.toml", "--json"], more].concat());
-    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-    serde_json::from_str(&ran.stdout).unwrap()
-}
-
-fn keys(value: &Value) -> Vec<&str> {
-    let table = value.as_object().unwrap();
-    table.keys().map(String::as_str).collect()
+    folder
+        .run(&[&["run", "case.toml", "--json"], more].concat())
+        .json()
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use crate::runner::{CASE, ProgramOutput, TestFolder, names};
+use crate::runner::{CASE, TestFolder, names};
 
 /// 40 cases, of which the four with the widest cylinders overlap.
 const STUDY: &str = r#"[study]
@@ -22,13 +22,7 @@ const CASES: usize = 40;
 const FAILED: usize = 10;
 
 fn folder() -> TestFolder {
-    let folder = TestFolder::with_case(CASE.replace("elements = 32", "elements = 64"));
-    fs::write(folder.path("many.toml"), STUDY).unwrap();
-    folder
-}
-
-fn study(folder: &TestFolder, more: &[&str]) -> ProgramOutput {
-    folder.run(&[&["study", "many.toml", "--quiet"], more].concat())
+    TestFolder::with_study(CASE.replace("elements = 32", "elements = 64"), STUDY)
 }
 
 fn table(folder: &TestFolder, name: &str) -> String {
@@ -38,7 +32,7 @@ fn table(folder: &TestFolder, name: &str) -> String {
 /// The table of an undisturbed study.
 fn undisturbed() -> String {
     let folder = folder();
-    let ran = study(&folder, &["--threads", "2"]);
+    let ran = folder.study(&["--threads", "2"]);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     table(&folder, "results.csv")
 }
@@ -63,7 +57,7 @@ fn a_study_killed_ten_times_ends_with_the_table_of_an_uninterrupted_one() {
     let whole = {
         let start = Instant::now();
         let other = self::folder();
-        study(&other, &["--threads", "2"]);
+        other.study(&["--threads", "2"]);
         start.elapsed()
     };
     let mut chance = Chance(1);
@@ -79,7 +73,7 @@ fn a_study_killed_ten_times_ends_with_the_table_of_an_uninterrupted_one() {
         child.wait().unwrap();
     }
     assert!(kills >= 3, "{kills}");
-    let ran = study(&folder, &["--threads", "2"]);
+    let ran = folder.study(&["--threads", "2"]);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     assert_eq!(table(&folder, "results.csv"), expected);
     assert_eq!(
@@ -120,7 +114,7 @@ fn a_failed_case_is_recorded_and_does_not_stop_the_others() {
     assert!(lines[4].contains("overlap"), "{}", lines[4]);
     // Finished cases are not solved again.
     let again = Instant::now();
-    assert_eq!(study(&folder, &[]).code, Some(1));
+    assert_eq!(folder.study(&[]).code, Some(1));
     assert!(again.elapsed() < Duration::from_secs(5));
     assert_eq!(self::table(&folder, "results.csv"), table);
 }
@@ -128,11 +122,11 @@ fn a_failed_case_is_recorded_and_does_not_stop_the_others() {
 #[test]
 fn two_merged_parts_are_the_whole_and_share_no_case() {
     let (folder, expected) = (folder(), undisturbed());
-    assert_eq!(study(&folder, &["--shard", "1/2"]).code, Some(1));
+    assert_eq!(folder.study(&["--shard", "1/2"]).code, Some(1));
     let early = folder.run(&["gather", "results/many"]);
     assert_eq!(early.code, Some(1), "{}", early.stderr);
     assert!(early.stderr.contains("20 to do"), "{}", early.stderr);
-    assert_eq!(study(&folder, &["--shard", "2/2"]).code, Some(1));
+    assert_eq!(folder.study(&["--shard", "2/2"]).code, Some(1));
     let [first, second] = [1, 2].map(|i| {
         table(&folder, &format!("results-{i}-of-2.csv"))
             .lines()
@@ -143,7 +137,7 @@ fn two_merged_parts_are_the_whole_and_share_no_case() {
     assert_eq!(gathered.code, Some(1), "{}", gathered.stderr);
     assert_eq!(table(&folder, "results.csv"), expected);
     // The whole study counts as done.
-    assert_eq!(study(&folder, &[]).code, Some(1));
+    assert_eq!(folder.study(&[]).code, Some(1));
     assert_eq!(table(&folder, "results.csv"), expected);
 }
 
@@ -154,14 +148,14 @@ fn results_of_another_study_are_kept_unless_started_afresh() {
         .replace("count = 10", "count = 2")
         .replace(", \"26 nm\"", "");
     fs::write(folder.path("many.toml"), &small).unwrap();
-    assert_eq!(study(&folder, &[]).code, Some(0));
+    assert_eq!(folder.study(&[]).code, Some(0));
     let first = table(&folder, "results.csv");
     fs::write(folder.path("many.toml"), small.replace("15 nm", "16 nm")).unwrap();
-    let refused = study(&folder, &[]);
+    let refused = folder.study(&[]);
     assert_eq!(refused.code, Some(2));
     assert!(refused.stderr.contains("--fresh"), "{}", refused.stderr);
     assert_eq!(table(&folder, "results.csv"), first);
-    assert_eq!(study(&folder, &["--fresh"]).code, Some(0));
+    assert_eq!(folder.study(&["--fresh"]).code, Some(0));
     assert_ne!(table(&folder, "results.csv"), first);
 }
 
@@ -172,7 +166,7 @@ fn a_killed_fresh_study_leaves_the_old_table() {
         format!("[study]\ncase = \"case.toml\"\n[study.vary]\ngrid.elements = {grids}\n")
     };
     fs::write(folder.path("many.toml"), study_of("[32, 48]")).unwrap();
-    assert_eq!(study(&folder, &[]).code, Some(0));
+    assert_eq!(folder.study(&[]).code, Some(0));
     let first = table(&folder, "results.csv");
     // The second case takes longer than the test waits.
     let long = [
@@ -197,7 +191,7 @@ fn a_killed_fresh_study_leaves_the_old_table() {
         assert_eq!(table(&folder, ".pellicle-before-results.csv"), first);
     }
     fs::write(folder.path("many.toml"), study_of("[32, 40]")).unwrap();
-    assert_eq!(study(&folder, &["--fresh"]).code, Some(0));
+    assert_eq!(folder.study(&["--fresh"]).code, Some(0));
     assert_eq!(
         names(&folder.path("results/many")),
         ["report.html", "results.csv", "study.json"]
@@ -214,7 +208,7 @@ fn an_invalid_study_leaves_nothing() {
         ("[study.vary]", "[study.varies]"),
     ] {
         fs::write(folder.path("many.toml"), STUDY.replace(from, to)).unwrap();
-        let ran = study(&folder, &[]);
+        let ran = folder.study(&[]);
         assert_eq!(ran.code, Some(2), "{to}: {}", ran.stderr);
         assert_eq!(folder.names(), ["case.toml", "many.toml"]);
     }
@@ -226,7 +220,7 @@ fn an_invalid_study_leaves_nothing() {
 #[test]
 fn a_study_is_not_written_into_a_foreign_folder() {
     let folder = folder();
-    let ran = study(&folder, &["--out", "."]);
+    let ran = folder.study(&["--out", "."]);
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert_eq!(folder.names(), ["case.toml", "many.toml"]);
 }
@@ -239,14 +233,14 @@ fn the_cases_can_be_listed_and_have_folders_of_their_own() {
         STUDY.replace("count = 10", "count = 2"),
     )
     .unwrap();
-    let listed = study(&folder, &["--list"]).stdout;
+    let listed = folder.study(&["--list"]).stdout;
     let lines: Vec<_> = listed.lines().collect();
     assert_eq!(lines.len(), 8);
     assert_eq!(
         lines[2],
         "case 3: load.force = 500.00 nN, surface.radius = 20 nm"
     );
-    let ran = study(&folder, &["--folders"]);
+    let ran = folder.study(&["--folders"]);
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     let cases = folder.path("results/many/cases");
     // The fourth and the eighth case fail.
@@ -269,20 +263,20 @@ fn samples_from_a_file_give_the_table_of_the_same_values_zipped() {
     let zipped = "[study]\ncase = \"case.toml\"\ncombine = \"zip\"\n[study.vary]\n\
                   load.force = [\"1 uN\", \"3 uN\", \"2 uN\"]\nsurface.radius = [\"10 nm\", \"20 nm\", \"15 nm\"]\n";
     fs::write(folder.path("many.toml"), zipped).unwrap();
-    assert_eq!(study(&folder, &[]).code, Some(0));
+    assert_eq!(folder.study(&[]).code, Some(0));
     let expected = table(&folder, "results.csv");
     let sampled = "[study]\ncase = \"case.toml\"\n[study.vary]\nfrom = \"samples.csv\"\n";
     fs::write(folder.path("many.toml"), sampled).unwrap();
     let samples = "load.force [uN],surface.radius\n1,10 nm\n3,20 nm\n2,15 nm\n";
     fs::write(folder.path("samples.csv"), samples).unwrap();
-    assert_eq!(study(&folder, &["--fresh"]).code, Some(0));
+    assert_eq!(folder.study(&["--fresh"]).code, Some(0));
     assert_eq!(table(&folder, "results.csv"), expected);
     // Other samples make another study.
     fs::write(folder.path("samples.csv"), samples.replace("3,", "4,")).unwrap();
-    let refused = study(&folder, &[]);
+    let refused = folder.study(&[]);
     assert_eq!(refused.code, Some(2), "{}", refused.stderr);
     fs::write(folder.path("samples.csv"), samples.replace("3,", "x,")).unwrap();
-    let wrong = study(&folder, &[]);
+    let wrong = folder.study(&[]);
     assert_eq!(wrong.code, Some(2));
     let wanted = "line 3, key `load.force`: found \"x\", wanted a number, whose unit is uN";
     assert!(wrong.stderr.contains(wanted), "{}", wrong.stderr);
@@ -308,11 +302,7 @@ fn an_invalid_value_is_reported_before_solving_and_recorded() {
 #[test]
 fn the_status_counts_the_cases_of_all_parts_while_they_are_solved() {
     let folder = folder();
-    let status = || -> Value {
-        let ran = study(&folder, &["--status", "--json"]);
-        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
-        serde_json::from_str(&ran.stdout).unwrap()
-    };
+    let status = || -> Value { folder.study(&["--status", "--json"]).json() };
     assert_eq!(status()["certified"], 0);
     assert!(!folder.path("results").exists());
     let task = [
@@ -347,7 +337,7 @@ fn the_status_counts_the_cases_of_all_parts_while_they_are_solved() {
     let start = Instant::now();
     let found = loop {
         let more = ["--status", "--json", "--out", "long"];
-        let ran = study(&folder, &[&more[..], &long].concat());
+        let ran = folder.study(&[&more[..], &long].concat());
         let found: Value = serde_json::from_str(&ran.stdout).unwrap();
         if found["certified"] == 1 || found["not_converged"] == 1 {
             break found;
@@ -357,10 +347,7 @@ fn the_status_counts_the_cases_of_all_parts_while_they_are_solved() {
     assert_eq!(found["parts_at_work"], 1);
     assert!(found["cases_per_second"].as_f64().unwrap() > 0.0, "{found}");
     assert!(found["seconds_left"].as_f64().unwrap() > 0.0, "{found}");
-    let people = study(
-        &folder,
-        &[&["--status", "--out", "long"][..], &long].concat(),
-    );
+    let people = folder.study(&[&["--status", "--out", "long"][..], &long].concat());
     assert!(
         people.stdout.contains("1 to do; 1 part at work, "),
         "{}",

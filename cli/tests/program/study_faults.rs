@@ -21,14 +21,8 @@ load.force = { from = "0.5 uN", to = "5 uN", count = 10, spacing = "log" }
 surface.radius = ["10 nm", "15 nm", "20 nm", "26 nm"]
 "#;
 
-fn folder(text: &str) -> TestFolder {
-    let folder = TestFolder::with_case(CASE);
-    fs::write(folder.path("many.toml"), text).unwrap();
-    folder
-}
-
 fn study(folder: &TestFolder, more: &[&str]) -> ProgramOutput {
-    folder.run(&[&["study", "many.toml", "--quiet", "--threads", "2"], more].concat())
+    folder.study(&[&["--threads", "2"], more].concat())
 }
 
 fn read(folder: &TestFolder, name: &str) -> Vec<u8> {
@@ -37,7 +31,7 @@ fn read(folder: &TestFolder, name: &str) -> Vec<u8> {
 
 /// Files of an undisturbed study.
 fn undisturbed(text: &str, names: &[&str]) -> Vec<Vec<u8>> {
-    let folder = folder(text);
+    let folder = TestFolder::with_study(CASE, text);
     assert_eq!(study(&folder, &[]).code, Some(1));
     let path = |name: &&str| read(&folder, &format!("results/many/{name}"));
     names.iter().map(path).collect()
@@ -81,7 +75,7 @@ fn on_a_full_disk_a_study_stops_with_an_error_and_continues_once_there_is_space(
             &["results.csv", "fields-n32.nc"][..],
         ),
     ] {
-        let folder = folder(text);
+        let folder = TestFolder::with_study(CASE, text);
         let Some([code, message, again]) = ran_on_a_small_disk(&folder, size) else {
             say_skipped("no small file system can be mounted");
             return;
@@ -106,7 +100,7 @@ fn on_a_full_disk_a_study_stops_with_an_error_and_continues_once_there_is_space(
 #[cfg(unix)]
 #[test]
 fn a_table_at_the_file_size_limit_keeps_its_cases() {
-    let folder = folder(STUDY);
+    let folder = TestFolder::with_study(CASE, STUDY);
     // Without the trap the system ends the program; 8 blocks of 512 bytes hold a quarter of the table.
     let script = "trap '' XFSZ; ulimit -f 8; exec \"$0\" study many.toml --quiet --threads 2";
     let mut command = Command::new("sh");
@@ -131,7 +125,7 @@ fn a_table_at_the_file_size_limit_keeps_its_cases() {
 
 #[test]
 fn of_many_processes_started_on_one_part_one_works_and_the_others_report_it() {
-    let folder = folder(STUDY);
+    let folder = TestFolder::with_study(CASE, STUDY);
     let line = [
         "study",
         "many.toml",
@@ -186,7 +180,7 @@ fn parts_on_machines_with_clocks_an_hour_apart_give_the_table_of_one() {
     let text = STUDY
         .replace("\n\n", "\nkeep = [\"pressure\"]\n\n")
         .replace("count = 10", "count = 100");
-    let folder = folder(&text);
+    let folder = TestFolder::with_study(CASE, &text);
     let clock = other_clock();
     if clock.is_none() {
         say_skipped("libfaketime is not installed: only the times of files differ");

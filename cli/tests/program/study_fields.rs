@@ -26,13 +26,18 @@ surface.radius = ["10 nm", "20 nm", "26 nm"]
 
 /// Each case has its own domain.
 fn folder(text: &str) -> TestFolder {
-    let folder = TestFolder::with_case(CASE.replace("side = \"400 nm\"\n", ""));
-    fs::write(folder.path("many.toml"), text).unwrap();
-    folder
+    TestFolder::with_study(
+        CASE.replace(
+            "side = \"400 nm\"
+",
+            "",
+        ),
+        text,
+    )
 }
 
 fn study(folder: &TestFolder, more: &[&str]) -> ProgramOutput {
-    folder.run(&[&["study", "many.toml", "--quiet", "--threads", "2"], more].concat())
+    folder.study(&[&["--threads", "2"], more].concat())
 }
 
 fn bytes(folder: &TestFolder, name: &str) -> Vec<u8> {

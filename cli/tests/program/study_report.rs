@@ -5,7 +5,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, ProgramOutput, TestFolder};
+use crate::runner::{CASE, TestFolder};
 
 const STUDY: &str = r#"[study]
 case = "case.toml"
@@ -15,16 +15,6 @@ load.force = ["1 uN", "2 uN", "4 uN"]
 surface.radius = ["10 nm", "20 nm", "26 nm", "27 nm"]
 title = ["plain", "</script><script>alert(1)</script>"]
 "#;
-
-fn folder() -> TestFolder {
-    let folder = TestFolder::with_case(CASE);
-    fs::write(folder.path("many.toml"), STUDY).unwrap();
-    folder
-}
-
-fn study(folder: &TestFolder, more: &[&str]) -> ProgramOutput {
-    folder.run(&[&["study", "many.toml", "--quiet"], more].concat())
-}
 
 fn page(folder: &TestFolder) -> String {
     fs::read_to_string(folder.path("results/many/report.html")).unwrap()
@@ -38,8 +28,8 @@ fn data(page: &str) -> Value {
 
 #[test]
 fn the_study_report_has_its_columns_and_the_reasons_of_failures() {
-    let folder = folder();
-    assert_eq!(study(&folder, &[]).code, Some(1));
+    let folder = TestFolder::with_study(CASE, STUDY);
+    assert_eq!(folder.study(&[]).code, Some(1));
     let page = page(&folder);
     for text in [
         "24 cases: 12 certified, 12 failed",
@@ -104,28 +94,28 @@ fn the_study_report_has_its_columns_and_the_reasons_of_failures() {
 
 #[test]
 fn the_study_report_works_while_parts_are_missing_and_replaces_no_foreign_file() {
-    let folder = folder();
-    let nothing = study(&folder, &["--report"]);
+    let folder = TestFolder::with_study(CASE, STUDY);
+    let nothing = folder.study(&["--report"]);
     assert_eq!(nothing.code, Some(2));
     assert!(!folder.path("results").exists());
-    assert_eq!(study(&folder, &["--shard", "1/2"]).code, Some(1));
+    assert_eq!(folder.study(&["--shard", "1/2"]).code, Some(1));
     assert!(!folder.path("results/many/report.html").exists());
-    let ran = study(&folder, &["--report"]);
+    let ran = folder.study(&["--report"]);
     assert_eq!(
         (ran.code, ran.stdout.as_str()),
         (Some(0), "results/many/report.html\n")
     );
     assert!(page(&folder).contains("12 to do"));
-    assert_eq!(study(&folder, &["--shard", "2/2"]).code, Some(1));
+    assert_eq!(folder.study(&["--shard", "2/2"]).code, Some(1));
     assert_eq!(folder.run(&["gather", "results/many"]).code, Some(1));
     let gathered = page(&folder);
     assert!(gathered.contains("24 cases: 12 certified, 12 failed<"));
     // The merged table and those of the parts count once.
-    assert_eq!(study(&folder, &["--report"]).code, Some(0));
+    assert_eq!(folder.study(&["--report"]).code, Some(0));
     assert_eq!(page(&folder), gathered);
     fs::write(folder.path("results/many/report.html"), "mine").unwrap();
-    let refused = study(&folder, &["--report"]);
+    let refused = folder.study(&["--report"]);
     assert_eq!(refused.code, Some(2), "{}", refused.stderr);
-    assert_eq!(study(&folder, &["--fresh"]).code, Some(1));
+    assert_eq!(folder.study(&["--fresh"]).code, Some(1));
     assert_eq!(page(&folder), "mine");
 }

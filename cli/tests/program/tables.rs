@@ -4,22 +4,13 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, TestFolder};
+use crate::runner::{CASE, TestFolder, keys};
 
 fn json(folder: &TestFolder, arguments: &[&str]) -> Value {
     let ran = folder.run(arguments);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert_eq!(ran.stderr, "");
     serde_json::from_str(&ran.stdout).unwrap()
-}
-
-fn keys(value: &Value) -> Vec<&str> {
-    value
-        .as_object()
-        .unwrap()
-        .keys()
-        .map(String::as_str)
-        .collect()
 }
 
 #[test]

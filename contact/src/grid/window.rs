@@ -3,13 +3,10 @@
 //! Only elements with pressure or overlap take part in an iteration; the rest, as far as it may overlap, is checked
 //! once, by the certificate.
 
-mod extent;
 mod fields;
 
 use pellicle_influence::{SectorGrid, SurfaceElasticity};
 use rayon::prelude::*;
-
-use self::extent::IndexRange;
 
 /// Fewest elements between the expected contact and the window's border.
 const MARGIN: usize = 3;
@@ -299,6 +296,31 @@ impl Window {
         ];
         let [rows, columns] = self.lengths();
         (line < rows && column < columns).then(|| line * self.size + column)
+    }
+}
+
+/// First and last index of some elements along both axes.
+#[derive(Debug, Clone, Copy)]
+struct IndexRange {
+    first: [usize; 2],
+    last: [usize; 2],
+}
+
+impl IndexRange {
+    /// Elements along the side of the smallest square that holds the range and its mirror images.
+    fn side_of_square(&self, grid: SectorGrid) -> usize {
+        let parts = grid.parts();
+        let lengths =
+            [0, 1].map(|axis: usize| parts[axis] * (self.last[axis] + 1 - self.first[axis]));
+        lengths[0].max(lengths[1])
+    }
+
+    /// The smallest range that holds both.
+    fn and(self, other: Self) -> Self {
+        Self {
+            first: [0, 1].map(|axis: usize| self.first[axis].min(other.first[axis])),
+            last: [0, 1].map(|axis: usize| self.last[axis].max(other.last[axis])),
+        }
     }
 }
 

@@ -42,23 +42,14 @@ pub fn extends_beyond(model: &Model, grid: &Grid) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
 
-    use pellicle_influence::{Cache, RadialTables};
-    use pellicle_kernel::{Foundation, Material};
     use pellicle_texture::Relief;
 
     use super::*;
     use crate::{FlatPunch, Indenter, Paraboloid};
 
     fn model(indenter: Indenter) -> Model {
-        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
-        Model {
-            tables: Arc::new(RadialTables::build(&body).unwrap()),
-            relief: Relief::Bare,
-            indenter,
-            cache: Cache::none(),
-        }
+        Model::on_half_space([1.0, 0.3], Relief::Bare, indenter)
     }
 
     #[test]

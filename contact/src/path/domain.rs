@@ -93,16 +93,10 @@ pub(crate) fn default_side_at(model: &Model, loads: &[Load], hardness: f64) -> f
 #[must_use]
 pub fn estimated_force(model: &Model, penetration: f64) -> f64 {
     if penetration > 0.0 {
-        force_at(model, radius_at(model, penetration))
+        estimated_force_at_radius(model, radius_at(model, penetration))
     } else {
         0.0
     }
-}
-
-/// The force (N) that presses the indenter to a contact radius (m), by the closed forms of the first guess.
-#[must_use]
-pub fn estimated_force_at_radius(model: &Model, radius: f64) -> f64 {
-    force_at(model, radius)
 }
 
 /// The largest force and the largest penetration of some loads, which give the widest contacts.
@@ -136,7 +130,7 @@ impl Guess {
         let radius = contact_radius(model, load);
         let force = match load {
             Load::Force(force) => force,
-            Load::Penetration(_) => force_at(model, radius),
+            Load::Penetration(_) => estimated_force_at_radius(model, radius),
         };
         let peak = 1.5 * force / (PI * radius * radius);
         (radius > 0.0 && peak.is_finite()).then_some(Self { radius, peak })
@@ -152,7 +146,7 @@ impl Guess {
 /// The estimated contact radius of one load, in m; 0 without contact.
 fn contact_radius(model: &Model, load: Load) -> f64 {
     match load {
-        Load::Force(force) => where_zero(|a| (force_at(model, a) / force).ln()),
+        Load::Force(force) => where_zero(|a| (estimated_force_at_radius(model, a) / force).ln()),
         Load::Penetration(penetration) if penetration > 0.0 => radius_at(model, penetration),
         Load::Penetration(_) => 0.0,
     }
@@ -177,8 +171,11 @@ fn unloaded_radius(model: &Model, loads: &[Load]) -> f64 {
     radius_at(model, height.unwrap_or(1.0))
 }
 
-/// The force (N) at the contact radius `a`; infinite beyond the indenter's rim.
-fn force_at(model: &Model, a: f64) -> f64 {
+/// The force (N) that presses the indenter to a contact radius (m), by the closed forms of the first guess; infinite
+/// beyond the indenter's rim.
+#[must_use]
+pub fn estimated_force_at_radius(model: &Model, radius: f64) -> f64 {
+    let a = radius;
     if model.indenter.mean_profile(a).is_infinite() {
         return f64::INFINITY;
     }

@@ -286,21 +286,14 @@ fn coarse_options(options: SolverOptions) -> SolverOptions {
 mod tests {
     use std::sync::Arc;
 
-    use pellicle_influence::{Cache, RadialTables, Sector, SectorGrid};
-    use pellicle_kernel::{Foundation, Material};
+    use pellicle_influence::{Sector, SectorGrid};
     use pellicle_texture::Relief;
 
     use super::{Hierarchy, coarser_sizes};
     use crate::{Boundary, Indenter, Load, Method, Model, Paraboloid, Pyramid, SolverOptions};
 
     fn model(indenter: Indenter) -> Model {
-        let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
-        Model {
-            tables: Arc::new(RadialTables::build(&body).unwrap()),
-            relief: Relief::Bare,
-            indenter,
-            cache: Cache::none(),
-        }
+        Model::on_half_space([1.0, 0.0], Relief::Bare, indenter)
     }
 
     #[test]

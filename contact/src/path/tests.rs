@@ -1,7 +1,6 @@
 //! Short paths, whose results agree with their own pressures.
 
-use pellicle_influence::Cache;
-use pellicle_kernel::{Foundation, Material};
+use pellicle_kernel::Material;
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice};
 
 use super::*;
@@ -9,13 +8,7 @@ use crate::{Paraboloid, Pyramid};
 
 /// A half-space under an indenter.
 fn model(relief: Relief, indenter: impl Into<Indenter>) -> Model {
-    let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
-    Model {
-        tables: Arc::new(RadialTables::build(&body).unwrap()),
-        relief,
-        indenter: indenter.into(),
-        cache: Cache::none(),
-    }
+    Model::on_half_space([1.0, 0.0], relief, indenter)
 }
 
 fn ball() -> Paraboloid {

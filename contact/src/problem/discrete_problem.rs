@@ -7,7 +7,7 @@
 //! `0 ≤ p ≤ p_max`: where `p = p_max` the gap may be negative, and its absolute value is the plastic depth.
 
 mod fields;
-mod hardness;
+pub mod hardness;
 mod part;
 
 use std::sync::Arc;
@@ -16,13 +16,11 @@ use pellicle_influence::{ElasticOperator, SectorGrid, SurfaceElasticity};
 use pellicle_texture::SpringLaw;
 
 use self::fields::{check_length, check_values, is_rough};
+use self::hardness::HeldPressure;
 use crate::{
     Boundary, ContactError,
     grid::{candidates::Candidates, window::Window},
-    problem::{
-        held_pressure::HeldPressure, operator_source::OperatorSource, scale::Scale,
-        tangents::Tangents,
-    },
+    problem::{operator_source::OperatorSource, scale::Scale, tangents::Tangents},
     vector::update_with,
 };
 

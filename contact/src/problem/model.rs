@@ -181,23 +181,51 @@ pub(crate) fn initial_gap(indenter_profile: &[f64], relief_profile: &[f64]) -> V
 }
 
 #[cfg(test)]
+impl Model {
+    /// A half-space of this Young's modulus (Pa) and Poisson's ratio under a relief and an indenter, for tests.
+    pub(crate) fn on_half_space(
+        [young_modulus, poisson_ratio]: [f64; 2],
+        relief: Relief,
+        indenter: impl Into<Indenter>,
+    ) -> Self {
+        let material = pellicle_kernel::Material::new(young_modulus, poisson_ratio).unwrap();
+        Self::on(
+            &pellicle_kernel::Foundation::half_space(material),
+            relief,
+            indenter,
+        )
+    }
+
+    /// A body under a relief and an indenter, for tests.
+    pub(crate) fn on(
+        body: &pellicle_kernel::Foundation,
+        relief: Relief,
+        indenter: impl Into<Indenter>,
+    ) -> Self {
+        Self {
+            tables: Arc::new(RadialTables::build(body).unwrap()),
+            relief,
+            indenter: indenter.into(),
+            cache: Cache::none(),
+        }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::Paraboloid;
-    use pellicle_kernel::{Foundation, Material};
     use pellicle_texture::{HeightMap, MapCompliance, ReliefMap};
 
     #[test]
     fn the_initial_gap_is_the_difference_of_the_sampled_profiles() {
         let heights: Vec<f64> = (0..12).map(|k| f64::from(k * k % 7)).collect();
         let map = HeightMap::new(heights, [3, 4], [1.0; 2]).unwrap();
-        let foundation = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
-        let model = Model {
-            tables: Arc::new(RadialTables::build(&foundation).unwrap()),
-            relief: Relief::Map(ReliefMap::new(map, MapCompliance::YoungModulus(2.0)).unwrap()),
-            indenter: Indenter::Paraboloid(Paraboloid::new(0.7).unwrap()),
-            cache: Cache::none(),
-        };
+        let model = Model::on_half_space(
+            [1.0, 0.3],
+            Relief::Map(ReliefMap::new(map, MapCompliance::YoungModulus(2.0)).unwrap()),
+            Paraboloid::new(0.7).unwrap(),
+        );
         for size in [1, 2, 7, 8] {
             let grid = Grid::new(1.2, size).unwrap();
             let sampled = SampledModel::on(grid, &model.relief, &model.indenter);

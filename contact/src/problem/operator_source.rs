@@ -1,4 +1,5 @@
-//! The source of a problem's operators: a given one, or coefficients from which they are built when needed.
+//! The source of a problem's operators: a given one, or coefficients and the boundary condition of the domain, from
+//! which they are built when needed.
 
 use std::sync::Arc;
 
@@ -6,7 +7,17 @@ use pellicle_influence::{
     ElasticOperator, ScatteredOperator, SectorGrid, SurfaceElasticity, WindowOperator,
 };
 
-use crate::{Boundary, grid::window::Window};
+use crate::grid::window::Window;
+
+/// The boundary condition of a square domain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Boundary {
+    /// The surface continues without load.
+    #[default]
+    Free,
+    /// The square repeats periodically.
+    Periodic,
+}
 
 /// The operators of the elastic body under a grid, a window or a sector of one.
 pub enum OperatorSource {

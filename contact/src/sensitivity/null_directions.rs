@@ -83,10 +83,9 @@ impl Model {
 
 #[cfg(test)]
 mod tests {
-    use std::{f64::consts::FRAC_PI_3, sync::Arc};
+    use std::f64::consts::FRAC_PI_3;
 
-    use pellicle_influence::{Cache, ElasticParameter, RadialTables};
-    use pellicle_kernel::{Foundation, Material};
+    use pellicle_influence::ElasticParameter;
     use pellicle_texture::Film;
 
     use super::*;
@@ -95,13 +94,7 @@ mod tests {
     const YOUNG: f64 = 2.0;
 
     fn model(relief: Relief, indenter: impl Into<Indenter>) -> Model {
-        let body = Foundation::half_space(Material::new(YOUNG, 0.3).unwrap());
-        Model {
-            tables: Arc::new(RadialTables::build(&body).unwrap()),
-            relief,
-            indenter: indenter.into(),
-            cache: Cache::none(),
-        }
+        Model::on_half_space([YOUNG, 0.3], relief, indenter)
     }
 
     /// For the direction that changes the indenter: its change, and the relative changes of the film's and the body's

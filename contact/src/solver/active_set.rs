@@ -21,10 +21,7 @@ use self::{
     set_exchange::SetExchange,
     springs::DenseSprings,
 };
-use super::{
-    Iterate, Method, Solver, SolverOptions, Watch,
-    hardness::{self, ElasticSolver},
-};
+use super::{ElasticSolver, Iterate, Method, Solver, SolverOptions, Watch, hardness};
 use crate::{ContactError, DiscreteProblem, Load};
 
 /// The active-set method; see the module documentation.

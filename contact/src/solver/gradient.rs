@@ -53,7 +53,6 @@
 //! user's units. Elements beyond the edge of the indenter are excluded from all sets and sums.
 
 mod best_pressure;
-mod context;
 mod load_control;
 mod ongoing_solution;
 mod preconditioner;
@@ -67,10 +66,7 @@ use self::{
     ongoing_solution::{Judgement, OngoingSolution, Workspace},
     strategy::{Phase, Strategy},
 };
-use super::{
-    Iterate, Solver, SolverOptions, Watch,
-    hardness::{self, ElasticSolver},
-};
+use super::{ElasticSolver, Iterate, Solver, SolverOptions, Watch, hardness};
 use crate::{ContactError, DiscreteProblem, Identity, Load, vector::sum};
 
 /// The iteration stops at this fraction of the tolerance, so that rounding differences between its running residual and

@@ -6,7 +6,7 @@
 //! p = 0: g ≥ 0        0 < p < p_max: g = 0        p = p_max: g ≤ 0
 //! ```
 //!
-//! Elements of the third kind are held at the limit as a [part of the load](HeldPressure), and a contact problem
+//! Elements of the third kind are held at the limit as a part of the load (`HeldPressure`), and a contact problem
 //! without a limit is solved for the others, by any method. Those that then exceed the limit are held as well, and held
 //! elements with a gap are released. This is the semismooth Newton method around the whole solver rather than inside
 //! its loop, so springs, windows, quadrants, cells and all preconditioners stay unchanged. The accuracy of each problem
@@ -23,7 +23,7 @@
 //! they carry all of a prescribed force, only those that overlap most. Starting with no element held, a fully plastic
 //! contact took five to seven times the products, one ring of elements per exchange.
 //!
-//! **Why it ends.** After four exchanges without progress a [descent](self::descent) takes over, whose energy decreases
+//! **Why it ends.** After four exchanges without progress a [descent] takes over, whose energy decreases
 //! from one admissible pressure to the next. The number of products is also bounded, and the certificate judges the
 //! result.
 //!
@@ -35,12 +35,10 @@
 //! largest `v` of those held to the smallest `v` of the others solves the problem: the smallest is taken.
 
 mod descent;
-mod elastic_solver;
 mod limit_exchange;
 
-pub use self::elastic_solver::ElasticSolver;
 use self::limit_exchange::LimitExchange;
-use super::{Iterate, Watch};
+use super::{ElasticSolver, Iterate, Watch};
 use crate::{ContactError, DiscreteProblem, Load};
 
 /// Fraction of the tolerance to which the problems are solved. If rounding brings one of two elements that differ by

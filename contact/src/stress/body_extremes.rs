@@ -167,10 +167,7 @@ pub fn stress_extremes(
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
 
-    use pellicle_influence::{Cache, RadialTables};
-    use pellicle_kernel::{Foundation, Material};
     use pellicle_texture::Relief;
 
     use super::*;
@@ -181,13 +178,7 @@ mod tests {
 
     #[test]
     fn extremes_and_utilisations_of_a_body_and_a_plane_are_those_of_hertz() {
-        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
-        let model = Model {
-            tables: Arc::new(RadialTables::build(&body).unwrap()),
-            relief: Relief::Bare,
-            indenter: Paraboloid::new(1.0).unwrap().into(),
-            cache: Cache::none(),
-        };
+        let model = Model::on_half_space([1.0, 0.3], Relief::Bare, Paraboloid::new(1.0).unwrap());
         let a: f64 = 0.3;
         let p0 = 2.0 * a / (std::f64::consts::PI * 0.91);
         let (load, options) = (Load::Penetration(a * a), SolverOptions::default());

@@ -294,13 +294,8 @@ mod tests {
     /// A half-space of Poisson's ratio 0.3 under an indenter at a depth, on a square of side 1 and grids of up to 32
     /// elements.
     fn solved(indenter: impl Into<crate::Indenter>, depth: f64) -> LoadingPath {
-        let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
-        let model = crate::Model {
-            tables: Arc::new(RadialTables::build(&body).unwrap()),
-            relief: pellicle_texture::Relief::Bare,
-            indenter: indenter.into(),
-            cache: pellicle_influence::Cache::none(),
-        };
+        let model =
+            crate::Model::on_half_space([1.0, 0.3], pellicle_texture::Relief::Bare, indenter);
         let options = crate::SolverOptions {
             coarse_pressures: true,
             ..crate::SolverOptions::default()

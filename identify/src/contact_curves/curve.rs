@@ -1,9 +1,11 @@
-//! Measured curves: the readings of an instrument, their model, and how finely the model is solved for them.
+//! Measured curves: the readings of an instrument, their model, how finely the model is solved for them, and a request
+//! to stop.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use pellicle_contact::{Model, ModelParameter};
 use serde::{Deserialize, Serialize};
-
-use crate::StopFlag;
 
 /// All measured curves of one model, taken under the same conditions.
 #[derive(Debug, Clone)]
@@ -55,5 +57,23 @@ impl Default for CurveOptions {
             loads_per_decade: 6.0,
             stop: StopFlag::default(),
         }
+    }
+}
+
+/// A request to end the work; all clones share the same flag.
+#[derive(Debug, Clone, Default)]
+pub struct StopFlag(Arc<AtomicBool>);
+
+impl StopFlag {
+    /// Asks the work to end. Returns whether this is the first request.
+    #[must_use = "the work may have been stopped already"]
+    pub fn raise(&self) -> bool {
+        !self.0.swap(true, Ordering::SeqCst)
+    }
+
+    /// Whether the work should end.
+    #[must_use]
+    pub fn is_raised(&self) -> bool {
+        self.0.load(Ordering::SeqCst)
     }
 }

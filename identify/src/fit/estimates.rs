@@ -6,9 +6,9 @@ use super::{
 };
 use crate::{
     Estimate, KnownCombination, ProfilePoint, Unknown, Verdict,
-    correlation::correlation,
     known_combination::{expression, not_identifiable},
     refinement::Refined,
+    result::correlation,
     verdict,
 };
 

@@ -6,13 +6,13 @@ use super::{Common, CurveFit, MixedModel, Repeats, State};
 use crate::{
     BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FitWarning, FitWork, FittedPoints,
     Goodness, IdentifyError, KnownCombination, REFUSAL, Verdict,
-    correlation::correlation,
     distribution::student_quantile,
     goodness::{NoiseScale, Residuals},
     known_combination::{expression, not_identifiable},
     orthonormal_basis::dot,
     predictor::Predictor,
     profile::Open,
+    result::correlation,
     verdict::{self, Ends},
 };
 

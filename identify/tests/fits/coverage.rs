@@ -9,7 +9,8 @@ use pellicle_identify::{
 };
 
 use crate::toys::{
-    Normals, Point, Toy, coating, coating_moduli, hertz_modulus, logarithmic, noisy, unknown,
+    Normals, Point, Toy, coating, coating_moduli, hertz_modulus, logarithmic, noisy, two_moduli,
+    unknown,
 };
 
 const REPLICATES: u64 = 400;
@@ -54,13 +55,6 @@ impl Measurement {
         }
         held
     }
-}
-
-fn two_moduli() -> Vec<Unknown> {
-    vec![
-        unknown("E1", [1.0, 100.0], 5.0),
-        unknown("E2", [0.2, 10.0], 1.0),
-    ]
 }
 
 fn assert_coverage(measurement: &Measurement) {

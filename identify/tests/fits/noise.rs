@@ -6,7 +6,9 @@ use pellicle_identify::{
     identify,
 };
 
-use crate::toys::{Normals, Toy, coating_moduli, hertz_modulus, line, logarithmic, noisy, unknown};
+use crate::toys::{
+    Normals, Toy, coating_moduli, hertz_modulus, line, logarithmic, noisy, two_moduli, unknown,
+};
 
 fn options() -> FitOptions {
     FitOptions {
@@ -124,11 +126,7 @@ fn noise_of_the_two_axes_is_separated_where_the_slope_varies() {
         abscissa: Amount::Estimated,
         ..Noise::default()
     };
-    let unknowns = vec![
-        unknown("E1", [1.0, 100.0], 5.0),
-        unknown("E2", [0.2, 10.0], 1.0),
-    ];
-    let problem = Problem::new(vec![curve], unknowns, &[], noise).unwrap();
+    let problem = Problem::new(vec![curve], two_moduli(), &[], noise).unwrap();
     let fit = identify(&Toy::new(forces, coating_moduli), &problem, &options()).unwrap();
     // 2000 points determine one size to 1.6 %; with slopes of 0.02 … 0.4, the errors of the abscissa are the smaller
     // part.
@@ -151,11 +149,7 @@ fn relative_noise_is_distinguished_from_constant_noise() {
         relative: Amount::Estimated,
         ..Noise::default()
     };
-    let unknowns = vec![
-        unknown("E1", [1.0, 100.0], 5.0),
-        unknown("E2", [0.2, 10.0], 1.0),
-    ];
-    let problem = Problem::new(vec![curve], unknowns, &[], noise).unwrap();
+    let problem = Problem::new(vec![curve], two_moduli(), &[], noise).unwrap();
     let fit = identify(&toy, &problem, &options()).unwrap();
     // 2000 points, each of which mostly determines one of the two.
     assert_relative_eq!(fit.noise.observed, 0.005, max_relative = 0.08);

@@ -3,20 +3,13 @@
 use approx::assert_relative_eq;
 use pellicle_identify::{
     Correlation, Curve, Exclusion, Fit, FitOptions, FitVerdict, LinearNuisance, Noise, Prior,
-    Problem, Scatter, Unknown, Verdict, identify,
+    Problem, Scatter, Verdict, identify,
 };
 
-use crate::toys::{Normals, Toy, coating_moduli, hertz, logarithmic, unknown};
+use crate::toys::{Normals, Toy, coating_moduli, hertz, logarithmic, two_moduli, unknown};
 
 const CURVES: usize = 8;
 const SIGMA: f64 = 0.005;
-
-fn unknowns() -> Vec<Unknown> {
-    vec![
-        unknown("E1", [1.0, 100.0], 5.0),
-        unknown("E2", [0.2, 10.0], 1.0),
-    ]
-}
 
 /// Eight curves of coatings whose moduli scatter about 10 and 1.5.
 fn curves(points: usize, scatter: f64, seed: u64) -> Vec<Curve> {
@@ -39,7 +32,7 @@ fn curves(points: usize, scatter: f64, seed: u64) -> Vec<Curve> {
 fn fit(curves: Vec<Curve>, noise: Noise) -> Fit {
     let forces = curves.iter().flat_map(Curve::abscissa).copied().collect();
     let shift = [LinearNuisance::shift()];
-    let problem = Problem::new(curves, unknowns(), &shift, noise)
+    let problem = Problem::new(curves, two_moduli(), &shift, noise)
         .unwrap()
         .with_scatter(Scatter::BetweenCurves);
     identify(

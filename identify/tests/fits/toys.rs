@@ -165,6 +165,14 @@ pub fn unknown(name: &str, range: [f64; 2], start: f64) -> Unknown {
         .unwrap()
 }
 
+/// The moduli of a coating and its substrate.
+pub fn two_moduli() -> Vec<Unknown> {
+    vec![
+        unknown("E1", [1.0, 100.0], 5.0),
+        unknown("E2", [0.2, 10.0], 1.0),
+    ]
+}
+
 #[test]
 fn derivatives_of_the_toys_are_their_difference_quotients() {
     let check = |law: fn(f64, &[f64]) -> Point, parameters: &[f64]| {

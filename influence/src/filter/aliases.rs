@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
-use crate::numerics::lagrange;
+use crate::numerics::chebyshev::{lagrange_weights, unit_nodes};
 
 /// Aliases included on each side. Their terms alternate and fall like `n⁻³`; the remainder is a hundredth of the sum.
 const REACH: i32 = 4;
@@ -62,7 +62,7 @@ impl Aliases {
     /// Samples the sum at the nodes.
     pub fn new(body: &GriddedBodies<'_>) -> Self {
         let largest = PI / (2.0 * body.half_side);
-        let wavenumbers = lagrange::nodes::<NODES>().map(|node| node.sqrt() * largest);
+        let wavenumbers = unit_nodes::<NODES>().map(|node| node.sqrt() * largest);
         Self {
             values: wavenumbers.map(|kx| wavenumbers.map(|ky| body.aliases([kx, ky]))),
         }
@@ -92,7 +92,7 @@ impl AliasRow {
 
 /// Lagrange weights of the nodes at the wavenumber that is `part` of the grid's largest, `π/2a`.
 pub fn weights(part: f64) -> NodeWeights {
-    lagrange::weights(part * part)
+    lagrange_weights(part * part)
 }
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
-//! Chebyshev expansions: coefficients from values, sums, integrals, and the error estimated from the tail.
+//! Chebyshev expansions: coefficients from values, sums, integrals, and the error estimated from the tail; and the
+//! interpolation by the polynomial through the same points.
 
 use std::f64::consts::PI;
 
@@ -94,9 +95,28 @@ pub(crate) fn tail(coefficients: &[f64]) -> f64 {
     last.fold(0.0, |largest, c| c.abs().max(largest))
 }
 
+/// The same points on [0, 1], in descending order.
+pub(crate) fn unit_nodes<const COUNT: usize>() -> [f64; COUNT] {
+    let mut nodes = nodes(COUNT);
+    std::array::from_fn(|_| 0.5 + 0.5 * nodes.next().unwrap_or_default())
+}
+
+/// Lagrange weights of the [`unit_nodes`] at `place` in [0, 1].
+pub(crate) fn lagrange_weights<const COUNT: usize>(place: f64) -> [f64; COUNT] {
+    let nodes = unit_nodes::<COUNT>();
+    std::array::from_fn(|i| {
+        let others = nodes.iter().enumerate().filter(|(other, _)| *other != i);
+        others
+            .map(|(_, node)| (place - node) / (nodes[i] - node))
+            .product()
+    })
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{ChebyshevTransform, integral, nodes, sum, tail, taylor};
+    use super::{
+        ChebyshevTransform, integral, lagrange_weights, nodes, sum, tail, taylor, unit_nodes,
+    };
 
     fn exponential() -> Vec<f64> {
         let values: Vec<f64> = nodes(18).map(f64::exp).collect();
@@ -135,6 +155,19 @@ mod tests {
         let cubic = [0.0, 0.0, 0.0, 1.0];
         for (power, expected) in [(0, -1.0), (1, 18.0), (2, -48.0), (3, 32.0), (4, 0.0)] {
             assert!((taylor(&cubic, power) - expected).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn polynomials_with_fewer_terms_than_nodes_are_reproduced() {
+        let cubic = |x: f64| 2.0 - x + 3.0 * x.powi(3);
+        for place in [0.0, 0.17, 0.5, 1.0] {
+            let terms = unit_nodes::<4>()
+                .map(cubic)
+                .into_iter()
+                .zip(lagrange_weights::<4>(place));
+            let found: f64 = terms.map(|(value, weight)| value * weight).sum();
+            assert!((found - cubic(place)).abs() < 1e-14, "{place}: {found}");
         }
     }
 }

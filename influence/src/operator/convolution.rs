@@ -1,6 +1,6 @@
 //! The product `K p` as a convolution: the transform of the pressure, times the spectrum of the coefficients, and back.
 
-use super::elastic::ElasticOperator;
+use super::ElasticOperator;
 use super::spectrum::Spectrum;
 use crate::coefficient_table::CoefficientTable;
 use crate::sector::{Sector, SectorGrid};

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::elastic::ElasticOperator;
+use super::ElasticOperator;
 use crate::coefficient_table::CoefficientTable;
 
 /// `u = K p` by N⁴ multiplications, directly from the table of coefficients.

@@ -17,7 +17,7 @@ mod alias_sum;
 use rayon::prelude::*;
 
 use self::alias_sum::AliasSum;
-use super::elastic::ElasticOperator;
+use super::ElasticOperator;
 use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
 use crate::transform::{FourierLines, Lines, PlaneTransform};

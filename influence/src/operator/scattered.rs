@@ -26,8 +26,8 @@ use rayon::prelude::*;
 pub use self::runs::scattered_work;
 use self::runs::{Run, Runs};
 use self::smooth::{NEAR_WIDTH, ORDER, RADIUS, SPACING, Smooth, weights};
+use super::ElasticOperator;
 use super::convolution::ConvolutionOperator;
-use super::elastic::ElasticOperator;
 use crate::coefficient_table::CoefficientTable;
 
 /// Smallest number of elements along a side.

@@ -9,8 +9,9 @@
 //! of which two are independent. Those with the largest minor are used, as they magnify no error.
 
 use super::crossing::best_pair;
+use crate::material::Poisson;
 use crate::response::contrast::Contrast;
-use crate::response::{BottomSupport, Minors, Poisson};
+use crate::response::{BottomSupport, Minors};
 use crate::wave::{U, V};
 use nalgebra::RowVector4;
 

@@ -8,7 +8,8 @@
 use super::InPlane;
 use super::bottom::{rows, rows_of_half_space};
 use super::crossing::{best_pair, cross};
-use crate::response::{BottomSupport, Minors, Poisson, Stack};
+use crate::material::Poisson;
+use crate::response::{BottomSupport, Minors, Stack};
 use crate::wave::{
     DepthFactors, LayerEquations, LayerWave, PlaceInLayer, SIGMA, TAU, TopPair, U, V, decayed,
     slope,

@@ -12,7 +12,7 @@
 
 use super::decay::Decay;
 use super::minors::Minors;
-use super::poisson::Poisson;
+use crate::material::Poisson;
 
 /// The four combinations of minors that vanish on a half-space.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,7 +6,7 @@
 
 use super::contrast::Contrast;
 use super::minors::Minors;
-use super::poisson::Poisson;
+use crate::material::Poisson;
 use crate::{Base, Interface, Layer, Material};
 
 /// The body that a layer stands on.

@@ -24,7 +24,7 @@
 //! ```
 
 use super::decay::Decay;
-use super::poisson::Poisson;
+use crate::material::Poisson;
 
 /// The five independent minors; tractions in units of `2 G k` of the body that the plane bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]

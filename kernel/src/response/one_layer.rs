@@ -8,8 +8,8 @@ use super::contrast::Contrast;
 use super::decay::Decay;
 use super::junction::Junction;
 use super::minors::Minors;
-use super::poisson::Poisson;
 use super::spring::SpringWave;
+use crate::material::Poisson;
 use crate::{Base, Interface, Layer};
 
 /// The coefficients of numerator, denominator and `N − D`.

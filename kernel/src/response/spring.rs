@@ -11,8 +11,8 @@
 
 use super::contrast::Contrast;
 use super::minors::Minors;
-use super::poisson::Poisson;
 use crate::Interface;
+use crate::material::Poisson;
 
 /// One compliance as the parts `1/(1 + ĉ)` and `ĉ/(1 + ĉ)`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,8 +4,8 @@ use super::contrast::Contrast;
 use super::decay::Decay;
 use super::junction::Junction;
 use super::minors::Minors;
-use super::poisson::Poisson;
 use super::spring::SpringWave;
+use crate::material::Poisson;
 use crate::{Base, Interface, Layer};
 
 /// Layers prepared for the recursion, the lowest first.

@@ -16,8 +16,7 @@ use pellicle_kernel::Foundation;
 use pellicle_texture::{Film, HeightMap, MapCompliance, Relief, ReliefMap};
 
 use super::{Benchmark, GridQuantity};
-use crate::figure_2::figure_2;
-use crate::scene::{coated, cylinders, material, model, paraboloid, unit_half_space};
+use crate::scene::{coated, cylinders, figure_2, material, model, paraboloid, unit_half_space};
 
 /// All benchmarks.
 ///

@@ -1,10 +1,10 @@
 //! The program's numbers are those of the crates called directly, to the bit.
 
 use pellicle_contact::{Domain, Load, SolverOptions, Step, solve_path};
-use pellicle_tests::figure_2::figure_2;
+use pellicle_tests::scene::figure_2;
 use serde_json::Value;
 
-use crate::runner::run;
+use crate::run;
 
 /// Two of the paper's cases that are also test scenes.
 const FIG2C: &str = include_str!("../../../cases/fig2c.toml");

@@ -1,8 +1,7 @@
 //! A force and its penetration give the same state, and the state does not depend on the path to it.
 
 use pellicle_contact::{Domain, Load, SolverOptions, Step, solve_path};
-use pellicle_tests::figure_2::{Fig2Panel, figure_2};
-use pellicle_tests::scene::largest_difference;
+use pellicle_tests::scene::{Fig2Panel, figure_2, largest_difference};
 
 fn options(tolerance: f64) -> SolverOptions {
     SolverOptions {

@@ -3,8 +3,7 @@
 use pellicle_contact::{
     ActiveSetSolver, GradientSolver, Method, Model, Solution, Solver, SolverOptions, Watch,
 };
-use pellicle_tests::figure_2::{Fig2Panel, figure_2};
-use pellicle_tests::scene::largest_difference;
+use pellicle_tests::scene::{Fig2Panel, figure_2, largest_difference};
 
 const TOLERANCE: f64 = 1e-11;
 

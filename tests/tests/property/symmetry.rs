@@ -1,9 +1,8 @@
 //! A solution has the symmetries of its indenter and relief.
 
 use pellicle_contact::{Domain, Load, SolverOptions, solve_path};
-use pellicle_tests::figure_2::figure_2;
 use pellicle_tests::scene::{
-    coated, largest_difference, material, model, paraboloid, solve as solve_model,
+    coated, figure_2, largest_difference, material, model, paraboloid, solve as solve_model,
 };
 use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 

@@ -1,7 +1,7 @@
 //! The paper's textured cases at N = 256: their products, penetrations and places of contact.
 
 use pellicle_contact::{Domain, SolverOptions, Step, solve_path};
-use pellicle_tests::figure_2::{Fig2Panel, figure_2};
+use pellicle_tests::scene::{Fig2Panel, figure_2};
 
 fn solve(panel: &Fig2Panel) -> Step {
     let domain = Domain::Side(panel.side);

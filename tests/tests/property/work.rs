@@ -8,7 +8,7 @@ use pellicle_contact::{
 };
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
-use pellicle_tests::figure_2::figure_2;
+use pellicle_tests::scene::figure_2;
 use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 
 /// A paraboloid of radius 1 on `foundation`, on the square of side 1.

@@ -7,8 +7,8 @@ use super::modulus::ModulusCase;
 use super::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::substrate::POISSON_RATIO;
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
-use crate::input::value_reader::{Sign, ValueReader};
+use crate::input::dimension::{Dimension, Sign};
+use crate::input::value_reader::ValueReader;
 
 const MODULUS: &str = "a positive pressure such as \"70 GPa\", a bare number, or { from = .., to = .., profile = \"linear\" }";
 

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
-use crate::input::value_reader::{Sign, ValueReader};
+use crate::input::dimension::{Dimension, Sign};
+use crate::input::value_reader::ValueReader;
 
 /// Young's modulus of a layer, Pa.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -3,9 +3,8 @@
 use serde::Serialize;
 
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
+use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
-use crate::input::value_reader::Sign;
 
 /// The strength of a body; each limit may be missing.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]

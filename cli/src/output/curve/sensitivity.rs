@@ -1,6 +1,6 @@
 //! The columns of derivatives in a curve.
 
-use super::column::number;
+use super::columns::number;
 use crate::input::units::Units;
 use crate::output::summary::{RunSummary, StepSummary};
 

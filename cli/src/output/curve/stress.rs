@@ -2,7 +2,7 @@
 
 use pellicle_contact::{BodyStress, Criterion, CriticalLoad, InterfaceStress};
 
-use super::column::number;
+use super::columns::number;
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::summary::{RunSummary, StepSummary};

@@ -8,8 +8,7 @@ use std::path::Path;
 
 use super::super::file::LongFile;
 use super::super::netcdf::header::{Attribute, Header, Kind, RECORDS, Variable};
-use super::plane_file::{StressFile, StressHead};
-use super::plane_values::{FIELDS, PlaneValues};
+use super::plane_values::{FIELDS, PlaneValues, StressFile, StressHead};
 use crate::failure::Failure;
 
 /// Name of the file of a step in a results folder.

@@ -1,11 +1,14 @@
-//! The displacements and stresses on a plane in the body, and the names of these fields in the files.
+//! The displacements and stresses on a plane in the body, the names of these fields in the files, and the files that
+//! are written plane by plane.
 
 use pellicle_contact::StressPlanes;
 use pellicle_influence::SubsurfaceState;
 use rayon::prelude::*;
 
 use crate::case::foundation::depths::BodyPlane;
+use crate::case::stress::StressCase;
 use crate::failure::Failure;
+use crate::output::summary::RunSummary;
 
 /// A field in the files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -123,4 +126,23 @@ impl PlaneValues {
             *principal = state.principal()[0];
         });
     }
+}
+
+/// The header of the files of a step: everything but the values.
+#[derive(Debug)]
+pub struct StressHead<'a> {
+    pub summary: &'a RunSummary,
+    pub step: usize,
+    pub stress: &'a StressCase,
+    /// Names of the bodies, from the surface down.
+    pub bodies: Vec<String>,
+    /// The coordinates of the points along x, and along y, m.
+    pub centres: &'a [f64],
+    pub planes: &'a [BodyPlane],
+}
+
+/// A file that is written plane by plane.
+pub trait StressFile {
+    fn add(&mut self, plane: usize, values: &PlaneValues) -> Result<(), Failure>;
+    fn finish(self: Box<Self>) -> Result<(), Failure>;
 }

@@ -7,9 +7,8 @@ use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use super::super::file::LongFile;
-use super::super::vtk::{self, LENGTH};
-use super::plane_file::{StressFile, StressHead};
-use super::plane_values::{FIELDS, PlaneValues};
+use super::super::vti::{self, LENGTH};
+use super::plane_values::{FIELDS, PlaneValues, StressFile, StressHead};
 use crate::failure::Failure;
 
 /// Name of the file of a step in a results folder.
@@ -82,15 +81,15 @@ impl StressVtr {
         file.append(|file| {
             file.write_all(text.as_bytes())?;
             for coordinates in [head.centres, head.centres, &depths] {
-                vtk::write_length(file, size_of_val(coordinates))?;
+                vti::write_length(file, size_of_val(coordinates))?;
                 write_doubles(file, coordinates)?;
             }
             for field in 0..FIELDS.len() {
                 file.seek(layout.array(layout.field(field)))?;
-                vtk::write_length(file, size_of::<f32>() * layout.points())?;
+                vti::write_length(file, size_of::<f32>() * layout.points())?;
             }
             file.seek(layout.array(layout.field(FIELDS.len())))?;
-            vtk::write_length(file, layout.points())
+            vti::write_length(file, layout.points())
         })?;
         let body = |plane: &crate::case::foundation::depths::BodyPlane| {
             u8::try_from(plane.body).unwrap_or(u8::MAX)
@@ -138,9 +137,9 @@ fn text(head: &StressHead<'_>, layout: &VtrLayout) -> String {
     let numbers = FIELDS
         .iter()
         .enumerate()
-        .map(|(i, field)| vtk::number_array(field.name, units.name(field.unit), layout.field(i)));
+        .map(|(i, field)| vti::number_array(field.name, units.name(field.unit), layout.field(i)));
     let numbers: String = numbers.collect();
-    let body = vtk::byte_array("body", layout.field(FIELDS.len()));
+    let body = vti::byte_array("body", layout.field(FIELDS.len()));
     let coordinates = ["x", "y", "z"].into_iter().enumerate().map(|(axis, name)| {
         let offset = layout.coordinate(axis);
         format!("        <DataArray type=\"Float64\" Name=\"{name}\" format=\"appended\" offset=\"{offset}\"/>\n")

@@ -10,7 +10,8 @@ use pellicle_texture::{
 };
 
 use super::{
-    Guess, default_side, default_side_at, elastic_force, estimated_force, force_at, relief_volume,
+    Guess, default_side, default_side_at, elastic_force, estimated_force,
+    estimated_force_at_radius, relief_volume,
 };
 use crate::{FlatPunch, Indenter, Load, Model, Paraboloid, Profile as _};
 
@@ -130,7 +131,7 @@ fn a_stiffening_film_has_the_secant_stiffness_at_the_mean_pressure() {
     let film = Film::new(height, young).unwrap().stiffening();
     let law = film.spring_law();
     let model = model(&half_space(1e9), Relief::Film(film), paraboloid(2.0));
-    let found = force_at(&model, a);
+    let found = estimated_force_at_radius(&model, a);
     // On a nearly rigid body: F = V/η with the secant w(p)/p = η at p = F/π a².
     let pressure = found / (PI * a * a);
     let secant = law.shortening(height / young, pressure) / pressure;
@@ -203,7 +204,7 @@ fn the_estimated_force_is_that_of_a_contact_to_where_the_height_is_the_penetrati
         let ratio = estimated_force(&model, depth) / hertz;
         assert!((ratio / 8.0_f64.sqrt() - 1.0).abs() < 0.01, "{ratio}");
         let radius = (2.0 * 2.0 * depth).sqrt();
-        let at_radius = super::estimated_force_at_radius(&model, radius);
+        let at_radius = estimated_force_at_radius(&model, radius);
         assert!((estimated_force(&model, depth) / at_radius - 1.0).abs() < 1e-9);
     }
     assert_eq!(
@@ -232,7 +233,9 @@ fn a_map_without_springs_counts_as_bare() {
         let heights = HeightMap::new(vec![0.0; 16], [4, 4], [1.0, 1.0]).unwrap();
         Relief::Map(ReliefMap::new(heights, MapCompliance::Uniform(eta)).unwrap())
     };
-    let on = |relief: Relief| force_at(&model(&half_space(5.0), relief, paraboloid(2.0)), 0.2);
+    let on = |relief: Relief| {
+        estimated_force_at_radius(&model(&half_space(5.0), relief, paraboloid(2.0)), 0.2)
+    };
     assert_eq!(on(map(0.0)), on(Relief::Bare));
     // A map of springs of uniform compliance is a film.
     let film = Film::new(0.02, 0.1).unwrap();

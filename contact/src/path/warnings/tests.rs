@@ -1,8 +1,5 @@
 //! Warnings at their thresholds.
 
-use std::sync::Arc;
-
-use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice};
 
@@ -11,13 +8,7 @@ use crate::{Domain, Paraboloid, SolverOptions, solve_path};
 
 #[test]
 fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_a_small_fraction_of_it() {
-    let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
-    let model = Model {
-        tables: Arc::new(RadialTables::build(&body).unwrap()),
-        relief: Relief::Bare,
-        indenter: Paraboloid::new(2.0).unwrap().into(),
-        cache: Cache::none(),
-    };
+    let model = Model::on_half_space([1.0, 0.0], Relief::Bare, Paraboloid::new(2.0).unwrap());
     // `size` elements per side, of which `across` are in contact.
     let warning = |size: usize, across: usize| {
         let grid = Grid::new(1.0, size).unwrap();
@@ -60,13 +51,11 @@ fn a_domain_is_much_larger_than_a_contact_of_few_elements_or_a_small_fraction_of
 
 /// A ball on a film of height 0.01 on a half-space, and a single step on two grids.
 fn on_film() -> (Model, Step) {
-    let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
-    let model = Model {
-        tables: Arc::new(RadialTables::build(&body).unwrap()),
-        relief: Relief::Film(Film::new(0.01, 1.0).unwrap()),
-        indenter: Paraboloid::new(2.0).unwrap().into(),
-        cache: Cache::none(),
-    };
+    let model = Model::on_half_space(
+        [1.0, 0.0],
+        Relief::Film(Film::new(0.01, 1.0).unwrap()),
+        Paraboloid::new(2.0).unwrap(),
+    );
     let (domain, loads) = (Domain::Side(1.0), [Load::Force(1e-2)]);
     let options = SolverOptions::default();
     let path = solve_path(&model, domain, 64, &loads, &options, &mut ()).unwrap();
@@ -141,12 +130,11 @@ fn on_layers(layers: &[(f64, f64)]) -> Model {
         Layer::new(*thickness, material(*young), Interface::Bonded).unwrap()
     });
     let body = Foundation::new(layers.collect(), Base::HalfSpace(material(1.0))).unwrap();
-    Model {
-        tables: Arc::new(RadialTables::build(&body).unwrap()),
-        relief: Relief::Cylinders(Cylinders::new(spec).unwrap()),
-        indenter: Paraboloid::new(1.0).unwrap().into(),
-        cache: Cache::none(),
-    }
+    Model::on(
+        &body,
+        Relief::Cylinders(Cylinders::new(spec).unwrap()),
+        Paraboloid::new(1.0).unwrap(),
+    )
 }
 
 #[test]

@@ -6,12 +6,12 @@ use crate::{
         Watch,
         gradient::{
             best_pressure::BestPressure,
-            context::Context,
             load_control::LoadControl,
             preconditioner::Preconditioner,
             springs::Springs,
             state::State,
             steps::{
+                Context,
                 conjugate::{ConjugateDirections, Course},
                 face::FaceDescent,
                 newton::{Newton, Turn},

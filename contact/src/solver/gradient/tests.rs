@@ -3,10 +3,10 @@
 use pellicle_influence::{Sector, SectorGrid};
 
 use crate::solver::gradient::best_pressure::BestPressure;
-use crate::solver::gradient::context::Context;
 use crate::solver::gradient::load_control::LoadControl;
 use crate::solver::gradient::preconditioner::Preconditioner;
 use crate::solver::gradient::state::State;
+use crate::solver::gradient::steps::Context;
 use crate::solver::gradient::steps::face::FaceDescent;
 use crate::solver::gradient::steps::newton::{Newton, Turn};
 use crate::solver::gradient::steps::segment::{Part, Segment};

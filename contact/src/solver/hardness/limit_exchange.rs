@@ -2,10 +2,11 @@
 //! solved.
 
 use super::descent::Descent;
-use super::elastic_solver::ElasticSolver;
 use crate::{
     ContactError, DiscreteProblem, Iterate, Load, SolverOptions,
-    problem::held_pressure::HeldPressure, solver::Watch, vector::add_scaled,
+    problem::discrete_problem::hardness::HeldPressure,
+    solver::{ElasticSolver, Watch},
+    vector::add_scaled,
 };
 
 /// Largest residual to which a problem between exchanges is solved.

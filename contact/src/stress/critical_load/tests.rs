@@ -1,9 +1,5 @@
 //! The stress with which each strength is compared, and the loads at which it is reached.
 
-use std::sync::Arc;
-
-use pellicle_influence::{Cache, RadialTables};
-use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::Relief;
 
 use super::*;
@@ -147,13 +143,7 @@ fn the_relative_error_of_a_critical_load_is_that_of_the_stress_over_its_exponent
 
 #[test]
 fn a_body_yields_under_a_ball_at_the_force_of_hertz() {
-    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
-    let model = Model {
-        tables: Arc::new(RadialTables::build(&body).unwrap()),
-        relief: Relief::Bare,
-        indenter: Paraboloid::new(1.0).unwrap().into(),
-        cache: Cache::none(),
-    };
+    let model = Model::on_half_space([1.0, 0.3], Relief::Bare, Paraboloid::new(1.0).unwrap());
     // 0.62 p0 with p0³ = 6 Q E*²/(π³ R²); no load reaches a tension of 0.2.
     let strength = 0.05;
     let modulus = 1.0 / 0.91;

@@ -1,9 +1,5 @@
 //! Load searches with known results.
 
-use std::sync::Arc;
-
-use pellicle_influence::{Cache, RadialTables};
-use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::Relief;
 
 use super::*;
@@ -23,13 +19,7 @@ fn solved(force: f64, value: f64) -> Solved {
 }
 
 fn model() -> Model {
-    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
-    Model {
-        tables: Arc::new(RadialTables::build(&body).unwrap()),
-        relief: Relief::Bare,
-        indenter: Paraboloid::new(1.0).unwrap().into(),
-        cache: Cache::none(),
-    }
+    Model::on_half_space([1.0, 0.3], Relief::Bare, Paraboloid::new(1.0).unwrap())
 }
 
 fn search<'a>(

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 
 use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
-use crate::numerics::lagrange;
+use crate::numerics::chebyshev::{lagrange_weights, unit_nodes};
 
 /// Number of aliases on each side.
 const REACH: usize = 40;
@@ -145,7 +145,7 @@ fn aliases_along(alpha: f64) -> [(f64, f64); 2 * REACH + 1] {
 
 /// `α` at the nodes.
 fn wave_nodes() -> [f64; NODES] {
-    lagrange::nodes::<NODES>().map(|node| FRAC_PI_2 * node.sqrt())
+    unit_nodes::<NODES>().map(|node| FRAC_PI_2 * node.sqrt())
 }
 
 /// 1 for the first aliases, 0 for the last, and smooth between.
@@ -155,7 +155,7 @@ static FADE: LazyLock<[f64; REACH + 1]> = LazyLock::new(|| {
 
 /// Lagrange weights of the nodes at `x`, from 0 to π/2.
 fn weights(x: f64) -> [f64; NODES] {
-    lagrange::weights((x / FRAC_PI_2).powi(2))
+    lagrange_weights((x / FRAC_PI_2).powi(2))
 }
 
 #[cfg(test)]

@@ -1,8 +1,5 @@
 //! Trials and choices of the square, and verdicts from a coarse grid.
 
-use std::sync::Arc;
-
-use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 
 use super::*;
@@ -60,13 +57,7 @@ fn the_square_of_a_small_contact_shrinks_to_its_usual_extent() {
 
 #[test]
 fn a_square_that_cuts_off_grows_half_way_to_where_the_height_is_the_penetration() {
-    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
-    let model = Model {
-        tables: Arc::new(RadialTables::build(&body).unwrap()),
-        relief: Relief::Bare,
-        indenter: Paraboloid::new(2.0).unwrap().into(),
-        cache: Cache::none(),
-    };
+    let model = Model::on_half_space([1.0, 0.3], Relief::Bare, Paraboloid::new(2.0).unwrap());
     // ρ² = 2 R D is 1.5^6.2 half sides away.
     let side = 0.02;
     let depth = (0.5 * side * FACTOR.powf(6.2)).powi(2) / 4.0;
@@ -81,12 +72,7 @@ fn a_square_that_cuts_off_grows_half_way_to_where_the_height_is_the_penetration(
 fn on_coating(stiffness: f64, thickness: f64, relief: Relief) -> Model {
     let [coating, base] = [stiffness, 1.0].map(|modulus| Material::new(modulus, 0.3).unwrap());
     let body = Foundation::coated(thickness, coating, base).unwrap();
-    Model {
-        tables: Arc::new(RadialTables::build(&body).unwrap()),
-        relief,
-        indenter: Paraboloid::new(1.0).unwrap().into(),
-        cache: Cache::none(),
-    }
+    Model::on(&body, relief, Paraboloid::new(1.0).unwrap())
 }
 
 #[test]
@@ -124,13 +110,7 @@ fn the_chosen_square_contains_the_contact_and_is_not_far_larger() {
 
 #[test]
 fn a_coarse_grid_decides_what_fits_to_within_half_an_element() {
-    let body = Foundation::half_space(Material::new(1.0, 0.0).unwrap());
-    let model = Model {
-        tables: Arc::new(RadialTables::build(&body).unwrap()),
-        relief: Relief::Bare,
-        indenter: Paraboloid::new(1.0).unwrap().into(),
-        cache: Cache::none(),
-    };
+    let model = Model::on_half_space([1.0, 0.0], Relief::Bare, Paraboloid::new(1.0).unwrap());
     // D = a²/R
     let (radius, load) = (0.1, Load::Penetration(0.01));
     let fits = |size: usize, side_per_radius: f64| {

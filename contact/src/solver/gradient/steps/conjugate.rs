@@ -5,8 +5,8 @@
 
 use rayon::prelude::*;
 
-use crate::solver::gradient::context::Context;
 use crate::solver::gradient::preconditioner::{UniformAccuracy, residual_into};
+use crate::solver::gradient::steps::Context;
 use crate::solver::gradient::steps::segment::{Part, Segment};
 use crate::vector::{dot, update};
 

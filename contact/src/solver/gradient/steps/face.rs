@@ -14,8 +14,8 @@
 //! plate consists of a few elements among many with small overlaps, Newton's method jumps between disjoint sets; this
 //! method does not.
 
-use crate::solver::gradient::context::Context;
 use crate::solver::gradient::state::State;
+use crate::solver::gradient::steps::Context;
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;
 use crate::solver::gradient::steps::segment::Segment;
 use crate::vector::{add_scaled, update, update_with};

@@ -14,7 +14,7 @@
 //! switching. If many keep changing, they are noise however small the error: with exchanges at a hundredth of the
 //! initial error, rough surfaces took 130 products instead of 25.
 
-use crate::solver::gradient::context::Context;
+use crate::solver::gradient::steps::Context;
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;
 
 /// Fraction of the elements on the wrong side that may still change from step to step when they are exchanged.

@@ -5,8 +5,8 @@
 //! metric). `M⁻¹y` is not computed but obtained from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, exactly if the set is
 //! the same.
 
-use crate::solver::gradient::context::Context;
 use crate::solver::gradient::preconditioner::{UniformAccuracy, residual_into};
+use crate::solver::gradient::steps::Context;
 use crate::solver::gradient::steps::projection::project;
 use crate::solver::gradient::steps::segment::{Part, Segment};
 use crate::vector::dot;

@@ -9,9 +9,9 @@
 //! `p`. (Deflation; Nicolaides 1987.) This saves one product of four on a homogeneous body, and two of seven under a
 //! stiff coating.
 
-use crate::solver::gradient::{
-    context::Context,
-    steps::conjugate::{ConjugateDirections, SystemFields},
+use crate::solver::gradient::steps::{
+    Context,
+    conjugate::{ConjugateDirections, SystemFields},
 };
 use crate::vector::{add_scaled, dot, sum, update, update_with};
 
