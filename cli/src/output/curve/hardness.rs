@@ -1,19 +1,21 @@
 //! The columns for a pressure cut at a hardness.
 
+use pellicle_contact::Summary;
+
 use super::column::{CurveColumn, name, number};
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::summary::{RunSummary, StepSummary};
 
-const COLUMNS: [CurveColumn<StepSummary>; 3] = [
-    ("area at hardness", Some("m^2"), |step| {
-        step.area_at_limit.map_or_else(String::new, number)
+const COLUMNS: [CurveColumn<Summary>; 3] = [
+    ("area at hardness", Some("m^2"), |summary| {
+        summary.area_at_limit.map_or_else(String::new, number)
     }),
-    ("area fraction at hardness", None, |step| {
-        step.fraction_at_limit.map_or_else(String::new, number)
+    ("area fraction at hardness", None, |summary| {
+        summary.fraction_at_limit.map_or_else(String::new, number)
     }),
-    ("plastic depth", Some("m"), |step| {
-        step.plastic_depth.map_or_else(String::new, number)
+    ("plastic depth", Some("m"), |summary| {
+        summary.plastic_depth.map_or_else(String::new, number)
     }),
 ];
 
@@ -30,7 +32,7 @@ impl HardnessColumns {
         let are_there = summary
             .steps
             .iter()
-            .any(|step| step.area_at_limit.is_some());
+            .any(|step| step.summary.area_at_limit.is_some());
         Self { are_there }
     }
 
@@ -39,7 +41,7 @@ impl HardnessColumns {
         self.are_there |= case.hardness().is_some();
     }
 
-    fn columns(self) -> impl Iterator<Item = &'static CurveColumn<StepSummary>> {
+    fn columns(self) -> impl Iterator<Item = &'static CurveColumn<Summary>> {
         COLUMNS.iter().filter(move |_| self.are_there)
     }
 
@@ -52,6 +54,8 @@ impl HardnessColumns {
     /// The values of a step; empty without a hardness.
     #[must_use]
     pub fn row(self, step: &StepSummary) -> Vec<String> {
-        self.columns().map(|(_, _, value)| value(step)).collect()
+        self.columns()
+            .map(|(_, _, value)| value(&step.summary))
+            .collect()
     }
 }

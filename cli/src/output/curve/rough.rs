@@ -1,12 +1,13 @@
 //! The columns of rough contact in a curve.
 
+use pellicle_contact::RoughContact;
+
 use super::column::{CurveColumn, name, number};
 use crate::case::Case;
 use crate::input::units::Units;
-use crate::output::summary::roughness::RoughContactSummary;
 use crate::output::summary::{RunSummary, StepSummary};
 
-const COLUMNS: [CurveColumn<RoughContactSummary>; 4] = [
+const COLUMNS: [CurveColumn<RoughContact>; 4] = [
     ("contact fraction", None, |rough| {
         number(rough.contact_fraction)
     }),
@@ -36,7 +37,7 @@ impl RoughColumns {
         self.are_there |= case.surface.map().is_some() || case.indenter.map().is_some();
     }
 
-    fn columns(self) -> impl Iterator<Item = &'static CurveColumn<RoughContactSummary>> {
+    fn columns(self) -> impl Iterator<Item = &'static CurveColumn<RoughContact>> {
         COLUMNS.iter().filter(move |_| self.are_there)
     }
 
@@ -50,9 +51,8 @@ impl RoughColumns {
     #[must_use]
     pub fn row(self, step: &StepSummary) -> Vec<String> {
         let rough = step.rough_contact.as_ref();
-        let cell = |(_, _, value): &CurveColumn<RoughContactSummary>| {
-            rough.map_or_else(String::new, value)
-        };
+        let cell =
+            |(_, _, value): &CurveColumn<RoughContact>| rough.map_or_else(String::new, value);
         self.columns().map(cell).collect()
     }
 }
