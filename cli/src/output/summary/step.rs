@@ -1,7 +1,7 @@
 //! One loading step in a summary, with its stresses and derivatives.
 
 use pellicle_contact::{
-    Certificate, GridError, RoughContact, Status, Step, StressExtremes, Summary, Work,
+    Certificate, GridError, RoughContact, Sensitivity, Status, Step, StressExtremes, Summary, Work,
 };
 use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
@@ -66,24 +66,14 @@ pub struct StressSummary {
     pub extremes: StressExtremes,
 }
 
-/// The derivatives of a step with respect to one parameter θ of the case, per unit of θ.
+/// The derivatives of a step with respect to one parameter θ of the case.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SensitivitySummary {
     /// Key of the parameter in the case.
     pub parameter: String,
-    /// θ, in SI units or the case's own.
-    #[serde(deserialize_with = "nan_from_null")]
-    pub value: f64,
-    /// `∂D/∂θ` at constant force, for fixed elements in contact.
-    pub penetration: Option<f64>,
-    /// `∂D/∂θ` along the curve, without the steps due to elements that enter the contact; none for fewer than six
-    /// forces.
-    pub smooth_penetration: Option<f64>,
-    /// `∂Q/∂θ` at constant penetration, for fixed elements in contact.
-    pub force: Option<f64>,
-    /// `∂E/∂θ` at constant force, `E = ∫ D dQ`.
-    #[serde(deserialize_with = "nan_from_null")]
-    pub energy: f64,
+    /// The derivatives, with θ in SI units or the case's own.
+    #[serde(flatten)]
+    pub found: Sensitivity,
 }
 
 impl From<&Step> for StepSummary {
