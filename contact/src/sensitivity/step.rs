@@ -21,8 +21,8 @@ pub struct Sensitivity {
     /// `∂D/∂θ` at constant force, for fixed elements in contact, in m per unit of θ; none without contact, or if its
     /// linear system does not converge.
     pub penetration: Option<f64>,
-    /// `∂D/∂θ` along the curve, without the steps due to elements that enter the contact, in m per unit of θ; none for a
-    /// single step or fewer than six forces.
+    /// `∂D/∂θ` along the curve, without the steps due to elements that enter the contact, in m per unit of θ; none for
+    /// a single step or fewer than six forces.
     pub smooth_penetration: Option<f64>,
     /// `∂Q/∂θ` at constant penetration, for fixed elements in contact, in N per unit of θ; none if
     /// [`Self::penetration`] is none.
