@@ -51,7 +51,6 @@ pub use result::{
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
     grid_error::{ErrorEstimate, GridError, LevelValues},
-    nan_from_null::nan_from_null,
     peak::PeakPlace,
     rough_contact::{Histogram, Islands, RoughContact},
     step::{CoarsePressure, Status, Step},

@@ -13,24 +13,40 @@
 
 mod spectrum;
 
-pub use spectrum::{Band, MapRim, PowerSpectrum};
+pub use spectrum::{MapRim, PowerSpectrum};
 
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
-use crate::HeightMap;
+use crate::{HeightMap, nan_from_null};
 use spectrum::Moments;
 
-/// The roughness of a map.
-#[derive(Clone, Debug, PartialEq)]
+/// The roughness of the samples of a map.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Roughness {
     /// Root mean square of the heights above their mean plane, m.
+    #[serde(deserialize_with = "nan_from_null")]
     pub rms_height: f64,
     /// Root mean square of the gradient's length.
+    #[serde(deserialize_with = "nan_from_null")]
     pub rms_slope: f64,
     /// Root mean square of the mean curvature, 1/m.
+    #[serde(deserialize_with = "nan_from_null")]
     pub rms_curvature: f64,
-    /// Distribution of the power over the wavenumbers.
+    /// The source of slopes and curvatures.
+    pub derivatives: Derivatives,
+    /// The power spectrum, averaged over directions.
     pub spectrum: PowerSpectrum,
+}
+
+/// The source of the slopes and curvatures of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Derivatives {
+    /// From the waves of a periodic map.
+    Spectrum,
+    /// From differences between neighbouring samples of a map that ends.
+    Differences,
 }
 
 impl Roughness {
@@ -58,11 +74,15 @@ impl Roughness {
         };
         let count = samples.len() as f64;
         let (spectrum, sums) = PowerSpectrum::of(samples, map, rim);
-        let Moments { slope, curvature } = differences.unwrap_or(sums);
+        let (derivatives, Moments { slope, curvature }) = match differences {
+            Some(differences) => (Derivatives::Differences, differences),
+            None => (Derivatives::Spectrum, sums),
+        };
         Self {
             rms_height: (squares / count).sqrt(),
             rms_slope: slope.sqrt(),
             rms_curvature: curvature.sqrt(),
+            derivatives,
             spectrum,
         }
     }

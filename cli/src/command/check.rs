@@ -182,8 +182,8 @@ impl Estimates {
             of(solution.penetration, Unit::Metre),
             of(summary.max_pressure, Unit::Pascal),
         ));
-        if summary.plastic_depth > 0.0 {
-            let depth = of(summary.plastic_depth, Unit::Metre);
+        if let Some(depth) = summary.plastic_depth.filter(|depth| *depth > 0.0) {
+            let depth = of(depth, Unit::Metre);
             self.add("plastic depth, about", &depth);
         }
     }

@@ -16,24 +16,26 @@ pub const FILE: &str = "curve.csv";
 const COLUMNS: [CurveColumn<StepSummary>; 13] = [
     ("force", Some("N"), |step| number(step.force)),
     ("penetration", Some("m"), |step| number(step.penetration)),
-    ("max pressure", Some("Pa"), |step| number(step.max_pressure)),
+    ("max pressure", Some("Pa"), |step| {
+        number(step.summary.max_pressure)
+    }),
     ("mean pressure", Some("Pa"), |step| {
-        number(step.mean_pressure)
+        number(step.summary.mean_pressure)
     }),
     ("contact area", Some("m^2"), |step| {
-        number(step.contact_area)
+        number(step.summary.contact_area)
     }),
     ("contact area on relief", Some("m^2"), |step| {
-        number(step.contact_area_on_relief)
+        number(step.summary.contact_area_on_relief)
     }),
     ("contact area between", Some("m^2"), |step| {
-        number(step.contact_area_between)
+        number(step.summary.contact_area_between)
     }),
     ("contact radius", Some("m"), |step| {
-        number(step.contact_radius)
+        number(step.summary.contact_radius)
     }),
     ("contact elements", None, |step| {
-        step.contact_elements.to_string()
+        step.summary.contact_elements.to_string()
     }),
     ("contact stiffness", Some("N/m"), |step| {
         step.contact_stiffness.map_or_else(String::new, number)

@@ -97,8 +97,8 @@ fn row(summary: &RunSummary, step: &StepSummary) -> CurveRow {
         cells: [
             quantity(step.force, Unit::Newton),
             quantity(step.penetration, Unit::Metre),
-            quantity(step.max_pressure, Unit::Pascal),
-            quantity(step.contact_area, Unit::SquareMetre),
+            quantity(step.summary.max_pressure, Unit::Pascal),
+            quantity(step.summary.contact_area, Unit::SquareMetre),
         ],
         status: verdict(step),
     }

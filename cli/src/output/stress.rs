@@ -125,7 +125,10 @@ fn write_step(
     let Some(field) = StressField::new(path, *step, stress.sliding()) else {
         return Ok(None);
     };
-    let radius = block_radius(summary.steps[*step].contact_radius, summary.grid.side);
+    let radius = block_radius(
+        summary.steps[*step].summary.contact_radius,
+        summary.grid.side,
+    );
     let foundation = path.tables.foundation();
     let is_of_fields = |format: &&Format| **format != Format::Npz;
     let of_fields: Vec<_> = formats.iter().filter(is_of_fields).collect();

@@ -6,8 +6,9 @@ mod warning;
 
 use std::time::Instant;
 
-use pellicle_contact::{CriticalLoad, LoadingPath, Status, Step, nan_from_null};
+use pellicle_contact::{CriticalLoad, LoadingPath, Status, Step};
 use pellicle_influence::{CacheWarning, Origin};
+use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -171,11 +172,7 @@ impl RunSummary {
                 boundary: case.grid.boundary,
             },
             roughness: None,
-            steps: (path.steps.iter())
-                .map(|step| {
-                    StepSummary::new(step, path.grid.element_area(), path.hardness.is_finite())
-                })
-                .collect(),
+            steps: path.steps.iter().map(StepSummary::from).collect(),
             critical: None,
             timing: Timing {
                 coefficients_seconds: clock.tables_seconds + path.coefficients_seconds,

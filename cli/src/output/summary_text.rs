@@ -3,10 +3,9 @@
 mod columns;
 pub mod stress;
 
-use pellicle_contact::Status;
+use pellicle_contact::{RoughContact, Status};
 
 use self::columns::TextColumns;
-use super::summary::roughness::RoughContactSummary;
 use super::summary::{RunSummary, StepSummary, WarningSummary};
 use crate::case::grid::BoundaryCase;
 use crate::display::{Unit, quantity, significant};
@@ -70,7 +69,7 @@ fn grid(summary: &RunSummary) -> String {
 }
 
 impl TextColumns {
-    fn rough(&mut self, rough: &RoughContactSummary) {
+    fn rough(&mut self, rough: &RoughContact) {
         let nominal = quantity(rough.nominal_area, Unit::SquareMetre, self.units);
         let fraction = significant(rough.contact_fraction, 4);
         self.push("contact fraction", &fraction, &format!("of {nominal}"));
@@ -84,7 +83,7 @@ impl TextColumns {
 fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
     let text = String::new();
     let mut lines = TextColumns { units, text };
-    let error = &step.grid_error;
+    let (numbers, error) = (&step.summary, &step.grid_error);
     lines.estimated("force Q", step.force, Unit::Newton, error.force);
     lines.estimated(
         "penetration D",
@@ -94,31 +93,31 @@ fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
     );
     lines.estimated(
         "largest pressure",
-        step.max_pressure,
+        numbers.max_pressure,
         Unit::Pascal,
         error.max_pressure,
     );
-    let [x, y] = step
+    let [x, y] = numbers
         .max_pressure_at
         .map(|x| quantity(x, Unit::Metre, units));
     lines.push("  at x, y", &format!("{x}, {y}"), "");
-    lines.quantity("mean pressure", step.mean_pressure, Unit::Pascal);
+    lines.quantity("mean pressure", numbers.mean_pressure, Unit::Pascal);
     lines.estimated(
         "contact area",
-        step.contact_area,
+        numbers.contact_area,
         Unit::SquareMetre,
         error.contact_area,
     );
     if has_relief {
         lines.quantity(
             "  on the relief",
-            step.contact_area_on_relief,
+            numbers.contact_area_on_relief,
             Unit::SquareMetre,
         );
-        lines.quantity("  between", step.contact_area_between, Unit::SquareMetre);
+        lines.quantity("  between", numbers.contact_area_between, Unit::SquareMetre);
     }
-    lines.quantity("contact radius", step.contact_radius, Unit::Metre);
-    if let (Some(fraction), Some(depth)) = (step.fraction_at_limit, step.plastic_depth) {
+    lines.quantity("contact radius", numbers.contact_radius, Unit::Metre);
+    if let (Some(fraction), Some(depth)) = (numbers.fraction_at_limit, numbers.plastic_depth) {
         let percent = format!("{:.1} % of the contact area", 100.0 * fraction);
         lines.push("at the hardness", &percent, "");
         lines.quantity("plastic depth", depth, Unit::Metre);
@@ -167,8 +166,8 @@ fn table(steps: &[StepSummary], units: Units) -> String {
             i.to_string(),
             of(step.force, Unit::Newton),
             of(step.penetration, Unit::Metre),
-            of(step.max_pressure, Unit::Pascal),
-            of(step.contact_area, Unit::SquareMetre),
+            of(step.summary.max_pressure, Unit::Pascal),
+            of(step.summary.contact_area, Unit::SquareMetre),
             certificate(step),
         ]));
     }

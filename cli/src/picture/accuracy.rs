@@ -23,12 +23,12 @@ pub fn of_step(elements: usize, step: &StepSummary) -> String {
             last_change(step, |level| level.penetration)
         ),
         error(
-            step.contact_area,
+            step.summary.contact_area,
             errors.contact_area,
             last_change(step, |level| level.contact_area)
         ),
         error(
-            step.max_pressure,
+            step.summary.max_pressure,
             errors.max_pressure,
             last_change(step, |level| level.max_pressure)
         ),

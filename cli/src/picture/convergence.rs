@@ -51,14 +51,14 @@ const NUMBERS: [Number; 3] = [
         name: "contact area",
         unit: Unit::SquareMetre,
         on_level: |level| level.contact_area,
-        value: |step| step.contact_area,
+        value: |step| step.summary.contact_area,
         estimate: |error| error.contact_area,
     },
     Number {
         name: "largest pressure",
         unit: Unit::Pascal,
         on_level: |level| level.max_pressure,
-        value: |step| step.max_pressure,
+        value: |step| step.summary.max_pressure,
         estimate: |error| error.max_pressure,
     },
 ];

@@ -64,7 +64,7 @@ const PENETRATION: StepQuantity = StepQuantity {
 const PEAK: StepQuantity = StepQuantity {
     symbol: "largest pressure p",
     unit: Unit::Pascal,
-    value: |step| step.max_pressure,
+    value: |step| step.summary.max_pressure,
 };
 
 /// A result's curve and its name.

@@ -1,5 +1,7 @@
 //! The power spectra of the maps of a case, on logarithmic axes.
 
+use pellicle_texture::Roughness;
+
 use super::colours::{self, Colour};
 use super::heading;
 use super::panel::{Axis, Panel};
@@ -8,7 +10,7 @@ use super::svg::{Anchor, Rect, Stroke};
 use crate::display::{Unit, quantity, significant};
 use crate::input::units::Units;
 use crate::output::summary::RunSummary;
-use crate::output::summary::roughness::{MapRoughness, RoughnessSummary};
+use crate::output::summary::roughness::RoughnessSummary;
 
 /// File name of the picture, without extension.
 pub const NAME: &str = "spectrum";
@@ -93,7 +95,7 @@ pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
 }
 
 /// For example `surface: rms height 1.2 nm, rms slope 0.05`.
-fn words(name: &str, map: &MapRoughness, units: Units) -> String {
+fn words(name: &str, map: &Roughness, units: Units) -> String {
     let height = quantity(map.rms_height, Unit::Metre, units);
     let slope = significant(map.rms_slope, 3);
     format!("{name}: rms height {height}, rms slope {slope}")
@@ -104,7 +106,7 @@ fn colour(map: usize) -> Colour {
 }
 
 /// Wavenumbers and powers of the bands with nonzero power.
-fn points(map: &MapRoughness) -> Vec<(f64, f64)> {
+fn points(map: &Roughness) -> Vec<(f64, f64)> {
     let (wavenumber, power) = (&map.spectrum.wavenumber, &map.spectrum.power);
     let largest = power.iter().copied().fold(0.0, f64::max);
     let points = wavenumber.iter().copied().zip(power.iter().copied());

@@ -41,7 +41,7 @@ impl Subject<'_> {
             "{mark}Q = {},  D = {},  largest p = {}",
             quantity(self.step.force, Unit::Newton),
             quantity(self.step.penetration, Unit::Metre),
-            quantity(self.step.max_pressure, Unit::Pascal),
+            quantity(self.step.summary.max_pressure, Unit::Pascal),
         )
     }
 

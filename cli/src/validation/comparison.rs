@@ -183,9 +183,9 @@ mod tests {
             gap_in_contact: 0.0,
             overlap,
             load: 0.0,
-            gap_at_limit: 0.0,
             min_pressure: 0.0,
-            over_limit: 0.0,
+            gap_at_limit: None,
+            over_limit: None,
             tolerance: 1e-8,
         };
         assert!(Comparison::refused("x".into(), &certificate(1e-7)).passes());

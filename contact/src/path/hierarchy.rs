@@ -8,7 +8,7 @@ use pellicle_influence::{Origin, SectorGrid, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 use crate::{
-    Boundary, CoarsePressure, ContactError, Load, Model, SolverOptions, Step,
+    Boundary, CoarsePressure, ContactError, Load, Model, RoughContact, SolverOptions, Step,
     path::ascent::Ascent,
     path::capacity,
     path::domain::Guess,
@@ -241,7 +241,8 @@ impl<'a> Hierarchy<'a> {
         let coarser = match &mut result {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
-                result.rough = level.rough_contact(self.model, &result.window, &pressure);
+                let field = level.field(self.model, &result.window, &pressure);
+                result.rough = RoughContact::of(&field, result.summary.contact_area);
                 result.solution.pressure = result.window.scatter(pressure);
                 None
             }

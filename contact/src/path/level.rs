@@ -186,18 +186,8 @@ impl Level {
         })
     }
 
-    /// Islands, mean gap and histograms of the last load's contact; none without a measured map.
-    pub fn rough_contact(
-        &self,
-        model: &Model,
-        window: &Window,
-        pressure: &[f64],
-    ) -> Option<RoughContact> {
-        RoughContact::of(&self.field(model, window, pressure))
-    }
-
     /// The last load's solution, given its pressure on a window.
-    fn field<'a>(
+    pub fn field<'a>(
         &'a self,
         model: &'a Model,
         window: &'a Window,

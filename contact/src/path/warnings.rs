@@ -214,7 +214,7 @@ fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
 
 /// Warns of an unresolved peak; never on a single grid or where the peak is the hardness.
 fn peak(index: usize, step: &Step) -> Option<Warning> {
-    if step.summary.area_at_limit > 0.0 {
+    if step.summary.area_at_limit.is_some_and(|area| area > 0.0) {
         return None;
     }
     let error = &step.grid_error;

@@ -28,30 +28,42 @@ mod surface;
 pub use judged_fields::JudgedFields;
 use surface::{Surface, Violations, largest};
 
+use pellicle_texture::nan_from_null;
+use serde::{Deserialize, Serialize};
+
 use crate::{
     DeformedSurface, DiscreteProblem, Load,
     grid::window::Window,
+    result::not_stored,
     vector::{smallest, sum},
 };
 
 /// Residuals of the complementarity problem at a pressure; all dimensionless except those in Pa.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
     /// `Σ p |g| / (D Σ p)`.
+    #[serde(deserialize_with = "nan_from_null")]
     pub complementarity: f64,
     /// `max |g| / D` over the elements with `p > 0`.
+    #[serde(deserialize_with = "nan_from_null")]
     pub gap_in_contact: f64,
     /// `max(0, −min g) / D` over all elements.
+    #[serde(deserialize_with = "nan_from_null")]
     pub overlap: f64,
     /// `|4a² Σ p − Q| / Q`; 0 where the penetration is prescribed, since `g` is then taken from it.
+    #[serde(deserialize_with = "nan_from_null")]
     pub load: f64,
-    /// `max(0, g) / D` over the elements at the hardness; 0 without one.
-    pub gap_at_limit: f64,
     /// Smallest pressure of all elements, in Pa; must be ≥ 0.
+    #[serde(deserialize_with = "nan_from_null")]
     pub min_pressure: f64,
-    /// Excess of the largest pressure over the hardness, in Pa; must be 0.
-    pub over_limit: f64,
-    /// The bound on every line.
+    /// `max(0, g) / D` over the elements at the hardness; none without one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap_at_limit: Option<f64>,
+    /// Excess of the largest pressure over the hardness, in Pa; must be 0. None without a hardness.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub over_limit: Option<f64>,
+    /// The bound on every line; not stored, NaN if read back.
+    #[serde(skip, default = "not_stored::nan")]
     pub tolerance: f64,
 }
 
@@ -64,7 +76,7 @@ impl Certificate {
             self.gap_in_contact,
             self.overlap,
             self.load,
-            self.gap_at_limit,
+            self.gap_at_limit.unwrap_or(0.0),
         ];
         lines.into_iter().fold(0.0, largest)
     }
@@ -76,7 +88,7 @@ impl Certificate {
         self.worst() <= self.tolerance
             && self.min_pressure >= 0.0
             && self.min_pressure.is_finite()
-            && self.over_limit <= 0.0
+            && self.over_limit.is_none_or(|excess| excess <= 0.0)
     }
 }
 
@@ -191,18 +203,19 @@ impl Solution {
             over_limit,
             overlap,
         } = surface.violations(penetration, length, total);
+        let at_hardness = |line: f64| problem.hardness().is_finite().then_some(line);
         let certificate = Certificate {
             complementarity,
             gap_in_contact,
             overlap,
             load,
-            gap_at_limit,
             min_pressure: if window.is_whole() {
                 smallest(&pressure)
             } else {
                 smallest(&[smallest(&pressure), 0.0])
             },
-            over_limit,
+            gap_at_limit: at_hardness(gap_at_limit),
+            over_limit: at_hardness(over_limit),
             tolerance,
         };
         Self {

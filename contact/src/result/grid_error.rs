@@ -16,9 +16,10 @@
 //! `cargo run --release -p pellicle-tests --bin coverage` prints how often it does, and how much wider it is than the
 //! error.
 
+use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 
-use crate::{PeakPlace, nan_from_null};
+use crate::{PeakPlace, result::not_stored};
 
 /// The values on one grid level. Values that only the error estimate needs are not stored; read back, they are NaN,
 /// false or inside.
@@ -30,13 +31,13 @@ pub struct LevelValues {
     #[serde(deserialize_with = "nan_from_null")]
     pub penetration: f64,
     /// Force, in N.
-    #[serde(skip, default = "nan")]
+    #[serde(skip, default = "not_stored::nan")]
     pub force: f64,
     /// Contact area, in m².
     #[serde(deserialize_with = "nan_from_null")]
     pub contact_area: f64,
     /// Uncertainty of the area from the position of its edge within an element, in m².
-    #[serde(skip, default = "nan")]
+    #[serde(skip, default = "not_stored::nan")]
     pub edge_uncertainty: f64,
     /// Largest pressure, in Pa.
     #[serde(deserialize_with = "nan_from_null")]
@@ -47,10 +48,6 @@ pub struct LevelValues {
     /// Whether the contact meets an outline of the relief or the indenter's rim, which elements follow as a staircase.
     #[serde(skip)]
     pub meets_outline: bool,
-}
-
-fn nan() -> f64 {
-    f64::NAN
 }
 
 /// The error of one number on the finest grid.

@@ -27,23 +27,32 @@ use islands::ContactPattern;
 use nominal::Nominal;
 
 use crate::{Indenter, Model, result::contact_field::ContactField};
-use pellicle_texture::Relief;
+use pellicle_texture::{Relief, nan_from_null};
+use serde::{Deserialize, Serialize};
 
 /// `(π − 1 + ln 2)/24`.
 const PERIMETER_PART: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
 
 /// The contact of a rough surface.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RoughContact {
     /// Area of the periodic cell, or of the convex hull of the contact, in m².
+    #[serde(deserialize_with = "nan_from_null")]
     pub nominal_area: f64,
+    /// [Contact area](crate::Summary::contact_area) over nominal area.
+    #[serde(deserialize_with = "nan_from_null")]
+    pub contact_fraction: f64,
     /// Area of the elements in contact, in m².
+    #[serde(deserialize_with = "nan_from_null")]
     pub counted_area: f64,
-    /// Length `S_d` of the sides between elements in contact and others, in m.
-    pub perimeter: f64,
     /// Counted area less the excess along the perimeter, in m².
+    #[serde(deserialize_with = "nan_from_null")]
     pub corrected_area: f64,
+    /// Length `S_d` of the sides between elements in contact and others, in m.
+    #[serde(deserialize_with = "nan_from_null")]
+    pub perimeter: f64,
     /// Gap averaged over the nominal area, 0 where there is contact, in m.
+    #[serde(deserialize_with = "nan_from_null")]
     pub mean_gap: f64,
     /// The islands of contact.
     pub islands: Islands,
@@ -54,25 +63,27 @@ pub struct RoughContact {
 }
 
 impl RoughContact {
-    /// Evaluates a contact in which a measured map takes part; none for others or without contact.
-    pub(crate) fn of(field: &ContactField<'_>) -> Option<Self> {
+    /// Evaluates a contact of this area (m²) in which a measured map takes part; none for others or without contact.
+    pub(crate) fn of(field: &ContactField<'_>, contact_area: f64) -> Option<Self> {
         if !is_rough(field.model) {
             return None;
         }
         let pattern = ContactPattern::of(field);
         let nominal = Nominal::of(field, &pattern)?;
         let (side, area) = (field.grid.element_side(), field.grid.element_area());
-        let islands = pattern.islands();
-        let counted_area = islands.elements() as f64 * area;
+        let islands = pattern.island_sizes();
+        let counted_area = islands.iter().sum::<usize>() as f64 * area;
+        let nominal_area = nominal.elements * area;
         let perimeter = pattern.sides() as f64 * side;
         let gaps = nominal.gaps(field);
         Some(Self {
-            nominal_area: nominal.elements * area,
+            nominal_area,
+            contact_fraction: contact_area / nominal_area,
             counted_area,
-            perimeter,
             corrected_area: counted_area - PERIMETER_PART * perimeter * side,
+            perimeter,
             mean_gap: gaps.mean,
-            islands,
+            islands: Islands::of(&islands, area),
             pressures: Histogram::of(field.window, field.pressure, |_, pressures| {
                 pressures.iter().copied().filter(|p| *p > 0.0)
             }),

@@ -2,48 +2,71 @@
 
 use std::cmp::Ordering;
 
+use pellicle_texture::nan_from_null;
+use serde::{Deserialize, Serialize};
+
 use crate::{
     result::contact_field::ContactField,
     result::contact_shape::ContactShape,
+    result::not_stored,
     result::peak::{Peak, PeakPlace},
+    result::point,
 };
 
 /// Largest and mean pressure, contact area and extent. An element is in contact where its pressure is positive; the
 /// contact's edge is placed within an element from the pressure and the gap beside it, or from geometry where the
-/// indenter ends or an outline of the relief bounds the contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// indenter ends or an outline of the relief bounds the contact. Values that only the error estimate and the warnings
+/// need are not stored; read back, they are NaN, false, inside or none.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Largest pressure, in Pa: inside smooth contact the vertex of the paraboloid through the largest element and its
     /// neighbours, at an edge the largest element's.
+    #[serde(deserialize_with = "nan_from_null")]
     pub max_pressure: f64,
     /// Where the pressure is largest, `[x, y]` in m; the first of several equal places.
+    #[serde(with = "point")]
     pub max_pressure_at: [f64; 2],
     /// The place of the largest pressure.
+    #[serde(skip)]
     pub peak_place: PeakPlace,
     /// Force over contact area, in Pa; 0 without contact.
+    #[serde(deserialize_with = "nan_from_null")]
     pub mean_pressure: f64,
     /// True contact area, in m².
+    #[serde(deserialize_with = "nan_from_null")]
     pub contact_area: f64,
     /// Uncertainty of the area from the position of its edge within an element, in m².
+    #[serde(skip, default = "not_stored::nan")]
     pub edge_uncertainty: f64,
     /// Whether the contact meets an outline of the relief or the indenter's rim, which elements follow as a staircase;
     /// or ends at a pressure that is cut at the hardness.
+    #[serde(skip)]
     pub meets_outline: bool,
     /// Elements in contact.
     pub contact_elements: usize,
     /// Contact area on the tops of the relief, in m².
+    #[serde(deserialize_with = "nan_from_null")]
     pub contact_area_on_relief: f64,
-    /// Contact area between the cylinders, in m².
+    /// Contact area between the tops, in m².
+    #[serde(deserialize_with = "nan_from_null")]
     pub contact_area_between: f64,
-    /// Area of the elements whose pressure is cut at the hardness, in m²; 0 without one.
-    pub area_at_limit: f64,
-    /// Largest [plastic depth](crate::DeformedSurface::plastic_depth), in m; 0 without a hardness.
-    pub plastic_depth: f64,
-    /// Largest shortening `w*` of the relief, in m.
-    pub largest_shortening: f64,
     /// Distance from the axis to the farthest point of the contact's edge, in m; 0 without contact.
+    #[serde(deserialize_with = "nan_from_null")]
     pub contact_radius: f64,
+    /// Area of the elements whose pressure is cut at the hardness, in m²; none without one, as for the next two.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area_at_limit: Option<f64>,
+    /// This area over the contact area; 0 without contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fraction_at_limit: Option<f64>,
+    /// Largest [plastic depth](crate::DeformedSurface::plastic_depth), in m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plastic_depth: Option<f64>,
+    /// Largest shortening `w*` of the relief, in m.
+    #[serde(skip, default = "not_stored::nan")]
+    pub largest_shortening: f64,
     /// Whole elements between the contact and the nearest edge of the domain; none without contact.
+    #[serde(skip)]
     pub elements_to_edge: Option<usize>,
 }
 
@@ -80,9 +103,10 @@ impl Summary {
             elements,
             shortening: largest_shortening,
             at_limit,
-            depth: plastic_depth,
+            depth,
             to_edge: elements_to_edge,
         } = lines.into_iter().fold(Contact::default(), Contact::and);
+        let with_hardness = |value: f64| field.hardness.is_finite().then_some(value);
         let nothing = Self {
             max_pressure,
             max_pressure_at: [grid.centre(0); 2],
@@ -94,10 +118,11 @@ impl Summary {
             contact_elements: 0,
             contact_area_on_relief: 0.0,
             contact_area_between: 0.0,
-            area_at_limit: 0.0,
-            plastic_depth,
-            largest_shortening,
             contact_radius: 0.0,
+            area_at_limit: with_hardness(0.0),
+            fraction_at_limit: with_hardness(0.0),
+            plastic_depth: with_hardness(depth),
+            largest_shortening,
             elements_to_edge,
         };
         if elements == 0 {
@@ -106,6 +131,8 @@ impl Summary {
         let shape = ContactShape::of(field);
         let largest = window.place_of_image([largest / size, largest % size]);
         let (peak, sector) = (Peak::of(field, largest), window.grid());
+        let area_at_limit = at_limit as f64 * sector.loaded_area(grid.element_area());
+        let part = area_at_limit / shape.area;
         Self {
             max_pressure: peak.pressure,
             max_pressure_at: sector.first_image_of_point(peak.at),
@@ -117,8 +144,9 @@ impl Summary {
             contact_elements: sector.with_images(elements),
             contact_area_on_relief: shape.area_on_relief,
             contact_area_between: (shape.area - shape.area_on_relief).max(0.0),
-            area_at_limit: at_limit as f64 * sector.loaded_area(grid.element_area()),
             contact_radius: shape.radius,
+            area_at_limit: with_hardness(area_at_limit),
+            fraction_at_limit: with_hardness(if part.is_finite() { part.min(1.0) } else { 0.0 }),
             ..nothing
         }
     }

@@ -1,8 +1,7 @@
 //! The work of a solution, counted in products with `K`.
 
+use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
-
-use crate::nan_from_null;
 
 /// Work of one loading step.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

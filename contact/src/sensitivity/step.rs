@@ -1,10 +1,12 @@
 //! Derivatives of a solved step by numbers of its model.
 
+use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 
+use super::ForceCurve;
 use super::change::{Change, Changed, ModelDerivatives};
 use crate::{
-    Boundary, ContactError, DiscreteProblem, LoadingPath, Solution,
+    Boundary, ContactError, DiscreteProblem, Load, LoadingPath, Solution,
     grid::window::Window,
     solver::gradient::pressure_per_penetration,
     vector::{dot, sum},
@@ -14,13 +16,20 @@ use crate::{
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Sensitivity {
     /// Value of θ, in SI units.
+    #[serde(deserialize_with = "nan_from_null")]
     pub value: f64,
-    /// `∂E/∂θ` at constant force, in J per unit of θ; `E = ∫ D dQ`.
-    pub energy: f64,
-    /// `∂D/∂θ` at constant force, in m per unit of θ; none without contact, or if its linear system does not converge.
+    /// `∂D/∂θ` at constant force, for fixed elements in contact, in m per unit of θ; none without contact, or if its
+    /// linear system does not converge.
     pub penetration: Option<f64>,
-    /// `∂Q/∂θ` at constant penetration, in N per unit of θ; none if [`Self::penetration`] is none.
+    /// `∂D/∂θ` along the curve, without the steps due to elements that enter the contact, in m per unit of θ; none for
+    /// a single step or fewer than six forces.
+    pub smooth_penetration: Option<f64>,
+    /// `∂Q/∂θ` at constant penetration, for fixed elements in contact, in N per unit of θ; none if
+    /// [`Self::penetration`] is none.
     pub force: Option<f64>,
+    /// `∂E/∂θ` at constant force, in J per unit of θ; `E = ∫ D dQ`.
+    #[serde(deserialize_with = "nan_from_null")]
+    pub energy: f64,
 }
 
 /// Derivatives of the steps of a path by some numbers of its model; the derivatives of the model on the path's grid are
@@ -108,12 +117,45 @@ impl Sensitivities<'_> {
                 (rates.as_ref()).map(|rates| -area * (dot(rates, &image) + dot(rates, &gap)));
             Sensitivity {
                 value: *value,
-                energy,
                 penetration,
+                smooth_penetration: None,
                 force,
+                energy,
             }
         };
         self.changes.iter().map(of_change).collect()
+    }
+
+    /// Returns the derivatives of all steps, which were solved under these loads; along the curve as well if all loads
+    /// are forces.
+    ///
+    /// # Panics
+    /// If there are fewer loads than steps.
+    #[must_use]
+    pub fn of_steps(&self, loads: &[Load]) -> Vec<Vec<Sensitivity>> {
+        let steps = 0..self.path.steps.len();
+        let mut found: Vec<_> = steps.clone().map(|step| self.at(step)).collect();
+        let force = |load: &Load| match load {
+            Load::Force(force) => Some(*force),
+            Load::Penetration(_) => None,
+        };
+        let forces: Option<Vec<f64>> = loads[steps.clone()].iter().map(force).collect();
+        let Some(forces) = forces else {
+            return found;
+        };
+        let mut order: Vec<usize> = steps.collect();
+        order.sort_by(|a, b| forces[*a].total_cmp(&forces[*b]));
+        let ascending: Vec<f64> = order.iter().map(|step| forces[*step]).collect();
+        for index in 0..self.changes.len() {
+            let energies = order.iter().map(|step| found[*step][index].energy);
+            let Some(curve) = ForceCurve::through(&ascending, &energies.collect::<Vec<_>>()) else {
+                break;
+            };
+            for (step, force) in found.iter_mut().zip(&forces) {
+                step[index].smooth_penetration = Some(curve.derivative(*force));
+            }
+        }
+        found
     }
 
     /// Returns only `∂E/∂θ` of a step, in J per unit of each number, without a linear system.

@@ -1,8 +1,9 @@
 //! One extreme of a stress.
 
+use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 
-use crate::nan_from_null;
+use crate::result::point;
 
 /// An extreme of a stress: at a point (x, y, z) of a body, or (x, y) of an interface.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -34,31 +35,5 @@ impl Extreme<2> {
             resolved,
             estimate,
         }
-    }
-}
-
-/// Points as lists: serde does not support arrays of generic length.
-mod point {
-    use serde::de::{Deserialize, Deserializer, Error};
-    use serde::ser::{SerializeSeq, Serializer};
-
-    pub fn serialize<S: Serializer, const AXES: usize>(
-        point: &[f64; AXES],
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        let mut list = serializer.serialize_seq(Some(AXES))?;
-        for along in point {
-            list.serialize_element(along)?;
-        }
-        list.end()
-    }
-
-    pub fn deserialize<'de, D: Deserializer<'de>, const AXES: usize>(
-        deserializer: D,
-    ) -> Result<[f64; AXES], D::Error> {
-        let list = Vec::<Option<f64>>::deserialize(deserializer)?;
-        let list: Vec<f64> = list.iter().map(|along| along.unwrap_or(f64::NAN)).collect();
-        list.try_into()
-            .map_err(|list: Vec<f64>| Error::invalid_length(list.len(), &"the axes of a point"))
     }
 }

@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 use rustfft::{FftPlanner, num_complex::Complex};
+use serde::{Deserialize, Serialize};
 
 use crate::HeightMap;
 
@@ -27,22 +28,24 @@ pub enum MapRim {
     Repeats,
 }
 
-/// The power spectral density in bands of the wavenumber.
-#[derive(Clone, Debug, Default, PartialEq)]
+/// The power spectral density, one number for each band of the wavenumber, from long waves to short ones; bands without
+/// a wave that fits in the map are left out.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PowerSpectrum {
-    /// The bands from long waves to short ones; bands without a wave that fits in the map are left out.
-    pub bands: Vec<Band>,
+    /// Mean wavenumber `|q|`, 1/m.
+    pub wavenumber: Vec<f64>,
+    /// Mean power spectral density `C`, m⁴.
+    pub power: Vec<f64>,
+    /// Number of waves in all directions; `q` and `−q` count as two.
+    pub waves: Vec<usize>,
 }
 
-/// The waves of a band.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Band {
-    /// Mean wavenumber `|q|`, 1/m.
-    pub wavenumber: f64,
-    /// Mean power spectral density `C`, m⁴.
-    pub power: f64,
-    /// Number of waves in all directions; `q` and `−q` count as two.
-    pub waves: usize,
+/// Sums over the waves of a band.
+#[derive(Clone, Copy, Default)]
+struct Band {
+    wavenumber: f64,
+    power: f64,
+    waves: usize,
 }
 
 /// `⟨|∇h|²⟩` and `⟨(∇²h/2)²⟩`.
@@ -69,14 +72,14 @@ impl PowerSpectrum {
         let waves = transform_rows(samples, shape);
         let sums = sums_over_columns(&waves, shape, extent);
         let area = extent[0] * extent[1];
-        let mean = |band: Band| Band {
-            wavenumber: band.wavenumber / band.waves as f64,
-            power: area * band.power / band.waves as f64,
-            ..band
-        };
-        let bands = sums.bands.into_iter().filter(|band| band.waves > 0);
-        let bands = bands.map(mean).collect();
-        (Self { bands }, sums.moments)
+        let mut spectrum = Self::default();
+        for band in sums.bands.into_iter().filter(|band| band.waves > 0) {
+            let waves = band.waves as f64;
+            spectrum.wavenumber.push(band.wavenumber / waves);
+            spectrum.power.push(area * band.power / waves);
+            spectrum.waves.push(band.waves);
+        }
+        (spectrum, sums.moments)
     }
 }
 

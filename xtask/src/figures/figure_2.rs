@@ -62,7 +62,8 @@ fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
         format!("Colours of the maps end where {} % of the contact lies below. {BRACKETS}.", power(100.0 * COLOURED_SHARE, 2)),
     ];
     let peaks = steps.iter().zip(COATINGS.iter().cycle());
-    let top = rounded_up(peaks.map(|(step, (_, modulus))| step.numbers().max_pressure * modulus));
+    let top =
+        rounded_up(peaks.map(|(step, (_, modulus))| step.numbers().summary.max_pressure * modulus));
     let mut panels = Vec::new();
     for (i, (step, (name, _))) in steps.iter().zip(PANELS).enumerate() {
         notes.push(step.note(name));

@@ -74,7 +74,9 @@ fn panel(name: &'static str, loads: &[SolvedStep; 2]) -> CurvePanel {
         lines(large, "large", Dash::Solid),
     ];
     let lines: Vec<_> = lines.into_iter().flatten().collect();
-    let radii = loads.iter().map(|load| load.numbers().contact_radius);
+    let radii = loads
+        .iter()
+        .map(|load| load.numbers().summary.contact_radius);
     let reach = 1.12 * radii.fold(0.0, f64::max);
     let surface = lines.iter().filter(|line| line.pen.0 != colours::INK);
     let shown = surface

@@ -43,7 +43,7 @@ fn pressures<'a>(runner: &Runner, steps: &'a [SolvedStep]) -> Pressures<'a> {
         "The film shortens by many times its thickness at this force, as printed: linear springs are used outside their validity.".into(),
         "The film that stiffens has logarithmic springs of the same thickness and modulus, and is never squeezed beyond its thickness.".into(),
     ];
-    let peaks = || steps.iter().map(|step| step.numbers().max_pressure);
+    let peaks = || steps.iter().map(|step| step.numbers().summary.max_pressure);
     let pascals = DisplayUnit::of(peaks().fold(0.0, f64::max), Unit::Pascal, Units::Si);
     let top = rounded_up(peaks().map(|peak| peak / pascals.divisor));
     let mut panels = Vec::new();

@@ -90,7 +90,7 @@ pub(super) const FIGURE_6: Loading = Loading {
         View {
             title: "(a) largest pressure",
             axis: "largest p, GPa",
-            value: |step| step.max_pressure / 1e9,
+            value: |step| step.summary.max_pressure / 1e9,
         },
         View {
             title: "(b) penetration",

@@ -194,7 +194,9 @@ impl Pressures<'_> {
 
 /// The largest contact radius plus a margin.
 pub(super) fn reach(steps: &[SolvedStep]) -> f64 {
-    let radii = steps.iter().map(|step| step.numbers().contact_radius);
+    let radii = steps
+        .iter()
+        .map(|step| step.numbers().summary.contact_radius);
     MARGIN * radii.fold(0.0, f64::max)
 }
 

@@ -1,8 +1,9 @@
 //! Columns of a curve: their names and cells, and those present only with a hardness or with a map.
 
+use pellicle_contact::{RoughContact, Summary};
+
 use crate::case::Case;
 use crate::input::units::Units;
-use crate::output::summary::roughness::RoughContactSummary;
 use crate::output::summary::{RunSummary, StepSummary};
 
 /// A column: its name, its SI unit if it has one, and the text of its cell in the row of a `T`.
@@ -21,15 +22,15 @@ pub fn number(value: f64) -> String {
     format!("{value:e}")
 }
 
-const OF_HARDNESS: [CurveColumn<StepSummary>; 3] = [
-    ("area at hardness", Some("m^2"), |step| {
-        step.area_at_limit.map_or_else(String::new, number)
+const OF_HARDNESS: [CurveColumn<Summary>; 3] = [
+    ("area at hardness", Some("m^2"), |summary| {
+        summary.area_at_limit.map_or_else(String::new, number)
     }),
-    ("area fraction at hardness", None, |step| {
-        step.fraction_at_limit.map_or_else(String::new, number)
+    ("area fraction at hardness", None, |summary| {
+        summary.fraction_at_limit.map_or_else(String::new, number)
     }),
-    ("plastic depth", Some("m"), |step| {
-        step.plastic_depth.map_or_else(String::new, number)
+    ("plastic depth", Some("m"), |summary| {
+        summary.plastic_depth.map_or_else(String::new, number)
     }),
 ];
 
@@ -46,7 +47,7 @@ impl HardnessColumns {
         let are_there = summary
             .steps
             .iter()
-            .any(|step| step.area_at_limit.is_some());
+            .any(|step| step.summary.area_at_limit.is_some());
         Self { are_there }
     }
 
@@ -55,7 +56,7 @@ impl HardnessColumns {
         self.are_there |= case.hardness().is_some();
     }
 
-    fn columns(self) -> impl Iterator<Item = &'static CurveColumn<StepSummary>> {
+    fn columns(self) -> impl Iterator<Item = &'static CurveColumn<Summary>> {
         OF_HARDNESS.iter().filter(move |_| self.are_there)
     }
 
@@ -68,11 +69,13 @@ impl HardnessColumns {
     /// The values of a step; empty without a hardness.
     #[must_use]
     pub fn row(self, step: &StepSummary) -> Vec<String> {
-        self.columns().map(|(_, _, value)| value(step)).collect()
+        self.columns()
+            .map(|(_, _, value)| value(&step.summary))
+            .collect()
     }
 }
 
-const OF_ROUGH_CONTACT: [CurveColumn<RoughContactSummary>; 4] = [
+const OF_ROUGH_CONTACT: [CurveColumn<RoughContact>; 4] = [
     ("contact fraction", None, |rough| {
         number(rough.contact_fraction)
     }),
@@ -102,7 +105,7 @@ impl RoughColumns {
         self.are_there |= case.surface.map().is_some() || case.indenter.map().is_some();
     }
 
-    fn columns(self) -> impl Iterator<Item = &'static CurveColumn<RoughContactSummary>> {
+    fn columns(self) -> impl Iterator<Item = &'static CurveColumn<RoughContact>> {
         OF_ROUGH_CONTACT.iter().filter(move |_| self.are_there)
     }
 
@@ -116,9 +119,8 @@ impl RoughColumns {
     #[must_use]
     pub fn row(self, step: &StepSummary) -> Vec<String> {
         let rough = step.rough_contact.as_ref();
-        let cell = |(_, _, value): &CurveColumn<RoughContactSummary>| {
-            rough.map_or_else(String::new, value)
-        };
+        let cell =
+            |(_, _, value): &CurveColumn<RoughContact>| rough.map_or_else(String::new, value);
         self.columns().map(cell).collect()
     }
 }

@@ -60,7 +60,7 @@ impl<'a> StepSection<'a> {
 
 fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
     let units = summary.units;
-    let errors = &step.grid_error;
+    let (numbers, errors) = (&step.summary, &step.grid_error);
     let plain = |name, value| NumberRow {
         name,
         value,
@@ -71,7 +71,7 @@ fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
         error: GridErrorNote::new(value, unit, error, units),
         ..number(name, value, unit)
     };
-    let [x, y] = step
+    let [x, y] = numbers
         .max_pressure_at
         .map(|at| quantity(at, Unit::Metre, units));
     let stiffness = step.contact_stiffness.unwrap_or(0.0);
@@ -85,28 +85,28 @@ fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
         ),
         estimated(
             "largest pressure",
-            step.max_pressure,
+            numbers.max_pressure,
             Unit::Pascal,
             errors.max_pressure,
         ),
         plain("at x, y", format!("{x}, {y}")),
-        number("mean pressure", step.mean_pressure, Unit::Pascal),
+        number("mean pressure", numbers.mean_pressure, Unit::Pascal),
         estimated(
             "contact area",
-            step.contact_area,
+            numbers.contact_area,
             Unit::SquareMetre,
             errors.contact_area,
         ),
-        number("contact radius", step.contact_radius, Unit::Metre),
+        number("contact radius", numbers.contact_radius, Unit::Metre),
         number("contact stiffness", stiffness, Unit::NewtonPerMetre),
-        plain("elements in contact", step.contact_elements.to_string()),
+        plain("elements in contact", numbers.contact_elements.to_string()),
     ];
-    if let (Some(fraction), Some(depth)) = (step.fraction_at_limit, step.plastic_depth) {
+    if let (Some(fraction), Some(depth)) = (numbers.fraction_at_limit, numbers.plastic_depth) {
         rows.push(plain("fraction at the hardness", significant(fraction, 4)));
         rows.push(number("plastic depth", depth, Unit::Metre));
     }
     if summary.has_relief() {
-        let (on, between) = (step.contact_area_on_relief, step.contact_area_between);
+        let (on, between) = (numbers.contact_area_on_relief, numbers.contact_area_between);
         rows.push(number("contact area on the relief", on, Unit::SquareMetre));
         rows.push(number(
             "contact area beside the relief",
@@ -144,25 +144,32 @@ fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
 impl CertificateText {
     fn new(certificate: &CertificateSummary, tolerance: f64) -> Self {
         let part = |value: f64| significant(value, 2);
-        let negative_pressure = certificate.min_pressure < 0.0 || certificate.min_pressure.is_nan();
+        let CertificateSummary {
+            lines,
+            worst,
+            satisfied,
+        } = *certificate;
+        let negative_pressure = lines.min_pressure < 0.0 || lines.min_pressure.is_nan();
         Self {
-            complementarity: part(certificate.complementarity),
-            gap_in_contact: part(certificate.gap_in_contact),
-            overlap: part(certificate.overlap),
-            load: part(certificate.load),
+            complementarity: part(lines.complementarity),
+            gap_in_contact: part(lines.gap_in_contact),
+            overlap: part(lines.overlap),
+            load: part(lines.load),
             negative_pressure,
-            worst: part(certificate.worst),
+            worst: part(worst),
             bound: part(tolerance),
-            satisfied: certificate.satisfied,
+            satisfied,
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use pellicle_contact::Certificate;
+
     use super::*;
 
-    const GOOD: CertificateSummary = CertificateSummary {
+    const LINES: Certificate = Certificate {
         complementarity: 1e-10,
         gap_in_contact: 2e-9,
         overlap: 3e-9,
@@ -170,6 +177,10 @@ mod tests {
         min_pressure: 0.0,
         gap_at_limit: None,
         over_limit: None,
+        tolerance: 1e-8,
+    };
+    const GOOD: CertificateSummary = CertificateSummary {
+        lines: LINES,
         worst: 3e-9,
         satisfied: true,
     };
@@ -179,10 +190,11 @@ mod tests {
         let text = CertificateText::new(&GOOD, 1e-8);
         assert_eq!((&text.worst[..], &text.bound[..]), ("3.0e-9", "1.0e-8"));
         assert!(!text.negative_pressure);
-        let bad = CertificateSummary {
+        let lines = Certificate {
             min_pressure: f64::NAN,
-            ..GOOD
+            ..LINES
         };
+        let bad = CertificateSummary { lines, ..GOOD };
         assert!(CertificateText::new(&bad, 1e-8).negative_pressure);
     }
 }

@@ -107,10 +107,10 @@ fn a_peak_that_changes_is_warned_about_unless_it_is_the_hardness() {
         panic!("{found:?}")
     };
     assert!((change - 0.2).abs() < 1e-12);
-    step.summary.area_at_limit = 1e-6;
+    step.summary.area_at_limit = Some(1e-6);
     assert_eq!(codes(&model, &step), [""; 0]);
     // There is no warning on a single grid.
-    step.summary.area_at_limit = 0.0;
+    step.summary.area_at_limit = Some(0.0);
     step.grid_error.levels.truncate(1);
     assert_eq!(codes(&model, &step), [""; 0]);
 }

@@ -119,9 +119,9 @@ fn one_bad_line_is_enough_to_fail() {
         gap_in_contact: 0.0,
         overlap: 0.0,
         load: 0.0,
-        gap_at_limit: 0.0,
         min_pressure: 0.0,
-        over_limit: 0.0,
+        gap_at_limit: Some(0.0),
+        over_limit: Some(0.0),
         tolerance: 1e-8,
     };
     assert!(perfect.is_satisfied());
@@ -144,7 +144,7 @@ fn one_bad_line_is_enough_to_fail() {
                 ..perfect
             },
             Certificate {
-                gap_at_limit: bad,
+                gap_at_limit: Some(bad),
                 ..perfect
             },
         ];
@@ -165,7 +165,7 @@ fn one_bad_line_is_enough_to_fail() {
     for over_limit in [1e-300, f64::INFINITY, f64::NAN] {
         assert!(
             !Certificate {
-                over_limit,
+                over_limit: Some(over_limit),
                 ..perfect
             }
             .is_satisfied()

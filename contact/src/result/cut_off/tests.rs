@@ -18,9 +18,9 @@ fn solution(penetration: f64, force: f64, pressure: Vec<f64>) -> Solution {
             gap_in_contact: 0.0,
             overlap: 0.0,
             load: 0.0,
-            gap_at_limit: 0.0,
-            over_limit: 0.0,
             min_pressure: 0.0,
+            gap_at_limit: None,
+            over_limit: None,
             tolerance: 1e-8,
         },
     }

@@ -1,16 +1,21 @@
 //! The distribution of positive numbers.
 
+use pellicle_texture::nan_from_null;
+use serde::{Deserialize, Serialize};
+
 use crate::grid::window::Window;
 
 /// Classes of a histogram: with this many, the tail of the pressures of some hundred islands is still smooth.
 const CLASSES: usize = 64;
 
 /// Numbers counted in equal classes from 0 to the largest.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Histogram {
     /// The largest number, where the last class ends; 0 if there are none.
+    #[serde(deserialize_with = "nan_from_null")]
     pub largest: f64,
     /// Mean of the numbers.
+    #[serde(deserialize_with = "nan_from_null")]
     pub mean: f64,
     /// Numbers in each class.
     pub counts: Vec<usize>,

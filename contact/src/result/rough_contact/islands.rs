@@ -6,6 +6,9 @@
 
 use std::ops::Range;
 
+use pellicle_texture::nan_from_null;
+use serde::{Deserialize, Serialize};
+
 use crate::{Boundary, result::contact_field::ContactField};
 
 /// Elements in contact as runs along the rows.
@@ -16,40 +19,36 @@ pub(super) struct ContactPattern {
 }
 
 /// The islands of a contact.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Islands {
-    /// Elements of each island, the largest first.
-    pub sizes: Vec<usize>,
+    /// Their number.
+    pub count: usize,
+    /// Area of the largest island by its elements, in m²; 0 if there are none.
+    #[serde(deserialize_with = "nan_from_null")]
+    pub largest_area: f64,
+    /// Mean area of the islands by their elements, in m²; 0 if there are none.
+    #[serde(deserialize_with = "nan_from_null")]
+    pub mean_area: f64,
+    /// Numbers of islands with 1 element, 2 or 3, 4 to 7, and so on up to the largest.
+    pub counts_by_octave: Vec<usize>,
 }
 
 impl Islands {
-    /// Number of islands.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.sizes.len()
-    }
-
-    /// Elements of all islands together.
-    #[must_use]
-    pub fn elements(&self) -> usize {
-        self.sizes.iter().sum()
-    }
-
-    /// Elements of the largest island; 0 if there are none.
-    #[must_use]
-    pub fn largest(&self) -> usize {
-        self.sizes.first().copied().unwrap_or_default()
-    }
-
-    /// Numbers of islands with 1 element, 2 or 3, 4 to 7, and so on up to the largest.
-    #[must_use]
-    pub fn counts_by_octave(&self) -> Vec<usize> {
+    /// Describes islands of these sizes, the largest first, in elements of this area (m²).
+    pub(super) fn of(sizes: &[usize], element_area: f64) -> Self {
         let octave = |size: usize| size.ilog2() as usize;
-        let mut counts = vec![0; self.sizes.first().map_or(0, |size| octave(*size) + 1)];
-        self.sizes
-            .iter()
-            .for_each(|size| counts[octave(*size)] += 1);
-        counts
+        let largest = sizes.first().copied();
+        let mut counts_by_octave = vec![0; largest.map_or(0, |size| octave(size) + 1)];
+        for size in sizes {
+            counts_by_octave[octave(*size)] += 1;
+        }
+        let mean = sizes.iter().sum::<usize>() as f64 / sizes.len().max(1) as f64;
+        Self {
+            count: sizes.len(),
+            largest_area: largest.unwrap_or_default() as f64 * element_area,
+            mean_area: mean * element_area,
+            counts_by_octave,
+        }
     }
 }
 
@@ -103,8 +102,8 @@ impl ContactPattern {
         ends.sum::<usize>() + between.sum::<usize>() + rim
     }
 
-    /// Finds the islands.
-    pub fn islands(&self) -> Islands {
+    /// Finds the numbers of elements of the islands, the largest first.
+    pub fn island_sizes(&self) -> Vec<usize> {
         let firsts: Vec<usize> = (self.rows.iter())
             .scan(0, |first, row| {
                 Some(std::mem::replace(first, *first + row.len()))
@@ -128,7 +127,7 @@ impl ContactPattern {
         }
         sizes.retain(|size| *size > 0);
         sizes.sort_unstable_by(|one, other| other.cmp(one));
-        Islands { sizes }
+        sizes
     }
 }
 

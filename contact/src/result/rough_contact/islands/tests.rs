@@ -14,7 +14,7 @@ fn pattern(lines: &[&str], repeats: bool) -> ContactPattern {
 }
 
 fn sizes(lines: &[&str], repeats: bool) -> Vec<usize> {
-    pattern(lines, repeats).islands().sizes
+    pattern(lines, repeats).island_sizes()
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn islands_and_sides_of_random_patterns_agree_with_a_flood_fill() {
             let rows: Vec<&str> = lines.iter().map(|line| &line[..]).collect();
             for repeats in [false, true] {
                 let pattern = pattern(&rows, repeats);
-                let found = (pattern.islands().sizes, pattern.sides());
+                let found = (pattern.island_sizes(), pattern.sides());
                 assert_eq!(found, by_flooding(&lines, repeats), "{lines:#?} {repeats}");
             }
         }
@@ -131,13 +131,12 @@ fn islands_and_sides_of_random_patterns_agree_with_a_flood_fill() {
 
 #[test]
 fn islands_are_counted_by_their_size() {
-    let islands = Islands {
-        sizes: vec![9, 8, 3, 2, 1, 1, 1],
+    let wanted = Islands {
+        count: 7,
+        largest_area: 18.0,
+        mean_area: 25.0 / 7.0 * 2.0,
+        counts_by_octave: vec![3, 2, 0, 2],
     };
-    assert_eq!(islands.counts_by_octave(), [3, 2, 0, 2]);
-    assert_eq!(
-        (islands.count(), islands.largest(), islands.elements()),
-        (7, 9, 25)
-    );
-    assert!(Islands::default().counts_by_octave().is_empty());
+    assert_eq!(Islands::of(&[9, 8, 3, 2, 1, 1, 1], 2.0), wanted);
+    assert_eq!(Islands::of(&[], 2.0), Islands::default());
 }
