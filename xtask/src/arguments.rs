@@ -33,6 +33,8 @@ pub enum Chore {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use clap::{CommandFactory, ValueEnum};
 
     use super::*;
@@ -64,7 +66,9 @@ mod tests {
         let arguments = figures("--only 6,4 --only 4 --quick").unwrap();
         assert_eq!(arguments.figures(), [Figure::Four, Figure::Six]);
         assert_eq!(arguments.elements(), 256);
-        assert_ne!(arguments.folder(), figures("").unwrap().folder());
+        assert_eq!(arguments.out, Path::new("target/paper/quick"));
+        let elsewhere = figures("--quick --out here").unwrap();
+        assert_eq!(elsewhere.out, Path::new("here"));
     }
 
     #[test]

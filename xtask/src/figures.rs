@@ -62,8 +62,10 @@ pub struct FiguresArguments {
     pub docs: bool,
     /// Folder of the pictures, relative to the workspace [default: target/paper/figures, with --quick
     /// target/paper/quick].
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
+    #[arg(long, value_name = "DIR", hide_default_value = true)]
+    #[arg(default_value = "target/paper/figures")]
+    #[arg(default_value_if("quick", "true", "target/paper/quick"))]
+    pub out: PathBuf,
 }
 
 impl FiguresArguments {
@@ -79,14 +81,6 @@ impl FiguresArguments {
     #[must_use]
     pub fn elements(&self) -> usize {
         if self.quick { QUICK } else { FULL }
-    }
-
-    /// Folder of the pictures.
-    #[must_use]
-    pub fn folder(&self) -> PathBuf {
-        let default = if self.quick { "quick" } else { "figures" };
-        let default = || Path::new("target/paper").join(default);
-        self.out.clone().unwrap_or_else(default)
     }
 }
 

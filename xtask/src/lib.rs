@@ -14,4 +14,4 @@ pub use arguments::{Arguments, Chore};
 pub use error::XtaskError;
 pub use figures::{Figure, FiguresArguments, Runner, figures};
 pub use tidy::{Violation, tidy};
-pub use tree::{File, Tree};
+pub use tree::Tree;

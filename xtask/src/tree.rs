@@ -1,6 +1,6 @@
 //! The files of the workspace, read once. A rule is a function of their text, so its test needs no files.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -11,19 +11,11 @@ const OUTPUT: [&str; 2] = ["target", "results"];
 /// Hidden folders that are part of the workspace; all others belong to tools.
 const HIDDEN_SOURCE: [&str; 3] = [".ci", ".cargo", ".github"];
 
-/// One file of the workspace.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct File {
-    /// Path from the root, with `/` between folders.
-    pub path: String,
-    /// The content; `None` if it is not UTF-8 text, like a picture.
-    pub text: Option<String>,
-}
-
 /// Every file of the workspace, in the order of the paths.
 #[derive(Debug, Clone, Default)]
 pub struct Tree {
-    files: Vec<File>,
+    /// The text at each path from the root, with `/` between folders; `None` if it is not UTF-8, like a picture.
+    files: BTreeMap<String, Option<String>>,
 }
 
 impl Tree {
@@ -35,29 +27,23 @@ impl Tree {
         if !root.join("Cargo.toml").is_file() {
             return Err(XtaskError::NotAWorkspace { root: root.into() });
         }
-        let mut files = Vec::new();
+        let mut files = BTreeMap::new();
         read_folder(root, "", &mut files)?;
-        files.sort_by(|a, b| a.path.cmp(&b.path));
         Ok(Self { files })
     }
 
     /// A tree from `(path, text)` pairs.
     #[must_use]
     pub fn of(files: &[(&str, &str)]) -> Self {
-        let file = |&(path, text): &(&str, &str)| File {
-            path: path.to_owned(),
-            text: Some(text.to_owned()),
-        };
-        Self {
-            files: files.iter().map(file).collect(),
-        }
+        let owned = |(path, text): &(&str, &str)| ((*path).to_owned(), Some((*text).to_owned()));
+        let files = files.iter().map(owned).collect();
+        Self { files }
     }
 
     /// Every text file as `(path, text)`.
     pub fn texts(&self) -> impl Iterator<Item = (&str, &str)> {
-        self.files
-            .iter()
-            .filter_map(|file| Some((file.path.as_str(), file.text.as_deref()?)))
+        let files = self.files.iter();
+        files.filter_map(|(path, text)| Some((path.as_str(), text.as_deref()?)))
     }
 
     /// Every text file whose path ends in `suffix`, as `(path, text)`.
@@ -68,19 +54,15 @@ impl Tree {
     /// The text of the file at `path`, if there is one.
     #[must_use]
     pub fn text(&self, path: &str) -> Option<&str> {
-        self.texts()
-            .find(|(candidate, _)| *candidate == path)
-            .map(|(_, text)| text)
+        self.files.get(path)?.as_deref()
     }
 
     /// The paths of all files and of all folders that contain one; the root is the empty path.
     #[must_use]
     pub fn paths(&self) -> BTreeSet<&str> {
         let with_folders = |file| std::iter::successors(Some(file), |&path| parent(path));
-        self.files
-            .iter()
-            .flat_map(|file| with_folders(file.path.as_str()))
-            .collect()
+        let files = self.files.keys().map(String::as_str);
+        files.flat_map(with_folders).collect()
     }
 }
 
@@ -92,7 +74,11 @@ fn parent(path: &str) -> Option<&str> {
     Some(path.rsplit_once('/').map_or("", |(folder, _)| folder))
 }
 
-fn read_folder(folder: &Path, prefix: &str, files: &mut Vec<File>) -> Result<(), XtaskError> {
+fn read_folder(
+    folder: &Path,
+    prefix: &str,
+    files: &mut BTreeMap<String, Option<String>>,
+) -> Result<(), XtaskError> {
     for entry in fs::read_dir(folder).map_err(|e| unreadable(folder, e))? {
         let entry = entry.map_err(|e| unreadable(folder, e))?;
         let name = entry.file_name().to_string_lossy().into_owned();
@@ -104,10 +90,7 @@ fn read_folder(folder: &Path, prefix: &str, files: &mut Vec<File>) -> Result<(),
             read_folder(&on_disk, &format!("{prefix}{name}/"), files)?;
         } else {
             let bytes = fs::read(&on_disk).map_err(|e| unreadable(&on_disk, e))?;
-            files.push(File {
-                path: format!("{prefix}{name}"),
-                text: String::from_utf8(bytes).ok(),
-            });
+            files.insert(format!("{prefix}{name}"), String::from_utf8(bytes).ok());
         }
     }
     Ok(())

@@ -102,7 +102,7 @@ fn missing_refused_and_uncertified_cases_are_errors_and_not_drawn() {
     assert!(figures(&[Figure::Five], &runner_of_nothing, &out, None).is_err());
     assert!(!out.exists());
     let run = |set: &str| {
-        let run = runner(&root(), &results).run("cases/fig2a", &[set]);
+        let run = runner(&root(), &results).run("cases/fig2a", &[set], "none");
         run.unwrap_err()
     };
     let refused = run("load.force=-1");

@@ -165,7 +165,7 @@ pub fn stresses(
     style: &Style,
     writer: &WriteProgress<'_>,
 ) -> Result<StressDrawings, Failure> {
-    let subject = subject(summary, step, fields, style);
+    let subject = Subject::of(summary, &summary.steps[step], fields, *style);
     let pictures = of_stresses(summary).par_iter();
     let drawn = pictures.map(|picture| {
         let draw = || picture.draw(&subject, view);
@@ -177,22 +177,6 @@ pub fn stresses(
         step,
         drawings: drawn.into_iter().flatten().collect(),
     })
-}
-
-fn subject<'a>(
-    summary: &'a RunSummary,
-    step: usize,
-    fields: Fields<'a>,
-    style: &Style,
-) -> Subject<'a> {
-    Subject {
-        title: &summary.title,
-        units: summary.units,
-        relief_height: summary.relief_height(),
-        step: &summary.steps[step],
-        fields,
-        style: *style,
-    }
 }
 
 /// Writes the pictures of one loading step, and returns the drawings for the report.
@@ -208,7 +192,7 @@ pub fn step(
     style: &Style,
     writer: &WriteProgress<'_>,
 ) -> Result<StepDrawings, Failure> {
-    let subject = subject(summary, step, fields, style);
+    let subject = Subject::of(summary, &summary.steps[step], fields, *style);
     let pictures = of_a_step(summary).into_par_iter();
     let drawn = pictures.map(|picture| {
         let svg = writer.picture(folder, &picture.name(step), || picture.draw(&subject))?;

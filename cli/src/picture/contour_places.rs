@@ -32,12 +32,7 @@ pub struct ContourPlaces {
 fn rectangle((x, y): (f64, f64), text: &str) -> Rect {
     let width = LETTER * SIZE * text.chars().count() as f64 + 2.0 * MARGIN;
     let height = SIZE + 2.0 * MARGIN;
-    Rect {
-        left: x - width / 2.0,
-        top: y - height / 2.0,
-        width,
-        height,
-    }
+    Rect::at((x - width / 2.0, y - height / 2.0), (width, height))
 }
 
 /// Draws a text on white, centred on a place.
@@ -100,12 +95,7 @@ impl ContourPlaces {
     /// Reserves a horizontal line across the panel.
     pub fn reserve_line(&mut self, y: f64) {
         let Rect { left, width, .. } = self.panel;
-        self.taken.push(Rect {
-            left,
-            top: y - 1.0,
-            width,
-            height: 2.0,
-        });
+        self.taken.push(Rect::at((left, y - 1.0), (width, 2.0)));
     }
 
     /// Reserves the place of a text on a horizontal line, at the left side of the panel, and returns its centre.

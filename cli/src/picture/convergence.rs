@@ -101,12 +101,7 @@ fn draw_panel(svg: &mut Svg, summary: &RunSummary, left: f64, number: Number) {
         .collect();
     let title = if left > LEFT { "" } else { "change, %" };
     let panel = Panel {
-        place: Rect {
-            left,
-            top: TOP,
-            width: PANEL_WIDTH,
-            height: PANEL_HEIGHT,
-        },
+        place: Rect::at((left, TOP), (PANEL_WIDTH, PANEL_HEIGHT)),
         x: grids(summary),
         y: percent(&changes, title),
     };

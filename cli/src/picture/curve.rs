@@ -151,12 +151,7 @@ impl<'a> Sheet<'a> {
         let (x_axis, x_scale) = self.axis_of(x);
         let (y_axis, y_scale) = self.axis_of(y);
         let panel = Panel {
-            place: Rect {
-                left,
-                top: TOP,
-                width: SIDE,
-                height: SIDE,
-            },
+            place: Rect::at((left, TOP), (SIDE, SIDE)),
             x: x_axis,
             y: y_axis,
         };

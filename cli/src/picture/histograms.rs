@@ -81,12 +81,7 @@ fn draw_panel(
         "probability density"
     };
     let panel = Panel {
-        place: Rect {
-            left,
-            top: TOP,
-            width: SIDE,
-            height: SIDE,
-        },
+        place: Rect::at((left, TOP), (SIDE, SIDE)),
         x: Axis::new(0.0, class * densities.len() as f64, title.to_owned(), 6),
         y: Axis::new(0.0, tallest * (1.0 + MARGIN), along_y.to_owned(), 6),
     };

@@ -11,12 +11,7 @@ use super::svg::{Anchor, Rect, Stroke, Svg};
 use super::{colour_bar, heading, labels, outline};
 
 /// The rectangle of the map, in pixels.
-pub(super) const MAP: Rect = Rect {
-    left: 112.0,
-    top: heading::HEIGHT,
-    width: 760.0,
-    height: 760.0,
-};
+pub(super) const MAP: Rect = Rect::at((112.0, heading::HEIGHT), (760.0, 760.0));
 const BELOW: f64 = 72.0;
 const GAP: f64 = 28.0;
 const BAR: f64 = 30.0;
@@ -101,12 +96,7 @@ pub fn draw_field(
 pub(super) fn within(panel: &Panel, ends: [[f64; 2]; 2], divisor: f64) -> Rect {
     let [[left, right], [low, high]] = ends.map(|ends| ends.map(|x| x / divisor));
     let ((left, top), (right, bottom)) = (panel.at(left, high), panel.at(right, low));
-    Rect {
-        left,
-        top,
-        width: right - left,
-        height: bottom - top,
-    }
+    Rect::at((left, top), (right - left, bottom - top))
 }
 
 /// Draws the outline of the cells for which `inside` holds.
@@ -152,12 +142,7 @@ fn draw_legend(svg: &mut Svg, has_relief: bool) {
     if !has_relief {
         return;
     }
-    let swatch = Rect {
-        left: MAP.right() + GAP,
-        top: MAP.bottom() + 28.0,
-        width: 18.0,
-        height: 18.0,
-    };
+    let swatch = Rect::at((MAP.right() + GAP, MAP.bottom() + 28.0), (18.0, 18.0));
     svg.rectangle(swatch, colours::RELIEF);
     let place = (swatch.right() + 8.0, swatch.top + 9.0);
     svg.text(place, 15.0, Anchor::Start, "free relief");

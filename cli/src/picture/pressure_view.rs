@@ -10,18 +10,8 @@ use super::svg::Rect;
 use super::{colour_bar, heading, labels};
 
 /// The rectangle of the scene, in pixels.
-const SCENE: Rect = Rect {
-    left: 0.0,
-    top: heading::HEIGHT,
-    width: 940.0,
-    height: 730.0,
-};
-const BAR: Rect = Rect {
-    left: 950.0,
-    top: heading::HEIGHT + 150.0,
-    width: 26.0,
-    height: 420.0,
-};
+const SCENE: Rect = Rect::at((0.0, heading::HEIGHT), (940.0, 730.0));
+const BAR: Rect = Rect::at((950.0, heading::HEIGHT + 150.0), (26.0, 420.0));
 const WIDTH: f64 = BAR.left + BAR.width + colour_bar::BESIDE;
 const HEIGHT: f64 = SCENE.top + SCENE.height;
 const HEADING_LEFT: f64 = 60.0;

@@ -10,7 +10,7 @@ use super::png::{self, PixelFormat};
 use super::svg::FAMILY;
 
 /// Pixels per unit of a drawing. Twice as many take twice as long; the SVG itself is sharp at any size.
-const ZOOM: f32 = 1.0;
+const ZOOM: f64 = 1.0;
 
 static OPTIONS: LazyLock<usvg::Options<'static>> = LazyLock::new(|| {
     let mut options = usvg::Options {
@@ -27,23 +27,28 @@ static OPTIONS: LazyLock<usvg::Options<'static>> = LazyLock::new(|| {
 ///
 /// If the drawing is not SVG, or if there is no memory for its pixels.
 pub fn png(svg: &str) -> io::Result<Vec<u8>> {
-    let (width, height, rgb) = pixels(svg, ZOOM)?;
+    let (width, height, rgb) = pixels(svg, |_| ZOOM)?;
     Ok(png::encode(width, height, PixelFormat::Rgb, &rgb))
 }
 
-/// Renders a drawing as a PNG file with `zoom` pixels per unit, in as few bytes as possible.
+/// Renders a drawing as a PNG file of this width, in as few bytes as possible.
 ///
 /// # Errors
 ///
 /// Those of [`png()`].
-pub fn small_png(svg: &str, zoom: f32) -> io::Result<Vec<u8>> {
-    let (width, height, rgb) = pixels(svg, zoom)?;
+pub fn small_png(svg: &str, width: f64) -> io::Result<Vec<u8>> {
+    let (width, height, rgb) = pixels(svg, |whole| width / whole)?;
     palette::encode(width, height, &rgb)
 }
 
-/// Width, height and the bytes of the pixels, three for each.
-fn pixels(svg: &str, zoom: f32) -> io::Result<(usize, usize, Vec<u8>)> {
+/// Width, height and the bytes of the pixels, three for each; the pixels per unit depend on the drawing's width.
+fn pixels(svg: &str, zoom: impl Fn(f64) -> f64) -> io::Result<(usize, usize, Vec<u8>)> {
     let tree = usvg::Tree::from_str(svg, &OPTIONS).map_err(io::Error::other)?;
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "single precision is enough for pixels"
+    )]
+    let zoom = zoom(tree.size().width().into()) as f32;
     let size = tree.size().to_int_size().scale_by(zoom);
     let pixels = size.and_then(|size| tiny_skia::Pixmap::new(size.width(), size.height()));
     let mut pixels = pixels.ok_or_else(|| io::Error::other("no memory for the picture"))?;

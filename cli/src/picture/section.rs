@@ -17,20 +17,13 @@ const LEFT: f64 = 112.0;
 const PANEL_WIDTH: f64 = 940.0;
 /// Width of the picture, in pixels.
 pub const WIDTH: f64 = LEFT + PANEL_WIDTH + 40.0;
-const PRESSURE: Rect = Rect {
-    left: LEFT,
-    top: heading::HEIGHT,
-    width: PANEL_WIDTH,
-    height: 230.0,
-};
+const PRESSURE: Rect = Rect::at((LEFT, heading::HEIGHT), (PANEL_WIDTH, 230.0));
 /// Height between the panels, for the legend.
 const BETWEEN: f64 = 44.0;
-const DEPTH: Rect = Rect {
-    left: LEFT,
-    top: PRESSURE.top + PRESSURE.height + BETWEEN,
-    width: PANEL_WIDTH,
-    height: 420.0,
-};
+const DEPTH: Rect = Rect::at(
+    (LEFT, PRESSURE.top + PRESSURE.height + BETWEEN),
+    (PANEL_WIDTH, 420.0),
+);
 const HEIGHT: f64 = DEPTH.top + DEPTH.height + 72.0;
 
 /// Margins of the depth axis above the highest and below the deepest point of the surface, as fractions of the depth

@@ -15,12 +15,7 @@ use crate::output::summary::roughness::RoughnessSummary;
 /// File name of the picture, without extension.
 pub const NAME: &str = "spectrum";
 
-const PLACE: Rect = Rect {
-    left: 132.0,
-    top: heading::HEIGHT + 8.0,
-    width: 620.0,
-    height: 460.0,
-};
+const PLACE: Rect = Rect::at((132.0, heading::HEIGHT + 8.0), (620.0, 460.0));
 const WIDTH: f64 = PLACE.left + PLACE.width + 36.0;
 /// Height of a line of the legend, and distance of the legend below the panel.
 const ENTRY: f64 = 28.0;

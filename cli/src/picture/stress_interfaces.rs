@@ -132,12 +132,7 @@ impl InterfaceMap<'_> {
             Axis::new(low / scale.divisor, high / scale.divisor, title, 6)
         };
         let panel = Panel {
-            place: Rect {
-                left,
-                top,
-                width: SIDE,
-                height: SIDE,
-            },
+            place: Rect::at((left, top), (SIDE, SIDE)),
             x: axis("x"),
             y: axis("y"),
         };

@@ -124,12 +124,7 @@ impl<'a> SectionDrawing<'a> {
     }
 
     fn panel(&self, top: f64) -> Panel {
-        let place = Rect {
-            left: LEFT,
-            top: top + ABOVE,
-            width: PANEL_WIDTH,
-            height: PANEL_HEIGHT,
-        };
+        let place = Rect::at((LEFT, top + ABOVE), (PANEL_WIDTH, PANEL_HEIGHT));
         let [from, to] = self.section.ends().map(|along| along / self.metres.divisor);
         let title = labels::axis_title(along_axis(self.section), &self.metres.label);
         let depth = labels::axis_title("depth z", &self.depth_metres.label);
@@ -306,12 +301,7 @@ impl<'a> SectionDrawing<'a> {
         let mut x = LEFT;
         let y = top + ABOVE - ON_SURFACE - 15.0;
         let mut key = |svg: &mut Svg, height: f64, colour, name: &str| {
-            let swatch = Rect {
-                left: x,
-                top: y - height / 2.0,
-                width: 30.0,
-                height,
-            };
+            let swatch = Rect::at((x, y - height / 2.0), (30.0, height));
             svg.rectangle(swatch, colour);
             svg.text((swatch.right() + 8.0, y), 15.0, Anchor::Start, name);
             x += 60.0 + 10.0 * name.chars().count() as f64;

@@ -8,7 +8,7 @@ use super::svg::Svg;
 use crate::display::{self, DisplayUnit, Unit};
 use crate::input::units::Units;
 use crate::output::fields::Fields;
-use crate::output::summary::StepSummary;
+use crate::output::summary::{RunSummary, StepSummary};
 
 /// One loading step: its numbers and its fields.
 #[derive(Debug, Clone, Copy)]
@@ -27,7 +27,25 @@ pub struct Subject<'a> {
     pub style: Style,
 }
 
-impl Subject<'_> {
+impl<'a> Subject<'a> {
+    /// A step of a run.
+    #[must_use]
+    pub fn of(
+        run: &'a RunSummary,
+        step: &'a StepSummary,
+        fields: Fields<'a>,
+        style: Style,
+    ) -> Self {
+        Self {
+            title: &run.title,
+            units: run.units,
+            relief_height: run.relief_height(),
+            step,
+            fields,
+            style,
+        }
+    }
+
     /// The second line of a heading: force, penetration, largest pressure, and a mark if the step has not converged.
     #[must_use]
     pub fn numbers(&self) -> String {

@@ -66,6 +66,17 @@ pub struct Rect {
 }
 
 impl Rect {
+    /// Returns the rectangle with this upper left corner, of this width and height.
+    #[must_use]
+    pub const fn at((left, top): (f64, f64), (width, height): (f64, f64)) -> Self {
+        Self {
+            left,
+            top,
+            width,
+            height,
+        }
+    }
+
     /// Its right side.
     #[must_use]
     pub fn right(&self) -> f64 {

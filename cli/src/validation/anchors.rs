@@ -2,7 +2,6 @@
 
 use pellicle_contact::{FlatPunch, Indenter, Load, Profile};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
-use pellicle_texture::Relief;
 
 use super::comparison::Comparison;
 use super::independent::fredholm::{self, AxisymmetricSolution};
@@ -90,15 +89,10 @@ fn punch_force(
     radius: f64,
     elements: usize,
 ) -> Result<f64, ValidationError> {
-    let path = run.solve(&ContactSetup {
-        foundation: body.clone(),
-        relief: Relief::Bare,
-        indenter: Indenter::FlatPunch(FlatPunch::new(radius)?),
-        side: 2.0 * radius * 4.0 / 3.0,
-        elements: elements * 4 / 3,
-        load: Load::Penetration(1.0),
-    })?;
-    Ok(path.steps[0].solution.force)
+    let punch = Indenter::FlatPunch(FlatPunch::new(radius)?);
+    let grid = (2.0 * radius * 4.0 / 3.0, elements * 4 / 3);
+    let contact = ContactSetup::bare(body.clone(), punch, grid, Load::Penetration(1.0));
+    Ok(run.solve(&contact)?.steps[0].solution.force)
 }
 
 /// Thicknesses of the film, in punch radii.
@@ -180,15 +174,9 @@ impl Profile for SquarePunch {
 fn square_punch(run: ValidationRun) -> Result<Comparison, ValidationError> {
     let body = Foundation::half_space(unit_material()?);
     let capacity = extrapolated(|elements| {
-        let path = run.solve(&ContactSetup {
-            foundation: body.clone(),
-            relief: Relief::Bare,
-            indenter: Indenter::custom(SquarePunch),
-            side: 4.0 / 3.0,
-            elements: elements * 4 / 3,
-            load: Load::Penetration(1.0),
-        })?;
-        Ok(path.steps[0].solution.force / std::f64::consts::PI)
+        let (punch, grid) = (Indenter::custom(SquarePunch), (4.0 / 3.0, elements * 4 / 3));
+        let contact = ContactSetup::bare(body.clone(), punch, grid, Load::Penetration(1.0));
+        Ok(run.solve(&contact)?.steps[0].solution.force / std::f64::consts::PI)
     })?;
     let check = "square punch: capacity of a square plate".into();
     Ok(Comparison::relative(

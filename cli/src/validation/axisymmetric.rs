@@ -4,7 +4,6 @@ use std::f64::consts::FRAC_PI_4;
 
 use pellicle_contact::{Cone, Indenter, Load};
 use pellicle_kernel::{Foundation, Material};
-use pellicle_texture::Relief;
 use rayon::prelude::*;
 
 use super::comparison::Comparison;
@@ -52,16 +51,12 @@ fn row(run: ValidationRun, case: &AxisymmetricContact) -> Comparison {
 fn contact(case: &AxisymmetricContact) -> Result<ContactSetup, ValidationError> {
     let coating = Material::new(case.e1, case.nu1)?;
     let substrate = Material::new(1.0, case.nu2)?;
-    Ok(ContactSetup {
-        foundation: Foundation::coated(case.thickness, coating, substrate)?,
-        relief: Relief::Bare,
-        indenter: match case.shape {
-            AxisymmetricIndenter::Paraboloid => paraboloid(1.0)?,
-            // z = r: 45 degrees between axis and side.
-            AxisymmetricIndenter::Cone => Indenter::Cone(Cone::new(FRAC_PI_4, 0.0)?),
-        },
-        side: SIDE,
-        elements: ELEMENTS,
-        load: Load::Force(case.force),
-    })
+    let body = Foundation::coated(case.thickness, coating, substrate)?;
+    let indenter = match case.shape {
+        AxisymmetricIndenter::Paraboloid => paraboloid(1.0)?,
+        // z = r: 45 degrees between axis and side.
+        AxisymmetricIndenter::Cone => Indenter::Cone(Cone::new(FRAC_PI_4, 0.0)?),
+    };
+    let (grid, load) = ((SIDE, ELEMENTS), Load::Force(case.force));
+    Ok(ContactSetup::bare(body, indenter, grid, load))
 }

@@ -44,14 +44,8 @@ fn on_half_space(
     side: f64,
     load: Load,
 ) -> Result<ContactSetup, ValidationError> {
-    Ok(ContactSetup {
-        foundation: Foundation::half_space(unit_material()?),
-        relief: Relief::Bare,
-        indenter,
-        side,
-        elements: ELEMENTS,
-        load,
-    })
+    let body = Foundation::half_space(unit_material()?);
+    Ok(ContactSetup::bare(body, indenter, (side, ELEMENTS), load))
 }
 
 fn hertz_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {

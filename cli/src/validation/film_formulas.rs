@@ -4,11 +4,12 @@
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
+use pellicle_contact::Load;
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
 use super::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
 use super::independent::{composite, graded};
-use super::run::ValidationError;
+use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
 
 /// Secant steps that find a contact radius to rounding, and two more.
 const SECANTS: usize = 8;
@@ -65,6 +66,18 @@ impl ThinLayer {
             (before, last) = (last, next);
         }
         Ok(last.1[1])
+    }
+
+    /// Returns `ψ(χ)` from the program's certified solution on 256 × 256 elements, on a domain of this side in
+    /// thicknesses.
+    ///
+    /// # Errors
+    /// Errors of [`ValidationRun::solve`].
+    pub fn solved(&self, chi: f64, side: f64) -> Result<f64, ValidationError> {
+        let (body, load) = (self.foundation()?, Load::Penetration(chi * chi));
+        let contact = ContactSetup::bare(body, paraboloid(1.0)?, (side, 256), load);
+        let path = ValidationRun::default().solve(&contact)?;
+        Ok(0.75 * path.steps[0].solution.force / chi.powi(3))
     }
 
     /// Returns the first coefficients of the exact `ψ` in powers of χ, including the constant:

@@ -2,7 +2,6 @@
 
 use pellicle_contact::{FlatPunch, Indenter, Load, Step};
 use pellicle_kernel::Foundation;
-use pellicle_texture::Relief;
 
 use super::comparison::Comparison;
 use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
@@ -19,24 +18,15 @@ pub const SECTION: ValidationSection = ValidationSection {
 fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let punch = Indenter::FlatPunch(FlatPunch::new(0.1)?);
     let verdict = |indenter| -> Result<&str, ValidationError> {
-        let path = run.solve(&contact(indenter)?)?;
+        let body = Foundation::half_space(unit_material()?);
+        let load = Load::Force(4e-3 / 3.0);
+        let path = run.solve(&ContactSetup::bare(body, indenter, (0.3, 256), load))?;
         Ok(of_the_peak(&path.steps[0]))
     };
     Ok(vec![
         Comparison::words("Hertz".into(), "resolved", verdict(paraboloid(1.0)?)?),
         Comparison::words("Flat punch".into(), "unresolved", verdict(punch)?),
     ])
-}
-
-fn contact(indenter: Indenter) -> Result<ContactSetup, ValidationError> {
-    Ok(ContactSetup {
-        foundation: Foundation::half_space(unit_material()?),
-        relief: Relief::Bare,
-        indenter,
-        side: 0.3,
-        elements: 256,
-        load: Load::Force(4e-3 / 3.0),
-    })
 }
 
 fn of_the_peak(step: &Step) -> &'static str {

@@ -80,14 +80,8 @@ fn limit(
 
 /// A paraboloid of radius 1 with a contact radius of about 0.1.
 fn contact(foundation: Foundation) -> Result<ContactSetup, ValidationError> {
-    Ok(ContactSetup {
-        foundation,
-        relief: Relief::Bare,
-        indenter: paraboloid(1.0)?,
-        side: 0.3,
-        elements: 64,
-        load: Load::Force(1.3e-3),
-    })
+    let (grid, load) = ((0.3, 64), Load::Force(1.3e-3));
+    Ok(ContactSetup::bare(foundation, paraboloid(1.0)?, grid, load))
 }
 
 fn half_space(material: Material) -> Result<ContactSetup, ValidationError> {
@@ -184,14 +178,10 @@ fn units() -> Result<[ContactSetup; 2], ValidationError> {
     let (micrometres, gigapascals) = (3e-6, 70e9);
     let coating = Material::new(10.0 * gigapascals, 0.3)?;
     let substrate = Material::new(gigapascals, 0.4)?;
-    let in_si = ContactSetup {
-        foundation: Foundation::coated(0.05 * micrometres, coating, substrate)?,
-        relief: Relief::Bare,
-        indenter: paraboloid(micrometres)?,
-        side: 0.3 * micrometres,
-        elements: 64,
-        load: Load::Force(1.3e-3 * gigapascals * micrometres * micrometres),
-    };
+    let body = Foundation::coated(0.05 * micrometres, coating, substrate)?;
+    let load = Load::Force(1.3e-3 * gigapascals * micrometres * micrometres);
+    let grid = (0.3 * micrometres, 64);
+    let in_si = ContactSetup::bare(body, paraboloid(micrometres)?, grid, load);
     Ok([stiff_coating()?, in_si])
 }
 

@@ -34,6 +34,26 @@ pub struct ContactSetup {
     pub load: Load,
 }
 
+impl ContactSetup {
+    /// Returns the contact of an indenter with a bare surface, on a domain of this side with as many elements along it.
+    #[must_use]
+    pub fn bare(
+        foundation: Foundation,
+        indenter: Indenter,
+        (side, elements): (f64, usize),
+        load: Load,
+    ) -> Self {
+        Self {
+            foundation,
+            relief: Relief::Bare,
+            indenter,
+            side,
+            elements,
+            load,
+        }
+    }
+}
+
 /// The reason for a failed comparison.
 #[derive(Debug, thiserror::Error)]
 #[expect(missing_docs, reason = "each is the error it holds")]

@@ -10,7 +10,6 @@ use pellicle_contact::{Load, Sliding, StressField};
 use pellicle_influence::Depth;
 use pellicle_kernel::{Foundation, Material, Side};
 use pellicle_tests::convergence::demand;
-use pellicle_texture::Relief;
 
 const GRIDS: [usize; 7] = [64, 80, 104, 128, 160, 208, 256];
 
@@ -37,14 +36,12 @@ fn errors(nu: f64, friction: f64) -> Vec<(usize, f64)> {
         direction: 0.0,
     };
     let error = |elements| {
-        let path = ValidationRun::default().solve(&ContactSetup {
-            foundation: Foundation::half_space(material),
-            relief: Relief::Bare,
-            indenter: paraboloid(1.0).unwrap(),
-            side: 0.27,
-            elements,
-            load: Load::Force(wanted.force),
-        });
+        let path = ValidationRun::default().solve(&ContactSetup::bare(
+            Foundation::half_space(material),
+            paraboloid(1.0).unwrap(),
+            (0.27, elements),
+            Load::Force(wanted.force),
+        ));
         let field = StressField::new(&path.unwrap(), 0, sliding).unwrap();
         let of_point = |point: &[f64; 3]| {
             let [x, y, z] = point.map(|along| along * wanted.contact_radius);

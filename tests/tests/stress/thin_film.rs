@@ -1,13 +1,8 @@
 //! Formulas for paraboloids on thin layers, compared with the integral equation: the numbers of
 //! docs/thin-film-formulas.md.
 
-use pellicle_cli::evidence::ValidationRun;
 use pellicle_cli::evidence::film_formulas::{ThinLayer, polynomial};
-use pellicle_cli::evidence::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
-use pellicle_cli::evidence::run::{ContactSetup, paraboloid};
-use pellicle_contact::Load;
 use pellicle_kernel::Interface::{Bonded, Frictionless};
-use pellicle_texture::Relief;
 
 fn film(interface: pellicle_kernel::Interface, poisson_ratio: f64) -> ThinLayer {
     ThinLayer {
@@ -121,19 +116,8 @@ fn the_program_solves_thin_layers_as_the_integral_equation_does() {
         film(Frictionless, 0.5),
     ] {
         for radius in [0.3, 1.0, 3.0] {
-            let body = film.foundation().unwrap();
-            let profile = AxisymmetricProfile::Paraboloid(1.0);
-            let wanted = AxisymmetricSolution::new(&body, profile, radius).unwrap();
-            let path = ValidationRun::default().solve(&ContactSetup {
-                foundation: body,
-                relief: Relief::Bare,
-                indenter: paraboloid(1.0).unwrap(),
-                side: 2.4 * radius,
-                elements: 256,
-                load: Load::Penetration(wanted.penetration),
-            });
-            let force = path.unwrap().steps[0].solution.force;
-            let error = force / wanted.force - 1.0;
+            let [chi, wanted] = film.at_contact_radius(radius).unwrap();
+            let error = film.solved(chi, 2.4 * radius).unwrap() / wanted - 1.0;
             assert!(error.abs() < 1e-4, "{film:?} {radius}: {error:e}");
         }
     }

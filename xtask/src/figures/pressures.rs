@@ -1,16 +1,13 @@
 //! Figures 2 and 5: pressures as maps, and as columns over the surface, with the same axes in every panel.
 
-use std::fmt::Write as _;
-
-use pellicle_cli::DisplayUnit;
 use pellicle_cli::drawing::{
     Anchor, Axis, CoarseField, ColourScale, Crop, Panel, Panel3d, Projection, Rect, Svg,
-    colour_bar, labels, pressure_map,
+    colour_bar, pressure_map,
 };
 
-use super::chart::{ChartLine, Pen, quoted};
+use super::chart::{ChartLine, Pen};
 use super::runner::SolvedStep;
-use super::sheet::{Caption, Picture, TOP};
+use super::sheet::{Caption, Picture, csv};
 
 /// Sizes of a map and its colour bar, in pixels.
 const MAP: f64 = 480.0;
@@ -37,6 +34,14 @@ const SCENE_CELLS: usize = 200;
 /// Half the side of the part shown, in contact radii.
 const MARGIN: f64 = 1.06;
 
+/// Panels with the same axes.
+pub(super) struct Pressures<'a> {
+    pub caption: Caption,
+    /// The units of x and y, and of the pressures, with their sizes in the units of the cases.
+    pub units: [(&'static str, f64); 2],
+    pub panels: Vec<PressurePanel<'a>>,
+}
+
 /// One panel, with its pressures in the common unit.
 pub(super) struct PressurePanel<'a> {
     pub title: String,
@@ -47,105 +52,80 @@ pub(super) struct PressurePanel<'a> {
     pub brightest: f64,
 }
 
-/// Panels with the same axes.
-pub(super) struct Pressures<'a> {
-    pub caption: Caption,
-    /// The unit of x and y.
-    pub metres: DisplayUnit,
-    /// The unit of the pressures.
-    pub pascals: DisplayUnit,
-    /// Half the side of the part shown, in the unit of x.
-    pub reach: f64,
-    pub panels: Vec<PressurePanel<'a>>,
-}
-
 impl Pressures<'_> {
-    /// Draws the pressures as maps and as columns over the surface, under these names.
-    pub(super) fn draw(&self, maps: &'static str, surfaces: &'static str) -> [Picture; 2] {
-        [
-            self.picture(maps, MAP_CELL, Self::draw_map),
-            self.picture(surfaces, SCENE_CELL, Self::draw_scene),
+    /// Draws the pressures as maps and as columns over the surface, each with the table of the columns.
+    pub(super) fn draw(&self, [maps, surfaces]: [&'static str; 2]) -> Vec<Picture> {
+        let rows = self.panels.iter().flat_map(|panel| self.rows(panel));
+        let table = csv("panel,x,y,pressure", rows);
+        let picture = |name, cell, draw: fn(&Self, &mut Svg, (f64, f64), &PressurePanel<'_>)| {
+            let draw = |svg: &mut Svg, corner, panel: &_| draw(self, svg, corner, panel);
+            let svg = self.caption.sheet(0.0, cell, &self.panels, draw);
+            let (svg, csv) = (svg.finish(), table.clone());
+            Picture { name, svg, csv }
+        };
+        vec![
+            picture(maps, MAP_CELL, Self::draw_map),
+            picture(surfaces, SCENE_CELL, Self::draw_scene),
         ]
     }
 
-    /// The pressure of a panel along x beside the axis, constant over each element, in the units of the axes.
+    /// The pressure of a panel along x beside the axis, constant over each element.
     pub(super) fn profile(&self, panel: usize, pen: Pen) -> ChartLine {
         let panel = &self.panels[panel];
         let fields = panel.step.fields();
+        let [(_, metre), (_, pascal)] = self.units;
         let along = |i: usize| {
-            let pressure = fields.pressure[i * fields.size + fields.size / 2];
-            let pressure = pressure / self.pascals.divisor;
-            [i, i + 1].map(|i| (fields.edge(i) / self.metres.divisor, pressure))
+            let pressure = fields.pressure[i * fields.size + fields.size / 2] / pascal;
+            [i, i + 1].map(|i| (fields.edge(i) / metre, pressure))
         };
         let points = (0..fields.size).flat_map(along).collect();
         ChartLine::new(&panel.title, pen, vec![points])
     }
 
-    /// Draws the panels, each from the top left corner of its cell.
-    fn picture(
-        &self,
-        name: &'static str,
-        cell: (f64, f64),
-        draw: fn(&Self, &mut Svg, (f64, f64), &PressurePanel<'_>),
-    ) -> Picture {
-        let columns = if self.panels.len() == 3 { 3 } else { 2 };
-        let rows = self.panels.len().div_ceil(columns);
-        let size = (cell.0 * columns as f64, cell.1 * rows as f64);
-        let mut svg = self.caption.sheet(size);
-        for (i, panel) in self.panels.iter().enumerate() {
-            let left = cell.0 * (i % columns) as f64;
-            let top = TOP + cell.1 * (i / columns) as f64;
-            draw(self, &mut svg, (left, top), panel);
-        }
-        Picture {
-            name,
-            svg: svg.finish(),
-            width: size.0,
-            csv: self.csv(),
-        }
+    /// The axis of a coordinate, which reaches beyond the largest contact.
+    pub(super) fn axis(&self, symbol: &str, ticks: usize) -> Axis {
+        let (reach, title) = (self.reach(), format!("{symbol}, {}", self.units[0].0));
+        Axis::new(-reach, reach, title, ticks)
+    }
+
+    /// Half the side of the part shown, in the unit of x.
+    fn reach(&self) -> f64 {
+        let panels = self.panels.iter();
+        let radii = panels.map(|panel| panel.step.numbers.summary.contact_radius);
+        MARGIN * radii.fold(0.0, f64::max) / self.units[0].1
+    }
+
+    /// The part shown of a panel's fields.
+    fn coarse(&self, panel: &PressurePanel<'_>, cells: usize) -> CoarseField {
+        let fields = panel.step.fields();
+        let part = 2.0 * self.reach() * self.units[0].1 / fields.side;
+        CoarseField::new(&fields, &Crop::around_axis(fields.size, part), cells)
     }
 
     fn draw_map(&self, svg: &mut Svg, (left, top): (f64, f64), panel: &PressurePanel<'_>) {
-        let place = Rect {
-            left: left + MAP_LEFT,
-            top: top + TITLE_ROOM,
-            width: MAP,
-            height: MAP,
-        };
-        let title = (place.left, top + 14.0);
-        svg.text(title, TITLE, Anchor::Start, &panel.title);
-        let axes = Panel {
-            place,
-            x: self.axis("x", 6),
-            y: self.axis("y", 6),
-        };
+        let [(_, metre), (pascals, pascal)] = self.units;
+        let place = Rect::at((left + MAP_LEFT, top + TITLE_ROOM), (MAP, MAP));
+        svg.text((place.left, top + 14.0), TITLE, Anchor::Start, &panel.title);
+        let [x, y] = ["x", "y"].map(|symbol| self.axis(symbol, 6));
+        let axes = Panel { place, x, y };
         let coarse = self.coarse(panel, MAP_CELLS);
-        let in_pascals = ColourScale::up_to(panel.brightest * self.pascals.divisor);
+        let in_pascals = ColourScale::up_to(panel.brightest * pascal);
         svg.within(place, |svg| {
-            pressure_map::draw_field(svg, &axes, &coarse, self.metres.divisor, &in_pascals);
+            pressure_map::draw_field(svg, &axes, &coarse, metre, &in_pascals);
         });
         axes.draw_axes(svg);
-        let bar = Rect {
-            left: place.right() + MAP_GAP,
-            width: BAR,
-            ..place
-        };
-        let title = labels::axis_title("pressure p", &self.pascals.label);
-        colour_bar::draw(svg, bar, &ColourScale::up_to(panel.brightest), &title);
+        let bar = Rect::at((place.right() + MAP_GAP, place.top), (BAR, MAP));
+        let scale = ColourScale::up_to(panel.brightest);
+        colour_bar::draw(svg, bar, &scale, &format!("pressure p, {pascals}"));
     }
 
     fn draw_scene(&self, svg: &mut Svg, (left, top): (f64, f64), panel: &PressurePanel<'_>) {
+        let [(_, metre), (pascals, pascal)] = self.units;
         let title = (left + 40.0, top + 14.0);
         svg.text(title, TITLE, Anchor::Start, &panel.title);
         let top = top + TITLE_ROOM;
-        let pressure = labels::axis_title("p", &self.pascals.label);
         let scene = Panel3d {
-            place: Rect {
-                left,
-                top,
-                width: SCENE.0,
-                height: SCENE.1,
-            },
+            place: Rect::at((left, top), SCENE),
             view: Projection {
                 unit: 215.0,
                 height: 225.0,
@@ -153,51 +133,29 @@ impl Pressures<'_> {
             },
             x: self.axis("x", 5),
             y: self.axis("y", 5),
-            z: Axis::new(0.0, panel.top, pressure, 5),
+            z: Axis::new(0.0, panel.top, format!("p, {pascals}"), 5),
         };
-        let divisors = (self.metres.divisor, self.pascals.divisor);
         let coarse = self.coarse(panel, SCENE_CELLS);
-        scene.draw(svg, &coarse, divisors, &ColourScale::up_to(panel.top));
+        scene.draw(
+            svg,
+            &coarse,
+            (metre, pascal),
+            &ColourScale::up_to(panel.top),
+        );
     }
 
-    /// One row per cell of each panel; a cell has the largest pressure of its elements.
-    fn csv(&self) -> String {
-        let mut csv = String::from("panel,x,y,pressure\n");
-        for panel in &self.panels {
-            let (title, coarse) = (quoted(&panel.title), self.coarse(panel, SCENE_CELLS));
-            let centre = |[from, to]: [f64; 2], i: usize| {
-                from + (to - from) * (i as f64 + 0.5) / coarse.cells as f64
-            };
-            for e in 0..coarse.cells * coarse.cells {
-                let (i, j) = (e / coarse.cells, e % coarse.cells);
-                let (x, y) = (centre(coarse.x, i), centre(coarse.y, j));
-                let p = coarse.pressure(i, j);
-                // Writing to a string does not fail.
-                let _ = writeln!(csv, "{title},{x:e},{y:e},{p:e}");
-            }
-        }
-        csv
+    /// One row per column of a scene; a column has the largest pressure of its elements.
+    fn rows(&self, panel: &PressurePanel<'_>) -> Vec<String> {
+        let (title, coarse) = (&panel.title, self.coarse(panel, SCENE_CELLS));
+        let cells = coarse.cells;
+        let centre = |[from, to]: [f64; 2], i| from + (to - from) * (i as f64 + 0.5) / cells as f64;
+        let row = |e: usize| {
+            let (i, j) = (e / cells, e % cells);
+            let (x, y) = (centre(coarse.x, i), centre(coarse.y, j));
+            format!("\"{title}\",{x:e},{y:e},{:e}", coarse.pressure(i, j))
+        };
+        (0..cells * cells).map(row).collect()
     }
-
-    fn axis(&self, symbol: &str, ticks: usize) -> Axis {
-        let title = labels::axis_title(symbol, &self.metres.label);
-        Axis::new(-self.reach, self.reach, title, ticks)
-    }
-
-    fn coarse(&self, panel: &PressurePanel<'_>, cells: usize) -> CoarseField {
-        let fields = panel.step.fields();
-        let part = 2.0 * self.reach * self.metres.divisor / fields.side;
-        let crop = Crop::around_axis(fields.size, part);
-        CoarseField::new(&fields, &crop, cells)
-    }
-}
-
-/// The largest contact radius plus a margin.
-pub(super) fn reach(steps: &[SolvedStep]) -> f64 {
-    let radii = steps
-        .iter()
-        .map(|step| step.numbers().summary.contact_radius);
-    MARGIN * radii.fold(0.0, f64::max)
 }
 
 /// The largest value, rounded up to two digits of which the second is even, so that the end of an axis is a round

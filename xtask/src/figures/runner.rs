@@ -9,7 +9,6 @@ use pellicle_cli::results::{
     Fields, RunSummary, StepSummary, StoredFields, fields_file, read_summary,
 };
 
-use super::sheet::Caption;
 use crate::XtaskError;
 
 /// Elements along a side for final figures.
@@ -20,8 +19,8 @@ pub(super) const QUICK: usize = 256;
 /// The release build of `pellicle`, which cargo makes first.
 const RELEASE: &str = "cargo run --release --quiet --bin pellicle --";
 
-/// Options of every run, to be completed by the steps whose fields are written.
-const OPTIONS: &str = "--force --pictures none --formats npz --fields";
+/// Options of every run.
+const OPTIONS: &str = "--force --pictures none --formats npz";
 
 /// The program, the cases it runs, and their grid.
 #[derive(Debug, Clone)]
@@ -38,14 +37,17 @@ pub struct Runner {
     pub tell: fn(&str),
 }
 
+/// A case and the values replaced in it, as [`Runner::run`] takes them.
+pub(super) type Case<'a> = (&'static str, &'a [&'a str]);
+
 /// A certified loading step with its fields.
 pub(super) struct SolvedStep {
     /// Name of its case, such as `fig2a`.
     pub case: &'static str,
-    /// Folder of the results.
-    pub folder: PathBuf,
-    pub summary: RunSummary,
-    index: usize,
+    /// Its run.
+    pub run: RunSummary,
+    /// Its numbers.
+    pub numbers: StepSummary,
     stored: StoredFields,
 }
 
@@ -62,64 +64,43 @@ impl Runner {
         }
     }
 
-    /// Solves a case, such as `cases/fig2a` or `cases/paper/fig4-soft-60`, with values replaced as by `--set`.
+    /// The steps of these cases with their fields.
+    pub(super) fn steps(&self, cases: &[Case<'_>]) -> Result<Vec<SolvedStep>, XtaskError> {
+        let mut steps = Vec::new();
+        for (case, sets) in cases {
+            let run = self.run(case, sets, "all")?;
+            for (i, numbers) in run.steps.iter().enumerate() {
+                steps.push(SolvedStep {
+                    case: name(case),
+                    run: run.clone(),
+                    numbers: numbers.clone(),
+                    stored: StoredFields::read(&self.folder(case).join(fields_file(i)))?,
+                });
+            }
+        }
+        Ok(steps)
+    }
+
+    /// The text, behind a mark if the grids are coarse.
+    pub(super) fn marked(&self, text: &str) -> String {
+        match self.elements {
+            FULL.. => text.into(),
+            _ => format!("QUICK, COARSE GRIDS.  {text}"),
+        }
+    }
+
+    /// The folder of a case's results.
+    pub(super) fn folder(&self, case: &str) -> PathBuf {
+        self.results.join(name(case))
+    }
+
+    /// Solves a case, such as `cases/fig2a` or `cases/paper/fig4-soft-60`, with values replaced as by `--set`, and
+    /// writes the fields of `all` of its steps or of `none`.
     ///
     /// # Errors
     /// [`XtaskError::NotCertified`] if a step is not, [`XtaskError::Refused`] if the program refuses the case, or any
     /// error in running it or reading its results.
-    pub fn run(&self, case: &str, sets: &[&str]) -> Result<RunSummary, XtaskError> {
-        self.solve(case, sets, "none")?;
-        Ok(read_summary(&self.folder(case))?)
-    }
-
-    /// One step of a case, by its number, with its fields.
-    pub(super) fn step(
-        &self,
-        case: &'static str,
-        sets: &[&str],
-        index: usize,
-    ) -> Result<SolvedStep, XtaskError> {
-        self.solve(case, sets, "all")?;
-        let folder = self.folder(case);
-        Ok(SolvedStep {
-            case: name(case),
-            summary: read_summary(&folder)?,
-            index,
-            stored: StoredFields::read(&folder.join(fields_file(index)))?,
-            folder,
-        })
-    }
-
-    /// A caption; a coarse picture is marked in its subtitle.
-    pub(super) fn caption(
-        &self,
-        title: &'static str,
-        subtitle: &str,
-        notes: Vec<String>,
-    ) -> Caption {
-        let subtitle = format!("{}{subtitle}", self.mark());
-        Caption {
-            title,
-            subtitle,
-            notes,
-        }
-    }
-
-    /// The mark of a coarse picture.
-    pub(super) fn mark(&self) -> &'static str {
-        if self.elements < FULL {
-            "QUICK, COARSE GRIDS.  "
-        } else {
-            ""
-        }
-    }
-
-    fn folder(&self, case: &str) -> PathBuf {
-        self.results.join(name(case))
-    }
-
-    /// Solves a case and writes the fields of these steps, `all` or `none`.
-    fn solve(&self, case: &str, sets: &[&str], fields: &str) -> Result<(), XtaskError> {
+    pub fn run(&self, case: &str, sets: &[&str], fields: &str) -> Result<RunSummary, XtaskError> {
         let elements = format!("grid.elements={}", self.elements);
         let sets = [&[elements.as_str()], sets].concat();
         let run = format!("{}, {}", name(case), sets.join(", "));
@@ -128,14 +109,14 @@ impl Runner {
         command.current_dir(&self.root).args(&self.program[1..]);
         command.arg("run").arg(format!("{case}.toml"));
         command.arg("--out").arg(self.folder(case));
-        command.args(OPTIONS.split(' ')).arg(fields);
+        command.args(OPTIONS.split(' ')).args(["--fields", fields]);
         command.args(sets.iter().flat_map(|set| ["--set", set]));
         let ran = command.output().map_err(|cause| XtaskError::Start {
             program: self.program[0].clone().into(),
             cause,
         })?;
         match ran.status.code() {
-            Some(0) => Ok(()),
+            Some(0) => Ok(read_summary(&self.folder(case))?),
             Some(1) => Err(XtaskError::NotCertified { run }),
             _ => {
                 let message = String::from_utf8_lossy(&ran.stderr).trim().to_owned();
@@ -151,31 +132,19 @@ fn name(case: &str) -> &str {
 }
 
 impl SolvedStep {
-    /// Its numbers.
-    pub(super) fn numbers(&self) -> &StepSummary {
-        &self.summary.steps[self.index]
-    }
-
     /// Its fields, N × N values each, first index along x.
     pub(super) fn fields(&self) -> Fields<'_> {
-        self.stored.fields(self.summary.grid.side)
+        self.stored.fields(self.run.grid.side)
     }
 
     /// A note on its data: grid, certificate, grid error.
     pub(super) fn note(&self, name: &str) -> String {
-        let elements = self.summary.grid.elements;
-        format!("{name}: {}", accuracy::of_step(elements, self.numbers()))
+        let accuracy = accuracy::of_step(self.run.grid.elements, &self.numbers);
+        format!("{name}: {accuracy}")
     }
 
     /// The subject of a picture in the program's style.
-    pub(super) fn subject<'a>(&'a self, title: &'a str) -> Subject<'a> {
-        Subject {
-            title,
-            units: self.summary.units,
-            relief_height: self.summary.relief_height(),
-            step: self.numbers(),
-            fields: self.fields(),
-            style: Style::default(),
-        }
+    pub(super) fn subject(&self) -> Subject<'_> {
+        Subject::of(&self.run, &self.numbers, self.fields(), Style::default())
     }
 }

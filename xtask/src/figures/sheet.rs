@@ -1,5 +1,4 @@
-//! A sheet with a heading, room for panels, and notes on the data below; a finished sheet is a picture with its
-//! numbers.
+//! A sheet with a heading, rows of panels, and notes on the data below; a finished sheet is a picture with its numbers.
 
 use std::fs;
 use std::io::{self, Write};
@@ -39,21 +38,37 @@ pub(super) struct Picture {
     pub name: &'static str,
     /// The drawing.
     pub svg: String,
-    /// Width of the drawing, in pixels.
-    pub width: f64,
     /// Every curve or field in it.
     pub csv: String,
 }
 
 impl Caption {
-    /// A sheet with this caption, and room of this width and height for panels between heading and notes.
-    pub(super) fn sheet(&self, (width, height): (f64, f64)) -> Svg {
-        let bottom = TOP + height;
+    /// Draws panels in rows of two, or three in one row, each from the upper left corner of its cell of this size, with
+    /// room above the first row.
+    pub(super) fn sheet<P>(
+        &self,
+        above: f64,
+        cell: (f64, f64),
+        panels: &[P],
+        draw: impl Fn(&mut Svg, (f64, f64), &P),
+    ) -> Svg {
+        let columns = if panels.len() == 3 {
+            3
+        } else {
+            panels.len().min(2)
+        };
+        let width = cell.0 * columns as f64;
+        let bottom = TOP + (above + cell.1 * panels.len().div_ceil(columns) as f64);
         let mut svg = Svg::new(width, bottom + LINE * self.notes.len() as f64 + BELOW);
         heading::draw(&mut svg, LEFT, width - LEFT, self.title, &self.subtitle);
         for (i, note) in self.notes.iter().enumerate() {
             let y = bottom + LINE * (i as f64 + 0.5);
             svg.text((LEFT, y), NOTE, Anchor::Start, note);
+        }
+        for (i, panel) in panels.iter().enumerate() {
+            let left = cell.0 * (i % columns) as f64;
+            let top = TOP + above + cell.1 * (i / columns) as f64;
+            draw(&mut svg, (left, top), panel);
         }
         svg
     }
@@ -67,9 +82,16 @@ impl Picture {
         self.write_file(folder, "png", render::png(&self.svg))
     }
 
-    /// Writes a PNG no wider than a page of documentation and no larger than [`SMALL_BYTES`].
+    /// Writes a PNG as wide as a page of documentation, or narrower so as not to be larger than [`SMALL_BYTES`].
     pub(super) fn write_small(&self, folder: &Path) -> Result<(), Failure> {
-        self.write_file(folder, "png", self.small())
+        let mut width = SMALL_WIDTH;
+        let mut small = render::small_png(&self.svg, width);
+        while small.as_ref().is_ok_and(|png| png.len() > SMALL_BYTES) && width >= 0.5 * SMALL_WIDTH
+        {
+            width *= 0.93;
+            small = render::small_png(&self.svg, width);
+        }
+        self.write_file(folder, "png", small)
     }
 
     fn write_file(
@@ -79,21 +101,13 @@ impl Picture {
         bytes: io::Result<impl AsRef<[u8]>>,
     ) -> Result<(), Failure> {
         fs::create_dir_all(folder).map_err(|cause| Failure::write(folder, cause))?;
-        let path = folder.join(format!("{}.{ending}", self.name));
+        let path = folder.join(self.name).with_extension(ending);
         write_whole(&path, |file| file.write_all(bytes?.as_ref()))
     }
+}
 
-    /// The widest small version within the size limit.
-    fn small(&self) -> io::Result<Vec<u8>> {
-        let mut width = SMALL_WIDTH.min(self.width);
-        loop {
-            #[expect(clippy::cast_possible_truncation, reason = "between 0 and 1")]
-            let zoom = (width / self.width) as f32;
-            let bytes = render::small_png(&self.svg, zoom)?;
-            if bytes.len() <= SMALL_BYTES || width < 0.5 * SMALL_WIDTH {
-                return Ok(bytes);
-            }
-            width *= 0.93;
-        }
-    }
+/// A table: the names of its columns, then its rows. Texts in a row are in quotes and contain none.
+pub(super) fn csv(names: &str, rows: impl IntoIterator<Item = String>) -> String {
+    rows.into_iter()
+        .fold(format!("{names}\n"), |table, row| table + &row + "\n")
 }

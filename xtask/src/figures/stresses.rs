@@ -1,12 +1,10 @@
 //! The stresses under Fig. 2, which the paper does not show: sections through the largest von Mises stress.
 
-use std::fmt::Write as _;
-
-use pellicle_cli::drawing::stress_section;
+use pellicle_cli::drawing::{Subject, stress_section};
 use pellicle_cli::results::{StressView, read_stresses, stresses_file};
 
 use super::runner::Runner;
-use super::sheet::Picture;
+use super::sheet::{Picture, csv};
 use crate::XtaskError;
 
 /// The cases, the names of their pictures, and the depth and width of these in units of R: about two cylinder radii,
@@ -24,29 +22,26 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
         let stress = format!(
             "stress={{ depths = {{ from = 0, to = {deepest}, count = 2 }}, extent = {extent} }}"
         );
-        let step = runner.step(case, &[&stress], 0)?;
-        let view = read_stresses(&step.folder.join(stresses_file(0)))?;
-        let title = format!("{}{}", runner.mark(), step.summary.title);
-        Ok(Picture {
-            name,
-            svg: stress_section::draw(&step.subject(&title), &view),
-            width: stress_section::WIDTH,
-            csv: csv(&view),
-        })
+        let steps = runner.steps(&[(case, &[&stress])])?;
+        let view = read_stresses(&runner.folder(case).join(stresses_file(0)))?;
+        let subject = steps[0].subject();
+        let title = &runner.marked(subject.title);
+        let svg = stress_section::draw(&Subject { title, ..subject }, &view);
+        let csv = csv("x,z,body,von Mises,largest principal", rows(&view));
+        Ok(Picture { name, svg, csv })
     };
     CASES.into_iter().map(picture).collect()
 }
 
 /// One row per point of the section.
-fn csv(view: &StressView) -> String {
+fn rows(view: &StressView) -> impl Iterator<Item = String> {
     let section = &view.section;
     let planes = section.depths.iter().zip(&section.bodies);
     let points = planes.flat_map(|plane| section.along.iter().map(move |x| (x, plane)));
     let values = section.von_mises.iter().zip(&section.max_principal);
-    let mut csv = String::from("x,z,body,von Mises,largest principal\n");
-    for ((x, (z, body)), (von_mises, principal)) in points.zip(values) {
-        // Writing to a string does not fail.
-        let _ = writeln!(csv, "{x:e},{z:e},{body},{von_mises:e},{principal:e}");
-    }
-    csv
+    points
+        .zip(values)
+        .map(|((x, (z, body)), (von_mises, principal))| {
+            format!("{x:e},{z:e},{body},{von_mises:e},{principal:e}")
+        })
 }

@@ -216,12 +216,10 @@ fn panel(row: usize, column: usize, count: usize, all: &[Axis]) -> Panel {
     };
     let (x, y) = (fitted(&all[column]), fitted(&all[row]));
     Panel {
-        place: Rect {
-            left: LEFT + column as f64 * STEP,
-            top: TOP + row as f64 * STEP,
-            width: SIDE,
-            height: SIDE,
-        },
+        place: Rect::at(
+            (LEFT + column as f64 * STEP, TOP + row as f64 * STEP),
+            (SIDE, SIDE),
+        ),
         x: if row + 1 == count { x } else { x.unlabelled() },
         y: if column == 0 { y } else { y.unlabelled() },
     }

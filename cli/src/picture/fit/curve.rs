@@ -130,12 +130,7 @@ impl Curves {
                 axes::linear(ends, &of.scale, of.name, count)
             }
         };
-        let place = |top, height| Rect {
-            left: LEFT,
-            top,
-            width: WIDE,
-            height,
-        };
+        let place = |top, height| Rect::at((LEFT, top), (WIDE, height));
         let below = axis(x, &self.x, 8);
         let upper = Panel {
             place: place(TOP, HIGH),

@@ -72,12 +72,10 @@ impl RepeatsPlot {
         }
         for (i, (x, repeated)) in panels.into_iter().zip(&self.unknowns).enumerate() {
             let panel = Panel {
-                place: Rect {
-                    left: LEFT,
-                    top: TOP + i as f64 * (high + BETWEEN),
-                    width: PANEL_WIDTH,
-                    height: high,
-                },
+                place: Rect::at(
+                    (LEFT, TOP + i as f64 * (high + BETWEEN)),
+                    (PANEL_WIDTH, high),
+                ),
                 x,
                 y: self.rows(),
             };

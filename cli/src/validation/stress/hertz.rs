@@ -7,7 +7,6 @@ use pellicle_contact::{
 };
 use pellicle_influence::{Depth, SubsurfaceState};
 use pellicle_kernel::{Foundation, Side};
-use pellicle_texture::Relief;
 
 use super::super::comparison::Comparison;
 use super::super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
@@ -51,14 +50,9 @@ const POINTS: [[f64; 3]; 12] = [
 
 fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let wanted = from_contact_radius(1.0, 1.0, 0.1);
-    let path = run.solve(&ContactSetup {
-        foundation: Foundation::half_space(unit_material()?),
-        relief: Relief::Bare,
-        indenter: paraboloid(1.0)?,
-        side: 0.3,
-        elements: ELEMENTS,
-        load: Load::Force(wanted.force),
-    })?;
+    let body = Foundation::half_space(unit_material()?);
+    let (grid, load) = ((0.3, ELEMENTS), Load::Force(wanted.force));
+    let path = run.solve(&ContactSetup::bare(body, paraboloid(1.0)?, grid, load))?;
     let mut rows = vec![
         closed_form("Huber", &path, &wanted, 0.0)?,
         closed_form("Hamilton, μ = 0.3", &path, &wanted, FRICTION)?,
