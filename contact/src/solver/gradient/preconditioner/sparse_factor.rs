@@ -55,7 +55,7 @@ const HEAD: usize = 4;
 /// adding blocks.
 const MOST_ENTRIES: usize = 1 << 27;
 /// Tiles whose blocks, about 1 MB, serve both products while they are in the cache: with all tiles at a time, and in
-/// double precision, applying the factor takes 1.4 times as long on a grid of 1024².
+/// double precision, a rough film takes a tenth longer on a grid of 1024².
 const TOGETHER: usize = 1 << 8;
 /// Tiles per parallel chunk; the same for every number of threads.
 const PART: usize = 1 << 9;
