@@ -25,9 +25,12 @@ pub fn find(
     let locate = |error| case.blame(error);
     let derivatives = model.derivatives(&wanted).map_err(locate)?;
     let sensitivities = derivatives.of_path(path).map_err(locate)?;
-    let named = |(found, CaseParameter { key, .. }): (Sensitivity, &CaseParameter)| {
+    let named = |(derivatives, CaseParameter { key, .. }): (Sensitivity, &CaseParameter)| {
         let parameter = key.clone();
-        SensitivitySummary { parameter, found }
+        SensitivitySummary {
+            parameter,
+            derivatives,
+        }
     };
     let of_step = |step: Vec<_>| step.into_iter().zip(&parameters).map(named).collect();
     let steps = sensitivities.of_steps(&case.load.loads());

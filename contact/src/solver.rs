@@ -150,7 +150,7 @@ pub trait Solver {
     ) -> Result<Iterate, ContactError>;
 }
 
-/// A solver around which the exchanges for a hardness are put: it can also leave the limit out.
+/// A solver that can also leave out the limit on the pressure, for the exchanges at a hardness.
 pub(crate) trait ElasticSolver: Solver {
     /// The solver's options.
     fn options(&mut self) -> &mut SolverOptions;

@@ -1,4 +1,4 @@
-//! The result of a fit.
+//! The result of a fit, and correlations from a covariance.
 
 use crate::{
     Goodness, KnownCombination, NoiseLevels, ProfilePoint, Role, Verdict,

@@ -1,4 +1,5 @@
-//! The two elastic bodies whose displacements under a pressure add up.
+//! The two elastic bodies whose displacements under a pressure add up, and the directions in their parameters that
+//! change the scale or preserve the compliance.
 
 mod parameter;
 

@@ -1,4 +1,4 @@
-//! The product `K p`: by convolution on the whole grid, on a half or a quadrant of it, on a periodic cell, among
+//! The product `K p` as a solver sees it, and its forms: by convolution on the whole grid, on a half or a quadrant of it, on a periodic cell, among
 //! scattered elements, or summed directly.
 
 mod convolution;

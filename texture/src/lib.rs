@@ -71,6 +71,6 @@ pub use nan_from_null::nan_from_null;
 pub use parameter::ReliefParameter;
 pub use relief::Relief;
 pub use relief_map::{MapCompliance, ReliefMap};
-pub use roughness::{Derivatives, MapRim, PowerSpectrum, Roughness};
+pub use roughness::{DerivativeSource, MapRim, PowerSpectrum, Roughness};
 pub use sampled::SampledRelief;
 pub use spring_law::SpringLaw;

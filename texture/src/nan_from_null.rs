@@ -3,7 +3,7 @@
 use serde::{Deserialize, Deserializer};
 
 /// Reads a number, or NaN from `null`, since JSON cannot express a number that is not finite. For
-/// `#[serde(deserialize_with)]`.
+/// `#[serde(deserialize_with)]`, here and in the crates above.
 ///
 /// # Errors
 ///

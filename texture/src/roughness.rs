@@ -34,7 +34,7 @@ pub struct Roughness {
     #[serde(deserialize_with = "nan_from_null")]
     pub rms_curvature: f64,
     /// The source of slopes and curvatures.
-    pub derivatives: Derivatives,
+    pub derivatives: DerivativeSource,
     /// The power spectrum, averaged over directions.
     pub spectrum: PowerSpectrum,
 }
@@ -42,7 +42,7 @@ pub struct Roughness {
 /// The source of the slopes and curvatures of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Derivatives {
+pub enum DerivativeSource {
     /// From the waves of a periodic map.
     Spectrum,
     /// From differences between neighbouring samples of a map that ends.
@@ -75,8 +75,8 @@ impl Roughness {
         let count = samples.len() as f64;
         let (spectrum, sums) = PowerSpectrum::of(samples, map, rim);
         let (derivatives, Moments { slope, curvature }) = match differences {
-            Some(differences) => (Derivatives::Differences, differences),
-            None => (Derivatives::Spectrum, sums),
+            Some(differences) => (DerivativeSource::Differences, differences),
+            None => (DerivativeSource::Spectrum, sums),
         };
         Self {
             rms_height: (squares / count).sqrt(),

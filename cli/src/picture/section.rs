@@ -16,7 +16,7 @@ use crate::display::{DisplayUnit, Unit, quantity};
 const LEFT: f64 = 112.0;
 const PANEL_WIDTH: f64 = 940.0;
 /// Width of the picture, in pixels.
-pub const WIDTH: f64 = LEFT + PANEL_WIDTH + 40.0;
+const WIDTH: f64 = LEFT + PANEL_WIDTH + 40.0;
 const PRESSURE: Rect = Rect::at((LEFT, heading::HEIGHT), (PANEL_WIDTH, 230.0));
 /// Height between the panels, for the legend.
 const BETWEEN: f64 = 44.0;

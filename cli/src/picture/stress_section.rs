@@ -22,7 +22,7 @@ const PANEL_HEIGHT: f64 = 380.0;
 const GAP: f64 = 24.0;
 const BAR: f64 = 30.0;
 /// Width of the picture, in pixels.
-pub const WIDTH: f64 = LEFT + PANEL_WIDTH + GAP + BAR + colour_bar::BESIDE;
+const WIDTH: f64 = LEFT + PANEL_WIDTH + GAP + BAR + colour_bar::BESIDE;
 
 /// Space above a panel for its title and for the strip on the surface.
 const ABOVE: f64 = 76.0;

@@ -1,4 +1,5 @@
-//! Formulas for a paraboloid on a thin layer on a rigid base, compared with the exact force.
+//! Formulas for a paraboloid on a thin layer on a rigid base, compared with the exact force and
+//! the program's contacts.
 //!
 //! All give the force over Hertz's, `F = ψ(χ) 4/3 E* √R D^{3/2}` with `χ = √(RD)/H`, for a frictionless indenter.
 
@@ -77,6 +78,7 @@ impl ThinLayer {
         let (body, load) = (self.foundation()?, Load::Penetration(chi * chi));
         let contact = ContactSetup::bare(body, paraboloid(1.0)?, (side, 256), load);
         let path = ValidationRun::default().solve(&contact)?;
+        // F/(4/3 E* √R D^{3/2}) with E* = R = H = 1 and D = χ².
         Ok(0.75 * path.steps[0].solution.force / chi.powi(3))
     }
 

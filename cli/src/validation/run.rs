@@ -35,7 +35,8 @@ pub struct ContactSetup {
 }
 
 impl ContactSetup {
-    /// Returns the contact of an indenter with a bare surface, on a domain of this side with as many elements along it.
+    /// Returns the contact of an indenter with a bare surface, on a domain of this side, with this number of
+    /// elements along it.
     #[must_use]
     pub fn bare(
         foundation: Foundation,

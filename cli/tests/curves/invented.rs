@@ -171,7 +171,15 @@ fn a_hundred_thousand_points_are_read() {
 fn five_points_are_a_curve_with_a_warning_and_two_are_too_few() {
     let curve = read(PLAIN, rows([1.0, 2.0, 3.0, 4.0, 5.0], " ", "\n").as_bytes()).unwrap();
     assert_eq!(codes(&curve), ["few-points"]);
-    assert_eq!(code(PLAIN, &rows([1.0, 2.0], " ", "\n")), "too-few-points");
+    let (found, rows_read, wanted) = (2, 2, 3);
+    let too_few = CurveError::TooFewPoints {
+        found,
+        rows: rows_read,
+        wanted,
+    };
+    let two = rows([1.0, 2.0], " ", "\n");
+    assert_eq!(read(PLAIN, two.as_bytes()).unwrap_err(), too_few);
+    assert_eq!(too_few.code(), "too-few-points");
 }
 
 #[test]

@@ -54,11 +54,9 @@ const INDENTERS: [&str; 3] = [
 ];
 
 fn run(folder: &TestFolder, set: &str) -> Value {
-    summary(&folder.run(&["run", "case.toml", "--json", "--set", set]))
-}
-
-fn summary(ran: &ProgramOutput) -> Value {
-    ran.json()
+    folder
+        .run(&["run", "case.toml", "--json", "--set", set])
+        .json()
 }
 
 fn penetration(summary: &Value) -> f64 {
@@ -106,7 +104,7 @@ fn a_map_path_is_relative_to_the_case_and_the_resolved_case_runs_again() {
         );
     }
     fs::write(folder.path("again.toml"), checked.stdout).unwrap();
-    summary(&folder.run(&["run", "again.toml", "--json"]));
+    folder.run(&["run", "again.toml", "--json"]).json();
 }
 
 #[test]
@@ -132,7 +130,7 @@ fn moving_the_shape_from_indenter_to_rigid_relief_changes_nothing() {
         "--set",
         "indenter={kind=\"flat-punch\", radius=\"1 um\"}",
     ]);
-    let [bump, on_relief] = [bump, on_relief].map(|ran| summary(&ran));
+    let [bump, on_relief] = [bump, on_relief].map(|ran| ran.json());
     let ratio = penetration(&bump) / penetration(&on_relief);
     // The indenter is moved by less than an element to put its lowest sample on the axis.
     assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
@@ -170,7 +168,7 @@ fn with_map(text: &str, set: &str) -> (TestFolder, ProgramOutput) {
 fn a_smoothly_interpolated_map_has_the_pressure_of_its_surface_and_a_linear_one_has_ridges() {
     let peak = |indenter: &str| {
         let (_folder, ran) = with_map(&text(PARABOLOID), &format!("indenter={indenter}"));
-        summary(&ran)["steps"][0]["max_pressure"].as_f64().unwrap()
+        ran.json()["steps"][0]["max_pressure"].as_f64().unwrap()
     };
     let exact = peak("{kind=\"paraboloid\", radius=\"4 um\"}");
     let map = "kind=\"map\", file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"";
@@ -213,7 +211,7 @@ fn a_rough_body_is_a_map_without_springs() {
     let map = "file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"";
     let [body, rigid] = ["kind=\"rough\"", "kind=\"map\", compliance=0"].map(|kind| {
         let (_folder, ran) = with_map(&text(rough), &format!("surface={{{kind}, {map}}}"));
-        penetration(&summary(&ran)).to_bits()
+        penetration(&ran.json()).to_bits()
     });
     assert_eq!(body, rigid);
     let (_folder, ran) = with_map(
@@ -232,7 +230,7 @@ fn maps_of_points_and_with_decimal_commas_are_read_correctly() {
     let indenter = "indenter={kind=\"map\", file=\"map.csv\", height_unit=\"nm\"";
     let of = |text: &str, rest: &str| {
         let (_folder, ran) = with_map(text, &format!("{indenter}{rest}}}"));
-        penetration(&summary(&ran))
+        penetration(&ran.json())
     };
     let semicolons = text(PARABOLOID);
     let expected = of(&semicolons, ", side=\"840 nm\"");
@@ -262,7 +260,7 @@ fn check_reports_samples_per_element_and_warns_of_a_map_coarser_than_the_grid() 
     let wave = |x: f64, _: f64| 1e-9 * (x * std::f64::consts::TAU / 210e-9).sin();
     let surface = "surface={kind=\"rough\", file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"}";
     let (folder, ran) = with_map(&text(wave), surface);
-    assert_eq!(summary(&ran)["warnings"][0]["code"], "coarse-map");
+    assert_eq!(ran.json()["warnings"][0]["code"], "coarse-map");
     let checked = folder.run(&["check", "case.toml", "--set", surface]);
     assert!(
         checked.stderr.contains("has a sample every 35.000 nm"),
@@ -299,7 +297,7 @@ fn the_rough_template_and_its_map_run_unchanged() {
     }
     let ran = folder.run(&["run", "rough.toml", "--json"]);
     let warned = |code| {
-        let summary = summary(&ran);
+        let summary = ran.json();
         summary["warnings"]
             .as_array()
             .unwrap()

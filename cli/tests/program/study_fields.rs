@@ -26,14 +26,7 @@ surface.radius = ["10 nm", "20 nm", "26 nm"]
 
 /// Each case has its own domain.
 fn folder(text: &str) -> TestFolder {
-    TestFolder::with_study(
-        CASE.replace(
-            "side = \"400 nm\"
-",
-            "",
-        ),
-        text,
-    )
+    TestFolder::with_study(CASE.replace("side = \"400 nm\"\n", ""), text)
 }
 
 fn study(folder: &TestFolder, more: &[&str]) -> ProgramOutput {

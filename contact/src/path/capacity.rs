@@ -42,7 +42,6 @@ pub fn extends_beyond(model: &Model, grid: &Grid) -> bool {
 
 #[cfg(test)]
 mod tests {
-
     use pellicle_texture::Relief;
 
     use super::*;

@@ -82,7 +82,7 @@ impl Certificate {
     }
 
     /// Whether every line is within the tolerance and the pressure is finite, never negative and never above the
-    /// hardness.
+    /// hardness. False for a certificate that was read back, which has no tolerance.
     #[must_use]
     pub fn is_satisfied(&self) -> bool {
         self.worst() <= self.tolerance
@@ -203,7 +203,7 @@ impl Solution {
             over_limit,
             overlap,
         } = surface.violations(penetration, length, total);
-        let at_hardness = |line: f64| problem.hardness().is_finite().then_some(line);
+        let at_hardness = |line: f64| problem.has_hardness().then_some(line);
         let certificate = Certificate {
             complementarity,
             gap_in_contact,

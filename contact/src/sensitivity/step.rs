@@ -21,8 +21,8 @@ pub struct Sensitivity {
     /// `∂D/∂θ` at constant force, for fixed elements in contact, in m per unit of θ; none without contact, or if its
     /// linear system does not converge.
     pub penetration: Option<f64>,
-    /// `∂D/∂θ` along the curve, without the steps due to elements that enter the contact, in m per unit of θ; none for
-    /// a single step or fewer than six forces.
+    /// `∂D/∂θ` along the curve, without the steps due to elements that enter the contact, in m per unit of θ; none from
+    /// [`Sensitivities::at`], under a prescribed penetration, or with fewer than six different forces.
     pub smooth_penetration: Option<f64>,
     /// `∂Q/∂θ` at constant penetration, for fixed elements in contact, in N per unit of θ; none if
     /// [`Self::penetration`] is none.
@@ -127,7 +127,7 @@ impl Sensitivities<'_> {
     }
 
     /// Returns the derivatives of all steps, which were solved under these loads; along the curve as well if all loads
-    /// are forces.
+    /// are forces, six or more, all different.
     ///
     /// # Panics
     /// If there are fewer loads than steps.

@@ -1,5 +1,5 @@
-//! Chebyshev expansions: coefficients from values, sums, integrals, and the error estimated from the tail; and the
-//! interpolation by the polynomial through the same points.
+//! Chebyshev expansions: coefficients from values, sums, integrals, and the error estimated from the tail; and
+//! Lagrange interpolation at the points of an expansion, on [0, 1].
 
 use std::f64::consts::PI;
 
@@ -95,7 +95,7 @@ pub(crate) fn tail(coefficients: &[f64]) -> f64 {
     last.fold(0.0, |largest, c| c.abs().max(largest))
 }
 
-/// The same points on [0, 1], in descending order.
+/// The [`nodes`] mapped to [0, 1], in descending order.
 pub(crate) fn unit_nodes<const COUNT: usize>() -> [f64; COUNT] {
     let mut nodes = nodes(COUNT);
     std::array::from_fn(|_| 0.5 + 0.5 * nodes.next().unwrap_or_default())

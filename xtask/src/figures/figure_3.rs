@@ -19,7 +19,7 @@ const ABOVE: f64 = 0.14;
 const BELOW: f64 = 0.06;
 
 /// Panels with the loads of Fig. 2, and with the labels of Fig. 3, which give each coating the loads of the other. The
-/// cases have together two steps, the small and the large load.
+/// cases of a panel have two steps together: the small and the large load.
 const PANELS: [(&str, &[Case<'_>]); 4] = {
     let [a, b, c, d] = figure_2::CASES;
     [

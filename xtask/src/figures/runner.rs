@@ -81,7 +81,7 @@ impl Runner {
         Ok(steps)
     }
 
-    /// The text, behind a mark if the grids are coarse.
+    /// The text, preceded by a mark if the grids are coarse.
     pub(super) fn marked(&self, text: &str) -> String {
         match self.elements {
             FULL.. => text.into(),

@@ -43,8 +43,8 @@ pub(super) struct Picture {
 }
 
 impl Caption {
-    /// Draws panels in rows of two, or three in one row, each from the upper left corner of its cell of this size, with
-    /// room above the first row.
+    /// A sheet with this caption and the panels, in rows of two, or three in one row. Each is drawn from the upper left
+    /// corner of its cell of this size; `above` is the room over the first row.
     pub(super) fn sheet<P>(
         &self,
         above: f64,

@@ -47,8 +47,8 @@ impl SensitivityColumns {
             let mut found = step.sensitivities.iter().flatten();
             let found = found.find(|of| of.parameter == *key);
             [
-                cell(found.and_then(|of| of.found.penetration)),
-                cell(found.and_then(|of| of.found.smooth_penetration)),
+                cell(found.and_then(|of| of.derivatives.penetration)),
+                cell(found.and_then(|of| of.derivatives.smooth_penetration)),
             ]
         };
         self.keys.iter().flat_map(of_key).collect()

@@ -73,7 +73,7 @@ pub struct SensitivitySummary {
     pub parameter: String,
     /// The derivatives, with θ in SI units or the case's own.
     #[serde(flatten)]
-    pub found: Sensitivity,
+    pub derivatives: Sensitivity,
 }
 
 impl From<&Step> for StepSummary {
@@ -101,13 +101,34 @@ impl From<&Step> for StepSummary {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     use super::*;
 
+    fn work() -> Value {
+        json!({
+            "iterations": 1, "operator_applications": 2, "seconds": null,
+            "levels": [{"elements": 64, "iterations": 1, "operator_applications": 2}],
+        })
+    }
+
+    fn grid_error() -> Value {
+        json!({
+            "penetration": {"estimate": null, "order": null, "resolved": false},
+            "force": null, "contact_area": null, "max_pressure": null,
+            "levels": [{"elements": 64, "penetration": null, "contact_area": null, "max_pressure": null}],
+        })
+    }
+
+    /// Reads a step, which must be written with the same keys in the same order.
+    fn read(step: &Value) -> StepSummary {
+        let read: StepSummary = serde_json::from_value(step.clone()).unwrap();
+        assert_eq!(serde_json::to_string(&read).unwrap(), step.to_string());
+        read
+    }
+
     #[test]
     fn non_finite_numbers_are_written_as_null_and_read_back_as_nan() {
-        let estimate = json!({"estimate": null, "order": null, "resolved": false});
         let step = json!({
             "force": null, "penetration": null, "max_pressure": null, "max_pressure_at": [null, 1.5],
             "mean_pressure": null, "contact_area": null, "contact_elements": 1,
@@ -117,19 +138,42 @@ mod tests {
                 "complementarity": null, "gap_in_contact": null, "overlap": null, "load": null,
                 "min_pressure": null, "worst": null, "satisfied": false,
             },
-            "work": {
-                "iterations": 1, "operator_applications": 2, "seconds": null,
-                "levels": [{"elements": 64, "iterations": 1, "operator_applications": 2}],
-            },
-            "grid_error": {
-                "penetration": estimate, "force": null, "contact_area": null, "max_pressure": null,
-                "levels": [{"elements": 64, "penetration": null, "contact_area": null, "max_pressure": null}],
-            },
+            "work": work(), "grid_error": grid_error(),
         });
-        let read: StepSummary = serde_json::from_value(step.clone()).unwrap();
+        let read = read(&step);
         assert!(read.force.is_nan() && read.summary.max_pressure_at[0].is_nan());
         assert!(read.grid_error.levels[0].penetration.is_nan());
-        // This includes the order of keys.
-        assert_eq!(serde_json::to_string(&read).unwrap(), step.to_string());
+    }
+
+    #[test]
+    fn a_step_with_hardness_rough_contact_and_derivatives_is_read_back_as_written() {
+        let histogram = json!({"largest": 4.5, "mean": 1.25, "counts": [3, 0, 1]});
+        let step = json!({
+            "force": 1.5, "penetration": 2.5, "max_pressure": 3.5, "max_pressure_at": [0.5, 1.5],
+            "mean_pressure": 4.5, "contact_area": 5.5, "contact_elements": 6,
+            "contact_area_on_relief": 7.5, "contact_area_between": 8.5, "contact_radius": 9.5,
+            "area_at_limit": 1.25, "fraction_at_limit": 0.25, "plastic_depth": 0.75,
+            "contact_stiffness": 10.5,
+            "rough_contact": {
+                "nominal_area": 11.5, "contact_fraction": 0.5, "counted_area": 12.5, "corrected_area": 12.25,
+                "perimeter": 13.5, "mean_gap": 14.5,
+                "islands": {"count": 2, "largest_area": 15.5, "mean_area": 16.5, "counts_by_octave": [1, 1]},
+                "pressures": histogram, "gaps": histogram,
+            },
+            "status": "certified",
+            "certificate": {
+                "complementarity": 0.125, "gap_in_contact": 0.25, "overlap": 0.5, "load": 0.0,
+                "min_pressure": 0.0, "gap_at_limit": 0.75, "over_limit": 0.0, "worst": 0.75, "satisfied": true,
+            },
+            "work": work(), "grid_error": grid_error(),
+            "sensitivities": [{
+                "parameter": "foundation.layer.1.thickness", "value": 17.5, "penetration": 18.5,
+                "smooth_penetration": null, "force": 19.5, "energy": 20.5,
+            }],
+        });
+        let read = read(&step);
+        assert_eq!(read.summary.fraction_at_limit, Some(0.25));
+        assert_eq!(read.certificate.lines.gap_at_limit, Some(0.75));
+        assert_eq!(read.sensitivities.unwrap()[0].derivatives.energy, 20.5);
     }
 }

@@ -57,6 +57,8 @@ const MOST_ENTRIES: usize = 1 << 27;
 /// Tiles whose blocks, about 1 MB, serve both products while they are in the cache: with all tiles at a time, and in
 /// double precision, a rough film takes a tenth longer on a grid of 1024².
 const TOGETHER: usize = 1 << 8;
+/// Fewest of them per thread.
+const AT_LEAST: usize = TOGETHER / 8;
 /// Tiles per parallel chunk; the same for every number of threads.
 const PART: usize = 1 << 9;
 
@@ -310,7 +312,7 @@ impl SparseFactor {
         room.fill(distances, system.columns(workspace));
     }
 
-    /// `r ← Gᵀ G r`; values outside the set become 0.
+    /// `r ← Gᵀ G r`, up to single precision; values outside the set become 0.
     pub fn apply(&mut self, field: &mut [f64]) {
         if let Some(direct) = &mut self.direct {
             return direct.apply(field);
@@ -320,7 +322,7 @@ impl SparseFactor {
         self.image.resize(field.len(), 0.0);
         let from: &[f64] = field;
         for tiles in self.tiles.chunks(TOGETHER) {
-            let products = tiles.par_iter().with_min_len(TOGETHER / 8).map(|tile| {
+            let products = tiles.par_iter().with_min_len(AT_LEAST).map(|tile| {
                 let block = blocks.block(tile.block);
                 block.multiply(tile.first, from)
             });

@@ -2,8 +2,8 @@
 //!
 //! `p' = max(p + α z, 0)` scaled to the preserved total, with `z = M⁻¹(λ − v)` the preconditioned residual and the step
 //! `α = s·y / (y·M⁻¹y)`, `s = Δp`, `y = Δv` of the previous step (Barzilai and Borwein 1988, in the preconditioner's
-//! metric). `M⁻¹y` is not computed but obtained from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, exactly if the set is
-//! the same.
+//! metric). `M⁻¹y` is not computed but obtained from the two residuals: `M⁻¹Δv = M⁻¹1 Δλ − Δz`, up to the
+//! single precision of the sparse factor if the set is the same.
 
 use crate::solver::gradient::preconditioner::{UniformAccuracy, residual_into};
 use crate::solver::gradient::steps::Context;
