@@ -1,5 +1,5 @@
-//! The product `K p` as a solver sees it, and its forms: by convolution on the whole grid, on a half or a quadrant of it, on a periodic cell, among
-//! scattered elements, or summed directly.
+//! The product `K p` as a solver sees it, and its forms: by convolution on the whole grid, on a half or a
+//! quadrant of it, on a periodic cell, among scattered elements, or summed directly.
 
 mod convolution;
 mod dense;

@@ -1,5 +1,5 @@
-//! Bodies, models, certified solutions and the panels of the paper's Fig. 2, shared by the test binaries. A scene that cannot be built or is not certified
-//! fails its test.
+//! Bodies, models, certified solutions and the panels of the paper's Fig. 2, shared by the test binaries. A
+//! scene that cannot be built or is not certified fails its test.
 
 use std::sync::Arc;
 

@@ -1,4 +1,5 @@
-//! The sources of measurements: the files of a folder that match a name or a pattern, and texts that a caller supplies with a fit.
+//! The sources of measurements: the files of a folder that match a name or a pattern, and texts that a caller
+//! supplies with a fit.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
