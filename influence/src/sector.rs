@@ -77,7 +77,11 @@ impl SectorGrid {
     /// Number of rows, and of elements in each.
     #[must_use]
     pub fn lengths(self) -> [usize; 2] {
-        self.parts().map(|parts| self.whole_size() / parts)
+        let rows = match self.sector {
+            Sector::Half => 2 * self.size,
+            Sector::Whole | Sector::Quadrant => self.size,
+        };
+        [rows, self.size]
     }
 
     /// Number of elements.

@@ -4,7 +4,7 @@ pub mod columns;
 pub mod sensitivity;
 pub mod stress;
 
-use self::columns::{CurveColumn, HardnessColumns, RoughColumns, name, number};
+use self::columns::{CurveColumn, OF_HARDNESS, OF_ROUGH_CONTACT, cells, names, number, optional};
 use self::sensitivity::SensitivityColumns;
 use self::stress::StressColumns;
 use super::summary::{RunSummary, StepSummary};
@@ -13,7 +13,7 @@ use crate::input::units::Units;
 /// Name of the file in a results folder.
 pub const FILE: &str = "curve.csv";
 
-const COLUMNS: [CurveColumn<StepSummary>; 13] = [
+const COLUMNS: &[CurveColumn] = &[
     ("force", Some("N"), |step| number(step.force)),
     ("penetration", Some("m"), |step| number(step.penetration)),
     ("max pressure", Some("Pa"), |step| {
@@ -38,7 +38,7 @@ const COLUMNS: [CurveColumn<StepSummary>; 13] = [
         step.summary.contact_elements.to_string()
     }),
     ("contact stiffness", Some("N/m"), |step| {
-        step.contact_stiffness.map_or_else(String::new, number)
+        optional(step.contact_stiffness)
     }),
     ("certificate worst", None, |step| {
         number(step.certificate.worst)
@@ -54,17 +54,18 @@ const COLUMNS: [CurveColumn<StepSummary>; 13] = [
 /// Writes the curve as comma-separated values.
 #[must_use]
 pub fn csv(summary: &RunSummary) -> String {
-    let hardness = HardnessColumns::of_steps(summary);
+    let has_hardness = |step: &StepSummary| step.summary.area_at_limit.is_some();
+    let hardness = given(summary.steps.iter().any(has_hardness), OF_HARDNESS);
     let stress = StressColumns::of_steps(summary);
     let sensitivities = SensitivityColumns::of_steps(summary);
-    let rough = RoughColumns::of_steps(summary);
+    let rough = given(summary.has_rough_contact(), OF_ROUGH_CONTACT);
     let row = |(i, step): (usize, &StepSummary)| {
         let cells = [
             row(i, step),
-            hardness.row(step),
+            cells(hardness, step),
             stress.row(step, &[]),
             sensitivities.row(step),
-            rough.row(step),
+            cells(rough, step),
         ];
         cells.concat().join(",") + "\n"
     };
@@ -72,27 +73,32 @@ pub fn csv(summary: &RunSummary) -> String {
     let units = summary.units;
     let names = [
         header(units),
-        hardness.header(units),
+        names(hardness, units),
         stress.header(units),
         sensitivities.header(units),
-        rough.header(units),
+        names(rough, units),
     ]
     .concat();
     names.join(",") + "\n" + &rows
 }
 
+/// The columns, or none.
+fn given(are_there: bool, columns: &'static [CurveColumn]) -> &'static [CurveColumn] {
+    if are_there { columns } else { &[] }
+}
+
 /// Names of the columns, with units.
 #[must_use]
 pub fn header(units: Units) -> Vec<String> {
-    let names = COLUMNS.iter().map(|column| name(column, units));
+    let names = names(COLUMNS, units);
     std::iter::once("step".to_owned()).chain(names).collect()
 }
 
 /// The values of one step, without commas.
 #[must_use]
 pub fn row(i: usize, step: &StepSummary) -> Vec<String> {
-    let values = COLUMNS.into_iter().map(|(_, _, value)| value(step));
-    std::iter::once(i.to_string()).chain(values).collect()
+    let cells = cells(COLUMNS, step);
+    std::iter::once(i.to_string()).chain(cells).collect()
 }
 
 /// Whether a text is the curve of a run of this many steps, of this version or another.

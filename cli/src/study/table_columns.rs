@@ -10,12 +10,12 @@ use super::case_status::CaseStatus;
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::curve;
-use crate::output::curve::columns::{HardnessColumns, RoughColumns};
+use crate::output::curve::columns::{CurveColumn, OF_HARDNESS, OF_ROUGH_CONTACT, cells, names};
 use crate::output::curve::stress::StressColumns;
 use crate::output::summary::{RunSummary, StepSummary};
 
 /// The columns, with units.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct TableColumns {
     names: Vec<String>,
     /// Number of columns of a curve, including those that not every case has.
@@ -24,28 +24,32 @@ pub struct TableColumns {
 }
 
 /// The columns that not every case has.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default)]
 pub struct FurtherColumns {
-    hardness: HardnessColumns,
+    hardness: &'static [CurveColumn],
     stress: StressColumns,
-    rough: RoughColumns,
+    rough: &'static [CurveColumn],
 }
 
 impl FurtherColumns {
     /// Adds the columns of a case that are not there yet.
     pub fn add(&mut self, case: &Case) {
-        self.hardness.add(case);
+        if case.hardness().is_some() {
+            self.hardness = OF_HARDNESS;
+        }
         self.stress.add(case);
-        self.rough.add(case);
+        if case.surface.map().is_some() || case.indenter.map().is_some() {
+            self.rough = OF_ROUGH_CONTACT;
+        }
     }
 
     fn header(&self, units: Units) -> Vec<String> {
-        let (hardness, rough) = (self.hardness.header(units), self.rough.header(units));
+        let (hardness, rough) = (names(self.hardness, units), names(self.rough, units));
         [hardness, self.stress.header(units), rough].concat()
     }
 
     fn row(&self, step: &StepSummary, critical: &[CriticalLoad]) -> Vec<String> {
-        let (hardness, rough) = (self.hardness.row(step), self.rough.row(step));
+        let (hardness, rough) = (cells(self.hardness, step), cells(self.rough, step));
         [hardness, self.stress.row(step, critical), rough].concat()
     }
 }
