@@ -10,8 +10,8 @@ use crate::{
 };
 
 /// Largest residual to which a problem between exchanges is solved, over the stiffness contrast up to [`STIFFEST`]:
-/// under a stiff coating small gaps hide large pressures. With 1e-2 there too, rough surfaces on coatings 10 to 100 times
-/// as stiff took up to five times the products.
+/// under a stiff coating small gaps hide large pressures. With 1e-2 there too, rough surfaces on coatings 10 to 100
+/// times as stiff took up to five times the products.
 const COARSEST: f64 = 1e-2;
 /// Contrast beyond which the residual is no smaller: without this bound one of 2135 random problems was not solved.
 const STIFFEST: f64 = 10.0;
@@ -30,8 +30,8 @@ const LARGEST_SHARE: f64 = 0.97;
 /// Fraction of a force that is rounding error of the held elements' force.
 const ROUNDING: f64 = 1e-13;
 /// Mean excess over the limit, in units of the limit, beyond which the elements that exceed it are far too few. With
-/// this rule random problems take a quarter fewer products. At 4, a few took three times as many; at 20, all took a tenth
-/// more.
+/// this rule random problems take a quarter fewer products. At 4, a few took three times as many; at 20, all took a
+/// tenth more.
 const FAR_ABOVE: f64 = 10.0;
 /// Relative excess over the limit that is cut off as rounding; without this an element was held and released in turn.
 const ABOVE: f64 = 1e-13;
