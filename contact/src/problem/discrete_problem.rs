@@ -8,6 +8,7 @@
 
 mod fields;
 pub mod hardness;
+pub mod near_columns;
 mod part;
 
 use std::sync::Arc;

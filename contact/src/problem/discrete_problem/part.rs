@@ -97,38 +97,6 @@ impl DiscreteProblem {
         self.grid
     }
 
-    /// The elements within `reach` rows and columns of `element`, with `K` (m/Pa) between them and it, mirror images
-    /// included; none if the elasticity is unknown. In a periodic cell `K` includes only the nearest images.
-    pub(crate) fn coefficients_near(&self, element: usize, reach: usize) -> Vec<(usize, f64)> {
-        let Some(elasticity) = self.elasticity() else {
-            return Vec::new();
-        };
-        let size = self.size();
-        let coefficient = |from: [usize; 2], to| match self.boundary() {
-            Boundary::Free => elasticity.coefficient_on(self.grid, from, to),
-            Boundary::Periodic => {
-                let apart = [0, 1].map(|axis: usize| from[axis].abs_diff(to[axis]));
-                elasticity.coefficient(apart.map(|along| along.min(size - along)))
-            }
-        };
-        let at = |[row, column]: [usize; 2]| match self.candidates() {
-            Some(candidates) => candidates.at([row, column]),
-            None => Some(row * size + column),
-        };
-        let from = match self.candidates() {
-            Some(candidates) => candidates.place(element),
-            None => [element / size, element % size],
-        };
-        let [rows, columns] = [0, 1].map(|axis: usize| {
-            let end = (from[axis] + reach + 1).min(self.grid.lengths()[axis]);
-            from[axis].saturating_sub(reach)..end
-        });
-        let places = rows.flat_map(|row| columns.clone().map(move |column| [row, column]));
-        places
-            .filter_map(|to| Some((at(to)?, coefficient(from, to))))
-            .collect()
-    }
-
     /// All of the problem's elements.
     pub(crate) fn everywhere(&self) -> Window {
         Window::all_of(self.grid)

@@ -30,6 +30,7 @@ use crate::solver::gradient::state::State;
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem,
+    problem::discrete_problem::near_columns::NearColumns,
     vector::{sum, update, update_with},
 };
 
@@ -248,11 +249,7 @@ impl Preconditioner {
             Inverse::Factor(factor) => factor.update(set),
             Inverse::Scattered(factor) => factor.update(set),
         }
-        let unit = self.unit;
-        self.secants.follow(set, |element, reach| {
-            let near = problem.coefficients_near(element, reach).into_iter();
-            near.map(|(other, k)| (other, k / unit)).collect()
-        });
+        (self.secants).follow(set, |reach| NearColumns::new(problem, reach));
         if self.adapted_to.is_none() {
             self.uniform.values.fill(0.0);
             self.uniform.exact_on = None;

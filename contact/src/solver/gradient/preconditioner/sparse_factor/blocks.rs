@@ -47,14 +47,14 @@ pub struct Room<'a> {
 
 impl Room<'_> {
     /// Stores a block given by its columns in succession, one for each of the tile's own elements.
-    pub fn fill(self, distances: impl Iterator<Item = i32>, columns: &[f64]) {
+    pub fn fill(self, distances: impl Iterator<Item = i32>, columns: &[f32]) {
         let unknowns = self.distances.len();
         (self.distances.iter_mut().zip(distances)).for_each(|(room, distance)| *room = distance);
         let entries = self.entries.as_flattened_mut();
         for (own, column) in columns.chunks_exact(unknowns).enumerate() {
             let row = entries[own..].iter_mut().step_by(self.lanes * LANES);
             for (entry, g) in row.zip(column) {
-                *entry = single(*g);
+                *entry = *g;
             }
         }
     }
@@ -204,9 +204,9 @@ mod tests {
         let mut blocks = FactorBlocks::default();
         // Quarters, which are exact in single precision.
         let g = |a: usize, own: usize| ((a * 5 + own * 3) % 11) as f64 / 4.0 - 1.0;
-        let columns = |of: usize| -> Vec<f64> {
+        let columns = |of: usize| -> Vec<f32> {
             let columns = (0..of).flat_map(|own| (0..distances.len()).map(move |a| g(a, own)));
-            columns.collect()
+            columns.map(single).collect()
         };
         let own = [1, 4, 5, 8, 9, 12];
         // In two parts, in succession.

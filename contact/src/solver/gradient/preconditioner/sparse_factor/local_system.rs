@@ -1,4 +1,7 @@
 //! The blocks of the factor: the small dense systems of a tile's elements and their earlier neighbours.
+//!
+//! They are solved in single precision: with no product more in any case, rough surfaces and films under a coating ten
+//! times as stiff take a tenth less time.
 
 use faer::{
     Auto, MatMut, Par, Spec,
@@ -48,7 +51,7 @@ const WIDTH: i32 = 2 * NEAR;
 const COLUMN_BY_COLUMN: usize = 16;
 
 /// The coefficients of elements few places apart, in the spacing of one level.
-pub struct NearCoefficients(Vec<f64>);
+pub struct NearCoefficients(Vec<f32>);
 
 impl NearCoefficients {
     /// Coefficients at distances of multiples of 2^`level` elements; 0 at distances larger than the grid.
@@ -65,7 +68,7 @@ impl NearCoefficients {
             _ => 0.0,
         };
         let offsets = (-NEAR..NEAR).flat_map(|x| (-NEAR..NEAR).map(move |y| (x, y)));
-        Self(offsets.map(value).collect())
+        Self(offsets.map(|offset| single(value(offset))).collect())
     }
 
     /// Replaces `keys` by the keys of `places`; the difference of two keys is the key of the offset. Returns false if
@@ -83,7 +86,7 @@ impl NearCoefficients {
 
     /// The coefficient between places whose keys differ by `apart`.
     #[inline]
-    fn at(&self, apart: i32) -> f64 {
+    fn at(&self, apart: i32) -> f32 {
         let zero = NEAR * WIDTH + NEAR;
         self.0[(zero + apart).unsigned_abs() as usize]
     }
@@ -91,8 +94,8 @@ impl NearCoefficients {
 
 /// The buffers of one thread that solves local systems in succession.
 pub struct Workspace {
-    matrix: Vec<f64>,
-    columns: Vec<f64>,
+    matrix: Vec<f32>,
+    columns: Vec<f32>,
     keys: Vec<i32>,
     stack: MemBuffer,
 }
@@ -129,7 +132,7 @@ impl LocalSystem<'_> {
     /// of `L`, transposed.
     ///
     /// If the system is not positive definite up to rounding, only each element's own `1/√(K₀₀ + η)` is returned.
-    pub fn columns<'w>(&self, workspace: &'w mut Workspace) -> &'w [f64] {
+    pub fn columns<'w>(&self, workspace: &'w mut Workspace) -> &'w [f32] {
         let order = self.places.len();
         let first = order - self.own;
         self.fill_lower_triangle(workspace);
@@ -154,7 +157,7 @@ impl LocalSystem<'_> {
                 let a = first + own;
                 let place = self.places[a];
                 let diagonal = self.elastic(place, place) + self.compliance(a);
-                solution[(a, own)] = 1.0 / diagonal.sqrt();
+                solution[(a, own)] = single(1.0 / diagonal.sqrt());
             }
         }
         columns
@@ -174,10 +177,10 @@ impl LocalSystem<'_> {
                 }
             } else {
                 for (value, other) in below.iter_mut().zip(&self.places[a..]) {
-                    *value = self.elastic(self.places[a], *other);
+                    *value = single(self.elastic(self.places[a], *other));
                 }
             }
-            below[0] += self.compliance(a);
+            below[0] += single(self.compliance(a));
         }
     }
 
@@ -206,13 +209,13 @@ impl LocalSystem<'_> {
 
 /// Replaces the lower triangle of `A` by its Cholesky factor; returns false if it is not positive definite up to
 /// rounding.
-fn factor_in_place(matrix: MatMut<'_, f64>, stack: &mut MemBuffer) -> bool {
-    let params: Spec<LltParams, f64> = LltParams {
+fn factor_in_place(matrix: MatMut<'_, f32>, stack: &mut MemBuffer) -> bool {
+    let params: Spec<LltParams, f32> = LltParams {
         recursion_threshold: COLUMN_BY_COLUMN,
-        ..Auto::<f64>::auto()
+        ..Auto::<f32>::auto()
     }
     .into();
-    let needed = cholesky_in_place_scratch::<f64>(matrix.nrows(), Par::Seq, params);
+    let needed = cholesky_in_place_scratch::<f32>(matrix.nrows(), Par::Seq, params);
     if !MemStack::new(stack).can_hold(needed) {
         *stack = MemBuffer::new(needed);
     }
@@ -225,6 +228,14 @@ fn factor_in_place(matrix: MatMut<'_, f64>, stack: &mut MemBuffer) -> bool {
         params,
     )
     .is_ok()
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a preconditioner needs no more"
+)]
+fn single(value: f64) -> f32 {
+    value as f32
 }
 
 #[cfg(test)]
@@ -296,7 +307,7 @@ mod tests {
             };
             let mut workspace = Workspace::new();
             let g = system.columns(&mut workspace);
-            let g = |a: usize, column: usize| g[column * places.len() + a];
+            let g = |a: usize, column: usize| f64::from(g[column * places.len() + a]);
             // A G = (0, L_own)ᵀ with a lower triangle L_own: A = L Lᵀ, Lᵀ G = (0, 1)ᵀ. And Gᵀ A G = 1.
             let order = places.len();
             for column in 0..own {
@@ -305,13 +316,14 @@ mod tests {
                 assert!(
                     image[..order - own + column]
                         .iter()
-                        .all(|x| x.abs() < 1e-13),
+                        .all(|x| x.abs() < 1e-6 * matrix(0, 0).sqrt()),
                     "{to_axis:?} {column}"
                 );
                 for other in 0..own {
                     let energy: f64 = (0..order).map(|a| g(a, other) * image[a]).sum();
                     let wanted = f64::from(u8::from(other == column));
-                    assert!((energy - wanted).abs() < 1e-13, "{to_axis:?} {column}");
+                    // in single precision
+                    assert!((energy - wanted).abs() < 1e-6, "{to_axis:?} {column}");
                 }
             }
         }
@@ -349,7 +361,7 @@ mod tests {
                 };
                 assert!(NearCoefficients::keys(&[p, q], &mut keys));
                 let found = [near.at(keys[0] - keys[1]), near.at(keys[1] - keys[0])];
-                assert_eq!(found, [wanted; 2], "{level} {p:?} {q:?}");
+                assert_eq!(found, [single(wanted); 2], "{level} {p:?} {q:?}");
             }
             for far in [[32, 0], [0, -32], [-40, 40]] {
                 assert!(!NearCoefficients::keys(&[[0, 0], far, [1, 1]], &mut keys));
@@ -382,7 +394,7 @@ mod tests {
                 } else {
                     0.0
                 };
-                assert!((found[3 * column + row] - wanted).abs() < 1e-14 * wanted.max(1.0));
+                assert_eq!(found[3 * column + row], single(wanted));
             }
         }
     }

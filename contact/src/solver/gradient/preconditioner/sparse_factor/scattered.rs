@@ -118,13 +118,8 @@ impl ScatteredFactor {
         }
         .columns(workspace);
         let (diagonal, values) = column.split_last().expect("the element itself");
-        row.diagonal = *diagonal;
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "a preconditioner needs no more"
-        )]
-        let entries = values.iter().map(|g| *g as f32).collect();
-        row.entries = entries;
+        row.diagonal = f64::from(*diagonal);
+        row.entries = values.to_vec();
         row.neighbours = neighbours;
     }
 
