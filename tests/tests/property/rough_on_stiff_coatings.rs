@@ -8,7 +8,7 @@ use std::sync::{Arc, LazyLock};
 
 use pellicle_cli::surfaces::SelfAffine;
 use pellicle_contact::{
-    Domain, Indenter, Load, Model, Paraboloid, SolverOptions, Step, solve_path,
+    Domain, Indenter, Load, Model, Paraboloid, Profile, SolverOptions, Step, solve_path,
 };
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Foundation, Material};
@@ -72,7 +72,23 @@ fn solve(elements: usize, coating: [f64; 2], relief: Relief) -> Step {
 }
 
 /// The same with a hardness.
-fn solve_up_to(
+fn solve_up_to(hardness: f64, elements: usize, coating: [f64; 2], relief: Relief) -> Step {
+    let paraboloid = Indenter::Paraboloid(Paraboloid::new(1.0).unwrap());
+    solve_under(paraboloid, hardness, elements, coating, relief)
+}
+
+/// The same paraboloid without a declared symmetry, so that the whole grid is solved.
+#[derive(Debug)]
+struct Asymmetric(Paraboloid);
+
+impl Profile for Asymmetric {
+    fn height(&self, x: f64, y: f64) -> f64 {
+        self.0.height(x, y)
+    }
+}
+
+fn solve_under(
+    indenter: Indenter,
     hardness: f64,
     elements: usize,
     [stiffness, thickness]: [f64; 2],
@@ -83,7 +99,7 @@ fn solve_up_to(
     let model = Model {
         tables: Arc::new(RadialTables::build(&body).unwrap()),
         relief,
-        indenter: Indenter::Paraboloid(Paraboloid::new(1.0).unwrap()),
+        indenter,
         cache: Cache::none(),
     };
     let options = SolverOptions {
@@ -122,6 +138,18 @@ fn assert_few_products(elements: usize, name: &str, relief: impl Fn(f64) -> Reli
 #[test]
 fn bare_coatings_take_few_products() {
     assert_few_products(ELEMENTS, "bare", |_| Relief::Bare);
+}
+
+#[test]
+fn a_very_stiff_coating_on_the_whole_grid_takes_few_products() {
+    // 24; 643 when the images of remembered steps were correct only near the elements that left.
+    let indenter = Indenter::custom(Asymmetric(Paraboloid::new(1.0).unwrap()));
+    let (elements, coating) = (TWICE_THE_ELEMENTS, [5000.0, 0.003]);
+    let step = solve_under(indenter, f64::INFINITY, elements, coating, Relief::Bare);
+    let certificate = step.solution.certificate;
+    assert!(certificate.is_satisfied(), "{certificate:?}");
+    let taken = step.work.operator_applications;
+    assert!(taken <= 30, "{taken} products");
 }
 
 #[test]

@@ -30,8 +30,8 @@ const MOST_CHANGED: f64 = 0.02;
 /// to four products more at N = 1024; with 3000, as many as with 1000, in up to a fifth more time.
 const MOST_LEAVING: usize = 1000;
 /// Most coefficients for all leaving elements together: the contribution of each is subtracted on as many of the
-/// nearest elements as this leaves for it. With 2²³, bare coatings 3000 and 5000 times as stiff take 39, 643 products
-/// on the whole grid of 1024² elements instead of 22, 24.
+/// nearest elements as this leaves for it. With 2²³ a bare coating 3000 times as stiff takes 39 products at N = 1024 on
+/// the whole grid instead of 22, one 5000 times as stiff 643 instead of 24.
 const MOST_COEFFICIENTS: usize = 1 << 29;
 /// Most numbers in all pairs together: 256 MB.
 const MOST_NUMBERS: usize = 1 << 26;
