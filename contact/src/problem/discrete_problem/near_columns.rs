@@ -5,6 +5,11 @@ use std::ops::Range;
 use super::DiscreteProblem;
 use crate::Boundary;
 
+/// Largest reach, which bounds the table to 134 MB.
+const LARGEST_REACH: usize = 4095;
+/// Among candidates, most places of a column are empty and each is looked up, so the reach is this many times shorter.
+const SHORTER_AMONG_CANDIDATES: usize = 8;
+
 /// `K` between elements at most some rows and columns apart, mirror images and the nearest periodic ones included; in
 /// single precision and in units of the problem's scale.
 pub struct NearColumns<'a> {
@@ -22,10 +27,15 @@ pub struct Stretch<'a> {
 }
 
 impl<'a> NearColumns<'a> {
-    /// None if the elasticity is unknown.
+    /// Columns up to a distance, or less where they would cost too much; none if the elasticity is unknown.
     pub fn new(problem: &'a DiscreteProblem, reach: usize) -> Option<Self> {
         let elasticity = problem.elasticity()?;
-        let reach = reach.min(elasticity.size() - 1);
+        let reach = match problem.candidates() {
+            Some(_) => reach / SHORTER_AMONG_CANDIDATES,
+            None => reach,
+        };
+        let size = elasticity.size().min(problem.grid().whole_size());
+        let reach = reach.min(size - 1).min(LARGEST_REACH);
         let unit = problem.scale().compliance;
         let mut rows = Vec::with_capacity((reach + 1) * (2 * reach + 1));
         for x in 0..=reach {
@@ -227,7 +237,7 @@ mod tests {
         let part = problem.among(&Window::whole(size), &candidates).unwrap();
         // Three squares of 3 × 3; the third is out of reach.
         let own = candidates.at([20, 30]).unwrap();
-        let (field, times) = column(&part, 6, own);
+        let (field, times) = column(&part, 6 * SHORTER_AMONG_CANDIDATES, own);
         let unit = part.scale().compliance;
         for candidate in 0..candidates.len() {
             let [row, column] = candidates.place(candidate);
