@@ -22,6 +22,15 @@ pub fn by_parts<T: Send>(length: usize, of_part: impl Fn(Range<usize>) -> T + Sy
     }
 }
 
+/// The number in single precision, for preconditioners.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a preconditioner needs no more"
+)]
+pub fn single(value: f64) -> f32 {
+    value as f32
+}
+
 /// `Σ aᵢ bᵢ`.
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     by_parts(a.len(), |part| dot_of_part(&a[part.clone()], &b[part]))

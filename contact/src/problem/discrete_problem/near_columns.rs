@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::DiscreteProblem;
 use crate::Boundary;
+use crate::vector::single;
 
 /// Largest reach, which bounds the table to 134 MB.
 const LARGEST_REACH: usize = 4095;
@@ -40,13 +41,7 @@ impl<'a> NearColumns<'a> {
         let mut rows = Vec::with_capacity((reach + 1) * (2 * reach + 1));
         for x in 0..=reach {
             let begin = rows.len();
-            #[expect(
-                clippy::cast_possible_truncation,
-                reason = "enough to correct an approximation"
-            )]
-            rows.extend(
-                (0..=reach).map(|y| (elasticity.coefficient([x, reach - y]) / unit) as f32),
-            );
+            rows.extend((0..=reach).map(|y| single(elasticity.coefficient([x, reach - y]) / unit)));
             rows.extend_from_within(begin..begin + reach);
             rows[begin + reach + 1..].reverse();
         }

@@ -22,7 +22,7 @@ use rayon::prelude::*;
 
 use crate::problem::discrete_problem::near_columns::NearColumns;
 use crate::solver::gradient::working_set::WorkingSet;
-use crate::vector::{by_parts, update};
+use crate::vector::{by_parts, single, update};
 
 /// Fraction of a set that may change before the pairs are discarded.
 const MOST_CHANGED: f64 = 0.02;
@@ -238,14 +238,6 @@ fn places_leaving(elements: &[u32], before: &[u32]) -> Vec<usize> {
     places
         .filter_map(|(place, after)| after.is_none().then_some(place))
         .collect()
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a preconditioner needs no more"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
 }
 
 /// `Σ aᵢ bᵢ`.

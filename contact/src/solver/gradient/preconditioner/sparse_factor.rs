@@ -39,6 +39,7 @@ use self::{
     order::{COLOURS, TILE, colour, earlier_offsets, own_offsets},
 };
 use crate::solver::gradient::working_set::WorkingSet;
+use crate::vector::single;
 
 /// Most elements of a set that is solved directly: with 140 elements of 65,536 this takes 11 products instead of 40.
 const MOST_DIRECT: f64 = 500.0;
@@ -86,6 +87,8 @@ pub struct SparseFactor {
     direct: Option<DirectFactor>,
     /// The tiles that hold elements of the set.
     tiles: Vec<Tile>,
+    /// `r` on the grid.
+    residual: Vec<f32>,
     /// `G r` on [`TOGETHER`] of them.
     product: Vec<Product>,
     /// `Gᵀ G r` on the grid.
@@ -137,6 +140,7 @@ impl SparseFactor {
                 .map(|level| NearCoefficients::of(&elasticity, level))
                 .collect(),
             tiles: Vec::new(),
+            residual: Vec::new(),
             product: Vec::new(),
             image: Vec::new(),
             elasticity,
@@ -320,14 +324,15 @@ impl SparseFactor {
         if let Some(direct) = &mut self.direct {
             return direct.apply(field);
         }
-        let blocks = &self.blocks;
         self.image.clear();
         self.image.resize(field.len(), 0.0);
-        let from: &[f64] = field;
+        self.residual.clear();
+        self.residual.extend(field.iter().map(|r| single(*r)));
+        let (blocks, residual) = (&self.blocks, &self.residual);
         for tiles in self.tiles.chunks(TOGETHER) {
             let products = tiles.par_iter().with_min_len(AT_LEAST).map(|tile| {
                 let block = blocks.block(tile.block);
-                block.multiply(tile.first, from)
+                block.multiply(tile.first, residual)
             });
             products.collect_into_vec(&mut self.product);
             for (tile, y) in tiles.iter().zip(&self.product) {

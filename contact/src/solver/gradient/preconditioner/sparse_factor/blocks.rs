@@ -115,7 +115,7 @@ impl FactorBlocks {
 
 impl Block<'_> {
     /// Computes `G r` for the tile whose first place has the index `first`.
-    pub fn multiply(&self, first: i32, field: &[f64]) -> Product {
+    pub fn multiply(&self, first: i32, field: &[f32]) -> Product {
         match self.lanes {
             1 => self.multiply_lanes::<1>(first, field),
             2 => self.multiply_lanes::<2>(first, field),
@@ -132,21 +132,33 @@ impl Block<'_> {
         }
     }
 
-    /// The product for a tile whose own elements fill `N` lanes.
-    fn multiply_lanes<const N: usize>(&self, first: i32, field: &[f64]) -> Product {
-        let mut sums = [[0.0; LANES]; N];
+    /// The product for a tile whose own elements fill `N` lanes. Even and odd unknowns are summed apart, so that each
+    /// addition need not wait for the one before.
+    fn multiply_lanes<const N: usize>(&self, first: i32, field: &[f32]) -> Product {
+        let mut sums = [[[0.0; LANES]; N]; 2];
         let (columns, _) = self.entries.as_chunks::<N>();
-        for (distance, column) in self.distances.iter().zip(columns) {
-            let value = field[at(first, *distance)];
+        let add = |sums: &mut [Lane; N], distance: i32, column: &[Lane; N]| {
+            let value = field[at(first, distance)];
             for (sums, lane) in sums.iter_mut().zip(column) {
                 for (sum, g) in sums.iter_mut().zip(lane) {
-                    *sum += f64::from(*g) * value;
+                    *sum += g * value;
                 }
             }
+        };
+        let (pairs, last) = self.distances.as_chunks::<2>();
+        let (columns, last_column) = columns.as_chunks::<2>();
+        for (distances, columns) in pairs.iter().zip(columns) {
+            add(&mut sums[0], distances[0], &columns[0]);
+            add(&mut sums[1], distances[1], &columns[1]);
+        }
+        for (distance, column) in last.iter().zip(last_column) {
+            add(&mut sums[0], *distance, column);
         }
         let mut product = [[0.0; LANES]; MOST_LANES];
-        for (product, sums) in product.iter_mut().zip(sums) {
-            *product = sums.map(single);
+        for (lane, product) in product.iter_mut().take(N).enumerate() {
+            for (own, product) in product.iter_mut().enumerate() {
+                *product = sums[0][lane][own] + sums[1][lane][own];
+            }
         }
         product
     }
@@ -172,17 +184,10 @@ fn at(first: i32, distance: i32) -> usize {
     (first + distance) as usize
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a preconditioner needs no more"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vector::single;
 
     #[test]
     fn a_block_is_padded_to_whole_lanes() {
@@ -200,7 +205,9 @@ mod tests {
     #[test]
     fn blocks_of_every_width_multiply_like_their_columns() {
         let distances = [-3, 0, 2, 7, 8, 11, 12, 15, 16, 20, 21, 25, 30, 31];
-        let field: Vec<f64> = (0..64).map(|i| f64::from(i * i % 17) - 8.0).collect();
+        let field: Vec<f32> = (0..64)
+            .map(|i| single(f64::from(i * i % 17) - 8.0))
+            .collect();
         let mut blocks = FactorBlocks::default();
         // Quarters, which are exact in single precision.
         let g = |a: usize, own: usize| ((a * 5 + own * 3) % 11) as f64 / 4.0 - 1.0;
@@ -218,7 +225,7 @@ mod tests {
         }
         assert_eq!(blocks.len(), own.len());
         let first = 5_i32;
-        let value = |distance: i32| field[at(first, distance)];
+        let value = |distance: i32| f64::from(field[at(first, distance)]);
         for (number, width) in (0..).zip(own) {
             let block = blocks.block(number);
             let product = block.multiply(first, &field);

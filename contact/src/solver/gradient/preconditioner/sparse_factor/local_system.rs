@@ -15,6 +15,8 @@ use faer::{
 };
 use pellicle_influence::SurfaceElasticity;
 
+use crate::vector::single;
+
 /// Smallest compliance of the relief that is included, relative to an element's own elastic compliance.
 const SMALLEST_COMPLIANCE: f64 = 1e-3;
 /// Classes of compliance per factor of two: a preconditioner needs no more than two digits.
@@ -169,6 +171,9 @@ impl LocalSystem<'_> {
         let Workspace { matrix, keys, .. } = workspace;
         matrix.resize(order * order, 0.0);
         let are_near = NearCoefficients::keys(self.places, keys) && self.to_axis == [None, None];
+        // Most unknowns have the compliance of the one before.
+        let mut class = self.classes[0];
+        let mut compliance = self.compliance(0);
         for (a, column) in matrix.chunks_exact_mut(order).enumerate() {
             let below = &mut column[a..];
             if are_near {
@@ -180,7 +185,10 @@ impl LocalSystem<'_> {
                     *value = single(self.elastic(self.places[a], *other));
                 }
             }
-            below[0] += single(self.compliance(a));
+            if self.classes[a] != class {
+                (class, compliance) = (self.classes[a], self.compliance(a));
+            }
+            below[0] += single(compliance);
         }
     }
 
@@ -228,14 +236,6 @@ fn factor_in_place(matrix: MatMut<'_, f32>, stack: &mut MemBuffer) -> bool {
         params,
     )
     .is_ok()
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a preconditioner needs no more"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
 }
 
 #[cfg(test)]
