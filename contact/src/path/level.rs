@@ -9,7 +9,7 @@ use crate::{
     path::dilute::Dilute,
     path::domain::Guess,
     path::effort::Effort,
-    path::start::{CoarserSolution, FineGrid},
+    path::start::{CoarserSolution, FineGrid, RoughSurface},
     problem::{model::SampledSector, operator_source::OperatorSource},
     result::certificate::{JudgedFields, Trial},
     result::contact_field::ContactField,
@@ -222,9 +222,17 @@ impl Level {
         let reach = coarser
             .window
             .on_finer(|_| true, self.whole.problem.size())?;
+        let problem = &self.whole.problem;
         let fine = FineGrid {
-            initial_gap: self.whole.problem.initial_gap(),
+            initial_gap: problem.initial_gap(),
             outline: &self.outline,
+            rough: problem.is_rough().then(|| RoughSurface {
+                relief_compliance: problem.relief_compliance(),
+                spring_law: problem.spring_law(),
+                shortest_compliance: self.elasticity.coefficient([0, 0])
+                    - self.elasticity.coefficient([1, 0]),
+                hardness: problem.hardness(),
+            }),
         };
         let pressure = coarser.start_on(&reach, &fine);
         let window = reach.around_pressing(&pressure)?;
