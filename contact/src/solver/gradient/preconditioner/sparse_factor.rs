@@ -19,6 +19,7 @@
 //! A small set is solved directly instead.
 
 mod blocks;
+mod cholesky;
 mod direct;
 mod local_system;
 mod order;
@@ -187,7 +188,7 @@ impl SparseFactor {
         let sizes: Vec<[usize; 2]> = fresh.iter().map(size_of).collect();
         let rooms = blocks.make_room(&sizes);
         let rooms = rooms.into_par_iter().zip(&fresh).with_min_len(8);
-        rooms.for_each_init(Workspace::new, |workspace, (room, pattern)| {
+        rooms.for_each_init(Workspace::default, |workspace, (room, pattern)| {
             self.compute(pattern, workspace, room);
         });
         self.blocks = blocks;
@@ -316,7 +317,7 @@ impl SparseFactor {
         };
         let row = index(self.row());
         let distances = places.iter().map(|[x, y]| (x * row + y) << level);
-        room.fill(distances, system.columns(workspace));
+        room.fill(distances, system.rows(workspace));
     }
 
     /// `r ← Gᵀ G r`, up to single precision; values outside the set become 0.

@@ -119,6 +119,10 @@ fn distance_from_inverse(problem: &mut DiscreteProblem, times: usize) -> f64 {
 
 /// Multiples of the usual neighbours; the last is more than there are elements.
 const TIMES_NEIGHBOURS: [usize; 4] = [1, 2, 5, 15];
+/// The condition number of the rigid set's system, from its eigenvalues.
+const CONDITION: f64 = 318.0;
+/// Half of the last digit in single precision, in which the factor is computed and applied.
+const HALF_DIGIT: f64 = f32::EPSILON as f64 / 2.0;
 
 #[test]
 fn the_sparse_factor_tends_to_the_inverse_with_more_neighbours() {
@@ -129,8 +133,7 @@ fn the_sparse_factor_tends_to_the_inverse_with_more_neighbours() {
         errors.is_sorted_by(|fewer, more| more < fewer),
         "{errors:?}"
     );
-    // Single precision.
-    assert!(errors[3] < 1e-5, "{errors:?}");
+    assert!(errors[3] < CONDITION * HALF_DIGIT, "{errors:?}");
 }
 
 /// With springs, near elements screen far ones less, so the same neighbours leave a larger error. With all neighbours

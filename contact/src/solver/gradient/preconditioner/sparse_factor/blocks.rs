@@ -46,16 +46,13 @@ pub struct Room<'a> {
 }
 
 impl Room<'_> {
-    /// Stores a block given by its columns in succession, one for each of the tile's own elements.
-    pub fn fill(self, distances: impl Iterator<Item = i32>, columns: &[f32]) {
-        let unknowns = self.distances.len();
+    /// Stores a block given by the entries of each unknown in the rows of the tile's own elements.
+    pub fn fill<const N: usize>(self, distances: impl Iterator<Item = i32>, rows: &[[f32; N]]) {
         (self.distances.iter_mut().zip(distances)).for_each(|(room, distance)| *room = distance);
-        let entries = self.entries.as_flattened_mut();
-        for (own, column) in columns.chunks_exact(unknowns).enumerate() {
-            let row = entries[own..].iter_mut().step_by(self.lanes * LANES);
-            for (entry, g) in row.zip(column) {
-                *entry = *g;
-            }
+        let entries = self.entries.chunks_exact_mut(self.lanes);
+        for (room, entries) in entries.zip(rows) {
+            let room = room.as_flattened_mut();
+            room.copy_from_slice(&entries[..room.len()]);
         }
     }
 }
@@ -211,16 +208,17 @@ mod tests {
         let mut blocks = FactorBlocks::default();
         // Quarters, which are exact in single precision.
         let g = |a: usize, own: usize| ((a * 5 + own * 3) % 11) as f64 / 4.0 - 1.0;
-        let columns = |of: usize| -> Vec<f32> {
-            let columns = (0..of).flat_map(|own| (0..distances.len()).map(move |a| g(a, own)));
-            columns.map(single).collect()
+        let rows = |of: usize| -> Vec<[f32; LANES * MOST_LANES]> {
+            let entry = |a: usize, own: usize| if own < of { single(g(a, own)) } else { 0.0 };
+            let unknowns = (0..distances.len()).map(|a| std::array::from_fn(|own| entry(a, own)));
+            unknowns.collect()
         };
         let own = [1, 4, 5, 8, 9, 12];
         // In two parts, in succession.
         for own in own.chunks(4) {
             let sizes: Vec<_> = own.iter().map(|own| [distances.len(), *own]).collect();
             for (room, own) in blocks.make_room(&sizes).into_iter().zip(own) {
-                room.fill(distances.into_iter(), &columns(*own));
+                room.fill(distances.into_iter(), &rows(*own));
             }
         }
         assert_eq!(blocks.len(), own.len());

@@ -3,18 +3,9 @@
 //! They are solved in single precision: with no product more in any case, rough surfaces and films under a coating ten
 //! times as stiff take a tenth less time.
 
-use faer::{
-    Auto, MatMut, Par, Spec,
-    dyn_stack::{MemBuffer, MemStack, StackReq},
-    linalg::{
-        cholesky::llt::factor::{
-            LltParams, LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
-        },
-        triangular_solve::solve_upper_triangular_in_place,
-    },
-};
 use pellicle_influence::SurfaceElasticity;
 
+use super::cholesky::{MOST_ROWS, SmallSystem};
 use crate::vector::single;
 
 /// Smallest compliance of the relief that is included, relative to an element's own elastic compliance.
@@ -48,10 +39,6 @@ pub fn compliance_of(class: u16) -> f64 {
 const NEAR: i32 = 32;
 /// Entries of a row of that table, for distances of either sign.
 const WIDTH: i32 = 2 * NEAR;
-/// Unknowns up to which a factor is computed column by column, and by blocks beyond: with the library's default of 64,
-/// a system of 93 takes a third more time.
-const COLUMN_BY_COLUMN: usize = 16;
-
 /// The coefficients of elements few places apart, in the spacing of one level.
 pub struct NearCoefficients(Vec<f32>);
 
@@ -94,23 +81,13 @@ impl NearCoefficients {
     }
 }
 
-/// The buffers of one thread that solves local systems in succession.
+/// The memory of one thread that solves local systems in succession.
+#[derive(Default)]
 pub struct Workspace {
-    matrix: Vec<f32>,
-    columns: Vec<f32>,
+    system: SmallSystem,
+    /// For each unknown its entries in the rows of the tile's own elements.
+    rows: Vec<[f32; MOST_ROWS]>,
     keys: Vec<i32>,
-    stack: MemBuffer,
-}
-
-impl Workspace {
-    pub fn new() -> Self {
-        Self {
-            matrix: Vec::new(),
-            columns: Vec::new(),
-            keys: Vec::new(),
-            stack: MemBuffer::new(StackReq::EMPTY),
-        }
-    }
 }
 
 /// The system of a tile's neighbours and, after them, its own elements.
@@ -130,59 +107,42 @@ pub struct LocalSystem<'a> {
 }
 
 impl LocalSystem<'_> {
-    /// The columns `G` of the tile's own elements, one after the other, `Lᵀ G = (0, 1)ᵀ`: the last rows of the inverse
-    /// of `L`, transposed.
+    /// The rows `G` of the tile's own elements, the last ones of `L⁻¹`: for each unknown its entry in each of them.
     ///
     /// If the system is not positive definite up to rounding, only each element's own `1/√(K₀₀ + η)` is returned.
-    pub fn columns<'w>(&self, workspace: &'w mut Workspace) -> &'w [f32] {
+    pub fn rows<'w>(&self, workspace: &'w mut Workspace) -> &'w [[f32; MOST_ROWS]] {
+        let Workspace { system, rows, keys } = workspace;
+        self.fill(system, keys);
+        if let Some(rows) = system.last_rows_of_inverse(self.own) {
+            return rows;
+        }
         let order = self.places.len();
-        let first = order - self.own;
-        self.fill_lower_triangle(workspace);
-        let Workspace {
-            matrix,
-            columns,
-            stack,
-            ..
-        } = workspace;
-        let mut matrix = MatMut::from_column_major_slice_mut(matrix, order, order);
-        columns.clear();
-        columns.resize(order * self.own, 0.0);
-        let mut solution = MatMut::from_column_major_slice_mut(columns, order, self.own);
-        for own in 0..self.own {
-            solution[(first + own, own)] = 1.0;
+        rows.clear();
+        rows.resize(order, [0.0; MOST_ROWS]);
+        for (own, a) in (order - self.own..order).enumerate() {
+            let place = self.places[a];
+            let diagonal = self.elastic(place, place) + self.compliance(a);
+            rows[a][own] = single(1.0 / diagonal.sqrt());
         }
-        if factor_in_place(matrix.as_mut(), stack) {
-            let upper = matrix.as_ref().transpose();
-            solve_upper_triangular_in_place(upper, solution, Par::Seq);
-        } else {
-            for own in 0..self.own {
-                let a = first + own;
-                let place = self.places[a];
-                let diagonal = self.elastic(place, place) + self.compliance(a);
-                solution[(a, own)] = single(1.0 / diagonal.sqrt());
-            }
-        }
-        columns
+        rows
     }
 
-    /// Writes the lower triangle of `K + η`, all that the factorisation needs.
-    fn fill_lower_triangle(&self, workspace: &mut Workspace) {
-        let order = self.places.len();
-        let Workspace { matrix, keys, .. } = workspace;
-        matrix.resize(order * order, 0.0);
+    /// Writes `K + η`.
+    fn fill(&self, system: &mut SmallSystem, keys: &mut Vec<i32>) {
+        system.begin(self.places.len());
         let are_near = NearCoefficients::keys(self.places, keys) && self.to_axis == [None, None];
         // Most unknowns have the compliance of the one before.
         let mut class = self.classes[0];
         let mut compliance = self.compliance(0);
-        for (a, column) in matrix.chunks_exact_mut(order).enumerate() {
-            let below = &mut column[a..];
+        for (a, place) in self.places.iter().enumerate() {
+            let below = system.column(a);
             if are_near {
                 for (value, key) in below.iter_mut().zip(&keys[a..]) {
                     *value = self.near.at(key - keys[a]);
                 }
             } else {
                 for (value, other) in below.iter_mut().zip(&self.places[a..]) {
-                    *value = single(self.elastic(self.places[a], *other));
+                    *value = single(self.elastic(*place, *other));
                 }
             }
             if self.classes[a] != class {
@@ -213,29 +173,6 @@ impl LocalSystem<'_> {
             .map(|offset| self.elasticity.coefficient(offset))
             .sum()
     }
-}
-
-/// Replaces the lower triangle of `A` by its Cholesky factor; returns false if it is not positive definite up to
-/// rounding.
-fn factor_in_place(matrix: MatMut<'_, f32>, stack: &mut MemBuffer) -> bool {
-    let params: Spec<LltParams, f32> = LltParams {
-        recursion_threshold: COLUMN_BY_COLUMN,
-        ..Auto::<f32>::auto()
-    }
-    .into();
-    let needed = cholesky_in_place_scratch::<f32>(matrix.nrows(), Par::Seq, params);
-    if !MemStack::new(stack).can_hold(needed) {
-        *stack = MemBuffer::new(needed);
-    }
-    let stack = MemStack::new(stack);
-    cholesky_in_place(
-        matrix,
-        LltRegularization::default(),
-        Par::Seq,
-        stack,
-        params,
-    )
-    .is_ok()
 }
 
 #[cfg(test)]
@@ -305,9 +242,9 @@ mod tests {
                 }
                 sum
             };
-            let mut workspace = Workspace::new();
-            let g = system.columns(&mut workspace);
-            let g = |a: usize, column: usize| f64::from(g[column * places.len() + a]);
+            let mut workspace = Workspace::default();
+            let g = system.rows(&mut workspace);
+            let g = |a: usize, row: usize| f64::from(g[a][row]);
             // A G = (0, L_own)ᵀ with a lower triangle L_own: A = L Lᵀ, Lᵀ G = (0, 1)ᵀ. And Gᵀ A G = 1.
             let order = places.len();
             for column in 0..own {
@@ -382,20 +319,10 @@ mod tests {
             own: 2,
             to_axis: [None, None],
         };
-        let mut workspace = Workspace::new();
-        let (found, own) = (
-            system.columns(&mut workspace),
-            elasticity.coefficient([0, 0]),
-        );
-        for column in 0..2 {
-            for row in 0..3 {
-                let wanted = if row == 1 + column {
-                    1.0 / own.sqrt()
-                } else {
-                    0.0
-                };
-                assert_eq!(found[3 * column + row], single(wanted));
-            }
-        }
+        let mut workspace = Workspace::default();
+        let found = system.rows(&mut workspace);
+        let own = single(1.0 / elasticity.coefficient([0, 0]).sqrt());
+        let first_two = found.iter().map(|entries| [entries[0], entries[1]]);
+        assert!(first_two.eq([[0.0; 2], [own, 0.0], [0.0, own]]));
     }
 }

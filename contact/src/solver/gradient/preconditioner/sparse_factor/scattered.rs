@@ -80,7 +80,7 @@ impl ScatteredFactor {
     pub fn update(&mut self, set: &WorkingSet) {
         let mut rows = std::mem::take(&mut self.rows);
         let parts = rows.par_chunks_mut(PART).enumerate();
-        parts.for_each_init(Workspace::new, |workspace, (part, rows)| {
+        parts.for_each_init(Workspace::default, |workspace, (part, rows)| {
             for (place, row) in rows.iter_mut().enumerate() {
                 self.update_row(part * PART + place, row, set.mask(), workspace);
             }
@@ -107,7 +107,7 @@ impl ScatteredFactor {
         let level = self.rank(candidate).level;
         let members = neighbours.iter().map(|other| *other as usize);
         let classes = members.chain([candidate]).map(|of| self.classes[of]);
-        let column = LocalSystem {
+        let system = LocalSystem {
             elasticity: &self.elasticity,
             near: &self.near[level as usize],
             level,
@@ -115,11 +115,10 @@ impl ScatteredFactor {
             classes: &classes.collect::<Vec<_>>(),
             own: 1,
             to_axis: [None, None],
-        }
-        .columns(workspace);
-        let (diagonal, values) = column.split_last().expect("the element itself");
-        row.diagonal = f64::from(*diagonal);
-        row.entries = values.to_vec();
+        };
+        let entries = system.rows(workspace).iter().map(|[entry, ..]| *entry);
+        row.entries = entries.collect();
+        row.diagonal = f64::from(row.entries.pop().expect("the element itself"));
         row.neighbours = neighbours;
     }
 
