@@ -16,8 +16,9 @@
 //!
 //! of which the springs `w*` take the rest: `η` is their compliance and `κ` that of the foundation for opposite
 //! pressures on neighbouring elements. An element belongs to the contact if its gap is less than `φ e`, where a share
-//! `φ` of the coarse centres around it presses. This leaves a third fewer elements on the wrong side, and about as many
-//! are missing as are too many. On smooth surfaces `e = 0`: with it Fig. 2d takes 27 products instead of 24 at N = 1024.
+//! `φ` of the coarse centres around it presses. This leaves a third fewer elements on the wrong side, and about as
+//! many are missing as are too many. On smooth surfaces `e = 0`: with it Fig. 2d takes 27 products instead of 24 at N
+//! = 1024.
 //!
 //! Pressures on `I` are interpolated between elements on the same side of the relief's outline, and scaled to preserve
 //! the force of a coarse element, less the part across an outline: unscaled, bare stiff coatings take half as many

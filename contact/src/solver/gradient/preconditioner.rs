@@ -65,8 +65,8 @@ const COARSE: usize = 512;
 /// Exponent of the grid's size in the growth of neighbours: in proportion to the size, rough films take up to 41
 /// products at N = 1024 instead of 35, in a sixth less time.
 const GROWTH: f64 = 4.0 / 3.0;
-/// The same up to [`STIFF_FOR_GROWTH`]: rough films under a coating ten times as stiff take at most 40 products, as with
-/// [`GROWTH`], in a tenth less time; in proportion they take up to 42.
+/// The same up to [`STIFF_FOR_GROWTH`]: rough films under a coating ten times as stiff take up to 37 products, with
+/// [`GROWTH`] 36 in a tenth more time, in proportion 41.
 const SLOW_GROWTH: f64 = 1.15;
 /// Contrast above which neighbours grow faster.
 const STIFF_FOR_GROWTH: f64 = 9.4;
