@@ -229,8 +229,7 @@ impl Level {
             rough: problem.is_rough().then(|| RoughSurface {
                 relief_compliance: problem.relief_compliance(),
                 spring_law: problem.spring_law(),
-                shortest_compliance: self.elasticity.coefficient([0, 0])
-                    - self.elasticity.coefficient([1, 0]),
+                shortest_compliance: problem.shortest_compliance(),
                 hardness: problem.hardness(),
             }),
         };

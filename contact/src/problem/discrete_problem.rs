@@ -40,6 +40,8 @@ pub struct DiscreteProblem {
     operators: OperatorSource,
     grid: SectorGrid,
     relief_compliance: Vec<f64>,
+    /// The compliance (m/Pa) of linear springs added to all elements, and that sum; none without.
+    softened: Option<(f64, Vec<f64>)>,
     spring_law: SpringLaw,
     /// The tangents of nonlinear springs, once they have been linearised.
     tangents: Option<Tangents>,
@@ -150,6 +152,7 @@ impl DiscreteProblem {
             operators: source,
             grid,
             relief_compliance,
+            softened: None,
             spring_law: SpringLaw::LINEAR,
             tangents: None,
             initial_gap,
@@ -251,6 +254,36 @@ impl DiscreteProblem {
         &self.relief_compliance
     }
 
+    /// Adds linear springs of this compliance (m/Pa) to all elements, or removes them if it is 0.
+    pub(crate) fn soften(&mut self, compliance: f64) {
+        if compliance == 0.0 && self.softened.is_none() {
+            return;
+        }
+        let relief = self.relief_compliance.iter();
+        let sum = || relief.map(|eta| eta + compliance).collect();
+        self.softened = (compliance > 0.0).then(|| (compliance, sum()));
+        (self.tangents, self.identity) = (None, Identity::default());
+    }
+
+    /// The compliance (m/Pa) of the springs added to all elements; 0 without.
+    pub(crate) fn added_compliance(&self) -> f64 {
+        self.softened.as_ref().map_or(0.0, |(added, _)| *added)
+    }
+
+    /// The compliance (m/Pa) at rest of the relief and of the springs added to it.
+    pub(crate) fn compliance_at_rest(&self) -> &[f64] {
+        (self.softened.as_ref()).map_or(&self.relief_compliance, |(_, sum)| sum)
+    }
+
+    /// `κ` (m/Pa), the displacement of an element by opposite pressures on it and on a neighbour; by a pressure on it
+    /// alone if the elasticity is unknown.
+    pub(crate) fn shortest_compliance(&self) -> f64 {
+        let elasticity = self.elasticity();
+        elasticity.map_or(self.scale.compliance, |elasticity| {
+            elasticity.coefficient([0, 0]) - elasticity.coefficient([1, 0])
+        })
+    }
+
     /// The initial gap `g0 = f − f*`, in m.
     #[must_use]
     pub fn initial_gap(&self) -> &[f64] {
@@ -315,9 +348,10 @@ impl DiscreteProblem {
 
     /// Linearises nonlinear springs at a pressure ≥ 0, in the units of the problem's scale.
     pub(crate) fn linearise_springs(&mut self, pressure: &[f64]) {
-        let (law, rest) = (self.spring_law, &self.relief_compliance);
+        let (law, added) = (self.spring_law, self.added_compliance());
+        let rest = &self.relief_compliance;
         if self.tangents.is_none() {
-            self.tangents = Tangents::at_rest(law, self.scale, rest);
+            self.tangents = Tangents::at_rest(law, self.scale, rest, added);
         }
         if let Some(tangents) = &mut self.tangents {
             tangents.take(rest, pressure);
@@ -326,7 +360,7 @@ impl DiscreteProblem {
 
     /// The compliance (m/Pa) of the linear problem: `η`, or that of the linearised springs.
     pub(crate) fn tangent_compliance(&self) -> &[f64] {
-        (self.tangents.as_ref()).map_or(&self.relief_compliance, Tangents::compliance)
+        (self.tangents.as_ref()).map_or(self.compliance_at_rest(), Tangents::compliance)
     }
 
     /// Writes `K p + w*(p)` (m) of the pressure `p` (Pa) into `deformation`, `(K + η) p` on linear springs: one product
@@ -336,14 +370,14 @@ impl DiscreteProblem {
         self.shorten_into(pressure, deformation);
     }
 
-    /// Adds `w*(p)` (m) of the pressure `p` (Pa) to a deformation.
+    /// Adds `w*(p)` (m) of the pressure `p` (Pa) to a deformation, with that of added springs.
     pub(crate) fn shorten_into(&self, pressure: &[f64], deformation: &mut [f64]) {
-        let law = self.spring_law;
+        let (law, added) = (self.spring_law, self.added_compliance());
         update_with(
             deformation,
             &self.relief_compliance,
             pressure,
-            |v, eta, p| *v += law.shortening(*eta, *p),
+            |v, eta, p| *v += law.shortening(*eta, *p) + added * p,
         );
     }
 

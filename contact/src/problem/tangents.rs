@@ -27,16 +27,20 @@ pub struct Tangents {
     at: Vec<f64>,
     /// `η_t`, in m/Pa.
     compliance: Vec<f64>,
+    /// Its part by linear springs added to all elements, in m/Pa.
+    added: f64,
 }
 
 impl Tangents {
-    /// Tangents at rest, equal to the compliances η (m/Pa); none for linear springs.
-    pub fn at_rest(law: SpringLaw, scale: Scale, compliance: &[f64]) -> Option<Self> {
+    /// Tangents at rest, equal to the compliances η (m/Pa) and that of linear springs added to them; none if all
+    /// springs are linear.
+    pub fn at_rest(law: SpringLaw, scale: Scale, compliance: &[f64], added: f64) -> Option<Self> {
         (!law.is_linear()).then(|| Self {
             law: law.in_unit(scale.pressure()),
             per_compliance: 1.0 / scale.compliance,
             at: vec![0.0; compliance.len()],
-            compliance: compliance.to_vec(),
+            compliance: compliance.iter().map(|eta| eta + added).collect(),
+            added,
         })
     }
 
@@ -53,9 +57,9 @@ impl Tangents {
     /// Linearises springs with compliances at rest η (m/Pa) at a pressure ≥ 0.
     pub fn take(&mut self, rest: &[f64], pressure: &[f64]) {
         self.at.copy_from_slice(pressure);
-        let law = self.law;
+        let (law, added) = (self.law, self.added);
         update_with(&mut self.compliance, rest, pressure, |tangent, eta, p| {
-            *tangent = law.tangent(*eta, *p);
+            *tangent = law.tangent(*eta, *p) + added;
         });
     }
 
@@ -143,7 +147,7 @@ mod tests {
     }
 
     fn tangents() -> Tangents {
-        let mut tangents = Tangents::at_rest(law(), Scale::SI, &REST).unwrap();
+        let mut tangents = Tangents::at_rest(law(), Scale::SI, &REST, 0.0).unwrap();
         tangents.take(&REST, &AT);
         tangents
     }

@@ -13,19 +13,23 @@
 //! is set by the error of the previous exchange. An exchange takes two products in addition to those of the problem:
 //! `K p` of the held elements, and of the others at the start.
 //!
-//! Until elements are first released, those above the limit are held together with as many others as are needed to
-//! carry the excess at the limit: those with the largest pressure, then those with the smallest gap. Held ring by ring,
-//! random problems without a start took 2.5 to 4 times the products. After a release the same is done once more, if a
-//! few elements exceed the limit many times over and none is to be released: without it, three elements that carried
-//! the force of seventy took more than 2000 products; more often, some problems filled and released in turn.
+//! As many others are held with those above the limit as are needed to carry the excess at the limit: those with the
+//! largest pressure, then those with the smallest gap. Held ring by ring, random problems take two to three times the
+//! products. None are added in an exchange that releases elements, when the excess is no measure of what is missing,
+//! and only once more after a release, or elements are held and released in turn. Under a force, few elements are
+//! released where few others carry: the penetration rests on these.
 //!
 //! **Start.** From a coarser grid's pressure the elements at the limit are held, from a guess those above the limit; if
 //! they carry all of a prescribed force, only those that overlap most. Starting with no element held, a fully plastic
 //! contact took five to seven times the products, one ring of elements per exchange.
 //!
-//! **Why it ends.** After four exchanges without progress a [descent] takes over, whose energy decreases
-//! from one admissible pressure to the next. The number of products is also bounded, and the certificate judges the
-//! result.
+//! **Where exchanges go wrong.** If an element exceeds the limit many times over when no others may be held, or after
+//! four exchanges that release elements without halving the error, springs are added to all elements and harden in
+//! stages; see [continuation]. If the exchanges stall again, the [descent] takes over.
+//!
+//! **Why it ends.** Exchanges that release no element end, since each holds more. Those that release some stall at most
+//! twice, and each step of the descent lowers the energy. The number of products is also bounded, and the certificate
+//! judges the result.
 //!
 //! **Cost.** Random problems without a start take about 30 products, of which about 14 are for the problem without a
 //! limit.
@@ -34,11 +38,12 @@
 //! `0 < p < p_max`. If there are none, because the held elements carry the force to the last digits, every `D` from the
 //! largest `v` of those held to the smallest `v` of the others solves the problem: the smallest is taken.
 
+mod continuation;
 mod descent;
 mod limit_exchange;
 
 use self::limit_exchange::LimitExchange;
-use super::{ElasticSolver, Iterate, Watch};
+use super::{ElasticSolver, Iterate, SolverOptions, Watch};
 use crate::{ContactError, DiscreteProblem, Load};
 
 /// Fraction of the tolerance to which the problems are solved. If rounding brings one of two elements that differ by
@@ -68,8 +73,21 @@ pub fn solve(
     }
     let wanted = *solver.options();
     let tolerance = TOLERANCE_FRACTION * wanted.tolerance;
-    let mut exchange = LimitExchange::start(problem, load, start, tolerance);
-    let iterate = loop {
+    let exchange = LimitExchange::start(problem, load, start, tolerance);
+    let found = exchange_until_solved(solver, problem, exchange, wanted, watch);
+    problem.soften(0.0);
+    found
+}
+
+/// Exchanges until no element is on the wrong side or the products run out.
+fn exchange_until_solved(
+    solver: &mut impl ElasticSolver,
+    problem: &mut DiscreteProblem,
+    mut exchange: LimitExchange,
+    wanted: SolverOptions,
+    watch: &mut Watch<'_>,
+) -> Result<Iterate, ContactError> {
+    loop {
         exchange.press(problem);
         *solver.options() = exchange.options(wanted);
         let found = exchange.solve(solver, problem, watch);
@@ -78,14 +96,13 @@ pub fn solve(
         let reached_border = exchange.take(iterate);
         let is_exhausted = exchange.total.operator_applications >= wanted.max_applications;
         if reached_border || is_exhausted {
-            break exchange.into_iterate(problem.hardness());
+            return Ok(exchange.into_iterate(problem.hardness()));
         }
         let displacement = exchange.displacement(problem, displacement);
         if !exchange.advance(problem, &displacement) {
-            break exchange.into_iterate(problem.hardness());
+            return Ok(exchange.into_iterate(problem.hardness()));
         }
-    };
-    Ok(iterate)
+    }
 }
 
 #[cfg(test)]

@@ -64,6 +64,7 @@ impl DiscreteProblem {
             operators: source,
             grid: window.shape(),
             relief_compliance: values(&self.relief_compliance),
+            softened: None,
             spring_law: self.spring_law,
             tangents: None,
             initial_gap: values(&self.initial_gap),

@@ -29,7 +29,12 @@ impl DenseSprings {
     pub fn of(problem: &DiscreteProblem) -> Option<Self> {
         let rest = problem.relief_compliance();
         Some(Self {
-            tangents: Tangents::at_rest(problem.spring_law(), Scale::SI, rest)?,
+            tangents: Tangents::at_rest(
+                problem.spring_law(),
+                Scale::SI,
+                rest,
+                problem.added_compliance(),
+            )?,
             rest: rest.to_vec(),
             initial_gap: problem.initial_gap().to_vec(),
             pressure: vec![0.0; rest.len()],
