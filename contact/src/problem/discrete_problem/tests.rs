@@ -47,6 +47,30 @@ fn a_problem_returns_its_data() {
 }
 
 #[test]
+fn added_springs_are_linear_whatever_the_law_of_the_relief_and_can_be_removed() {
+    let pressure = [1.0, 2.0, 4.0, 0.5];
+    let law = pellicle_texture::SpringLaw::logarithmic(2.0).unwrap();
+    for law in [pellicle_texture::SpringLaw::LINEAR, law] {
+        let problem = problem(&[0.5, 0.0, 1.0, 3.0], &[0.0; 4], 0.25).unwrap();
+        let mut problem = problem.with_spring_law(law);
+        let mut state = |added: f64| {
+            problem.soften(added);
+            let mut deformation = [0.0; 4];
+            problem.deform_into(&pressure, &mut deformation);
+            problem.linearise_springs(&pressure);
+            (deformation, problem.tangent_compliance().to_vec())
+        };
+        let without = state(0.0);
+        let (deformation, tangents) = state(0.25);
+        for e in 0..4 {
+            assert!((deformation[e] - without.0[e] - 0.25 * pressure[e]).abs() < 1e-14);
+            assert!((tangents[e] - without.1[e] - 0.25).abs() < 1e-14);
+        }
+        assert_eq!(state(0.0), without);
+    }
+}
+
+#[test]
 fn invalid_field_values_are_refused_with_their_element() {
     let (zeros, nan) = ([0.0; 4], f64::NAN);
     for (found, bad) in [(3, &[0.0; 3][..]), (5, &[0.0; 5])] {

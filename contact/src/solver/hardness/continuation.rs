@@ -27,8 +27,8 @@ const HARDENING: f64 = 4.0;
 /// Largest excess, in units of the limit, at which a stage ends. At 1 the hardest random problem takes twice the
 /// products; at 4 one of 1000 is not solved.
 const ENDED: f64 = 2.0;
-/// Elements with a gap, as a fraction of those held, up to which a stage may end. Without this rule stages ended on
-/// sets that were filled and released in turn: some random problems took four times the products.
+/// Elements to be released, as a fraction of those held, up to which a stage may end. Without this rule stages ended
+/// on sets that were filled and released in turn: some random problems took four times the products.
 const FEW: f64 = 0.1;
 
 /// The springs added to all elements.
