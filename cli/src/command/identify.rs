@@ -142,6 +142,13 @@ fn outcome(arguments: &IdentifyArguments, fit: &Fit) -> Outcome {
             );
             Outcome::Misfit
         }
+        FitVerdict::OutsideModel => {
+            terminal::report(
+                "Error: outside the model: the fit has converged, but its model holds at too few of the points; the \
+                 warnings above say why and what to change",
+            );
+            Outcome::NotConverged
+        }
         FitVerdict::NotConverged => {
             terminal::report("Error: not converged: do not use these numbers");
             Outcome::NotConverged

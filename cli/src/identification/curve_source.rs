@@ -122,6 +122,12 @@ impl CurveSource {
         outside.collect()
     }
 
+    /// The row in the table of the file, from 1, of a point of the fit.
+    #[must_use]
+    pub fn row(&self, point: usize) -> usize {
+        self.measured.rows[self.points[point]]
+    }
+
     /// Returns the curve for a fit; it has times only if they increase.
     ///
     /// # Errors

@@ -4,7 +4,8 @@
 //! best fit of all points
 //! look where the model holds there                                  validity.rs
 //! best fit of the points at which it does, until they stay the same
-//! intervals
+//! if too few are left: those are kept at which only the grid's error is too large
+//! intervals, with that error if such points were kept                grid_error.rs
 //! ```
 
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -34,6 +35,7 @@ impl Identification {
         let report = || report(1 + predictions.fetch_add(1, Ordering::Relaxed));
         let mut narrowed: Option<Self> = None;
         let mut repetitions = 0;
+        let mut keeps_inaccurate = false;
         let (outside, fit) = loop {
             let now = narrowed.as_ref().unwrap_or(&self);
             let model = Remembered::new(&now.model, &self.stop, &report);
@@ -44,7 +46,21 @@ impl Identification {
             let Some(mut outside) = validity::outside(&self, &search, (now, &model)) else {
                 break (now.outside.clone(), now.fit(&model, self.intervals())?);
             };
+            if keeps_inaccurate {
+                outside = outside.with_inaccurate();
+            }
             let is_fit = search.verdict != FitVerdict::NotConverged;
+            let is_kept = self.file.report.outside == OutsidePoints::Keep;
+            if !keeps_inaccurate
+                && narrowed.is_none()
+                && is_fit
+                && !is_kept
+                && !outside.points.is_empty()
+                && self.without(&outside, &search, now)?.is_none()
+            {
+                keeps_inaccurate = true;
+                outside = outside.with_inaccurate();
+            }
             let handling = match self.file.report.outside {
                 _ if outside.points == now.outside.points => Some(Handling::LeftOut),
                 OutsidePoints::Keep => Some(Handling::Kept),
@@ -69,7 +85,7 @@ impl Identification {
                 } else {
                     outside.handling = Handling::TooFewLeft;
                 }
-                let verdict = FitVerdict::NotConverged;
+                let verdict = FitVerdict::OutsideModel;
                 break (outside, Fit { verdict, ..search });
             };
             narrowed = Some(next);
@@ -77,6 +93,10 @@ impl Identification {
         };
         let mut found = narrowed.unwrap_or(self);
         found.outside = outside;
+        let mut fit = fit;
+        if found.outside.includes_inaccurate() && fit.stopped.is_none() {
+            found.outside.failure = found.include_grid_error(&mut fit).err();
+        }
         Ok((found, fit))
     }
 

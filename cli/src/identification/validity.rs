@@ -80,14 +80,18 @@ impl Identification {
             Handling::Kept => Some("these points are in the fit, as report.outside requests"),
             Handling::Unsettled => Some(
                 "these points are not in the fit, but its result would exclude others: choose a segment that \
-                 avoids them",
+                 avoids them, or report.outside = \"keep\", which fits all points",
             ),
             Handling::NotConverged => Some("these points are in the fit, which did not converge"),
             Handling::TooFewLeft => Some(
-                "too few points are left without them: the fit uses all points, also those outside its model",
+                "too few points are left without them: the fit uses all points, also those outside its model. \
+                 Choose a segment that avoids them, or report.outside = \"keep\", which accepts them",
             ),
         };
         found.extend(what.map(str::to_owned));
+        if self.outside.includes_inaccurate() {
+            found.push(self.inaccurate_warning());
+        }
         let failure = self.outside.failure.as_ref();
         found.extend(failure.map(|failure| {
             format!("whether the model is valid at every point could not be checked: {failure}")
@@ -97,6 +101,21 @@ impl Identification {
             message,
         };
         found.into_iter().map(warning).collect()
+    }
+
+    /// Describes the points at which the grid's error is too large for the noise, and how to change that.
+    fn inaccurate_warning(&self) -> String {
+        let inaccurate = self.outside.inaccurate.iter().flatten();
+        let count = inaccurate.count();
+        let noise = if self.problem.noise_is_given() {
+            "the noise given is smaller than the error of the grid"
+        } else {
+            "the noise estimated from the residuals is smaller than the error of the grid"
+        };
+        format!(
+            "{noise} at {count} points, and too few are left without them: they are in the fit, and the intervals \
+             include that error. Give the noise of the measurement, such as noise = {{ relative = 0.01 }} in [[data]]"
+        )
     }
 
     /// The smallest and largest of some abscissae in words.

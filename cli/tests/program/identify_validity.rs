@@ -147,7 +147,7 @@ fn points_kept_by_the_fit_file_are_fitted_with_a_warning() {
 }
 
 #[test]
-fn a_fit_with_too_few_valid_points_does_not_converge() {
+fn a_fit_with_too_few_valid_points_says_why_and_which_key_changes_it() {
     // Every load squeezes the film by more than its thickness.
     let higher = |fit: &str| {
         let fit = fit.replace("\"31.4159 uN\"", "\"400 uN\"");
@@ -155,7 +155,13 @@ fn a_fit_with_too_few_valid_points_does_not_converge() {
     };
     let (_, ran, found) = fitted(&higher(FILM), &higher(FILM));
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
-    assert_eq!(found["verdict"], "not-converged");
+    assert_eq!(found["verdict"], "outside-model");
+    assert!(!ran.stderr.contains("not converged"), "{}", ran.stderr);
+    assert!(
+        ran.stderr.contains("report.outside = \"keep\""),
+        "{}",
+        ran.stderr
+    );
     assert!(
         ran.stderr.contains("100 points from 0.400 to 4.00 mN"),
         "{}",
@@ -167,11 +173,11 @@ fn a_fit_with_too_few_valid_points_does_not_converge() {
         ran.stderr
     );
     assert!(ran.stderr.contains(SQUEEZED), "{}", ran.stderr);
-    // There is no result either if the noise is far below the grid error.
+    // Noise told to be far below the grid's error leaves no point out, but refuses data of 1 % noise.
     let exact = STEEP.replace("relative = 0.01, depth = \"0 nm\"", "depth = \"1e-7 nm\"");
     let (_, ran, found) = fitted(STEEP, &exact);
-    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
-    assert_eq!(found["verdict"], "not-converged");
-    let reason = "error of the prediction above half the noise";
+    assert_eq!(ran.code, Some(3), "{}", ran.stderr);
+    assert_eq!(found["verdict"], "misfit");
+    let reason = "the noise given is smaller than the error of the grid at 50 points";
     assert!(ran.stderr.contains(reason), "{}", ran.stderr);
 }

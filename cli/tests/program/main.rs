@@ -17,6 +17,7 @@ mod guide;
 mod identify;
 mod identify_exact;
 mod identify_next;
+mod identify_noise;
 mod identify_plan;
 mod identify_plan_files;
 mod identify_report;

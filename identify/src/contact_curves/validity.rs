@@ -18,7 +18,7 @@ use crate::{Fit, Prediction};
 
 /// The error of a prediction is estimated from a second one, with the grid finer and the loads more numerous by this
 /// factor.
-const FINER: f64 = 1.5;
+pub(super) const FINER: f64 = 1.5;
 /// An error above this fraction of a point's standard deviation is too large: it adds a quarter to the variance. Any
 /// limit is arbitrary; from about here on, a point says more about the grid than about the body.
 const LARGEST_ERROR: f64 = 0.5;
@@ -98,7 +98,7 @@ impl ContactCurves {
     }
 
     /// Predicts the same points with a finer grid and more loads.
-    fn finer(&self, values: &[f64]) -> Result<Prediction, ContactError> {
+    pub(super) fn finer(&self, values: &[f64]) -> Result<Prediction, ContactError> {
         let curves = self.curves.iter().enumerate();
         let curves = curves.map(|(index, curve)| {
             let model = self.model(index, values)?;

@@ -6,7 +6,8 @@
 //! Biometrika 58, 545 (1971). No prediction is needed: the residuals of the present point serve for every trial. The
 //! degrees of freedom of an interval follow from Satterthwaite's rule, `ν = 2 C²/Var(C)`, with `Var(C)` from the
 //! curvature of `ℓ_R`: F. G. Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985). Where a correlation is estimated,
-//! `ln C` is normal instead.
+//! `ln C` is normal instead. A part of the noise that is estimated as nothing beside the others adds nothing to
+//! `Var(C)` and costs no degree of freedom; if nothing else is estimated, `ν` is infinite.
 
 use faer::{Mat, Side};
 
@@ -39,6 +40,8 @@ pub(crate) struct Part<'a> {
     pub at: &'a Evaluation,
     /// Unknowns that count as fitted; those that are not identifiable are left out.
     pub free: &'a [usize],
+    /// Further columns over the points that count as fitted.
+    pub departures: &'a [Vec<f64>],
 }
 
 /// The restricted likelihood as a function of the estimated numbers of the noise, for one problem or several with the
@@ -146,7 +149,7 @@ impl<'a> RestrictedLikelihood<'a> {
                 if self.noise.correlation == Correlation::Estimated {
                     return lognormal_degrees(spread / (variance[j] * variance[j]));
                 }
-                (2.0 * variance[j] * variance[j] / spread).max(1.0)
+                satterthwaite(variance[j], spread)
             })
             .collect())
     }
@@ -236,6 +239,11 @@ impl<'a> Part<'a> {
         let (mut residual, jacobian) = metric.rows(self.at);
         let mut columns = metric.nuisance_columns();
         columns.extend(self.free.iter().map(|&j| jacobian[j].clone()));
+        columns.extend(
+            self.departures
+                .iter()
+                .map(|column| metric.reduce(column.clone())),
+        );
         let absorbed = OrthonormalBasis::of(columns);
         absorbed.remove_from(&mut residual);
         metric.log_determinant() + absorbed.log_determinant() + dot(&residual, &residual)
@@ -250,6 +258,16 @@ impl<'a> Part<'a> {
 
     fn metric(&self, levels: &NoiseLevels) -> Metric<'a> {
         Metric::at(self.problem, levels, self.at)
+    }
+}
+
+/// `ν = 2 C²/Var(C)`, at least one; infinite for a variance that does not depend on the estimated noise. The sum of no
+/// terms is −0, which must not become a sign.
+fn satterthwaite(variance: f64, spread: f64) -> f64 {
+    if spread > 0.0 {
+        (2.0 * variance * variance / spread).max(1.0)
+    } else {
+        f64::INFINITY
     }
 }
 
