@@ -72,7 +72,7 @@ pub use stress::{
         BodyStress, BodyUtilisation, InterfaceStress, InterfaceUtilisation, StressExtremes,
         stress_extremes,
     },
-    critical_load::{CriticalLoad, critical_loads},
+    critical_load::{CriticalLoad, CriticalStatus, critical_loads},
     extreme::Extreme,
     field::{StressField, StressPlanes},
     model::{

@@ -4,8 +4,10 @@ use pellicle_contact::{CutOff, Warning};
 
 use super::Case;
 use super::foundation::layer::LayerCase;
+use super::key_dimension;
 use super::map::MapCase;
 use crate::display::{Unit, quantity};
+use crate::input::dimension::Dimension;
 use crate::input::key_path::dotted;
 use crate::input::toml_tree::{TomlNode, TomlTable, TomlValue};
 use crate::input::units::Units;
@@ -33,32 +35,13 @@ pub fn with_key(warning: &Warning) -> String {
     format!("{warning} (`{key}`)")
 }
 
-/// Keys of lengths, pressures, forces and compliances, with the unit of a bare number in a case that has units.
-const QUANTITIES: [(&str, &str); 23] = [
-    ("thickness", "m"),
-    ("young_modulus", "Pa"),
-    ("radius", "m"),
-    ("tip_radius", "m"),
-    ("height", "m"),
-    ("period", "m"),
-    ("offset", "m"),
-    ("compliance", "m/Pa"),
-    ("force", "N"),
-    ("forces", "N"),
-    ("penetration", "m"),
-    ("penetrations", "m"),
-    ("side", "m"),
-    ("sides", "m"),
-    ("normal_compliance", "m/Pa"),
-    ("shear_compliance", "m/Pa"),
-    ("yield_strength", "Pa"),
-    ("tensile_strength", "Pa"),
-    ("hardness", "Pa"),
-    ("interface_shear_strength", "Pa"),
-    ("interface_tensile_strength", "Pa"),
-    ("depths", "m"),
-    ("extent", "m"),
-];
+/// The unit of a bare number in a case that has units, by its key; none where a bare number is usual: an angle, or the
+/// length that 1 in a file of heights stands for.
+fn bare_unit(key: &str) -> Option<&'static str> {
+    let dimension = key_dimension::of_key(key).filter(|_| key != "height_unit");
+    let dimension = dimension.filter(|dimension| *dimension != Dimension::Angle);
+    dimension.map(Dimension::si_unit)
+}
 
 /// A tenth of a nanometre on a side of a centimetre; the heights of every measured surface have a larger range.
 const FLAT: f64 = 1e-8;
@@ -153,9 +136,8 @@ fn bare_numbers(root: &TomlNode, warnings: &mut Vec<CaseWarning>) {
 fn in_table(path: &str, table: &TomlTable, warnings: &mut Vec<CaseWarning>) {
     for entry in &table.entries {
         let path = dotted(path, &entry.key);
-        let unit = QUANTITIES.iter().find(|(key, _)| *key == entry.key);
-        match (&entry.node.value, unit) {
-            (_, Some((_, unit))) => {
+        match (&entry.node.value, bare_unit(&entry.key)) {
+            (_, Some(unit)) => {
                 warnings.extend(bare(&entry.node).map(|at| warn_of(&path, at, unit)));
             }
             (TomlValue::Table(table), None) => in_table(&path, table, warnings),

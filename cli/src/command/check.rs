@@ -6,6 +6,7 @@ use crate::arguments::CaseArguments;
 use crate::case::Case;
 use crate::case::map::MapCase;
 use crate::case::surface::SurfaceCase;
+use crate::case::with_units::with_units;
 use crate::command::Outcome;
 use crate::display::{self, Unit, quantity, significant};
 use crate::failure::Failure;
@@ -27,7 +28,12 @@ pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let forecast = Forecast::new(&case, &case.model(&cache)?.value);
     case.check_extent(forecast.side)?;
     case.grid.side = Some(forecast.side);
-    let resolved = toml::to_string(&case)?;
+    let resolved = serde_json::to_value(&case)?;
+    let resolved = match case.units {
+        Units::Si => with_units(resolved),
+        Units::Consistent => resolved,
+    };
+    let resolved = toml::to_string(&resolved)?;
     let estimates = estimates(&case, &forecast, chosen)?;
     terminal::print(&format!("{}\n{resolved}\n{estimates}", heading(case.units)))?;
     for warning in &forecast.warnings {
@@ -39,7 +45,7 @@ pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
 
 fn heading(units: Units) -> &'static str {
     match units {
-        Units::Si => "# The case as resolved, in m, Pa, N and rad.",
+        Units::Si => "# The case as resolved.",
         Units::Consistent => "# The case as resolved, in its own units.",
     }
 }

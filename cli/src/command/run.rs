@@ -21,7 +21,7 @@ use crate::output::summary::{Clock, RunSummary};
 use crate::output::{json, report, results, summary_text};
 use crate::progress::{ProgressLine, SearchLine};
 use crate::stress_search::{self, Stresses};
-use crate::{cache, case_solution, interrupt, terminal, threads};
+use crate::{cache, case_solution, interrupt, source_file, terminal, threads};
 
 /// Interval at which a request to stop is checked during the search for stresses.
 const LOOK: Duration = Duration::from_millis(20);
@@ -139,11 +139,11 @@ fn claim(arguments: &RunArguments) -> Result<Option<ResultsFolder>, Failure> {
     } else {
         Existing::Keep
     };
-    let name = arguments.case.path.file_stem().unwrap_or_default();
+    let name = source_file::stem(&arguments.case.path);
     let folder = match &arguments.out {
         Some(path) => ResultsFolder::claim(path, existing)?,
         None if arguments.json => return Ok(None),
-        None => ResultsFolder::claim_default(&name.to_string_lossy(), existing)?,
+        None => ResultsFolder::claim_default(&name, existing)?,
     };
     folder::sweep_beside(folder.path());
     Ok(Some(folder))

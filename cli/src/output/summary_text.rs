@@ -19,7 +19,7 @@ const MAX_SHOWN_PER_CODE: usize = 3;
 pub fn text(summary: &RunSummary) -> String {
     let mut text = format!("{}\n{}", summary.title, grid(summary));
     match &summary.steps[..] {
-        [step] => text.push_str(&single(step, summary.has_relief(), summary.units)),
+        [step] => text.push_str(&single(step, summary)),
         steps => text.push_str(&table(steps, summary.units)),
     }
     text + &stress::critical(summary)
@@ -80,9 +80,12 @@ impl TextColumns {
     }
 }
 
-fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
-    let text = String::new();
-    let mut lines = TextColumns { units, text };
+fn single(step: &StepSummary, run: &RunSummary) -> String {
+    let mut lines = TextColumns {
+        units: run.units,
+        element_side: run.grid.element_side,
+        text: String::new(),
+    };
     let (numbers, error) = (&step.summary, &step.grid_error);
     lines.estimated("force Q", step.force, Unit::Newton, error.force);
     lines.estimated(
@@ -97,10 +100,7 @@ fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
         Unit::Pascal,
         error.max_pressure,
     );
-    let [x, y] = numbers
-        .max_pressure_at
-        .map(|x| quantity(x, Unit::Metre, units));
-    lines.push("  at x, y", &format!("{x}, {y}"), "");
+    lines.position("  at x, y", numbers.max_pressure_at);
     lines.quantity("mean pressure", numbers.mean_pressure, Unit::Pascal);
     lines.estimated(
         "contact area",
@@ -108,7 +108,7 @@ fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
         Unit::SquareMetre,
         error.contact_area,
     );
-    if has_relief {
+    if run.has_relief() {
         lines.quantity(
             "  on the relief",
             numbers.contact_area_on_relief,

@@ -63,6 +63,12 @@ impl<'a> Subject<'a> {
         )
     }
 
+    /// The coordinates of a point with their units.
+    #[must_use]
+    pub fn position<const AXES: usize>(&self, at: [f64; AXES]) -> String {
+        display::position(at, self.fields.element_side(), self.units)
+    }
+
     /// Draws the heading, if the style shows one; `more` is appended to the numbers.
     pub fn draw_heading(&self, svg: &mut Svg, left: f64, width: f64, more: &str) {
         if self.style.heading == Heading::Shown {
