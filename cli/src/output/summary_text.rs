@@ -102,6 +102,9 @@ fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
         .map(|x| quantity(x, Unit::Metre, units));
     lines.push("  at x, y", &format!("{x}, {y}"), "");
     lines.quantity("mean pressure", numbers.mean_pressure, Unit::Pascal);
+    if let Some(nominal) = numbers.nominal_pressure {
+        lines.quantity("nominal pressure", nominal, Unit::Pascal);
+    }
     lines.estimated(
         "contact area",
         numbers.contact_area,
