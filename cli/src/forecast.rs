@@ -7,7 +7,8 @@ pub mod need;
 mod trial;
 
 use pellicle_contact::{
-    Domain, LoadingPath, Model, Step, Warning, default_side, domain_much_larger, model_warnings,
+    Domain, LoadingPath, Model, Step, Warning, default_side, domain_much_larger,
+    map_under_resolved, model_warnings,
 };
 use pellicle_texture::Grid;
 
@@ -62,6 +63,7 @@ impl Forecast {
         match &path {
             Ok(path) => {
                 warnings.extend(far_too_large(case, model, path));
+                warnings.extend(long_elements(case, model, path));
                 warnings.extend(smallest(path, side / case.grid.elements as f64));
                 let last = path.steps.len().saturating_sub(1);
                 let warns = |warning| of_the_model(warning, last, case.grid.side.is_some());
@@ -104,6 +106,15 @@ fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<Strin
     let grid = Grid::new(path.grid.side(), case.grid.elements).ok()?;
     let warning = domain_much_larger(model, &grid, &loads, radius);
     warning.as_ref().map(with_key)
+}
+
+/// The warning that the elements are too long for the waves of a map around the contact of the largest load.
+fn long_elements(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
+    let radius = path.steps.last()?.summary.contact_radius;
+    let grid = Grid::new(path.grid.side(), case.grid.elements).ok()?;
+    let warning = map_under_resolved(model, &grid, path.boundary, radius)?;
+    let words = with_key(&warning);
+    Some(words.trim_start_matches("step 0: ").to_owned())
 }
 
 /// The warning that the contact of the smallest load has too few elements.

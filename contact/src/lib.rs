@@ -37,7 +37,7 @@ pub use path::{
     loads_at_once, solve_path,
     warnings::{
         FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger, edge_slope,
-        model_warnings, relative_shortening,
+        map_under_resolved, model_warnings, relative_shortening,
     },
 };
 pub use problem::{
@@ -51,6 +51,7 @@ pub use result::{
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
     grid_error::{ErrorEstimate, GridError, LevelValues},
+    map_resolution::FEWEST_ELEMENTS_PER_WAVE,
     peak::PeakPlace,
     rough_contact::{Histogram, Islands, RoughContact},
     step::{CoarsePressure, Status, Step},

@@ -31,7 +31,10 @@ use crate::{
     grid::window::Window,
     path::hierarchy::Hierarchy,
     problem::model::initial_gap,
-    result::cut_off::{CutOff, Surroundings},
+    result::{
+        cut_off::{CutOff, Surroundings},
+        map_resolution::MapResolution,
+    },
     solver::Watch,
     vector::add_scaled,
 };
@@ -303,6 +306,12 @@ impl PathRun<'_> {
             for step in &mut self.steps {
                 step.cut_off = surroundings.limit_reached(&step.solution);
             }
+        }
+        let mut resolution = MapResolution::new(model, &grid, domain.boundary());
+        for step in &mut self.steps {
+            let elements = resolution.elements_per_wave(step.summary.contact_radius);
+            let error = std::mem::take(&mut step.grid_error);
+            step.grid_error = error.with_elements_per_wave(elements);
         }
         let warnings = warnings::warnings(model, &grid, domain, loads, &self.steps);
         Ok(LoadingPath {

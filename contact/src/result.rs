@@ -6,6 +6,7 @@ mod contact_shape;
 pub mod cut_off;
 pub mod deformed_surface;
 pub mod grid_error;
+pub mod map_resolution;
 mod not_stored;
 pub mod peak;
 pub mod point;

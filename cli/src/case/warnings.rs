@@ -30,6 +30,7 @@ pub fn with_key(warning: &Warning) -> String {
             by: CutOff::Domain, ..
         } => "grid.side",
         Warning::FilmShortening { .. } => "surface.law",
+        Warning::MapUnderResolved { .. } => "grid.elements",
         _ => return warning.to_string(),
     };
     format!("{warning} (`{key}`)")

@@ -1,6 +1,7 @@
 //! `pellicle check`: the case as resolved, and estimates of the work of solving it.
 
 use pellicle_contact::Step;
+use pellicle_texture::SlopeSpectrum;
 
 use crate::arguments::CaseArguments;
 use crate::case::Case;
@@ -12,7 +13,6 @@ use crate::display::{self, Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::forecast::Forecast;
 use crate::input::units::Units;
-use crate::map::shortest_wave;
 use crate::output::disk_space;
 use crate::{cache, terminal};
 
@@ -167,8 +167,9 @@ impl Estimates {
         {
             let per_element = significant(element_side / sample(map), 3);
             self.add(&format!("samples per element ({table})"), &per_element);
-            let wave = shortest_wave::shortest_wave(map.shape(), map.samples());
-            let wave = wave.map_or_else(|| "none found".into(), |wave| significant(wave, 2));
+            let wave = SlopeSpectrum::of(map.own()).shortest_wave();
+            let wave = wave.map(|wave| significant(wave / sample(map), 2));
+            let wave = wave.unwrap_or_else(|| "none found".into());
             self.add(&format!("samples per shortest wave ({table})"), &wave);
         }
     }

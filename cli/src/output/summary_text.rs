@@ -102,6 +102,9 @@ fn single(step: &StepSummary, run: &RunSummary) -> String {
     );
     lines.position("  at x, y", numbers.max_pressure_at);
     lines.quantity("mean pressure", numbers.mean_pressure, Unit::Pascal);
+    if let Some(nominal) = numbers.nominal_pressure {
+        lines.quantity("nominal pressure", nominal, Unit::Pascal);
+    }
     lines.estimated(
         "contact area",
         numbers.contact_area,

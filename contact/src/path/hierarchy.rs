@@ -242,7 +242,12 @@ impl<'a> Hierarchy<'a> {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
                 let field = level.field(self.model, &result.window, &pressure);
-                result.rough = RoughContact::of(&field, result.summary.contact_area);
+                let (force, summary) = (result.solution.force, &mut result.summary);
+                *summary = summary.with_least_area(force);
+                result.rough = RoughContact::of(&field, summary.contact_area);
+                let of_nominal = |rough: &RoughContact| force / rough.nominal_area;
+                let nominal = result.rough.as_ref().map(of_nominal);
+                summary.nominal_pressure = summary.nominal_pressure.or(nominal);
                 result.solution.pressure = result.window.scatter(pressure);
                 None
             }

@@ -5,7 +5,10 @@ use pellicle_texture::{Grid, Relief};
 
 use crate::{
     Boundary, ContactError, Domain, Load, Model, Profile as _, Step, Warning, default_side,
-    result::cut_off,
+    result::{
+        cut_off,
+        map_resolution::{FEWEST_ELEMENTS_PER_WAVE, MapResolution},
+    },
 };
 
 /// With fewer elements than this per cylinder radius its outline is not resolved.
@@ -99,7 +102,11 @@ pub(crate) fn warnings(
     let edges = steps.iter().enumerate();
     let edges = edges.filter_map(|(index, step)| edge(domain, index, step));
     let of_steps = steps.iter().enumerate();
-    let of_steps = of_steps.flat_map(|(index, step)| step_warnings(model, index, step));
+    let of_steps = of_steps.flat_map(|(index, step)| {
+        let per_wave = step.grid_error.elements_per_wave;
+        let coarse = per_wave.and_then(|elements| too_few_per_wave(grid, index, elements));
+        coarse.into_iter().chain(step_warnings(model, index, step))
+    });
     edges
         .chain(much_larger)
         .chain(model_warnings(model, grid))
@@ -225,10 +232,43 @@ fn peak(index: usize, step: &Step) -> Option<Warning> {
         return None;
     };
     let is_resolved = error.max_pressure?.resolved || last.max_pressure == 0.0;
-    (!is_resolved).then(|| Warning::PeakNotResolved {
+    // Where elements miss waves of a map, that is the cause, and there is a warning about it.
+    (!is_resolved && error.resolves_waves()).then(|| Warning::PeakNotResolved {
         step: index,
         change: (1.0 - before.max_pressure / last.max_pressure).abs(),
         place: step.summary.peak_place,
+    })
+}
+
+/// The warning that the elements are too long for the waves of a measured map around a contact of this radius (m);
+/// none without a map, without contact, or with enough elements.
+#[must_use]
+pub fn map_under_resolved(
+    model: &Model,
+    grid: &Grid,
+    boundary: Boundary,
+    contact_radius: f64,
+) -> Option<Warning> {
+    let mut resolution = MapResolution::new(model, grid, boundary);
+    too_few_per_wave(grid, 0, resolution.elements_per_wave(contact_radius)?)
+}
+
+/// Warns of too few elements to the shortest wave of a map.
+fn too_few_per_wave(grid: &Grid, step: usize, elements_per_wave: f64) -> Option<Warning> {
+    if elements_per_wave >= FEWEST_ELEMENTS_PER_WAVE {
+        return None;
+    }
+    let wanted = FEWEST_ELEMENTS_PER_WAVE / elements_per_wave * grid.size() as f64;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number of elements, the largest if there are too many"
+    )]
+    let wanted = wanted.ceil() as usize;
+    Some(Warning::MapUnderResolved {
+        step,
+        elements_per_wave,
+        wanted,
     })
 }
 

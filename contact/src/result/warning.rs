@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::{CutOff, PeakPlace};
+use crate::{CutOff, PeakPlace, result::map_resolution::FEWEST_ELEMENTS_PER_WAVE};
 
 /// A smaller relative change would be printed as 0.0 %.
 const SMALLEST_CHANGE: f64 = 5e-4;
@@ -46,6 +46,16 @@ pub enum Warning {
     TextureUnderResolved {
         /// Elements per radius.
         elements_per_radius: f64,
+    },
+    /// Few elements to the shortest wave of the gap under a measured map: the grid misses summits, and none of its
+    /// numbers is resolved.
+    MapUnderResolved {
+        /// Loading step, counted from 0.
+        step: usize,
+        /// Elements to the shortest wave.
+        elements_per_wave: f64,
+        /// Elements per side that would be enough.
+        wanted: usize,
     },
     /// A layer much thinner than an element, whose own stiffness the grid cannot resolve.
     LayerUnderResolved {
@@ -99,6 +109,7 @@ impl Warning {
             Self::DomainMuchLarger { .. } => "domain-much-larger",
             Self::FilmShortening { .. } => "film-shortening",
             Self::TextureUnderResolved { .. } => "texture-under-resolved",
+            Self::MapUnderResolved { .. } => "map-under-resolved",
             Self::LayerUnderResolved { .. } => "layer-under-resolved",
             Self::CoefficientAccuracy { .. } => "coefficient-accuracy",
             Self::PeakNotResolved { .. } => "peak-not-resolved",
@@ -114,6 +125,7 @@ impl Warning {
             Self::DomainEdge { step, .. }
             | Self::CutOff { step, .. }
             | Self::FilmShortening { step, .. }
+            | Self::MapUnderResolved { step, .. }
             | Self::PeakNotResolved { step, .. }
             | Self::SteepIndenter { step, .. }
             | Self::NotConverged { step, .. } => Some(*step),
@@ -179,6 +191,15 @@ impl fmt::Display for Warning {
                 f,
                 "{} elements per cylinder radius are few; use more elements or a smaller side",
                 decimals(elements_per_radius, 1)
+            ),
+            Self::MapUnderResolved {
+                step,
+                elements_per_wave,
+                wanted,
+            } => write!(
+                f,
+                "step {step}: {} elements to the shortest wave of the map miss its summits: areas and pressures may be wrong many times over, and no error is known; choose at least {FEWEST_ELEMENTS_PER_WAVE} to a wave, which are {wanted} elements per side",
+                decimals(elements_per_wave, 1)
             ),
             Self::LayerUnderResolved {
                 layer,

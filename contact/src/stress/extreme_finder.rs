@@ -160,7 +160,7 @@ impl<'a> ExtremeFinder<'a> {
         Extreme {
             value: peak.value,
             at: [snapped(x), snapped(y), z],
-            resolved: error.is_some_and(|error| error.resolved),
+            resolved: error.is_some_and(|error| error.resolved) && step.grid_error.resolves_waves(),
             estimate: error.map(|error| error.estimate),
         }
     }

@@ -104,6 +104,9 @@ fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
         rows.push(plain("fraction at the hardness", significant(fraction, 4)));
         rows.push(number("plastic depth", depth, Unit::Metre));
     }
+    if let Some(nominal) = numbers.nominal_pressure {
+        rows.push(number("nominal pressure", nominal, Unit::Pascal));
+    }
     if summary.has_relief() {
         let (on, between) = (numbers.contact_area_on_relief, numbers.contact_area_between);
         rows.push(number("contact area on the relief", on, Unit::SquareMetre));
