@@ -16,6 +16,7 @@ pub mod solver;
 pub mod spring_law;
 pub mod stress;
 pub mod surface;
+pub mod unit_slip;
 pub mod warnings;
 
 use std::path::{Path, PathBuf};

@@ -36,8 +36,8 @@ pub use path::{
     levels::solved_grid,
     loads_at_once, solve_path,
     warnings::{
-        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger, edge_slope,
-        model_warnings, relative_shortening,
+        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger, model_warnings,
+        relative_shortening,
     },
 };
 pub use problem::{
@@ -48,9 +48,11 @@ pub use problem::{
 };
 pub use result::{
     certificate::{Certificate, Solution},
+    contact_slope::ContactSlope,
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
     grid_error::{ErrorEstimate, GridError, LevelValues},
+    model_limits::{LimitRatio, ModelLimit},
     peak::PeakPlace,
     rough_contact::{Histogram, Islands, RoughContact},
     step::{CoarsePressure, Status, Step},

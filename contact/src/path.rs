@@ -32,6 +32,7 @@ use crate::{
     path::hierarchy::Hierarchy,
     problem::model::initial_gap,
     result::cut_off::{CutOff, Surroundings},
+    result::model_limits::ModelLimits,
     solver::Watch,
     vector::add_scaled,
 };
@@ -303,6 +304,10 @@ impl PathRun<'_> {
             for step in &mut self.steps {
                 step.cut_off = surroundings.limit_reached(&step.solution);
             }
+        }
+        let mut limits = ModelLimits::new(model, grid, domain.boundary());
+        for step in &mut self.steps {
+            step.limits = limits.ratios(step);
         }
         let warnings = warnings::warnings(model, &grid, domain, loads, &self.steps);
         Ok(LoadingPath {

@@ -8,7 +8,8 @@ use pellicle_influence::{Origin, SectorGrid, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 use crate::{
-    Boundary, CoarsePressure, ContactError, Load, Model, RoughContact, SolverOptions, Step,
+    Boundary, CoarsePressure, ContactError, ContactSlope, Load, Model, RoughContact, SolverOptions,
+    Step,
     path::ascent::Ascent,
     path::capacity,
     path::domain::Guess,
@@ -243,6 +244,7 @@ impl<'a> Hierarchy<'a> {
                 let pressure = std::mem::take(&mut result.solution.pressure);
                 let field = level.field(self.model, &result.window, &pressure);
                 result.rough = RoughContact::of(&field, result.summary.contact_area);
+                result.slope = ContactSlope::of(&field, result.rough.as_ref());
                 result.solution.pressure = result.window.scatter(pressure);
                 None
             }
