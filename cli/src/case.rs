@@ -17,6 +17,7 @@ pub mod solver;
 pub mod spring_law;
 pub mod stress;
 pub mod surface;
+pub mod unit_slip;
 pub mod warnings;
 pub mod with_units;
 

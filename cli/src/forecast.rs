@@ -14,7 +14,7 @@ use pellicle_texture::Grid;
 
 use self::need::Need;
 use self::trial::{TRIAL, contact_share};
-use crate::case::{Case, grid::BoundaryCase, warnings::with_key};
+use crate::case::{Case, grid::BoundaryCase};
 use crate::display::significant;
 
 /// Growth of the number of products of a hard case when the elements are halved; in an easy case it hardly grows.
@@ -66,7 +66,8 @@ impl Forecast {
                 warnings.extend(long_elements(case, model, path));
                 warnings.extend(smallest(path, side / case.grid.elements as f64));
                 let last = path.steps.len().saturating_sub(1);
-                let warns = |warning| of_the_model(warning, last, case.grid.side.is_some());
+                let words = |warning: &Warning| case.sentence(warning);
+                let warns = |warning| of_the_model(warning, words, last, case.grid.side.is_some());
                 warnings.extend(path.warnings.iter().filter_map(warns));
             }
             Err(error) => warnings.push(format!("the trial failed: {error}")),
@@ -105,7 +106,7 @@ fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<Strin
     };
     let grid = Grid::new(path.grid.side(), case.grid.elements).ok()?;
     let warning = domain_much_larger(model, &grid, &loads, radius);
-    warning.as_ref().map(with_key)
+    warning.map(|warning| case.sentence(&warning))
 }
 
 /// The warning that the elements are too long for the waves of a map around the contact of the largest load.
@@ -133,18 +134,28 @@ fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
 
 /// A warning of the trial's last step in words, if it is about the model and not about the coarse grid. A chosen domain
 /// is large enough: a warning that the contact is near its edge comes from the coarse grid alone.
-fn of_the_model(warning: &Warning, last: usize, is_given: bool) -> Option<String> {
+fn of_the_model(
+    warning: &Warning,
+    words: impl Fn(&Warning) -> String,
+    last: usize,
+    is_given: bool,
+) -> Option<String> {
     if matches!(warning, Warning::DomainEdge { .. }) && !is_given {
         return None;
+    }
+    if matches!(warning, Warning::SteepTip { .. }) {
+        return Some(words(warning));
     }
     let (Warning::DomainEdge { step, .. }
     | Warning::CutOff { step, .. }
     | Warning::FilmShortening { step, .. }
+    | Warning::LayerShortening { step, .. }
+    | Warning::BeyondModel { step, .. }
     | Warning::SteepIndenter { step, .. }) = *warning
     else {
         return None;
     };
-    let words = with_key(warning);
+    let words = words(warning);
     let words = words
         .strip_prefix(&format!("step {step}: "))
         .unwrap_or(&words);

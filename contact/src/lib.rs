@@ -36,8 +36,8 @@ pub use path::{
     levels::solved_grid,
     loads_at_once, solve_path,
     warnings::{
-        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger, edge_slope,
-        map_under_resolved, model_warnings, relative_shortening,
+        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger, map_under_resolved,
+        model_warnings, relative_shortening,
     },
 };
 pub use problem::{
@@ -48,10 +48,12 @@ pub use problem::{
 };
 pub use result::{
     certificate::{Certificate, Solution},
+    contact_slope::ContactSlope,
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
     grid_error::{ErrorEstimate, GridError, LevelValues},
     map_resolution::FEWEST_ELEMENTS_PER_WAVE,
+    model_limits::{LimitRatio, ModelLimit},
     peak::PeakPlace,
     rough_contact::{Histogram, Islands, RoughContact},
     step::{CoarsePressure, Status, Step},

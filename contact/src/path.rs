@@ -34,6 +34,7 @@ use crate::{
     result::{
         cut_off::{CutOff, Surroundings},
         map_resolution::MapResolution,
+        model_limits::ModelLimits,
     },
     solver::Watch,
     vector::add_scaled,
@@ -308,10 +309,12 @@ impl PathRun<'_> {
             }
         }
         let mut resolution = MapResolution::new(model, &grid, domain.boundary());
+        let mut limits = ModelLimits::new(model, grid, domain.boundary());
         for step in &mut self.steps {
             let elements = resolution.elements_per_wave(step.summary.contact_radius);
             let error = std::mem::take(&mut step.grid_error);
             step.grid_error = error.with_elements_per_wave(elements);
+            step.limits = limits.ratios(step);
         }
         let warnings = warnings::warnings(model, &grid, domain, loads, &self.steps);
         Ok(LoadingPath {

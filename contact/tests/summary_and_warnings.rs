@@ -210,11 +210,14 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
             Warning::CutOff { step, .. } => (step, 0.0),
             Warning::FilmShortening { step, times } => (step, times),
             Warning::PeakNotResolved { step, change, .. } => (step, change),
-            Warning::SteepIndenter { step, slope } => (step, slope),
+            Warning::SteepIndenter { step, slope } => (step, slope.value()),
+            Warning::LayerShortening { step, part, .. } => (step, part),
+            Warning::BeyondModel { step, beyond } => (step, beyond.ratio),
             Warning::NotConverged { step, worst, .. } => (step, worst),
             Warning::TextureUnderResolved { .. }
             | Warning::LayerUnderResolved { .. }
             | Warning::DomainMuchLarger { .. }
+            | Warning::SteepTip { .. }
             | Warning::CoefficientAccuracy { .. } => {
                 unreachable!("of no step")
             }

@@ -131,9 +131,9 @@ class Step:
         return rough
 
     @property
-    def status(self) -> Literal["certified", "cut-off", "not-converged"]:
+    def status(self) -> Literal["certified", "cut-off", "beyond-model", "not-converged"]:
         """Whether the step may be used; only `"certified"` is good."""
-        status: Literal["certified", "cut-off", "not-converged"] = self._summary["status"]
+        status: Literal["certified", "cut-off", "beyond-model", "not-converged"] = self._summary["status"]
         return status
 
     @cached_property

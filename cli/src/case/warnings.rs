@@ -22,7 +22,7 @@ pub struct CaseWarning {
 }
 
 /// The sentence of a warning about the solution, with the key to change.
-pub fn with_key(warning: &Warning) -> String {
+fn with_key(warning: &Warning) -> String {
     let key = match warning {
         Warning::DomainEdge { .. }
         | Warning::DomainMuchLarger { .. }
@@ -48,6 +48,19 @@ fn bare_unit(key: &str) -> Option<&'static str> {
 const FLAT: f64 = 1e-8;
 
 impl Case {
+    /// The sentence of a warning about the solution, with the key to change, or the case's own name of a body.
+    #[must_use]
+    pub fn sentence(&self, warning: &Warning) -> String {
+        match warning {
+            Warning::LayerShortening { .. } | Warning::BeyondModel { .. } => {
+                let names = self.foundation.names_of_split();
+                let name = |body: usize| names.get(body).cloned().unwrap_or_default();
+                warning.words(&name)
+            }
+            _ => with_key(warning),
+        }
+    }
+
     /// The warnings about the case, solved on a domain of this side.
     #[must_use]
     pub fn warnings(&self, side: f64) -> Vec<CaseWarning> {

@@ -7,11 +7,11 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use pellicle_contact::{ContactError, Domain, LoadingPath, Model, Status};
+use pellicle_contact::{ContactError, Domain, LoadingPath, Model};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
-use crate::command::Outcome;
+use crate::command::{Outcome, complaint};
 use crate::failure::Failure;
 use crate::forecast::need::Need;
 use crate::memory::MemoryBudget;
@@ -175,14 +175,8 @@ fn print_result(arguments: &RunArguments, summary: &RunSummary, folder: Option<&
     if !arguments.quiet && !summary.warnings.is_empty() {
         terminal::report(&summary_text::warning_lines(&summary.warnings));
     }
-    match summary.status {
-        Status::Certified => {}
-        Status::CutOff => terminal::report(
-            "Error: cut off: the contact would extend beyond the edge of the domain or of a map, do not use these numbers",
-        ),
-        Status::NotConverged => terminal::report(
-            "Error: not converged: the certificate is not satisfied, do not use these numbers",
-        ),
+    if let Some(complaint) = complaint(summary.status) {
+        terminal::report(&complaint);
     }
     if let (true, Some(folder)) = (prints_text(arguments), folder) {
         terminal::report(&format!("written to {}", folder.display()));

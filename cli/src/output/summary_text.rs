@@ -143,6 +143,7 @@ fn certificate(step: &StepSummary) -> String {
     let word = match step.status {
         _ if !step.certificate.satisfied => "NOT SATISFIED",
         Status::CutOff => "CUT OFF",
+        Status::BeyondModel => "BEYOND THE MODEL",
         _ => "satisfied",
     };
     word.to_owned()

@@ -123,6 +123,7 @@ pub fn status(summary: &RunSummary) -> CaseStatus {
     match summary.status {
         pellicle_contact::Status::Certified => CaseStatus::Certified,
         pellicle_contact::Status::CutOff => CaseStatus::CutOff,
+        pellicle_contact::Status::BeyondModel => CaseStatus::BeyondModel,
         pellicle_contact::Status::NotConverged => CaseStatus::NotConverged,
     }
 }

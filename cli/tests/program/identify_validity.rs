@@ -136,6 +136,72 @@ fn points_where_a_ball_is_steep_at_the_contact_edge_are_excluded() {
 }
 
 #[test]
+fn points_where_a_gel_is_pressed_to_its_base_are_excluded() {
+    // A thin gel below a punch: D is in proportion to the force, and reaches the thickness at half of the largest one.
+    let case = r#"
+[model]
+foundation = { substrate = "rigid", layer = [{ thickness = "1 um", young_modulus = "1 MPa", poisson_ratio = 0.3 }] }
+indenter = { kind = "paraboloid", radius = "1 mm" }
+
+[[data]]
+file = "curve.csv"
+columns = { depth = "depth", force = "force" }
+units = { depth = "nm", force = "mN" }
+segment = { from = "0.1 mN", to = "10 mN" }
+noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
+
+[unknown]
+"foundation.layer[0].young_modulus" = { from = "0.1 MPa", to = "10 MPa" }
+"#;
+    let (folder, ran, found) = fitted(case, case);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(found["verdict"], "fitted");
+    let [excluded] = &found["fit"]["excluded"].as_array().unwrap()[..] else {
+        panic!("{}", found["fit"])
+    };
+    assert_eq!(
+        excluded["reason"],
+        "surface pressed below the top of the rigid base"
+    );
+    // A thin layer is a bed of springs p = M u/H, so Q = π R M D²/H with M = E (1 − ν)/((1 + ν)(1 − 2ν)); the layer is
+    // thin to about a tenth. D = H at Q = π R M H = 4.2 mN.
+    let confined = 1e6 * 0.7 / (1.3 * 0.4);
+    let limit = PI * 1e-3 * confined * 1e-6;
+    let count = forces(1e-4).filter(|force| *force > limit).count();
+    let found = excluded["count"].as_u64().unwrap();
+    assert!(found.abs_diff(count as u64) <= 2, "{found} {count}");
+    assert!(folder.path("fit").join("excluded.csv").exists());
+}
+
+#[test]
+fn a_berkovich_curve_is_fitted_with_one_warning_of_its_slope() {
+    let case = r#"
+[model]
+foundation = { substrate = { young_modulus = "160 GPa", poisson_ratio = 0.22 }, layer = [{ thickness = "0.7 um", young_modulus = "210 GPa", poisson_ratio = 0.25 }] }
+indenter = { kind = "berkovich", tip_radius = "40 nm" }
+
+[[data]]
+file = "curve.csv"
+columns = { depth = "depth", force = "force" }
+units = { depth = "nm", force = "mN" }
+segment = { from = "0.05 mN", to = "6 mN" }
+noise = { depth = "0.3 nm", relative = 0.004, correlation = "none" }
+
+[unknown]
+"foundation.layer[0].young_modulus" = { from = "20 GPa", to = "600 GPa" }
+"#;
+    let (_, ran, found) = fitted(case, case);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(found["verdict"], "fitted");
+    assert_eq!(found["fit"]["excluded"], serde_json::json!([]));
+    assert_eq!(codes(&found), ["steep-indenter"]);
+    let unknown = &found["unknowns"][0];
+    let modulus = unknown["value"].as_f64().unwrap();
+    // Simulated with 210 GPa; 0.3 nm of noise at 100 points leave some 0.4 %.
+    assert!((modulus / 210e9 - 1.0).abs() < 0.02, "{modulus}");
+}
+
+#[test]
 fn points_kept_by_the_fit_file_are_fitted_with_a_warning() {
     let keep = format!("{STEEP}[report]\noutside = \"keep\"\n");
     let (folder, ran, found) = fitted(STEEP, &keep);

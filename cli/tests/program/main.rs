@@ -9,6 +9,7 @@
 mod bad_command_line;
 mod bad_input;
 mod bad_text;
+mod beyond_model;
 mod cache;
 mod cases;
 mod damage;

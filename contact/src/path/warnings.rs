@@ -4,7 +4,8 @@ use pellicle_influence::RadialTables;
 use pellicle_texture::{Grid, Relief};
 
 use crate::{
-    Boundary, ContactError, Domain, Load, Model, Profile as _, Step, Warning, default_side,
+    Boundary, ContactError, ContactSlope, Domain, Load, Model, ModelLimit, Profile as _, Step,
+    Warning, default_side,
     result::{
         cut_off,
         map_resolution::{FEWEST_ELEMENTS_PER_WAVE, MapResolution},
@@ -23,8 +24,11 @@ const MOST_ALIKE: f64 = 2.0;
 /// A spring cannot shorten by more than its height: above this, [`Warning::FilmShortening`].
 pub const LARGEST_SHORTENING: f64 = 1.0;
 /// Largest slope that counts as small: the error of linear theory is about its square. Above this,
-/// [`Warning::SteepIndenter`].
+/// [`Warning::SteepIndenter`], or [`Warning::SteepTip`].
 pub const LARGEST_SLOPE: f64 = 0.3;
+/// Largest shortening of a layer, over its thickness, that counts as a small strain: above this,
+/// [`Warning::LayerShortening`].
+const LARGEST_STRAIN: f64 = 0.1;
 
 /// A contact with fewer elements across is not resolved; the domain is the cause if the contact covers less than a
 /// quarter of its side.
@@ -107,11 +111,29 @@ pub(crate) fn warnings(
         let coarse = per_wave.and_then(|elements| too_few_per_wave(grid, index, elements));
         coarse.into_iter().chain(step_warnings(model, index, step))
     });
-    edges
-        .chain(much_larger)
+    let mut found: Vec<_> = (edges.chain(much_larger))
         .chain(model_warnings(model, grid))
         .chain(of_steps.filter(is_meaningful))
-        .collect()
+        .collect();
+    tell_once(model, &mut found);
+    found
+}
+
+/// Replaces the warnings about the slope of a self-similar indenter, the same at every load, by a single one.
+fn tell_once(model: &Model, warnings: &mut Vec<Warning>) {
+    let Some(slope) = model.indenter.self_similar_slope() else {
+        return;
+    };
+    let is_steep = |warning: &Warning| {
+        let Warning::SteepIndenter { slope, .. } = warning else {
+            return false;
+        };
+        matches!(slope, ContactSlope::AtEdge(_))
+    };
+    if let Some(first) = warnings.iter().position(is_steep) {
+        warnings[first] = Warning::SteepTip { slope };
+        warnings.retain(|warning| !is_steep(warning));
+    }
 }
 
 /// Warns of a contact that is cut off or near the edge. A chosen domain already has the margin checked on the coarse
@@ -203,7 +225,8 @@ fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
         not_converged,
         shortening(model, index, step),
         peak(index, step),
-        steepness(model, index, step),
+        steepness(index, step),
+        limits(index, step),
     ]
     .into_iter()
     .flatten()
@@ -272,18 +295,29 @@ fn too_few_per_wave(grid: &Grid, step: usize, elements_per_wave: f64) -> Option<
     })
 }
 
-/// Mean slope of the indenter's profile around the edge of a step's contact; none without contact or if the indenter
-/// ends there.
-#[must_use]
-pub fn edge_slope(model: &Model, step: &Step) -> Option<f64> {
-    let radius = step.summary.contact_radius;
-    let slope = model.indenter.mean_slope(radius);
-    (radius > 0.0 && slope.is_finite()).then_some(slope)
+fn steepness(index: usize, step: &Step) -> Option<Warning> {
+    let slope = step.slope?;
+    (slope.value() > LARGEST_SLOPE).then_some(Warning::SteepIndenter { step: index, slope })
 }
 
-fn steepness(model: &Model, index: usize, step: &Step) -> Option<Warning> {
-    let slope = edge_slope(model, step)?;
-    (slope > LARGEST_SLOPE).then_some(Warning::SteepIndenter { step: index, slope })
+/// Warns of a number beyond its limit, or else of a layer that is shortened by much.
+fn limits(index: usize, step: &Step) -> Option<Warning> {
+    if let Some(beyond) = step.beyond() {
+        return Some(Warning::BeyondModel {
+            step: index,
+            beyond,
+        });
+    }
+    step.limits.iter().find_map(|found| match found.limit {
+        ModelLimit::LayerThickness { layer } if found.ratio > LARGEST_STRAIN => {
+            Some(Warning::LayerShortening {
+                step: index,
+                layer,
+                part: found.ratio,
+            })
+        }
+        _ => None,
+    })
 }
 
 #[cfg(test)]

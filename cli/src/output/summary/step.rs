@@ -76,6 +76,29 @@ pub struct SensitivitySummary {
     pub derivatives: Sensitivity,
 }
 
+impl StepSummary {
+    /// The status; in a file older than the status, that of the certificate.
+    #[must_use]
+    pub fn verdict(&self) -> Status {
+        if self.certificate.satisfied {
+            self.status
+        } else {
+            Status::NotConverged
+        }
+    }
+
+    /// The words that mark a step in pictures; none if it is certified.
+    #[must_use]
+    pub fn mark(&self) -> Option<&'static str> {
+        match self.verdict() {
+            Status::Certified => None,
+            Status::CutOff => Some("CUT OFF"),
+            Status::BeyondModel => Some("BEYOND THE MODEL"),
+            Status::NotConverged => Some("NOT CONVERGED"),
+        }
+    }
+}
+
 impl From<&Step> for StepSummary {
     fn from(step: &Step) -> Self {
         let lines = step.solution.certificate;
