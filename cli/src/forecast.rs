@@ -114,7 +114,7 @@ fn long_elements(case: &Case, model: &Model, path: &LoadingPath) -> Option<Strin
     let radius = path.steps.last()?.summary.contact_radius;
     let grid = Grid::new(path.grid.side(), case.grid.elements).ok()?;
     let warning = map_under_resolved(model, &grid, path.boundary, radius)?;
-    let words = with_key(&warning);
+    let words = case.sentence(&warning);
     Some(words.trim_start_matches("step 0: ").to_owned())
 }
 

@@ -81,4 +81,5 @@ pub use stress::{
     model::{
         BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
     },
+    unresolved::UnresolvedStresses,
 };

@@ -2,7 +2,7 @@
 
 pub mod certificate;
 pub mod contact_field;
-mod contact_shape;
+pub mod contact_shape;
 pub mod contact_slope;
 pub mod cut_off;
 pub mod deformed_surface;

@@ -3,6 +3,8 @@
 
 pub mod body_extremes;
 pub mod critical_load;
+mod edge_extreme;
+mod edge_tension;
 pub mod extreme;
 mod extreme_finder;
 pub mod field;
@@ -12,6 +14,7 @@ mod neighbourhood;
 mod peak_search;
 mod quantity;
 mod starting_points;
+pub mod unresolved;
 
 /// The nearest whole number.
 #[expect(

@@ -83,6 +83,9 @@ impl Identification {
                 "these points are not in the fit, but its result would exclude others: choose a segment that \
                  avoids them, or report.outside = \"keep\", which fits all points",
             ),
+            Handling::NotConverged => Some(
+                "these points are in the fit, which did not converge: choose a segment that avoids them",
+            ),
             Handling::TooFewLeft => Some(
                 "too few points are left without them: the fit uses all points, also those outside its model. \
                  Choose a segment that avoids them, or report.outside = \"keep\", which accepts them",

@@ -6,7 +6,7 @@ mod warning;
 
 use std::time::Instant;
 
-use pellicle_contact::{CriticalLoad, LoadingPath, Status, Step};
+use pellicle_contact::{CriticalLoad, LoadingPath, Status, Step, UnresolvedStresses};
 use pellicle_influence::{CacheWarning, Origin};
 use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
@@ -203,8 +203,14 @@ impl RunSummary {
         }
     }
 
-    /// Adds the stresses that were found.
+    /// Adds the stresses that were found, and warnings about those that the grid does not resolve.
     pub fn add_stresses(&mut self, stress: &StressCase, found: Stresses) {
+        let of_steps = found.steps.iter().enumerate();
+        let of_steps =
+            of_steps.filter_map(|(step, extremes)| UnresolvedStresses::of_step(step, extremes));
+        let critical = found.critical.as_deref().unwrap_or_default();
+        let unresolved = of_steps.chain(UnresolvedStresses::of_critical(critical, &found.steps));
+        self.warnings.extend(unresolved.map(WarningSummary::from));
         for (step, extremes) in self.steps.iter_mut().zip(found.steps) {
             step.stress = Some(StressSummary {
                 friction: stress.friction,

@@ -262,3 +262,42 @@ fn a_strength_that_is_not_reached_is_told_from_one_that_is_not_given() {
     let [force, error] = [&forces[2], &errors[2]].map(|cell| cell.parse::<f64>().unwrap());
     assert!((force - exact).abs() < error, "{force} ± {error}, {exact}");
 }
+
+#[test]
+fn unresolved_stresses_and_critical_loads_are_warned_of_by_name() {
+    let messages = |case: String| {
+        let folder = TestFolder::with_case(case);
+        let summary = summary(&folder, &[]);
+        let warnings = summary["warnings"].as_array().unwrap();
+        let of = |code: &str| -> Vec<String> {
+            let coded = warnings.iter().filter(|warning| warning["code"] == code);
+            coded
+                .map(|warning| warning["message"].as_str().unwrap().to_owned())
+                .collect()
+        };
+        (of("stress-not-resolved"), of("critical-load-not-resolved"))
+    };
+    let case = hertz(0.1);
+    let (stresses, loads) = messages(case.clone());
+    assert!(
+        stresses.is_empty() && loads.is_empty(),
+        "{stresses:?} {loads:?}"
+    );
+    // At the rim of a punch all stresses grow with the grid.
+    let punch = case.replace(
+        "\"paraboloid\"\nradius = 1",
+        "\"flat-punch\"\nradius = 0.05",
+    );
+    let (stresses, loads) = messages(punch);
+    assert_eq!(stresses.len(), 2);
+    assert!(
+        stresses[1].starts_with(
+            "step 1: stresses are not resolved by the grid: max_von_mises of substrate, "
+        ),
+        "{stresses:?}"
+    );
+    assert_eq!(
+        loads,
+        ["critical loads are not resolved by the grid: yield of substrate"]
+    );
+}

@@ -21,9 +21,9 @@
 use crate::{grid::window::Place, result::contact_field::ContactField};
 
 /// `κ`.
-const OWN_PRESSURE: f64 = 1.2;
+pub const OWN_PRESSURE: f64 = 1.2;
 /// `δ`, in elements.
-const OFFSET: f64 = 0.1316;
+pub const OFFSET: f64 = 0.1316;
 /// Scatter of `δ` averaged over an edge of many elements, in elements.
 const UNCERTAINTY: f64 = 0.001;
 /// Largest fraction of a polygon that may be subtracted; a contact of single elements is mostly edge.

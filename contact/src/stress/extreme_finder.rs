@@ -1,5 +1,6 @@
 //! The largest values of quantities in depth ranges: planes first, then points, then the same peak on coarser grids.
 
+use super::edge_extreme::{edge_extreme, is_near_edge};
 use super::extreme::Extreme;
 use super::field::StressField;
 use super::model::Sliding;
@@ -17,6 +18,11 @@ const ALIKE: f64 = 1e-9;
 const NEARLY_AT_CENTRES: f64 = 0.99;
 /// An extreme within this many elements of the surface and near something sharp grows with the grid.
 const ELEMENTS_FROM_SURFACE: f64 = 2.0;
+/// A tension sampled on the surface within this many elements of the contact's edge is not that of the continuum, which
+/// has a cusp there.
+const BESIDE_EDGE: isize = 3;
+/// The pressures of the two outermost elements are up to 15 % off, and so are stresses under sliding on the surface there.
+const OUTERMOST: isize = 2;
 /// Part of an element within which a place counts as on an axis.
 const ON_AXIS: f64 = 1e-3;
 /// Factor by which the depth of an extreme may differ on a coarser grid.
@@ -132,7 +138,38 @@ impl<'a> ExtremeFinder<'a> {
             ));
         }
         values.push((self.field.grid().size(), best.value));
-        Ok(self.judged(best, &values))
+        let judged = self.judged(best, &values);
+        if target.top == 0.0 && quantity == StressQuantity::MaxPrincipal {
+            return self.or_at_edge(judged);
+        }
+        let [x, y, z] = judged.at;
+        let slides = self.field.tractions() != [0.0; 2];
+        let is_outermost = slides && z < element && is_near_edge(&self.field, [x, y], OUTERMOST);
+        Ok(Extreme {
+            resolved: judged.resolved && !is_outermost,
+            ..judged
+        })
+    }
+
+    /// Replaces the largest tension of the topmost body by that at the contact's edge if this is larger, or if the value
+    /// was sampled beside the edge.
+    fn or_at_edge(&self, sampled: Extreme<3>) -> Result<Extreme<3>, ContactError> {
+        let Self {
+            path,
+            step,
+            field,
+            coarser,
+        } = self;
+        let at_edge = edge_extreme(path, step, field, coarser.last())?;
+        let [x, y, z] = sampled.at;
+        let is_beside = z < field.grid().element_side() && is_near_edge(field, [x, y], BESIDE_EDGE);
+        Ok(match at_edge {
+            Some(edge) if edge.value >= sampled.value || (is_beside && edge.resolved) => edge,
+            _ => Extreme {
+                resolved: sampled.resolved && !is_beside,
+                ..sampled
+            },
+        })
     }
 
     /// Returns the extreme with its error, from pairs of elements per side and value.

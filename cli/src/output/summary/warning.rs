@@ -1,6 +1,6 @@
 //! A warning in a summary: of the case, of the path, of the cache.
 
-use pellicle_contact::Warning;
+use pellicle_contact::{UnresolvedStresses, Warning};
 use pellicle_influence::CacheWarning;
 use serde::{Deserialize, Serialize};
 
@@ -31,6 +31,15 @@ impl WarningSummary {
         Self {
             code: warning.code().into(),
             message: case.sentence(warning),
+        }
+    }
+}
+
+impl From<UnresolvedStresses> for WarningSummary {
+    fn from(unresolved: UnresolvedStresses) -> Self {
+        Self {
+            code: unresolved.code().into(),
+            message: unresolved.to_string(),
         }
     }
 }

@@ -70,7 +70,7 @@ pub fn critical(summary: &RunSummary) -> String {
         units: summary.units,
     };
     let sentence = |load: &&CriticalLoad| {
-        let is_first = loads.len() > 1 && Some(*load) == first;
+        let is_first = Some(*load) == first && is_clearly_first(load, &loads);
         let sentence = match load.force {
             Some(force) => words.met(load, force, is_first),
             None => words.not_met(load),
@@ -78,6 +78,21 @@ pub fn critical(summary: &RunSummary) -> String {
         format!("{sentence}\n")
     };
     loads.iter().map(sentence).collect()
+}
+
+/// Whether the interval of a load, the smallest of several, ends below those of all others.
+fn is_clearly_first(load: &CriticalLoad, loads: &[&CriticalLoad]) -> bool {
+    let interval = |load: &CriticalLoad| {
+        let (force, error) = (load.force?, load.estimate.filter(|_| load.resolved)?);
+        Some([force - error, force + error])
+    };
+    let Some([_, end]) = interval(load) else {
+        return false;
+    };
+    let mut others = loads
+        .iter()
+        .filter(|other| **other != load && other.force.is_some());
+    loads.len() > 1 && others.all(|other| interval(other).is_some_and(|[start, _]| end < start))
 }
 
 /// The sentences on the critical loads of a run.
@@ -209,6 +224,27 @@ mod tests {
             words(2, Units::Consistent).met(&unresolved, 1.0, false),
             "layer 1 cracks at 1.0000 (not resolved by the grid), at the surface at x, y = 1.0000e-6, 0"
         );
+    }
+
+    #[test]
+    fn first_is_said_only_where_intervals_do_not_overlap() {
+        // ± 0.02 mN each.
+        let yields = load("layer[0]", Criterion::Yield, Some(3.2e-3));
+        let holds = load("interface[0]", Criterion::InterfaceShear, None);
+        for (force, resolved, is_first) in [
+            (3.25e-3, true, true),
+            (3.23e-3, true, false),
+            (3.25e-3, false, false),
+        ] {
+            let cracks = CriticalLoad {
+                resolved,
+                ..load("layer[0]", Criterion::Tension, Some(force))
+            };
+            let loads = [&yields, &cracks, &holds];
+            assert_eq!(is_clearly_first(&yields, &loads), is_first, "{force}");
+        }
+        assert!(is_clearly_first(&yields, &[&yields, &holds]));
+        assert!(!is_clearly_first(&yields, &[&yields]));
     }
 
     #[test]
