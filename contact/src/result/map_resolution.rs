@@ -176,7 +176,7 @@ mod tests {
     use pellicle_texture::{MapCompliance, ReliefMap, ReliefShape};
 
     use super::*;
-    use crate::{IndenterMap, Paraboloid, Pyramid};
+    use crate::{IndenterMap, Paraboloid, Profile as _, Pyramid};
 
     /// Elements to the shortest wave with `size` elements on a side of 1 and a contact of this radius.
     fn per_wave(relief: Relief, indenter: Indenter, size: usize, radius: f64) -> Option<f64> {
@@ -243,7 +243,7 @@ mod tests {
             );
         }
         let vickers = Pyramid::vickers(0.0).unwrap();
-        indented(map(512, |x, y| Profile::height(&vickers, x, y)), 0.3);
+        indented(map(512, |x, y| vickers.height(x, y)), 0.3);
         // The rim of a lens on flat land, far from the contact, and its wall.
         indented(
             map(512, |x, y| -(0.16 - x * x - y * y).max(0.0).sqrt()),

@@ -115,6 +115,7 @@ fn quantity(criterion: Criterion) -> &'static str {
 mod tests {
     use super::*;
     use crate::stress::body_extremes::{BodyStress, BodyUtilisation};
+    use crate::stress::critical_load::CriticalStatus;
 
     fn body(resolved: [bool; 4], estimate: Option<f64>) -> StressExtremes {
         let extreme = |resolved| Extreme {
@@ -161,6 +162,7 @@ mod tests {
             criterion,
             name: "layer[0]".to_owned(),
             strength: 1.0,
+            status: CriticalStatus::Met,
             force: Some(1.0),
             penetration: None,
             at: None,
