@@ -5,6 +5,8 @@ use crate::outlier::median;
 /// Highest degree of the polynomials used to find a smooth misfit. A wrong indenter shape or a missing layer bends a
 /// curve once or twice.
 pub(crate) const HIGHEST_DEGREE: u8 = 4;
+/// The same for what repeats have in common: they tell a bend of a small part of the curve from noise.
+pub(crate) const HIGHEST_COMMON_DEGREE: u8 = 8;
 /// Number of parts of a range of abscissae, of equal ratio, in which residuals are averaged.
 const PARTS: usize = 24;
 
@@ -21,9 +23,14 @@ pub struct Departure {
     pub probability: f64,
 }
 
-/// The curve times Chebyshev polynomials in `ln` of the abscissa, of all degrees up to the fourth, for points of these
+/// The curve times Chebyshev polynomials in `ln` of the abscissa, of all degrees up to the given one, for points of these
 /// abscissae and values. The polynomials are those of the given range of abscissae.
-pub(crate) fn smooth_columns(abscissa: &[f64], value: &[f64], range: [f64; 2]) -> Vec<Vec<f64>> {
+pub(crate) fn smooth_columns(
+    abscissa: &[f64],
+    value: &[f64],
+    range: [f64; 2],
+    degree: u8,
+) -> Vec<Vec<f64>> {
     let [low, high] = range.map(f64::ln);
     let column = |degree: u8| {
         let pairs = abscissa.iter().zip(value);
@@ -34,7 +41,7 @@ pub(crate) fn smooth_columns(abscissa: &[f64], value: &[f64], range: [f64; 2]) -
         };
         pairs.map(of_point).collect()
     };
-    (0..=HIGHEST_DEGREE).map(column).collect()
+    (0..=degree).map(column).collect()
 }
 
 /// The smallest and largest of some abscissae.

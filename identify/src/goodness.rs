@@ -8,7 +8,7 @@
 
 use crate::{
     Correlation, Problem,
-    departure::{range, smooth_columns},
+    departure::{HIGHEST_DEGREE, range, smooth_columns},
     distribution::{chi_squared_above, fisher_above, normal_below},
     metric::Metric,
     orthonormal_basis::{OrthonormalBasis, dot},
@@ -196,7 +196,7 @@ pub(crate) fn smooth_score(
 ) -> [f64; 2] {
     let abscissa = problem.abscissa();
     let range = range(abscissa.iter().copied());
-    let columns = smooth_columns(&abscissa, &at.value, range).into_iter();
+    let columns = smooth_columns(&abscissa, &at.value, range, HIGHEST_DEGREE).into_iter();
     score(metric, at, determined, columns)
 }
 

@@ -19,8 +19,8 @@ const FEWEST_POINTS: usize = 8;
 /// points with white noise the largest difference stayed below 5.2, also with a correlation of 0.85; where the noise
 /// grows along the curve twentyfold, 99 % stayed below 8.
 const LIMIT: f64 = 8.0;
-/// The unit is less certain with fewer points: the limit grows by this for each doubling in the ratio, so that of 2000
-/// curves of 8 to 20 points one had a larger difference.
+/// The unit is less certain with fewer points: the limit grows by this times `MANY_POINTS/n − 1`. Of 2000 curves of 8, 10,
+/// 12, 15 and 20 points, white or with a correlation of 0.85, 99.9 % stayed below two thirds of it.
 const LIMIT_OF_FEW: f64 = 6.0;
 /// See [`LIMIT`].
 const MANY_POINTS: f64 = 30.0;

@@ -44,6 +44,14 @@ pub struct OutsidePoint {
     pub reason: Invalidity,
 }
 
+impl OutsidePoint {
+    /// Whether only the grid's error is too large there.
+    #[must_use]
+    pub fn is_inaccurate(&self) -> bool {
+        self.reason == Invalidity::Inaccurate
+    }
+}
+
 impl CurveSource {
     /// Reads the curves of the files of a table.
     ///

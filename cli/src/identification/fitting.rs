@@ -36,7 +36,8 @@ impl Identification {
         let mut narrowed: Option<Self> = None;
         let mut repetitions = 0;
         let mut keeps_inaccurate = false;
-        let (outside, fit) = loop {
+        let mut abandoned = 0;
+        let (outside, mut fit) = loop {
             let now = narrowed.as_ref().unwrap_or(&self);
             let model = Remembered::new(&now.model, &self.stop, &report);
             let search = now.fit(&model, Intervals::Wald)?;
@@ -50,17 +51,6 @@ impl Identification {
                 outside = outside.with_inaccurate();
             }
             let is_fit = search.verdict != FitVerdict::NotConverged;
-            let is_kept = self.file.report.outside == OutsidePoints::Keep;
-            if !keeps_inaccurate
-                && narrowed.is_none()
-                && is_fit
-                && !is_kept
-                && !outside.points.is_empty()
-                && self.without(&outside, &search, now)?.is_none()
-            {
-                keeps_inaccurate = true;
-                outside = outside.with_inaccurate();
-            }
             let handling = match self.file.report.outside {
                 _ if outside.points == now.outside.points => Some(Handling::LeftOut),
                 OutsidePoints::Keep => Some(Handling::Kept),
@@ -79,6 +69,13 @@ impl Identification {
                 break (outside, now.fit(&model, self.intervals())?);
             }
             let Some(next) = self.without(&outside, &search, now)? else {
+                if outside.has_inaccurate() {
+                    // Again from all points, with those that only the grid's error leaves out.
+                    keeps_inaccurate = true;
+                    abandoned += search.work.curves_solved;
+                    narrowed = None;
+                    continue;
+                }
                 if narrowed.is_some() {
                     outside = now.outside.clone();
                     outside.handling = Handling::Unsettled;
@@ -93,7 +90,7 @@ impl Identification {
         };
         let mut found = narrowed.unwrap_or(self);
         found.outside = outside;
-        let mut fit = fit;
+        found.spent.curves += abandoned;
         if found.outside.includes_inaccurate() && fit.stopped.is_none() {
             found.outside.failure = found.include_grid_error(&mut fit).err();
         }

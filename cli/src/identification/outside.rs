@@ -44,14 +44,13 @@ impl Outside {
     /// The same points, except that those at which only the grid's error is too large may be in the fit.
     #[must_use]
     pub fn with_inaccurate(self) -> Self {
-        let is_inaccurate = |reason: Invalidity| reason == Invalidity::Inaccurate;
         let invalid = self.invalid.into_iter();
         let invalid: Vec<_> = invalid
-            .map(|reason| reason.filter(|reason| !is_inaccurate(*reason)))
+            .map(|reason| reason.filter(|reason| *reason != Invalidity::Inaccurate))
             .collect();
         let apart = self.points.into_iter().map(|points| {
             let points = points.into_iter();
-            points.partition(|point: &OutsidePoint| is_inaccurate(point.reason))
+            points.partition(OutsidePoint::is_inaccurate)
         });
         let (inaccurate, points): (Vec<_>, Vec<_>) = apart.unzip();
         // As if they had never been found, so that no others is the same as none.
@@ -62,6 +61,15 @@ impl Outside {
             inaccurate,
             ..self
         }
+    }
+
+    /// Whether there are points that only the grid's error leaves out.
+    #[must_use]
+    pub fn has_inaccurate(&self) -> bool {
+        self.points
+            .iter()
+            .flatten()
+            .any(OutsidePoint::is_inaccurate)
     }
 
     /// Whether points are in the fit at which the grid's error is too large for the noise.

@@ -30,6 +30,13 @@ const DIFFERENCE: f64 = 0.05;
 /// Curvatures of `−2 ℓ_R` below this carry no information: they mean a standard error above six in a logarithm.
 const FLAT: f64 = 0.05;
 
+/// A correlation estimated from many points leaves at least this many degrees of freedom: Student's quantile is then
+/// 2.94, one and a half times the normal one. Where the likelihood is flat, `Var(ln C)` from its curvature exaggerates
+/// without limit; of measurements of 60 points with a correlation of 0.85, 95 % of the quotients were below 2.7.
+const LEAST_DEGREES: f64 = 3.5;
+/// The same for few points: at least one for each eight of them.
+const POINTS_PER_DEGREE: f64 = 8.0;
+
 /// A curve is at least this many correlation lengths of its noise long; a longer correlation counts as a misfit.
 const LEAST_CORRELATION_LENGTHS: f64 = 10.0;
 
@@ -147,11 +154,18 @@ impl<'a> RestrictedLikelihood<'a> {
                     })
                     .sum();
                 if self.noise.correlation == Correlation::Estimated {
-                    return lognormal_degrees(spread / (variance[j] * variance[j]));
+                    let found = lognormal_degrees(spread / (variance[j] * variance[j]));
+                    return found.max(self.least_degrees());
                 }
                 satterthwaite(variance[j], spread)
             })
             .collect())
+    }
+
+    /// The fewest degrees of freedom that an estimated correlation leaves.
+    fn least_degrees(&self) -> f64 {
+        let points: usize = self.parts.iter().map(|part| part.problem.points()).sum();
+        LEAST_DEGREES.min(points as f64 / POINTS_PER_DEGREE)
     }
 
     /// `−2 ℓ_R` without its constant.

@@ -6,7 +6,7 @@ use faer::Mat;
 use super::{common_departure::DepartureShare, mixed_model::CurveEquations};
 use crate::{
     NoiseLevels, Problem,
-    departure::smooth_columns,
+    departure::{HIGHEST_COMMON_DEGREE, smooth_columns},
     goodness::lower_half_score,
     metric::Metric,
     orthonormal_basis::{OrthonormalBasis, dot},
@@ -124,7 +124,7 @@ impl Share {
         let mut residual = residual.to_vec();
         fitted.remove_from(&mut residual);
         let abscissa = self.problem.abscissa();
-        let columns = smooth_columns(&abscissa, &at.value, self.range);
+        let columns = smooth_columns(&abscissa, &at.value, self.range, HIGHEST_COMMON_DEGREE);
         let (squares, columns): (Vec<f64>, Vec<Vec<f64>>) = columns
             .into_iter()
             .map(|column| {
