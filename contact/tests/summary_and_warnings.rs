@@ -214,6 +214,11 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
             Warning::LayerShortening { step, part, .. } => (step, part),
             Warning::BeyondModel { step, beyond } => (step, beyond.ratio),
             Warning::NotConverged { step, worst, .. } => (step, worst),
+            Warning::MapUnderResolved {
+                step,
+                elements_per_wave,
+                ..
+            } => (step, elements_per_wave),
             Warning::TextureUnderResolved { .. }
             | Warning::LayerUnderResolved { .. }
             | Warning::DomainMuchLarger { .. }

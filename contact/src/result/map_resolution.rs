@@ -176,7 +176,7 @@ mod tests {
     use pellicle_texture::{MapCompliance, ReliefMap, ReliefShape};
 
     use super::*;
-    use crate::{IndenterMap, Paraboloid, Profile as _, Pyramid};
+    use crate::{IndenterMap, Paraboloid, Pyramid};
 
     /// Elements to the shortest wave with `size` elements on a side of 1 and a contact of this radius.
     fn per_wave(relief: Relief, indenter: Indenter, size: usize, radius: f64) -> Option<f64> {
