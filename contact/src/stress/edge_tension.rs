@@ -110,10 +110,6 @@ impl<'a> EdgeSearch<'a> {
         })
     }
 
-    fn slides(&self) -> bool {
-        self.field.tractions() != [0.0; 2]
-    }
-
     /// The cells of the edge beside which the tension nearly is the largest, by falling tension there.
     fn candidates(&mut self) -> Result<Vec<Place>, InfluenceError> {
         let mirrors = self.mirrors();
@@ -188,7 +184,7 @@ impl<'a> EdgeSearch<'a> {
         let continued = patches.iter().filter_map(|patch| {
             Some((
                 patch.point(),
-                patch.continued(&self.parts, poisson_ratio, self.slides())?,
+                patch.continued(&self.parts, poisson_ratio, self.field.slides())?,
             ))
         });
         continued.collect()

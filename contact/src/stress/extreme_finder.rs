@@ -143,7 +143,7 @@ impl<'a> ExtremeFinder<'a> {
             return self.or_at_edge(judged);
         }
         let [x, y, z] = judged.at;
-        let slides = self.field.tractions() != [0.0; 2];
+        let slides = self.field.slides();
         let is_outermost = slides && z < element && is_near_edge(&self.field, [x, y], OUTERMOST);
         Ok(Extreme {
             resolved: judged.resolved && !is_outermost,

@@ -150,7 +150,7 @@ fn homogeneous_means(poisson_ratio: f64, offsets: usize) -> [Tables; 2] {
     let count = 2 * offsets + 2;
     let place = |index: usize| {
         (index / 2) as f64
-            + if index % 2 == 0 {
+            + if index.is_multiple_of(2) {
                 -5.0 / 6.0
             } else {
                 -1.0 / 6.0

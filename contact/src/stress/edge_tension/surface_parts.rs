@@ -48,7 +48,7 @@ impl<'a> SurfaceParts<'a> {
     pub fn compute(&mut self, part: Part, places: &[Place]) {
         let LoadedSquare { size, pressure, .. } = self.field.loaded();
         let tractions = self.field.tractions();
-        if part == Part::Tangential && tractions == [0.0; 2] {
+        if part == Part::Tangential && !self.field.slides() {
             return;
         }
         let missing = places
