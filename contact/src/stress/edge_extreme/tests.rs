@@ -189,10 +189,7 @@ impl Coverage {
 #[ignore = "a study of some minutes"]
 fn coverage_at_the_edge() {
     let frictions = [0.0, 0.1, 0.25, 1.0];
-    for elements in [32, 48, 64, 96, 128]
-        .into_iter()
-        .skip(if std::env::var("Q").is_ok() { 5 } else { 0 })
-    {
+    for elements in [32, 48, 64, 96, 128] {
         for friction in frictions {
             let mut coverage = Coverage::default();
             for nu in [0.2, 0.3, 0.45] {
@@ -235,17 +232,13 @@ fn coverage_at_the_edge() {
                     friction,
                     direction: 0.4,
                 };
-                let truth = solved(&model, 512, a * a, sliding).unwrap().value;
+                let Some(truth) = solved(&model, 512, a * a, sliding).map(|fine| fine.value) else {
+                    continue;
+                };
                 for elements in [32, 48, 56, 64, 80, 96] {
                     let Some(found) = solved(&model, elements, a * a, sliding) else {
                         continue;
                     };
-                    if modulus > 10.0 && friction == 0.0 {
-                        println!(
-                            "{thickness} {elements} {} {truth} {}",
-                            found.value, found.resolved
-                        );
-                    }
                     coverage.add(Extreme {
                         value: found.value / truth,
                         estimate: found.estimate.map(|estimate| estimate / truth.abs()),
