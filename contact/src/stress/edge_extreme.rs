@@ -12,7 +12,8 @@ const PART_OF_PRESSURE: f64 = 2e-4;
 
 /// The extreme of the tension at the edge under a step; none if no edge determines one, or all are in compression.
 ///
-/// ± is the sum of the change of the continuation from one order to another, its change from the next coarser grid and a
+/// ± is the sum of the change of the continuation from one order to another, its change from the next coarser grid and
+/// a
 /// constant part.
 pub fn edge_extreme(
     path: &LoadingPath,

@@ -144,7 +144,8 @@ struct Coverage {
 }
 
 impl Coverage {
-    /// Adds a value and the half-width of its interval, in parts of the truth. The load F at which a strength of this value
+    /// Adds a value and the half-width of its interval, in parts of the truth. The load F at which a strength of this
+    /// value
     /// is found is truly F value³.
     fn add(&mut self, found: Extreme<3>) {
         self.contacts += 1;
