@@ -10,9 +10,10 @@ use crate::{ContactError, LoadingPath, Step};
 const PART_OF_TENSION: f64 = 0.005;
 const PART_OF_PRESSURE: f64 = 2e-4;
 
-/// The extreme of the tension at the edge under a step; none if no edge determines one.
+/// The extreme of the tension at the edge under a step; none if no edge determines one, or all are in compression.
 ///
-/// ± is the sum of the change of the continuation from one order to another, its change from the next coarser grid and a
+/// ± is the sum of the change of the continuation from one order to another, its change from the next coarser grid and
+/// a
 /// constant part.
 pub fn edge_extreme(
     path: &LoadingPath,
@@ -22,7 +23,8 @@ pub fn edge_extreme(
 ) -> Result<Option<Extreme<3>>, ContactError> {
     let bodies = (&path.relief, &path.indenter);
     let contact = EdgeContact::new(field, bodies, step.solution.penetration, path.hardness);
-    let Some(found) = edge_tension(&contact)? else {
+    // Under a stiff coating at rest the edge may be in compression.
+    let Some(found) = edge_tension(&contact)?.filter(|found| found.value > 0.0) else {
         return Ok(None);
     };
     let on_coarser = match coarser {

@@ -1,7 +1,8 @@
 //! The largest tension at the edge of a contact, where a sliding indenter cracks a surface.
 //!
 //! The tension has a cusp at the edge: sampled under element centres it is 7 to 14 % too small at the usual grids, and
-//! converges like √h. Here it is [continued](patch) to the [edge's place](outline) within the elements from both sides of
+//! converges like √h. Here it is [continued](patch) to the [edge's place](outline) within the elements from both sides
+//! of
 //! the edge, as far as it is smooth there: within 1 % where some twenty elements make a radius (`docs/grid-error.md`).
 
 mod edge_contact;
@@ -22,7 +23,8 @@ use super::field::StressField;
 use crate::PeakPlace;
 use crate::result::peak::place_near;
 
-/// A cell of the edge is examined if an element beside the contact there has at least this part of the largest tension: sampled there,
+/// A cell of the edge is examined if an element beside the contact there has at least this part of the largest tension:
+/// sampled there,
 /// the tension at equal edges varies by a quarter with their places within the elements.
 const NEARLY: f64 = 0.65;
 /// Distance between the cells examined first, in elements, and about how many they are at most.
@@ -110,10 +112,6 @@ impl<'a> EdgeSearch<'a> {
         })
     }
 
-    fn slides(&self) -> bool {
-        self.field.tractions() != [0.0; 2]
-    }
-
     /// The cells of the edge beside which the tension nearly is the largest, by falling tension there.
     fn candidates(&mut self) -> Result<Vec<Place>, InfluenceError> {
         let mirrors = self.mirrors();
@@ -188,7 +186,7 @@ impl<'a> EdgeSearch<'a> {
         let continued = patches.iter().filter_map(|patch| {
             Some((
                 patch.point(),
-                patch.continued(&self.parts, poisson_ratio, self.slides())?,
+                patch.continued(&self.parts, poisson_ratio, self.field.slides())?,
             ))
         });
         continued.collect()

@@ -21,7 +21,8 @@ const ELEMENTS_FROM_SURFACE: f64 = 2.0;
 /// A tension sampled on the surface within this many elements of the contact's edge is not that of the continuum, which
 /// has a cusp there.
 const BESIDE_EDGE: isize = 3;
-/// The pressures of the two outermost elements are up to 15 % off, and so are stresses under sliding on the surface there.
+/// The pressures of the two outermost elements are up to 15 % off, and so are stresses under sliding on the surface
+/// there.
 const OUTERMOST: isize = 2;
 /// Part of an element within which a place counts as on an axis.
 const ON_AXIS: f64 = 1e-3;
@@ -143,7 +144,7 @@ impl<'a> ExtremeFinder<'a> {
             return self.or_at_edge(judged);
         }
         let [x, y, z] = judged.at;
-        let slides = self.field.tractions() != [0.0; 2];
+        let slides = self.field.slides();
         let is_outermost = slides && z < element && is_near_edge(&self.field, [x, y], OUTERMOST);
         Ok(Extreme {
             resolved: judged.resolved && !is_outermost,
@@ -151,7 +152,8 @@ impl<'a> ExtremeFinder<'a> {
         })
     }
 
-    /// Replaces the largest tension of the topmost body by that at the contact's edge if this is larger, or if the value
+    /// Replaces the largest tension of the topmost body by that at the contact's edge if this is larger, or if the
+    /// value
     /// was sampled beside the edge.
     fn or_at_edge(&self, sampled: Extreme<3>) -> Result<Extreme<3>, ContactError> {
         let Self {

@@ -58,7 +58,8 @@ impl UnresolvedStresses {
         (!numbers.is_empty()).then_some(Self { step, numbers })
     }
 
-    /// The critical loads that are not resolved, including the stresses of strengths that are not reached; none on a single
+    /// The critical loads that are not resolved, including the stresses of strengths that are not reached; none on a
+    /// single
     /// grid.
     #[must_use]
     pub fn of_critical(loads: &[CriticalLoad], extremes: &[StressExtremes]) -> Option<Self> {

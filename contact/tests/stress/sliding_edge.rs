@@ -68,7 +68,8 @@ fn the_tension_behind_a_sliding_ball_and_the_load_that_cracks_steel_are_hamilton
     );
 }
 
-/// Interior extremes on the surface under strong friction, where a traction of steps misses some percent under the centres.
+/// Interior extremes on the surface under strong friction, where a traction of steps misses some percent under the
+/// centres.
 #[test]
 fn the_least_principal_stress_before_a_sliding_ball_is_hamiltons() {
     use pellicle_contact::reference::hertz_stress::{HalfSpace, under_pressure, under_traction};

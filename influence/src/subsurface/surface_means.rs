@@ -1,11 +1,13 @@
 //! The stresses that act along the surface, averaged over four points of an element, by sums over the loaded elements.
 //!
 //! Under element centres the surface stresses of a piecewise constant traction are first order in the element's side h:
-//! the odd symbols of a traction alias with `Σ (−1)^m cos(2πm ξ/h)/m = −ln(2 cos(π ξ/h))` at the place ξ of an element, so
+//! the odd symbols of a traction alias with `Σ (−1)^m cos(2πm ξ/h)/m = −ln(2 cos(π ξ/h))` at the place ξ of an element,
+//! so
 //! that `σ_xx` misses `(2 ln 2/π) h ∂q/∂x` at ξ = 0. At ξ = ±h/3 the sum vanishes, and the mean over the four points
 //! (±h/3, ±h/3) is second order, under a pressure and under a traction alike.
 //!
-//! The mean of a closed form over the points is a sum over the corners of nine overlapping squares, whose coordinates are
+//! The mean of a closed form over the points is a sum over the corners of nine overlapping squares, whose coordinates
+//! are
 //! whole numbers ± 1/6: four corners an element.
 
 use pellicle_kernel::{Base, Foundation};
@@ -29,7 +31,8 @@ const EXCHANGED: [usize; 3] = [1, 0, 2];
 /// Three stresses at the offsets of a quarter, row by row.
 type Tables = [Vec<f64>; 3];
 
-/// `σ_xx`, `σ_yy`, `σ_xy` on the surface under unit pressure or unit traction on one element, averaged over four points of
+/// `σ_xx`, `σ_yy`, `σ_xy` on the surface under unit pressure or unit traction on one element, averaged over four points
+/// of
 /// another, and their sums over many.
 #[derive(Clone, Debug)]
 pub struct SurfaceMeans {
@@ -150,7 +153,7 @@ fn homogeneous_means(poisson_ratio: f64, offsets: usize) -> [Tables; 2] {
     let count = 2 * offsets + 2;
     let place = |index: usize| {
         (index / 2) as f64
-            + if index % 2 == 0 {
+            + if index.is_multiple_of(2) {
                 -5.0 / 6.0
             } else {
                 -1.0 / 6.0

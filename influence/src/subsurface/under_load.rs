@@ -86,7 +86,8 @@ fn factor(zone: usize, index: isize) -> f64 {
     }
 }
 
-/// Layers whose waves decay over at least this many sides have a correction that, averaged over four points of an element,
+/// Layers whose waves decay over at least this many sides have a correction that, averaged over four points of an
+/// element,
 /// is taken as a function of the radius. What depends on the direction is `k⁴ cos 4θ/2900`: 1e-5 of the correction at a
 /// reach of four sides; at one side it still cancels in sums over pressures that vary slowly.
 const SMOOTH_REACH: f64 = 1.0;
@@ -100,7 +101,8 @@ pub enum Places {
     FourPoints,
 }
 
-/// The four points, `ξ = ±h/3`: there the aliases `Σ (−1)^m cos(2πm ξ/h)/m = −ln(2 cos(π ξ/h))` of an odd symbol vanish.
+/// The four points, `ξ = ±h/3`: there the aliases `Σ (−1)^m cos(2πm ξ/h)/m = −ln(2 cos(π ξ/h))` of an odd symbol
+/// vanish.
 pub const FOUR_POINTS: [[f64; 2]; 4] = {
     let third = 1.0 / 3.0;
     [
@@ -293,7 +295,8 @@ impl<L: PointLoad<F>, const F: usize> UnderLoad<L, F> {
         state
     }
 
-    /// The mean over the four points around (x, y) of what the layers add to the half-space of the top layer's material;
+    /// The mean over the four points around (x, y) of what the layers add to the half-space of the top layer's
+    /// material;
     /// none where only the whole state is known.
     pub fn added_at_four_points(&self, place: [f64; 2]) -> Option<SubsurfaceState> {
         let near = self.near.as_ref()?;

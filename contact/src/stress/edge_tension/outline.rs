@@ -1,6 +1,7 @@
 //! The edge of a contact as points, one for each cell of element centres that it crosses.
 //!
-//! It is the zero line of the field by which the [contact's area](crate::result::contact_shape) is measured, moved inwards.
+//! It is the zero line of the field by which the [contact's area](crate::result::contact_shape) is measured, moved
+//! inwards.
 
 use super::edge_contact::{EdgeContact, Place};
 use crate::result::contact_shape::{OFFSET, OWN_PRESSURE};
@@ -38,7 +39,8 @@ fn corners([i, j]: Place) -> [Place; 4] {
     TURN.map(|[m, n]| [i + m, j + n])
 }
 
-/// The points of the edge in some cells that it crosses, but none where the contact ends with the indenter, a map or the
+/// The points of the edge in some cells that it crosses, but none where the contact ends with the indenter, a map or
+/// the
 /// grid.
 pub fn outline(contact: &EdgeContact, cells: &[Place]) -> Vec<EdgePoint> {
     let mut places: Vec<Place> = cells
@@ -101,7 +103,8 @@ fn points_of(contact: &EdgeContact, cell: Place, level: &impl Fn(Place) -> f64) 
 fn edge_point(cell: Place, from: [f64; 2], to: [f64; 2]) -> Option<EdgePoint> {
     let along = [to[0] - from[0], to[1] - from[1]];
     let length = along[0].hypot(along[1]);
-    // Where the circuit is outside it runs on the right of the way back, so the outside lies to the right of the segment.
+    // Where the circuit is outside it runs on the right of the way back, so the outside lies to the right of the
+    // segment.
     let outward = [along[1] / length, -along[0] / length];
     (length > 0.0).then(|| EdgePoint {
         at: [0, 1].map(|axis: usize| {

@@ -11,7 +11,8 @@ use crate::stress::field::{LoadedSquare, StressField};
 /// `σ_xx`, `σ_yy`, `σ_xy`, in Pa.
 pub type Tensor = [f64; 3];
 
-/// Offsets beyond those from one end of the loaded square to the other, in elements: the reach of the fits beyond the edge.
+/// Offsets beyond those from one end of the loaded square to the other, in elements: the reach of the fits beyond the
+/// edge.
 const MARGIN: usize = 6;
 
 /// From about this number of places on, a convolution is less work than sums.
@@ -43,12 +44,13 @@ impl<'a> SurfaceParts<'a> {
         })
     }
 
-    /// Computes the stresses at the places where they are not yet known; no farther from the loaded square than the fits
+    /// Computes the stresses at the places where they are not yet known; no farther from the loaded square than the
+    /// fits
     /// reach.
     pub fn compute(&mut self, part: Part, places: &[Place]) {
         let LoadedSquare { size, pressure, .. } = self.field.loaded();
         let tractions = self.field.tractions();
-        if part == Part::Tangential && tractions == [0.0; 2] {
+        if part == Part::Tangential && !self.field.slides() {
             return;
         }
         let missing = places
@@ -72,7 +74,8 @@ impl<'a> SurfaceParts<'a> {
         );
     }
 
-    /// The larger principal stresses along the surface at places within an element of the loaded square: at a few by sums,
+    /// The larger principal stresses along the surface at places within an element of the loaded square: at a few by
+    /// sums,
     /// at many under centres by a convolution.
     pub fn tensions(&mut self, places: &[Place]) -> Result<Vec<f64>, InfluenceError> {
         if places.len() > MOST_SUMS {

@@ -120,7 +120,8 @@ fn under_a_smooth_pressure_what_depends_on_the_direction_cancels() {
     }
 }
 
-/// The error of the surface stress under a traction of cosines, whose exact amplitude on a half-space is 2: σ_xx = −2 sin kx
+/// The error of the surface stress under a traction of cosines, whose exact amplitude on a half-space is 2: `σ_xx = −2
+/// sin kx`
 /// for q = cos kx along x.
 #[test]
 fn under_a_traction_the_means_are_second_order_where_centres_are_first_order() {
