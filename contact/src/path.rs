@@ -117,14 +117,12 @@ impl LoadingPath {
 
     /// The elasticity of the indenter alone; none if it is rigid.
     fn counterbody(&self) -> Option<SurfaceElasticity> {
-        let material = self.tables.bodies().counterbody()?;
+        let bodies = self.tables.bodies().counterbody_alone()?;
+        let material = bodies.foundation().surface_material();
         let side = self.grid.element_side();
-        let coefficient = |offset| love::coefficient(material, side, offset);
+        let coefficient = |offset| love::coefficient(&material, side, offset);
         let table = CoefficientTable::from_fn(side, self.grid.size(), coefficient).ok()?;
-        Some(SurfaceElasticity::new(
-            Arc::new(table),
-            self.tables.bodies().clone(),
-        ))
+        Some(SurfaceElasticity::new(Arc::new(table), bodies))
     }
 }
 
