@@ -120,7 +120,7 @@ mod tests {
             }]},
             "surface": {"offset": [0.0, -1.5e-6]},
             "indenter": {"half_angle": 65.03_f64.to_radians(), "radius": null},
-            "load": {"forces": [1e-4, 0.05]}, "grid": {"elements": 64, "side": 5.125138012345679e-5},
+            "load": {"forces": [1e-4, 0.05]}, "grid": {"elements": 64, "side": 5.125_138_012_345_679e-5},
             "solver": {"tolerance": 1e-8},
         });
         let wanted = json!({

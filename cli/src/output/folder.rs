@@ -1,7 +1,7 @@
 //! A results folder: claimed before the work, filled when the work is done, and never replacing files of others.
 //!
-//! A claimed folder contains a lock and a hidden folder that is filled. Once that is complete, it takes the place of the
-//! folder around it; where the system cannot do that, its files move up.
+//! A claimed folder contains a lock and a hidden folder that is filled. Once that is complete, it takes the place of
+//! the folder around it; where the system cannot do that, its files move up.
 
 mod hidden;
 mod swap;

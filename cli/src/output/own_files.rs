@@ -128,7 +128,7 @@ pub fn others(folder: &Path) -> io::Result<Vec<OsString>> {
     let mut names = Vec::new();
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
-        if !is_file(&entry) && !(is_fit && is_fit_file(&entry)) {
+        if !(is_file(&entry) || is_fit && is_fit_file(&entry)) {
             names.push(entry.file_name());
         }
     }

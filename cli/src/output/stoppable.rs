@@ -25,7 +25,7 @@ pub fn was_stopped(failure: &Failure) -> bool {
     let Failure::Write { cause, .. } = failure else {
         return false;
     };
-    causes(cause).any(|cause| cause.is::<WriteStopped>())
+    causes(cause).any(<dyn std::error::Error>::is::<WriteStopped>)
 }
 
 /// Stops before a file is begun.

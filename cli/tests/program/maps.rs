@@ -94,8 +94,8 @@ fn a_map_path_is_relative_to_the_case_and_the_resolved_case_runs_again() {
     assert_eq!(checked.code, Some(0), "{}", checked.stderr);
     for line in [
         "file = \"tip.gsf\"",
-        "height_unit = 0.000001",
-        "compliance = 0.00000000000000002",
+        "height_unit = \"1 um\"",
+        "compliance = \"20 nm/GPa\"",
     ] {
         assert!(
             checked.stdout.contains(line),
