@@ -102,7 +102,7 @@ fn steps_of_a_curve_that_the_model_can_hold_stay_certified() {
     };
     let times = message.split_once("layer[0] is shortened by ").unwrap().1;
     let times: f64 = times.split(' ').next().unwrap().parse().unwrap();
-    assert!((times / 1.126 - 1.0).abs() < 0.03, "{message}");
+    assert!((times / 1.126 - 1.0).abs() < 0.05, "{message}");
     // Smaller loads are sensible, so no unit is at fault.
     assert!(!message.contains("meant"), "{message}");
     assert_eq!(messages(&summary, "layer-shortening").len(), 1);
