@@ -44,11 +44,27 @@ struct Slip<'a> {
     unit: String,
     /// The other value, in SI units.
     value: f64,
+    dimension: Dimension,
     /// What it replaces; none for the load.
     parameter: Option<pellicle_contact::ModelParameter>,
     /// Powers of ten between them; 0 for a confusion of upper and lower case.
     distance: i32,
 }
+
+impl Slip<'_> {
+    /// Rank among the slips, from likely to unlikely: confusions, then loads, moduli and lengths, small factors first.
+    fn rank(&self) -> (bool, usize, i32) {
+        let kind = match (self.parameter, self.dimension) {
+            (None, _) => 0,
+            (Some(_), Dimension::Pressure) => 1,
+            (Some(_), _) => 2,
+        };
+        (self.distance > 0, kind, self.distance)
+    }
+}
+
+/// Units that are rarely meant where a smaller one is given.
+const RARE: [&str; 3] = ["m", "km", "TPa"];
 
 /// The question whether another unit was meant, as a sentence that follows a colon; none if no single unit explains a
 /// result beyond the model.
@@ -64,7 +80,7 @@ pub fn question(case: &Case) -> Option<String> {
         return None;
     }
     let mut slips = slips(case, &model);
-    slips.sort_by_key(|slip| slip.distance);
+    slips.sort_by_key(Slip::rank);
     let mut found: Vec<Slip<'_>> = Vec::new();
     for slip in slips {
         let is_known = found.iter().any(|known| known.key == slip.key);
@@ -138,7 +154,8 @@ fn other_units(
             && dimension
                 .unit_names()
                 .contains(&&*format!("{prefix}{base}"));
-        if shift == 0 || shift.abs() > 9 || !is_milder || !is_usual {
+        let is_rare = parameter.is_some() && RARE.contains(&&*format!("{prefix}{base}"));
+        if is_rare || shift == 0 || shift.abs() > 9 || !is_milder || !is_usual {
             return None;
         }
         let is_confusion = *prefix != given && prefix.eq_ignore_ascii_case(given);
@@ -147,6 +164,7 @@ fn other_units(
             text,
             unit: format!("{prefix}{base}"),
             value: value * 10_f64.powi(shift),
+            dimension,
             parameter,
             distance: if is_confusion { 0 } else { shift.abs() },
         })

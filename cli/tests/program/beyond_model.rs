@@ -102,7 +102,7 @@ fn steps_of_a_curve_that_the_model_can_hold_stay_certified() {
     };
     let times = message.split_once("layer[0] is shortened by ").unwrap().1;
     let times: f64 = times.split(' ').next().unwrap().parse().unwrap();
-    assert!((times / 1.126 - 1.0).abs() < 0.03, "{message}");
+    assert!((times / 1.126 - 1.0).abs() < 0.05, "{message}");
     // Smaller loads are sensible, so no unit is at fault.
     assert!(!message.contains("meant"), "{message}");
     assert_eq!(messages(&summary, "layer-shortening").len(), 1);
@@ -113,7 +113,7 @@ fn steps_of_a_curve_that_the_model_can_hold_stay_certified() {
 }
 
 #[test]
-fn a_modulus_in_a_unit_a_thousand_times_too_small_is_asked_for() {
+fn an_interlayer_shortened_by_ten_times_its_thickness_is_beyond_the_model() {
     // A coating on a soft interlayer, which `pellicle stress` has shortened by 2010 nm of 200 nm.
     let layer = "[[foundation.layer]]\nthickness = \"200 nm\"\nyoung_modulus = \"2 MPa\"\npoisson_ratio = 0.45\n";
     let case = MEGANEWTONS.replace("[indenter]", &format!("{layer}[indenter]"));
@@ -135,7 +135,7 @@ fn a_modulus_in_a_unit_a_thousand_times_too_small_is_asked_for() {
         message.contains("layer[1] is shortened by 10."),
         "{message}"
     );
-    let question = "foundation.layer[1].young_modulus is given as 2 MPa: was GPa meant?";
+    let question = "load.force is given as 50 mN: was uN meant?";
     assert!(message.contains(question), "{message}");
 }
 
