@@ -252,7 +252,6 @@ impl<'p> Fitting<'p> {
             points: problem.points(),
             degrees: whitened.len().saturating_sub(fitted).max(1) as f64,
             known,
-            is_told: problem.noise().is_given(),
         }
         .judge(&OtherTests {
             lower_half_p,

@@ -18,8 +18,8 @@ use crate::{
 /// A fit is refused below this probability.
 pub const REFUSAL: f64 = 0.01;
 
-/// Below this `χ²/ν` under noise whose size is given, the residuals are less than a tenth of it: their order then says
-/// nothing about the model, however regular it is.
+/// Below this `χ²/ν`, which only noise given in part or whole can leave, the residuals are less than a tenth of the noise:
+/// their order then says nothing about the model, however regular it is.
 const NEGLIGIBLE: f64 = 0.01;
 
 /// How well the model follows the data.
@@ -51,8 +51,8 @@ pub struct Goodness {
     /// For repeats, the probability that independent curves have as large a smooth part of the residuals in common;
     /// `None` for fewer than three.
     pub common_p: Option<f64>,
-    /// The smallest of these times their number, at most 1; 1 also for residuals of less than a tenth of noise whose size
-    /// is given. Below [`REFUSAL`] the fit is a misfit.
+    /// The smallest of these times their number, at most 1; 1 also for residuals of less than a tenth of the noise
+    /// given. Below [`REFUSAL`] the fit is a misfit.
     pub misfit_p: f64,
 }
 
@@ -66,8 +66,6 @@ pub(crate) struct Residuals<'a> {
     pub degrees: f64,
     /// Whether the noise is fully known.
     pub known: bool,
-    /// Whether its sizes are given.
-    pub is_told: bool,
 }
 
 /// The probabilities of the tests that need more than the residuals; see [`Goodness`].
@@ -106,7 +104,7 @@ impl Residuals<'_> {
         .into_iter()
         .flatten()
         .collect();
-        let is_negligible = self.is_told && chi_squared < NEGLIGIBLE * self.degrees;
+        let is_negligible = chi_squared < NEGLIGIBLE * self.degrees;
         let worst = all.iter().copied().fold(1.0, f64::min);
         Goodness {
             points: self.points,

@@ -76,7 +76,6 @@ impl Repeats<'_> {
             points: curves.iter().map(points).sum(),
             degrees,
             known,
-            is_told: self.problem.noise().is_given(),
         }
         .judge(&OtherTests {
             lower_half_p: NoiseScale::of(self.problem, degrees).probability([sum(0), sum(1)]),

@@ -126,7 +126,7 @@ fn a_departure_that_correlation_absorbs_is_told_and_wandering_noise_is_not() {
     println!("told of without a departure: {counts:?} of 200");
     assert!(counts.iter().all(|count| *count <= 4), "{counts:?} of 200");
     let fits: Vec<Fit> = (0..20).map(|seed| single(3.0 * SIGMA, 0.5, seed)).collect();
-    // A hump of three standard deviations: refused by a test or told of in three of four, against one of a hundred
+    // A hump of three standard deviations: refused by a test or told of in four of five, against one of a hundred
     // without it.
     let is_silent = |fit: &&Fit| fit.verdict == FitVerdict::Fitted && fit.departure.is_none();
     let silent = fits.iter().filter(is_silent).count();
