@@ -3,8 +3,9 @@
 //! There are up to seven tests, each with its own probability under a true model: χ² if the noise is known, runs of
 //! signs and the Durbin–Watson statistic for correlated residuals, the lower half of the abscissae against the whole, a
 //! smooth change of the curve that the model lacks, or for repeats one that all of them share, and the persistence of
-//! correlated noise, which must not be long enough to hide a misfit. The misfit probability is the smallest of these times their number (Bonferroni), so a true
-//! model is refused no more often than this, however the tests are correlated.
+//! correlated noise, which must not be long enough to hide a misfit. The misfit probability is the smallest of these
+//! times their number (Bonferroni), so a true model is refused no more often than this, however the tests are
+//! correlated.
 
 use crate::{
     Correlation, Problem,
@@ -18,8 +19,8 @@ use crate::{
 /// A fit is refused below this probability.
 pub const REFUSAL: f64 = 0.01;
 
-/// Below this `χ²/ν`, which only noise given in part or whole can leave, the residuals are less than a tenth of the noise:
-/// their order then says nothing about the model, however regular it is.
+/// Below this `χ²/ν`, which only noise given in part or whole can leave, the residuals are less than a tenth of the
+/// noise: their order then says nothing about the model, however regular it is.
 const NEGLIGIBLE: f64 = 0.01;
 
 /// How well the model follows the data.
@@ -71,20 +72,20 @@ pub(crate) struct Residuals<'a> {
 /// The probabilities of the tests that need more than the residuals; see [`Goodness`].
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct OtherTests {
-    pub lower_half_p: Option<f64>,
-    pub smooth_p: Option<f64>,
-    pub persistence_p: Option<f64>,
-    pub common_p: Option<f64>,
+    pub lower_half: Option<f64>,
+    pub smooth: Option<f64>,
+    pub persistence: Option<f64>,
+    pub common: Option<f64>,
 }
 
 impl Residuals<'_> {
     /// Judges the residuals, with the probabilities of the other tests.
     pub fn judge(&self, others: &OtherTests) -> Goodness {
         let OtherTests {
-            lower_half_p,
-            smooth_p,
-            persistence_p,
-            common_p,
+            lower_half: lower_half_p,
+            smooth: smooth_p,
+            persistence: persistence_p,
+            common: common_p,
         } = *others;
         let chi_squared = self.chi_squared;
         let chi_squared_p = self
