@@ -23,8 +23,8 @@ pub struct Departure {
     pub probability: f64,
 }
 
-/// The curve times Chebyshev polynomials in `ln` of the abscissa, of all degrees up to the given one, for points of these
-/// abscissae and values. The polynomials are those of the given range of abscissae.
+/// The curve times Chebyshev polynomials in `ln` of the abscissa, of all degrees up to the given one, for points of
+/// these abscissae and values. The polynomials are those of the given range of abscissae.
 pub(crate) fn smooth_columns(
     abscissa: &[f64],
     value: &[f64],
@@ -51,8 +51,8 @@ pub(crate) fn range(abscissa: impl Iterator<Item = f64>) -> [f64; 2] {
     })
 }
 
-/// The largest deviation of the mean over curves, each given by its abscissae and residuals: the abscissae between which
-/// it keeps its sign, and its value. `None` without points.
+/// The largest deviation of the mean over curves, each given by its abscissae and residuals: the abscissae between
+/// which it keeps its sign, and its value. `None` without points.
 pub(crate) fn largest_deviation(curves: &[(&[f64], &[f64])]) -> Option<([f64; 2], f64)> {
     let all = range(
         curves

@@ -254,10 +254,10 @@ impl<'p> Fitting<'p> {
             known,
         }
         .judge(&OtherTests {
-            lower_half_p,
-            smooth_p,
-            persistence_p: self.likelihood(refined).persistence_p(),
-            common_p: None,
+            lower_half: lower_half_p,
+            smooth: smooth_p,
+            persistence: self.likelihood(refined).persistence_p(),
+            common: None,
         })
     }
 

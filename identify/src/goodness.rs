@@ -3,8 +3,9 @@
 //! There are up to seven tests, each with its own probability under a true model: χ² if the noise is known, runs of
 //! signs and the Durbin–Watson statistic for correlated residuals, the lower half of the abscissae against the whole, a
 //! smooth change of the curve that the model lacks, or for repeats one that all of them share, and the persistence of
-//! correlated noise, which must not be long enough to hide a misfit. The misfit probability is the smallest of these times their number (Bonferroni), so a true
-//! model is refused no more often than this, however the tests are correlated.
+//! correlated noise, which must not be long enough to hide a misfit. The misfit probability is the smallest of these
+//! times their number (Bonferroni), so a true model is refused no more often than this, however the tests are
+//! correlated.
 
 use crate::{
     Correlation, Problem,
@@ -17,6 +18,10 @@ use crate::{
 
 /// A fit is refused below this probability.
 pub const REFUSAL: f64 = 0.01;
+
+/// Below this `χ²/ν`, which only noise given in part or whole can leave, the residuals are less than a tenth of the
+/// noise: their order then says nothing about the model, however regular it is.
+const NEGLIGIBLE: f64 = 0.01;
 
 /// How well the model follows the data.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,7 +52,8 @@ pub struct Goodness {
     /// For repeats, the probability that independent curves have as large a smooth part of the residuals in common;
     /// `None` for fewer than three.
     pub common_p: Option<f64>,
-    /// The smallest of these times their number, at most 1. Below [`REFUSAL`] the fit is a misfit.
+    /// The smallest of these times their number, at most 1; 1 also for residuals of less than a tenth of the noise
+    /// given. Below [`REFUSAL`] the fit is a misfit.
     pub misfit_p: f64,
 }
 
@@ -66,20 +72,20 @@ pub(crate) struct Residuals<'a> {
 /// The probabilities of the tests that need more than the residuals; see [`Goodness`].
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct OtherTests {
-    pub lower_half_p: Option<f64>,
-    pub smooth_p: Option<f64>,
-    pub persistence_p: Option<f64>,
-    pub common_p: Option<f64>,
+    pub lower_half: Option<f64>,
+    pub smooth: Option<f64>,
+    pub persistence: Option<f64>,
+    pub common: Option<f64>,
 }
 
 impl Residuals<'_> {
     /// Judges the residuals, with the probabilities of the other tests.
     pub fn judge(&self, others: &OtherTests) -> Goodness {
         let OtherTests {
-            lower_half_p,
-            smooth_p,
-            persistence_p,
-            common_p,
+            lower_half: lower_half_p,
+            smooth: smooth_p,
+            persistence: persistence_p,
+            common: common_p,
         } = *others;
         let chi_squared = self.chi_squared;
         let chi_squared_p = self
@@ -99,6 +105,7 @@ impl Residuals<'_> {
         .into_iter()
         .flatten()
         .collect();
+        let is_negligible = chi_squared < NEGLIGIBLE * self.degrees;
         let worst = all.iter().copied().fold(1.0, f64::min);
         Goodness {
             points: self.points,
@@ -112,7 +119,11 @@ impl Residuals<'_> {
             persistence_p,
             smooth_p,
             common_p,
-            misfit_p: (worst * all.len() as f64).min(1.0),
+            misfit_p: if is_negligible {
+                1.0
+            } else {
+                (worst * all.len() as f64).min(1.0)
+            },
         }
     }
 }

@@ -49,7 +49,6 @@ impl Identification {
     }
 }
 
-#[expect(clippy::needless_pass_by_value, reason = "for map_err")]
 fn in_words(error: impl std::error::Error) -> String {
     error.to_string()
 }

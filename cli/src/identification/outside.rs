@@ -17,8 +17,8 @@ pub struct Outside {
     pub points: Vec<Vec<OutsidePoint>>,
     /// Their handling.
     pub handling: Handling,
-    /// The points of each curve at which the grid's error is too large for the noise, if they are in the fit because too
-    /// few would be left without them; its intervals include that error. Empty otherwise.
+    /// The points of each curve at which the grid's error is too large for the noise, if they are in the fit because
+    /// too few would be left without them; its intervals include that error. Empty otherwise.
     pub inaccurate: Vec<Vec<OutsidePoint>>,
     /// The reason why the points could not be determined, if any.
     pub failure: Option<String>,

@@ -83,7 +83,8 @@ pub struct Quality {
     pub durbin_watson: f64,
     /// Points far from their neighbours, in the fit.
     pub outliers: Vec<OutlierResult>,
-    /// What the residuals of repeats have in common, or a smooth part of those of one curve that its noise has absorbed.
+    /// What the residuals of repeats have in common, or a smooth part of those of one curve that its noise has
+    /// absorbed.
     pub departure: Option<DepartureResult>,
 }
 

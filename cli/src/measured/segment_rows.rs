@@ -15,9 +15,9 @@ use super::raw_curve::RawCurve;
 /// An unloading given as a loading has its maximum force within the first 1/10 of its rows.
 const FRACTION_OF_UNLOADING: usize = 10;
 
-/// Returns the rows in the segment, without the omitted ones, which are numbered from 1. The criteria are, in this order:
-/// valid numbers, omitted rows, the value of the segment, its rows, markers and times, its branch, its forces, and the
-/// pop-in.
+/// Returns the rows in the segment, without the omitted ones, which are numbered from 1. The criteria are, in this
+/// order: valid numbers, omitted rows, the value of the segment, its rows, markers and times, its branch, its forces,
+/// and the pop-in.
 pub(super) fn cut(
     raw: &RawCurve<'_>,
     segment: &CurveSegment,

@@ -185,9 +185,10 @@ impl Panel {
     }
 }
 
-/// The labels of an axis of this many pixels, without those that would touch one before; `length` is the room of a label
-/// along the axis. Of crowded ticks, those of the most round values keep their labels: powers of ten, then 5 and 2.
-fn apart<'a>(axis: &'a Axis, pixels: f64, length: impl Fn(&str) -> f64) -> Vec<&'a str> {
+/// The labels of an axis of this many pixels, without those that would touch one before; `length` is the room of a
+/// label along the axis. Of crowded ticks, those of the most round values keep their labels: powers of ten, then 5 and
+/// 2.
+fn apart(axis: &Axis, pixels: f64, length: impl Fn(&str) -> f64) -> Vec<&str> {
     let mut order: Vec<usize> = (0..axis.ticks.len()).collect();
     if axis.is_logarithmic {
         order.sort_by_key(|tick| roundness(axis.ticks[*tick].0));

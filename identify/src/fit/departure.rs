@@ -15,8 +15,8 @@ use crate::{
     refinement::Refined,
 };
 
-/// A departure is told below this probability, the level of a refusal over the number of its tests. Of 200 curves of 240
-/// points each whose noise had correlations of 0.4 and 0.7 from point to point, none to three were told of.
+/// A departure is told below this probability, the level of a refusal over the number of its tests. Of 200 curves of
+/// 240 points each whose noise had correlations of 0.4 and 0.7 from point to point, none to three were told of.
 const TOLD: f64 = REFUSAL / 6.0;
 
 impl Fitting<'_> {

@@ -11,8 +11,8 @@
 //!
 //! is Fisher's with `m` and `(R − 1) m` degrees of freedom: an analysis of variance, whose unit is the scatter between
 //! the curves and not the noise estimated within them, which has absorbed the misfit. Where the departures scatter
-//! unequally, both degrees are multiplied by `ε = (tr S)²/(m tr S²)`, `S = Σ d_i d_iᵀ` (S. Geisser and S. W. Greenhouse,
-//! Ann. Math. Stat. 29, 885 (1958)).
+//! unequally, both degrees are multiplied by `ε = (tr S)²/(m tr S²)`, `S = Σ d_i d_iᵀ` (S. Geisser and S. W.
+//! Greenhouse, Ann. Math. Stat. 29, 885 (1958)).
 
 use faer::{Mat, Side};
 

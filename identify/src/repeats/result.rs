@@ -78,10 +78,10 @@ impl Repeats<'_> {
             known,
         }
         .judge(&OtherTests {
-            lower_half_p: NoiseScale::of(self.problem, degrees).probability([sum(0), sum(1)]),
-            smooth_p: None,
-            persistence_p: self.persistence_p(state),
-            common_p: common_p(
+            lower_half: NoiseScale::of(self.problem, degrees).probability([sum(0), sum(1)]),
+            smooth: None,
+            persistence: self.persistence_p(state),
+            common: common_p(
                 &curves
                     .iter()
                     .map(|curve| &curve.departure)
