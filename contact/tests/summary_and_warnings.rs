@@ -210,6 +210,11 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
             Warning::FilmShortening { step, times } => (step, times),
             Warning::PeakNotResolved { step, change, .. } => (step, change),
             Warning::SteepIndenter { step, slope } => (step, slope),
+            Warning::MapUnderResolved {
+                step,
+                elements_per_wave,
+                ..
+            } => (step, elements_per_wave),
             Warning::NotConverged { step, worst, .. } => (step, worst),
             Warning::TextureUnderResolved { .. }
             | Warning::LayerUnderResolved { .. }
