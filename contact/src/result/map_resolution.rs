@@ -1,9 +1,9 @@
 //! How well the elements resolve a measured map: elements to the shortest wave of the gap around a contact.
 //!
-//! Elements longer than the waves of a surface miss its summits. Coarser grids miss them as well, so the changes between
-//! grids say nothing of the error. The shortest wave is that of the initial gap `f − f*` along lines across the contact:
-//! a wall or a rim of the map far from it does not count, and neither does a roughness with far smaller slopes than the
-//! indenter. `docs/grid-error.md` has the evidence for the number of elements to a wave.
+//! Elements longer than the waves of a surface miss its summits. Coarser grids miss them as well, so the changes
+//! between grids say nothing of the error. The shortest wave is that of the initial gap `f − f*` along lines across
+//! the contact: a wall or a rim of the map far from it does not count, and neither does a roughness with far smaller
+//! slopes than the indenter. `docs/grid-error.md` has the evidence for the number of elements to a wave.
 
 use pellicle_texture::{Grid, HeightMap, Relief, SlopeSpectrum};
 use rayon::prelude::*;
