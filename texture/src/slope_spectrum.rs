@@ -9,10 +9,10 @@ use realfft::num_complex::Complex;
 
 use crate::HeightMap;
 
-/// Share of the mean square slope in waves longer than the shortest one. A self-affine surface reaches it within 3 % of
-/// its cutoff wavelength for a Hurst exponent of 0.3, and within 17 % for 0.8. With a larger share the ridges of a
-/// pyramid, whose spectrum has a long tail, count as short waves: over 64 elements its shortest wave has six elements by
-/// this share, and two by 99 %.
+/// Share of the mean square slope in waves longer than the shortest one. A self-affine surface reaches it within 3 %
+/// of its cutoff wavelength for a Hurst exponent of 0.3, and within 17 % for 0.8. With a larger share the ridges of a
+/// pyramid, whose spectrum has a long tail, count as short waves: over 64 elements its shortest wave has six elements
+/// by this share, and two by 99 %.
 const SHARE: f64 = 0.97;
 
 /// The smallest number of samples of a line with a useful spectrum.

@@ -1,9 +1,9 @@
 //! How well the elements resolve a measured map: elements to the shortest wave of the gap around a contact.
 //!
-//! Elements longer than the waves of a surface miss its summits. Coarser grids miss them as well, so the changes between
-//! grids say nothing of the error. The shortest wave is that of the initial gap `f − f*` along lines across the contact:
-//! a wall or a rim of the map far from it does not count, and neither does a roughness with far smaller slopes than the
-//! indenter. `docs/grid-error.md` has the evidence for the number of elements to a wave.
+//! Elements longer than the waves of a surface miss its summits. Coarser grids miss them as well, so the changes
+//! between grids say nothing of the error. The shortest wave is that of the initial gap `f − f*` along lines across
+//! the contact: a wall or a rim of the map far from it does not count, and neither does a roughness with far smaller
+//! slopes than the indenter. `docs/grid-error.md` has the evidence for the number of elements to a wave.
 
 use pellicle_texture::{Grid, HeightMap, Relief, SlopeSpectrum};
 use rayon::prelude::*;
@@ -192,6 +192,11 @@ mod tests {
         HeightMap::new(heights.collect(), [n; 2], [1.0; 2]).unwrap()
     }
 
+    #[expect(clippy::cast_possible_truncation, reason = "the rounding is wanted")]
+    fn single_precision(height: f64) -> f64 {
+        f64::from(height as f32)
+    }
+
     fn relief(map: HeightMap) -> Relief {
         Relief::Map(ReliefMap::new(map, MapCompliance::Uniform(0.0)).unwrap())
     }
@@ -238,7 +243,7 @@ mod tests {
             indented(map(512, f64::hypot), radius);
             // As single precision stores it.
             indented(
-                map(512, |x, y| f64::from((1e-6 * (x * x + y * y)) as f32)),
+                map(512, |x, y| single_precision(1e-6 * (x * x + y * y))),
                 radius,
             );
         }

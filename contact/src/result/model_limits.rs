@@ -15,6 +15,7 @@
 //! cannot move sideways, so it carries more than its modulus; what it cannot do is in its shortening. Springs of a
 //! relief have a [warning](crate::Warning::FilmShortening) of their own. Self-similar tips and maps have no size.
 
+use std::cell::OnceCell;
 use std::f64::consts::PI;
 
 use pellicle_influence::{LayerColumn, LayerCompression};
@@ -74,7 +75,7 @@ pub(crate) struct ModelLimits<'a> {
     grid: Grid,
     boundary: Boundary,
     /// Made on first use; none if the kernel cannot compute them.
-    tables: Option<Option<LayerCompression>>,
+    tables: OnceCell<Option<LayerCompression>>,
 }
 
 impl<'a> ModelLimits<'a> {
@@ -83,7 +84,7 @@ impl<'a> ModelLimits<'a> {
             model,
             grid,
             boundary,
-            tables: None,
+            tables: OnceCell::new(),
         }
     }
 
@@ -189,16 +190,16 @@ impl<'a> ModelLimits<'a> {
     fn columns(&mut self, step: &Step) -> Vec<LayerColumn> {
         let foundation = self.model.tables.foundation();
         let (layers, base) = (foundation.layers().iter(), foundation.base_material());
-        let materials = layers.map(|layer| layer.material()).chain(base);
-        let softest = materials.map(|material| material.young_modulus());
-        let softest = softest.fold(f64::INFINITY, f64::min);
+        let moduli = layers.map(|layer| layer.material().young_modulus());
+        let moduli = moduli.chain(base.map(|base| base.young_modulus()));
+        let softest = moduli.fold(f64::INFINITY, f64::min);
         let is_negligible = step.summary.max_pressure < NEGLIGIBLE_PRESSURE * softest;
         if foundation.layers().is_empty() || is_negligible {
             return Vec::new();
         }
         let known = base.is_none() && self.has_known_surface();
         let (side, grid) = (self.grid.element_side(), self.grid);
-        let tables = self.tables.get_or_insert_with(|| {
+        let tables = self.tables.get_or_init(|| {
             LayerCompression::new(foundation, [side / 2.0, 2.0 * grid.side()]).ok()
         });
         let Some(tables) = tables else {

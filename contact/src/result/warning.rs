@@ -314,29 +314,7 @@ impl fmt::Display for Warning {
                 step,
                 change,
                 place,
-            } => {
-                write!(f, "step {step}: the largest pressure ")?;
-                f.write_str(match place {
-                    PeakPlace::Inside => "is not resolved by the grid",
-                    PeakPlace::Outline => {
-                        "sits at the outline of the relief and grows with the grid"
-                    }
-                    PeakPlace::Ridge => {
-                        "sits at a ridge between the samples of the map and grows with the grid"
-                    }
-                    PeakPlace::IndenterEdge => {
-                        "sits at an edge of the indenter and grows with the grid"
-                    }
-                })?;
-                if change < SMALLEST_CHANGE {
-                    return Ok(());
-                }
-                write!(
-                    f,
-                    "; it changed by {:.1} % from the previous grid",
-                    100.0 * change
-                )
-            }
+            } => unresolved_peak(f, step, change, place),
             Self::SteepIndenter { step, slope } => {
                 write!(f, "step {step}: {}, beyond small strains", in_words(slope))
             }
@@ -359,6 +337,32 @@ impl fmt::Display for Warning {
             }
         }
     }
+}
+
+/// The sentence on a largest pressure that changed by this part from the previous grid.
+fn unresolved_peak(
+    f: &mut fmt::Formatter<'_>,
+    step: usize,
+    change: f64,
+    place: PeakPlace,
+) -> fmt::Result {
+    write!(f, "step {step}: the largest pressure ")?;
+    f.write_str(match place {
+        PeakPlace::Inside => "is not resolved by the grid",
+        PeakPlace::Outline => "sits at the outline of the relief and grows with the grid",
+        PeakPlace::Ridge => {
+            "sits at a ridge between the samples of the map and grows with the grid"
+        }
+        PeakPlace::IndenterEdge => "sits at an edge of the indenter and grows with the grid",
+    })?;
+    if change < SMALLEST_CHANGE {
+        return Ok(());
+    }
+    write!(
+        f,
+        "; it changed by {:.1} % from the previous grid",
+        100.0 * change
+    )
 }
 
 #[cfg(test)]

@@ -170,7 +170,7 @@ fn a_mean_pressure_above_the_modulus_of_what_carries_it_is_beyond_the_model() {
     // A cone's mean pressure is E* cot α/2 at every load: 1.1 E at α = 0.46.
     let steep = Cone::new(0.42, 0.0).unwrap();
     let half_space = Foundation::half_space(material(1.0, 0.3));
-    let path = solved(&half_space, steep.clone(), &[Load::Penetration(1.0)]);
+    let path = solved(&half_space, steep, &[Load::Penetration(1.0)]);
     let wanted = 1.0 / (0.91 * 2.0 * 0.42_f64.tan());
     let found = ratio(&path.steps[0], |of| of == ModelLimit::Modulus { body: 0 }).unwrap();
     assert!(
