@@ -117,12 +117,12 @@ fn slips<'a>(case: &'a Case, model: &Model) -> Vec<Slip<'a>> {
         } else {
             Dimension::Length
         };
-        other_units(case, format!("load.{key}"), dimension, None)
+        other_units(case, &format!("load.{key}"), dimension, None)
     });
     let parameters = case.parameters(model).unwrap_or_default().into_iter();
     let of_parameters = parameters.flat_map(|of| match of.dimension {
         Some(dimension @ (Dimension::Length | Dimension::Pressure)) => {
-            other_units(case, of.key, dimension, Some(of.parameter))
+            other_units(case, &of.key, dimension, Some(of.parameter))
         }
         _ => Vec::new(),
     });
@@ -130,13 +130,13 @@ fn slips<'a>(case: &'a Case, model: &Model) -> Vec<Slip<'a>> {
 }
 
 /// A value of the case in units that make the contact less extreme: a load in smaller ones, any other in larger ones.
-fn other_units(
-    case: &Case,
-    key: String,
+fn other_units<'a>(
+    case: &'a Case,
+    key: &str,
     dimension: Dimension,
     parameter: Option<pellicle_contact::ModelParameter>,
-) -> Vec<Slip<'_>> {
-    let written = case.document.texts(&key).into_iter().filter_map(|text| {
+) -> Vec<Slip<'a>> {
+    let written = case.document.texts(key).into_iter().filter_map(|text| {
         let value = quantity::parse(text, dimension).ok()?;
         Some((text, value))
     });
@@ -160,7 +160,7 @@ fn other_units(
         }
         let is_confusion = *prefix != given && prefix.eq_ignore_ascii_case(given);
         Some(Slip {
-            key: key.clone(),
+            key: key.to_owned(),
             text,
             unit: format!("{prefix}{base}"),
             value: value * 10_f64.powi(shift),

@@ -22,7 +22,7 @@ fn soft_and_deep(base: Base) -> Model {
         ),
         layer([2.11e-10, 12.95, 0.5], Interface::Frictionless),
         layer([1.008e-9, 209.0, 0.0076], Interface::Bonded),
-        layer([2.467e-6, 1.493, 0.4999999], Interface::Bonded),
+        layer([2.467e-6, 1.493, 0.499_999_9], Interface::Bonded),
         layer([1.239e-7, 198.2, 0.0], Interface::Bonded),
     ];
     let pillars = Cylinders::new(CylinderSpec {
