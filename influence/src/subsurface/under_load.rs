@@ -87,6 +87,7 @@ fn factor(zone: usize, index: isize) -> f64 {
 }
 
 /// The amplitudes at one depth from which the fields of any load are computed.
+#[derive(Clone, Debug)]
 pub struct DepthWaves {
     depth: Depth,
     /// Side of an element, m.
