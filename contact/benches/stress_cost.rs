@@ -171,7 +171,7 @@ fn main() {
             }
             let [contact, extremes, critical] = sums;
             println!(
-                "{elements}: contact {contact:.3} s, extremes {:.1} times, four critical loads {:.1} times that",
+                "{elements}: contact {contact:.3} s, extremes {:.1} times that, four critical loads {:.1} times",
                 extremes / contact,
                 critical / contact
             );

@@ -13,14 +13,14 @@ use crate::subsurface::radial_panels::RadialPanels;
 use crate::subsurface::state::{SubsurfaceState, SurfaceLoad};
 
 /// Rules for square cells, and the distance, in half sides of the cell, from which the error of each is below 1e-6 of a
-/// point load: p points per direction leave `(2d)^(−2p)`.
+/// point load: p points per direction leave some ten times `(2d)^(−2p)` under a traction.
 static RULES: LazyLock<[(f64, Vec<Node>); 5]> = LazyLock::new(|| {
     [
         (500.0, legendre_of::<1>()),
-        (16.0, legendre_of::<2>()),
-        (6.0, legendre_of::<3>()),
-        (3.2, legendre_of::<4>()),
-        (1.6, legendre_of::<6>()),
+        (24.0, legendre_of::<2>()),
+        (9.0, legendre_of::<3>()),
+        (4.5, legendre_of::<4>()),
+        (2.0, legendre_of::<6>()),
     ]
 });
 
