@@ -16,7 +16,7 @@ use crate::subsurface::state::{SubsurfaceState, SurfaceLoad};
 /// point load: p points per direction leave some ten times `(2d)^(−2p)` under a traction.
 static RULES: LazyLock<[(f64, Vec<Node>); 5]> = LazyLock::new(|| {
     [
-        (500.0, legendre_of::<1>()),
+        (1600.0, legendre_of::<1>()),
         (24.0, legendre_of::<2>()),
         (9.0, legendre_of::<3>()),
         (4.5, legendre_of::<4>()),
