@@ -3,6 +3,8 @@
 
 pub mod body_extremes;
 pub mod critical_load;
+mod edge_extreme;
+mod edge_tension;
 pub mod extreme;
 mod extreme_finder;
 pub mod field;
@@ -14,6 +16,7 @@ mod plane_scan;
 mod pressure_blocks;
 mod quantity;
 mod solved_loads;
+pub mod unresolved;
 
 /// The nearest whole number.
 #[expect(

@@ -9,6 +9,7 @@
 mod bad_command_line;
 mod bad_input;
 mod bad_text;
+mod beyond_model;
 mod cache;
 mod cases;
 mod damage;
@@ -17,6 +18,7 @@ mod guide;
 mod identify;
 mod identify_exact;
 mod identify_next;
+mod identify_noise;
 mod identify_plan;
 mod identify_plan_files;
 mod identify_report;

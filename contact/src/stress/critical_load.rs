@@ -12,6 +12,19 @@ use super::quantity::StressQuantity;
 use super::solved_loads::SolvedLoads;
 use crate::{ContactError, Domain, LoadingPath, Model, Observer, SolverOptions};
 
+/// Whether a strength is reached.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CriticalStatus {
+    /// Under the critical force.
+    Met,
+    /// Under no load up to the largest of the path.
+    #[default]
+    NotReached,
+    /// Already under the smallest load tried.
+    BelowSmallest,
+}
+
 /// The load at which one criterion is first met.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CriticalLoad {
@@ -21,8 +34,10 @@ pub struct CriticalLoad {
     pub name: String,
     /// Strength, in Pa.
     pub strength: f64,
-    /// The smallest force at which the strength is reached, in N; none if it is not reached under the largest load, or
-    /// is reached already under the smallest load tried.
+    /// Whether the strength is reached; the default in a file older than this field.
+    #[serde(default)]
+    pub status: CriticalStatus,
+    /// The smallest force at which the strength is reached, in N; none if the status says otherwise.
     pub force: Option<f64>,
     /// The penetration under this force, in m.
     pub penetration: Option<f64>,
@@ -195,16 +210,22 @@ impl CriterionSearch {
             } = solved.extreme;
             Some(solved.force * estimate? / value.abs() / exponent)
         });
+        let utilisation = extreme.map_or(0.0, |extreme| extreme.value.max(0.0) / self.strength);
         CriticalLoad {
             criterion: self.criterion,
             name: self.name,
             strength: self.strength,
+            status: match met {
+                Some(_) => CriticalStatus::Met,
+                None if utilisation < 1.0 => CriticalStatus::NotReached,
+                None => CriticalStatus::BelowSmallest,
+            },
             force: met.map(|(solved, _)| solved.force),
             penetration: met.map(|(solved, _)| solved.penetration),
             at: met.map(|(solved, _)| solved.extreme.at),
             estimate: error,
             resolved: extreme.is_some_and(|extreme| extreme.resolved),
-            utilisation: extreme.map_or(0.0, |extreme| extreme.value.max(0.0) / self.strength),
+            utilisation,
         }
     }
 }

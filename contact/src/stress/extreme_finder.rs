@@ -2,14 +2,17 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{Depth, ElementDepths, ElementFields, RoughDepths, SubsurfaceState};
+use pellicle_influence::{
+    CentreStresses, Depth, ElementDepths, ElementFields, RoughDepths, SubsurfaceState,
+};
 
+use super::edge_extreme::{edge_extreme, is_near_edge};
 use super::extreme::Extreme;
 use super::field::StressField;
 use super::model::Sliding;
 use super::peak_search::{PeakSearch, StressPeak};
 use super::plane_scan::{ScannedPlane, StartingPoint, Target, is_nearly, refined, scan, window};
-use super::pressure_blocks::doublings;
+use super::pressure_blocks::{PressureBlocks, doublings};
 use super::quantity::StressQuantity;
 use crate::result::peak::place_near;
 use crate::{ContactError, ErrorEstimate, LoadingPath, PeakPlace, Step};
@@ -22,6 +25,12 @@ const ELEMENTS_FROM_SURFACE: f64 = 2.0;
 /// element: at the rim of a punch stresses are largest there.
 const ELEMENTS_BELOW_SURFACE: f64 = 3.0;
 const BELOW_SURFACE: [f64; 3] = [0.25, 0.5, 0.75];
+/// A tension sampled on the surface within this many elements of the contact's edge is not that of the continuum, which
+/// has a cusp there.
+const BESIDE_EDGE: isize = 3;
+/// The pressures of the two outermost elements are up to 15 % off, and so are stresses under sliding on the surface
+/// there.
+const OUTERMOST: isize = 2;
 /// Part of an element within which a place counts as on an axis.
 const ON_AXIS: f64 = 1e-3;
 /// Factor between the three depths around a peak that is followed from another load, so narrow that a parabola places the
@@ -110,7 +119,7 @@ impl<'a> ExtremeFinder<'a> {
                 let of =
                     |start: &&StartingPoint| start.target == index && start.quantity == *quantity;
                 let own: Vec<_> = scan.starting_points.iter().filter(of).copied().collect();
-                of_target.push(self.extreme(&mut shared, *quantity, planes, &own)?);
+                of_target.push(self.extreme(&mut shared, (target, *quantity), planes, &own)?);
             }
             found.push(of_target);
         }
@@ -121,7 +130,7 @@ impl<'a> ExtremeFinder<'a> {
     fn extreme(
         &self,
         shared: &mut Shared,
-        quantity: StressQuantity,
+        (target, quantity): (&Target, StressQuantity),
         planes: &[Arc<ScannedPlane>],
         starting_points: &[StartingPoint],
     ) -> Result<Extreme<3>, ContactError> {
@@ -142,8 +151,10 @@ impl<'a> ExtremeFinder<'a> {
         {
             let Shared { fine, rough, .. } = shared;
             let [x, y, z] = peak.at;
-            let state = fine.state(rough, [x, y], depth_in(&depths, z))?;
-            peak.value = quantity.of(&state);
+            if z >= element {
+                let state = fine.state(rough, [x, y], depth_in(&depths, z))?;
+                peak.value = quantity.of(&state);
+            }
             let within = |z: &f64| *z > zs[0] && *z < zs[zs.len() - 1];
             for z in BELOW_SURFACE
                 .map(|part| part * element)
@@ -170,7 +181,39 @@ impl<'a> ExtremeFinder<'a> {
             values.push((coarse.field().grid().size(), value));
         }
         values.push((self.field.grid().size(), best.value));
-        Ok(self.judged(best, &values))
+        let judged = self.judged(best, &values);
+        if target.top == 0.0 && quantity == StressQuantity::MaxPrincipal {
+            return self.or_at_edge(judged);
+        }
+        let [x, y, z] = judged.at;
+        let slides = self.field.slides();
+        let is_outermost = slides && z < element && is_near_edge(&self.field, [x, y], OUTERMOST);
+        Ok(Extreme {
+            resolved: judged.resolved && !is_outermost,
+            ..judged
+        })
+    }
+
+    /// Replaces the largest tension of the topmost body by that at the contact's edge if this is larger, or if the
+    /// value
+    /// was sampled beside the edge.
+    fn or_at_edge(&self, sampled: Extreme<3>) -> Result<Extreme<3>, ContactError> {
+        let Self {
+            path,
+            step,
+            field,
+            coarser,
+        } = self;
+        let at_edge = edge_extreme(path, step, field, coarser.last())?;
+        let [x, y, z] = sampled.at;
+        let is_beside = z < field.grid().element_side() && is_near_edge(field, [x, y], BESIDE_EDGE);
+        Ok(match at_edge {
+            Some(edge) if edge.value >= sampled.value || (is_beside && edge.resolved) => edge,
+            _ => Extreme {
+                resolved: sampled.resolved && !is_beside,
+                ..sampled
+            },
+        })
     }
 
     /// The peak with its exact value, on an axis if it is as near as places are accurate.
@@ -191,7 +234,16 @@ impl<'a> ExtremeFinder<'a> {
                 along
             }
         });
-        let state = shared.exact.at(&self.field, [x, y], depth_in(depths, z))?;
+        let depth = depth_in(depths, z);
+        let under_centre = if z < element {
+            under_centre(&self.field, [x, y], depth)?
+        } else {
+            None
+        };
+        let state = match under_centre {
+            Some(state) => state,
+            None => shared.exact.at(&self.field, [x, y], depth)?,
+        };
         Ok(StressPeak {
             value: quantity.of(&state),
             at: [x, y, z],
@@ -199,17 +251,34 @@ impl<'a> ExtremeFinder<'a> {
     }
 
     /// The largest value of the first quantity of a target near a place that is expected from another load, to 1e-5 and
-    /// without its error.
+    /// without its error; a tension of the topmost body is also sought at the contact's edge.
     pub fn follow(
         &self,
         rough: &mut RoughDepths,
         target: &Target,
-        [x, y, z]: [f64; 3],
+        expected: [f64; 3],
     ) -> Result<Option<Extreme<3>>, ContactError> {
-        let (element, loaded) = (self.field.grid().element_side(), self.field.loaded().size);
+        let loaded = self.field.loaded().size;
         let Some(quantity) = target.quantities.first().filter(|_| loaded > 0) else {
             return Ok(None);
         };
+        let followed = self.followed_from(rough, (target, *quantity), expected)?;
+        match followed.map(without_error) {
+            Some(sampled) if target.top == 0.0 && *quantity == StressQuantity::MaxPrincipal => {
+                self.or_at_edge(sampled).map(Some)
+            }
+            sampled => Ok(sampled),
+        }
+    }
+
+    /// The peak near an expected place; none if it is not found after some moves.
+    fn followed_from(
+        &self,
+        rough: &mut RoughDepths,
+        (target, quantity): (&Target, StressQuantity),
+        [x, y, z]: [f64; 3],
+    ) -> Result<Option<StressPeak>, ContactError> {
+        let (element, loaded) = (self.field.grid().element_side(), self.field.loaded().size);
         rough.forget();
         let depths = target.depths(loaded as f64 * element, element);
         let [low, high] = [depths[0].z, depths[depths.len() - 1].z];
@@ -218,8 +287,7 @@ impl<'a> ExtremeFinder<'a> {
         for _ in 0..FOLLOWED_MOVES {
             if z < element {
                 let depth = depth_in(&depths, z);
-                let peak = search.climb(rough, *quantity, (at, depth))?;
-                return Ok(Some(without_error(peak)));
+                return Ok(Some(search.climb(rough, quantity, (at, depth))?));
             }
             let around = if z <= low || z >= high {
                 vec![z]
@@ -230,7 +298,7 @@ impl<'a> ExtremeFinder<'a> {
             let middle = around.len() / 2;
             let within: Vec<Depth> = around.iter().map(|z| depth_in(&depths, *z)).collect();
             let start = (at, z);
-            let (peak, _) = search.between(rough, *quantity, start, (&within, middle))?;
+            let (peak, _) = search.between(rough, quantity, start, (&within, middle))?;
             let [x, y, found] = peak.at;
             (at, z) = ([x, y], found);
             let [first, last] = [around[0], around[around.len() - 1]];
@@ -239,7 +307,7 @@ impl<'a> ExtremeFinder<'a> {
             if !leaves {
                 let state = search.state(rough, at, depth_in(&depths, z))?;
                 let value = quantity.of(&state);
-                return Ok(Some(without_error(StressPeak { value, ..peak })));
+                return Ok(Some(StressPeak { value, ..peak }));
             }
         }
         Ok(None)
@@ -270,7 +338,7 @@ impl<'a> ExtremeFinder<'a> {
         Extreme {
             value: peak.value,
             at: [snapped(x), snapped(y), z],
-            resolved: error.is_some_and(|error| error.resolved),
+            resolved: error.is_some_and(|error| error.resolved) && step.grid_error.resolves_waves(),
             estimate: error.map(|error| error.estimate),
         }
     }
@@ -341,6 +409,26 @@ impl ExactStates {
             .2
             .sum_over(&loaded, field.tractions(), point))
     }
+}
+
+/// The exact state under a centre where the surface is dragged along, with what the steps of the traction take from it;
+/// none without friction, or away from the loaded square.
+fn under_centre(
+    field: &StressField,
+    point: [f64; 2],
+    depth: Depth,
+) -> Result<Option<SubsurfaceState>, ContactError> {
+    let size = field.loaded().size;
+    let place = PressureBlocks::new(field, 0).nearest(point);
+    if !field.slides() || place.iter().any(|i| !(-1..=size.cast_signed()).contains(i)) {
+        return Ok(None);
+    }
+    let side = field.grid().element_side();
+    let foundation = field.tables().foundation();
+    let mut stresses = CentreStresses::new(foundation, side, size + 1, field.tractions());
+    stresses.move_to(depth)?;
+    let pressure = &field.loaded().pressure;
+    Ok(Some(stresses.at(pressure, size, place)))
 }
 
 /// A depth in the body of these depths.

@@ -68,6 +68,11 @@ impl StressField {
         self.tractions
     }
 
+    /// Whether the surface is dragged along.
+    pub(super) fn slides(&self) -> bool {
+        self.tractions.iter().any(|factor| *factor != 0.0)
+    }
+
     pub(super) fn loaded(&self) -> &LoadedSquare {
         &self.loaded
     }

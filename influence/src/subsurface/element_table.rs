@@ -8,11 +8,18 @@ use rayon::prelude::*;
 
 use super::point_kernels::PointLoad;
 use super::state::{FIELDS, SubsurfaceState, SurfaceLoad};
+use super::traction_steps::TractionSteps;
 use super::under_load::UnderLoad;
 use crate::transform::LINES;
 
 /// The field that replaces each one when x and y are exchanged.
 pub const TRANSPOSED: [usize; FIELDS] = [1, 0, 2, 4, 3, 5, 6, 8, 7];
+
+/// Indices of the stresses that a traction's steps change.
+const XX: usize = 3;
+const YY: usize = 4;
+const ZZ: usize = 5;
+const XY: usize = 6;
 
 /// The fields under one load at `size` × `size` offsets.
 pub struct ElementTable {
@@ -136,5 +143,21 @@ impl ElementTable {
                 }
             }
         });
+    }
+
+    /// Adds what the steps of a traction take from the stresses under centres.
+    pub fn add_steps(&mut self, TractionSteps { along_x, along_y }: TractionSteps) {
+        for (field, lost) in [XX, YY, ZZ].into_iter().zip(along_x) {
+            self.add([1, 0], field, lost);
+        }
+        self.add([0, 1], XY, along_y);
+    }
+
+    /// Adds to a field under a traction at an offset in the first tile.
+    fn add(&mut self, [m, n]: [usize; 2], field: usize, value: f64) {
+        if m.max(n) < self.size {
+            self.tiles[field][m][n] += value;
+            self.tiles[FIELDS + field][n][m] += value;
+        }
     }
 }

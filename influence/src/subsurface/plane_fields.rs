@@ -3,7 +3,8 @@
 //! The pressure is transformed once. For each plane the fields of one element are tabulated at the offsets of a quarter
 //! of the grid, transformed, multiplied and transformed back. Under a pressure `u_y`, `σ_yy` and `σ_yz` are `u_x`,
 //! `σ_xx` and `σ_xz` with x and y exchanged, and so are their spectra; a traction in any direction is the sum of one
-//! along x and one along y.
+//! along x and one along y, and near the surface holds what its [steps](super::traction_steps) take from stresses under
+//! centres.
 
 use pellicle_kernel::Foundation;
 
@@ -13,6 +14,7 @@ use super::parity::{ParityPart, UNDER_PRESSURE, under_traction};
 use super::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
 use super::rough::{RoughDepths, RoughPressure, RoughTraction};
 use super::state::SurfaceLoad;
+use super::traction_steps::TractionSteps;
 use super::transformed_pressure::{Squares, TransformedPressure};
 use super::under_load::{DepthWaves, UnderLoad};
 use super::waves::Waves;
@@ -151,6 +153,10 @@ impl PlaneFields {
         let traction = RoughTraction::under_traction(&kernels, side);
         if let (Some(tangential), Some(traction)) = (&mut self.tangential, traction) {
             tangential.fill_with(&traction);
+            let steps = TractionSteps::of(self.waves.foundation(), depth, side);
+            steps
+                .into_iter()
+                .for_each(|steps| tangential.add_steps(steps));
         }
         self.convolve(depth, chosen, &mut take);
         Ok(())
@@ -188,6 +194,10 @@ impl PlaneFields {
             .fill::<Pressure, NORMAL>(&UnderLoad::new(&waves));
         if let Some(tangential) = &mut self.tangential {
             tangential.fill::<Traction, TANGENTIAL>(&UnderLoad::new(&waves));
+            let steps = TractionSteps::of(self.waves.foundation(), depth, self.waves.unit());
+            steps
+                .into_iter()
+                .for_each(|steps| tangential.add_steps(steps));
         }
         Ok(())
     }
