@@ -1,5 +1,5 @@
-//! The unit that was probably meant: where a result is beyond the model by far, and one value of the case in another unit
-//! would make it sensible.
+//! The unit that was probably meant: where a result is beyond the model by far, and one value of the case in another
+//! unit would make it sensible.
 //!
 //! Each value that has a unit is tried in units that differ by a prefix: loads in smaller ones, moduli and lengths in
 //! larger ones. A confusion of upper and lower case, `MN` for `mN`, comes before smaller factors. What is sensible is

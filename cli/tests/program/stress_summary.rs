@@ -126,7 +126,7 @@ fn stresses_are_listed_by_body_and_interface_and_strengths_in_sentences() {
         "stress in layer[0]",
         "stress on interface 0",
         "of the shear strength",
-        "the interface fails in shear first at ",
+        "the interface fails in shear at ",
         "the coating yields under no load up to 1.0000 µN: ",
     ] {
         assert!(ran.stderr.contains(words), "{words} in {}", ran.stderr);

@@ -1,16 +1,16 @@
 //! How steep the surfaces in contact are: linear elasticity assumes small slopes.
 //!
 //! A smooth indenter is steepest where the contact ends. Its slope there is `|∇f|` at the points of the contact's edge,
-//! placed within their elements as for the [area](super::contact_shape). A rough surface has the root of the mean square
-//! of `|∇g0|` over the elements in contact, from differences between neighbours.
+//! placed within their elements as for the [area](super::contact_shape). A rough surface has the root of the mean
+//! square of `|∇g0|` over the elements in contact, from differences between neighbours.
 
 use pellicle_texture::Relief;
 
 use super::{contact_field::ContactField, contact_shape, rough_contact::RoughContact};
 use crate::Indenter;
 
-/// Half the distance over which a slope is taken, in elements: for shapes given by formulas, and for maps, whose samples
-/// may be steps.
+/// Half the distance over which a slope is taken, in elements: for shapes given by formulas, and for maps, whose
+/// samples may be steps.
 const NEAR: f64 = 0.05;
 const NEAR_OF_MAPS: f64 = 0.5;
 /// Part of the edge on which a measured indenter is steeper than its slope: single points show noise.

@@ -42,10 +42,14 @@ fn solve(model: &Model, domain: Domain, elements: usize, force: f64) -> LoadingP
     let path = solve_path(model, domain, elements, &loads, &options, &mut ()).unwrap();
     let certificate = path.steps[0].solution.certificate;
     assert!(certificate.is_satisfied(), "{certificate:?}");
+    // The equations are linear, so the limits of the model do not matter here.
     let is_expected = |warning: &Warning| {
         matches!(
             warning,
-            Warning::PeakNotResolved { .. } | Warning::DomainMuchLarger { .. }
+            Warning::PeakNotResolved { .. }
+                | Warning::DomainMuchLarger { .. }
+                | Warning::LayerShortening { .. }
+                | Warning::BeyondModel { .. }
         )
     };
     assert!(path.warnings.iter().all(is_expected), "{:?}", path.warnings);

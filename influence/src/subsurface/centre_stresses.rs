@@ -194,8 +194,7 @@ pub struct Line<'a> {
 
 impl<'a> Line<'a> {
     /// The row of these pressures, the `row`-th of a square, as seen from a place that is counted from the first
-    /// element
-    /// of the square, in tables of some offsets along a side; none without pressure.
+    /// element of the square, in tables of some offsets along a side; none without pressure.
     pub fn of(pressures: &'a [f64], row: usize, place: [isize; 2], offsets: usize) -> Option<Self> {
         let first = pressures.iter().position(|p| *p > 0.0)?;
         let end = pressures.iter().rposition(|p| *p > 0.0).unwrap_or(first) + 1;

@@ -1,5 +1,5 @@
-//! Estimates of how much each layer is shortened below a point of a loaded surface, and of the pressure that reaches the
-//! body below it.
+//! Estimates of how much each layer is shortened below a point of a loaded surface, and of the pressure that reaches
+//! the body below it.
 //!
 //! Under a uniform pressure on a disc of radius r, a field on the disc's axis whose waves have the amplitude `A(k)` is
 //!
@@ -7,9 +7,9 @@
 //! F(r) = r ∫₀^∞ A(k) J₁(k r) dk = ∫₀^∞ A(x/r) J₁(x) dx
 //! ```
 //!
-//! On a line below any point a pressure acts as its mean over each circle about the point does, and this mean is a sum of
-//! discs. With `ln k` and `ln r` on one lattice, and A taken to be linear in `ln k` between lattice points, all radii
-//! use the same amplitudes and the same weights.
+//! On a line below any point a pressure acts as its mean over each circle about the point does, and this mean is a sum
+//! of discs. With `ln k` and `ln r` on one lattice, and A taken to be linear in `ln k` between lattice points, all
+//! radii use the same amplitudes and the same weights.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
@@ -26,8 +26,8 @@ const STEP: f64 = 0.125;
 const FIRST: i32 = -37;
 const LAST: i32 = 36;
 
-/// Distance, in sides of a square, up to which it is divided. A ring as wide as a square misses parts of the circles that
-/// it stands for; with 1.5, the shortening of a film as thin as an element is 6 % too small.
+/// Distance, in sides of a square, up to which it is divided. A ring as wide as a square misses parts of the circles
+/// that it stands for; with 1.5, the shortening of a film as thin as an element is 6 % too small.
 const NEAR: f64 = 3.0;
 /// Side of a square, in smallest tabulated radii, below which it is no longer divided but acts like a disc of its area.
 const SMALLEST: f64 = 0.1;
@@ -134,8 +134,8 @@ impl LayerCompression {
         column(sums)
     }
 
-    /// The layers below a point under square elements of side `side` (m), each given by the place of its centre relative
-    /// to the point (m) and its pressure (Pa), and under a `uniform` pressure (Pa) on the whole surface.
+    /// The layers below a point under square elements of side `side` (m), each given by the place of its centre
+    /// relative to the point (m) and its pressure (Pa), and under a `uniform` pressure (Pa) on the whole surface.
     #[must_use]
     pub fn below(
         &self,

@@ -3,8 +3,7 @@
 //! The pressure is transformed once. For each plane the fields of one element are tabulated at the offsets of a quarter
 //! of the grid, transformed, multiplied and transformed back. Under a pressure `u_y`, `σ_yy` and `σ_yz` are `u_x`,
 //! `σ_xx` and `σ_xz` with x and y exchanged, and so are their spectra; a traction in any direction is the sum of one
-//! along x and one along y, and near the surface holds what its [steps](super::traction_steps) take from stresses under
-//! centres.
+//! along x and one along y.
 
 use pellicle_kernel::Foundation;
 
@@ -14,7 +13,6 @@ use super::parity::{ParityPart, UNDER_PRESSURE, under_traction};
 use super::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
 use super::rough::{RoughDepths, RoughPressure, RoughTraction};
 use super::state::SurfaceLoad;
-use super::traction_steps::TractionSteps;
 use super::transformed_pressure::{Squares, TransformedPressure};
 use super::under_load::{DepthWaves, UnderLoad};
 use super::waves::Waves;
@@ -194,10 +192,6 @@ impl PlaneFields {
             .fill::<Pressure, NORMAL>(&UnderLoad::new(&waves));
         if let Some(tangential) = &mut self.tangential {
             tangential.fill::<Traction, TANGENTIAL>(&UnderLoad::new(&waves));
-            let steps = TractionSteps::of(self.waves.foundation(), depth, self.waves.unit());
-            steps
-                .into_iter()
-                .for_each(|steps| tangential.add_steps(steps));
         }
         Ok(())
     }

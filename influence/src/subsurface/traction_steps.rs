@@ -1,8 +1,7 @@
 //! What the steps of a piecewise constant traction take from the stresses under element centres.
 //!
-//! A traction along x that is constant on elements of side h has, besides each wave of wavenumber k, waves of k +
-//! 2πm/h,
-//! whose amplitudes are `(−1)^m k h/(2πm)` to first order. A stress whose symbol is even in k gets as much from m as
+//! A traction along x that is constant on elements of side h has, besides each wave of wavenumber k, waves of
+//! k + 2πm/h, whose amplitudes are `(−1)^m k h/(2πm)` to first order. A stress whose symbol is even in k gets as much from m as
 //! from −m with the other sign; one whose symbol is odd loses, under the centres,
 //!
 //! ```text
@@ -11,11 +10,11 @@
 //!
 //! with A e^{−kz} the wave's stress in a half-space: `2 − kz` for `σ_xx`, `2ν` for `σ_yy`, `kz` for `σ_zz`, and 1
 //! for `σ_xy`, where the derivative is along y. On the surface `σ_xx` loses `(2 ln 2/π) h ∂q/∂x`: some percent many
-//! elements inside a
-//! contact. The sums are `Σ (−1)^{m+1} xᵐ/m = ln(1 + x)` and `Σ (−1)^{m+1} xᵐ = x/(1 + x)` with `x = e^{−2πz/h}`.
+//! elements inside a contact. The sums are `Σ (−1)^{m+1} xᵐ/m = ln(1 + x)` and `Σ (−1)^{m+1} xᵐ = x/(1 + x)` with `x = e^{−2πz/h}`.
 //!
 //! Central differences of the traction give it back to second order, as a part of the field of each element at the two
-//! centres beside it. It falls by 500 with each element of depth, so that nothing jumps where it is left out.
+//! centres beside it. It falls by 500 with each element of depth, so that nothing jumps where it is left out. Only the
+//! search for extremes adds it: the fields of planes and points are those of the steps themselves.
 
 use std::f64::consts::{PI, TAU};
 
@@ -35,9 +34,8 @@ pub struct TractionSteps {
 }
 
 impl TractionSteps {
-    /// In a body at a depth, for elements of side `element_side` (m); none where nothing is lost or the depth is below
-    /// the
-    /// top layer.
+    /// In a body at a depth, for elements of side `element_side` (m); none where nothing is lost or the
+    /// depth is below the top layer.
     pub fn of(foundation: &Foundation, depth: Depth, element_side: f64) -> Option<Self> {
         let top = foundation.layers().first();
         let is_in_top = top.is_none_or(|top| depth.is_above(top.thickness()));
@@ -86,9 +84,8 @@ mod tests {
         assert_eq!(TractionSteps::at(2.0, 0.3), None);
     }
 
-    /// Tractions of one wave on a half-space of ν = 0.3 are compared with the wave's own stresses, `σ_xx = (2 − kz)
-    /// e^{−kz}`,
-    /// `σ_yy = 2ν e^{−kz}` and `σ_zz = kz e^{−kz}`, all times −sin kx for q = cos kx.
+    /// Tractions of one wave on a half-space of ν = 0.3 are compared with the wave's own stresses, `σ_xx =
+    /// (2 − kz) e^{−kz}`, `σ_yy = 2ν e^{−kz}` and `σ_zz = kz e^{−kz}`, all times −sin kx for q = cos kx.
     #[test]
     fn under_a_wave_of_traction_stresses_under_centres_are_second_order() {
         let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());

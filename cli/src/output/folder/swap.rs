@@ -2,7 +2,8 @@
 //! kill leaves either of them complete.
 //!
 //! The new folder is beside the old one, as `.pellicle-swap-…-NAME`, until they are exchanged; then the old one has
-//! this name. So of a folder of this name that a dead process left, the results are removed; other files move to `NAME`.
+//! this name. So of a folder of this name that a dead process left, the results are removed; other files move to
+//! `NAME`.
 
 use std::env;
 use std::fs;
