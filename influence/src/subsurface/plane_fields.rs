@@ -13,6 +13,7 @@ use super::parity::{ParityPart, UNDER_PRESSURE, under_traction};
 use super::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
 use super::rough::{RoughDepths, RoughPressure, RoughTraction};
 use super::state::SurfaceLoad;
+use super::traction_steps::TractionSteps;
 use super::transformed_pressure::{Squares, TransformedPressure};
 use super::under_load::{DepthWaves, UnderLoad};
 use super::waves::Waves;
@@ -133,7 +134,8 @@ impl PlaneFields {
         Ok(())
     }
 
-    /// As [`Self::chosen_fields_on`] with [rough](RoughDepths) stresses.
+    /// As [`Self::chosen_fields_on`] with [rough](RoughDepths) stresses, for searches: near the surface a traction holds
+    /// what its [steps](super::traction_steps) take from stresses under centres.
     ///
     /// # Errors
     /// As [`ElementFields::new`](super::ElementFields::new).
