@@ -168,7 +168,7 @@ impl<'a> ExtremeFinder<'a> {
             }
         }
         let mut best = self.exact(shared, quantity, &depths, peak)?;
-        if best.value < centre.value && peak.at != centre.at {
+        if best.value < centre.value && peak.at.map(f64::to_bits) != centre.at.map(f64::to_bits) {
             // The value at the centre is that under blocks of elements where they are used.
             let at_centre = self.exact(shared, quantity, &depths, centre)?;
             if at_centre.value > best.value {
@@ -396,13 +396,12 @@ impl ExactStates {
         let is_known =
             |(other, reach, _): &(Depth, f64, ElementFields)| *other == depth && *reach >= farthest;
         let known = self.known.iter().position(is_known);
-        let index = match known {
-            Some(index) => index,
-            None => {
-                let fields = self.depths.fields(depth, farthest)?;
-                self.known.push((depth, farthest, fields));
-                self.known.len() - 1
-            }
+        let index = if let Some(index) = known {
+            index
+        } else {
+            let fields = self.depths.fields(depth, farthest)?;
+            self.known.push((depth, farthest, fields));
+            self.known.len() - 1
         };
         let loaded = field.loaded().elements(field.grid());
         Ok(self.known[index]

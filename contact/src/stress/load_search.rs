@@ -241,7 +241,11 @@ impl LoadSearch<'_, '_> {
 
     /// Solves a load, or one that differs little, lies between these ends and is solved already, and finds its stress.
     fn solve_near(&mut self, force: f64, [low, high]: [f64; 2]) -> Result<Solved, ContactError> {
-        let is_new = |other: f64| self.solved.iter().all(|solved| solved.force != other);
+        let is_new = |other: f64| {
+            self.solved
+                .iter()
+                .all(|solved| solved.force.total_cmp(&other).is_ne())
+        };
         let known = self.loads.forces();
         let known = known.filter(|other| *other > low && *other < high && is_new(*other));
         let near = known.min_by(|one, other| {
@@ -294,7 +298,7 @@ impl LoadSearch<'_, '_> {
             followed_on: None,
             ..solved
         };
-        let is_it = |other: &&mut Solved| other.force == solved.force;
+        let is_it = |other: &&mut Solved| other.force.total_cmp(&solved.force).is_eq();
         if let Some(other) = self.solved.iter_mut().find(is_it) {
             *other = searched;
         }

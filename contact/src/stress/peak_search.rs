@@ -180,21 +180,20 @@ impl<'a> PeakSearch<'a> {
         let is_it = |plane: &Plane| plane.depth == depth && plane.doublings == doublings;
         let known = self.planes.iter().position(is_it);
         let known = known.map(|index| self.planes.remove(index));
-        let plane = match known.filter(|plane| farthest < plane.stresses.offsets()) {
-            Some(plane) => plane,
-            None => {
-                let offsets = farthest + SLACK;
-                self.drop_oldest(offsets * offsets);
-                let (foundation, friction) =
-                    (self.field.tables().foundation(), self.field.tractions());
-                let mut stresses = CentreStresses::new(foundation, blocks.side, offsets, friction);
-                stresses.move_roughly_to(rough, depth)?;
-                Plane {
-                    depth,
-                    doublings,
-                    stresses,
-                    known: BTreeMap::new(),
-                }
+        let known = known.filter(|plane| farthest < plane.stresses.offsets());
+        let plane = if let Some(plane) = known {
+            plane
+        } else {
+            let offsets = farthest + SLACK;
+            self.drop_oldest(offsets * offsets);
+            let (foundation, friction) = (self.field.tables().foundation(), self.field.tractions());
+            let mut stresses = CentreStresses::new(foundation, blocks.side, offsets, friction);
+            stresses.move_roughly_to(rough, depth)?;
+            Plane {
+                depth,
+                doublings,
+                stresses,
+                known: BTreeMap::new(),
             }
         };
         self.planes.push(plane);

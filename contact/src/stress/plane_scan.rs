@@ -133,7 +133,7 @@ pub fn scan(
         }
     }
     let least = smooth_doublings(field);
-    let mut groups: BTreeMap<u32, Vec<&(Depth, Vec<[usize; 2]>)>> = BTreeMap::new();
+    let mut groups = BTreeMap::<u32, Vec<_>>::new();
     for plane in &planes {
         let m = doublings(plane.0.z, element).max(least);
         groups.entry(m).or_default().push(plane);

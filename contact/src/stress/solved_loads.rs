@@ -40,16 +40,17 @@ impl<'a> SolvedLoads<'a> {
 
     /// The path under a force, solved unless it is kept.
     pub fn solve(&mut self, force: f64, domain: Domain) -> Result<Arc<LoadingPath>, ContactError> {
-        let is_it = |(other, on, _): &(f64, Domain, _)| *other == force && *on == domain;
+        let is_it =
+            |(other, on, _): &(f64, Domain, _)| other.total_cmp(&force).is_eq() && *on == domain;
         let known = self.kept.iter().position(is_it);
-        let path = match known.and_then(|index| self.kept.remove(index)) {
-            Some((.., path)) => path,
-            None => {
-                let (loads, observer) = ([Load::Force(force)], &mut *self.observer);
-                let (model, options) = (self.model, &self.options);
-                let path = solve_path(model, domain, self.elements, &loads, options, observer)?;
-                Arc::new(path)
-            }
+        let known = known.and_then(|index| self.kept.remove(index));
+        let path = if let Some((.., path)) = known {
+            path
+        } else {
+            let (loads, observer) = ([Load::Force(force)], &mut *self.observer);
+            let (model, options) = (self.model, &self.options);
+            let path = solve_path(model, domain, self.elements, &loads, options, observer)?;
+            Arc::new(path)
         };
         self.kept.push_back((force, domain, path.clone()));
         let most = (KEPT_ELEMENTS / self.elements.pow(2)).max(1);
