@@ -12,8 +12,10 @@ mod load_search;
 pub mod model;
 mod neighbourhood;
 mod peak_search;
+mod plane_scan;
+mod pressure_blocks;
 mod quantity;
-mod starting_points;
+mod solved_loads;
 pub mod unresolved;
 
 /// The nearest whole number.

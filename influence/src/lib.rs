@@ -101,6 +101,7 @@ pub use radial::{CoefficientDerivative, RadialTables};
 pub use sector::{Sector, SectorGrid};
 pub use subsurface::{
     CentreStresses, Depth, ElementDepths, ElementFields, ElementLoads, LayerColumn,
-    LayerCompression, PlaneFields, Squares, SubsurfaceState, SurfaceLoad, SurfaceMeans,
+    LayerCompression, PlaneFields, RoughDepths, Squares, SubsurfaceState, SurfaceLoad,
+    SurfaceMeans,
 };
 pub use surface_elasticity::SurfaceElasticity;

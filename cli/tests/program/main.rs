@@ -37,6 +37,7 @@ mod runner;
 mod sensitivities;
 mod solve;
 mod stress_command;
+mod stress_extent;
 mod stress_files;
 mod stress_pictures;
 mod stress_summary;

@@ -4,10 +4,12 @@ use serde::{Deserialize, Serialize};
 
 use super::body_extremes::{BodyStress, InterfaceStress, StressExtremes};
 use super::extreme::Extreme;
+use super::extreme_finder::ExtremeFinder;
 use super::load_search::{LoadSearch, LoadSearchResult, Solved};
 use super::model::{Criterion, StressModel};
+use super::plane_scan::Target;
 use super::quantity::StressQuantity;
-use super::starting_points::Target;
+use super::solved_loads::SolvedLoads;
 use crate::{ContactError, Domain, LoadingPath, Model, Observer, SolverOptions};
 
 /// Whether a strength is reached.
@@ -84,32 +86,34 @@ pub fn critical_loads(
             what: "critical loads",
         });
     }
+    let options = SolverOptions {
+        coarse_pressures: true,
+        contact_stiffness: false,
+        ..*options
+    };
+    let mut loads = SolvedLoads::new(model, path.grid.size(), options, observer);
+    let mut rough = ExtremeFinder::rough_depths(path, stress.sliding)?;
     let mut found = Vec::new();
     for criterion in criteria(stress, extremes) {
-        let solutions = path.steps.iter().map(|step| &step.solution);
-        let solved = solutions
-            .zip(&criterion.known)
-            .map(|(solution, extreme)| Solved {
-                force: solution.force,
-                penetration: solution.penetration,
-                extreme: *extreme,
-            });
+        let steps = path.steps.iter().zip(&criterion.known);
+        let solved = steps.map(|(step, extreme)| Solved {
+            force: step.solution.force,
+            penetration: step.solution.penetration,
+            radius: step.summary.contact_radius,
+            extreme: *extreme,
+            followed_on: None,
+        });
         let mut solved: Vec<Solved> = solved.collect();
         solved.sort_by(|one, other| one.force.total_cmp(&other.force));
         let mut search = LoadSearch {
-            model,
+            loads: &mut loads,
             domain,
-            elements: path.grid.size(),
-            options: SolverOptions {
-                coarse_pressures: true,
-                contact_stiffness: false,
-                ..*options
-            },
             sliding: stress.sliding,
             target: &criterion.target,
             strength: criterion.strength,
             solved,
-            observer: &mut *observer,
+            follows: true,
+            rough: &mut rough,
         };
         let outcome = search.search()?;
         found.push(criterion.into_critical_load(&outcome));

@@ -12,6 +12,7 @@
 
 mod case;
 mod random;
+mod stresses;
 
 use pellicle_contact::{ContactError, Domain, FlatPunch, Load, SolverOptions, Status};
 use pellicle_influence::InfluenceError;

@@ -6,9 +6,10 @@
 use pellicle_kernel::Foundation;
 
 use super::depth::Depth;
-use super::element_table::ElementTable;
+use super::element_table::{ElementStates, ElementTable};
 use super::parity::{UNDER_PRESSURE, under_traction};
 use super::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
+use super::rough::{RoughDepths, RoughPressure, RoughTraction};
 use super::state::{FIELDS, SubsurfaceState, SurfaceLoad};
 use super::traction_steps::TractionSteps;
 use super::under_load::{DepthWaves, UnderLoad};
@@ -77,10 +78,41 @@ impl CentreStresses {
         depth.check(self.waves.foundation())?;
         let diagonal = std::f64::consts::SQRT_2 * self.waves.unit() * self.offsets as f64;
         let waves = DepthWaves::new(&mut self.waves, depth, diagonal)?;
-        (self.normal).fill::<Pressure, NORMAL>(&UnderLoad::new(&waves));
+        let tangential = self.tangential.is_some();
+        let tangential = tangential.then(|| UnderLoad::<Traction, TANGENTIAL>::new(&waves));
+        let normal = UnderLoad::<Pressure, NORMAL>::new(&waves);
+        self.tabulate(depth, &normal, tangential);
+        Ok(())
+    }
+
+    /// The same with [rough](RoughDepths) stresses.
+    ///
+    /// # Errors
+    /// As [`ElementFields::new`](super::ElementFields::new).
+    pub fn move_roughly_to(
+        &mut self,
+        depths: &mut RoughDepths,
+        depth: Depth,
+    ) -> Result<(), InfluenceError> {
+        let side = self.waves.unit();
+        let diagonal = std::f64::consts::SQRT_2 * side * (self.offsets + 1) as f64;
+        let kernels = depths.at(depth, side, diagonal)?;
+        let tangential = RoughTraction::under_traction(&kernels, side);
+        let normal = RoughPressure::under_pressure(&kernels, side);
+        self.tabulate(depth, &normal, tangential);
+        Ok(())
+    }
+
+    fn tabulate(
+        &mut self,
+        depth: Depth,
+        normal: &impl ElementStates,
+        traction: Option<impl ElementStates>,
+    ) {
+        self.normal.fill_with(normal);
         take_rows(&mut self.under_pressure, &self.normal, Axes::Own);
-        if let Some(tangential) = &mut self.tangential {
-            tangential.fill::<Traction, TANGENTIAL>(&UnderLoad::new(&waves));
+        if let (Some(tangential), Some(traction)) = (&mut self.tangential, traction) {
+            tangential.fill_with(&traction);
             let steps = TractionSteps::of(self.waves.foundation(), depth, self.waves.unit());
             steps
                 .into_iter()
@@ -90,7 +122,6 @@ impl CentreStresses {
                 take_rows(&mut self.swapped, tangential, Axes::Swapped);
             }
         }
-        Ok(())
     }
 
     /// The stress under the centre of the element at `place`, counted from the first of a square of `size` × `size`

@@ -33,6 +33,30 @@ pub struct ElementTable {
 /// One field in a tile, row by row.
 type Tile = [[f64; LINES]; LINES];
 
+/// The fields of an element under one load; places are in sides of the element from its centre.
+pub trait ElementStates: Sync {
+    /// The load.
+    const LOAD: SurfaceLoad;
+
+    /// The state at (x, y).
+    fn at(&self, place: [f64; 2]) -> SubsurfaceState;
+
+    /// The states at (x, y) and at (y, x).
+    fn at_both(&self, place: [f64; 2]) -> [SubsurfaceState; 2];
+}
+
+impl<L: PointLoad<F>, const F: usize> ElementStates for UnderLoad<L, F> {
+    const LOAD: SurfaceLoad = L::LOAD;
+
+    fn at(&self, place: [f64; 2]) -> SubsurfaceState {
+        Self::at(self, place)
+    }
+
+    fn at_both(&self, place: [f64; 2]) -> [SubsurfaceState; 2] {
+        Self::at_both(self, place)
+    }
+}
+
 impl ElementTable {
     pub fn new(size: usize, load: SurfaceLoad) -> Self {
         let groups = size.div_ceil(LINES);
@@ -86,7 +110,12 @@ impl ElementTable {
 
     /// Computes the fields of an element under the table's load.
     pub fn fill<L: PointLoad<F>, const F: usize>(&mut self, element: &UnderLoad<L, F>) {
-        assert!(self.load == L::LOAD, "the table is made for the load");
+        self.fill_with(element);
+    }
+
+    /// The same from an element of any accuracy.
+    pub fn fill_with<E: ElementStates>(&mut self, element: &E) {
+        assert!(self.load == E::LOAD, "the table is made for the load");
         let (size, fields) = (self.size, self.fields());
         let tiles = self.tiles.par_chunks_exact_mut(fields).enumerate();
         tiles.for_each(|(place, values)| {
@@ -104,7 +133,7 @@ impl ElementTable {
                         value[i][j] = state.field(field);
                     }
                 };
-                match L::LOAD {
+                match E::LOAD {
                     SurfaceLoad::Pressure => set(0, &element.at(place)),
                     SurfaceLoad::Traction => {
                         let [own, other] = element.at_both(place);

@@ -136,6 +136,7 @@ static FOUR_POINT_FACTORS: LazyLock<Vec<f64>> = LazyLock::new(|| {
 const FOUR_POINTS_LAST: isize = 410;
 
 /// The amplitudes at one depth from which the fields of any load are computed.
+#[derive(Clone, Debug)]
 pub struct DepthWaves {
     depth: Depth,
     /// Side of an element, m.

@@ -121,7 +121,9 @@ fn the_relative_error_of_a_critical_load_is_that_of_the_stress_over_its_exponent
     let solved = |value: f64| Solved {
         force: 6.0,
         penetration: 0.3,
+        radius: 1.0,
         extreme: extreme(value),
+        followed_on: None,
     };
     let met = search().into_critical_load(&LoadSearchResult::Met {
         solved: solved(4.0),
