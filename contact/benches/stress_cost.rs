@@ -1,5 +1,5 @@
-//! What stresses and critical loads cost beside the contact, in CPU time on one thread: 24 cases on 64 × 64 elements and
-//! three on 512 × 512. `cargo bench -p pellicle-contact --bench stress_cost` prints a line a case and the sums.
+//! What stresses and critical loads cost beside the contact, in CPU time on one thread: 24 cases on 64 × 64 elements
+//! and three on 512 × 512. `cargo bench -p pellicle-contact --bench stress_cost` prints a line a case and the sums.
 
 #![expect(clippy::print_stdout, reason = "criterion has no ratios")]
 

@@ -71,8 +71,8 @@ fn a_grid_of_the_solution_without_contact_is_left_out_of_the_errors_of_stresses(
     // Under one element the largest compression is the pressure, as under any uniform one: the others are 0.8 of it.
     let ratio = -value(body, "min_principal") / pressure;
     assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
-    // Under a uniform circle it is 0.33 of the pressure (Johnson 1985, §3.4). A square has corners, and the search takes
-    // depths of quarters of an element, on both sides of the peak.
+    // Under a uniform circle it is 0.33 of the pressure (Johnson 1985, §3.4). A square has corners, and the search
+    // takes depths of quarters of an element, on both sides of the peak.
     let ratio = value(body, "max_shear") / pressure;
     assert!((ratio / 0.33 - 1.0).abs() < 0.06, "{ratio}");
     assert_eq!(body["max_shear"]["resolved"], false);

@@ -33,8 +33,8 @@ const BESIDE_EDGE: isize = 3;
 const OUTERMOST: isize = 2;
 /// Part of an element within which a place counts as on an axis.
 const ON_AXIS: f64 = 1e-3;
-/// Factor between the three depths around a peak that is followed from another load, so narrow that a parabola places the
-/// peak to half a percent and finds its value to 1e-5, and how often it may leave them.
+/// Factor between the three depths around a peak that is followed from another load, so narrow that a parabola places
+/// the peak to half a percent and finds its value to 1e-5, and how often it may leave them.
 const FOLLOWED_RATIO: f64 = 1.12;
 const FOLLOWED_MOVES: usize = 8;
 

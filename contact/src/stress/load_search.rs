@@ -287,7 +287,8 @@ impl LoadSearch<'_, '_> {
         Ok(solved)
     }
 
-    /// Searches the whole body under a load whose peak was followed. If it is another peak, none is followed any longer.
+    /// Searches the whole body under a load whose peak was followed. If it is another peak, none is followed any
+    /// longer.
     fn searched(&mut self, solved: Solved) -> Result<Solved, ContactError> {
         let Some(domain) = solved.followed_on else {
             return Ok(solved);

@@ -1,7 +1,7 @@
 //! The pressure of a field gathered in square blocks of elements, for depths from which single elements are not seen.
 //!
-//! Pressures that vary over less than z hardly affect the stress at depth z. The blocks lie where their force acts at the
-//! same place as that of the elements, so that even a contact smaller than one block acts at its own place.
+//! Pressures that vary over less than z hardly affect the stress at depth z. The blocks lie where their force acts at
+//! the same place as that of the elements, so that even a contact smaller than one block acts at its own place.
 
 use super::field::{LoadedSquare, StressField};
 

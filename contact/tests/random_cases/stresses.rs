@@ -1,7 +1,8 @@
-//! Stresses of random cases with up to eight layers, under forces and penetrations, at rest and sliding: each is found, with
-//! finite numbers at places in its body, or refused with a reason.
+//! Stresses of random cases with up to eight layers, under forces and penetrations, at rest and sliding: each is found,
+//! with finite numbers at places in its body, or refused with a reason.
 //!
-//! 16 by default; `PELLICLE_RANDOM_STRESSES=2000 cargo test --release -p pellicle-contact --test random_cases stresses --
+//! 16 by default; `PELLICLE_RANDOM_STRESSES=2000 cargo test --release -p pellicle-contact --test random_cases stresses
+//! --
 //! --nocapture` for more and a count.
 
 use pellicle_contact::{

@@ -308,8 +308,8 @@ mod tests {
             found.pressures[0] / wanted.pressures[0] - 1.0,
         ];
         assert!(errors.iter().all(|error| error.abs() < 0.01), "{errors:?}");
-        // A uniform pressure confines the film; below the widest disc the base contracts sideways by p (1 + ν)(1 − 2ν)/(2E)
-        // (Love 1929), and the film is shortened by 2ν/(1 − ν) times that strain less.
+        // A uniform pressure confines the film; below the widest disc the base contracts sideways by p (1 + ν)(1 −
+        // 2ν)/(2E) (Love 1929), and the film is shortened by 2ν/(1 − ν) times that strain less.
         let uniform = tables.below([], side, 2.0);
         let widest = LayerCompression::new(&body, [100.0, 200.0]).unwrap();
         let widest = widest.below_disc(150.0, 2.0);

@@ -134,8 +134,8 @@ impl PlaneFields {
         Ok(())
     }
 
-    /// As [`Self::chosen_fields_on`] with [rough](RoughDepths) stresses, for searches: near the surface a traction holds
-    /// what its [steps](super::traction_steps) take from stresses under centres.
+    /// As [`Self::chosen_fields_on`] with [rough](RoughDepths) stresses, for searches: near the surface a traction
+    /// holds what its [steps](super::traction_steps) take from stresses under centres.
     ///
     /// # Errors
     /// As [`ElementFields::new`](super::ElementFields::new).

@@ -1,8 +1,8 @@
 //! What the steps of a piecewise constant traction take from the stresses under element centres.
 //!
 //! A traction along x that is constant on elements of side h has, besides each wave of wavenumber k, waves of
-//! k + 2πm/h, whose amplitudes are `(−1)^m k h/(2πm)` to first order. A stress whose symbol is even in k gets as much from m as
-//! from −m with the other sign; one whose symbol is odd loses, under the centres,
+//! k + 2πm/h, whose amplitudes are `(−1)^m k h/(2πm)` to first order. A stress whose symbol is even in k gets as much
+//! from m as from −m with the other sign; one whose symbol is odd loses, under the centres,
 //!
 //! ```text
 //! (h/π) ∂q/∂x Σ (−1)^{m+1} A(2πm z/h)/m
@@ -10,7 +10,8 @@
 //!
 //! with A e^{−kz} the wave's stress in a half-space: `2 − kz` for `σ_xx`, `2ν` for `σ_yy`, `kz` for `σ_zz`, and 1
 //! for `σ_xy`, where the derivative is along y. On the surface `σ_xx` loses `(2 ln 2/π) h ∂q/∂x`: some percent many
-//! elements inside a contact. The sums are `Σ (−1)^{m+1} xᵐ/m = ln(1 + x)` and `Σ (−1)^{m+1} xᵐ = x/(1 + x)` with `x = e^{−2πz/h}`.
+//! elements inside a contact. The sums are `Σ (−1)^{m+1} xᵐ/m = ln(1 + x)` and `Σ (−1)^{m+1} xᵐ = x/(1 + x)` with `x =
+//! e^{−2πz/h}`.
 //!
 //! Central differences of the traction give it back to second order, as a part of the field of each element at the two
 //! centres beside it. It falls by 500 with each element of depth, so that nothing jumps where it is left out. Only the

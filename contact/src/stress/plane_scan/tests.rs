@@ -183,8 +183,8 @@ fn peaks_of_every_plane_equal_its_stresses_under_elements_and_under_blocks() {
                 assert!(own.count() < PEAKS_OF_A_PLANE);
                 let there = field.at(largest.at, *depth).unwrap();
                 let ratio = largest.value / quantity.of(&there);
-                // Blocks of side b = z/8 widen a load by the variance b²/12 along x and along y, and −σ_zz under a force
-                // falls by 5/2 of their sum over z²: 5/768 = 0.65 %.
+                // Blocks of side b = z/8 widen a load by the variance b²/12 along x and along y, and −σ_zz under a
+                // force falls by 5/2 of their sum over z²: 5/768 = 0.65 %.
                 assert!(
                     (ratio - 1.0).abs() < 1e-2,
                     "{quantity:?} {}: {ratio}",
