@@ -135,7 +135,7 @@ impl PlaneFields {
     }
 
     /// As [`Self::chosen_fields_on`] with [rough](RoughDepths) stresses, for searches: near the surface a traction
-    /// holds what its [steps](super::traction_steps) take from stresses under centres.
+    /// holds what its steps take from stresses under centres.
     ///
     /// # Errors
     /// As [`ElementFields::new`](super::ElementFields::new).
