@@ -117,7 +117,7 @@ impl LoadSearch<'_, '_> {
             };
             let is_met = |solved: &Solved, exponent: Option<f64>| {
                 let apart = self.utilisation(solved).ln();
-                exponent.is_some_and(|n| (apart / n).abs() <= ACCURACY)
+                exponent.is_some_and(|n| (apart / n).abs() <= 2.0 * ACCURACY)
             };
             let grows = self.exponent(&solved, &latest).or(exponent);
             if is_met(&solved, grows) || (high / low).ln() <= ACCURACY {
