@@ -1,9 +1,11 @@
 //! Stresses of random cases with up to eight layers, under forces and penetrations, at rest and sliding: each is found,
 //! with finite numbers at places in its body, or refused with a reason.
 //!
-//! 16 by default; `PELLICLE_RANDOM_STRESSES=2000 cargo test --release -p pellicle-contact --test random_cases stresses
-//! --
-//! --nocapture` for more and a count.
+//! 16 by default; for more
+//!
+//! ```sh
+//! PELLICLE_RANDOM_STRESSES=2000 cargo test --release -p pellicle-contact --test random_cases stresses
+//! ```
 
 use pellicle_contact::{
     BodyPart, BodyStrengths, ContactError, Extreme, InterfacePart, InterfaceStrengths, LoadingPath,
