@@ -13,7 +13,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use pellicle_cli::Case;
+use pellicle::Case;
 use pellicle_contact::solve_path;
 use pellicle_influence::Cache;
 

@@ -7,11 +7,11 @@ mod values;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use pellicle::case::output::{Format, OutputCase, Steps};
 
 pub use self::identify::IdentifyArguments;
 pub use self::study::{GatherArguments, StudyArguments};
 use self::values::{depth, hurst, length, offset, perturbation, point, positive, range, section};
-use crate::case::output::{Format, OutputCase, Steps};
 use crate::picture::colour_map::ColourMap;
 use crate::picture::style::Cut;
 use crate::templates::Template;

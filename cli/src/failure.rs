@@ -5,37 +5,23 @@ use std::io;
 use std::iter;
 use std::path::{Path, PathBuf};
 
+use pellicle::input::clean::clean;
+use pellicle::input::diagnosis::Diagnosis;
 use pellicle_contact::{ContactError, IndenterError};
 use pellicle_identify::IdentifyError;
 use pellicle_influence::InfluenceError;
 use pellicle_kernel::KernelError;
 use pellicle_texture::TextureError;
 
-use crate::display::memory;
-use crate::input::diagnosis::Diagnosis;
 use crate::output::folder;
-use crate::terminal::{NoOutput, clean};
+use crate::terminal::NoOutput;
 
 /// The reason why a command ends early.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    /// The case is wrong at one place in its text.
+    /// The case cannot be read or solved.
     #[error(transparent)]
-    Case(#[from] Box<Diagnosis>),
-    /// There is no such file, or it cannot be read.
-    #[error("{}: cannot be read as a case file: {cause}", path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// The system's error.
-        cause: io::Error,
-    },
-    /// The kernel rejects the foundation.
-    #[error("foundation: {0}")]
-    Kernel(#[from] KernelError),
-    /// The influence coefficients cannot be computed.
-    #[error("influence coefficients: {0}")]
-    Influence(#[from] InfluenceError),
+    Case(#[from] pellicle::Error),
     /// The fields inside the body cannot be computed, at all or at that depth.
     #[error("fields inside the body: {0}")]
     Inside(InfluenceError),
@@ -55,15 +41,6 @@ pub enum Failure {
         /// The last step of the case.
         last: usize,
     },
-    /// The relief is invalid.
-    #[error("surface: {0}")]
-    Texture(#[from] TextureError),
-    /// The indenter is invalid.
-    #[error("indenter: {0}")]
-    Indenter(#[from] IndenterError),
-    /// The contact problem cannot be posed or was cancelled.
-    #[error(transparent)]
-    Contact(#[from] ContactError),
     /// A file or folder of that name exists.
     #[error("{}: found a file or folder of that name: give --force to replace it, or another --out", path.display())]
     Exists {
@@ -168,16 +145,6 @@ pub enum Failure {
         /// The table or folder.
         path: PathBuf,
     },
-    /// There is too little memory for the case.
-    #[error("found {} for a case that needs {} of memory, wanted {}", memory(*available), memory(*needed), fitting_in_words(*fitting))]
-    Memory {
-        /// Memory needed, bytes.
-        needed: u64,
-        /// Memory available, bytes.
-        available: u64,
-        /// Elements per side with which the case would fit; 0 if none would.
-        fitting: usize,
-    },
     /// The model of a fit file has no curve.
     #[error("the measurement cannot be simulated: {0}")]
     NotSimulated(String),
@@ -233,19 +200,32 @@ pub enum Failure {
     /// The threads cannot be started.
     #[error("the threads cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
-    /// A value cannot be written as JSON.
-    #[error("cannot be written as JSON: {0}")]
-    Json(#[from] serde_json::Error),
     /// A value cannot be written as TOML.
     #[error("cannot be written as TOML: {0}")]
     Toml(#[from] toml::ser::Error),
 }
 
-impl From<Diagnosis> for Failure {
-    fn from(diagnosis: Diagnosis) -> Self {
-        Self::Case(Box::new(diagnosis))
-    }
+/// Failures that are those of a case.
+macro_rules! of_a_case {
+    ($($error:ty),*) => {$(
+        impl From<$error> for Failure {
+            fn from(error: $error) -> Self {
+                Self::Case(error.into())
+            }
+        }
+    )*};
 }
+
+of_a_case!(
+    Diagnosis,
+    Box<Diagnosis>,
+    KernelError,
+    InfluenceError,
+    TextureError,
+    IndenterError,
+    ContactError,
+    serde_json::Error
+);
 
 impl Failure {
     /// Returns the failure to write a file or folder: where the user will look for it, and of its causes the system's.
@@ -270,11 +250,8 @@ impl Failure {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Contact(
-                ContactError::NotPositiveDefinite { .. } | ContactError::DomainTooSmall { .. },
-            )
-            | Self::Influence(_)
-            | Self::Inside(InfluenceError::Kernel(_)) => 1,
+            Self::Case(error) if error.is_unsolved() => 1,
+            Self::Inside(InfluenceError::Kernel(_)) => 1,
             _ => 2,
         }
     }
@@ -283,10 +260,7 @@ impl Failure {
     #[must_use]
     pub fn render(&self) -> String {
         match self {
-            Self::Case(diagnosis) => diagnosis.render(),
-            Self::Contact(ContactError::DomainTooSmall { .. }) => {
-                clean(&format!("Error: {self} (`grid.side`)"))
-            }
+            Self::Case(error) => error.render(),
             other => clean(&format!("Error: {other}")),
         }
     }
@@ -305,31 +279,9 @@ fn cause_of<'a>(error: &&'a (dyn Error + 'static)) -> Option<&'a (dyn Error + 's
     }
 }
 
-/// Describes the change that would make a case fit in memory.
-fn fitting_in_words(fitting: usize) -> String {
-    match fitting {
-        0 => "more memory".into(),
-        elements => format!("fewer elements, such as grid.elements = {elements}"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_contact_larger_than_any_domain_is_reported_with_the_key_grid_side() {
-        let failure = Failure::from(ContactError::DomainTooSmall {
-            side: 2.0,
-            trials: 100,
-        });
-        let message = failure.render();
-        assert!(
-            message.trim_end().ends_with("give its side (`grid.side`)"),
-            "{message}"
-        );
-        assert_eq!(failure.exit_code(), 1);
-    }
 
     #[test]
     fn a_failure_to_write_names_the_file_and_the_cause_of_the_system_alone() {
@@ -340,24 +292,5 @@ mod tests {
         let failure = Failure::write(path, io::Error::other(packed));
         let wanted = format!("results/a/fields-000.npz: cannot be written: {words}");
         assert_eq!(failure.to_string(), wanted);
-    }
-
-    #[test]
-    fn a_memory_error_states_the_largest_grid_that_fits() {
-        let message = |fitting| {
-            let (needed, available) = (2_000_000_000, 300_000_000);
-            let failure = Failure::Memory {
-                needed,
-                available,
-                fitting,
-            };
-            failure.to_string()
-        };
-        assert_eq!(
-            message(1024),
-            "found 300 MB for a case that needs 2.0 GB of memory, \
-             wanted fewer elements, such as grid.elements = 1024"
-        );
-        assert!(message(0).ends_with("wanted more memory"));
     }
 }

@@ -9,20 +9,21 @@ pub mod unknown;
 use std::path::Path;
 use std::sync::Arc;
 
+use pellicle::case::map_sources::MapSources;
+use pellicle::input::document::Document;
+use pellicle::input::source_file;
+use pellicle::input::span::Source;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::toml_tree;
+use pellicle::input::value_reader::ValueReader;
+
 use self::model::FitModel;
 use self::nuisance::NuisanceTable;
 use self::report::ReportTable;
 use self::unknown::{UnknownCase, read_unknowns};
-use crate::case::map_sources::MapSources;
 use crate::failure::Failure;
-use crate::input::document::Document;
-use crate::input::span::Source;
-use crate::input::table_reader::TableReader;
-use crate::input::toml_tree;
-use crate::input::value_reader::ValueReader;
 use crate::measured::data_table::DataTable;
 use crate::measured::sources::MeasurementSources;
-use crate::source_file;
 
 /// A fit file.
 #[derive(Debug)]

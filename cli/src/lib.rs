@@ -12,31 +12,22 @@
     )
 )]
 
+mod arena;
 mod arguments;
 mod cache;
-mod case;
-mod case_solution;
 mod command;
-mod display;
 mod failure;
 mod fit_and_plan;
 mod fit_file;
-mod forecast;
 mod identification;
-mod input;
 mod interrupt;
-mod map;
 mod measured;
-mod memory;
 mod output;
 mod picture;
 mod planning;
 mod program;
 mod progress;
 mod self_affine;
-mod sensitivities;
-mod source_file;
-mod stress_search;
 mod study;
 mod templates;
 mod terminal;
@@ -44,33 +35,16 @@ mod threads;
 mod unfinished;
 mod validation;
 
-pub use case::Case;
-pub use display::{DisplayUnit, Unit, quantity};
 pub use failure::Failure;
-pub use input::{
-    diagnosis::{Diagnosis, Fault},
-    span::Source,
-    units::Units,
-};
 pub use program::main;
 pub use templates::Template;
 
 /// Cases solved as the program solves them.
 pub mod solved {
     pub use crate::cache::open as open_cache;
-    pub use crate::case::foundation::FoundationCase;
-    pub use crate::case::grid::BoundaryCase;
-    pub use crate::case::map_sources::MapSources;
-    pub use crate::case::stress::StressCase;
-    pub use crate::case_solution::{Resources, SolvedCase, solve};
-    pub use crate::map::MapError;
-    pub use crate::memory::MemoryBudget;
     pub use crate::output::curve::csv as curve;
-    pub use crate::output::folder::Completeness;
     pub use crate::output::json;
     pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
-    pub use crate::source_file::read as read_source;
-    pub use crate::stress_search::StressSearch;
 }
 
 /// Studies planned, solved case by case, and kept in a table, as the program does.
@@ -108,7 +82,6 @@ pub mod results {
     pub use crate::output::results::read_summary;
     pub use crate::output::stress::npz::{file as stresses_file, read as read_stresses};
     pub use crate::output::stress::view::{StressSection, StressView, SurfaceLine};
-    pub use crate::output::summary::{FILE as SUMMARY_FILE, RunSummary, StepSummary};
 }
 
 /// The pictures of a solution, and their parts.

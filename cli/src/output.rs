@@ -18,7 +18,6 @@ pub mod report;
 pub mod results;
 mod stoppable;
 pub mod stress;
-pub mod summary;
 pub mod summary_text;
 pub mod text_cell;
 pub mod vti;

@@ -3,10 +3,10 @@
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use pellicle_contact::{Observer, Progress, Signal};
+use pellicle::{Event, Monitor};
+use pellicle_contact::{Progress, Signal};
 
 use crate::interrupt;
-use crate::stress_search::StressSearch;
 
 /// Shows the progress of a solution on standard error if it is a terminal, and passes Ctrl-C on.
 #[derive(Debug)]
@@ -83,21 +83,18 @@ impl ProgressLine {
 #[derive(Debug, Clone)]
 pub struct SearchLine(Option<ProgressBar>);
 
-impl SearchLine {
-    /// Shows the current search.
-    pub fn show(&self, search: StressSearch) {
+impl Monitor for SearchLine {
+    fn told(&mut self, event: Event<'_>) -> Signal {
+        let message = match event {
+            Event::StressesOf(step, steps) => format!("stresses of step {}/{steps}", step + 1),
+            Event::CriticalLoads => "critical loads".into(),
+            Event::Iteration(progress) if shown(self.0.as_ref()).is_some() => {
+                format!("critical loads: {}", message(progress, None))
+            }
+            Event::Iteration(_) | Event::WaitsForMemory => return interrupt::signal(),
+        };
         if let Some(line) = &self.0 {
-            line.set_message(searching(search));
-        }
-    }
-}
-
-impl Observer for SearchLine {
-    fn progress(&mut self, progress: &Progress) -> Signal {
-        if let Some(line) = shown(self.0.as_ref()) {
-            let message = message(progress, None);
-            let what = searching(StressSearch::Critical);
-            line.set_message(format!("{what}: {message}"));
+            line.set_message(message);
         }
         interrupt::signal()
     }
@@ -111,8 +108,11 @@ impl Drop for ProgressLine {
     }
 }
 
-impl Observer for ProgressLine {
-    fn progress(&mut self, progress: &Progress) -> Signal {
+impl Monitor for ProgressLine {
+    fn told(&mut self, event: Event<'_>) -> Signal {
+        let Event::Iteration(progress) = event else {
+            return interrupt::signal();
+        };
         if self.keeps_steps && progress.finished > 0 {
             interrupt::hold();
         }
@@ -145,13 +145,6 @@ fn message(progress: &Progress, left: Option<Duration>) -> String {
         "step {step}/{steps}, grid {elements} × {elements}, iteration {iteration}, \
          residual {residual:.1e}{left}"
     )
-}
-
-fn searching(search: StressSearch) -> String {
-    match search {
-        StressSearch::Step(step, steps) => format!("stresses of step {}/{steps}", step + 1),
-        StressSearch::Critical => "critical loads".into(),
-    }
 }
 
 fn writing(done: usize, total: usize) -> String {

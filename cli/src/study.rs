@@ -33,15 +33,15 @@ pub mod varied_key;
 
 use std::path::PathBuf;
 
+use pellicle::case::Case;
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::key_path;
+use pellicle::input::overrides;
+use pellicle::input::toml_tree::TomlNode;
 use serde::{Deserialize, Serialize};
 
 use self::numbering::CaseNumbering;
 use self::varied_key::VariedKey;
-use crate::case::Case;
-use crate::input::diagnosis::Diagnosis;
-use crate::input::key_path;
-use crate::input::overrides;
-use crate::input::toml_tree::TomlNode;
 
 /// A base case and its varied keys.
 #[derive(Debug, Clone)]
@@ -125,7 +125,7 @@ impl Study {
         let pair =
             |(varied, i): (&VariedKey, &usize)| format!("{} = {}", varied.key, varied.words(*i));
         let pairs: Vec<_> = self.varied_keys.iter().zip(&choice).map(pair).collect();
-        crate::terminal::clean(&pairs.join(", "))
+        pellicle::input::clean::clean(&pairs.join(", "))
     }
 }
 

@@ -72,9 +72,9 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::case::Case;
-    use crate::input::span::Source;
-    use crate::input::units::Units;
+    use pellicle::case::Case;
+    use pellicle::input::span::Source;
+    use pellicle::input::units::Units;
 
     #[test]
     fn the_stress_keys_in_the_template_are_valid() {

@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
-use pellicle_cli::Source;
-use pellicle_cli::solved::{MapSources, read_source};
+use pellicle::case::map_sources::MapSources;
+use pellicle::input::source_file::read as read_source;
+use pellicle::input::span::Source;
 use pyo3::prelude::*;
 
 use crate::error::Refusal;
@@ -44,13 +45,13 @@ pub fn map_sources(
 /// A case, read and checked.
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct Case {
-    case: Arc<pellicle_cli::Case>,
+    case: Arc<pellicle::Case>,
     has_functions: bool,
 }
 
 impl Case {
     /// The case itself.
-    pub fn inner(&self) -> &pellicle_cli::Case {
+    pub fn inner(&self) -> &pellicle::Case {
         &self.case
     }
 }
@@ -75,7 +76,7 @@ impl Case {
     ) -> PyResult<Self> {
         let maps = map_sources(&folder, arrays, &functions);
         let source = Arc::new(Source::new(source, text));
-        let case = Threads::work(py, || pellicle_cli::Case::parse_with(&source, name, &maps))?
+        let case = Threads::work(py, || pellicle::Case::parse_with(&source, name, &maps))?
             .map_err(Refusal::from)?;
         Ok(Self {
             case: Arc::new(case),

@@ -3,8 +3,8 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use pellicle::case::grid::BoundaryCase;
 use pellicle_cli::Failure;
-use pellicle_cli::solved::BoundaryCase;
 use pellicle_contact::{Certificate, ContactError, Load, Solution};
 use pyo3::prelude::*;
 

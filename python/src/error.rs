@@ -5,7 +5,9 @@ mod attributes;
 
 use std::any::Any;
 
-use pellicle_cli::{Diagnosis, Failure, Fault};
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::diagnosis::Fault;
+use pellicle_cli::Failure;
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::{IntoPyObjectExt, create_exception};
@@ -96,7 +98,7 @@ impl From<Refusal> for PyErr {
         Python::attach(|py| {
             let error = exception(&failure);
             match &failure {
-                Failure::Case(diagnosis) => describe(py, &error, diagnosis),
+                Failure::Case(pellicle::Error::Case(diagnosis)) => describe(py, &error, diagnosis),
                 other => attributes::set(py, error.value(py), other),
             }
             // The error matters more than an attribute that cannot be set.
@@ -110,13 +112,22 @@ impl From<Refusal> for PyErr {
 fn exception(failure: &Failure) -> PyErr {
     let message = failure.to_string();
     match failure {
-        Failure::Case(_) => CaseError::new_err(message),
-        Failure::Kernel(_) => KernelError::new_err(message),
-        Failure::Influence(_) | Failure::Inside(_) => InfluenceError::new_err(message),
-        Failure::Texture(_) => TextureError::new_err(message),
-        Failure::Indenter(_) => IndenterError::new_err(message),
-        Failure::Contact(_) => ContactError::new_err(message),
+        Failure::Case(error) => exception_of_case(error, message),
+        Failure::Inside(_) => InfluenceError::new_err(message),
         Failure::Identify(_) | Failure::NotPlanned(_) => IdentifyError::new_err(message),
+        _ => RunError::new_err(message),
+    }
+}
+
+fn exception_of_case(error: &pellicle::Error, message: String) -> PyErr {
+    use pellicle::Error;
+    match error {
+        Error::Case(_) => CaseError::new_err(message),
+        Error::Kernel(_) => KernelError::new_err(message),
+        Error::Influence(_) => InfluenceError::new_err(message),
+        Error::Texture(_) => TextureError::new_err(message),
+        Error::Indenter(_) => IndenterError::new_err(message),
+        Error::Contact(_) => ContactError::new_err(message),
         _ => RunError::new_err(message),
     }
 }

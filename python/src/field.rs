@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_cli::solved::SolvedCase;
+use pellicle::Run as SolvedCase;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -6,12 +6,13 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use numpy::PyReadonlyArray2;
+use pellicle::input::span::Source;
+use pellicle_cli::Failure;
 use pellicle_cli::fitted::{
     FitFile, FitSources, FittedFile, MeasurementSources, Measurements, PlanResult, Stage, fit,
     plan, plan_table,
 };
 use pellicle_cli::solved::json;
-use pellicle_cli::{Failure, Source};
 use pellicle_identify::IdentifyError;
 use pyo3::prelude::*;
 

@@ -3,9 +3,12 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use pellicle::Run as SolvedCase;
+use pellicle::run::Resources;
+use pellicle::run::solve;
+use pellicle::{Event, Monitor};
 use pellicle_cli::Failure;
-use pellicle_cli::solved::{Resources, SolvedCase, solve};
-use pellicle_contact::{Observer, Progress, Signal};
+use pellicle_contact::{Progress, Signal};
 use pyo3::prelude::*;
 
 use crate::process::{self, Shared};
@@ -15,28 +18,26 @@ use crate::work::{Watched, Work};
 /// The state of a solution, which is `None` if it was stopped before it began.
 type WatchedSolution = Watched<Progress, Option<SolvedCase>>;
 
-/// The observer of a solution.
-struct SolutionObserver<'a>(&'a WatchedSolution);
+/// The monitor of a solution.
+struct SolutionMonitor<'a>(&'a WatchedSolution);
 
-impl Observer for SolutionObserver<'_> {
-    fn progress(&mut self, progress: &Progress) -> Signal {
-        self.0.report(*progress);
-        signal(self.0)
-    }
-}
-
-fn signal(watched: &WatchedSolution) -> Signal {
-    if watched.stop.is_raised() {
-        Signal::Cancel
-    } else {
-        Signal::Continue
+impl Monitor for SolutionMonitor<'_> {
+    fn told(&mut self, event: Event<'_>) -> Signal {
+        if let Event::Iteration(progress) = event {
+            self.0.report(*progress);
+        }
+        if self.0.stop.is_raised() {
+            Signal::Cancel
+        } else {
+            Signal::Continue
+        }
     }
 }
 
 /// A case being solved. It is stopped when this object is dropped.
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct Run {
-    case: Arc<pellicle_cli::Case>,
+    case: Arc<pellicle::Case>,
     has_functions: bool,
     work: Work<Progress, Option<SolvedCase>>,
 }
@@ -44,7 +45,7 @@ pub struct Run {
 impl Run {
     /// Starts solving a case on this many threads; `has_functions` if its shapes are Python functions.
     pub fn start(
-        case: Arc<pellicle_cli::Case>,
+        case: Arc<pellicle::Case>,
         has_functions: bool,
         threads: Option<u16>,
     ) -> Result<Self, Failure> {
@@ -62,7 +63,7 @@ impl Run {
 }
 
 fn solve_watched(
-    case: &pellicle_cli::Case,
+    case: &pellicle::Case,
     shared: &Shared,
     start: Instant,
     watched: &WatchedSolution,
@@ -72,14 +73,7 @@ fn solve_watched(
         memory: &shared.memory,
         writers: 0,
     };
-    let search = |_| signal(watched);
-    let solved = solve(
-        case,
-        resources,
-        start,
-        &mut SolutionObserver(watched),
-        &search,
-    )?;
+    let solved = solve(case, resources, start, &mut SolutionMonitor(watched))?;
     Ok(solved.map(|mut solved| {
         let warnings = shared.cache.take_warnings();
         solved

@@ -3,8 +3,11 @@
 use std::sync::{Arc, OnceLock};
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
-use pellicle_cli::Source;
-use pellicle_cli::solved::{self, Completeness, SolvedCase, StressCase, StressFields};
+use pellicle::Completeness;
+use pellicle::Run as SolvedCase;
+use pellicle::case::stress::StressCase;
+use pellicle::input::span::Source;
+use pellicle_cli::solved::{self, StressFields};
 use pellicle_contact::SampledModel;
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
@@ -20,7 +23,7 @@ type Array<'py> = Bound<'py, PyArray2<f64>>;
 /// A solved case.
 #[pyclass(frozen, module = "pellicle._pellicle")]
 pub struct Solution {
-    case: Arc<pellicle_cli::Case>,
+    case: Arc<pellicle::Case>,
     solved: Arc<SolvedCase>,
     /// Relief and indenter on the grid. They are kept if given by functions, which are not called again; otherwise
     /// `None`.
@@ -29,7 +32,7 @@ pub struct Solution {
 
 impl Solution {
     /// The solution of a case, whose shapes may be Python functions.
-    pub fn new(case: Arc<pellicle_cli::Case>, solved: SolvedCase, has_functions: bool) -> Self {
+    pub fn new(case: Arc<pellicle::Case>, solved: SolvedCase, has_functions: bool) -> Self {
         Self {
             case,
             solved: Arc::new(solved),

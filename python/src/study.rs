@@ -3,12 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use pellicle::{Event, Monitor};
 use pellicle_cli::Failure;
 use pellicle_cli::studied::{
     CaseSolver, CaseStatus, FieldKeeper, KeptFields, RecordInMemory, ResultsTable, Shard,
     StudyFolder, StudyIdentity, StudyPlan, Tally, read, write_report,
 };
-use pellicle_contact::{Observer, Progress, Signal};
+use pellicle_contact::Signal;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -120,11 +121,11 @@ impl Study {
     }
 }
 
-/// The observer of a case of a study.
-struct CaseObserver<'a>(&'a WatchedChunk);
+/// The monitor of a case of a study.
+struct CaseMonitor<'a>(&'a WatchedChunk);
 
-impl Observer for CaseObserver<'_> {
-    fn progress(&mut self, _: &Progress) -> Signal {
+impl Monitor for CaseMonitor<'_> {
+    fn told(&mut self, _: Event<'_>) -> Signal {
         signal(self.0)
     }
 }
@@ -161,12 +162,11 @@ fn solve(
     };
     let mut rows = Vec::new();
     for case in cases {
-        let search = |_| signal(watched);
         let is_stopped = signal(watched) == Signal::Cancel;
         let done = if is_stopped {
             None
         } else {
-            kit.solve(case, &mut CaseObserver(watched), &search)?
+            kit.solve(case, &mut CaseMonitor(watched))?
         };
         let Some(done) = done else { break };
         let kept = record.as_ref().map(RecordInMemory::take);

@@ -1,7 +1,8 @@
 //! Parsers of option values: quantities, ranges, sections and offsets.
 
-use crate::input::dimension::Dimension;
-use crate::input::quantity;
+use pellicle::input::dimension::Dimension;
+use pellicle::input::quantity;
+
 use crate::picture::style::Cut;
 
 pub(super) fn positive(text: &str) -> Result<f64, String> {

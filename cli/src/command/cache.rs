@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
+use pellicle::display::significant;
 use pellicle_influence::Usage;
 use serde::Serialize;
 
 use crate::arguments::CacheArguments;
 use crate::command::Outcome;
-use crate::display::significant;
 use crate::failure::Failure;
 use crate::{cache, output, terminal};
 

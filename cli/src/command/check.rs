@@ -1,18 +1,18 @@
 //! `pellicle check`: the case as resolved, and estimates of the work of solving it.
 
+use pellicle::case::Case;
+use pellicle::case::map::MapCase;
+use pellicle::case::surface::SurfaceCase;
+use pellicle::case::with_units::with_units;
+use pellicle::display::{self, Unit, quantity, significant};
+use pellicle::forecast::Forecast;
+use pellicle::input::units::Units;
 use pellicle_contact::Step;
 use pellicle_texture::SlopeSpectrum;
 
 use crate::arguments::CaseArguments;
-use crate::case::Case;
-use crate::case::map::MapCase;
-use crate::case::surface::SurfaceCase;
-use crate::case::with_units::with_units;
 use crate::command::Outcome;
-use crate::display::{self, Unit, quantity, significant};
 use crate::failure::Failure;
-use crate::forecast::Forecast;
-use crate::input::units::Units;
 use crate::output::disk_space;
 use crate::{cache, terminal};
 

@@ -6,6 +6,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use indicatif::ProgressBar;
+use pellicle::input::source_file;
+use pellicle::run::Completeness;
 use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 
 use crate::arguments::IdentifyArguments;
@@ -16,9 +18,9 @@ use crate::fit_file::{FitFile, Measurements};
 use crate::identification::fitted_file::FittedFile;
 use crate::identification::{files, simulation, text};
 use crate::output::file::{self, Existing};
-use crate::output::folder::{Completeness, ResultsFolder};
+use crate::output::folder::ResultsFolder;
 use crate::output::json;
-use crate::{interrupt, source_file, terminal, threads};
+use crate::{interrupt, terminal, threads};
 
 /// Fits the model, writes the results and reports them.
 ///

@@ -2,15 +2,15 @@
 
 mod inside;
 
+use pellicle::case::Case;
+use pellicle::input::units::Units;
 use pellicle_contact::Model;
 use pellicle_influence::direct;
 use serde::Serialize;
 
 use crate::arguments::InfluenceArguments;
-use crate::case::Case;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::input::units::Units;
 use crate::{cache, output, terminal};
 
 /// The coefficient at one offset.

@@ -1,12 +1,12 @@
 //! `pellicle kernel`: the compliance and the response of a foundation, by wavenumber.
 
+use pellicle::case::Case;
+use pellicle::input::units::Units;
 use serde::Serialize;
 
 use crate::arguments::KernelArguments;
-use crate::case::Case;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::input::units::Units;
 use crate::{output, terminal};
 
 /// Compliance and response at one wavenumber.

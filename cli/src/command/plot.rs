@@ -4,11 +4,12 @@
 use std::fs;
 use std::path::Path;
 
+use pellicle::summary::WarningSummary;
+
 use crate::arguments::PlotArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::output::redraw::{self, RedrawOptions};
-use crate::output::summary::WarningSummary;
 use crate::picture::style::{Heading, Style};
 use crate::progress::ProgressLine;
 use crate::terminal;

@@ -7,21 +7,24 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use pellicle::Completeness;
+use pellicle::case::Case;
+use pellicle::forecast::need::Need;
+use pellicle::input::source_file;
+use pellicle::memory::MemoryBudget;
+use pellicle::run::{self, Stresses, stress_search};
+use pellicle::summary::{Clock, RunSummary};
 use pellicle_contact::{ContactError, Domain, LoadingPath, Model};
+use rayon::ThreadPool;
 
 use crate::arguments::RunArguments;
-use crate::case::Case;
 use crate::command::{Outcome, complaint};
 use crate::failure::Failure;
-use crate::forecast::need::Need;
-use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
-use crate::output::folder::{self, Completeness, ResultsFolder};
-use crate::output::summary::{Clock, RunSummary};
+use crate::output::folder::{self, ResultsFolder};
 use crate::output::{json, report, results, summary_text};
 use crate::progress::{ProgressLine, SearchLine};
-use crate::stress_search::{self, Stresses};
-use crate::{cache, case_solution, interrupt, source_file, terminal, threads};
+use crate::{cache, interrupt, terminal, threads};
 
 /// Interval at which a request to stop is checked during the search for stresses.
 const LOOK: Duration = Duration::from_millis(20);
@@ -46,8 +49,8 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
     let memory = MemoryBudget::default();
     let writers = folder.as_ref().map_or(0, |_| rayon::current_num_threads());
     let domain = case.domain(&model.value)?;
-    let _share = memory.take(Need::new(&case, &model.value, domain, writers))?;
-    let path = Arc::new(case_solution::path(&case, &model.value, domain, &mut line)?);
+    let _share = memory.take(Need::new(&case, &model.value, domain, writers), &mut line)?;
+    let path = Arc::new(run::path(&case, &model.value, domain, &mut line)?);
     if path.interrupted && path.steps.is_empty() {
         drop(line);
         return Ok(stopped_at_once());
@@ -60,7 +63,7 @@ pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
         tables_origin: model.origin,
     };
     let mut summary = RunSummary::new(&case, &path, clock, &cache.take_warnings())?;
-    case_solution::complete(&case, &model.value, &path, stresses, &mut summary)?;
+    run::complete(&case, &model.value, &path, stresses, &mut summary)?;
     let write = |folder: ResultsFolder| {
         let on_progress = line.writing();
         folder.write(|folder| {
@@ -89,40 +92,33 @@ fn find_stresses(
     path: &Arc<LoadingPath>,
     line: &ProgressLine,
 ) -> Result<Option<Stresses>, Failure> {
-    if interrupt::is_requested() {
+    if case.stress.is_none() || interrupt::is_requested() {
         return Ok(None);
     }
-    case_solution::unless_stopped(find_beside(case, model, domain, path, line.searching()))
+    let threads = rayon::current_num_threads();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()?;
+    let found = find_beside(pool, case, model, domain, path, line.searching());
+    Ok(run::unless_stopped(found)?)
 }
 
 /// Finds the stresses on separate threads, which are abandoned when the user asks to stop: the extremes of one step may
 /// take too long to wait for, and the finished results are still to be written.
 fn find_beside(
+    pool: ThreadPool,
     case: &Case,
     model: &Model,
     domain: Domain,
     path: &Arc<LoadingPath>,
-    line: SearchLine,
-) -> Result<Option<Stresses>, Failure> {
-    if case.stress.is_none() {
-        return Ok(None);
-    }
-    let threads = rayon::current_num_threads();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-    let pool = pool.build()?;
+    mut line: SearchLine,
+) -> Result<Option<Stresses>, pellicle::Error> {
     let (case, model, path) = (case.clone(), model.clone(), Arc::clone(path));
     let (alive, ended) = mpsc::channel::<()>();
     let search = thread::spawn(move || {
         // Dropped when the search ends, in whatever way.
         let _alive = alive;
-        let mut observer = line.clone();
-        let on_search = |search| {
-            line.show(search);
-            interrupt::signal()
-        };
-        pool.install(|| {
-            stress_search::find(&case, &model, domain, &path, &on_search, &mut observer)
-        })
+        pool.install(|| stress_search::find(&case, &model, domain, &path, &mut line))
     });
     while ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
         if interrupt::is_requested() {

@@ -6,22 +6,22 @@ use std::io::{self, BufRead};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
+use pellicle::case::BaseCase;
+use pellicle::input::overrides;
+use pellicle::memory::MemoryBudget;
+use pellicle::run::Completeness;
+use pellicle::run::{self, Resources, Run};
+use pellicle::summary::RunSummary;
 use pellicle_contact::Status;
 use pellicle_influence::Cache;
 use serde::Serialize;
 
 use self::stream_line::Replacement;
 use crate::arguments::SolveArguments;
-use crate::case::BaseCase;
-use crate::case_solution::{self, Resources, SolvedCase};
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::input::overrides;
-use crate::memory::MemoryBudget;
-use crate::output::folder::Completeness;
-use crate::output::summary::RunSummary;
 use crate::progress::ProgressLine;
-use crate::{cache, interrupt, terminal, threads};
+use crate::{cache, terminal, threads};
 
 /// Reads objects of keys and values from standard input, one per line. For each it prints the summary of the case, or
 /// the error, as one line before reading the next. Ends with its input.
@@ -110,11 +110,10 @@ impl Stream {
             memory: &self.memory,
             writers: 0,
         };
-        let search = |_| interrupt::signal();
         let mut line = ProgressLine::hidden();
-        let solved = case_solution::solve(&case, resources, start, &mut line, &search)?;
-        let whole = solved.filter(|solved| solved.completeness == Completeness::Whole);
-        let Some(SolvedCase { mut summary, .. }) = whole else {
+        let solved = run::solve(&case, resources, start, &mut line)?;
+        let whole = solved.filter(|run| run.completeness == Completeness::Whole);
+        let Some(Run { mut summary, .. }) = whole else {
             return Ok(None);
         };
         summary.add_case(&case)?;

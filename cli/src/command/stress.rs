@@ -1,18 +1,19 @@
 //! `pellicle stress`: displacements and stresses at points of the body under one load of a case.
 
+use pellicle::Watching;
+use pellicle::case::Case;
+use pellicle::case::foundation::depths::BodyPlane;
+use pellicle::case::stress::StressCase;
+use pellicle::forecast::need::Need;
+use pellicle::input::units::Units;
+use pellicle::memory::MemoryBudget;
 use pellicle_contact::{Model, Status, StressField, solve_path};
 use pellicle_influence::{Depth, SubsurfaceState};
 use serde::Serialize;
 
 use crate::arguments::StressArguments;
-use crate::case::Case;
-use crate::case::foundation::depths::BodyPlane;
-use crate::case::stress::StressCase;
 use crate::command::{Outcome, complaint};
 use crate::failure::Failure;
-use crate::forecast::need::Need;
-use crate::input::units::Units;
-use crate::memory::MemoryBudget;
 use crate::output::stress::FIELDS;
 use crate::progress::ProgressLine;
 use crate::{cache, output, terminal, threads};
@@ -95,7 +96,7 @@ fn step(case: &Case, requested: Option<usize>) -> Result<usize, Failure> {
 fn check_depths(case: &Case, points: &[[f64; 3]]) -> Result<(), Failure> {
     let bottom = case.foundation.bottom();
     let is_outside = |point: &&[f64; 3]| {
-        let planes_end = bottom * (1.0 + crate::case::foundation::FoundationCase::NEAR);
+        let planes_end = bottom * (1.0 + pellicle::case::foundation::FoundationCase::NEAR);
         point[2] > planes_end
     };
     points
@@ -124,12 +125,19 @@ fn solve(
     };
     let domain = case.domain(model)?;
     let memory = MemoryBudget::default();
-    let _share = memory.take(Need::new(case, model, domain, 0))?;
+    let _share = memory.take(Need::new(case, model, domain, 0), &mut line)?;
     let loads = &case.load.loads()[step..=step];
     let elements = case.grid.elements;
     let options = case.solver_options();
-    let path = solve_path(model, domain, elements, loads, &options, &mut line)
-        .map_err(|error| case.blame(error))?;
+    let path = solve_path(
+        model,
+        domain,
+        elements,
+        loads,
+        &options,
+        &mut Watching(&mut line),
+    )
+    .map_err(|error| case.blame(error))?;
     let sliding = case.stress.as_ref().map(StressCase::sliding);
     let field = StressField::new(&path, 0, sliding.unwrap_or_default());
     match (field, path.steps.first()) {

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
+use pellicle::memory::MemoryBudget;
 use serde::Serialize;
 
 use crate::arguments::StudyArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::memory::MemoryBudget;
 use crate::progress::in_words;
 use crate::study::Study;
 use crate::study::case_solver::CaseSolver;

@@ -3,19 +3,19 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use pellicle::case::Case;
+use pellicle::case::map_sources::MapSources;
+use pellicle::case::parameter::CaseParameter;
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::key_path;
+use pellicle::input::overrides;
+use pellicle::input::source_file;
+use pellicle::input::toml_tree::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
+use pellicle::input::value_reader::ValueReader;
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use pellicle_influence::Cache;
 
-use crate::case::Case;
-use crate::case::map_sources::MapSources;
-use crate::case::parameter::CaseParameter;
 use crate::failure::Failure;
-use crate::input::diagnosis::Diagnosis;
-use crate::input::key_path;
-use crate::input::overrides;
-use crate::input::toml_tree::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
-use crate::input::value_reader::ValueReader;
-use crate::source_file;
 
 /// The model of a fit: the tree of a case, and its radial tables by shape.
 #[derive(Debug)]
@@ -84,7 +84,9 @@ impl FitModel {
         }
         let case = Case::resolve_with(&root, &self.name, &self.maps)?;
         if case.hardness().is_some() {
-            return Err(case.blame(ContactError::WithHardness { what: "fits" }));
+            return Err(case
+                .blame(ContactError::WithHardness { what: "fits" })
+                .into());
         }
         let model = case.model(&self.cache)?.value;
         let parameters = case.parameters(&model)?;

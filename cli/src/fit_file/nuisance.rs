@@ -1,15 +1,15 @@
 //! `[nuisance]` of a fit file: zero, frame compliance and drift of the curves, and parameters of the model that are not
 //! known exactly.
 
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::dimension::Dimension;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::value_reader::ValueReader;
 use pellicle_identify::{IdentifyError, LinearNuisance, Prior};
 
 use super::model::ModelParameters;
 use super::prior;
 use super::unknown::{UnknownCase, flattened, read_unknown};
-use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Dimension;
-use crate::input::table_reader::TableReader;
-use crate::input::value_reader::ValueReader;
 
 /// The nuisances of a fit.
 #[derive(Debug, Clone, PartialEq)]

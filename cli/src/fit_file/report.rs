@@ -1,13 +1,13 @@
 //! `[report]` of a fit file: the form of the result.
 
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::dimension::{Dimension, Sign};
+use pellicle::input::quantity_list::QuantityList;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::value_reader::ValueReader;
 use pellicle_identify::{FitOptions, Intervals};
 
 use super::model::ModelParameters;
-use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::quantity_list::QuantityList;
-use crate::input::table_reader::TableReader;
-use crate::input::value_reader::ValueReader;
 
 /// The largest number of samples of a posterior.
 const MOST_SAMPLES: usize = 1_000_000;

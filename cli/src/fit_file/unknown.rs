@@ -1,17 +1,17 @@
 //! `[unknown]` of a fit file: the parameters to be fitted, each between bounds or with a prior.
 
+use pellicle::case::parameter::{self, CaseParameter};
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::dimension::{Dimension, Sign};
+use pellicle::input::key_path::dotted;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::toml_tree::{TomlEntry, TomlTable, TomlValue};
+use pellicle::input::value_reader::ValueReader;
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, Prior, Unknown};
 
 use super::model::ModelParameters;
 use super::prior;
-use crate::case::parameter::{self, CaseParameter};
-use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::key_path::dotted;
-use crate::input::table_reader::TableReader;
-use crate::input::toml_tree::{TomlEntry, TomlTable, TomlValue};
-use crate::input::value_reader::ValueReader;
 
 /// Without bounds, a parameter is sought within this many standard deviations of its prior.
 const DEVIATIONS: f64 = 8.0;

@@ -1,10 +1,10 @@
 //! A measured curve as used in a fit: abscissae, observed values and noise.
 
+use pellicle::input::diagnosis::Diagnosis;
 use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable};
 
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
-use crate::input::diagnosis::Diagnosis;
 use crate::measured::channel::Channel;
 use crate::measured::curve::MeasuredCurve;
 use crate::measured::data_table::{DataTable, Observe};

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use pellicle::display::significant;
 use pellicle_identify::{Fit, Observable};
 
 use super::Identification;
 use super::findings::{OutlierResult, WarningResult};
 use super::units;
-use crate::display::significant;
 
 /// Outliers with a sentence of their own; all are in `fit.json`.
 const MOST_NAMED: usize = 10;

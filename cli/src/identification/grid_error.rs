@@ -4,10 +4,10 @@
 //! Every point would be left out. Instead all stay in the fit, and each interval is widened on both sides by the change
 //! of the unknown that the estimated error of all predictions would make.
 
+use pellicle::display::significant;
 use pellicle_identify::{Fit, FitVerdict, ForwardModel as _, exponents};
 
 use super::Identification;
-use crate::display::significant;
 
 /// If no more than this fraction of the residuals is larger than the grid's error, no test of them is one of the model.
 const LARGER: f64 = 0.05;

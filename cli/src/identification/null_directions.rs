@@ -1,9 +1,9 @@
 //! The directions in parameter space along which no predicted curve changes, by the keys of the case.
 
+use pellicle::case::parameter::CaseParameter;
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, NullDirections};
 
-use crate::case::parameter::CaseParameter;
 use crate::fit_file::model::ModelParameters;
 
 /// Returns the null directions of the model of one table, in logarithms of its parameters; parameters specific to the

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
+use pellicle::display::{count, significant};
 use pellicle_identify::{Estimate, Exclusion, Fit, FitVerdict, Observable, Role};
 use rayon::prelude::*;
 
 use super::result::FitResult;
 use super::{Identification, names, units};
-use crate::display::{count, significant};
 use crate::failure::Failure;
 use crate::output::write_progress::WriteProgress;
 use crate::picture::fit::corner::{self, CornerPlot};

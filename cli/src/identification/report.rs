@@ -2,6 +2,7 @@
 //! this module supplies its text.
 
 use askama::Template;
+use pellicle::display::significant;
 use pellicle_identify::{Fit, FitVerdict, Observable, REFUSAL};
 
 use super::findings::{CombinationResult, EstimateResult};
@@ -9,7 +10,6 @@ use super::pictures::{FitDrawings, FitPicture};
 use super::result::FitResult;
 use super::taken_as_exact::ExactNumber;
 use super::{Identification, names, units};
-use crate::display::significant;
 use crate::planning::page::DesignTable;
 
 /// The contents of the page, with numbers in words.

@@ -2,6 +2,7 @@
 
 mod notes;
 
+use pellicle::summary::PROGRAM;
 use pellicle_identify::{
     Correlation, Estimate, Fit, FitVerdict, NoiseLevels, Observable, Role, Verdict,
 };
@@ -13,7 +14,6 @@ use super::findings::{
     WarningResult,
 };
 use super::taken_as_exact::ExactNumber;
-use crate::output::summary::PROGRAM;
 use crate::planning::after_fit::Next;
 use crate::planning::design::DesignResult;
 

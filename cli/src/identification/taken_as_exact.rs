@@ -1,12 +1,12 @@
 //! The parameters that a fit takes as exact, and the effect of an error in one on the result.
 
+use pellicle::display::significant;
 use pellicle_contact::ContactError;
 use pellicle_identify::{Fit, FitVerdict, FixedNumber, Role, exponents};
 use serde::Serialize;
 
 use super::findings::{EstimateResult, WarningResult};
 use super::{Identification, names};
-use crate::display::significant;
 use crate::failure::Failure;
 use crate::fit_file::model::ModelParameters;
 
@@ -67,7 +67,9 @@ impl Identification {
         }
         match self.exponents(fit) {
             Ok(numbers) => (numbers, None),
-            Err(Failure::Contact(ContactError::Cancelled { .. })) => Default::default(),
+            Err(Failure::Case(pellicle::Error::Contact(ContactError::Cancelled { .. }))) => {
+                Default::default()
+            }
             Err(failure) => {
                 let message = format!(
                     "the effect of the parameters taken as exact could not be computed: {failure}"

@@ -1,9 +1,10 @@
 //! The result of a fit on the terminal.
 
+use pellicle::display::significant;
+
 use super::findings::EstimateResult;
 use super::result::FitResult;
 use super::taken_as_exact::most_critical;
-use crate::display::significant;
 use crate::planning;
 
 /// Describes the result, one line per parameter.

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::display::{DisplayUnit, Unit};
-use crate::input::units::Units;
+use pellicle::display::{DisplayUnit, Unit};
+use pellicle::input::units::Units;
 
 /// The scale for values up to `largest`, in the SI unit that `fit.json` names.
 #[must_use]

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use pellicle::display::significant;
 use pellicle_contact::{ContactError, LARGEST_SLOPE, Warning};
 use pellicle_identify::{Fit, ForwardError, ForwardModel as _, Observable};
 
@@ -10,7 +11,6 @@ use super::findings::WarningResult;
 use super::outside::{Handling, Outside};
 use super::remembered::Remembered;
 use super::units;
-use crate::display::significant;
 
 /// Returns the points, among all measured ones, at which the model does not hold according to a fit of some of them. If
 /// the contact cannot be solved, these are the points known before. None if the user stopped.

@@ -1,6 +1,6 @@
 //! The quantities of a measured curve, one column of its file each.
 
-use crate::input::dimension::Dimension;
+use pellicle::input::dimension::Dimension;
 
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,15 +1,16 @@
 //! The tables `columns` and `units` of a fit file: the columns to read, and their units.
 
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::dimension::Sign;
+use pellicle::input::quantity;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::toml_tree::TomlValue;
+use pellicle::input::value_reader::ValueReader;
+
 use super::channel::Channel;
 use super::error::CurveError;
 use super::header::{HeaderField, HeaderUnit};
 use super::text_table::TextTable;
-use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::Sign;
-use crate::input::quantity;
-use crate::input::table_reader::TableReader;
-use crate::input::toml_tree::TomlValue;
-use crate::input::value_reader::ValueReader;
 
 /// A column by its number from 1 or by its name in the header.
 #[derive(Debug, Clone, PartialEq)]

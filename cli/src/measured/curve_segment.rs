@@ -1,11 +1,11 @@
 //! The table `segment` of a fit file: the part of a measurement to use.
 
-use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::quantity;
-use crate::input::table_reader::TableReader;
-use crate::input::toml_tree::TomlValue;
-use crate::input::value_reader::ValueReader;
+use pellicle::input::diagnosis::{Diagnosis, Fault};
+use pellicle::input::dimension::{Dimension, Sign};
+use pellicle::input::quantity;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::toml_tree::TomlValue;
+use pellicle::input::value_reader::ValueReader;
 
 /// The part of a measurement to use.
 #[derive(Debug, Clone, Default, PartialEq)]

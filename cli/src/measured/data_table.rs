@@ -5,6 +5,14 @@ mod required_columns;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use pellicle::input::diagnosis::{Diagnosis, Fault};
+use pellicle::input::document::Document;
+use pellicle::input::key_path;
+use pellicle::input::span::Source;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
+use pellicle::input::value_reader::ValueReader;
+
 use super::columns::CurveColumns;
 use super::curve_segment::CurveSegment;
 use super::error::CurveError;
@@ -13,13 +21,6 @@ use super::omitted::OmittedRows;
 use super::sources::MeasurementSources;
 use super::spring::{HeightDirection, SpringConstant};
 use super::text_options::TextOptions;
-use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::document::Document;
-use crate::input::key_path;
-use crate::input::span::Source;
-use crate::input::table_reader::TableReader;
-use crate::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
-use crate::input::value_reader::ValueReader;
 
 /// The observable that is compared with a model.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -1,8 +1,9 @@
 //! The header of a column: its name, and the unit that the file states for it.
 
+use pellicle::input::dimension::Dimension;
+use pellicle::input::quantity;
+
 use super::separator::Separator;
-use crate::input::dimension::Dimension;
-use crate::input::quantity;
 
 /// Electrical units: a column in one of them needs a calibration.
 const ELECTRICAL: [&str; 7] = ["V", "mV", "uV", "µV", "A", "mA", "nA"];

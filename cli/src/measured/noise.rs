@@ -1,8 +1,8 @@
 //! The table `noise` of a fit file: the noise of a measurement, as far as it is known.
 
-use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::table_reader::TableReader;
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::dimension::{Dimension, Sign};
+use pellicle::input::table_reader::TableReader;
 
 /// The noise, as far as it is known; the rest is estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::input::diagnosis::Diagnosis;
-use crate::input::toml_tree::TomlValue;
-use crate::input::value_reader::ValueReader;
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::toml_tree::TomlValue;
+use pellicle::input::value_reader::ValueReader;
 
 /// Rows that are left out by hand.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -29,7 +29,7 @@ impl OmittedRows {
             (TomlValue::List(_), []) => vec![(String::new(), rows(field)?)],
             (TomlValue::Table(table), _) => {
                 let entries = table.entries.iter();
-                let of_entry = |entry: &crate::input::toml_tree::TomlEntry| {
+                let of_entry = |entry: &pellicle::input::toml_tree::TomlEntry| {
                     let path = format!("{}.{}", field.path(), entry.key);
                     let field = ValueReader::new(path, &entry.node);
                     if !files.is_empty() && !files.iter().any(|file| name(file) == entry.key) {

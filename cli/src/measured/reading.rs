@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use pellicle::input::diagnosis::Diagnosis;
+
 use super::binary::refuse_binary;
 use super::channel::Channel;
 use super::checks;
@@ -12,7 +14,6 @@ use super::raw_curve::RawCurve;
 use super::segment_rows::cut;
 use super::spring;
 use super::text_table::TextTable;
-use crate::input::diagnosis::Diagnosis;
 
 impl MeasuredCurve {
     /// Reads all files of a table.

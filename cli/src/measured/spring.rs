@@ -4,13 +4,14 @@
 //! was computed from the deflection, `F = k d`, here or by the instrument, so another spring constant changes the force
 //! but not the penetration. `identification/spring_constants.rs` describes the effect on a fit.
 
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::dimension::{Dimension, Sign};
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::value_reader::ValueReader;
+
 use super::channel::Channel;
 use super::error::CurveError;
 use super::raw_curve::RawCurve;
-use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::table_reader::TableReader;
-use crate::input::value_reader::ValueReader;
 
 /// The spring constant of a cantilever, N/m.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,9 +1,10 @@
 //! The table `text` of a fit file: the format of the text of a measurement.
 
+use pellicle::input::diagnosis::{Diagnosis, Fault};
+use pellicle::input::table_reader::TableReader;
+
 use super::decode::TextEncoding;
 use super::separator::{DecimalMark, Separator};
-use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::table_reader::TableReader;
 
 /// The format of the text of a measurement.
 #[derive(Debug, Clone, PartialEq)]

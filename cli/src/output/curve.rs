@@ -4,11 +4,12 @@ pub mod columns;
 pub mod sensitivity;
 pub mod stress;
 
+use pellicle::input::units::Units;
+use pellicle::summary::{RunSummary, StepSummary};
+
 use self::columns::{CurveColumn, OF_HARDNESS, OF_ROUGH_CONTACT, cells, names, number, optional};
 use self::sensitivity::SensitivityColumns;
 use self::stress::StressColumns;
-use super::summary::{RunSummary, StepSummary};
-use crate::input::units::Units;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "curve.csv";

@@ -4,10 +4,11 @@
 //! pictures of as many elements. *Measured* on the templates, a film and a rough surface, N = 64 to 512: within a tenth
 //! where fields dominate, within a fifth where pictures do.
 
+use pellicle::case::Case;
+use pellicle::case::output::{Format, OutputCase};
+use pellicle::case::surface::SurfaceCase;
+
 use super::results::STEPS_IN_REPORT;
-use crate::case::Case;
-use crate::case::output::{Format, OutputCase};
-use crate::case::surface::SurfaceCase;
 use crate::picture::pressure_map::CELLS;
 
 /// Bytes of an element in an uncompressed file: five numbers and two truth values; in `.nc` the contact once more; in

@@ -12,6 +12,8 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process;
 
+use pellicle::Completeness;
+
 use super::file::Existing;
 use super::lock::Lock;
 use super::{own_files, partial_file};
@@ -32,15 +34,6 @@ const MAX_NUMBER: usize = 9999;
 
 /// Attempts to claim a folder that another process may remove meanwhile.
 const ATTEMPTS: usize = 100;
-
-/// Whether results are complete.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Completeness {
-    /// Everything requested.
-    Whole,
-    /// The part that existed when the user stopped the work.
-    Part,
-}
 
 /// A claimed results folder. Dropped without being written, it leaves nothing.
 #[derive(Debug)]

@@ -8,10 +8,11 @@
 use std::io::{self, Write};
 use std::path::Path;
 
+use pellicle::input::units::Units;
+
 use super::fields::Fields;
 use super::file::write_stoppable;
 use crate::failure::Failure;
-use crate::input::units::Units;
 
 /// The field of a file.
 struct GsfChannel<'a> {

@@ -12,10 +12,11 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::Path;
 
+use pellicle::summary::RunSummary;
+
 use self::header::{Attribute, Header, Kind, Variable};
 use super::fields::{Fields, TruthField};
 use super::file::write_stoppable;
-use super::summary::RunSummary;
 use crate::failure::Failure;
 
 /// Name of the file of a step in a results folder.

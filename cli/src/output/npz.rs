@@ -6,13 +6,13 @@ use std::path::Path;
 
 use ndarray::{Array1, Array2, ArrayView2, ShapeError};
 use ndarray_npy::{NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
+use pellicle::map::npy_header::NpyHeader;
 use zip::ZipArchive;
 
 use super::fields::Fields;
 use super::file::write_stoppable;
 use super::npz_archive::NpzArchive;
 use crate::failure::Failure;
-use crate::map::npy_header::NpyHeader;
 
 /// Largest size of an array, bytes: 16,384² numbers, the largest grid of a case, and a header.
 const MAX_ARRAY_BYTES: u64 = (8 << 28) + (1 << 16);

@@ -5,11 +5,12 @@ use std::fs::{self, DirEntry, File};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 
+use pellicle::summary;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::Value;
 
-use super::{curve, report, summary};
+use super::{curve, report};
 use crate::identification::{files, result};
 use crate::planning;
 

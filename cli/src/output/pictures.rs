@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
+use pellicle::case::output::Steps;
+use pellicle::summary::RunSummary;
 use rayon::prelude::*;
 
 use super::fields::Fields;
 use super::report::surface::SurfaceFigure;
 use super::stress::view::StressView;
-use super::summary::RunSummary;
 use super::write_progress::WriteProgress;
-use crate::case::output::Steps;
 use crate::failure::Failure;
 use crate::picture::field_map::FieldMap;
 use crate::picture::style::Style;

@@ -2,15 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
+use pellicle::case::output::Steps;
+use pellicle::summary::{RunSummary, WarningSummary};
 use rayon::prelude::*;
 
 use super::npz::{self, StoredFields};
 use super::pictures::{self, StepDrawings};
 use super::report;
-use super::summary::{RunSummary, WarningSummary};
 use super::write_progress::{OnProgress, WriteProgress};
 use super::{results, stress};
-use crate::case::output::Steps;
 use crate::failure::Failure;
 use crate::picture::curve::{self, NamedCurve};
 use crate::picture::style::Style;

@@ -8,14 +8,14 @@ mod stress;
 pub mod surface;
 
 use askama::Template;
+use pellicle::display::{Unit, quantity, significant};
+use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_contact::Status;
 
 use self::grid_error::GridErrorNote;
 use self::step::StepSection;
 use super::pictures::{RunDrawings, StepDrawings, StepPicture, StressPicture};
-use super::summary::{RunSummary, StepSummary};
 use super::summary_text;
-use crate::display::{Unit, quantity, significant};
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "report.html";

@@ -5,18 +5,19 @@ use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
+use pellicle::Completeness;
+use pellicle::case::Case;
+use pellicle::case::output::{Format, OutputCase};
+use pellicle::summary;
+use pellicle::summary::RunSummary;
 use pellicle_contact::LoadingPath;
 use rayon::prelude::*;
 
 use super::fields::Fields;
-use super::folder::Completeness;
 use super::pictures::{self, StepDrawings};
 use super::report;
-use super::summary::RunSummary;
 use super::write_progress::{OnProgress, WriteProgress};
-use super::{curve, file, gsf, json, netcdf, npz, stress, summary, vti};
-use crate::case::Case;
-use crate::case::output::{Format, OutputCase};
+use super::{curve, file, gsf, json, netcdf, npz, stress, vti};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::style::Style;

@@ -12,6 +12,10 @@ mod vtr;
 
 use std::path::Path;
 
+use pellicle::case::Case;
+use pellicle::case::output::Format;
+use pellicle::case::stress::StressCase;
+use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_contact::{LoadingPath, StressField};
 
 pub use self::plane_values::{FIELDS, FieldName};
@@ -20,11 +24,7 @@ use self::planes::{PlaneUses, block_radius};
 use self::view::{SectionDepths, StressView, SurfaceLine, ViewCollector};
 use super::fields::Fields;
 use super::pictures::{self, StressDrawings};
-use super::summary::{RunSummary, StepSummary};
 use super::write_progress::WriteProgress;
-use crate::case::Case;
-use crate::case::output::Format;
-use crate::case::stress::StressCase;
 use crate::failure::Failure;
 use crate::picture::style::Style;
 

@@ -3,13 +3,13 @@
 mod columns;
 pub mod stress;
 
+use pellicle::case::grid::BoundaryCase;
+use pellicle::display::{Unit, quantity, significant};
+use pellicle::input::units::Units;
+use pellicle::summary::{RunSummary, StepSummary, WarningSummary};
 use pellicle_contact::{RoughContact, Status};
 
 use self::columns::TextColumns;
-use super::summary::{RunSummary, StepSummary, WarningSummary};
-use crate::case::grid::BoundaryCase;
-use crate::display::{Unit, quantity, significant};
-use crate::input::units::Units;
 
 /// Largest number of warnings with the same code that are all printed.
 const MAX_SHOWN_PER_CODE: usize = 3;

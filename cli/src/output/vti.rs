@@ -7,10 +7,11 @@
 use std::io::{self, Write};
 use std::path::Path;
 
+use pellicle::input::units::Units;
+
 use super::fields::Fields;
 use super::file::write_stoppable;
 use crate::failure::Failure;
-use crate::input::units::Units;
 
 /// Size in bytes of the length of an array, which precedes its values.
 pub const LENGTH: usize = size_of::<u64>();

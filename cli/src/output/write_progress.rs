@@ -6,9 +6,10 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+use pellicle::summary::WarningSummary;
+
 use super::file::write_bytes;
 use super::stoppable;
-use super::summary::WarningSummary;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::picture::render;

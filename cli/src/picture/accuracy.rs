@@ -1,10 +1,10 @@
 //! The accuracy of a picture's data in words: grid, certificate, grid error.
 
+use pellicle::display::significant;
+use pellicle::summary::StepSummary;
 use pellicle_contact::{ErrorEstimate, LevelValues};
 
 use super::labels::power;
-use crate::display::significant;
-use crate::output::summary::StepSummary;
 
 /// The meaning of an unresolved number of [`of_step`].
 pub const UNRESOLVED: &str =

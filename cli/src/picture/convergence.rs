@@ -1,5 +1,8 @@
 //! The change of penetration, contact area and largest pressure from grid to grid.
 
+use pellicle::display::{Unit, error_of, quantity};
+use pellicle::input::units::Units;
+use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_contact::{ErrorEstimate, GridError, LevelValues};
 
 use super::colour_map::ColourMap;
@@ -8,9 +11,6 @@ use super::heading;
 use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
 use super::svg::{Anchor, Rect, Stroke, Svg};
-use crate::display::{Unit, error_of, quantity};
-use crate::input::units::Units;
-use crate::output::summary::{RunSummary, StepSummary};
 
 /// File name of the picture, without extension.
 pub const NAME: &str = "convergence";

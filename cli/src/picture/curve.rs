@@ -1,13 +1,14 @@
 //! Curves of cases with several loads: force over penetration, largest pressure over force.
 
+use pellicle::display::{DisplayUnit, Unit};
+use pellicle::input::units::Units;
+use pellicle::summary::{RunSummary, StepSummary};
+
 use super::colours::{self, Colour};
 use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
 use super::svg::{Anchor, Dash, Rect, Stroke, Svg};
 use super::{heading, labels};
-use crate::display::{DisplayUnit, Unit};
-use crate::input::units::Units;
-use crate::output::summary::{RunSummary, StepSummary};
 
 /// File name of the picture, without extension.
 pub const NAME: &str = "curve";

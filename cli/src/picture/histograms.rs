@@ -1,5 +1,6 @@
 //! Histograms of the pressures in contact and of the gaps beside it, relative to the mean pressure and the mean gap.
 
+use pellicle::display::{Unit, quantity};
 use pellicle_contact::Histogram;
 
 use super::colours::{self, Colour};
@@ -7,7 +8,6 @@ use super::heading;
 use super::panel::{Axis, Panel};
 use super::subject::Subject;
 use super::svg::{Anchor, Rect, Stroke, Svg};
-use crate::display::{Unit, quantity};
 
 const LEFT: f64 = 100.0;
 const TOP: f64 = heading::HEIGHT + 36.0;

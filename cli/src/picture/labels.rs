@@ -1,6 +1,6 @@
 //! Labels of an axis.
 
-use crate::display::superscript;
+use pellicle::display::superscript;
 
 /// Returns the label of a tick on an axis of this length, with as many decimals as its ticks need and a true minus
 /// sign.

@@ -3,6 +3,8 @@
 
 use std::ops::Range;
 
+use pellicle::display::{DisplayUnit, Unit, quantity};
+
 use super::colours::{self, Colour};
 use super::crop::Crop;
 use super::labels::power;
@@ -11,7 +13,6 @@ use super::style::Cut;
 use super::subject::Subject;
 use super::svg::{Anchor, Rect, Stroke, Svg};
 use super::{heading, labels};
-use crate::display::{DisplayUnit, Unit, quantity};
 
 const LEFT: f64 = 112.0;
 const PANEL_WIDTH: f64 = 940.0;

@@ -1,5 +1,9 @@
 //! The power spectra of the maps of a case, on logarithmic axes.
 
+use pellicle::display::{Unit, quantity, significant};
+use pellicle::input::units::Units;
+use pellicle::summary::RunSummary;
+use pellicle::summary::roughness::RoughnessSummary;
 use pellicle_texture::Roughness;
 
 use super::colours::{self, Colour};
@@ -7,10 +11,6 @@ use super::heading;
 use super::panel::{Axis, Panel};
 use super::style::{Heading, Style};
 use super::svg::{Anchor, Rect, Stroke};
-use crate::display::{Unit, quantity, significant};
-use crate::input::units::Units;
-use crate::output::summary::RunSummary;
-use crate::output::summary::roughness::RoughnessSummary;
 
 /// File name of the picture, without extension.
 pub const NAME: &str = "spectrum";

@@ -1,5 +1,6 @@
 //! Tractions on each interface as maps, with the outline of the contact above and the extremes marked.
 
+use pellicle::display::{DisplayUnit, Unit, quantity};
 use pellicle_contact::{Extreme, InterfaceStress};
 
 use super::colours;
@@ -11,7 +12,6 @@ use super::stress_section::mark_text;
 use super::subject::Subject;
 use super::svg::{Anchor, Rect, Stroke, Svg};
 use super::{colour_bar, heading, labels, pressure_map};
-use crate::display::{DisplayUnit, Unit, quantity};
 use crate::output::stress::view::{InterfaceTractions, StressView};
 
 const LEFT: f64 = 112.0;

@@ -1,6 +1,8 @@
 //! The section through the point of the largest von Mises stress: filled contours of the von Mises stress and the
 //! largest principal stress, contact and relief on the surface above, and the interfaces between the bodies.
 
+use pellicle::display::{DisplayUnit, Unit, quantity, significant};
+
 use super::colour_bar;
 use super::colours;
 use super::contour_bands::ContourBands;
@@ -13,7 +15,6 @@ use super::section_field::SectionField;
 use super::subject::Subject;
 use super::surface_strip::{CONTACT, ON_SURFACE, SurfaceStrip};
 use super::svg::{Anchor, Rect, Stroke, Svg};
-use crate::display::{DisplayUnit, Unit, quantity, significant};
 use crate::output::stress::view::{StressSection, StressView};
 
 const LEFT: f64 = 112.0;

@@ -1,14 +1,15 @@
 //! The subject of a picture: one loading step.
 
+use pellicle::display::{self, DisplayUnit, Unit};
+use pellicle::input::units::Units;
+use pellicle::summary::{RunSummary, StepSummary};
+
 use super::accuracy;
 use super::colour_map::ColourScale;
 use super::heading;
 use super::style::{Heading, Style};
 use super::svg::Svg;
-use crate::display::{self, DisplayUnit, Unit};
-use crate::input::units::Units;
 use crate::output::fields::Fields;
-use crate::output::summary::{RunSummary, StepSummary};
 
 /// One loading step: its numbers and its fields.
 #[derive(Debug, Clone, Copy)]

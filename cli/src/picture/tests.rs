@@ -1,5 +1,7 @@
 //! The pictures of a solution can be drawn for any finite numbers.
 
+use pellicle::input::units::Units;
+use pellicle::summary::StepSummary;
 use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::{Config, TestRunner};
@@ -12,10 +14,8 @@ use super::{
     curve, histograms, pressure_map, pressure_view, render, section, stress_interfaces,
     stress_section,
 };
-use crate::input::units::Units;
 use crate::output::fields::Fields;
 use crate::output::stress::view::{InterfaceTractions, StressSection, StressView, SurfaceLine};
-use crate::output::summary::StepSummary;
 
 const SIZE: usize = 9;
 

@@ -1,13 +1,13 @@
 //! A curve that may be measured, and the curves of a design.
 
+use pellicle::display::{short, span};
+use pellicle::input::diagnosis::Diagnosis;
 use serde::Serialize;
 
-use crate::display::{short, span};
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;
 use crate::identification::units;
-use crate::input::diagnosis::Diagnosis;
 use crate::measured::curve_segment::SegmentEnd;
 
 /// Default number of points of a curve, if neither the fit file nor measurements give it.

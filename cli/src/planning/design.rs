@@ -2,11 +2,11 @@
 
 use std::cmp::Ordering;
 
+use pellicle::display::significant;
 use pellicle_identify::{IDENTIFIED_WITHIN, Verdict};
 use serde::Serialize;
 
 use super::candidate::CandidateCurve;
-use crate::display::significant;
 use crate::identification::findings::CombinationResult;
 use crate::identification::names;
 

@@ -1,11 +1,11 @@
 //! `report.html` of a plan, a single page that needs no network. The page itself is `cli/templates/plan_report.html`.
 
 use askama::Template;
+use pellicle::display::{count, significant};
 
 use super::design::{DesignResult, ExpectedResult};
 use super::result::PlanResult;
 use super::text::{self, percent};
-use crate::display::{count, significant};
 use crate::identification::names;
 
 /// The page, with its numbers as text.

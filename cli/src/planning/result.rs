@@ -1,5 +1,6 @@
 //! `plan.json`, and the key `design` of `fit.json`: the expected results of designs, in SI units.
 
+use pellicle::summary::PROGRAM;
 use serde::Serialize;
 
 use super::Planning;
@@ -10,7 +11,6 @@ use super::premises::{NoiseSource, Premises};
 use crate::failure::Failure;
 use crate::identification::findings::{NoiseResult, WarningResult};
 use crate::measured::data_table::Observe;
-use crate::output::summary::PROGRAM;
 
 /// Name of the file in a folder of results.
 pub const FILE: &str = "plan.json";

@@ -1,9 +1,10 @@
 //! A plan on the terminal.
 
+use pellicle::display::{count, short, significant};
+
 use super::advice;
 use super::design::{DesignResult, ExpectedResult};
 use super::result::PlanResult;
-use crate::display::{count, short, significant};
 use crate::identification::findings::NoiseResult;
 use crate::identification::names;
 use crate::identification::units;

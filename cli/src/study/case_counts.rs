@@ -1,14 +1,14 @@
 //! Counts known for every case before it is solved: its rows, one per loading step, or the elements of its grid.
 
+use pellicle::case::grid::GridCase;
+use pellicle::case::load::LoadCase;
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::value_reader::ValueReader;
 use serde::{Deserialize, Serialize};
 
 use super::Study;
 use super::numbering::CaseNumbering;
-use crate::case::grid::GridCase;
-use crate::case::load::LoadCase;
-use crate::input::diagnosis::Diagnosis;
-use crate::input::table_reader::TableReader;
-use crate::input::value_reader::ValueReader;
 
 /// One count per case. It takes no more memory for a million cases than for one, unless the keys that affect it vary.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -4,7 +4,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::time::Instant;
 
-use pellicle_contact::{Observer, Signal};
+use pellicle::case::Case;
+use pellicle::input::units::Units;
+use pellicle::memory::MemoryBudget;
+use pellicle::run::{self, Resources, Run};
+use pellicle::{Completeness, Monitor};
 use pellicle_influence::Cache;
 use serde_json::Value;
 
@@ -12,15 +16,10 @@ use super::Study;
 use super::case_status::CaseStatus;
 use super::kept_record::{self, FieldKeeper, KeptRecords};
 use super::table_columns::{TableColumns, status};
-use crate::case::Case;
-use crate::case_solution::{self, Resources, SolvedCase};
 use crate::failure::Failure;
-use crate::input::units::Units;
-use crate::memory::MemoryBudget;
 use crate::output::file::Existing;
-use crate::output::folder::{Completeness, ResultsFolder};
+use crate::output::folder::ResultsFolder;
 use crate::output::{own_files, results};
-use crate::stress_search::StressSearch;
 
 /// Solves the cases of a study.
 #[derive(Debug)]
@@ -62,7 +61,7 @@ impl CaseResult {
     /// Describes the outcome for the terminal: `certified, Q = 1 mN, D = 20 nm`.
     #[must_use]
     pub fn words(&self) -> String {
-        use crate::display::{Unit, quantity};
+        use pellicle::display::{Unit, quantity};
         match &self.outcome {
             CaseOutcome::Failed(message) => message.clone(),
             CaseOutcome::Solved(_, None) => String::new(),
@@ -77,8 +76,7 @@ impl CaseResult {
 }
 
 impl CaseSolver<'_> {
-    /// Solves a case. Returns `None` if `observer` stops it, or if `search` stops it before a search for stresses;
-    /// unfinished results are then discarded.
+    /// Solves a case. Returns `None` if the monitor stops it; unfinished results are then discarded.
     ///
     /// # Errors
     ///
@@ -87,10 +85,9 @@ impl CaseSolver<'_> {
     pub fn solve(
         &self,
         case: usize,
-        observer: &mut dyn Observer,
-        search: &dyn Fn(StressSearch) -> Signal,
+        monitor: &mut dyn Monitor,
     ) -> Result<Option<CaseResult>, Failure> {
-        let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, observer, search)));
+        let solved = catch_unwind(AssertUnwindSafe(|| self.attempt(case, monitor)));
         match solved {
             Ok(Ok(done)) => Ok(done),
             Ok(Err(
@@ -140,8 +137,7 @@ impl CaseSolver<'_> {
     fn attempt(
         &self,
         number: usize,
-        observer: &mut dyn Observer,
-        search: &dyn Fn(StressSearch) -> Signal,
+        monitor: &mut dyn Monitor,
     ) -> Result<Option<CaseResult>, Failure> {
         let start = Instant::now();
         let case = self.study.case(number)?;
@@ -151,14 +147,14 @@ impl CaseSolver<'_> {
             memory: self.memory,
             writers: self.writers(folder.as_ref()),
         };
-        let Some(solved) = case_solution::solve(&case, resources, start, observer, search)? else {
+        let Some(solved) = run::solve(&case, resources, start, monitor)? else {
             return Ok(None);
         };
         if solved.completeness == Completeness::Part {
             return Ok(None);
         }
         // Warnings of the cache concern all cases and are printed at the end.
-        let SolvedCase {
+        let Run {
             path, mut summary, ..
         } = solved;
         if let Some(kept) = self.kept {

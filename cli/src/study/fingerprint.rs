@@ -5,14 +5,15 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use pellicle::case::Case;
+use pellicle::input::dimension::Dimension;
+use pellicle::input::key_path;
+use pellicle::input::quantity;
+use pellicle::input::toml_tree::{TomlNode, TomlTable, TomlValue};
+use pellicle::input::units::{PROSE, Units};
+
 use super::Study;
-use crate::case::Case;
 use crate::failure::Failure;
-use crate::input::dimension::Dimension;
-use crate::input::key_path;
-use crate::input::quantity;
-use crate::input::toml_tree::{TomlNode, TomlTable, TomlValue};
-use crate::input::units::{PROSE, Units};
 
 /// The key that names a file.
 const FILE: &str = "file";

@@ -6,6 +6,9 @@
 
 use std::io;
 
+use pellicle::case::Case;
+use pellicle::case::output::Steps;
+use pellicle::input::units::Units;
 use serde::{Deserialize, Serialize};
 
 use super::case_counts::CaseCounts;
@@ -13,10 +16,7 @@ use super::case_status::CaseStatus;
 use super::numbering::CaseNumbering;
 use super::shard::Shard;
 use super::{KeptField, Study};
-use crate::case::Case;
-use crate::case::output::Steps;
 use crate::failure::Failure;
-use crate::input::units::Units;
 use crate::output::fields::Fields;
 use crate::output::netcdf::header::{Attribute, Header, Kind, RECORDS, Variable};
 

@@ -1,5 +1,8 @@
 //! The plan of a study: what can be known about its cases before any is solved, without reading all of them.
 
+use pellicle::case::Case;
+use pellicle::input::diagnosis::Diagnosis;
+
 use super::Study;
 use super::fingerprint;
 use super::identity::StudyIdentity;
@@ -7,9 +10,7 @@ use super::kept_layout::KeptLayout;
 use super::shard::Shard;
 use super::table_columns::{FurtherColumns, TableColumns};
 use super::varied_key::VariedKey;
-use crate::case::Case;
 use crate::failure::Failure;
-use crate::input::diagnosis::Diagnosis;
 
 /// Most values of one axis tried before anything is solved; the others are read in their turn.
 const MAX_TRIED: usize = 10_000;

@@ -4,11 +4,11 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use indicatif::{MultiProgress, ProgressBar};
+use pellicle::display::significant;
 use pellicle_contact::SolverOptions;
 
 use super::Study;
 use super::case_solver::CaseResult;
-use crate::display::significant;
 use crate::progress::{ProgressLine, in_words};
 use crate::terminal;
 

@@ -120,7 +120,7 @@ fn work(
 ) -> Result<(), Failure> {
     while let Some(case) = shared.take() {
         let mut line = lines.case(solver.study, case);
-        let Some(done) = solver.solve(case, &mut line, &|_| interrupt::signal())? else {
+        let Some(done) = solver.solve(case, &mut line)? else {
             return Ok(());
         };
         drop(line);

@@ -6,11 +6,12 @@
 
 use std::path::{Path, PathBuf};
 
+use pellicle::input::dimension::Dimension;
+use pellicle::input::quantity;
+use pellicle::input::span::Span;
+use pellicle::input::toml_tree::{TomlNode, TomlValue};
+
 use crate::failure::Failure;
-use crate::input::dimension::Dimension;
-use crate::input::quantity;
-use crate::input::span::Span;
-use crate::input::toml_tree::{TomlNode, TomlValue};
 use crate::output::text_cell::{self, is_plain};
 
 /// The values of one key, one for each row of the file.

@@ -16,19 +16,20 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use pellicle::input::diagnosis::{Diagnosis, Fault};
+use pellicle::input::key_path::{self, dotted};
+use pellicle::input::overrides;
+use pellicle::input::source_file;
+use pellicle::input::span::Source;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
+use pellicle::input::value_reader::ValueReader;
+
 use super::numbering::{CaseNumbering, Combine};
 use super::samples;
 use super::varied_key::VariedKey;
 use super::{KeptField, Study};
 use crate::failure::Failure;
-use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::key_path::{self, dotted};
-use crate::input::overrides;
-use crate::input::span::Source;
-use crate::input::table_reader::TableReader;
-use crate::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
-use crate::input::value_reader::ValueReader;
-use crate::source_file;
 
 /// The most cases of a study; more are a mistake.
 const MAX_CASES: usize = 1_000_000;

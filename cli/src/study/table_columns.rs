@@ -3,16 +3,16 @@
 //! They are the same for all cases. Columns of a hardness, of stresses and of rough contact are present if any of the
 //! cases tried before the study begins has them; they are empty in the rows of the other cases.
 
+use pellicle::case::Case;
+use pellicle::input::units::Units;
+use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_contact::CriticalLoad;
 
 use super::Study;
 use super::case_status::CaseStatus;
-use crate::case::Case;
-use crate::input::units::Units;
 use crate::output::curve;
 use crate::output::curve::columns::{CurveColumn, OF_HARDNESS, OF_ROUGH_CONTACT, cells, names};
 use crate::output::curve::stress::StressColumns;
-use crate::output::summary::{RunSummary, StepSummary};
 use crate::output::text_cell::made_plain;
 
 /// The columns, with units.

@@ -3,17 +3,18 @@
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
+use pellicle::display::{dimensional, significant};
+use pellicle::input::diagnosis::{Diagnosis, Fault};
+use pellicle::input::dimension::Dimension;
+use pellicle::input::quantity;
+use pellicle::input::spacing::{self, Spacing};
+use pellicle::input::span::Span;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::toml_tree::{TomlNode, TomlValue};
+use pellicle::input::units::Units;
+use pellicle::input::value_reader::ValueReader;
+
 use super::samples::SampleColumn;
-use crate::display::{dimensional, significant};
-use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::dimension::Dimension;
-use crate::input::quantity;
-use crate::input::spacing::{self, Spacing};
-use crate::input::span::Span;
-use crate::input::table_reader::TableReader;
-use crate::input::toml_tree::{TomlNode, TomlValue};
-use crate::input::units::Units;
-use crate::input::value_reader::ValueReader;
 use crate::output::text_cell::{self, is_plain, on_one_line};
 
 /// Most values of one key; more are assumed to be a mistake.
@@ -277,7 +278,7 @@ fn words(value: &TomlValue) -> String {
             format!("[{}]", list(items))
         }
         TomlValue::Table(table) => {
-            let entry = |entry: &crate::input::toml_tree::TomlEntry| {
+            let entry = |entry: &pellicle::input::toml_tree::TomlEntry| {
                 format!("{} = {}", entry.key, words(&entry.node.value))
             };
             format!("{{ {} }}", list(table.entries.iter().map(entry).collect()))

@@ -1,8 +1,9 @@
 //! A section of the validation, which is one kind of evidence, its comparisons, and their table for the terminal.
 
+use pellicle::display::significant;
+
 use super::comparison::{ComparedValue, Comparison, RowVerdict};
 use super::run::{ValidationError, ValidationRun};
-use crate::display::significant;
 
 /// Digits of a number in the table; JSON has all.
 const DIGITS: usize = 9;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_cli::Source;
+use pellicle::input::span::Source;
 use pellicle_cli::measurements::{CurveError, DataTable, ExclusionReason, MeasuredCurve};
 use proptest::prelude::*;
 

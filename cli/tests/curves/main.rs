@@ -9,8 +9,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::span::Source;
 use pellicle_cli::measurements::{DataTable, ExclusionReason, MeasuredCurve};
-use pellicle_cli::{Diagnosis, Source};
 
 mod cantilevers;
 mod instruments;

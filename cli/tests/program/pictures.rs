@@ -3,6 +3,9 @@
 use std::fs;
 use std::path::Path;
 
+use pellicle::display::{Unit, quantity};
+use pellicle::input::units::Units;
+
 use crate::runner::{CASE, TestFolder, names};
 
 /// A folder with results of one load, and of three.
@@ -70,7 +73,7 @@ fn a_section_is_at_the_requested_place_and_states_its_depth_scale() {
     let peak = section(" --section peak");
     let summary = folder.summary("one");
     let y = summary["steps"][0]["max_pressure_at"][1].as_f64().unwrap();
-    let y = pellicle_cli::quantity(y, pellicle_cli::Unit::Metre, pellicle_cli::Units::Si);
+    let y = quantity(y, Unit::Metre, Units::Si);
     assert!(peak.contains(&format!("section at y = {y}")), "{y}");
     assert!(section(" --section x=-100nm").contains("section at x = -93.750 nm"));
     assert!(section(" --section y=1").contains("section at y = 193.75 nm"));

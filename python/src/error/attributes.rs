@@ -63,19 +63,30 @@ macro_rules! fields {
 /// Sets the attributes of a failure.
 pub fn set(py: Python<'_>, value: &Bound<'_, PyAny>, failure: &Failure) -> PyResult<()> {
     match failure {
-        Failure::Kernel(error) => of_kernel(py, value, error)?,
-        Failure::Influence(error) | Failure::Inside(error) => of_influence(py, value, error)?,
-        Failure::Texture(error) => of_texture(py, value, error)?,
-        Failure::Indenter(error) => of_indenter(py, value, error)?,
-        Failure::Contact(error) => of_contact(py, value, error)?,
+        Failure::Case(error) => of_case(py, value, error)?,
+        Failure::Inside(error) => of_influence(py, value, error)?,
         Failure::Identify(error) => of_identify(py, value, error)?,
         other => fields!(py, value, other, Failure {
-            Unreadable { path },
             InRigidBase { found, bottom },
             NoStep { found, last },
-            Memory { needed, available },
             Write { path },
             Damaged { path, reason },
+        }),
+    }
+    Ok(())
+}
+
+fn of_case(py: Python<'_>, value: &Bound<'_, PyAny>, error: &pellicle::Error) -> PyResult<()> {
+    use pellicle::Error;
+    match error {
+        Error::Kernel(error) => of_kernel(py, value, error)?,
+        Error::Influence(error) => of_influence(py, value, error)?,
+        Error::Texture(error) => of_texture(py, value, error)?,
+        Error::Indenter(error) => of_indenter(py, value, error)?,
+        Error::Contact(error) => of_contact(py, value, error)?,
+        other => fields!(py, value, other, Error {
+            Unreadable { path },
+            Memory { needed, available },
         }),
     }
     Ok(())

@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_cli::Case;
-use pellicle_cli::Source;
+use pellicle::Case;
+use pellicle::input::span::Source;
 use pellicle_cli::Template;
 use pellicle_cli::evidence::data::contact::{
     AxisymmetricContact, AxisymmetricIndenter, axisymmetric,

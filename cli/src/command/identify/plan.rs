@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use pellicle::run::Completeness;
 use pellicle_identify::IdentifyError;
 
 use super::{claim, progress};
@@ -10,7 +11,7 @@ use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::fit_and_plan::{self, Stage};
 use crate::fit_file::{FitFile, Measurements};
-use crate::output::folder::{Completeness, ResultsFolder};
+use crate::output::folder::ResultsFolder;
 use crate::output::json;
 use crate::planning::{files, text};
 use crate::{interrupt, terminal, threads};

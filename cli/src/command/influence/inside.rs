@@ -1,13 +1,13 @@
 //! Displacements and stresses inside the body under one loaded element.
 
+use pellicle::case::foundation::FoundationCase;
+use pellicle::input::units::Units;
 use pellicle_influence::{ElementFields, SubsurfaceState};
 use pellicle_kernel::Foundation;
 use serde::{Serialize, Serializer};
 
 use crate::arguments::InfluenceArguments;
-use crate::case::foundation::FoundationCase;
 use crate::failure::Failure;
-use crate::input::units::Units;
 use crate::output::stress::FIELDS;
 
 /// The states at one offset and depth.

@@ -3,13 +3,13 @@
 use std::fmt;
 use std::sync::Arc;
 
+use pellicle::input::key_path;
+use pellicle::input::span::{STREAM, Source, Span};
+use pellicle::input::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
 
 use crate::failure::Failure;
-use crate::input::key_path;
-use crate::input::span::{STREAM, Source, Span};
-use crate::input::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 
 /// A value that takes the place of the case's own.
 pub struct Replacement {

@@ -1,8 +1,9 @@
 //! The columns that a `[[data]]` table needs for its observable and for the bounds of its segment.
 
+use pellicle::input::diagnosis::{Diagnosis, Fault};
+use pellicle::input::table_reader::TableReader;
+
 use super::{DataTable, Observe};
-use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::table_reader::TableReader;
 use crate::measured::channel::Channel;
 use crate::measured::curve_segment::{Branch, SegmentEnd, Until};
 

@@ -1,10 +1,11 @@
 //! The columns of derivatives in a curve.
 
+use pellicle::case::key_dimension;
+use pellicle::input::dimension::Dimension;
+use pellicle::input::units::Units;
+use pellicle::summary::{RunSummary, StepSummary};
+
 use super::columns::number;
-use crate::case::key_dimension;
-use crate::input::dimension::Dimension;
-use crate::input::units::Units;
-use crate::output::summary::{RunSummary, StepSummary};
 
 /// The parameters of the case whose derivatives are columns.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

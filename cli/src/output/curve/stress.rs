@@ -1,13 +1,13 @@
 //! The columns of stresses in tables: extremes of a step, and critical loads of a case.
 
+use pellicle::case::Case;
+use pellicle::input::units::Units;
+use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_contact::{
     BodyStress, Criterion, CriticalLoad, CriticalStatus, Extreme, InterfaceStress,
 };
 
 use super::columns::optional;
-use crate::case::Case;
-use crate::input::units::Units;
-use crate::output::summary::{RunSummary, StepSummary};
 
 /// The stresses in the columns of a table.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -13,8 +13,10 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use pellicle::summary;
+
 use crate::identification::result;
-use crate::output::{own_files, partial_file, summary};
+use crate::output::{own_files, partial_file};
 use crate::unfinished::Unfinished;
 
 /// Prefixes of its name: being filled, complete, being emptied.

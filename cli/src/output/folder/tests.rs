@@ -1,10 +1,10 @@
 //! Folders that are claimed, filled, lost and left behind.
 
+use pellicle::summary;
 use tempfile::TempDir;
 
 use super::hidden::{COMPLETE, EMPTYING, FILLING};
 use super::*;
-use crate::output::summary;
 
 fn summary(title: &str) -> String {
     format!(

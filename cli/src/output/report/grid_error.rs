@@ -1,9 +1,8 @@
 //! The note on the grid error of a number in the report.
 
+use pellicle::display::{Unit, error_of};
+use pellicle::input::units::Units;
 use pellicle_contact::ErrorEstimate;
-
-use crate::display::{Unit, error_of};
-use crate::input::units::Units;
 
 /// The note on the grid error of a number.
 #[derive(Debug, PartialEq, Eq)]

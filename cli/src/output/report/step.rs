@@ -1,11 +1,12 @@
 //! One loading step in the report: its numbers with their errors, and its certificate.
 
+use pellicle::display::{Unit, position, quantity, significant};
+use pellicle::summary::{CertificateSummary, RunSummary, StepSummary};
+
 use super::grid_error::GridErrorNote;
 use super::stress::StressTable;
 use super::surface::SurfaceFigure;
-use crate::display::{Unit, position, quantity, significant};
 use crate::output::pictures::{StepDrawings, StepPicture, StressPicture};
-use crate::output::summary::{CertificateSummary, RunSummary, StepSummary};
 
 /// The section of a step.
 pub struct StepSection<'a> {

@@ -1,11 +1,11 @@
 //! The stresses of a loading step in the report: the extremes in each body and on each interface.
 
+use pellicle::display::{Unit, error_of, position, quantity, significant};
+use pellicle::input::units::Units;
+use pellicle::summary::{RunSummary, StressSummary};
 use pellicle_contact::{BodyStress, Extreme, InterfaceStress};
 
 use super::grid_error::GridErrorNote;
-use crate::display::{Unit, error_of, position, quantity, significant};
-use crate::input::units::Units;
-use crate::output::summary::{RunSummary, StressSummary};
 
 /// The table of the extremes.
 pub struct StressTable {

@@ -2,8 +2,8 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use pellicle::display;
 
-use crate::display;
 use crate::picture::coarse_field::CoarseField;
 use crate::picture::colour_map::ColourMap;
 use crate::picture::colours::Colour;

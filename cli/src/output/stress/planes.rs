@@ -1,10 +1,9 @@
 //! The planes of a step: those in the files and those in the pictures, each computed once.
 
+use pellicle::case::foundation::FoundationCase;
+use pellicle::case::foundation::depths::BodyPlane;
+use pellicle::case::stress::StressCase;
 use pellicle_kernel::Foundation;
-
-use crate::case::foundation::FoundationCase;
-use crate::case::foundation::depths::BodyPlane;
-use crate::case::stress::StressCase;
 
 /// A plane and its uses.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,14 +71,21 @@ pub fn block_radius(contact_radius: f64, side: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use pellicle::input::span::Source;
+    use pellicle::input::table_reader::TableReader;
+    use pellicle::input::toml_tree;
+
     use super::*;
-    use crate::input::table_reader::tests::read_table;
 
     const FOUNDATION: &str = "layer = [{ thickness = 0.5, young_modulus = 3, poisson_ratio = 0.3 }]\n\
         substrate = { young_modulus = 1, poisson_ratio = 0.3 }";
 
     fn planes(depths: Option<Vec<f64>>, files: bool, view: bool) -> Vec<WantedPlane> {
-        let case = read_table(FOUNDATION, |table| FoundationCase::read(&table)).unwrap();
+        let source = Arc::new(Source::new("case.toml", FOUNDATION.into()));
+        let root = toml_tree::parse(&source).unwrap();
+        let case = FoundationCase::read(&TableReader::root(&root).unwrap()).unwrap();
         let foundation = case.split().unwrap().foundation;
         let stress = StressCase {
             depths,

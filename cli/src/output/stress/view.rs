@@ -1,7 +1,8 @@
 //! The content of the pictures of stresses: a section below a line on the surface, and the tractions on the interfaces.
 
+use pellicle::case::foundation::depths::BodyPlane;
+
 use super::plane_values::PlaneValues;
-use crate::case::foundation::depths::BodyPlane;
 
 /// The stresses of one loading step shown in the pictures.
 #[derive(Debug, Clone, PartialEq)]

@@ -91,7 +91,7 @@ impl StressVtr {
             file.seek(layout.array(layout.field(FIELDS.len())))?;
             vti::write_length(file, layout.points())
         })?;
-        let body = |plane: &crate::case::foundation::depths::BodyPlane| {
+        let body = |plane: &pellicle::case::foundation::depths::BodyPlane| {
             u8::try_from(plane.body).unwrap_or(u8::MAX)
         };
         Ok(Self {

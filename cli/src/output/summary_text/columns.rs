@@ -1,9 +1,8 @@
 //! Lines of a summary in words, in columns.
 
+use pellicle::display::{Unit, error_of, position, quantity};
+use pellicle::input::units::Units;
 use pellicle_contact::ErrorEstimate;
-
-use crate::display::{Unit, error_of, position, quantity};
-use crate::input::units::Units;
 
 /// Lines of name, value and note, in columns.
 pub struct TextColumns {

@@ -1,12 +1,12 @@
 //! Stresses and critical loads in words.
 
+use pellicle::display::{Unit, error_of, position, quantity, settled, significant};
+use pellicle::input::units::Units;
+use pellicle::summary::RunSummary;
+use pellicle::summary::StressSummary;
 use pellicle_contact::{Criterion, CriticalLoad, CriticalStatus, Extreme};
 
 use super::columns::TextColumns;
-use crate::display::{Unit, error_of, position, quantity, settled, significant};
-use crate::input::units::Units;
-use crate::output::summary::RunSummary;
-use crate::output::summary::StressSummary;
 
 impl TextColumns {
     /// Adds the largest stresses in each body and on each interface.

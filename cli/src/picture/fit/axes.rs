@@ -1,6 +1,7 @@
 //! Axes for measured values, with SI prefixes.
 
-use crate::display::DisplayUnit;
+use pellicle::display::DisplayUnit;
+
 use crate::picture::labels;
 use crate::picture::panel::Axis;
 

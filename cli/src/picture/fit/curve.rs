@@ -1,7 +1,8 @@
 //! Measured points with the model's curves, and the whitened residuals below.
 
+use pellicle::display::DisplayUnit;
+
 use super::{FitHeading, axes, colour};
-use crate::display::DisplayUnit;
 use crate::picture::colours::{self, Colour};
 use crate::picture::heading;
 use crate::picture::panel::{Axis, Panel};

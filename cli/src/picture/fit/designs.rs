@@ -1,7 +1,8 @@
 //! One panel for each unknown: how wide its interval will be, against the largest force of a curve.
 
+use pellicle::display::DisplayUnit;
+
 use super::{FitHeading, axes, colour};
-use crate::display::DisplayUnit;
 use crate::picture::colours;
 use crate::picture::heading;
 use crate::picture::panel::{Axis, Panel};

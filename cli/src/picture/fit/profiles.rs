@@ -1,8 +1,9 @@
 //! One panel for each unknown: how much worse the fit becomes as its value changes.
 
+use pellicle::display::DisplayUnit;
+
 use super::unknown::FittedUnknown;
 use super::{FitHeading, axes};
-use crate::display::DisplayUnit;
 use crate::picture::colours;
 use crate::picture::heading;
 use crate::picture::panel::{Axis, Panel};

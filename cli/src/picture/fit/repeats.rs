@@ -1,8 +1,9 @@
 //! The value of every unknown in each repeat, with the common value, its interval and the scatter between repeats.
 
+use pellicle::display::significant;
+
 use super::unknown::FittedUnknown;
 use super::{FitHeading, axes, colour};
-use crate::display::significant;
 use crate::picture::colours;
 use crate::picture::heading;
 use crate::picture::panel::{Axis, Panel};

@@ -1,12 +1,13 @@
 //! The pictures of a fit can be drawn for any numbers.
 
+use pellicle::display::DisplayUnit;
+
 use super::FitHeading;
 use super::corner::CornerPlot;
 use super::curve::{AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
 use super::profiles::Profiles;
 use super::repeats::{Repeated, RepeatsPlot};
 use super::unknown::FittedUnknown;
-use crate::display::DisplayUnit;
 use crate::picture::render;
 use crate::picture::style::Style;
 

@@ -1,6 +1,6 @@
 //! An unknown as shown in the pictures of a fit.
 
-use crate::display::{DisplayUnit, significant};
+use pellicle::display::{DisplayUnit, significant};
 
 /// An unknown with its fitted value.
 #[derive(Debug, Clone, PartialEq)]

@@ -69,7 +69,7 @@ fn the_identity_includes_map_heights_but_not_values_that_every_case_replaces() {
 fn writing_out_a_default_keeps_the_study_and_another_value_changes_it() {
     let of = |base: &str| fingerprint_of(base, "indenter.radius = [\"3 um\", \"4 um\"]", "");
     let first = of(BASE);
-    let elements = crate::case::grid::GridCase::default().elements;
+    let elements = pellicle::case::grid::GridCase::default().elements;
     let base = format!("{BASE}\n[grid]\nelements = {elements}\nboundary = \"free\"\n");
     assert_eq!(first, of(&base));
     assert_eq!(first, of(&format!("{base}\n[solver]\ntolerance = 1e-8\n")));

@@ -81,7 +81,7 @@ fn the_base_case_may_be_in_the_same_file_and_ranges_have_units() {
     );
     let study = study(&text.replace("forces = [\"1 uN\", \"2 uN\"]", "")).unwrap();
     let force = |i| match study.case(i).unwrap().load.values {
-        crate::case::load::LoadValues::Force(force) => force,
+        pellicle::case::load::LoadValues::Force(force) => force,
         other => panic!("{other:?}"),
     };
     // Both ends are exact; between them, one rounding of the power.

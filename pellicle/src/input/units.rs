@@ -48,7 +48,7 @@ impl Units {
 }
 
 /// Keys whose text is never a quantity.
-pub(crate) const PROSE: [&str; 2] = ["title", "file"];
+pub const PROSE: [&str; 2] = ["title", "file"];
 
 fn names_a_unit(value: &TomlValue) -> bool {
     match value {

@@ -64,6 +64,7 @@ impl Need {
         clippy::cast_sign_loss,
         reason = "a number of bytes"
     )]
+    #[must_use]
     pub fn of(case: &Case, model: &Model, writers: usize, share: f64) -> Self {
         let (elements, steps) = (case.grid.elements, case.load.loads().len());
         let (options, boundary) = (case.solver_options(), case.grid.boundary.into());

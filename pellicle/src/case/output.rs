@@ -1,6 +1,5 @@
 //! `[output]`: the fields and pictures that a run writes.
 
-use clap::ValueEnum;
 use serde::Serialize;
 
 use crate::input::diagnosis::Diagnosis;
@@ -19,7 +18,8 @@ pub struct OutputCase {
 }
 
 /// A choice of loading steps.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Steps {
     /// Every loading step
@@ -31,7 +31,8 @@ pub enum Steps {
 }
 
 /// A format of fields.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Format {
     /// NumPy arrays, from which pictures can be redrawn

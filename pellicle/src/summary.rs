@@ -19,9 +19,9 @@ use crate::case::Case;
 use crate::case::grid::BoundaryCase;
 use crate::case::stress::StressCase;
 use crate::case::unit_slip;
-use crate::failure::Failure;
+use crate::error::Error;
 use crate::input::units::Units;
-use crate::stress_search::Stresses;
+use crate::run::Stresses;
 
 /// Name of the file in a results folder.
 pub const FILE: &str = "summary.json";
@@ -118,13 +118,13 @@ impl RunSummary {
     ///
     /// # Errors
     ///
-    /// [`Failure::Json`] if the case has no JSON form.
+    /// [`Error::Json`] if the case has no JSON form.
     pub fn new(
         case: &Case,
         path: &LoadingPath,
         clock: Clock,
         cache_warnings: &[CacheWarning],
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, Error> {
         let mut summary = Self::of_results(case, path, clock, cache_warnings);
         summary.add_case(case)?;
         Ok(summary)
@@ -134,8 +134,8 @@ impl RunSummary {
     ///
     /// # Errors
     ///
-    /// [`Failure::Json`] if the case has no JSON form.
-    pub fn add_case(&mut self, case: &Case) -> Result<(), Failure> {
+    /// [`Error::Json`] if the case has no JSON form.
+    pub fn add_case(&mut self, case: &Case) -> Result<(), Error> {
         let mut resolved = case.clone();
         resolved.grid.side.get_or_insert(self.grid.side);
         self.ask_for_unit(case);

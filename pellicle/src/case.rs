@@ -37,16 +37,16 @@ use self::output::OutputCase;
 use self::solver::SolverCase;
 use self::stress::StressCase;
 use self::surface::SurfaceCase;
-use crate::failure::Failure;
+use crate::error::Error;
 use crate::input::diagnosis::Diagnosis;
 use crate::input::document::Document;
 use crate::input::overrides;
+use crate::input::source_file;
 use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::{self, TomlNode};
 use crate::input::units::Units;
 use crate::input::value_reader::ValueReader;
-use crate::source_file;
 
 /// A problem as resolved: every default filled in, every value in SI units or the case's own consistent ones.
 ///
@@ -96,8 +96,8 @@ impl BaseCase {
     ///
     /// # Errors
     ///
-    /// [`Failure`] if the file cannot be read or is not TOML.
-    pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
+    /// [`Error`] if the file cannot be read or is not TOML.
+    pub fn read(path: &Path, sets: &[String]) -> Result<Self, Error> {
         let mut root = toml_tree::parse(&Arc::new(source_file::read(path)?))?;
         for argument in sets {
             overrides::set(&mut root, argument)?;
@@ -124,8 +124,8 @@ impl Case {
     ///
     /// # Errors
     ///
-    /// [`Failure::Unreadable`] if the file cannot be read, [`Failure::Case`] if it is not a valid case.
-    pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
+    /// [`Error::Unreadable`] if the file cannot be read, [`Error::Case`] if it is not a valid case.
+    pub fn read(path: &Path, sets: &[String]) -> Result<Self, Error> {
         let source = Arc::new(source_file::read(path)?);
         let stem = source_file::stem(path);
         let folder = path.parent().unwrap_or(Path::new(""));
@@ -242,7 +242,7 @@ impl Case {
 
     /// Returns the failure of a solution, with the key to change if the case is at fault.
     #[must_use]
-    pub fn blame(&self, error: ContactError) -> Failure {
+    pub fn blame(&self, error: ContactError) -> Error {
         let keys: &[&str] = match &error {
             ContactError::ElementsTooLarge { .. } => &["grid.side"],
             ContactError::BeyondHardness { .. } => &["load.force", "load.forces"],
@@ -274,8 +274,8 @@ impl Case {
     ///
     /// # Errors
     ///
-    /// [`Failure`] if none can be chosen, or the square of the stresses does not fit in it.
-    pub fn domain(&self, model: &Model) -> Result<Domain, Failure> {
+    /// [`Error`] if none can be chosen, or the square of the stresses does not fit in it.
+    pub fn domain(&self, model: &Model) -> Result<Domain, Error> {
         let domain = match (self.grid.side, self.grid.boundary) {
             (_, BoundaryCase::Periodic) => Domain::Periodic,
             (Some(_), BoundaryCase::Free) => Domain::Side,
@@ -333,8 +333,8 @@ impl Case {
     ///
     /// # Errors
     ///
-    /// [`Failure`] if the tables of this foundation cannot be built.
-    pub fn model(&self, cache: &Cache) -> Result<Cached<Model>, Failure> {
+    /// [`Error`] if the tables of this foundation cannot be built.
+    pub fn model(&self, cache: &Cache) -> Result<Cached<Model>, Error> {
         let foundation = self.foundation.split()?.foundation;
         let (relief, indenter) = (self.surface.build()?, self.indenter.build()?);
         let bodies = ElasticBodies::new(foundation, self.indenter.build_material()?);

@@ -1,18 +1,29 @@
-//! Solves a case: its loading path, and a summary with the stresses and derivatives that the case requests.
+//! A case solved: its loading path, and a summary with the stresses and derivatives that it asks for.
+
+mod sensitivities;
+pub mod stress_search;
 
 use std::time::Instant;
 
-use pellicle_contact::{ContactError, Domain, LoadingPath, Model, Observer, Signal, solve_path};
+use pellicle_contact::{ContactError, Domain, LoadingPath, Model, solve_path};
 use pellicle_influence::Cache;
 
+pub use self::stress_search::Stresses;
 use crate::case::Case;
-use crate::failure::Failure;
+use crate::error::Error;
 use crate::forecast::need::Need;
 use crate::memory::MemoryBudget;
-use crate::output::folder::Completeness;
-use crate::output::summary::{Clock, RunSummary, WarningSummary};
-use crate::sensitivities;
-use crate::stress_search::{self, StressSearch, Stresses};
+use crate::monitor::{Monitor, Watching};
+use crate::summary::{Clock, RunSummary, WarningSummary};
+
+/// Whether the results are all there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Completeness {
+    /// Everything that was asked for.
+    Whole,
+    /// The work was stopped before everything was done.
+    Part,
+}
 
 /// The resources that the cases of a process share.
 #[derive(Debug, Clone, Copy)]
@@ -27,30 +38,48 @@ pub struct Resources<'a> {
 
 /// A solved case.
 #[derive(Debug)]
-pub struct SolvedCase {
-    /// The path of its loads.
+pub struct Run {
+    /// The path of its loads: pressures, certificates, errors.
     pub path: LoadingPath,
     /// Its numbers, without the case itself and the warnings of the cache.
     pub summary: RunSummary,
-    /// Whether every requested result is there; if not, the observer stopped the work, and a warning says so.
+    /// Whether every requested result is there; if not, the monitor stopped the work, and a warning says so.
     pub completeness: Completeness,
 }
 
-/// Solves a case whose reading began at `start`; none if the observer stops it before it begins.
-///
-/// The observer is called in every iteration. `search` is called before each search for stresses, which the observer
-/// does not see, and may stop the work.
+impl Case {
+    /// Solves the case; its steps solved so far are kept if the monitor stops it.
+    ///
+    /// Coefficients are kept in memory only and dropped afterwards; [`solve`] shares them among cases.
+    ///
+    /// # Errors
+    ///
+    /// [`Error`] if there is too little memory, the contact cannot be computed, or the monitor stops the work before it
+    /// begins ([`ContactError::Cancelled`]).
+    pub fn solve(&self, monitor: &mut dyn Monitor) -> Result<Run, Error> {
+        let resources = Resources {
+            cache: &Cache::in_memory(),
+            memory: &MemoryBudget::default(),
+            writers: 0,
+        };
+        let run = solve(self, resources, Instant::now(), monitor)?;
+        let mut run = run.ok_or(ContactError::Cancelled { step: 0 })?;
+        run.summary.add_case(self)?;
+        Ok(run)
+    }
+}
+
+/// Solves a case whose reading began at `start`; none if the monitor stops it before it begins.
 ///
 /// # Errors
 ///
-/// [`Failure`] if there is too little memory, or the contact cannot be computed.
+/// [`Error`] if there is too little memory, or the contact cannot be computed.
 pub fn solve(
     case: &Case,
     resources: Resources<'_>,
     start: Instant,
-    observer: &mut dyn Observer,
-    search: &dyn Fn(StressSearch) -> Signal,
-) -> Result<Option<SolvedCase>, Failure> {
+    monitor: &mut dyn Monitor,
+) -> Result<Option<Run>, Error> {
     let tables = Instant::now();
     let model = case.model(resources.cache)?;
     let clock = Clock {
@@ -61,21 +90,19 @@ pub fn solve(
     let model = model.value;
     let domain = case.domain(&model)?;
     let need = Need::new(case, &model, domain, resources.writers);
-    let Some(_share) = resources.memory.take(need)? else {
+    let Some(_share) = resources.memory.take(need, monitor)? else {
         return Ok(None);
     };
-    let path = path(case, &model, domain, observer)?;
+    let path = path(case, &model, domain, monitor)?;
     let stresses = if path.interrupted {
         None
     } else {
-        unless_stopped(stress_search::find(
-            case, &model, domain, &path, search, observer,
-        ))?
+        unless_stopped(stress_search::find(case, &model, domain, &path, monitor))?
     };
     // Warnings of the cache concern all cases, so they are not part of one summary.
     let mut summary = RunSummary::of_results(case, &path, clock, &[]);
     let completeness = complete(case, &model, &path, stresses, &mut summary)?;
-    Ok(Some(SolvedCase {
+    Ok(Some(Run {
         path,
         summary,
         completeness,
@@ -86,29 +113,34 @@ pub fn solve(
 ///
 /// # Errors
 ///
-/// [`Failure`] if the contact cannot be computed.
+/// [`Error`] if the contact cannot be computed.
 pub fn path(
     case: &Case,
     model: &Model,
     domain: Domain,
-    observer: &mut dyn Observer,
-) -> Result<LoadingPath, Failure> {
+    monitor: &mut dyn Monitor,
+) -> Result<LoadingPath, Error> {
     let (loads, options) = (case.load.loads(), case.solver_options());
     let elements = case.grid.elements;
-    solve_path(model, domain, elements, &loads, &options, observer)
-        .map_err(|error| case.blame(error))
+    solve_path(
+        model,
+        domain,
+        elements,
+        &loads,
+        &options,
+        &mut Watching(monitor),
+    )
+    .map_err(|error| case.blame(error))
 }
 
 /// Turns a search for stresses that the user stopped into none; it is not a failure.
 ///
 /// # Errors
 ///
-/// Any other [`Failure`] of the search.
-pub fn unless_stopped(
-    found: Result<Option<Stresses>, Failure>,
-) -> Result<Option<Stresses>, Failure> {
+/// Any other [`Error`] of the search.
+pub fn unless_stopped(found: Result<Option<Stresses>, Error>) -> Result<Option<Stresses>, Error> {
     match found {
-        Err(Failure::Contact(ContactError::Cancelled { .. })) => Ok(None),
+        Err(Error::Contact(ContactError::Cancelled { .. })) => Ok(None),
         found => found,
     }
 }
@@ -117,14 +149,14 @@ pub fn unless_stopped(
 ///
 /// # Errors
 ///
-/// [`Failure`] if the coefficients of a derivative cannot be computed.
+/// [`Error`] if the coefficients of a derivative cannot be computed.
 pub fn complete(
     case: &Case,
     model: &Model,
     path: &LoadingPath,
     stresses: Option<Stresses>,
     summary: &mut RunSummary,
-) -> Result<Completeness, Failure> {
+) -> Result<Completeness, Error> {
     let mut completeness = Completeness::Whole;
     if path.interrupted {
         let (done, steps) = (path.steps.len(), case.load.loads().len());

@@ -4,19 +4,19 @@ use pellicle_contact::{LoadingPath, Model, Sensitivity};
 
 use crate::case::Case;
 use crate::case::parameter::CaseParameter;
-use crate::failure::Failure;
-use crate::output::summary::SensitivitySummary;
+use crate::error::Error;
+use crate::summary::SensitivitySummary;
 
 /// Returns the derivatives of every step; none if the case does not request them.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the coefficients of a derivative cannot be computed.
+/// [`Error`] if the coefficients of a derivative cannot be computed.
 pub fn find(
     case: &Case,
     model: &Model,
     path: &LoadingPath,
-) -> Result<Option<Vec<Vec<SensitivitySummary>>>, Failure> {
+) -> Result<Option<Vec<Vec<SensitivitySummary>>>, Error> {
     if !case.load.sensitivities {
         return Ok(None);
     }

@@ -24,6 +24,7 @@ impl<T> PartialEq for CallerShape<T> {
 }
 
 /// The shape, if the kind requires one and one was handed over.
+#[must_use]
 pub fn of_kind<T: Clone>(kind: &ValueReader<'_>, shape: Option<&T>) -> Option<CallerShape<T>> {
     let is_requested = matches!(kind.value(), TomlValue::Text(text) if text == KIND);
     let shape = shape.filter(|_| is_requested).cloned()?;

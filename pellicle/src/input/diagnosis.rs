@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
 
+use super::clean::clean;
 use super::span::{Source, Span};
-use crate::terminal::clean;
 
 /// The longest line that is quoted, in bytes; a longer one was not written by hand, and only its number is given.
 const MAX_DRAWN_LINE_LENGTH: usize = 400;

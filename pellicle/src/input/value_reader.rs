@@ -40,6 +40,7 @@ impl<'a> ValueReader<'a> {
     }
 
     /// The diagnosis that the key of this value is unknown, with a suggestion.
+    #[must_use]
     pub fn unknown_key(&self, key: &str, known: &[&str]) -> Diagnosis {
         let wanted = format!("one of {}", known.join(", "));
         let diagnosis = self.diagnosis(Fault::Unknown { wanted });

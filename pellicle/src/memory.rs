@@ -10,9 +10,11 @@ use std::path::Path;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use crate::failure::Failure;
+use pellicle_contact::Signal;
+
+use crate::error::Error;
 use crate::forecast::need::Need;
-use crate::interrupt;
+use crate::monitor::{Event, Monitor};
 
 /// Time after which a case that waits for memory checks whether the user wants to stop.
 const PAUSE: Duration = Duration::from_millis(100);
@@ -26,31 +28,14 @@ const SMALL_PART: u64 = 64;
 const ADDRESSES: u64 = 64 << 20;
 
 /// The C library's variable for the number of arenas, from which threads take their memory.
-const ARENAS: &str = "MALLOC_ARENA_MAX";
+pub const ARENAS: &str = "MALLOC_ARENA_MAX";
 
-/// Starts the program again with one arena for all threads if its address space is limited: the C library would
-/// reserve 64 MB for each thread as long as they fit, so more address space would leave less memory.
-#[cfg(target_os = "linux")]
-pub fn share_arena() {
-    use std::os::unix::process::CommandExt;
+/// Whether the address space of this process is limited (`ulimit -v`); false where the system is not asked.
+#[must_use]
+pub fn has_limited_addresses() -> bool {
     let limits = fs::read_to_string("/proc/self/limits");
-    let is_limited = limits.is_ok_and(|limits| number(&limits, ADDRESS_SPACE).is_some());
-    let mut arguments = env::args_os();
-    if let (true, None, Some(name), Ok(program)) = (
-        is_limited,
-        env::var_os(ARENAS),
-        arguments.next(),
-        env::current_exe(),
-    ) {
-        let mut again = std::process::Command::new(program);
-        // Returns only if it fails; the program then goes on as it is.
-        drop(again.arg0(name).args(arguments).env(ARENAS, "1").exec());
-    }
+    limits.is_ok_and(|limits| number(&limits, ADDRESS_SPACE).is_some())
 }
-
-/// Other systems are not asked for the memory they leave.
-#[cfg(not(target_os = "linux"))]
-pub fn share_arena() {}
 
 /// Bytes still available to this process; none if unknown.
 #[must_use]
@@ -176,12 +161,16 @@ impl MemoryBudget {
         }
     }
 
-    /// Takes the memory of a case, waiting while other cases hold it; none if the user stops meanwhile.
+    /// Takes the memory of a case, waiting while other cases hold it; none if the monitor stops it meanwhile.
     ///
     /// # Errors
     ///
-    /// [`Failure::Memory`] if the case needs more than is available.
-    pub fn take(&self, need: Need) -> Result<Option<MemoryShare<'_>>, Failure> {
+    /// [`Error::Memory`] if the case needs more than is available.
+    pub fn take(
+        &self,
+        need: Need,
+        monitor: &mut dyn Monitor,
+    ) -> Result<Option<MemoryShare<'_>>, Error> {
         let mut taken = self.lock();
         loop {
             if taken.bytes == 0 && !taken.is_known_for(need) {
@@ -189,7 +178,7 @@ impl MemoryBudget {
             }
             let available = taken.available();
             if need.bytes > available {
-                return Err(Failure::Memory {
+                return Err(Error::Memory {
                     needed: need.bytes,
                     available,
                     fitting: need.fitting(available),
@@ -198,7 +187,7 @@ impl MemoryBudget {
             if need.bytes <= available - taken.bytes {
                 break;
             }
-            if interrupt::is_requested() {
+            if monitor.told(Event::WaitsForMemory) == Signal::Cancel {
                 return Ok(None);
             }
             let waited = self.freed.wait_timeout(taken, PAUSE);
@@ -275,14 +264,14 @@ mod tests {
     fn a_case_waits_for_memory_in_use_and_fails_if_it_could_not_run_alone() {
         let memory = MemoryBudget::of(|| Some(10));
         let need = |bytes| Need { bytes, elements: 1 };
-        let first = memory.take(need(6)).unwrap().unwrap();
-        let second = memory.take(need(4)).unwrap().unwrap();
+        let first = memory.take(need(6), &mut ()).unwrap().unwrap();
+        let second = memory.take(need(4), &mut ()).unwrap().unwrap();
         assert!(matches!(
-            memory.take(need(11)),
-            Err(Failure::Memory { available: 10, .. })
+            memory.take(need(11), &mut ()),
+            Err(Error::Memory { available: 10, .. })
         ));
         std::thread::scope(|scope| {
-            let third = scope.spawn(|| memory.take(need(5)).unwrap().unwrap().bytes);
+            let third = scope.spawn(|| memory.take(need(5), &mut ()).unwrap().unwrap().bytes);
             drop(second);
             assert!(!third.is_finished());
             drop(first);

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::failure::Failure;
+use crate::error::Error;
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::span::{Source, Span};
 
@@ -19,9 +19,9 @@ const BYTE_ORDER_MARK: char = '\u{feff}';
 ///
 /// # Errors
 ///
-/// [`Failure::Unreadable`] if the file does not exist or cannot be read; [`Failure::Case`] if it is not UTF-8 text.
-pub fn read(path: &Path) -> Result<Source, Failure> {
-    let bytes = bytes(path).map_err(|cause| Failure::Unreadable {
+/// [`Error::Unreadable`] if the file does not exist or cannot be read; [`Error::Case`] if it is not UTF-8 text.
+pub fn read(path: &Path) -> Result<Source, Error> {
+    let bytes = bytes(path).map_err(|cause| Error::Unreadable {
         path: path.to_owned(),
         cause,
     })?;

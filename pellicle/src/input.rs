@@ -1,6 +1,7 @@
 //! The TOML of a case, a study or a fit file: its text and positions in it, its tree, quantities with units, and
 //! readers of tables and values that diagnose the first fault.
 
+pub mod clean;
 pub mod diagnosis;
 pub mod dimension;
 pub mod document;
@@ -8,6 +9,7 @@ pub mod key_path;
 pub mod overrides;
 pub mod quantity;
 pub mod quantity_list;
+pub mod source_file;
 pub mod spacing;
 pub mod span;
 pub mod table_reader;
