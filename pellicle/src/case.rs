@@ -120,6 +120,15 @@ impl BaseCase {
 }
 
 impl Case {
+    /// Reads the case file; maps that it names are sought in its folder.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Unreadable`] if the file cannot be read, [`Error::Case`] if it is not a valid case.
+    pub fn from_toml(path: &Path) -> Result<Self, Error> {
+        Self::read(path, &[])
+    }
+
     /// Reads the case file, with the values of `--set` in place of its own.
     ///
     /// # Errors

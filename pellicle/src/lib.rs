@@ -42,3 +42,8 @@ pub use case::Case;
 pub use error::Error;
 pub use monitor::{Event, Monitor, Watching};
 pub use run::{Completeness, Run};
+
+/// The README of the crate; its example is a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use the packages that these may use.
-const ALLOWED: [(&str, &[&str]); 7] = [
+const ALLOWED: [(&str, &[&str]); 8] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-kernel"]),
     ("pellicle-texture", &[]),
@@ -14,10 +14,20 @@ const ALLOWED: [(&str, &[&str]); 7] = [
         "pellicle-contact",
         &["pellicle-influence", "pellicle-texture"],
     ),
+    (
+        "pellicle",
+        &[
+            "pellicle-contact",
+            "pellicle-influence",
+            "pellicle-kernel",
+            "pellicle-texture",
+        ],
+    ),
     ("pellicle-identify", &["pellicle-contact"]),
     (
         "pellicle-cli",
         &[
+            "pellicle",
             "pellicle-contact",
             "pellicle-identify",
             "pellicle-influence",
@@ -28,6 +38,7 @@ const ALLOWED: [(&str, &[&str]); 7] = [
     (
         "pellicle-python",
         &[
+            "pellicle",
             "pellicle-cli",
             "pellicle-contact",
             "pellicle-identify",
