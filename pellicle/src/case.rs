@@ -37,6 +37,7 @@ use self::output::OutputCase;
 use self::solver::SolverCase;
 use self::stress::StressCase;
 use self::surface::SurfaceCase;
+use crate::declare::{Field, Kinds, Presence, Record, Scope, Shape, TableShape};
 use crate::error::Error;
 use crate::input::diagnosis::Diagnosis;
 use crate::input::document::Document;
@@ -120,6 +121,79 @@ impl BaseCase {
 }
 
 impl Case {
+    /// The tables of a case and their fields.
+    #[must_use]
+    pub fn shape() -> TableShape {
+        let mut case = TableShape::default();
+        let mut add = |key, meaning, presence, shape| {
+            let field = Field {
+                key,
+                meaning,
+                shape,
+                presence,
+            };
+            case.fields.push(field);
+        };
+        let or = |words: &str| Presence::Default(words.into());
+        let required = || Presence::Required;
+        let table = Shape::Table;
+        add(
+            "title",
+            "title of the results",
+            or("the name of the file"),
+            Shape::Text,
+        );
+        add(
+            "foundation",
+            "the elastic body",
+            required(),
+            table(FoundationCase::shape()),
+        );
+        add(
+            "surface",
+            "the relief on it",
+            or("none"),
+            Shape::Kinds(SurfaceCase::shape()),
+        );
+        add(
+            "indenter",
+            "the body pressed in",
+            required(),
+            Shape::Kinds(IndenterCase::shape_of_table()),
+        );
+        add(
+            "load",
+            "force or penetration",
+            required(),
+            table(LoadCase::shape()),
+        );
+        add(
+            "grid",
+            "the square domain and its elements",
+            or("its defaults"),
+            table(GridCase::shape()),
+        );
+        add(
+            "solver",
+            "tolerance, method and hardness",
+            or("its defaults"),
+            table(SolverCase::shape()),
+        );
+        add(
+            "output",
+            "the fields and pictures to write",
+            or("its defaults"),
+            table(OutputCase::shape()),
+        );
+        add(
+            "stress",
+            "requests the stresses inside",
+            or("no stresses"),
+            table(StressCase::shape()),
+        );
+        case
+    }
+
     /// Reads the case file; maps that it names are sought in its folder.
     ///
     /// # Errors
@@ -187,19 +261,8 @@ impl Case {
     ///
     /// A [`Diagnosis`] of the first fault.
     pub fn resolve_with(root: &TomlNode, name: &str, maps: &MapSources) -> Result<Self, Diagnosis> {
-        const TABLES: [&str; 9] = [
-            "title",
-            "foundation",
-            "surface",
-            "indenter",
-            "load",
-            "grid",
-            "solver",
-            "output",
-            "stress",
-        ];
         let table = TableReader::root(root)?;
-        table.only(&TABLES).map_err(|diagnosis| {
+        table.only(&Self::shape().keys()).map_err(|diagnosis| {
             if table.optional("study").is_none() {
                 return diagnosis;
             }
@@ -213,26 +276,31 @@ impl Case {
         let title = title.replace(char::is_control, " ");
         let required = |key| table.required(key, &format!("a table [{key}]"))?.table();
         let optional = |key| table.optional(key).map(ValueReader::table).transpose();
-        let foundation = FoundationCase::read(&required("foundation")?)?;
+        let mut scope = Scope {
+            maps: Some(maps),
+            ..Scope::default()
+        };
+        let foundation = FoundationCase::read(&required("foundation")?, &scope)?;
+        scope.foundation = Some(&foundation);
         let mut surface = match optional("surface")? {
-            Some(table) => SurfaceCase::read(&table, &foundation, maps)?,
+            Some(table) => SurfaceCase::read(&table, &scope)?,
             None => SurfaceCase::Bare,
         };
-        let grid = optional("grid")?;
-        let grid = grid.map_or(Ok(GridCase::default()), |table| GridCase::read(&table))?;
-        let output = optional("output")?.map(|table| OutputCase::read(&table));
-        let read_stress = |table| StressCase::read(&table, &foundation, grid.side);
-        let stress = optional("stress")?.map(read_stress).transpose()?;
-        let read_solver = |table| SolverCase::read(&table, grid.elements);
-        let mut indenter = IndenterCase::read(&required("indenter")?, maps)?;
+        let grid = read_or_default::<GridCase>(optional("grid")?, &scope)?;
+        (scope.elements, scope.side) = (grid.elements, grid.side);
+        let output = read_or_default::<OutputCase>(optional("output")?, &scope)?;
+        let stress = optional("stress")?;
+        let stress = stress.map(|table| StressCase::read(&table, &scope));
+        let stress = stress.transpose()?;
+        let mut indenter = IndenterCase::read(&required("indenter")?, &scope)?;
         if let (BoundaryCase::Periodic, Some(side)) = (grid.boundary, grid.side) {
             periodic::fit(&table, side, &mut surface, &mut indenter)?;
         }
         let given = [surface.map(), indenter.map()];
         let units = given.into_iter().flatten().map(|map| map.units);
         let units = units.fold(Units::of(root), Units::or);
-        let solver = optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?;
-        let load = LoadCase::read(&required("load")?)?;
+        let solver = read_or_default::<SolverCase>(optional("solver")?, &scope)?;
+        let load = LoadCase::read(&required("load")?, &scope)?;
         hardness::check(&table, (&foundation, &solver), &load, stress.is_some())?;
         Ok(Self {
             title,
@@ -242,7 +310,7 @@ impl Case {
             load,
             grid,
             solver,
-            output: output.transpose()?.unwrap_or_default(),
+            output,
             stress,
             units,
             document: Document::new(root),
@@ -355,6 +423,14 @@ impl Case {
             cache: cache.clone(),
         }))
     }
+}
+
+/// Reads a table, or takes the default if it is missing.
+fn read_or_default<T: Record + Default>(
+    table: Option<TableReader<'_>>,
+    scope: &Scope<'_>,
+) -> Result<T, Diagnosis> {
+    table.map_or_else(|| Ok(T::default()), |table| T::read(&table, scope))
 }
 
 #[cfg(test)]

@@ -28,6 +28,7 @@
 )]
 
 pub mod case;
+pub mod declare;
 pub mod display;
 mod error;
 pub mod forecast;

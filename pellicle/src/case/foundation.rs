@@ -10,25 +10,31 @@ use std::sync::Arc;
 
 use pellicle_contact::Criterion;
 use pellicle_kernel::{Foundation, KernelError};
-use serde::Serialize;
 
 use self::layer::LayerCase;
 use self::strength::BodyStrengthCase;
 use self::substrate::SubstrateCase;
+use crate::declare::macros::record;
+use crate::declare::{Codec, Record, Scope, tables};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree;
 use crate::input::value_reader::ValueReader;
 
-/// The foundation of a case; every value is in SI units or the case's own.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct FoundationCase {
-    /// The base of the layers.
-    pub substrate: SubstrateCase,
-    /// The layers from the surface down.
-    pub layer: Vec<LayerCase>,
+record! {
+    /// The foundation of a case; every value is in SI units or the case's own.
+    pub struct FoundationCase {
+        substrate: SubstrateCase = SubstrateCase::codec(), "the base of the layers, elastic or rigid";
+        layer: Vec<LayerCase> = tables(LAYERS).or(Vec::new(), "no layers"), "the layers from the surface down";
+    }
+    check |foundation: &FoundationCase, table: &TableReader<'_>, _: &Scope<'_>| {
+        let refused = |refusal: RefusedLayer| Err(faulty_field(table, &refusal)?.refused(&refusal.error));
+        foundation.try_split().map_or_else(refused, |_| Ok(()))
+    };
 }
+
+const LAYERS: &str = "a list of tables, each [[foundation.layer]]";
 
 /// A foundation whose graded layers are split into homogeneous ones.
 #[derive(Debug, Clone)]
@@ -57,30 +63,6 @@ struct RefusedLayer {
 }
 
 impl FoundationCase {
-    /// Reads the table.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] of the first invalid key.
-    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&["substrate", "layer"])?;
-        let layers = match table.optional("layer") {
-            Some(field) => field.items("a list of tables, each [[foundation.layer]]")?,
-            None => Vec::new(),
-        };
-        let layer = layers.into_iter().map(LayerCase::read);
-        let layer = layer.collect::<Result<Vec<_>, _>>()?;
-        let substrate = table.required("substrate", substrate::WANTED)?;
-        let foundation = Self {
-            substrate: SubstrateCase::read(substrate)?,
-            layer,
-        };
-        match foundation.try_split() {
-            Ok(_) => Ok(foundation),
-            Err(refusal) => Err(faulty_field(table, &refusal)?.refused(&refusal.error)),
-        }
-    }
-
     /// Reads only the `[foundation]` of the text of a case.
     ///
     /// # Errors
@@ -90,7 +72,7 @@ impl FoundationCase {
         let root = toml_tree::parse(source)?;
         let table = TableReader::root(&root)?;
         let foundation = table.required("foundation", "a table [foundation]")?;
-        Self::read(&foundation.table()?)
+        Self::read(&foundation.table()?, &Scope::default())
     }
 
     /// The foundation itself, with its graded layers split.
@@ -233,7 +215,7 @@ fn faulty_field<'a>(
     match refusal.error {
         KernelError::ModulusRatio { .. } | KernelError::Grading { .. } => in_layer("young_modulus"),
         KernelError::TotalThickness { .. } | KernelError::Thickness { .. } => in_layer("thickness"),
-        _ => table.required("substrate", substrate::WANTED),
+        _ => table.required("substrate", ""),
     }
 }
 

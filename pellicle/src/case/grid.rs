@@ -3,8 +3,10 @@
 use pellicle_contact::Boundary;
 use serde::{Deserialize, Serialize};
 
+use crate::declare::codec::Count;
+use crate::declare::macros::record;
+use crate::declare::{Codec, Scope, count, length, word};
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
 
 /// Default number of elements per side.
@@ -15,16 +17,34 @@ const DEFAULT_ELEMENTS: usize = 256;
 /// (`forecast/need.rs`).
 const ELEMENTS: std::ops::RangeInclusive<usize> = 1..=16_384;
 
-/// The grid of a case.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct GridCase {
-    /// Side of the square domain, m; none if it is to be chosen from the load.
-    pub side: Option<f64>,
-    /// Elements per side.
-    pub elements: usize,
-    /// The boundary condition.
-    #[serde(skip_serializing_if = "BoundaryCase::is_free")]
-    pub boundary: BoundaryCase,
+record! {
+    /// The grid of a case.
+    #[derive(Copy)]
+    pub struct GridCase {
+        side: Option<f64> = length().positive().optional("chosen from the load"), "side of the square domain";
+        elements: usize = per_side().or(DEFAULT_ELEMENTS, "256"), "elements per side";
+        #[serde(skip_serializing_if = "BoundaryCase::is_free")]
+        boundary: BoundaryCase = word(BOUNDARIES).or(BoundaryCase::Free, "\"free\""),
+            "beyond the square: a surface without load, or the same square again";
+    }
+    check |grid: &GridCase, table: &TableReader<'_>, _: &Scope<'_>| {
+        if grid.boundary == BoundaryCase::Periodic && grid.side.is_none() {
+            return Err(table.missing("side", "the side of the periodic cell".to_owned()));
+        }
+        Ok(())
+    };
+}
+
+const BOUNDARIES: &[(&str, BoundaryCase)] = &[
+    ("free", BoundaryCase::Free),
+    ("periodic", BoundaryCase::Periodic),
+];
+
+const fn per_side() -> Count {
+    count(
+        ELEMENTS,
+        " per side (more do not fit in the memory of a workstation)",
+    )
 }
 
 /// The boundary condition of the square.
@@ -66,52 +86,25 @@ impl Default for GridCase {
 }
 
 impl GridCase {
-    /// Reads the table.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] of the first invalid key.
-    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&["side", "elements", "boundary"])?;
-        let side = (table.optional("side"))
-            .map(|field| field.quantity(Dimension::Length, Sign::Positive))
-            .transpose()?;
-        let elements = Self::read_elements(table)?;
-        let choices = [
-            ("free", BoundaryCase::Free),
-            ("periodic", BoundaryCase::Periodic),
-        ];
-        let boundary = (table.optional("boundary"))
-            .map_or(Ok(BoundaryCase::Free), |field| field.choice(&choices))?;
-        if boundary == BoundaryCase::Periodic && side.is_none() {
-            return Err(table.missing("side", "the side of the periodic cell".to_owned()));
-        }
-        Ok(Self {
-            side,
-            elements,
-            boundary,
-        })
-    }
-
     /// Reads only the elements per side.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] if the number is out of range.
     pub fn read_elements(table: &TableReader<'_>) -> Result<usize, Diagnosis> {
-        let why = " per side (more do not fit in the memory of a workstation)";
-        let elements = table.optional("elements");
-        elements.map_or(Ok(DEFAULT_ELEMENTS), |field| field.count(ELEMENTS, why))
+        let elements = per_side().or(DEFAULT_ELEMENTS, "");
+        elements.take("elements", table, &Scope::default())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::declare::Record;
     use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<GridCase, String> {
-        read_table(text, |table| GridCase::read(&table))
+        read_table(text, |table| GridCase::read(&table, &Scope::default()))
     }
 
     #[test]

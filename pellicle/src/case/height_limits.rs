@@ -24,6 +24,12 @@ pub struct TooSteep {
 /// Usual units of heights, m.
 const UNITS: [(&str, f64); 4] = [("mm", 1e-3), ("um", 1e-6), ("nm", 1e-9), ("pm", 1e-12)];
 
+impl Default for HeightLimits {
+    fn default() -> Self {
+        Self::SURFACE
+    }
+}
+
 impl HeightLimits {
     /// For a surface: an rms slope of 1 means 45 degrees everywhere, far beyond small strains.
     pub const SURFACE: Self = Self {

@@ -13,6 +13,10 @@ use super::foundation::substrate::POISSON_RATIO;
 use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
+use crate::declare::macros::{kinds, record};
+use crate::declare::{
+    Codec, Kinds, KindsShape, Record, Scope, Shape, angle, length, number, pressure, together,
+};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
@@ -29,28 +33,123 @@ pub struct IndenterCase {
     pub material: Option<ElasticConstants>,
 }
 
-/// The elastic constants of an indenter.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct ElasticConstants {
-    /// Young's modulus `E_i`, Pa.
-    pub young_modulus: f64,
-    /// Poisson's ratio `ν_i`.
-    pub poisson_ratio: f64,
+kinds! {
+    /// The shape of an indenter.
+    pub enum IndenterShape {
+        Paraboloid(RoundCase)      = "paraboloid",  "a paraboloid of revolution";
+        Sphere(RoundCase)          = "sphere",      "a ball";
+        Cone(ConeCase)             = "cone",        "a cone, sharp or with a rounded tip";
+        Berkovich(BerkovichCase)   = "berkovich",   "a three-sided pyramid";
+        Vickers(VickersCase)       = "vickers",     "a four-sided pyramid";
+        CubeCorner(CubeCornerCase) = "cube-corner", "half a cube on its corner";
+        FlatPunch(RoundCase)       = "flat-punch",  "a flat cylinder";
+        Map(MapCase)               = "map",         "a measured surface";
+    }
+    outside {
+        Function(CallerShape<Indenter>), "a function of the caller";
+    }
 }
 
-/// The keys of [`ElasticConstants`].
-const ELASTIC: [&str; 2] = ["young_modulus", "poisson_ratio"];
+record! {
+    /// A shape with one radius.
+    #[derive(Copy)]
+    pub struct RoundCase {
+        radius: f64 = length().positive(), "radius; of a paraboloid, its radius of curvature";
+    }
+}
+
+record! {
+    /// A cone.
+    #[derive(Copy)]
+    pub struct ConeCase {
+        half_angle: f64 = FromAxis, "angle between the axis and the side";
+        tip_radius: f64 = length().not_negative().or(0.0, "0, sharp"), "radius of the rounded tip";
+    }
+}
+
+/// Declares a pyramid by the angle of its faces.
+macro_rules! pyramids {
+    ($($(#[$meta:meta])* $name:ident, $standard:expr, $words:literal;)+) => {$(
+        record! {
+            $(#[$meta])*
+            #[derive(Copy)]
+            pub struct $name {
+                tip_radius: f64 = length().not_negative().or(0.0, "0, sharp"), "radius of the rounded tip";
+                face_angle: f64 = FromAxis.or($standard, $words), "angle between the axis and a face";
+            }
+        }
+    )+};
+}
+
+pyramids! {
+    /// A Berkovich pyramid.
+    BerkovichCase, Pyramid::BERKOVICH_FACE_ANGLE, "65.27 deg";
+    /// A Vickers pyramid.
+    VickersCase, Pyramid::VICKERS_FACE_ANGLE, "68 deg";
+    /// A cube corner.
+    CubeCornerCase, Pyramid::CUBE_CORNER_FACE_ANGLE, "35.26 deg";
+}
+
+record! {
+    /// The elastic constants of an indenter.
+    #[derive(Copy)]
+    pub struct ElasticConstants {
+        young_modulus: f64 = pressure().positive(), "Young's modulus of the indenter";
+        poisson_ratio: f64 = number(POISSON_RATIO), "Poisson's ratio of the indenter";
+    }
+    check |of: &ElasticConstants, table: &TableReader<'_>, _: &Scope<'_>| {
+        // The modulus is known to be positive here, so only the ratio can be rejected.
+        let refused = |error| Err(table.required("poisson_ratio", "")?.refused(&error));
+        Material::new(of.young_modulus, of.poisson_ratio).map_or_else(refused, |_| Ok(()))
+    };
+}
+
+/// Angles from the axis. A needle sharper than the lower limit (0.1 degrees) is far beyond small slopes and cannot be
+/// drawn; a cone blunter than the upper limit (10⁻⁴ degrees from flat) is flat.
+const ANGLES: std::ops::RangeInclusive<f64> = 1.745e-3..=FRAC_PI_2 - 1.745e-6;
+
+/// An angle from the axis, between 0 and 90 degrees.
+#[derive(Debug, Clone, Copy)]
+struct FromAxis;
+
+impl Codec for FromAxis {
+    type Out = f64;
+
+    fn shape(&self) -> Shape {
+        angle().shape()
+    }
+
+    fn wanted(&self) -> String {
+        "an angle from the axis between 0 and 90 degrees (0.1 to 89.9999), such as \"65.03 deg\", or a bare number in radians".into()
+    }
+
+    fn read(&self, value: &ValueReader<'_>, _: &Scope<'_>) -> Result<f64, Diagnosis> {
+        let angle = value.quantity(Dimension::Angle, Sign::Any)?;
+        if ANGLES.contains(&angle) {
+            return Ok(angle);
+        }
+        Err(value.wanted(self.wanted()))
+    }
+}
 
 impl IndenterCase {
+    /// Its kinds, each also with the fields of a material.
+    #[must_use]
+    pub fn shape_of_table() -> KindsShape {
+        let mut kinds = <IndenterShape as Kinds>::shape();
+        together::<ElasticConstants>().declare("", "", &mut kinds.shared);
+        kinds
+    }
+
     /// Reads the table and the map that it names.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that is invalid for its kind.
-    pub fn read(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
+    pub fn read(table: &TableReader<'_>, scope: &Scope<'_>) -> Result<Self, Diagnosis> {
         Ok(Self {
-            shape: IndenterShape::read(table, maps)?,
-            material: ElasticConstants::read(table)?,
+            shape: IndenterShape::read_shape(table, scope)?,
+            material: together::<ElasticConstants>().take("", table, scope)?,
         })
     }
 
@@ -88,136 +187,28 @@ impl IndenterCase {
     }
 }
 
-impl ElasticConstants {
-    /// Reads both constants or neither.
-    fn read(table: &TableReader<'_>) -> Result<Option<Self>, Diagnosis> {
-        if table.given(&ELASTIC).is_empty() {
-            return Ok(None);
-        }
-        let ratio = table.required("poisson_ratio", POISSON_RATIO)?;
-        let constants = Self {
-            young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
-            poisson_ratio: ratio.number(POISSON_RATIO)?,
-        };
-        // The modulus is known to be positive here, so only the ratio can be rejected.
-        Material::new(constants.young_modulus, constants.poisson_ratio)
-            .map_err(|error| ratio.refused(&error))?;
-        Ok(Some(constants))
-    }
-}
-
-/// The shape of an indenter.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(tag = "kind", rename_all = "kebab-case")]
-pub enum IndenterShape {
-    /// `f = ρ²/(2R)`.
-    Paraboloid {
-        /// Radius of curvature `R`, m.
-        radius: f64,
-    },
-    /// A ball.
-    Sphere {
-        /// Its radius, m.
-        radius: f64,
-    },
-    /// A cone, sharp or with a rounded tip.
-    Cone {
-        /// Angle between the axis and the side, rad.
-        half_angle: f64,
-        /// Radius of the tip, m; 0 is sharp.
-        tip_radius: f64,
-    },
-    /// A three-sided pyramid.
-    Berkovich(PyramidCase),
-    /// A four-sided pyramid.
-    Vickers(PyramidCase),
-    /// Half a cube on its corner.
-    CubeCorner(PyramidCase),
-    /// A flat cylinder.
-    FlatPunch {
-        /// Its radius, m.
-        radius: f64,
-    },
-    /// A measured surface.
-    Map(MapCase),
-    /// A function defined by the caller.
-    Function(CallerShape<Indenter>),
-}
-
-/// The dimensions of a pyramid.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct PyramidCase {
-    /// Radius of the tip, m; 0 is sharp.
-    pub tip_radius: f64,
-    /// Angle between the axis and a face, rad.
-    pub face_angle: f64,
-}
-
-#[derive(Clone, Copy)]
-enum IndenterKind {
-    Paraboloid,
-    Sphere,
-    Cone,
-    Berkovich,
-    Vickers,
-    CubeCorner,
-    FlatPunch,
-    Map,
-}
-
-const KINDS: [(&str, IndenterKind); 8] = [
-    ("paraboloid", IndenterKind::Paraboloid),
-    ("sphere", IndenterKind::Sphere),
-    ("cone", IndenterKind::Cone),
-    ("berkovich", IndenterKind::Berkovich),
-    ("vickers", IndenterKind::Vickers),
-    ("cube-corner", IndenterKind::CubeCorner),
-    ("flat-punch", IndenterKind::FlatPunch),
-    ("map", IndenterKind::Map),
-];
-
-const WANTED: &str = "\"paraboloid\", \"sphere\", \"cone\", \"berkovich\", \"vickers\", \"cube-corner\", \"flat-punch\" or \"map\"";
-
 impl IndenterShape {
-    /// Reads the table and the map that it names.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] of the first key that is invalid for its kind.
-    pub fn read(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
-        let field = table.required("kind", WANTED)?;
-        if let Some(indenter) = caller_shape::of_kind(&field, maps.indenter()) {
-            only(table, &["kind"])?;
-            return Ok(Self::Function(indenter));
+    fn read_shape(table: &TableReader<'_>, scope: &Scope<'_>) -> Result<Self, Diagnosis> {
+        let elastic = ElasticConstants::shape().keys();
+        let kind = table.optional("kind");
+        let shape = scope.maps.and_then(MapSources::indenter);
+        if let Some(shape) = kind
+            .as_ref()
+            .and_then(|kind| caller_shape::of_kind(kind, shape))
+        {
+            table.only(&[&["kind"], &elastic[..]].concat())?;
+            return Ok(Self::Function(shape));
         }
-        let indenter = match field.choice(&KINDS)? {
-            IndenterKind::Paraboloid => Self::Paraboloid {
-                radius: radius(table)?,
-            },
-            IndenterKind::Sphere => Self::Sphere {
-                radius: radius(table)?,
-            },
-            IndenterKind::FlatPunch => Self::FlatPunch {
-                radius: radius(table)?,
-            },
-            IndenterKind::Cone => read_cone(table)?,
-            IndenterKind::Berkovich => {
-                Self::Berkovich(PyramidCase::read(table, Pyramid::BERKOVICH_FACE_ANGLE)?)
-            }
-            IndenterKind::Vickers => {
-                Self::Vickers(PyramidCase::read(table, Pyramid::VICKERS_FACE_ANGLE)?)
-            }
-            IndenterKind::CubeCorner => {
-                Self::CubeCorner(PyramidCase::read(table, Pyramid::CUBE_CORNER_FACE_ANGLE)?)
-            }
-            // A map is checked as it is read.
-            IndenterKind::Map => {
-                only(table, &MapCase::KEYS)?;
-                return MapCase::read(table, maps, HeightLimits::INDENTER).map(Self::Map);
-            }
+        let scope = Scope {
+            limits: HeightLimits::INDENTER,
+            ..*scope
         };
-        indenter.build().map_err(|error| field.refused(&error))?;
-        Ok(indenter)
+        let shape = <Self as Kinds>::read(table, &elastic, &scope)?;
+        // A map is checked as it is read.
+        if let (Err(error), Some(kind)) = (shape.build(), kind) {
+            return Err(kind.refused(&error));
+        }
+        Ok(shape)
     }
 
     /// The indenter itself.
@@ -227,15 +218,13 @@ impl IndenterShape {
     /// [`IndenterError`] if a value is invalid.
     pub fn build(&self) -> Result<Indenter, IndenterError> {
         match self {
-            Self::Paraboloid { radius } => Paraboloid::new(*radius).map(Indenter::from),
-            Self::Sphere { radius } => Sphere::new(*radius).map(Indenter::from),
-            Self::FlatPunch { radius } => FlatPunch::new(*radius).map(Indenter::from),
-            Self::Cone {
-                half_angle,
-                tip_radius,
-            } => Cone::new(*half_angle, *tip_radius).map(Indenter::from),
-            Self::Berkovich(pyramid) | Self::CubeCorner(pyramid) => pyramid.build(3),
-            Self::Vickers(pyramid) => pyramid.build(4),
+            Self::Paraboloid(of) => Paraboloid::new(of.radius).map(Indenter::from),
+            Self::Sphere(of) => Sphere::new(of.radius).map(Indenter::from),
+            Self::FlatPunch(of) => FlatPunch::new(of.radius).map(Indenter::from),
+            Self::Cone(cone) => Cone::new(cone.half_angle, cone.tip_radius).map(Indenter::from),
+            Self::Berkovich(of) => pyramid(3, of.face_angle, of.tip_radius),
+            Self::CubeCorner(of) => pyramid(3, of.face_angle, of.tip_radius),
+            Self::Vickers(of) => pyramid(4, of.face_angle, of.tip_radius),
             Self::Map(map) => Ok(IndenterMap::new(map.heights()).into()),
             Self::Function(indenter) => Ok(indenter.shape.clone()),
         }
@@ -251,60 +240,8 @@ impl IndenterShape {
     }
 }
 
-/// Rejects keys that belong neither to the shape nor to a material.
-fn only(table: &TableReader<'_>, keys: &[&str]) -> Result<(), Diagnosis> {
-    table.only(&[keys, &ELASTIC].concat())
-}
-
-fn radius(table: &TableReader<'_>) -> Result<f64, Diagnosis> {
-    only(table, &["kind", "radius"])?;
-    table.positive("radius", Dimension::Length)
-}
-
-fn read_cone(table: &TableReader<'_>) -> Result<IndenterShape, Diagnosis> {
-    only(table, &["kind", "half_angle", "tip_radius"])?;
-    Ok(IndenterShape::Cone {
-        half_angle: angle(table, "half_angle", None)?,
-        tip_radius: tip_radius(table)?,
-    })
-}
-
-impl PyramidCase {
-    fn build(&self, faces: usize) -> Result<Indenter, IndenterError> {
-        Pyramid::new(faces, self.face_angle, self.tip_radius).map(Indenter::from)
-    }
-
-    fn read(table: &TableReader<'_>, standard: f64) -> Result<Self, Diagnosis> {
-        only(table, &["kind", "tip_radius", "face_angle"])?;
-        Ok(Self {
-            tip_radius: tip_radius(table)?,
-            face_angle: angle(table, "face_angle", Some(standard))?,
-        })
-    }
-}
-
-fn tip_radius(table: &TableReader<'_>) -> Result<f64, Diagnosis> {
-    let read = |field: ValueReader<'_>| field.quantity(Dimension::Length, Sign::NotNegative);
-    table.optional("tip_radius").map_or(Ok(0.0), read)
-}
-
-/// Angles from the axis. A needle sharper than the lower limit (0.1 degrees) is far beyond small slopes and cannot be
-/// drawn; a cone blunter than the upper limit (10⁻⁴ degrees from flat) is flat.
-const ANGLES: std::ops::RangeInclusive<f64> = 1.745e-3..=FRAC_PI_2 - 1.745e-6;
-
-/// Reads an angle from the axis, between 0 and 90 degrees.
-fn angle(table: &TableReader<'_>, key: &str, default: Option<f64>) -> Result<f64, Diagnosis> {
-    const WANTED: &str = "an angle from the axis between 0 and 90 degrees (0.1 to 89.9999), such as \"65.03 deg\", or a bare number in radians";
-    let field = match (table.optional(key), default) {
-        (Some(field), _) => field,
-        (None, Some(default)) => return Ok(default),
-        (None, None) => return Err(table.missing(key, WANTED.into())),
-    };
-    let angle = field.quantity(Dimension::Angle, Sign::Any)?;
-    if ANGLES.contains(&angle) {
-        return Ok(angle);
-    }
-    Err(field.wanted(WANTED))
+fn pyramid(faces: usize, face_angle: f64, tip_radius: f64) -> Result<Indenter, IndenterError> {
+    Pyramid::new(faces, face_angle, tip_radius).map(Indenter::from)
 }
 
 #[cfg(test)]
@@ -313,7 +250,7 @@ mod tests {
     use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<IndenterShape, String> {
-        let read = |table: TableReader<'_>| IndenterCase::read(&table, &MapSources::default());
+        let read = |table: TableReader<'_>| IndenterCase::read(&table, &Scope::default());
         read_table(text, read).map(|case| case.shape)
     }
 
@@ -321,9 +258,7 @@ mod tests {
     fn an_elastic_indenter_requires_both_constants() {
         let read = |constants: &str| {
             let text = format!("kind = \"paraboloid\"\nradius = 1\n{constants}");
-            read_table(&text, |table| {
-                IndenterCase::read(&table, &MapSources::default())
-            })
+            read_table(&text, |table| IndenterCase::read(&table, &Scope::default()))
         };
         let diamond = read("young_modulus = \"1141 GPa\"\npoisson_ratio = 0.07").unwrap();
         let expected = Material::new(1141e9, 0.07).unwrap();
@@ -341,7 +276,7 @@ mod tests {
 
     #[test]
     fn pyramids_default_to_the_standard_face_angle_and_a_sharp_tip() {
-        let standard = PyramidCase {
+        let standard = BerkovichCase {
             tip_radius: 0.0,
             face_angle: Pyramid::BERKOVICH_FACE_ANGLE,
         };
@@ -354,7 +289,7 @@ mod tests {
     #[test]
     fn angles_may_be_in_degrees_or_radians() {
         let cone = |text: &str| match read(&format!("kind = \"cone\"\nhalf_angle = {text}")) {
-            Ok(IndenterShape::Cone { half_angle, .. }) => half_angle,
+            Ok(IndenterShape::Cone(cone)) => cone.half_angle,
             other => panic!("{other:?}"),
         };
         // The factor of a degree has one rounding error.

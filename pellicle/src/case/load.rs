@@ -1,19 +1,9 @@
 //! `[load]`: a force or a penetration, or a list of either.
 
-use serde::Serialize;
+use pellicle_contact::Load;
 
-use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::quantity_list::QuantityList;
-use crate::input::table_reader::TableReader;
-
-/// The four keys of which exactly one is given.
-const KEYS: [&str; 4] = ["force", "forces", "penetration", "penetrations"];
-
-/// The key that requests derivatives.
-const SENSITIVITIES: &str = "sensitivities";
-
-const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
+use crate::declare::macros::{one_of, record};
+use crate::declare::{Codec, force, length, part, series, switch};
 
 /// The hint if one load comes from the file and the other from the command line or a study.
 const HELP: &str = "to replace one by the other, replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
@@ -21,36 +11,36 @@ const HELP: &str = "to replace one by the other, replace the whole table: --set 
 /// The largest number of steps of a curve; more is a mistake.
 const MAX_STEPS: usize = 10_000;
 
-/// The load of a case, and whether derivatives are requested.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct LoadCase {
-    /// Force or penetration, or a list of either.
-    #[serde(flatten)]
-    pub values: LoadValues,
-    /// Whether derivatives with respect to the parameters of the case are requested.
-    #[serde(skip_serializing_if = "is_false")]
-    pub sensitivities: bool,
+record! {
+    /// The load of a case, and whether derivatives are requested.
+    pub struct LoadCase {
+        #[serde(flatten)] values: LoadValues = part(), "force or penetration, or a list of either";
+        #[serde(skip_serializing_if = "is_false")]
+        sensitivities: bool = switch().or(false, "false"), "whether derivatives by the parameters of the case are found";
+    }
+}
+
+one_of! {
+    /// The values of a load in SI units or the case's own.
+    pub enum LoadValues, "exactly one of force, forces, penetration, penetrations", Some(HELP);
+    force: Force(f64) = force().positive(), "one force";
+    forces: Forces(Vec<f64>) = series(force().positive(), MAX_STEPS), "a curve over forces";
+    penetration: Penetration(f64) = length(), "one penetration of the indenter";
+    penetrations: Penetrations(Vec<f64>) = series(length(), MAX_STEPS), "a curve over penetrations";
 }
 
 impl LoadCase {
-    /// Reads the table.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] unless exactly one load is given, a positive force or a finite penetration.
-    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&[&KEYS[..], &[SENSITIVITIES]].concat())?;
-        let sensitivities = table.optional(SENSITIVITIES);
-        Ok(Self {
-            values: LoadValues::read(table)?,
-            sensitivities: sensitivities.map_or(Ok(false), |field| field.switch())?,
-        })
-    }
-
     /// The loads in order.
     #[must_use]
-    pub fn loads(&self) -> Vec<pellicle_contact::Load> {
-        self.values.loads()
+    pub fn loads(&self) -> Vec<Load> {
+        match &self.values {
+            LoadValues::Force(force) => vec![Load::Force(*force)],
+            LoadValues::Forces(forces) => forces.iter().copied().map(Load::Force).collect(),
+            LoadValues::Penetration(depth) => vec![Load::Penetration(*depth)],
+            LoadValues::Penetrations(depths) => {
+                depths.iter().copied().map(Load::Penetration).collect()
+            }
+        }
     }
 }
 
@@ -59,82 +49,19 @@ fn is_false(value: &bool) -> bool {
     !value
 }
 
-/// The values of a load in SI units or the case's own.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LoadValues {
-    /// One force `Q`, in newtons.
-    Force(f64),
-    /// A curve over forces `Q`, in newtons.
-    Forces(Vec<f64>),
-    /// One penetration `D`, in metres.
-    Penetration(f64),
-    /// A curve over penetrations `D`, in metres.
-    Penetrations(Vec<f64>),
-}
-
-impl LoadValues {
-    fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        let key = the_one_given(table)?;
-        let field = table.required(key, WANTED)?;
-        match key {
-            "force" => Ok(Self::Force(FORCE.item(&field)?)),
-            "forces" => Ok(Self::Forces(FORCE.read(&field)?)),
-            "penetration" => Ok(Self::Penetration(PENETRATION.item(&field)?)),
-            _ => Ok(Self::Penetrations(PENETRATION.read(&field)?)),
-        }
-    }
-
-    fn loads(&self) -> Vec<pellicle_contact::Load> {
-        use pellicle_contact::Load;
-        match self {
-            Self::Force(force) => vec![Load::Force(*force)],
-            Self::Forces(forces) => forces.iter().copied().map(Load::Force).collect(),
-            Self::Penetration(depth) => vec![Load::Penetration(*depth)],
-            Self::Penetrations(depths) => depths.iter().copied().map(Load::Penetration).collect(),
-        }
-    }
-}
-
-fn the_one_given(table: &TableReader<'_>) -> Result<&'static str, Diagnosis> {
-    match table.given(&KEYS)[..] {
-        [key] => Ok(key),
-        [] => Err(table.missing("force", WANTED.into())),
-        [first, second, ..] => {
-            let field = table.required(second, WANTED)?;
-            let wrong = Fault::Wrong {
-                found: format!("{first} and {second}"),
-                wanted: WANTED.into(),
-            };
-            Err(field.diagnosis(wrong).with_help(HELP))
-        }
-    }
-}
-
-const FORCE: QuantityList = QuantityList {
-    dimension: Dimension::Force,
-    sign: Sign::Positive,
-    most: MAX_STEPS,
-};
-
-const PENETRATION: QuantityList = QuantityList {
-    dimension: Dimension::Length,
-    sign: Sign::Any,
-    most: MAX_STEPS,
-};
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::declare::{Record, Scope};
     use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<LoadValues, String> {
-        read_table(text, |table| LoadCase::read(&table)).map(|load| load.values)
+        read_table(text, |table| LoadCase::read(&table, &Scope::default())).map(|load| load.values)
     }
 
     #[test]
     fn sensitivities_are_a_key_of_the_load_table() {
-        let read = |text: &str| read_table(text, |table| LoadCase::read(&table));
+        let read = |text: &str| read_table(text, |table| LoadCase::read(&table, &Scope::default()));
         let requested = |text: &str| read(text).map(|load| load.sensitivities);
         assert_eq!(requested("force = 1\nsensitivities = true"), Ok(true));
         assert_eq!(requested("force = 1"), Ok(false));
@@ -161,6 +88,7 @@ mod tests {
 
     #[test]
     fn exactly_one_form_of_load_is_accepted() {
+        const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
         let message = read("force = 1\npenetration = 2").unwrap_err();
         assert_eq!(
             message,

@@ -11,10 +11,11 @@ use std::sync::Arc;
 use pellicle_texture::{HeightMap, Interpolation, TextureError};
 use serde::Serialize;
 
-use super::height_limits::HeightLimits;
 use super::map_sources::MapSources;
+use crate::declare::macros::record;
+use crate::declare::{Codec, Record, Scope, Shape, TableShape, length, pair, text, word};
 use crate::input::diagnosis::{Diagnosis, Fault};
-use crate::input::dimension::{Dimension, Sign};
+use crate::input::dimension::Dimension;
 use crate::input::quantity;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::TomlValue;
@@ -24,6 +25,11 @@ use crate::map::MapFile;
 
 const FILE: &str =
     "a height map (.npy, .csv, .txt or .gsf) by its path from the folder of the case file";
+
+const LENGTHS: &str = "a list of two positive lengths, [x, y]";
+
+const HEIGHT_UNIT: &str =
+    "the length of a 1 in the file, such as \"nm\" or \"0.5 um\", or a bare number other than 0";
 
 /// At least this many lines of three numbers are taken for points x, y, z rather than a strip of a surface.
 const MANY_LINES: usize = 30;
@@ -68,11 +74,62 @@ pub enum InterpolationCase {
     Linear,
 }
 
-impl InterpolationCase {
-    fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        let choices = [("bicubic", Self::Bicubic), ("linear", Self::Linear)];
-        let given = table.optional("interpolation");
-        given.map_or(Ok(Self::Bicubic), |field| field.choice(&choices))
+const INTERPOLATIONS: &[(&str, InterpolationCase)] = &[
+    ("bicubic", InterpolationCase::Bicubic),
+    ("linear", InterpolationCase::Linear),
+];
+
+record! {
+    /// The keys of a map, as far as each can be read by itself.
+    struct MapKeys {
+        file: String = text(FILE), "the heights: path of a .npy, .csv, .txt or .gsf file from the folder of the case";
+        side: Option<f64> = length().positive().optional("that of the file"),
+            "length of the map along x, its pixels being square";
+        sides: Option<[f64; 2]> = pair(length().positive(), LENGTHS).optional("those of the file"),
+            "lengths of the map along x and y";
+        height_unit: Option<f64> = HeightUnit.optional("that of the file, or 1"),
+            "length that a 1 in the file stands for; negative for depths";
+        interpolation: InterpolationCase = word(INTERPOLATIONS).or(InterpolationCase::Bicubic, "\"bicubic\""),
+            "heights between the samples";
+    }
+}
+
+/// A length, or a unit alone.
+#[derive(Debug, Clone, Copy)]
+struct HeightUnit;
+
+impl Codec for HeightUnit {
+    type Out = f64;
+
+    fn shape(&self) -> Shape {
+        Shape::Either(vec![length().shape(), Shape::Text])
+    }
+
+    fn wanted(&self) -> String {
+        HEIGHT_UNIT.into()
+    }
+
+    fn read(&self, value: &ValueReader<'_>, scope: &Scope<'_>) -> Result<f64, Diagnosis> {
+        let alone = match value.value() {
+            TomlValue::Text(text) => quantity::one(text, Dimension::Length).ok(),
+            _ => None,
+        };
+        let length = alone.map_or_else(|| length().read(value, scope), Ok)?;
+        if length == 0.0 {
+            return Err(value.wanted(HEIGHT_UNIT));
+        }
+        value.in_range(Dimension::Length, length)
+    }
+}
+
+impl Record for MapCase {
+    fn shape() -> TableShape {
+        MapKeys::shape()
+    }
+
+    fn read_part(table: &TableReader<'_>, scope: &Scope<'_>) -> Result<Self, Diagnosis> {
+        let none = MapSources::default();
+        Self::open(table, scope.maps.unwrap_or(&none), scope)
     }
 }
 
@@ -86,52 +143,40 @@ impl From<InterpolationCase> for Interpolation {
 }
 
 impl MapCase {
-    /// The keys of a map; a relief of springs has more.
-    pub const KEYS: [&str; 6] = [
-        "kind",
-        "file",
-        "side",
-        "sides",
-        "height_unit",
-        "interpolation",
-    ];
-
-    /// Reads the keys and the map that they name, and checks the heights.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] of the first invalid key, of the file if it is not a map, or of the unit if it makes the map too
-    /// steep.
-    pub fn read(
+    /// Opens the map that the keys name, and checks the heights.
+    fn open(
         table: &TableReader<'_>,
         maps: &MapSources,
-        limits: HeightLimits,
+        scope: &Scope<'_>,
     ) -> Result<Self, Diagnosis> {
         let field = table.required("file", FILE)?;
         let name = field.text()?;
         let read = maps.read(name);
         let file = read.map_err(|error| field.unusable(&error, FILE))?;
         refuse_points(table, &field, &file)?;
-        let interpolation = InterpolationCase::read(table)?;
-        let height_unit = height_unit(table, &field, &file)?;
-        let sides = sides(table, &field, &file, height_unit.abs())?;
+        let keys = MapKeys::read_part(table, scope)?;
+        let height_unit = match keys.height_unit {
+            Some(unit) => unit,
+            None => unit(&field, "height", file.height_unit.as_deref())?,
+        };
+        let sides = sides(table, &field, &keys, &file, height_unit.abs())?;
         let heights = file.heights.iter().map(|height| height * height_unit);
         let heights = HeightMap::new(heights.collect(), file.shape, sides);
         let heights = heights.map_err(|error| field.refused(&error))?;
-        limits.check(&heights).map_err(|too_steep| {
+        scope.limits.check(&heights).map_err(|too_steep| {
             let at_fault = table.optional("height_unit").unwrap_or(field);
             let has_unit =
                 matches!(at_fault.value(), TomlValue::Text(_)) || names_a_unit(table, &file);
-            let wanted = limits.wanted(&heights, height_unit, has_unit);
+            let wanted = scope.limits.wanted(&heights, height_unit, has_unit);
             at_fault.unusable(&too_steep, wanted)
         })?;
         Ok(Self {
             file: name.to_owned(),
             sides,
             height_unit,
-            interpolation,
+            interpolation: keys.interpolation,
             units: units(&file),
-            heights: Arc::new(heights.with_interpolation(interpolation.into())),
+            heights: Arc::new(heights.with_interpolation(keys.interpolation.into())),
             repeats: None,
         })
     }
@@ -241,28 +286,23 @@ fn units(file: &MapFile) -> Units {
 fn sides(
     table: &TableReader<'_>,
     field: &ValueReader<'_>,
+    keys: &MapKeys,
     file: &MapFile,
     height_unit: f64,
 ) -> Result<[f64; 2], Diagnosis> {
     const WANTED: &str =
         "side, the length of the map along x, or sides = [x, y], since the file does not give it";
-    const LENGTHS: &str = "a list of two positive lengths, [x, y]";
-    let length = |field: &ValueReader<'_>| field.quantity(Dimension::Length, Sign::Positive);
-    match (table.optional("side"), table.optional("sides")) {
-        (Some(_), Some(sides)) => Err(sides.diagnosis(Fault::Wrong {
+    match (keys.side, keys.sides) {
+        (Some(_), Some(_)) => Err(table.required("sides", "")?.diagnosis(Fault::Wrong {
             found: "side and sides".into(),
             wanted: "one of them".into(),
         })),
         (Some(side), None) => {
             let [along_x, along_y] = file.shape.map(|samples| samples as f64);
-            let side = length(&side)?;
             // Square pixels.
             Ok([side, side * along_y / along_x])
         }
-        (None, Some(sides)) => match &sides.list(LENGTHS)?[..] {
-            [x, y] => Ok([length(x)?, length(y)?]),
-            _ => Err(sides.wanted(LENGTHS)),
-        },
+        (None, Some(sides)) => Ok(sides),
         (None, None) => match file.sides {
             Some(sides) if file.has_one_unit => Ok(sides.map(|side| side * height_unit)),
             Some(sides) => {
@@ -272,27 +312,6 @@ fn sides(
             None => Err(table.missing("side", WANTED.into())),
         },
     }
-}
-
-/// The length that a value of 1 in the file stands for, from the case or else from the file.
-fn height_unit(
-    table: &TableReader<'_>,
-    field: &ValueReader<'_>,
-    file: &MapFile,
-) -> Result<f64, Diagnosis> {
-    const WANTED: &str = "the length of a 1 in the file, such as \"nm\" or \"0.5 um\", or a bare number other than 0";
-    let Some(given) = table.optional("height_unit") else {
-        return unit(field, "height", file.height_unit.as_deref());
-    };
-    let alone = match given.value() {
-        TomlValue::Text(text) => quantity::one(text, Dimension::Length).ok(),
-        _ => None,
-    };
-    let length = alone.map_or_else(|| given.quantity(Dimension::Length, Sign::Any), Ok)?;
-    if length == 0.0 {
-        return Err(given.wanted(WANTED));
-    }
-    given.in_range(Dimension::Length, length)
 }
 
 /// The unit that the file names, m; 1 if it names none.
@@ -331,11 +350,12 @@ mod tests {
     fn read(text: &str) -> Result<MapCase, String> {
         let folder = folder();
         read_table(text, |table| {
-            MapCase::read(
-                &table,
-                &MapSources::in_folder(folder.path()),
-                HeightLimits::SURFACE,
-            )
+            let maps = MapSources::in_folder(folder.path());
+            let scope = Scope {
+                maps: Some(&maps),
+                ..Scope::default()
+            };
+            MapCase::read_part(&table, &scope)
         })
     }
 

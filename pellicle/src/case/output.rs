@@ -2,19 +2,21 @@
 
 use serde::Serialize;
 
+use crate::declare::macros::record;
+use crate::declare::{Codec, Scope, list, word};
 use crate::input::diagnosis::Diagnosis;
-use crate::input::table_reader::TableReader;
 use crate::input::value_reader::ValueReader;
 
-/// The files that a run writes in addition to summary, curve and report.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct OutputCase {
-    /// The loading steps whose fields are written.
-    pub fields: Steps,
-    /// The loading steps whose pictures are drawn; with `none`, the pictures of the whole run are also omitted.
-    pub pictures: Steps,
-    /// The formats of the fields, without duplicates.
-    pub formats: Vec<Format>,
+record! {
+    /// The files that a run writes in addition to summary, curve and report.
+    #[derive(Eq)]
+    pub struct OutputCase {
+        fields: Steps = word(STEPS).or(Steps::Last, "\"last\""), "loading steps whose fields are written";
+        pictures: Steps = word(STEPS).or(Steps::Last, "\"last\""),
+            "loading steps whose pictures are drawn; with \"none\", those of the whole run are left out too";
+        formats: Vec<Format> = list(word(FORMATS), FORMATS_WANTED).checked(distinct).or(all(), "all"),
+            "formats of the fields";
+    }
 }
 
 /// A choice of loading steps.
@@ -45,18 +47,37 @@ pub enum Format {
     Gsf,
 }
 
-const STEPS: [(&str, Steps); 3] = [
+const STEPS: &[(&str, Steps)] = &[
     ("all", Steps::All),
     ("last", Steps::Last),
     ("none", Steps::None),
 ];
 
-const FORMATS: [(&str, Format); 4] = [
+const FORMATS: &[(&str, Format)] = &[
     ("npz", Format::Npz),
     ("vti", Format::Vti),
     ("nc", Format::Nc),
     ("gsf", Format::Gsf),
 ];
+
+const FORMATS_WANTED: &str =
+    "a list of \"npz\", \"vti\", \"nc\", \"gsf\"; for no fields at all write fields = \"none\"";
+
+/// All formats.
+fn all() -> Vec<Format> {
+    FORMATS.iter().map(|(_, format)| *format).collect()
+}
+
+/// The formats in order, each once.
+fn distinct(
+    _: &ValueReader<'_>,
+    mut formats: Vec<Format>,
+    _: &Scope<'_>,
+) -> Result<Vec<Format>, Diagnosis> {
+    formats.sort_unstable();
+    formats.dedup();
+    Ok(formats)
+}
 
 impl Steps {
     /// Whether step `step` of `steps`, counted from 0, is included.
@@ -85,29 +106,12 @@ impl Default for OutputCase {
         Self {
             fields: Steps::Last,
             pictures: Steps::Last,
-            formats: FORMATS.map(|(_, format)| format).to_vec(),
+            formats: all(),
         }
     }
 }
 
 impl OutputCase {
-    /// Reads the table.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] of the first key with an unknown value.
-    pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&["fields", "pictures", "formats"])?;
-        let default = Self::default();
-        let steps = |key| table.optional(key).map(|field| field.choice(&STEPS));
-        Ok(Self {
-            fields: steps("fields").unwrap_or(Ok(default.fields))?,
-            pictures: steps("pictures").unwrap_or(Ok(default.pictures))?,
-            formats: (table.optional("formats"))
-                .map_or(Ok(default.formats), |field| formats(&field))?,
-        })
-    }
-
     /// Sets the formats, dropping duplicates.
     pub fn set_formats(&mut self, formats: &[Format]) {
         self.formats = formats.to_vec();
@@ -116,25 +120,14 @@ impl OutputCase {
     }
 }
 
-fn formats(field: &ValueReader<'_>) -> Result<Vec<Format>, Diagnosis> {
-    let wanted =
-        "a list of \"npz\", \"vti\", \"nc\", \"gsf\"; for no fields at all write fields = \"none\"";
-    let items = field.list(wanted)?.into_iter();
-    let mut formats: Vec<_> = items
-        .map(|item| item.choice(&FORMATS))
-        .collect::<Result<_, _>>()?;
-    formats.sort_unstable();
-    formats.dedup();
-    Ok(formats)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::declare::Record;
     use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<OutputCase, String> {
-        read_table(text, |table| OutputCase::read(&table))
+        read_table(text, |table| OutputCase::read(&table, &Scope::default()))
     }
 
     #[test]

@@ -3,23 +3,26 @@
 use pellicle_contact::{Method, SolverOptions};
 use serde::Serialize;
 
+use crate::declare::codec::Number;
+use crate::declare::macros::record;
+use crate::declare::{Codec, Scope, fraction, pressure, word};
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::table_reader::TableReader;
+use crate::input::value_reader::ValueReader;
 
 /// Below the lower limit rounding errors dominate; above the upper limit the solution is useless.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-13..=1e-2;
 
-/// Tolerance and method of a case.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct SolverCase {
-    /// Bound on every line of the certificate.
-    pub tolerance: f64,
-    /// The solver.
-    pub method: MethodCase,
-    /// Hardness of the surface, Pa, at which the pressure is cut.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub hardness: Option<f64>,
+record! {
+    /// Tolerance and method of a case.
+    #[derive(Copy)]
+    pub struct SolverCase {
+        tolerance: f64 = tolerance().or(SolverOptions::default().tolerance, "1e-8"),
+            "bound on every line of the certificate";
+        method: MethodCase = word(METHODS).checked(fits_the_grid).or(MethodCase::Gradient, "\"gradient\""),
+            "the solver: fast, or the paper's own for small grids";
+        #[serde(skip_serializing_if = "Option::is_none")]
+        hardness: Option<f64> = pressure().positive().optional("none"), "pressure at which the surface yields";
+    }
 }
 
 /// A solver.
@@ -30,6 +33,31 @@ pub enum MethodCase {
     Gradient,
     /// The paper's active set on the dense system.
     ActiveSet,
+}
+
+const METHODS: &[(&str, MethodCase)] = &[
+    ("gradient", MethodCase::Gradient),
+    ("active-set", MethodCase::ActiveSet),
+];
+
+fn tolerance() -> Number {
+    let (least, most) = (TOLERANCES.start(), TOLERANCES.end());
+    fraction(TOLERANCES, format!("a number from {least:e} to {most:e}"))
+}
+
+/// Refuses a method that is too expensive for the grid.
+fn fits_the_grid(
+    value: &ValueReader<'_>,
+    method: MethodCase,
+    scope: &Scope<'_>,
+) -> Result<MethodCase, Diagnosis> {
+    let solver = SolverCase {
+        method,
+        ..SolverCase::default()
+    };
+    let checked = solver.options().checked_for(scope.elements);
+    checked.map_err(|error| value.refused(&error))?;
+    Ok(method)
 }
 
 impl Default for SolverCase {
@@ -43,39 +71,6 @@ impl Default for SolverCase {
 }
 
 impl SolverCase {
-    /// Reads the table for a grid of this many elements per side.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] of the first invalid key, or of a method that is too expensive for this grid.
-    pub fn read(table: &TableReader<'_>, elements: usize) -> Result<Self, Diagnosis> {
-        table.only(&["tolerance", "method", "hardness"])?;
-        let mut solver = Self::default();
-        if let Some(field) = table.optional("tolerance") {
-            let wanted = format!(
-                "a number from {:e} to {:e}",
-                TOLERANCES.start(),
-                TOLERANCES.end()
-            );
-            solver.tolerance = field.number(&wanted)?;
-            if !TOLERANCES.contains(&solver.tolerance) {
-                return Err(field.wanted(wanted));
-            }
-        }
-        if let Some(field) = table.optional("method") {
-            solver.method = field.choice(&[
-                ("gradient", MethodCase::Gradient),
-                ("active-set", MethodCase::ActiveSet),
-            ])?;
-            let checked = solver.options().checked_for(elements);
-            checked.map_err(|error| field.refused(&error))?;
-        }
-        if let Some(field) = table.optional("hardness") {
-            solver.hardness = Some(field.quantity(Dimension::Pressure, Sign::Positive)?);
-        }
-        Ok(solver)
-    }
-
     /// The options of the solver.
     #[must_use]
     pub fn options(&self) -> SolverOptions {
@@ -94,10 +89,18 @@ impl SolverCase {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::declare::Record;
     use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<SolverCase, String> {
-        read_table(text, |table| SolverCase::read(&table, 256))
+        read_table(text, |table| {
+            let elements = 256;
+            let scope = Scope {
+                elements,
+                ..Scope::default()
+            };
+            SolverCase::read(&table, &scope)
+        })
     }
 
     #[test]

@@ -8,72 +8,43 @@ use pellicle_contact::{
     BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths, Sliding, StressModel,
 };
 use pellicle_kernel::Foundation;
-use serde::Serialize;
 
 use super::foundation::FoundationCase;
 use super::foundation::depths::BodyPlane;
 use super::foundation::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::foundation::substrate::SubstrateCase;
+use crate::declare::codec::Number;
+use crate::declare::macros::record;
+use crate::declare::{Codec, Record, Scope, angle, fraction, length, series};
 use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::quantity_list::QuantityList;
 use crate::input::spacing::rounded;
 use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree;
 use crate::input::value_reader::ValueReader;
 
-/// The requested stresses; every value is in SI units or the case's own.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct StressCase {
-    /// The depths of the planes that are written, m, in increasing order; none if they are to be chosen.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub depths: Option<Vec<f64>>,
-    /// Side of the square that is written, m; none for 1.5 contact diameters.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub extent: Option<f64>,
-    /// Coefficient of friction `μ` of the sliding indenter.
-    pub friction: f64,
-    /// Direction of sliding, rad, from +x to +y.
-    pub direction: f64,
+record! {
+    /// The requested stresses; every value is in SI units or the case's own.
+    #[derive(Default)]
+    pub struct StressCase {
+        #[serde(skip_serializing_if = "Option::is_none")]
+        depths: Option<Vec<f64>> = series(length(), MAX_DEPTHS).each(within_the_body).checked(increasing)
+            .optional("chosen through layers and base, down to two contact radii"),
+            "depths of the planes that are written";
+        #[serde(skip_serializing_if = "Option::is_none")]
+        extent: Option<f64> = length().positive().checked(within_the_domain)
+            .optional("1.5 contact diameters, at most the side of the domain"), "side of the square that is written";
+        friction: f64 = friction().or(0.0, "0"),
+            "coefficient of friction of a sliding indenter, whose traction does not change the pressure";
+        direction: f64 = angle().or(0.0, "0"), "direction of sliding, from +x towards +y";
+    }
 }
 
 /// More depths than this are a mistake.
-const DEPTHS: QuantityList = QuantityList {
-    dimension: Dimension::Length,
-    sign: Sign::Any,
-    most: 1000,
-};
+const MAX_DEPTHS: usize = 1000;
 
 /// No two materials have a larger coefficient of friction.
 const MAX_FRICTION: f64 = 10.0;
-
-impl StressCase {
-    /// Reads the table for a body on a domain of this side, if given.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] of the first invalid key.
-    pub fn read(
-        table: &TableReader<'_>,
-        foundation: &FoundationCase,
-        side: Option<f64>,
-    ) -> Result<Self, Diagnosis> {
-        table.only(&["depths", "extent", "friction", "direction"])?;
-        let depths = table.optional("depths");
-        let extent = table.optional("extent").map(|field| extent(&field, side));
-        let direction = table.optional("direction");
-        let angle = |field: ValueReader<'_>| field.quantity(Dimension::Angle, Sign::Any);
-        Ok(Self {
-            depths: depths
-                .map(|field| self::depths(&field, foundation))
-                .transpose()?,
-            extent: extent.transpose()?,
-            friction: (table.optional("friction")).map_or(Ok(0.0), |field| friction(&field))?,
-            direction: direction.map_or(Ok(0.0), angle)?,
-        })
-    }
-}
 
 impl StressCase {
     /// Reads the table `[stress]` of a text for a body on a domain of this side.
@@ -89,7 +60,12 @@ impl StressCase {
         let root = toml_tree::parse(source)?;
         let table = TableReader::root(&root)?;
         let stress = table.required("stress", "a table [stress]")?;
-        Self::read(&stress.table()?, foundation, Some(side))
+        let scope = Scope {
+            foundation: Some(foundation),
+            side: Some(side),
+            ..Scope::default()
+        };
+        Self::read(&stress.table()?, &scope)
     }
 
     /// The requested sliding.
@@ -212,28 +188,44 @@ impl From<InterfaceStrengthCase> for InterfaceStrengths {
     }
 }
 
-/// Reads the depths, sorted and without duplicates.
-fn depths(field: &ValueReader<'_>, foundation: &FoundationCase) -> Result<Vec<f64>, Diagnosis> {
-    let bottom = foundation.bottom();
-    let mut depths = DEPTHS.read_checked(field, |item, depth| {
-        if depth < 0.0 {
-            return Err(item.wanted("a depth of zero or more: the surface is at 0"));
-        }
-        if depth > bottom * (1.0 + FoundationCase::NEAR) {
-            let wanted = format!("at most {bottom:e}, the depth of the rigid base");
-            return Err(item.wanted(wanted));
-        }
-        Ok(depth)
-    })?;
+/// Refuses a depth above the surface or inside a rigid base.
+fn within_the_body(
+    item: &ValueReader<'_>,
+    depth: f64,
+    scope: &Scope<'_>,
+) -> Result<f64, Diagnosis> {
+    if depth < 0.0 {
+        return Err(item.wanted("a depth of zero or more: the surface is at 0"));
+    }
+    let bottom = scope
+        .foundation
+        .map_or(f64::INFINITY, FoundationCase::bottom);
+    if depth > bottom * (1.0 + FoundationCase::NEAR) {
+        let wanted = format!("at most {bottom:e}, the depth of the rigid base");
+        return Err(item.wanted(wanted));
+    }
+    Ok(depth)
+}
+
+/// The depths in order, each once.
+fn increasing(
+    _: &ValueReader<'_>,
+    mut depths: Vec<f64>,
+    _: &Scope<'_>,
+) -> Result<Vec<f64>, Diagnosis> {
     depths.sort_unstable_by(f64::total_cmp);
     depths.dedup();
     Ok(depths)
 }
 
-fn extent(field: &ValueReader<'_>, side: Option<f64>) -> Result<f64, Diagnosis> {
-    let extent = field.quantity(Dimension::Length, Sign::Positive)?;
-    match side {
-        Some(side) if extent > side => Err(field.wanted(extent_wanted(side))),
+/// Refuses a square larger than the domain, where that is known.
+fn within_the_domain(
+    value: &ValueReader<'_>,
+    extent: f64,
+    scope: &Scope<'_>,
+) -> Result<f64, Diagnosis> {
+    match scope.side {
+        Some(side) if extent > side => Err(value.wanted(extent_wanted(side))),
         _ => Ok(extent),
     }
 }
@@ -244,14 +236,9 @@ pub fn extent_wanted(side: f64) -> String {
     format!("at most the side of the domain, {side:e}")
 }
 
-fn friction(field: &ValueReader<'_>) -> Result<f64, Diagnosis> {
+fn friction() -> Number {
     let wanted = format!("a coefficient of friction, a number from 0 to {MAX_FRICTION}");
-    let friction = field.number(&wanted)?;
-    if (0.0..=MAX_FRICTION).contains(&friction) {
-        Ok(friction)
-    } else {
-        Err(field.wanted(wanted))
-    }
+    fraction(0.0..=MAX_FRICTION, wanted)
 }
 
 #[cfg(test)]

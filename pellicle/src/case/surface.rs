@@ -7,39 +7,85 @@ use pellicle_texture::{
 use serde::Serialize;
 
 use super::caller_shape::{self, CallerShape};
-use super::foundation::FoundationCase;
-use super::height_limits::HeightLimits;
 use super::map::MapCase;
 use super::map_sources::MapSources;
 use super::spring_law::LawCase;
+use crate::declare::macros::{kinds, one_of, record};
+use crate::declare::{Codec, Kinds, Scope, compliance, length, pair, part, pressure, word};
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::ValueReader;
 
-/// The surface of a case; every value is in SI units or the case's own.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(tag = "kind", rename_all = "kebab-case")]
-pub enum SurfaceCase {
-    /// The foundation's plane surface, without relief.
-    Bare,
+kinds! {
+    /// The surface of a case; every value is in SI units or the case's own.
+    pub enum SurfaceCase default "bare" {
+        Bare                     = "bare",      "the body's plane surface";
+        Cylinders(CylindersCase) = "cylinders", "periodic elastic cylinders";
+        Film(FilmCase)           = "film",      "a film that covers everything";
+        Map(ReliefMapCase)       = "map",       "a measured relief of springs on the body";
+        Rough(MapCase)           = "rough",     "the body's own measured surface";
+    }
+    outside {
+        Function(ReliefFunctionCase), "a relief given by the caller's functions";
+    }
+}
+
+record! {
     /// Periodic elastic cylinders.
-    Cylinders(CylindersCase),
+    #[derive(Copy)]
+    pub struct CylindersCase {
+        radius: f64 = length().positive(), "radius of a cylinder";
+        height: f64 = length().positive(), "height of a cylinder";
+        period: f64 = length().positive(), "distance between neighbouring axes";
+        lattice: LatticeCase = word(LATTICES).or(LatticeCase::Square, "\"square\""), "arrangement of the axes";
+        offset: [f64; 2] = pair(length(), "a list of two lengths, [x, y]").or([0.0, 0.0], "[0, 0]"),
+            "position of one axis relative to the indenter's";
+        young_modulus: f64 = pressure().positive().or_else(of_the_surface, "that of the body's top"),
+            "Young's modulus of the cylinders";
+        law: LawCase = word(LawCase::WORDS).or(LawCase::Linear, "\"linear\""), "law of the springs";
+    }
+    check |cylinders: &CylindersCase, table: &TableReader<'_>, _: &Scope<'_>| {
+        // Every number is in range here, so only an overlap can be rejected.
+        let refused = |error| Err(table.required("radius", "")?.refused(&error));
+        cylinders.build().map_or_else(refused, |_| Ok(()))
+    };
+}
+
+record! {
     /// A film that covers everything.
-    Film {
-        /// Thickness, m.
-        thickness: f64,
-        /// Young's modulus, Pa.
-        young_modulus: f64,
-        /// The law of its springs.
-        law: LawCase,
-    },
-    /// A measured relief.
-    Map(ReliefMapCase),
-    /// The elastic body's own measured surface.
-    Rough(MapCase),
-    /// A relief given by the caller's functions.
-    Function(ReliefFunctionCase),
+    #[derive(Copy)]
+    pub struct FilmCase {
+        thickness: f64 = length().positive(), "thickness of the film";
+        young_modulus: f64 = pressure().positive(), "Young's modulus of the film";
+        law: LawCase = word(LawCase::WORDS).or(LawCase::Linear, "\"linear\""), "law of the springs";
+    }
+}
+
+record! {
+    /// A measured relief and its compliance.
+    pub struct ReliefMapCase {
+        #[serde(flatten)] compliance: ComplianceCase = part(), "how its springs give";
+        law: LawCase = word(LawCase::WORDS).or(LawCase::Linear, "\"linear\""), "law of the springs";
+        #[serde(flatten)] map: MapCase = part(), "its heights";
+    }
+    check |map: &ReliefMapCase, table: &TableReader<'_>, _: &Scope<'_>| {
+        match (&map.compliance, map.law) {
+            (ComplianceCase::Compliance(_), LawCase::Logarithmic) => {
+                Err(table.required(LawCase::KEY, NO_HEIGHT)?.wanted(NO_HEIGHT))
+            }
+            _ => Ok(()),
+        }
+    };
+}
+
+one_of! {
+    /// The compliance of a measured relief.
+    pub enum ComplianceCase, "exactly one of compliance and young_modulus, for the springs of the map; if the body itself is rough, write kind = \"rough\"", None;
+    young_modulus: YoungModulus(f64) = pressure().positive(),
+        "Young's modulus of the springs, each as long as the height above the deepest sample";
+    compliance: Compliance(f64) = compliance().not_negative(),
+        "compliance of the springs, the same everywhere; 0 is rigid";
 }
 
 /// A relief given by the caller's functions.
@@ -53,48 +99,6 @@ pub struct ReliefFunctionCase {
     pub compliance: Option<f64>,
 }
 
-/// A measured relief and its compliance.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ReliefMapCase {
-    /// Its heights.
-    #[serde(flatten)]
-    pub map: MapCase,
-    /// Its compliance.
-    #[serde(flatten)]
-    pub compliance: ComplianceCase,
-    /// The law of its springs.
-    pub law: LawCase,
-}
-
-/// The compliance of a measured relief.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ComplianceCase {
-    /// `η`, m/Pa, the same everywhere; 0 is rigid.
-    Compliance(f64),
-    /// Young's modulus, Pa: `η` is the height above the deepest sample divided by it.
-    YoungModulus(f64),
-}
-
-/// Periodic elastic cylinders.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct CylindersCase {
-    /// Arrangement of the axes.
-    pub lattice: LatticeCase,
-    /// Radius `r` of a cylinder, m.
-    pub radius: f64,
-    /// Height `h` of a cylinder, m.
-    pub height: f64,
-    /// Distance `T` between neighbouring axes, m.
-    pub period: f64,
-    /// Position of one axis relative to the indenter's, m.
-    pub offset: [f64; 2],
-    /// Young's modulus `E_a`, Pa; by default that of the surface.
-    pub young_modulus: f64,
-    /// The law of their springs.
-    pub law: LawCase,
-}
-
 /// The lattice of the cylinders.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -105,26 +109,19 @@ pub enum LatticeCase {
     Hexagonal,
 }
 
+const LATTICES: &[(&str, LatticeCase)] = &[
+    ("square", LatticeCase::Square),
+    ("hexagonal", LatticeCase::Hexagonal),
+];
+
 /// The requirement on a map whose springs stiffen.
 const NO_HEIGHT: &str =
     "\"linear\", or young_modulus in place of compliance, with which springs have a height";
 
-#[derive(Clone, Copy)]
-enum SurfaceKind {
-    Bare,
-    Cylinders,
-    Film,
-    Map,
-    Rough,
+/// Young's modulus of the body's top, Pa.
+fn of_the_surface(scope: &Scope<'_>) -> Option<f64> {
+    scope.foundation?.surface_young_modulus()
 }
-
-const KINDS: [(&str, SurfaceKind); 5] = [
-    ("bare", SurfaceKind::Bare),
-    ("cylinders", SurfaceKind::Cylinders),
-    ("film", SurfaceKind::Film),
-    ("map", SurfaceKind::Map),
-    ("rough", SurfaceKind::Rough),
-];
 
 impl SurfaceCase {
     /// Reads the table and the map that it names; the foundation supplies the modulus of the cylinders if the table
@@ -133,47 +130,14 @@ impl SurfaceCase {
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first key that is invalid for its kind.
-    pub fn read(
-        table: &TableReader<'_>,
-        foundation: &FoundationCase,
-        maps: &MapSources,
-    ) -> Result<Self, Diagnosis> {
-        let kind = match table.optional("kind") {
-            Some(field) => {
-                if let Some(relief) = caller_shape::of_kind(&field, maps.relief()) {
-                    return ReliefFunctionCase::read(table, relief).map(Self::Function);
-                }
-                field.choice(&KINDS)?
-            }
-            None => SurfaceKind::Bare,
-        };
-        match kind {
-            SurfaceKind::Bare => table.only(&["kind"]).map(|()| Self::Bare),
-            SurfaceKind::Cylinders => CylindersCase::read(table, foundation).map(Self::Cylinders),
-            SurfaceKind::Film => Self::read_film(table),
-            SurfaceKind::Map => ReliefMapCase::read(table, maps).map(Self::Map),
-            SurfaceKind::Rough => Self::read_rough(table, maps),
+    pub fn read(table: &TableReader<'_>, scope: &Scope<'_>) -> Result<Self, Diagnosis> {
+        let kind = table.optional("kind");
+        let relief = scope.maps.and_then(MapSources::relief);
+        if let Some(relief) = kind.and_then(|kind| caller_shape::of_kind(&kind, relief)) {
+            return ReliefFunctionCase::read(table, relief).map(Self::Function);
         }
-    }
-
-    fn read_film(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&["kind", "thickness", "young_modulus", LawCase::KEY])?;
-        Ok(Self::Film {
-            thickness: table.positive("thickness", Dimension::Length)?,
-            young_modulus: table.positive("young_modulus", Dimension::Pressure)?,
-            law: LawCase::read(table)?,
-        })
-    }
-
-    fn read_rough(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
-        table.only(&MapCase::KEYS).map_err(|diagnosis| {
-            let springs = table.given(&[&ComplianceCase::KEYS[..], &[LawCase::KEY]].concat());
-            if springs.is_empty() {
-                return diagnosis;
-            }
-            diagnosis.with_help("a rough surface is the body's own and has no springs: springs belong to kind = \"map\"")
-        })?;
-        MapCase::read(table, maps, HeightLimits::SURFACE).map(Self::Rough)
+        <Self as Kinds>::read(table, &[], scope)
+            .map_err(|diagnosis| springs_need_a_map(table, diagnosis))
     }
 
     /// The relief itself.
@@ -185,17 +149,7 @@ impl SurfaceCase {
         match self {
             Self::Bare => Ok(Relief::Bare),
             Self::Cylinders(cylinders) => cylinders.build().map(Relief::Cylinders),
-            Self::Film {
-                thickness,
-                young_modulus,
-                law,
-            } => {
-                let film = Film::new(*thickness, *young_modulus)?;
-                Ok(Relief::Film(match law {
-                    LawCase::Linear => film,
-                    LawCase::Logarithmic => film.stiffening(),
-                }))
-            }
+            Self::Film(film) => film.build().map(Relief::Film),
             Self::Map(map) => map.build().map(Relief::Map),
             Self::Function(function) => function.build().map(Relief::Custom),
             Self::Rough(map) => {
@@ -242,21 +196,17 @@ impl ReliefFunctionCase {
     }
 }
 
-impl ReliefMapCase {
-    fn read(table: &TableReader<'_>, maps: &MapSources) -> Result<Self, Diagnosis> {
-        let keys = [&MapCase::KEYS[..], &ComplianceCase::KEYS, &[LawCase::KEY]].concat();
-        table.only(&keys)?;
-        let (compliance, law) = (ComplianceCase::read(table)?, LawCase::read(table)?);
-        if let (ComplianceCase::Compliance(_), LawCase::Logarithmic) = (compliance, law) {
-            return Err(table.required(LawCase::KEY, NO_HEIGHT)?.wanted(NO_HEIGHT));
-        }
-        Ok(Self {
-            compliance,
-            law,
-            map: MapCase::read(table, maps, HeightLimits::SURFACE)?,
+impl FilmCase {
+    fn build(&self) -> Result<Film, TextureError> {
+        let film = Film::new(self.thickness, self.young_modulus)?;
+        Ok(match self.law {
+            LawCase::Linear => film,
+            LawCase::Logarithmic => film.stiffening(),
         })
     }
+}
 
+impl ReliefMapCase {
     fn build(&self) -> Result<ReliefMap, TextureError> {
         let compliance = match self.compliance {
             ComplianceCase::Compliance(compliance) => MapCompliance::Uniform(compliance),
@@ -270,58 +220,7 @@ impl ReliefMapCase {
     }
 }
 
-impl ComplianceCase {
-    const KEYS: [&str; 2] = ["compliance", "young_modulus"];
-
-    fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        const WANTED: &str = "exactly one of compliance and young_modulus, for the springs of the map; if the body itself is rough, write kind = \"rough\"";
-        match table.given(&Self::KEYS)[..] {
-            ["compliance"] => table
-                .required("compliance", WANTED)?
-                .quantity(Dimension::Compliance, Sign::NotNegative)
-                .map(Self::Compliance),
-            ["young_modulus"] => table
-                .positive("young_modulus", Dimension::Pressure)
-                .map(Self::YoungModulus),
-            [] => Err(table.missing("young_modulus", WANTED.into())),
-            _ => Err(table
-                .required("compliance", WANTED)?
-                .diagnosis(Fault::Wrong {
-                    found: "compliance and young_modulus".into(),
-                    wanted: WANTED.into(),
-                })),
-        }
-    }
-}
-
 impl CylindersCase {
-    fn read(table: &TableReader<'_>, foundation: &FoundationCase) -> Result<Self, Diagnosis> {
-        const KEYS: [&str; 8] = [
-            "kind",
-            "radius",
-            "height",
-            "period",
-            "lattice",
-            "offset",
-            "young_modulus",
-            LawCase::KEY,
-        ];
-        table.only(&KEYS)?;
-        let cylinders = Self {
-            lattice: lattice(table)?,
-            radius: table.positive("radius", Dimension::Length)?,
-            height: table.positive("height", Dimension::Length)?,
-            period: table.positive("period", Dimension::Length)?,
-            offset: offset(table)?,
-            young_modulus: young_modulus(table, foundation)?,
-            law: LawCase::read(table)?,
-        };
-        // Every number is in range here, so only an overlap can be rejected.
-        let radius = table.required("radius", "")?;
-        cylinders.build().map_err(|error| radius.refused(&error))?;
-        Ok(cylinders)
-    }
-
     fn build(&self) -> Result<Cylinders, TextureError> {
         let lattice = match self.lattice {
             LatticeCase::Square => Lattice::Square,
@@ -342,34 +241,21 @@ impl CylindersCase {
     }
 }
 
-fn lattice(table: &TableReader<'_>) -> Result<LatticeCase, Diagnosis> {
-    let choices = [
-        ("square", LatticeCase::Square),
-        ("hexagonal", LatticeCase::Hexagonal),
-    ];
-    (table.optional("lattice")).map_or(Ok(LatticeCase::Square), |field| field.choice(&choices))
-}
-
-fn offset(table: &TableReader<'_>) -> Result<[f64; 2], Diagnosis> {
-    const WANTED: &str = "a list of two lengths, [x, y]";
-    let Some(field) = table.optional("offset") else {
-        return Ok([0.0, 0.0]);
-    };
-    let [x, y] = &field.list(WANTED)?[..] else {
-        return Err(field.wanted(WANTED));
-    };
-    let length = |field: &ValueReader<'_>| field.quantity(Dimension::Length, Sign::Any);
-    Ok([length(x)?, length(y)?])
-}
-
-fn young_modulus(table: &TableReader<'_>, foundation: &FoundationCase) -> Result<f64, Diagnosis> {
-    match (
-        table.optional("young_modulus"),
-        foundation.surface_young_modulus(),
-    ) {
-        (None, Some(modulus)) => Ok(modulus),
-        _ => table.positive("young_modulus", Dimension::Pressure),
+/// Adds to the diagnosis of a rough surface with springs that it has none.
+fn springs_need_a_map(table: &TableReader<'_>, diagnosis: Diagnosis) -> Diagnosis {
+    const SPRINGS: [&str; 3] = ["compliance", "young_modulus", LawCase::KEY];
+    let is_rough = table
+        .optional("kind")
+        .is_some_and(|kind| kind.text() == Ok("rough"));
+    if !is_rough
+        || table.given(&SPRINGS).is_empty()
+        || !matches!(diagnosis.fault, Fault::Unknown { .. })
+    {
+        return diagnosis;
     }
+    diagnosis.with_help(
+        "a rough surface is the body's own and has no springs: springs belong to kind = \"map\"",
+    )
 }
 
 #[cfg(test)]

@@ -96,6 +96,7 @@ fn is_near(depth: f64, interface: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::declare::{Record, Scope};
     use crate::input::table_reader::tests::read_table;
 
     const LAYERS: &str = "[[layer]]\nthickness = 0.1\nyoung_modulus = 2\npoisson_ratio = 0.3\n\
@@ -103,7 +104,10 @@ mod tests {
 
     fn read(substrate: &str) -> FoundationCase {
         let text = format!("substrate = {substrate}\n{LAYERS}");
-        read_table(&text, |table| FoundationCase::read(&table)).unwrap()
+        read_table(&text, |table| {
+            FoundationCase::read(&table, &Scope::default())
+        })
+        .unwrap()
     }
 
     /// Sides and bodies of the planes at a depth.

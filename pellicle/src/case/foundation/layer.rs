@@ -6,33 +6,32 @@ use serde::Serialize;
 use super::modulus::ModulusCase;
 use super::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::substrate::POISSON_RATIO;
-use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::value_reader::ValueReader;
+use crate::declare::macros::record;
+use crate::declare::{Codec, Scope, compliance, either, length, number, part, pressure, word};
+use crate::input::table_reader::TableReader;
 
 const MODULUS: &str = "a positive pressure such as \"70 GPa\", a bare number, or { from = .., to = .., profile = \"linear\" }";
 
-/// One layer and the interface below it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct LayerCase {
-    /// Thickness, m.
-    pub thickness: f64,
-    /// Young's modulus.
-    pub young_modulus: ModulusCase,
-    /// Poisson's ratio `ν`.
-    pub poisson_ratio: f64,
-    /// The interface below it.
-    pub interface: InterfaceCase,
-    /// Its strength.
-    #[serde(flatten)]
-    pub strength: BodyStrengthCase,
-    /// The strength of the interface below it.
-    #[serde(flatten)]
-    pub interface_strength: InterfaceStrengthCase,
+record! {
+    /// One layer and the interface below it.
+    #[derive(Copy)]
+    pub struct LayerCase {
+        thickness: f64 = length().positive(), "thickness of the layer";
+        young_modulus: ModulusCase = either(pressure().positive(), ModulusCase::Uniform, ModulusCase::Graded, MODULUS),
+            "Young's modulus, the same everywhere or changing with depth";
+        poisson_ratio: f64 = number(POISSON_RATIO), "Poisson's ratio";
+        interface: InterfaceCase = InterfaceCase::codec().or(InterfaceCase::BONDED, "\"bonded\""),
+            "the interface below the layer";
+        #[serde(flatten)] strength: BodyStrengthCase = part(), "its strength";
+        #[serde(flatten)] interface_strength: InterfaceStrengthCase = part(), "strength of the interface below";
+    }
+    check |layer: &LayerCase, table: &TableReader<'_>, _: &Scope<'_>| {
+        // The modulus is known to be positive here, so only the ratio can be rejected.
+        let refused = |error| Err(table.required("poisson_ratio", POISSON_RATIO)?.refused(&error));
+        let material = layer.material(layer.young_modulus.at_top());
+        material.map_or_else(refused, |_| Ok(()))
+    };
 }
-
-/// The keys of a layer, without those of its strengths.
-const KEYS: [&str; 4] = ["thickness", "young_modulus", "poisson_ratio", "interface"];
 
 /// The interface between a layer and the body below.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -54,34 +53,25 @@ pub enum NamedInterface {
     Frictionless,
 }
 
-/// An imperfect bond, across which displacements jump in proportion to the traction.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct SpringCase {
-    /// Jump of the normal displacement per traction, m/Pa.
-    pub normal_compliance: f64,
-    /// Jump of the displacement along the interface per traction, m/Pa.
-    pub shear_compliance: f64,
+record! {
+    /// An imperfect bond, across which displacements jump in proportion to the traction.
+    #[derive(Copy)]
+    pub struct SpringCase {
+        normal_compliance: f64 = compliance().not_negative(), "jump of the normal displacement per traction";
+        shear_compliance: f64 = compliance().not_negative(), "jump of the displacement along the interface per traction";
+    }
 }
 
+const NAMED: &[(&str, NamedInterface)] = &[
+    ("bonded", NamedInterface::Bonded),
+    ("frictionless", NamedInterface::Frictionless),
+];
+
 impl InterfaceCase {
-    fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
-        if !field.is_table() {
-            let named = field.choice(&[
-                ("bonded", NamedInterface::Bonded),
-                ("frictionless", NamedInterface::Frictionless),
-            ])?;
-            return Ok(Self::Named(named));
-        }
-        let table = field.clone().table()?;
-        table.only(&["normal_compliance", "shear_compliance"])?;
-        let compliance = |key| {
-            let value = table.required(key, &Sign::NotNegative.wanted(Dimension::Compliance))?;
-            value.quantity(Dimension::Compliance, Sign::NotNegative)
-        };
-        Ok(Self::Spring(SpringCase {
-            normal_compliance: compliance("normal_compliance")?,
-            shear_compliance: compliance("shear_compliance")?,
-        }))
+    const BONDED: Self = Self::Named(NamedInterface::Bonded);
+
+    const fn codec() -> impl Codec<Out = Self> {
+        either(word(NAMED), Self::Named, Self::Spring, "an interface")
     }
 
     fn build(self) -> Result<Interface, KernelError> {
@@ -97,37 +87,6 @@ impl InterfaceCase {
 }
 
 impl LayerCase {
-    pub(super) fn read(field: ValueReader<'_>) -> Result<Self, Diagnosis> {
-        let table = field.table()?;
-        let strengths = [
-            &KEYS[..],
-            &BodyStrengthCase::KEYS,
-            &InterfaceStrengthCase::KEYS,
-        ];
-        table.only(&strengths.concat())?;
-        let interface = match table.optional("interface") {
-            Some(field) => InterfaceCase::read(&field)?,
-            None => InterfaceCase::Named(NamedInterface::Bonded),
-        };
-        let thickness = table.positive("thickness", Dimension::Length)?;
-        let modulus = table.required("young_modulus", MODULUS)?;
-        let layer = Self {
-            thickness,
-            young_modulus: ModulusCase::read(modulus)?,
-            poisson_ratio: table
-                .required("poisson_ratio", POISSON_RATIO)?
-                .number(POISSON_RATIO)?,
-            interface,
-            strength: BodyStrengthCase::read(&table)?,
-            interface_strength: InterfaceStrengthCase::read(&table)?,
-        };
-        // The modulus is known to be positive here, so only the ratio can be rejected.
-        let ratio = table.required("poisson_ratio", POISSON_RATIO)?;
-        let material = layer.material(layer.young_modulus.at_top());
-        material.map_err(|error| ratio.refused(&error))?;
-        Ok(layer)
-    }
-
     /// Returns the layer as one or more homogeneous layers on top of those below, and the error of the split if it is
     /// graded.
     pub(super) fn split(

@@ -2,9 +2,8 @@
 
 use serde::Serialize;
 
-use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::value_reader::ValueReader;
+use crate::declare::macros::record;
+use crate::declare::{pressure, word};
 
 /// Young's modulus of a layer, Pa.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -16,16 +15,20 @@ pub enum ModulusCase {
     Graded(GradingCase),
 }
 
-/// A Young's modulus that changes with depth.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct GradingCase {
-    /// Modulus at the top, Pa.
-    pub from: f64,
-    /// Modulus at the bottom, Pa.
-    pub to: f64,
-    /// Its profile in between.
-    pub profile: GradingProfile,
+record! {
+    /// A Young's modulus that changes with depth.
+    #[derive(Copy)]
+    pub struct GradingCase {
+        from: f64 = pressure().positive(), "modulus at the top of the layer";
+        to: f64 = pressure().positive(), "modulus at its bottom";
+        profile: GradingProfile = word(PROFILES), "how it changes in between";
+    }
 }
+
+const PROFILES: &[(&str, GradingProfile)] = &[
+    ("linear", GradingProfile::Linear),
+    ("exponential", GradingProfile::Exponential),
+];
 
 /// The profile of a graded modulus between top and bottom.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -38,29 +41,6 @@ pub enum GradingProfile {
 }
 
 impl ModulusCase {
-    /// Reads a modulus, or a table of two moduli and a profile.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] if it is neither, or a modulus is not positive.
-    pub fn read(field: ValueReader<'_>) -> Result<Self, Diagnosis> {
-        if !field.is_table() {
-            let modulus = field.quantity(Dimension::Pressure, Sign::Positive)?;
-            return Ok(Self::Uniform(modulus));
-        }
-        let table = field.table()?;
-        table.only(&["from", "to", "profile"])?;
-        let profile = table.required("profile", "\"linear\" or \"exponential\"")?;
-        Ok(Self::Graded(GradingCase {
-            from: table.positive("from", Dimension::Pressure)?,
-            to: table.positive("to", Dimension::Pressure)?,
-            profile: profile.choice(&[
-                ("linear", GradingProfile::Linear),
-                ("exponential", GradingProfile::Exponential),
-            ])?,
-        }))
-    }
-
     /// The modulus at the top, Pa.
     #[must_use]
     pub fn at_top(self) -> f64 {

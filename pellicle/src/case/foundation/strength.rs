@@ -1,64 +1,33 @@
 //! Strengths: the largest stresses that a body and an interface bear.
 
-use serde::Serialize;
+use crate::declare::macros::record;
+use crate::declare::{Codec, pressure};
 
-use crate::input::diagnosis::Diagnosis;
-use crate::input::dimension::{Dimension, Sign};
-use crate::input::table_reader::TableReader;
-
-/// The strength of a body; each limit may be missing.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
-pub struct BodyStrengthCase {
-    /// Von Mises' stress at which the body yields, Pa.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub yield_strength: Option<f64>,
-    /// The largest principal stress that the body bears, Pa.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub tensile_strength: Option<f64>,
-    /// The contact pressure at which its surface yields, Pa.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub hardness: Option<f64>,
-}
-
-/// The strength of the interface below a layer; each limit may be missing.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
-pub struct InterfaceStrengthCase {
-    /// The shear traction at which the layer detaches, Pa.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub interface_shear_strength: Option<f64>,
-    /// The tension at which the layer detaches, Pa.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub interface_tensile_strength: Option<f64>,
-}
-
-impl BodyStrengthCase {
-    pub(super) const KEYS: [&str; 3] = ["yield_strength", "tensile_strength", "hardness"];
-
-    pub(super) fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        let [yield_strength, tensile_strength, hardness] =
-            Self::KEYS.map(|key| strength(table, key));
-        Ok(Self {
-            yield_strength: yield_strength?,
-            tensile_strength: tensile_strength?,
-            hardness: hardness?,
-        })
+record! {
+    /// The strength of a body; each limit may be missing.
+    #[derive(Copy, Default)]
+    pub struct BodyStrengthCase {
+        #[serde(skip_serializing_if = "Option::is_none")]
+        yield_strength: Option<f64> = pressure().positive().optional("none"),
+            "von Mises' stress at which the body yields";
+        #[serde(skip_serializing_if = "Option::is_none")]
+        tensile_strength: Option<f64> = pressure().positive().optional("none"),
+            "largest principal stress that the body bears";
+        #[serde(skip_serializing_if = "Option::is_none")]
+        hardness: Option<f64> = pressure().positive().optional("none"),
+            "contact pressure at which its surface yields; only of the topmost body";
     }
 }
 
-impl InterfaceStrengthCase {
-    pub(super) const KEYS: [&str; 2] = ["interface_shear_strength", "interface_tensile_strength"];
-
-    pub(super) fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        let [shear, tensile] = Self::KEYS.map(|key| strength(table, key));
-        Ok(Self {
-            interface_shear_strength: shear?,
-            interface_tensile_strength: tensile?,
-        })
+record! {
+    /// The strength of the interface below a layer; each limit may be missing.
+    #[derive(Copy, Default)]
+    pub struct InterfaceStrengthCase {
+        #[serde(skip_serializing_if = "Option::is_none")]
+        interface_shear_strength: Option<f64> = pressure().positive().optional("none"),
+            "shear traction at which the layer comes off";
+        #[serde(skip_serializing_if = "Option::is_none")]
+        interface_tensile_strength: Option<f64> = pressure().positive().optional("none"),
+            "tension at which the layer comes off";
     }
-}
-
-fn strength(table: &TableReader<'_>, key: &str) -> Result<Option<f64>, Diagnosis> {
-    let field = table.optional(key);
-    let read = field.map(|field| field.quantity(Dimension::Pressure, Sign::Positive));
-    read.transpose()
 }

@@ -7,7 +7,9 @@ use super::*;
 use crate::input::table_reader::tests::read_table;
 
 fn read(text: &str) -> Result<FoundationCase, String> {
-    read_table(text, |table| FoundationCase::read(&table))
+    read_table(text, |table| {
+        FoundationCase::read(&table, &Scope::default())
+    })
 }
 
 const SUBSTRATE: &str = "substrate = { young_modulus = \"7 GPa\", poisson_ratio = 0.4 }\n";

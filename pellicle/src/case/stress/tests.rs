@@ -8,8 +8,18 @@ const LAYER: &str =
 
 fn read_on(substrate: &str, side: Option<f64>, text: &str) -> Result<StressCase, String> {
     let foundation = format!("{LAYER}{substrate}");
-    let foundation = read_table(&foundation, |table| FoundationCase::read(&table))?;
-    read_table(text, |table| StressCase::read(&table, &foundation, side))
+    let foundation = read_table(&foundation, |table| {
+        FoundationCase::read(&table, &Scope::default())
+    })?;
+    read_table(text, |table| {
+        let foundation = Some(&foundation);
+        let scope = Scope {
+            foundation,
+            side,
+            ..Scope::default()
+        };
+        StressCase::read(&table, &scope)
+    })
 }
 
 const HALF_SPACE: &str = "{ young_modulus = 1, poisson_ratio = 0.3 }";
@@ -30,7 +40,10 @@ const LAYERS: &str = "layer = [\
 
 fn model(substrate: &str) -> StressModel {
     let foundation = format!("{LAYERS}substrate = {substrate}");
-    let case = read_table(&foundation, |table| FoundationCase::read(&table)).unwrap();
+    let case = read_table(&foundation, |table| {
+        FoundationCase::read(&table, &Scope::default())
+    })
+    .unwrap();
     let stress = read("friction = 0.2\ndirection = 1").unwrap();
     stress.model(&case, &case.split().unwrap().foundation)
 }
@@ -86,7 +99,10 @@ fn a_rigid_base_is_not_a_body_but_has_an_interface() {
 #[test]
 fn planes_are_as_given_or_down_to_two_radii_with_both_sides_of_interfaces() {
     let foundation = format!("{LAYERS}substrate = {HALF_SPACE}");
-    let case = read_table(&foundation, |table| FoundationCase::read(&table)).unwrap();
+    let case = read_table(&foundation, |table| {
+        FoundationCase::read(&table, &Scope::default())
+    })
+    .unwrap();
     let built = case.split().unwrap().foundation;
     let depths = |text: &str, radius| {
         let planes = read(text).unwrap().planes(&case, &built, radius);

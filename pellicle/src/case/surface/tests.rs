@@ -1,5 +1,6 @@
 //! The keys of `[surface]`, and the messages about invalid ones.
 
+use super::super::foundation::FoundationCase;
 use super::super::foundation::strength::BodyStrengthCase;
 use super::super::foundation::substrate::{MaterialCase, SubstrateCase};
 use super::*;
@@ -16,7 +17,13 @@ fn read(text: &str) -> Result<SurfaceCase, String> {
         layer: Vec::new(),
     };
     read_table(text, |table| {
-        SurfaceCase::read(&table, &foundation, &MapSources::default())
+        let maps = MapSources::default();
+        let scope = Scope {
+            maps: Some(&maps),
+            foundation: Some(&foundation),
+            ..Scope::default()
+        };
+        SurfaceCase::read(&table, &scope)
     })
 }
 

@@ -1,0 +1,129 @@
+//! The keys of a file: as a list in Markdown, and the dimension of each.
+
+use std::collections::BTreeMap;
+
+use super::shape::{Field, Presence, Shape, TableShape};
+use crate::input::dimension::Dimension;
+
+/// All fields of a table and of the tables within it, each key once.
+#[must_use]
+pub fn fields(root: &TableShape) -> BTreeMap<&'static str, &Shape> {
+    let mut found = BTreeMap::new();
+    collect(root, &mut found);
+    found
+}
+
+fn collect<'a>(table: &'a TableShape, found: &mut BTreeMap<&'static str, &'a Shape>) {
+    for field in &table.fields {
+        found.entry(field.key).or_insert(&field.shape);
+        for inner in field.shape.tables() {
+            collect(inner, found);
+        }
+    }
+}
+
+/// The dimension of each key whose numbers have one; the ends of a range have that of its key.
+#[must_use]
+pub fn dimensions(root: &TableShape) -> BTreeMap<&'static str, Dimension> {
+    let is_end = |key: &str| ["from", "to"].contains(&key);
+    let dimension =
+        |(key, shape): (_, &Shape)| Some((key, shape.dimension().filter(|_| !is_end(key))?));
+    fields(root).into_iter().filter_map(dimension).collect()
+}
+
+/// The list of keys in Markdown: a table for each table of the file and for each of its kinds.
+#[must_use]
+pub fn markdown(root: &TableShape) -> String {
+    let mut text = String::new();
+    section(&mut text, "", root);
+    text
+}
+
+fn section(text: &mut String, path: &str, table: &TableShape) {
+    let rows: Vec<_> = table.fields.iter().map(|field| row(field, table)).collect();
+    if !rows.is_empty() {
+        *text += "| key | value | meaning | if missing |\n|---|---|---|---|\n";
+        rows.iter().for_each(|row| *text += row);
+        text.push('\n');
+    }
+    for field in &table.fields {
+        let path = match path {
+            "" => field.key.to_owned(),
+            path => format!("{path}.{}", field.key),
+        };
+        inner(text, &path, field.meaning, &field.shape);
+    }
+}
+
+fn inner(text: &mut String, path: &str, meaning: &str, shape: &Shape) {
+    match shape {
+        Shape::Table(table) => {
+            *text += &format!("### `[{path}]`: {meaning}\n\n");
+            section(text, path, table);
+        }
+        Shape::List(item, _) if matches!(**item, Shape::Table(_)) => {
+            if let Shape::Table(table) = &**item {
+                *text += &format!("### `[[{path}]]`: {meaning}\n\n");
+                section(text, path, table);
+            }
+        }
+        Shape::Kinds(kinds) => {
+            *text += &format!("### `[{path}]`: {meaning}\n\n");
+            section(text, path, &kinds.shared);
+            for (word, meaning, table) in &kinds.kinds {
+                let default = if kinds.default == Some(*word) {
+                    ", the default"
+                } else {
+                    ""
+                };
+                *text += &format!("`{} = \"{word}\"`: {meaning}{default}\n\n", kinds.key);
+                section(text, path, table);
+            }
+        }
+        Shape::Either(shapes) => {
+            let tables = shapes.iter().filter_map(|shape| match shape {
+                // Ranges are the same everywhere.
+                Shape::Table(table) if !table.keys().contains(&"count") => Some(table),
+                _ => None,
+            });
+            for table in tables {
+                *text += &format!("`{path} = {{ … }}`:\n\n");
+                section(text, path, table);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn row(field: &Field, table: &TableShape) -> String {
+    let missing = match &field.presence {
+        Presence::Required if table.one_of.contains(&field.key) => "one of these is required",
+        Presence::Required if table.together.contains(&field.key) => "none of these, or all",
+        Presence::Required => "required",
+        Presence::Default(words) => words,
+    };
+    let (key, value) = (field.key, value(&field.shape));
+    format!("| `{key}` | {value} | {} | {missing} |\n", field.meaning)
+}
+
+/// What a value may be, in words.
+fn value(shape: &Shape) -> String {
+    match shape {
+        Shape::Quantity(dimension, _) => dimension.noun().into(),
+        Shape::Number => "a number".into(),
+        Shape::Count(range) => format!("{} to {}", range.start(), range.end()),
+        Shape::Words(words) => format!("`\"{}\"`", words.join("\"`, `\"")),
+        Shape::Switch => "`true`, `false`".into(),
+        Shape::Text => "a text".into(),
+        Shape::List(item, None) => format!("a list of {}", value(item)),
+        Shape::List(item, Some(count)) => format!("a list of {count}: {}", value(item)),
+        Shape::Table(table) if table.keys().contains(&"count") => {
+            "`{ from, to, count, spacing }`".into()
+        }
+        Shape::Table(_) | Shape::Kinds(_) => "a table".into(),
+        Shape::Either(shapes) => {
+            let values: Vec<_> = shapes.iter().map(value).collect();
+            values.join(" or ")
+        }
+    }
+}
