@@ -11,7 +11,9 @@ use super::map::MapCase;
 use super::map_sources::MapSources;
 use super::spring_law::LawCase;
 use crate::declare::macros::{kinds, one_of, record};
-use crate::declare::{Codec, Kinds, Scope, compliance, length, pair, part, pressure, word};
+use crate::declare::{
+    Codec, Kinds, Presence, Scope, Shape, compliance, length, pair, part, pressure, word,
+};
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
@@ -66,17 +68,50 @@ record! {
     /// A measured relief and its compliance.
     pub struct ReliefMapCase {
         #[serde(flatten)] compliance: ComplianceCase = part(), "how its springs give";
-        law: LawCase = word(LawCase::WORDS).or(LawCase::Linear, "\"linear\""), "law of the springs";
+        law: LawCase = LawOfMap, "law of the springs; those with a compliance have no height and stay linear";
         #[serde(flatten)] map: MapCase = part(), "its heights";
     }
-    check |map: &ReliefMapCase, table: &TableReader<'_>, _: &Scope<'_>| {
-        match (&map.compliance, map.law) {
-            (ComplianceCase::Compliance(_), LawCase::Logarithmic) => {
-                Err(table.required(LawCase::KEY, NO_HEIGHT)?.wanted(NO_HEIGHT))
+}
+
+/// The law of springs that have a height only if their modulus is given.
+#[derive(Debug, Clone, Copy)]
+struct LawOfMap;
+
+impl Codec for LawOfMap {
+    type Out = LawCase;
+
+    fn shape(&self) -> Shape {
+        word(LawCase::WORDS).shape()
+    }
+
+    fn wanted(&self) -> String {
+        word(LawCase::WORDS).wanted()
+    }
+
+    fn read(&self, value: &ValueReader<'_>, scope: &Scope<'_>) -> Result<LawCase, Diagnosis> {
+        word(LawCase::WORDS).read(value, scope)
+    }
+
+    fn take(
+        &self,
+        key: &'static str,
+        table: &TableReader<'_>,
+        scope: &Scope<'_>,
+    ) -> Result<LawCase, Diagnosis> {
+        let Some(value) = table.optional(key) else {
+            return Ok(LawCase::Linear);
+        };
+        match self.read(&value, scope)? {
+            LawCase::Logarithmic if table.optional("compliance").is_some() => {
+                Err(value.wanted(NO_HEIGHT))
             }
-            _ => Ok(()),
+            law => Ok(law),
         }
-    };
+    }
+
+    fn presence(&self) -> Presence {
+        Presence::Default("\"linear\"".into())
+    }
 }
 
 one_of! {

@@ -4,6 +4,8 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::case::Case;
+
 use super::shape::{Field, KindsShape, Presence, Shape, TableShape};
 
 /// A number and something after it.
@@ -18,6 +20,18 @@ pub fn of_file(title: &str, root: &TableShape) -> Value {
     });
     merge(&mut schema, table(root, &TableShape::default(), None));
     schema
+}
+
+/// The schema of a case.
+#[must_use]
+pub fn of_case() -> Value {
+    of_file("A contact problem of Pellicle", &Case::shape())
+}
+
+/// A schema as text.
+#[must_use]
+pub fn text(schema: &Value) -> String {
+    format!("{schema:#}\n")
 }
 
 fn merge(into: &mut Value, from: Value) {
