@@ -43,6 +43,7 @@ mod terminal;
 mod threads;
 mod unfinished;
 mod validation;
+mod withdrawn;
 
 pub use case::Case;
 pub use display::{DisplayUnit, Unit, quantity};
@@ -92,9 +93,10 @@ pub mod studied {
 
 /// Fits made as the program makes them.
 pub mod fitted {
-    pub use crate::fit_and_plan::{Stage, fit, plan};
+    pub use crate::fit_and_plan::{Stage, fit, likelihood, plan};
     pub use crate::fit_file::{FitFile, FitSources, Measurements};
     pub use crate::identification::fitted_file::FittedFile;
+    pub use crate::identification::likelihood::FittedLikelihood;
     pub use crate::measured::sources::MeasurementSources;
     pub use crate::planning::files::table as plan_table;
     pub use crate::planning::result::PlanResult;
