@@ -155,7 +155,7 @@ pub struct OutputArguments {
     /// Loading steps whose pictures are drawn [default: as in the case, or last]
     #[arg(long, value_enum, value_name = "STEPS")]
     pub pictures: Option<Steps>,
-    /// Formats of the fields, separated by commas [default: as in the case, or all]
+    /// Formats of the fields, separated by commas [default: as in the case, or npz]
     #[arg(long, value_enum, value_name = "FORMATS", value_delimiter = ',')]
     pub formats: Vec<Format>,
 }

@@ -34,6 +34,7 @@ mod terminal;
 mod threads;
 mod unfinished;
 mod validation;
+mod withdrawn;
 
 pub use failure::Failure;
 pub use program::main;
@@ -66,9 +67,10 @@ pub mod studied {
 
 /// Fits made as the program makes them.
 pub mod fitted {
-    pub use crate::fit_and_plan::{Stage, fit, plan};
+    pub use crate::fit_and_plan::{Stage, fit, likelihood, plan};
     pub use crate::fit_file::{FitFile, FitSources, Measurements};
     pub use crate::identification::fitted_file::FittedFile;
+    pub use crate::identification::likelihood::FittedLikelihood;
     pub use crate::measured::sources::MeasurementSources;
     pub use crate::planning::files::table as plan_table;
     pub use crate::planning::result::PlanResult;

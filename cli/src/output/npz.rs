@@ -6,8 +6,8 @@ use std::path::Path;
 
 use ndarray::{Array1, Array2, ArrayView2, ShapeError};
 use ndarray_npy::{NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
-use pellicle::map::npy_header::NpyHeader;
 use zip::ZipArchive;
+use pellicle::map::npy_header::NpyHeader;
 
 use super::fields::Fields;
 use super::file::write_stoppable;
@@ -46,22 +46,6 @@ fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), Write
         npz.add(truth.name, &square(size, &truth.values)?)?;
     }
     npz.finish()
-}
-
-/// Writes named columns of numbers, one array each.
-///
-/// # Errors
-///
-/// [`Failure::Write`] if the file cannot be written.
-pub fn write_columns(file: &Path, columns: &[(String, Vec<f64>)]) -> Result<(), Failure> {
-    write_stoppable(file, |file| {
-        let mut npz = NpzArchive::new(file);
-        for (name, values) in columns {
-            npz.add(name, &Array1::from(values.clone()))
-                .map_err(io::Error::other)?;
-        }
-        npz.finish().map_err(io::Error::other)
-    })
 }
 
 fn square<T>(size: usize, field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzError> {

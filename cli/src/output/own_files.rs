@@ -5,10 +5,10 @@ use std::fs::{self, DirEntry, File};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 
-use pellicle::summary;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::Value;
+use pellicle::summary;
 
 use super::{curve, report};
 use crate::identification::{files, result};
@@ -28,6 +28,7 @@ const OF_A_STEP: [(&str, &[&str]); 13] = [
     ("stress-section", &["svg", "png"]),
     ("stress-interfaces", &["svg", "png"]),
     ("pressure", &["gsf", "svg", "png"]),
+    // Of earlier versions.
     ("mask", &["gsf"]),
     ("contact", &["gsf"]),
     ("pressure-3d", &["svg", "png"]),

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use rayon::prelude::*;
 use pellicle::case::output::Steps;
 use pellicle::summary::RunSummary;
-use rayon::prelude::*;
 
 use super::fields::Fields;
 use super::report::surface::SurfaceFigure;

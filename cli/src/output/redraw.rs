@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
 use pellicle::case::output::Steps;
 use pellicle::summary::{RunSummary, WarningSummary};
-use rayon::prelude::*;
 
 use super::npz::{self, StoredFields};
 use super::pictures::{self, StepDrawings};

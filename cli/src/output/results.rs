@@ -5,13 +5,13 @@ use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
 
+use pellicle_contact::LoadingPath;
+use rayon::prelude::*;
 use pellicle::Completeness;
 use pellicle::case::Case;
 use pellicle::case::output::{Format, OutputCase};
 use pellicle::summary;
 use pellicle::summary::RunSummary;
-use pellicle_contact::LoadingPath;
-use rayon::prelude::*;
 
 use super::fields::Fields;
 use super::pictures::{self, StepDrawings};

@@ -12,11 +12,11 @@ mod vtr;
 
 use std::path::Path;
 
+use pellicle_contact::{LoadingPath, StressField};
 use pellicle::case::Case;
 use pellicle::case::output::Format;
 use pellicle::case::stress::StressCase;
 use pellicle::summary::{RunSummary, StepSummary};
-use pellicle_contact::{LoadingPath, StressField};
 
 pub use self::plane_values::{FIELDS, FieldName};
 use self::plane_values::{PlaneValues, StressFile, StressHead};

@@ -1,8 +1,8 @@
 //! The accuracy of a picture's data in words: grid, certificate, grid error.
 
+use pellicle_contact::{ErrorEstimate, LevelValues};
 use pellicle::display::significant;
 use pellicle::summary::StepSummary;
-use pellicle_contact::{ErrorEstimate, LevelValues};
 
 use super::labels::power;
 

@@ -4,7 +4,7 @@ use clap::ValueEnum;
 
 use super::colours::Colour;
 
-/// A colour map; all but the last are safe for the colour-blind.
+/// A colour map, safe for the colour-blind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum ColourMap {
     /// Dark blue to yellow
@@ -12,16 +12,8 @@ pub enum ColourMap {
     Viridis,
     /// Dark blue to yellow, nearly the same with colour-blindness
     Cividis,
-    /// Black to pale yellow
-    Magma,
-    /// Black to yellow
-    Inferno,
-    /// Blue to yellow
-    Plasma,
     /// White to black
     Greys,
-    /// Blue over green to red
-    Turbo,
 }
 
 impl ColourMap {
@@ -31,11 +23,7 @@ impl ColourMap {
         let gradient = match self {
             Self::Viridis => colorous::VIRIDIS,
             Self::Cividis => colorous::CIVIDIS,
-            Self::Magma => colorous::MAGMA,
-            Self::Inferno => colorous::INFERNO,
-            Self::Plasma => colorous::PLASMA,
             Self::Greys => colorous::GREYS,
-            Self::Turbo => colorous::TURBO,
         };
         let colour = gradient.eval_continuous(within_the_scale(fraction));
         Colour(colour.r, colour.g, colour.b)

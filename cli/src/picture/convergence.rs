@@ -1,9 +1,9 @@
 //! The change of penetration, contact area and largest pressure from grid to grid.
 
+use pellicle_contact::{ErrorEstimate, GridError, LevelValues};
 use pellicle::display::{Unit, error_of, quantity};
 use pellicle::input::units::Units;
 use pellicle::summary::{RunSummary, StepSummary};
-use pellicle_contact::{ErrorEstimate, GridError, LevelValues};
 
 use super::colour_map::ColourMap;
 use super::colours::Colour;

@@ -1,7 +1,6 @@
-//! Pictures of a fit: curves with residuals, profiles, pairs of unknowns, repeats.
+//! Pictures of a fit: curves with residuals, profiles, repeats; and of a plan.
 
 pub mod axes;
-pub mod corner;
 pub mod curve;
 pub mod designs;
 pub mod profiles;

@@ -1,7 +1,7 @@
 //! Histograms of the pressures in contact and of the gaps beside it, relative to the mean pressure and the mean gap.
 
-use pellicle::display::{Unit, quantity};
 use pellicle_contact::Histogram;
+use pellicle::display::{Unit, quantity};
 
 use super::colours::{self, Colour};
 use super::heading;

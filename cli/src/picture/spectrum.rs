@@ -1,10 +1,10 @@
 //! The power spectra of the maps of a case, on logarithmic axes.
 
+use pellicle_texture::Roughness;
 use pellicle::display::{Unit, quantity, significant};
 use pellicle::input::units::Units;
 use pellicle::summary::RunSummary;
 use pellicle::summary::roughness::RoughnessSummary;
-use pellicle_texture::Roughness;
 
 use super::colours::{self, Colour};
 use super::heading;

@@ -1,7 +1,7 @@
 //! Tractions on each interface as maps, with the outline of the contact above and the extremes marked.
 
-use pellicle::display::{DisplayUnit, Unit, quantity};
 use pellicle_contact::{Extreme, InterfaceStress};
+use pellicle::display::{DisplayUnit, Unit, quantity};
 
 use super::colours;
 use super::contour_bands::ContourBands;

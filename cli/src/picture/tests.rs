@@ -1,11 +1,11 @@
 //! The pictures of a solution can be drawn for any finite numbers.
 
-use pellicle::input::units::Units;
-use pellicle::summary::StepSummary;
 use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::{Config, TestRunner};
 use serde_json::json;
+use pellicle::input::units::Units;
+use pellicle::summary::StepSummary;
 
 use super::field_map::FieldMap;
 use super::style::{Cut, Heading, Style};

@@ -25,7 +25,6 @@ pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) 
     };
     let together = all.iter().max_by_key(|design| design.curves.len());
     let together = together.filter(|design| design.curves.len() > 1);
-    let measured = all.iter().find(|design| design.curves.is_empty());
     let count = all.first().map_or(0, |design| design.unknowns.len());
     let unknown = |index: usize| {
         let of = |design: &DesignResult| half_width(&design.unknowns[index]);
@@ -39,18 +38,12 @@ pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) 
             name: names::of_key(&all[0].unknowns[index].key),
             lines: radii.iter().map(line).collect(),
             together: together.and_then(of),
-            measured: measured.and_then(of),
         }
-    };
-    let added = if measured.is_some() {
-        "with one curve added to what was measured"
-    } else {
-        "of one curve alone"
     };
     Designs {
         head: FitHeading {
             title: format!("{title}: what to measure"),
-            numbers: format!("expected {} intervals {added}", percent(level)),
+            numbers: format!("expected {} intervals of one curve alone", percent(level)),
         },
         note: conditions.to_owned(),
         // Over many decades, the unit is chosen for short numbers in the middle of the axis.

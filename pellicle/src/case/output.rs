@@ -85,7 +85,7 @@ impl Default for OutputCase {
         Self {
             fields: Steps::Last,
             pictures: Steps::Last,
-            formats: FORMATS.map(|(_, format)| format).to_vec(),
+            formats: vec![Format::Npz],
         }
     }
 }
@@ -138,10 +138,10 @@ mod tests {
     }
 
     #[test]
-    fn fields_and_pictures_default_to_the_last_step() {
+    fn fields_and_pictures_default_to_the_last_step_and_fields_to_npz() {
         let output = read("").unwrap();
         assert_eq!((output.fields, output.pictures), (Steps::Last, Steps::Last));
-        assert_eq!(output.formats.len(), FORMATS.len());
+        assert_eq!(output.formats, [Format::Npz]);
         let kept = |steps: Steps| (0..3).filter(|i| steps.contains(*i, 3)).collect::<Vec<_>>();
         assert_eq!(kept(Steps::Last), [2]);
         assert_eq!(kept(Steps::All), [0, 1, 2]);

@@ -4,10 +4,10 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pellicle::summary::RunSummary;
-use pellicle::summary::StepSummary;
 use pellicle_cli::drawing::{Style, Subject, accuracy};
 use pellicle_cli::results::{Fields, StoredFields, fields_file, read_summary};
+use pellicle::summary::RunSummary;
+use pellicle::summary::StepSummary;
 
 use crate::XtaskError;
 

@@ -54,8 +54,6 @@ pub struct DesignedUnknown {
     pub lines: Vec<Vec<(f64, Option<f64>)>>,
     /// The half-width with all curves together.
     pub together: Option<f64>,
-    /// The half-width from the existing measurements alone.
-    pub measured: Option<f64>,
 }
 
 impl Designs {
@@ -130,19 +128,12 @@ impl Designs {
         let indenters = self.indenters.iter().enumerate();
         let indenters =
             indenters.map(|(i, name)| (name.clone(), LegendSample::Line(line(i), Dash::Solid)));
-        let is_there = |of: &dyn Fn(&DesignedUnknown) -> Option<f64>| {
-            self.unknowns.iter().any(|unknown| of(unknown).is_some())
-        };
+        let has_together = self.unknowns.iter().any(|of| of.together.is_some());
         let is_lost = self.all_lines().flatten().any(|(_, width)| width.is_none());
         let entry = |name: &str, sample| (name.to_owned(), sample);
         let together = entry("all together", LegendSample::Line(TOGETHER, Dash::Dashed));
-        let measured = entry(
-            "what was measured",
-            LegendSample::Line(MEASURED, Dash::Solid),
-        );
         indenters
-            .chain(is_there(&|of| of.together).then_some(together))
-            .chain(is_there(&|of| of.measured).then_some(measured))
+            .chain(has_together.then_some(together))
             .chain(is_lost.then(|| entry("lost", LegendSample::Circle)))
             .collect()
     }
@@ -150,8 +141,7 @@ impl Designs {
     /// Axis of the widths, the same in all panels.
     fn widths(&self) -> Axis {
         let lines = self.all_lines().flatten().filter_map(|(_, width)| *width);
-        let levels = self.unknowns.iter();
-        let levels = levels.flat_map(|of| [of.together, of.measured]).flatten();
+        let levels = self.unknowns.iter().filter_map(|of| of.together);
         let ends = axes::ends(
             lines
                 .chain(levels)
@@ -174,9 +164,6 @@ impl Designs {
             [panel.at(panel.x.from, width), panel.at(panel.x.to, width)]
         };
         svg.within(place, |svg| {
-            if let Some(measured) = unknown.measured {
-                svg.line(&level(measured), MEASURED);
-            }
             if let Some(together) = unknown.together {
                 svg.broken_lines(&[level(together)], TOGETHER, Dash::Dashed);
             }
@@ -205,12 +192,6 @@ impl Designs {
         }
     }
 }
-
-/// Stroke for the existing measurements.
-const MEASURED: Stroke = Stroke {
-    colour: colours::LEFT_OUT,
-    width: 3.0,
-};
 
 /// Stroke for all curves together.
 const TOGETHER: Stroke = Stroke {
@@ -251,7 +232,6 @@ mod tests {
                     vec![(1e-3, Some(40.0)), (1e-2, Some(4.0))],
                 ],
                 together: Some(2.0),
-                measured: None,
             }],
         }
     }

@@ -3,7 +3,6 @@
 use pellicle::display::DisplayUnit;
 
 use super::FitHeading;
-use super::corner::CornerPlot;
 use super::curve::{AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
 use super::profiles::Profiles;
 use super::repeats::{Repeated, RepeatsPlot};
@@ -42,7 +41,7 @@ fn unknown(value: f64, other: f64) -> FittedUnknown {
 }
 
 /// Draws all pictures of a fit with these numbers.
-fn pictures(value: f64, other: f64) -> [Option<String>; 4] {
+fn pictures(value: f64, other: f64) -> [Option<String>; 3] {
     let point = |abscissa, observed| FittedPoint {
         abscissa,
         observed,
@@ -81,19 +80,12 @@ fn pictures(value: f64, other: f64) -> [Option<String>; 4] {
     let profiles = Profiles {
         head: head(),
         level: 0.95,
-        unknowns: unknowns.clone(),
-    };
-    let corner = CornerPlot {
-        head: head(),
         unknowns,
-        correlation: vec![vec![1.0, f64::NAN], vec![2.0, 1.0]],
-        samples: vec![vec![value, other], vec![f64::INFINITY, 0.0]],
     };
     let style = Style::default();
     [
         curves.draw(&style),
         profiles.draw(&style),
-        corner.draw(&style),
         repeats.draw(&style),
     ]
 }

@@ -59,12 +59,6 @@ impl FittedUnknown {
         Some(self.threshold * z * z)
     }
 
-    /// The standard deviation of the logarithm.
-    #[must_use]
-    pub fn deviation(&self) -> Option<f64> {
-        self.wald.map(|half| half / self.threshold.sqrt())
-    }
-
     /// Returns the profile as a smooth line up to the ends of the interval. Its signed square root is nearly linear in
     /// the logarithm.
     #[must_use]
@@ -164,7 +158,6 @@ pub(super) mod tests {
         // Rounding of a logarithm.
         let delta = found.parabola(end).unwrap();
         assert_relative_eq!(delta, found.threshold, max_relative = 1e-12);
-        assert_relative_eq!(found.deviation().unwrap(), 0.1, max_relative = 1e-12);
     }
 
     #[test]
