@@ -44,7 +44,7 @@ use crate::input::overrides;
 use crate::input::span::Source;
 use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::{self, TomlNode};
-use crate::input::units::Units;
+use crate::input::units::{self, Units};
 use crate::input::value_reader::ValueReader;
 use crate::source_file;
 
@@ -221,7 +221,7 @@ impl Case {
         }
         let given = [surface.map(), indenter.map()];
         let units = given.into_iter().flatten().map(|map| map.units);
-        let units = units.fold(Units::of(root), Units::or);
+        let units = units.fold(units::of(root), Units::or);
         let solver = optional("solver")?.map_or(Ok(SolverCase::default()), read_solver)?;
         let load = LoadCase::read(&required("load")?)?;
         hardness::check(&table, (&foundation, &solver), &load, stress.is_some())?;

@@ -10,7 +10,7 @@ use crate::display::{Unit, quantity};
 use crate::input::dimension::Dimension;
 use crate::input::key_path::dotted;
 use crate::input::toml_tree::{TomlNode, TomlTable, TomlValue};
-use crate::input::units::Units;
+use crate::input::units::{self, Units};
 
 /// A warning about a case.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -65,7 +65,7 @@ impl Case {
     #[must_use]
     pub fn warnings(&self, side: f64) -> Vec<CaseWarning> {
         let mut warnings = Vec::new();
-        if Units::of(self.document.root()) == Units::Si {
+        if units::of(self.document.root()) == Units::Si {
             bare_numbers(self.document.root(), &mut warnings);
         }
         let element_side = side / self.grid.elements as f64;

@@ -1,49 +1,18 @@
 //! The system of units of a case.
 
-use serde::{Deserialize, Serialize};
+pub use pellicle_plot::display::Units;
 
 use super::dimension::Dimension;
 use super::quantity::dimension_of;
 use super::toml_tree::{TomlNode, TomlValue};
 
-/// The system of units of a case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Units {
-    /// Metres, pascals and newtons: at least one length, pressure or force has a unit.
-    Si,
-    /// Any consistent system: all numbers are bare, and only the author of the case knows the units.
-    #[default]
-    Consistent,
-}
-
-impl Units {
-    /// The units of a case: SI if at least one value has a unit.
-    #[must_use]
-    pub fn of(root: &TomlNode) -> Self {
-        if names_a_unit(&root.value) {
-            Self::Si
-        } else {
-            Self::Consistent
-        }
-    }
-
-    /// The units of a case with parts in these two systems.
-    #[must_use]
-    pub fn or(self, other: Self) -> Self {
-        match (self, other) {
-            (Self::Consistent, Self::Consistent) => Self::Consistent,
-            _ => Self::Si,
-        }
-    }
-
-    /// The name of an SI unit, or `case units` in a consistent system.
-    #[must_use]
-    pub fn name(self, si: &'static str) -> &'static str {
-        match self {
-            Self::Si => si,
-            Self::Consistent => "case units",
-        }
+/// The units of a case: SI if at least one value has a unit.
+#[must_use]
+pub fn of(root: &TomlNode) -> Units {
+    if names_a_unit(&root.value) {
+        Units::Si
+    } else {
+        Units::Consistent
     }
 }
 
@@ -75,7 +44,7 @@ mod tests {
     use super::*;
 
     fn units(text: &str) -> Units {
-        Units::of(&toml_tree::parse(&Arc::new(Source::new("", text.into()))).unwrap())
+        of(&toml_tree::parse(&Arc::new(Source::new("", text.into()))).unwrap())
     }
 
     #[test]

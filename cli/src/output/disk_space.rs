@@ -4,11 +4,12 @@
 //! pictures of as many elements. *Measured* on the templates, a film and a rough surface, N = 64 to 512: within a tenth
 //! where fields dominate, within a fifth where pictures do.
 
+use pellicle_plot::step::pressure_map::CELLS;
+
 use super::results::STEPS_IN_REPORT;
 use crate::case::Case;
 use crate::case::output::{Format, OutputCase};
 use crate::case::surface::SurfaceCase;
-use crate::picture::pressure_map::CELLS;
 
 /// Bytes of an element in an uncompressed file: five numbers and two truth values; in `.nc` the contact once more; in
 /// `.gsf` the pressure alone.

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use pellicle_contact::LoadingPath;
+use pellicle_plot::sheet::style::Style;
 use rayon::prelude::*;
 
 use super::fields::Fields;
@@ -19,7 +20,6 @@ use crate::case::Case;
 use crate::case::output::{Format, OutputCase};
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::picture::style::Style;
 
 /// Largest number of loading steps in the report, at some 100 kB each.
 pub(super) const STEPS_IN_REPORT: usize = 24;

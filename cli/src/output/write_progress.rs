@@ -6,12 +6,13 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+use pellicle_plot::sheet::render;
+
 use super::file::write_bytes;
 use super::stoppable;
 use super::summary::WarningSummary;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::picture::render;
 
 /// Called with the number of files written so far and in total.
 pub type OnProgress<'a> = &'a (dyn Fn(usize, usize) + Sync);

@@ -1,8 +1,8 @@
 //! The accuracy of a picture's data in words: grid, certificate, grid error.
 
 use pellicle_contact::{ErrorEstimate, LevelValues};
+use pellicle_plot::axes::labels::power;
 
-use super::labels::power;
 use crate::display::significant;
 use crate::output::summary::StepSummary;
 

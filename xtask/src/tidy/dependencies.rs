@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use the packages that these may use.
-const ALLOWED: [(&str, &[&str]); 7] = [
+const ALLOWED: [(&str, &[&str]); 8] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-kernel"]),
     ("pellicle-texture", &[]),
@@ -15,6 +15,7 @@ const ALLOWED: [(&str, &[&str]); 7] = [
         &["pellicle-influence", "pellicle-texture"],
     ),
     ("pellicle-identify", &["pellicle-contact"]),
+    ("pellicle-plot", &[]),
     (
         "pellicle-cli",
         &[
@@ -22,6 +23,7 @@ const ALLOWED: [(&str, &[&str]); 7] = [
             "pellicle-identify",
             "pellicle-influence",
             "pellicle-kernel",
+            "pellicle-plot",
             "pellicle-texture",
         ],
     ),
