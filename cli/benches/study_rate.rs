@@ -13,9 +13,9 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use pellicle::Case;
 use pellicle_contact::solve_path;
 use pellicle_influence::Cache;
-use pellicle::Case;
 
 /// A ball on a hard coating, 32 elements per side.
 const BASE: &str = r#"

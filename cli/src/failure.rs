@@ -5,13 +5,13 @@ use std::io;
 use std::iter;
 use std::path::{Path, PathBuf};
 
+use pellicle::input::clean::clean;
+use pellicle::input::diagnosis::Diagnosis;
 use pellicle_contact::{ContactError, IndenterError};
 use pellicle_identify::IdentifyError;
 use pellicle_influence::InfluenceError;
 use pellicle_kernel::KernelError;
 use pellicle_texture::TextureError;
-use pellicle::input::clean::clean;
-use pellicle::input::diagnosis::Diagnosis;
 
 use crate::output::folder;
 use crate::terminal::NoOutput;

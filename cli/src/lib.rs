@@ -83,25 +83,11 @@ pub mod results {
     pub use crate::output::npz::{StoredFields, file as fields_file};
     pub use crate::output::results::read_summary;
     pub use crate::output::stress::npz::{file as stresses_file, read as read_stresses};
-    pub use crate::output::stress::view::{StressSection, StressView, SurfaceLine};
 }
 
-/// The pictures of a solution, and their parts.
+/// Results as the plain numbers of their pictures, which `pellicle-plot` draws.
 pub mod drawing {
-    pub use crate::picture::coarse_field::CoarseField;
-    pub use crate::picture::colour_map::ColourScale;
-    pub use crate::picture::colours::Colour;
-    pub use crate::picture::crop::Crop;
-    pub use crate::picture::panel::{Axis, Panel};
-    pub use crate::picture::panel_3d::Panel3d;
-    pub use crate::picture::projection::Projection;
-    pub use crate::picture::style::Style;
-    pub use crate::picture::subject::Subject;
-    pub use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
-    pub use crate::picture::{
-        accuracy, colour_bar, colours, heading, labels, pressure_map, render, section,
-        stress_section,
-    };
+    pub use crate::picture::{accuracy, extremes, subject};
 }
 
 /// Measured indentation curves, read from the text files of instruments as a `[[data]]` table specifies.

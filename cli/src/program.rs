@@ -8,7 +8,7 @@ use clap::Parser;
 use crate::arguments::{Arguments, Command};
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::{command, interrupt, memory, terminal, withdrawn};
+use crate::{arena, command, interrupt, terminal, withdrawn};
 
 /// Runs the program with these arguments, the first being its name.
 pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {

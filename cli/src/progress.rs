@@ -3,8 +3,8 @@
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
-use pellicle_contact::{Progress, Signal};
 use pellicle::{Event, Monitor};
+use pellicle_contact::{Progress, Signal};
 
 use crate::interrupt;
 

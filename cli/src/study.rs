@@ -33,12 +33,12 @@ pub mod varied_key;
 
 use std::path::PathBuf;
 
-use serde::{Deserialize, Serialize};
 use pellicle::case::Case;
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::key_path;
 use pellicle::input::overrides;
 use pellicle::input::toml_tree::TomlNode;
+use serde::{Deserialize, Serialize};
 
 use self::numbering::CaseNumbering;
 use self::varied_key::VariedKey;

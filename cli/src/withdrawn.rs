@@ -1,31 +1,7 @@
-//! What earlier versions read and this one does not, with what to use instead.
+//! Options and files of earlier versions.
 
 use clap::error::{ContextKind, ContextValue};
-
-/// A key of a file, an option of a command, or a value of an option, and what to use instead.
-const WITHDRAWN: [(&str, &str); 6] = [
-    (
-        "report.posterior",
-        "the profiles, whose intervals need no samples; for samples, `pellicle.Likelihood` in Python with a sampler such as emcee",
-    ),
-    (
-        "--resume",
-        "no option: `pellicle study` continues where it stopped, and --fresh begins again",
-    ),
-    ("--colour-map magma", COLOUR_MAPS),
-    ("--colour-map inferno", COLOUR_MAPS),
-    ("--colour-map plasma", COLOUR_MAPS),
-    ("--colour-map turbo", COLOUR_MAPS),
-];
-
-const COLOUR_MAPS: &str = "viridis, cividis or greys";
-
-/// What to use instead of a key, given by its dotted path; none if the key was never known.
-#[must_use]
-pub fn instead_of(name: &str) -> Option<&'static str> {
-    let known = WITHDRAWN.iter().find(|(known, _)| *known == name);
-    known.map(|(_, instead)| *instead)
-}
+use pellicle::input::withdrawn::instead_of;
 
 /// The sentence about an option, or a value of one, for which a command line is rejected; none if it was never known.
 #[must_use]
@@ -57,6 +33,7 @@ mod tests {
     use super::*;
     use crate::arguments::Arguments;
     use clap::Parser;
+    use pellicle::input::withdrawn::WITHDRAWN;
 
     #[test]
     fn every_withdrawn_option_is_answered_with_what_to_use_instead() {

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
-use pyo3::prelude::*;
 use pellicle::case::map_sources::MapSources;
 use pellicle::input::source_file::read as read_source;
 use pellicle::input::span::Source;
+use pyo3::prelude::*;
 
 use crate::error::Refusal;
 use crate::function::{Functions, with_functions};

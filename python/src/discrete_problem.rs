@@ -3,10 +3,10 @@
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use pellicle::case::grid::BoundaryCase;
 use pellicle_cli::Failure;
 use pellicle_contact::{Certificate, ContactError, Load, Solution};
 use pyo3::prelude::*;
-use pellicle::case::grid::BoundaryCase;
 
 use crate::case::Case;
 use crate::error::Refusal;

@@ -5,12 +5,12 @@ mod attributes;
 
 use std::any::Any;
 
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::diagnosis::Fault;
 use pellicle_cli::Failure;
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::{IntoPyObjectExt, create_exception};
-use pellicle::input::diagnosis::Diagnosis;
-use pellicle::input::diagnosis::Fault;
 
 create_exception!(
     pellicle,

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use pellicle::Run as SolvedCase;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use pellicle::Run as SolvedCase;
 
 /// The pressure of a loading step. `numpy.asarray` makes a read-only array of it in the solution's own memory, and
 /// keeps the solution alive.

@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use numpy::PyReadonlyArray2;
+use pellicle::input::span::Source;
 use pellicle_cli::Failure;
 use pellicle_cli::fitted::{
     FitFile, FitSources, FittedFile, FittedLikelihood, MeasurementSources, Measurements,
@@ -14,7 +15,6 @@ use pellicle_cli::fitted::{
 use pellicle_cli::solved::json;
 use pellicle_identify::IdentifyError;
 use pyo3::prelude::*;
-use pellicle::input::span::Source;
 
 use crate::case::map_sources;
 use crate::error::{InternalError, Refusal};

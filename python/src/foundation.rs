@@ -5,15 +5,15 @@ use std::sync::{Arc, Mutex, PoisonError};
 use numpy::{
     PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods,
 };
+use pellicle::case::foundation::FoundationCase;
+use pellicle::case::stress::StressCase;
+use pellicle::input::span::Source;
 use pellicle_cli::Failure;
 use pellicle_cli::solved::StressFields;
 use pellicle_contact::{ContactError, StressField};
 use pellicle_influence::{CoefficientTable, ConvolutionOperator, ElasticOperator};
 use pellicle_texture::Grid;
 use pyo3::prelude::*;
-use pellicle::case::foundation::FoundationCase;
-use pellicle::case::stress::StressCase;
-use pellicle::input::span::Source;
 
 use crate::error::Refusal;
 use crate::planes::Planes;

@@ -10,10 +10,10 @@ use std::panic::resume_unwind;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use numpy::{PyArray1, PyReadonlyArray1};
+use pellicle::case::map_sources::MapSources;
 use pellicle_contact::{Indenter, Profile};
 use pellicle_texture::{CustomRelief, ReliefShape, mean_points};
 use pyo3::prelude::*;
-use pellicle::case::map_sources::MapSources;
 
 use crate::error::InternalError;
 

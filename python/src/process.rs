@@ -13,13 +13,13 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use pellicle::memory::MemoryBudget;
 use pellicle_cli::Failure;
 use pellicle_cli::solved::open_cache;
 use pellicle_cli::studied;
 use pellicle_influence::Cache;
 use pyo3::{PyResult, Python};
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use pellicle::memory::MemoryBudget;
 
 use crate::error::{self, Refusal};
 

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use pellicle_cli::Failure;
-use pellicle_contact::{Progress, Signal};
-use pyo3::prelude::*;
 use pellicle::Run as SolvedCase;
 use pellicle::run::Resources;
 use pellicle::run::solve;
 use pellicle::{Event, Monitor};
+use pellicle_cli::Failure;
+use pellicle_contact::{Progress, Signal};
+use pyo3::prelude::*;
 
 use crate::process::{self, Shared};
 use crate::solution::Solution;

@@ -3,14 +3,14 @@
 use std::sync::{Arc, OnceLock};
 
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
-use pellicle_cli::solved::{self, StressFields};
-use pellicle_contact::SampledModel;
-use pyo3::exceptions::PyIndexError;
-use pyo3::prelude::*;
 use pellicle::Completeness;
 use pellicle::Run as SolvedCase;
 use pellicle::case::stress::StressCase;
 use pellicle::input::span::Source;
+use pellicle_cli::solved::{self, StressFields};
+use pellicle_contact::SampledModel;
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
 
 use crate::error::Refusal;
 use crate::field::Field;

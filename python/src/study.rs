@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use pellicle::{Event, Monitor};
 use pellicle_cli::Failure;
 use pellicle_cli::studied::{
     CaseSolver, CaseStatus, FieldKeeper, KeptFields, RecordInMemory, ResultsTable, Shard,
@@ -11,7 +12,6 @@ use pellicle_cli::studied::{
 use pellicle_contact::Signal;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use pellicle::{Event, Monitor};
 
 use crate::error::{InternalError, Refusal};
 use crate::process::{self, Shared, Threads};

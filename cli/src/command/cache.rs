@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use pellicle::display::significant;
 use pellicle_influence::Usage;
 use serde::Serialize;
-use pellicle::display::significant;
 
 use crate::arguments::CacheArguments;
 use crate::command::Outcome;

@@ -1,7 +1,5 @@
 //! `pellicle check`: the case as resolved, and estimates of the work of solving it.
 
-use pellicle_contact::Step;
-use pellicle_texture::SlopeSpectrum;
 use pellicle::case::Case;
 use pellicle::case::map::MapCase;
 use pellicle::case::surface::SurfaceCase;
@@ -9,6 +7,8 @@ use pellicle::case::with_units::with_units;
 use pellicle::display::{self, Unit, quantity, significant};
 use pellicle::forecast::Forecast;
 use pellicle::input::units::Units;
+use pellicle_contact::Step;
+use pellicle_texture::SlopeSpectrum;
 
 use crate::arguments::CaseArguments;
 use crate::command::Outcome;

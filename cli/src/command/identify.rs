@@ -6,9 +6,9 @@ use std::path::Path;
 use std::time::Instant;
 
 use indicatif::ProgressBar;
-use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 use pellicle::input::source_file;
 use pellicle::run::Completeness;
+use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 
 use crate::arguments::IdentifyArguments;
 use crate::command::Outcome;

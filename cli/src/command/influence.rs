@@ -2,11 +2,11 @@
 
 mod inside;
 
+use pellicle::case::Case;
+use pellicle::input::units::Units;
 use pellicle_contact::Model;
 use pellicle_influence::direct;
 use serde::Serialize;
-use pellicle::case::Case;
-use pellicle::input::units::Units;
 
 use crate::arguments::InfluenceArguments;
 use crate::command::Outcome;

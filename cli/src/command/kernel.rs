@@ -1,8 +1,8 @@
 //! `pellicle kernel`: the compliance and the response of a foundation, by wavenumber.
 
-use serde::Serialize;
 use pellicle::case::Case;
 use pellicle::input::units::Units;
+use serde::Serialize;
 
 use crate::arguments::KernelArguments;
 use crate::command::Outcome;

@@ -7,8 +7,6 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use pellicle_contact::{ContactError, Domain, LoadingPath, Model};
-use rayon::ThreadPool;
 use pellicle::Completeness;
 use pellicle::case::Case;
 use pellicle::forecast::need::Need;
@@ -16,6 +14,8 @@ use pellicle::input::source_file;
 use pellicle::memory::MemoryBudget;
 use pellicle::run::{self, Stresses, stress_search};
 use pellicle::summary::{Clock, RunSummary};
+use pellicle_contact::{ContactError, Domain, LoadingPath, Model};
+use rayon::ThreadPool;
 
 use crate::arguments::RunArguments;
 use crate::command::{Outcome, complaint};

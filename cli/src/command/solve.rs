@@ -6,15 +6,15 @@ use std::io::{self, BufRead};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
-use pellicle_contact::Status;
-use pellicle_influence::Cache;
-use serde::Serialize;
 use pellicle::case::BaseCase;
 use pellicle::input::overrides;
 use pellicle::memory::MemoryBudget;
 use pellicle::run::Completeness;
 use pellicle::run::{self, Resources, Run};
 use pellicle::summary::RunSummary;
+use pellicle_contact::Status;
+use pellicle_influence::Cache;
+use serde::Serialize;
 
 use self::stream_line::Replacement;
 use crate::arguments::SolveArguments;

@@ -1,8 +1,5 @@
 //! `pellicle stress`: displacements and stresses at points of the body under one load of a case.
 
-use pellicle_contact::{Model, Status, StressField, solve_path};
-use pellicle_influence::{Depth, SubsurfaceState};
-use serde::Serialize;
 use pellicle::Watching;
 use pellicle::case::Case;
 use pellicle::case::foundation::depths::BodyPlane;
@@ -10,6 +7,9 @@ use pellicle::case::stress::StressCase;
 use pellicle::forecast::need::Need;
 use pellicle::input::units::Units;
 use pellicle::memory::MemoryBudget;
+use pellicle_contact::{Model, Status, StressField, solve_path};
+use pellicle_influence::{Depth, SubsurfaceState};
+use serde::Serialize;
 
 use crate::arguments::StressArguments;
 use crate::command::{Outcome, complaint};

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use serde::Serialize;
 use pellicle::memory::MemoryBudget;
+use serde::Serialize;
 
 use crate::arguments::StudyArguments;
 use crate::command::Outcome;

@@ -3,8 +3,6 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_contact::{ContactError, Model, ModelParameter};
-use pellicle_influence::Cache;
 use pellicle::case::Case;
 use pellicle::case::map_sources::MapSources;
 use pellicle::case::parameter::CaseParameter;
@@ -14,6 +12,8 @@ use pellicle::input::overrides;
 use pellicle::input::source_file;
 use pellicle::input::toml_tree::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
 use pellicle::input::value_reader::ValueReader;
+use pellicle_contact::{ContactError, Model, ModelParameter};
+use pellicle_influence::Cache;
 
 use crate::failure::Failure;
 

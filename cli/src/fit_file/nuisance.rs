@@ -1,11 +1,11 @@
 //! `[nuisance]` of a fit file: zero, frame compliance and drift of the curves, and parameters of the model that are not
 //! known exactly.
 
-use pellicle_identify::{IdentifyError, LinearNuisance, Prior};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::Dimension;
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::value_reader::ValueReader;
+use pellicle_identify::{IdentifyError, LinearNuisance, Prior};
 
 use super::model::ModelParameters;
 use super::prior;

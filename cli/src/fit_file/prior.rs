@@ -1,9 +1,9 @@
 //! The prior of a parameter: the knowledge of its value before the measurement.
 
-use pellicle_identify::Prior;
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::table_reader::TableReader;
+use pellicle_identify::Prior;
 
 /// The keys of a prior.
 pub const KEYS: [&str; 5] = ["prior", "median", "factor", "mean", "sd"];

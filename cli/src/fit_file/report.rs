@@ -1,11 +1,11 @@
 //! `[report]` of a fit file: the form of the result.
 
-use pellicle_identify::{FitOptions, Intervals};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::quantity_list::QuantityList;
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::value_reader::ValueReader;
+use pellicle_identify::{FitOptions, Intervals};
 
 use super::model::ModelParameters;
 

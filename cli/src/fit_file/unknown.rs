@@ -1,7 +1,5 @@
 //! `[unknown]` of a fit file: the parameters to be fitted, each between bounds or with a prior.
 
-use pellicle_contact::ModelParameter;
-use pellicle_identify::{IdentifyError, Prior, Unknown};
 use pellicle::case::parameter::{self, CaseParameter};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
@@ -9,6 +7,8 @@ use pellicle::input::key_path::dotted;
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::toml_tree::{TomlEntry, TomlTable, TomlValue};
 use pellicle::input::value_reader::ValueReader;
+use pellicle_contact::ModelParameter;
+use pellicle_identify::{IdentifyError, Prior, Unknown};
 
 use super::model::ModelParameters;
 use super::prior;

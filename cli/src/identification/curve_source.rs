@@ -1,7 +1,7 @@
 //! A measured curve as used in a fit: abscissae, observed values and noise.
 
-use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable};
 use pellicle::input::diagnosis::Diagnosis;
+use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable};
 
 use crate::failure::Failure;
 use crate::fit_file::FitFile;

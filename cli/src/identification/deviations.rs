@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use pellicle_identify::{Fit, Observable};
 use pellicle::display::significant;
+use pellicle_identify::{Fit, Observable};
 
 use super::Identification;
 use super::findings::{OutlierResult, WarningResult};

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use pellicle_plot::sheet::style::Style;
+
 use super::findings::WarningResult;
 use super::fitted_file::FittedFile;
 use super::pictures::{self, FitPicture};
@@ -10,7 +12,6 @@ use crate::failure::Failure;
 use crate::output::file;
 use crate::output::json;
 use crate::output::write_progress::WriteProgress;
-use crate::picture::style::Style;
 use crate::withdrawn;
 
 /// The tables of a fit.

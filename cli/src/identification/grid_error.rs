@@ -4,8 +4,8 @@
 //! Every point would be left out. Instead all stay in the fit, and each interval is widened on both sides by the change
 //! of the unknown that the estimated error of all predictions would make.
 
-use pellicle_identify::{Fit, FitVerdict, ForwardModel as _, exponents};
 use pellicle::display::significant;
+use pellicle_identify::{Fit, FitVerdict, ForwardModel as _, exponents};
 
 use super::Identification;
 

@@ -1,8 +1,8 @@
 //! The directions in parameter space along which no predicted curve changes, by the keys of the case.
 
+use pellicle::case::parameter::CaseParameter;
 use pellicle_contact::ModelParameter;
 use pellicle_identify::{IdentifyError, NullDirections};
-use pellicle::case::parameter::CaseParameter;
 
 use crate::fit_file::model::ModelParameters;
 

@@ -2,20 +2,21 @@
 
 use std::path::Path;
 
-use pellicle_identify::{Estimate, Exclusion, Fit, FitVerdict, Observable, Role};
-use rayon::prelude::*;
 use pellicle::display::{count, significant};
+use pellicle_identify::{Estimate, Exclusion, Fit, FitVerdict, Observable, Role};
+use pellicle_plot::fit::axes;
+use pellicle_plot::fit::curve::{AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
+use pellicle_plot::fit::heading::FitHeading;
+use pellicle_plot::fit::profiles::Profiles;
+use pellicle_plot::fit::repeats::{Repeated, RepeatsPlot};
+use pellicle_plot::fit::unknown::{Combination, FittedUnknown};
+use pellicle_plot::sheet::style::Style;
+use rayon::prelude::*;
 
 use super::result::FitResult;
 use super::{Identification, names, units};
 use crate::failure::Failure;
 use crate::output::write_progress::WriteProgress;
-use crate::picture::fit::curve::{self, AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
-use crate::picture::fit::profiles::{self, Profiles};
-use crate::picture::fit::repeats::{self, Repeated, RepeatsPlot};
-use crate::picture::fit::unknown::{Combination, FittedUnknown};
-use crate::picture::fit::{FitHeading, axes};
-use crate::picture::style::Style;
 
 /// A picture of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,9 +37,9 @@ impl FitPicture {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Self::Curve => curve::NAME,
-            Self::Profiles => profiles::NAME,
-            Self::Repeats => repeats::NAME,
+            Self::Curve => "fit-curve",
+            Self::Profiles => "fit-profiles",
+            Self::Repeats => "fit-repeats",
         }
     }
 }

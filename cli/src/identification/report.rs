@@ -2,8 +2,8 @@
 //! this module supplies its text.
 
 use askama::Template;
-use pellicle_identify::{Fit, FitVerdict, Observable, REFUSAL};
 use pellicle::display::significant;
+use pellicle_identify::{Fit, FitVerdict, Observable, REFUSAL};
 
 use super::findings::{CombinationResult, EstimateResult};
 use super::pictures::{FitDrawings, FitPicture};

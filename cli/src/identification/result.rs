@@ -2,11 +2,11 @@
 
 mod notes;
 
+use pellicle::summary::PROGRAM;
 use pellicle_identify::{
     Correlation, Estimate, Fit, FitVerdict, NoiseLevels, Observable, Role, Verdict,
 };
 use serde::Serialize;
-use pellicle::summary::PROGRAM;
 
 use super::Identification;
 use super::findings::{

@@ -1,9 +1,9 @@
 //! The parameters that a fit takes as exact, and the effect of an error in one on the result.
 
+use pellicle::display::significant;
 use pellicle_contact::ContactError;
 use pellicle_identify::{Fit, FitVerdict, FixedNumber, Role, exponents};
 use serde::Serialize;
-use pellicle::display::significant;
 
 use super::findings::{EstimateResult, WarningResult};
 use super::{Identification, names};

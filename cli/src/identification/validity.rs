@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use pellicle::display::significant;
 use pellicle_contact::{ContactError, LARGEST_SLOPE, Warning};
 use pellicle_identify::{Fit, ForwardError, ForwardModel as _, Observable};
-use pellicle::display::significant;
 
 use super::Identification;
 use super::findings::WarningResult;

@@ -7,9 +7,9 @@
 use pellicle::case::Case;
 use pellicle::case::output::{Format, OutputCase};
 use pellicle::case::surface::SurfaceCase;
+use pellicle_plot::step::pressure_map::CELLS;
 
 use super::results::STEPS_IN_REPORT;
-use crate::picture::pressure_map::CELLS;
 
 /// Bytes of an element in an uncompressed file: five numbers and two truth values; in `.nc` the contact once more; in
 /// `.gsf` the pressure alone.

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use ndarray::{Array1, Array2, ArrayView2, ShapeError};
 use ndarray_npy::{NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
-use zip::ZipArchive;
 use pellicle::map::npy_header::NpyHeader;
+use zip::ZipArchive;
 
 use super::fields::Fields;
 use super::file::write_stoppable;

@@ -5,10 +5,10 @@ use std::fs::{self, DirEntry, File};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 
+use pellicle::summary;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::Value;
-use pellicle::summary;
 
 use super::{curve, report};
 use crate::identification::{files, result};

@@ -8,9 +8,9 @@ mod stress;
 pub mod surface;
 
 use askama::Template;
-use pellicle_contact::Status;
 use pellicle::display::{Unit, quantity, significant};
 use pellicle::summary::{RunSummary, StepSummary};
+use pellicle_contact::Status;
 
 use self::grid_error::GridErrorNote;
 use self::step::StepSection;

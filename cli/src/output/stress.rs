@@ -12,21 +12,22 @@ mod vtr;
 
 use std::path::Path;
 
-use pellicle_contact::{LoadingPath, StressField};
 use pellicle::case::Case;
 use pellicle::case::output::Format;
 use pellicle::case::stress::StressCase;
 use pellicle::summary::{RunSummary, StepSummary};
+use pellicle_contact::{LoadingPath, StressField};
 
 pub use self::plane_values::{FIELDS, FieldName};
 use self::plane_values::{PlaneValues, StressFile, StressHead};
 use self::planes::{PlaneUses, block_radius};
-use self::view::{SectionDepths, StressView, SurfaceLine, ViewCollector};
+use self::view::{SectionDepths, ViewCollector};
 use super::fields::Fields;
 use super::pictures::{self, StressDrawings};
 use super::write_progress::WriteProgress;
 use crate::failure::Failure;
-use crate::picture::style::Style;
+use pellicle_plot::sheet::style::Style;
+use pellicle_plot::stress::view::{StressView, SurfaceLine};
 
 /// Selects the formats in which stresses are written.
 #[must_use]

@@ -3,11 +3,11 @@
 mod columns;
 pub mod stress;
 
-use pellicle_contact::{RoughContact, Status};
 use pellicle::case::grid::BoundaryCase;
 use pellicle::display::{Unit, quantity, significant};
 use pellicle::input::units::Units;
 use pellicle::summary::{RunSummary, StepSummary, WarningSummary};
+use pellicle_contact::{RoughContact, Status};
 
 use self::columns::TextColumns;
 

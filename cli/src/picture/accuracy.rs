@@ -1,10 +1,9 @@
 //! The accuracy of a picture's data in words: grid, certificate, grid error.
 
-use pellicle_contact::{ErrorEstimate, LevelValues};
 use pellicle::display::significant;
 use pellicle::summary::StepSummary;
-
-use super::labels::power;
+use pellicle_contact::{ErrorEstimate, LevelValues};
+use pellicle_plot::axes::labels::power;
 
 /// The meaning of an unresolved number of [`of_step`].
 pub const UNRESOLVED: &str =

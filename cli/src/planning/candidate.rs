@@ -1,8 +1,8 @@
 //! A curve that may be measured, and the curves of a design.
 
-use serde::Serialize;
 use pellicle::display::{short, span};
 use pellicle::input::diagnosis::Diagnosis;
+use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::fit_file::FitFile;

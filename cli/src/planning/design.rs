@@ -2,9 +2,9 @@
 
 use std::cmp::Ordering;
 
+use pellicle::display::significant;
 use pellicle_identify::{IDENTIFIED_WITHIN, Verdict};
 use serde::Serialize;
-use pellicle::display::significant;
 
 use super::candidate::CandidateCurve;
 use crate::identification::findings::CombinationResult;

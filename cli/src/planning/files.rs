@@ -2,14 +2,17 @@
 
 use std::path::Path;
 
+use pellicle_plot::sheet::style::Style;
+
 use super::result::{self, PlanResult};
 use super::{picture, text};
 use crate::failure::Failure;
 use crate::identification::findings::WarningResult;
 use crate::output::write_progress::WriteProgress;
 use crate::output::{file, json};
-use crate::picture::fit::designs;
-use crate::picture::style::Style;
+
+/// File name of the picture, without extension.
+const PICTURE: &str = "plan-intervals";
 
 /// File name of the table.
 const TABLE: &str = "plan.csv";
@@ -17,7 +20,7 @@ const TABLE: &str = "plan.csv";
 /// Whether a plan writes a file with this name.
 #[must_use]
 pub fn is_name(name: &str) -> bool {
-    let ending = name.strip_prefix(designs::NAME);
+    let ending = name.strip_prefix(PICTURE);
     [result::FILE, TABLE].contains(&name)
         || ending.is_some_and(|ending| [".svg", ".png"].contains(&ending))
 }
@@ -31,9 +34,9 @@ pub fn write(folder: &Path, plan: &mut PlanResult) -> Result<(), Failure> {
     let writer = WriteProgress::new(1, &|_, _| ());
     let conditions = text::conditions(plan);
     let designs = picture::designs(&plan.title, plan.level, &conditions, &plan.designs);
-    let svg = writer.drawn(designs::NAME, || Ok(designs.draw(&Style::default())));
+    let svg = writer.drawn(PICTURE, || Ok(designs.draw(&Style::default())));
     if let Some(svg) = svg.flatten() {
-        writer.picture(folder, designs::NAME, || svg)?;
+        writer.picture(folder, PICTURE, || svg)?;
     }
     let failed = writer.warnings().into_iter();
     plan.warnings.extend(failed.map(|warning| WarningResult {

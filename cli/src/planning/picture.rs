@@ -1,11 +1,12 @@
 //! The picture of a plan: the expected interval of each unknown against the largest force.
 
+use pellicle_plot::fit::designs::{DesignedUnknown, Designs};
+use pellicle_plot::fit::heading::FitHeading;
+
 use super::candidate::{CandidateCurve, radius_words};
 use super::design::{DesignResult, ExpectedResult};
 use super::text::percent;
 use crate::identification::{names, units};
-use crate::picture::fit::FitHeading;
-use crate::picture::fit::designs::{DesignedUnknown, Designs};
 
 /// Prepares the picture of the designs; `conditions` are the noise and the number of points.
 #[must_use]

@@ -1,7 +1,7 @@
 //! `plan.json`: the expected results of designs, in SI units.
 
-use serde::Serialize;
 use pellicle::summary::PROGRAM;
+use serde::Serialize;
 
 use super::Planning;
 use super::comparison;

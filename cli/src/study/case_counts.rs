@@ -1,11 +1,11 @@
 //! Counts known for every case before it is solved: its rows, one per loading step, or the elements of its grid.
 
-use serde::{Deserialize, Serialize};
 use pellicle::case::grid::GridCase;
 use pellicle::case::load::LoadCase;
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::value_reader::ValueReader;
+use serde::{Deserialize, Serialize};
 
 use super::Study;
 use super::numbering::CaseNumbering;

@@ -4,13 +4,13 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::time::Instant;
 
-use pellicle_influence::Cache;
-use serde_json::Value;
 use pellicle::case::Case;
 use pellicle::input::units::Units;
 use pellicle::memory::MemoryBudget;
 use pellicle::run::{self, Resources, Run};
 use pellicle::{Completeness, Monitor};
+use pellicle_influence::Cache;
+use serde_json::Value;
 
 use super::Study;
 use super::case_status::CaseStatus;

@@ -6,10 +6,10 @@
 
 use std::io;
 
-use serde::{Deserialize, Serialize};
 use pellicle::case::Case;
 use pellicle::case::output::Steps;
 use pellicle::input::units::Units;
+use serde::{Deserialize, Serialize};
 
 use super::case_counts::CaseCounts;
 use super::case_status::CaseStatus;

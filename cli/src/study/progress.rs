@@ -4,8 +4,8 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use indicatif::{MultiProgress, ProgressBar};
-use pellicle_contact::SolverOptions;
 use pellicle::display::significant;
+use pellicle_contact::SolverOptions;
 
 use super::Study;
 use super::case_solver::CaseResult;

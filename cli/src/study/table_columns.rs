@@ -3,10 +3,10 @@
 //! They are the same for all cases. Columns of a hardness, of stresses and of rough contact are present if any of the
 //! cases tried before the study begins has them; they are empty in the rows of the other cases.
 
-use pellicle_contact::CriticalLoad;
 use pellicle::case::Case;
 use pellicle::input::units::Units;
 use pellicle::summary::{RunSummary, StepSummary};
+use pellicle_contact::CriticalLoad;
 
 use super::Study;
 use super::case_status::CaseStatus;

@@ -5,9 +5,9 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
+use pellicle::input::span::Source;
 use pellicle_cli::measurements::{CurveError, DataTable, ExclusionReason, MeasuredCurve};
 use proptest::prelude::*;
-use pellicle::input::span::Source;
 
 use super::{codes, excluded};
 

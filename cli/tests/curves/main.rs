@@ -9,9 +9,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_cli::measurements::{DataTable, ExclusionReason, MeasuredCurve};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::span::Source;
+use pellicle_cli::measurements::{DataTable, ExclusionReason, MeasuredCurve};
 
 mod cantilevers;
 mod instruments;

@@ -6,7 +6,7 @@ use super::key_path::dotted;
 use super::span::Span;
 use super::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 use super::value_reader::ValueReader;
-use crate::withdrawn;
+use super::withdrawn;
 
 /// A table and its dotted path.
 #[derive(Debug, Clone)]

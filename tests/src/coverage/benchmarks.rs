@@ -4,6 +4,8 @@ use std::f64::consts::{FRAC_PI_4, PI, TAU};
 use std::path::Path;
 use std::sync::Arc;
 
+use pellicle::Case;
+use pellicle::input::span::Source;
 use pellicle_cli::Template;
 use pellicle_cli::evidence::data::contact::{
     AxisymmetricContact, AxisymmetricIndenter, axisymmetric,
@@ -12,8 +14,6 @@ use pellicle_contact::{Cone, FlatPunch, Indenter, Load, Pyramid, Sphere, default
 use pellicle_influence::Cache;
 use pellicle_kernel::Foundation;
 use pellicle_texture::{Film, HeightMap, MapCompliance, Relief, ReliefMap};
-use pellicle::Case;
-use pellicle::input::span::Source;
 
 use super::{Benchmark, GridQuantity};
 use crate::scene::{coated, cylinders, figure_2, material, model, paraboloid, unit_half_space};

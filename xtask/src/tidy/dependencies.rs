@@ -24,6 +24,7 @@ const ALLOWED: [(&str, &[&str]); 8] = [
         ],
     ),
     ("pellicle-identify", &["pellicle-contact"]),
+    ("pellicle-plot", &["pellicle"]),
     (
         "pellicle-cli",
         &[
@@ -32,6 +33,7 @@ const ALLOWED: [(&str, &[&str]); 8] = [
             "pellicle-identify",
             "pellicle-influence",
             "pellicle-kernel",
+            "pellicle-plot",
             "pellicle-texture",
         ],
     ),

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use pellicle_identify::IdentifyError;
 use pellicle::run::Completeness;
+use pellicle_identify::IdentifyError;
 
 use super::{claim, progress};
 use crate::arguments::IdentifyArguments;

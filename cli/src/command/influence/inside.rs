@@ -1,10 +1,10 @@
 //! Displacements and stresses inside the body under one loaded element.
 
+use pellicle::case::foundation::FoundationCase;
+use pellicle::input::units::Units;
 use pellicle_influence::{ElementFields, SubsurfaceState};
 use pellicle_kernel::Foundation;
 use serde::{Serialize, Serializer};
-use pellicle::case::foundation::FoundationCase;
-use pellicle::input::units::Units;
 
 use crate::arguments::InfluenceArguments;
 use crate::failure::Failure;

@@ -3,11 +3,11 @@
 use std::fmt;
 use std::sync::Arc;
 
-use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
-use serde_json::{Map, Value};
 use pellicle::input::key_path;
 use pellicle::input::span::{STREAM, Source, Span};
 use pellicle::input::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde_json::{Map, Value};
 
 use crate::failure::Failure;
 

@@ -1,8 +1,8 @@
 //! Columns of a curve: their names and cells, and those that only some curves have.
 
-use pellicle_contact::RoughContact;
 use pellicle::input::units::Units;
 use pellicle::summary::StepSummary;
+use pellicle_contact::RoughContact;
 
 /// A column: its name, its SI unit if it has one, and the text of its cell in the row of a step.
 pub type CurveColumn = (

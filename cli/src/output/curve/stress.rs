@@ -1,11 +1,11 @@
 //! The columns of stresses in tables: extremes of a step, and critical loads of a case.
 
-use pellicle_contact::{
-    BodyStress, Criterion, CriticalLoad, CriticalStatus, Extreme, InterfaceStress,
-};
 use pellicle::case::Case;
 use pellicle::input::units::Units;
 use pellicle::summary::{RunSummary, StepSummary};
+use pellicle_contact::{
+    BodyStress, Criterion, CriticalLoad, CriticalStatus, Extreme, InterfaceStress,
+};
 
 use super::columns::optional;
 

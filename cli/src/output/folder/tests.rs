@@ -1,7 +1,7 @@
 //! Folders that are claimed, filled, lost and left behind.
 
-use tempfile::TempDir;
 use pellicle::summary;
+use tempfile::TempDir;
 
 use super::hidden::{COMPLETE, EMPTYING, FILLING};
 use super::*;

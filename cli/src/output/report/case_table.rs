@@ -1,9 +1,9 @@
 //! The case of a run as keys and values with their units.
 
-use serde_json::Value;
 use pellicle::case::key_dimension;
 use pellicle::display::dimensional;
 use pellicle::input::units::Units;
+use serde_json::Value;
 
 /// Returns the keys and values of the case, sorted by key.
 pub fn rows(case: &Value, units: Units) -> Vec<(String, String)> {

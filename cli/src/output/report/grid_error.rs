@@ -1,8 +1,8 @@
 //! The note on the grid error of a number in the report.
 
-use pellicle_contact::ErrorEstimate;
 use pellicle::display::{Unit, error_of};
 use pellicle::input::units::Units;
+use pellicle_contact::ErrorEstimate;
 
 /// The note on the grid error of a number.
 #[derive(Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! The stresses of a loading step in the report: the extremes in each body and on each interface.
 
-use pellicle_contact::{BodyStress, Extreme, InterfaceStress};
 use pellicle::display::{Unit, error_of, position, quantity, significant};
 use pellicle::input::units::Units;
 use pellicle::summary::{RunSummary, StressSummary};
+use pellicle_contact::{BodyStress, Extreme, InterfaceStress};
 
 use super::grid_error::GridErrorNote;
 

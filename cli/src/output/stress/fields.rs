@@ -1,11 +1,11 @@
 //! The fields on all planes of a step at once, held in memory.
 
-use pellicle_contact::{LoadingPath, StressField};
-use pellicle_kernel::Foundation;
 use pellicle::case::Case;
 use pellicle::case::foundation::FoundationCase;
 use pellicle::case::foundation::depths::BodyPlane;
 use pellicle::case::stress::StressCase;
+use pellicle_contact::{LoadingPath, StressField};
+use pellicle_kernel::Foundation;
 
 use super::plane_values::{FIELDS, PlaneValues};
 use super::planes::block_radius;

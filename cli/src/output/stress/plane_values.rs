@@ -1,12 +1,12 @@
 //! The displacements and stresses on a plane in the body, the names of these fields in the files, and the files that
 //! are written plane by plane.
 
-use pellicle_contact::StressPlanes;
-use pellicle_influence::SubsurfaceState;
-use rayon::prelude::*;
 use pellicle::case::foundation::depths::BodyPlane;
 use pellicle::case::stress::StressCase;
 use pellicle::summary::RunSummary;
+use pellicle_contact::StressPlanes;
+use pellicle_influence::SubsurfaceState;
+use rayon::prelude::*;
 
 use crate::failure::Failure;
 

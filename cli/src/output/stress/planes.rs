@@ -1,9 +1,9 @@
 //! The planes of a step: those in the files and those in the pictures, each computed once.
 
-use pellicle_kernel::Foundation;
 use pellicle::case::foundation::FoundationCase;
 use pellicle::case::foundation::depths::BodyPlane;
 use pellicle::case::stress::StressCase;
+use pellicle_kernel::Foundation;
 
 /// A plane and its uses.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,8 +1,8 @@
 //! Lines of a summary in words, in columns.
 
-use pellicle_contact::ErrorEstimate;
 use pellicle::display::{Unit, error_of, position, quantity};
 use pellicle::input::units::Units;
+use pellicle_contact::ErrorEstimate;
 
 /// Lines of name, value and note, in columns.
 pub struct TextColumns {

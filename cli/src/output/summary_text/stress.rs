@@ -1,10 +1,10 @@
 //! Stresses and critical loads in words.
 
-use pellicle_contact::{Criterion, CriticalLoad, CriticalStatus, Extreme};
 use pellicle::display::{Unit, error_of, position, quantity, settled, significant};
 use pellicle::input::units::Units;
 use pellicle::summary::RunSummary;
 use pellicle::summary::StressSummary;
+use pellicle_contact::{Criterion, CriticalLoad, CriticalStatus, Extreme};
 
 use super::columns::TextColumns;
 

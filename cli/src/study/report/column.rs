@@ -1,7 +1,7 @@
 //! A column of a study's table: numbers with their range, or words.
 
-use serde::Serialize;
 use pellicle::display::significant;
+use serde::Serialize;
 
 /// Most distinct words of a column; all others are drawn as one.
 const MAX_WORDS: usize = 40;
