@@ -1,7 +1,8 @@
 //! `pressure-NNN.gsf`: the pressure of a loading step in Gwyddion's simple field format.
 //!
-//! A file of this format contains one field. It consists of a line that names the format, lines `name = value`, one to four zero bytes up to a multiple of four, and the values in single precision by
-//! rows from the top: y decreases from row to row, x increases along a row.
+//! A file of this format contains one field. It consists of a line that names the format, lines `name = value`, one to
+//! four zero bytes up to a multiple of four, and the values in single precision by rows from the top: y decreases from
+//! row to row, x increases along a row.
 
 use std::io::Write;
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! How often intervals for coatings contain the true value.
 //!
-//! Measurements are simulated and fitted on curves interpolated from the real model. Of 400 intervals of level 0.95, between 368
-//! and 390 contain the true value with 99 % probability, by the binomial distribution.
+//! Measurements are simulated and fitted on curves interpolated from the real model. Of 400 intervals of level 0.95,
+//! between 368 and 390 contain the true value with 99 % probability, by the binomial distribution.
 
 use pellicle_identify::{
     Amount, Correlation, Curve, Fit, FitOptions, ForwardModel as _, LinearNuisance, Noise, Problem,

@@ -1,7 +1,8 @@
 //! Fig. 5: pressure under the Berkovich pyramid with and without film, and with a stiffening film.
 
+use pellicle::display::{Unit, quantity};
+use pellicle::input::units::Units;
 use pellicle_cli::drawing::accuracy::UNRESOLVED;
-use pellicle_cli::{Unit, Units, quantity};
 use pellicle_plot::axes::panel::Axis;
 use pellicle_plot::sheet::colours::{AMBER, PURPLE, SKY};
 use pellicle_plot::sheet::svg::Dash;

@@ -1,7 +1,7 @@
 //! Figures 4 and 6: two quantities against load, side by side.
 
+use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_cli::drawing::accuracy::{last_change, percent};
-use pellicle_cli::results::{RunSummary, StepSummary};
 use pellicle_plot::axes::labels::power;
 use pellicle_plot::axes::panel::Axis;
 use pellicle_plot::sheet::colours::{GREEN, PURPLE};

@@ -4,8 +4,9 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_cli::drawing::{accuracy, subject};
-use pellicle_cli::results::{RunSummary, StepSummary, StoredFields, fields_file, read_summary};
+use pellicle_cli::results::{StoredFields, fields_file, read_summary};
 use pellicle_plot::sheet::style::Style;
 use pellicle_plot::step::fields::Fields;
 use pellicle_plot::step::subject::Subject;
