@@ -1,7 +1,7 @@
 //! The errors of the chores.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pellicle_cli::Failure;
 use pellicle_cli::evidence::ValidationError;
@@ -14,6 +14,14 @@ pub enum XtaskError {
     #[error("{}: cannot be read: {cause}", path.display())]
     Read {
         /// The file or folder.
+        path: PathBuf,
+        /// The error of the operating system.
+        cause: io::Error,
+    },
+    /// A file could not be written.
+    #[error("{}: cannot be written: {cause}", path.display())]
+    Write {
+        /// The file.
         path: PathBuf,
         /// The error of the operating system.
         cause: io::Error,
@@ -52,4 +60,22 @@ pub enum XtaskError {
     /// A number for a documentation page could not be computed.
     #[error(transparent)]
     Evidence(#[from] ValidationError),
+}
+
+impl XtaskError {
+    /// A file or folder that cannot be read.
+    pub(crate) fn read(path: &Path, cause: io::Error) -> Self {
+        Self::Read {
+            path: path.into(),
+            cause,
+        }
+    }
+
+    /// A file that cannot be written.
+    pub(crate) fn write(path: &Path, cause: io::Error) -> Self {
+        Self::Write {
+            path: path.into(),
+            cause,
+        }
+    }
 }

@@ -1,4 +1,4 @@
-//! The chores of the workspace on the command line: `cargo xtask tidy`, `cargo xtask figures`.
+//! The chores of the workspace on the command line: `cargo xtask tidy`, `cargo xtask figures`, `cargo xtask golden`.
 
 #![expect(
     clippy::print_stdout,
@@ -10,12 +10,15 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{Arguments, Chore, FiguresArguments, Runner, Tree, XtaskError};
+use xtask::{
+    Arguments, Chore, FiguresArguments, Golden, GoldenArguments, Runner, Tree, XtaskError,
+};
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().chore {
         Chore::Tidy => tidy(),
         Chore::Figures(arguments) => figures(&arguments),
+        Chore::Golden(arguments) => golden(&arguments),
         Chore::Program { arguments } => {
             let line = std::iter::once("pellicle".into()).chain(arguments);
             Ok(pellicle_cli::main(line))
@@ -55,4 +58,27 @@ fn figures(arguments: &FiguresArguments) -> Result<ExitCode, XtaskError> {
     let count = xtask::figures(&arguments.figures(), &runner, &out, small.as_deref())?;
     eprintln!("{count} pictures in {}", arguments.out.display());
     Ok(ExitCode::SUCCESS)
+}
+
+/// Writes or compares the golden numbers; exit code 1 if any moved.
+fn golden(arguments: &GoldenArguments) -> Result<ExitCode, XtaskError> {
+    let release = Runner::release(root(), 0, |_| {}).program;
+    let program = arguments.program.clone();
+    let program = program.map_or(release, |program| vec![program.into()]);
+    let file = root().join(&arguments.file);
+    match xtask::golden(root(), &program, &file, arguments.write)? {
+        Golden::Written(count) => {
+            println!("{count} values in {}", arguments.file.display());
+            Ok(ExitCode::SUCCESS)
+        }
+        Golden::Compared(moved, count) if moved.is_empty() => {
+            println!("same bits: {count} values");
+            Ok(ExitCode::SUCCESS)
+        }
+        Golden::Compared(moved, count) => {
+            moved.iter().for_each(|moved| println!("{moved}"));
+            println!("{} of {count} values moved", moved.len());
+            Ok(ExitCode::FAILURE)
+        }
+    }
 }
