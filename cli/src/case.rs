@@ -6,6 +6,7 @@ pub mod grid;
 mod hardness;
 pub mod height_limits;
 pub mod indenter;
+pub mod key_dimension;
 pub mod load;
 pub mod map;
 pub mod map_sources;
@@ -16,7 +17,9 @@ pub mod solver;
 pub mod spring_law;
 pub mod stress;
 pub mod surface;
+pub mod unit_slip;
 pub mod warnings;
+pub mod with_units;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -101,11 +104,7 @@ impl BaseCase {
         }
         Ok(Self {
             root,
-            name: path
-                .file_stem()
-                .unwrap_or_default()
-                .to_string_lossy()
-                .into(),
+            name: source_file::stem(path),
             folder: path.parent().unwrap_or(Path::new("")).to_owned(),
         })
     }
@@ -128,7 +127,7 @@ impl Case {
     /// [`Failure::Unreadable`] if the file cannot be read, [`Failure::Case`] if it is not a valid case.
     pub fn read(path: &Path, sets: &[String]) -> Result<Self, Failure> {
         let source = Arc::new(source_file::read(path)?);
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let stem = source_file::stem(path);
         let folder = path.parent().unwrap_or(Path::new(""));
         Ok(Self::parse(&source, &stem, folder, sets)?)
     }

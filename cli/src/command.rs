@@ -16,12 +16,15 @@ pub mod study;
 pub mod surface;
 pub mod validate;
 
+use pellicle_contact::Status;
+
 /// The outcome of a command that did not fail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
     /// Everything is done, and every solution is certified.
     Done,
-    /// The result is written, but marked as not converged or cut off; in a study, some case has no certified result.
+    /// The result is written, but marked as not converged, beyond the model or cut off; in a study, some case has no
+    /// certified result.
     NotConverged,
     /// The program disagrees with a reference: a row of its validation fails.
     Refuted,
@@ -29,4 +32,19 @@ pub enum Outcome {
     Misfit,
     /// The user asked to stop; finished results are written.
     Stopped,
+}
+
+/// The sentence on a result that is not certified; none on one that is.
+fn complaint(status: Status) -> Option<String> {
+    let what = match status {
+        Status::Certified => return None,
+        Status::CutOff => {
+            "cut off: the contact would extend beyond the edge of the domain or of a map"
+        }
+        Status::BeyondModel => {
+            "beyond the model: linear elasticity does not describe such a contact"
+        }
+        Status::NotConverged => "not converged: the certificate is not satisfied",
+    };
+    Some(format!("Error: {what}, do not use these numbers"))
 }

@@ -1,5 +1,6 @@
 //! Numbers for human readers: a few digits and an SI prefix, ranges, and counts.
 
+use crate::input::dimension::Dimension;
 use crate::input::units::Units;
 
 /// The prefixes of 10⁻¹⁸, 10⁻¹⁵ … 10¹².
@@ -127,6 +128,47 @@ pub fn quantity(value: f64, unit: Unit, units: Units) -> String {
     }
 }
 
+/// A quantity of a case with its unit; an angle, in rad, is shown in degrees, a compliance in nm/GPa.
+#[must_use]
+pub fn dimensional(value: f64, dimension: Dimension, units: Units) -> String {
+    let of = |unit| quantity(value, unit, units);
+    match (dimension, units) {
+        (Dimension::Angle, _) => format!("{}°", significant(value.to_degrees(), 5)),
+        (Dimension::Length, _) => of(Unit::Metre),
+        (Dimension::Pressure, _) => of(Unit::Pascal),
+        (Dimension::Force, _) => of(Unit::Newton),
+        (Dimension::Stiffness, _) => of(Unit::NewtonPerMetre),
+        (_, Units::Consistent) => significant(value, 5),
+        (Dimension::Compliance, Units::Si) => format!("{} nm/GPa", significant(value * 1e18, 5)),
+        (Dimension::FrameCompliance | Dimension::Time, Units::Si) => {
+            format!("{} {}", significant(value, 5), dimension.si_unit())
+        }
+    }
+}
+
+/// Part of an element within which a coordinate counts as zero: the search for a peak on an axis ends slightly beside
+/// it, where a length of picometres would say nothing.
+const ON_AXIS: f64 = 1e-3;
+
+/// The coordinates of a point on a grid of elements of this side; those that are zero to the accuracy of a place, as 0.
+#[must_use]
+pub fn settled<const AXES: usize>(at: [f64; AXES], element_side: f64) -> [f64; AXES] {
+    at.map(|along| {
+        if along.abs() < ON_AXIS * element_side {
+            0.0
+        } else {
+            along
+        }
+    })
+}
+
+/// The same with their units: `0 m, 1.2000 µm`.
+#[must_use]
+pub fn position<const AXES: usize>(at: [f64; AXES], element_side: f64, units: Units) -> String {
+    let metres = |along| quantity(along, Unit::Metre, units);
+    settled(at, element_side).map(metres).join(", ")
+}
+
 /// A number of bytes: `85 MB`, `1.4 GB`.
 #[must_use]
 pub fn memory(bytes: u64) -> String {
@@ -212,6 +254,16 @@ mod tests {
         assert_eq!(si(-5e-9, Unit::Metre), "-5.0000 nm");
         assert_eq!(si(1e-30, Unit::Metre), "1.0000e-12 am");
         assert_eq!(si(f64::INFINITY, Unit::Metre), "inf m");
+    }
+
+    #[test]
+    fn a_place_on_an_axis_is_printed_as_zero() {
+        let place = |at| position(at, 400e-9, Units::Si);
+        assert_eq!(place([-115e-12, 1.2e-6, 0.0]), "0 m, 1.2000 µm, 0 m");
+        assert_eq!(
+            place([-115e-11, 0.5e-9, 4e-10]),
+            "-1.1500 nm, 500.00 pm, 400.00 pm"
+        );
     }
 
     #[test]

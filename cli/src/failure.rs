@@ -1,6 +1,8 @@
 //! The reasons why a command ends early, and their exit codes.
 
+use std::error::Error;
 use std::io;
+use std::iter;
 use std::path::{Path, PathBuf};
 
 use pellicle_contact::{ContactError, IndenterError};
@@ -11,6 +13,7 @@ use pellicle_texture::TextureError;
 
 use crate::display::memory;
 use crate::input::diagnosis::Diagnosis;
+use crate::output::folder;
 use crate::terminal::{NoOutput, clean};
 
 /// The reason why a command ends early.
@@ -245,10 +248,13 @@ impl From<Diagnosis> for Failure {
 }
 
 impl Failure {
-    /// Returns the failure to write a file or folder.
+    /// Returns the failure to write a file or folder: where the user will look for it, and of its causes the system's.
     #[must_use]
     pub fn write(path: &Path, cause: io::Error) -> Self {
-        let path = path.to_owned();
+        let path = folder::visible(path);
+        let of_system =
+            causes(&cause).find_map(|cause| cause.downcast_ref::<io::Error>()?.raw_os_error());
+        let cause = of_system.map_or(cause, io::Error::from_raw_os_error);
         Self::Write { path, cause }
     }
 
@@ -286,6 +292,19 @@ impl Failure {
     }
 }
 
+/// The errors in an error, from the outermost on.
+pub fn causes(error: &io::Error) -> impl Iterator<Item = &(dyn Error + 'static)> {
+    iter::successors(Some(error as &(dyn Error + 'static)), cause_of)
+}
+
+/// The error within an error.
+fn cause_of<'a>(error: &&'a (dyn Error + 'static)) -> Option<&'a (dyn Error + 'static)> {
+    match error.downcast_ref::<io::Error>() {
+        Some(error) => error.get_ref().map(|inner| inner as &(dyn Error + 'static)),
+        None => (*error).source(),
+    }
+}
+
 /// Describes the change that would make a case fit in memory.
 fn fitting_in_words(fitting: usize) -> String {
     match fitting {
@@ -310,6 +329,17 @@ mod tests {
             "{message}"
         );
         assert_eq!(failure.exit_code(), 1);
+    }
+
+    #[test]
+    fn a_failure_to_write_names_the_file_and_the_cause_of_the_system_alone() {
+        let full = io::Error::from_raw_os_error(28);
+        let words = full.to_string();
+        let packed = zip::result::ZipError::Io(io::Error::other(full));
+        let path = Path::new("results/a/.pellicle-run-x1/fields-000.npz");
+        let failure = Failure::write(path, io::Error::other(packed));
+        let wanted = format!("results/a/fields-000.npz: cannot be written: {words}");
+        assert_eq!(failure.to_string(), wanted);
     }
 
     #[test]

@@ -80,7 +80,7 @@ impl FitFile {
     /// [`Failure::Unreadable`] if the file or its case cannot be read, [`Failure::Case`] if one of them is not valid.
     pub fn read(path: &Path, measurements: Measurements) -> Result<Self, Failure> {
         let source = Arc::new(source_file::read(path)?);
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let stem = source_file::stem(path);
         let folder = path.parent().unwrap_or(Path::new(""));
         Self::parse(&source, &stem, &FitSources::in_folder(folder), measurements)
     }

@@ -7,13 +7,14 @@ pub mod need;
 mod trial;
 
 use pellicle_contact::{
-    Domain, LoadingPath, Model, Step, Warning, default_side, domain_much_larger, model_warnings,
+    Domain, LoadingPath, Model, Step, Warning, default_side, domain_much_larger,
+    map_under_resolved, model_warnings,
 };
 use pellicle_texture::Grid;
 
 use self::need::Need;
 use self::trial::{TRIAL, contact_share};
-use crate::case::{Case, grid::BoundaryCase, warnings::with_key};
+use crate::case::{Case, grid::BoundaryCase};
 use crate::display::significant;
 
 /// Growth of the number of products of a hard case when the elements are halved; in an easy case it hardly grows.
@@ -62,9 +63,11 @@ impl Forecast {
         match &path {
             Ok(path) => {
                 warnings.extend(far_too_large(case, model, path));
+                warnings.extend(long_elements(case, model, path));
                 warnings.extend(smallest(path, side / case.grid.elements as f64));
                 let last = path.steps.len().saturating_sub(1);
-                let warns = |warning| of_the_model(warning, last, case.grid.side.is_some());
+                let words = |warning: &Warning| case.sentence(warning);
+                let warns = |warning| of_the_model(warning, words, last, case.grid.side.is_some());
                 warnings.extend(path.warnings.iter().filter_map(warns));
             }
             Err(error) => warnings.push(format!("the trial failed: {error}")),
@@ -103,7 +106,16 @@ fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<Strin
     };
     let grid = Grid::new(path.grid.side(), case.grid.elements).ok()?;
     let warning = domain_much_larger(model, &grid, &loads, radius);
-    warning.as_ref().map(with_key)
+    warning.map(|warning| case.sentence(&warning))
+}
+
+/// The warning that the elements are too long for the waves of a map around the contact of the largest load.
+fn long_elements(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
+    let radius = path.steps.last()?.summary.contact_radius;
+    let grid = Grid::new(path.grid.side(), case.grid.elements).ok()?;
+    let warning = map_under_resolved(model, &grid, path.boundary, radius)?;
+    let words = case.sentence(&warning);
+    Some(words.trim_start_matches("step 0: ").to_owned())
 }
 
 /// The warning that the contact of the smallest load has too few elements.
@@ -122,18 +134,28 @@ fn smallest(path: &LoadingPath, element_side: f64) -> Option<String> {
 
 /// A warning of the trial's last step in words, if it is about the model and not about the coarse grid. A chosen domain
 /// is large enough: a warning that the contact is near its edge comes from the coarse grid alone.
-fn of_the_model(warning: &Warning, last: usize, is_given: bool) -> Option<String> {
+fn of_the_model(
+    warning: &Warning,
+    words: impl Fn(&Warning) -> String,
+    last: usize,
+    is_given: bool,
+) -> Option<String> {
     if matches!(warning, Warning::DomainEdge { .. }) && !is_given {
         return None;
+    }
+    if matches!(warning, Warning::SteepTip { .. }) {
+        return Some(words(warning));
     }
     let (Warning::DomainEdge { step, .. }
     | Warning::CutOff { step, .. }
     | Warning::FilmShortening { step, .. }
+    | Warning::LayerShortening { step, .. }
+    | Warning::BeyondModel { step, .. }
     | Warning::SteepIndenter { step, .. }) = *warning
     else {
         return None;
     };
-    let words = with_key(warning);
+    let words = words(warning);
     let words = words
         .strip_prefix(&format!("step {step}: "))
         .unwrap_or(&words);

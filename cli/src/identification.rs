@@ -1,10 +1,12 @@
 //! The fit of a fit file: its measurements and model are posed as a problem, solved, and reported.
 
 pub mod curve_source;
+pub mod deviations;
 pub mod files;
 pub mod findings;
 pub mod fitted_file;
 pub mod fitting;
+pub mod grid_error;
 pub mod names;
 pub mod null_directions;
 pub mod outside;

@@ -142,6 +142,7 @@ pub mod measurements {
     pub use crate::measured::exclusion::{ExcludedRows, ExclusionReason};
     pub use crate::measured::header::{HeaderField, HeaderUnit};
     pub use crate::measured::noise::{MeasuredNoise, NoiseCorrelation};
+    pub use crate::measured::omitted::OmittedRows;
     pub use crate::measured::separator::{DecimalMark, Separator};
     pub use crate::measured::sources::files;
     pub use crate::measured::spring::{HeightDirection, SpringConstant, penetration};

@@ -11,7 +11,6 @@ mod gsf;
 mod map_file;
 mod npy;
 pub mod npy_header;
-pub mod shortest_wave;
 mod text;
 
 use std::fs::{self, File};

@@ -17,6 +17,7 @@ pub mod error;
 pub mod exclusion;
 pub mod header;
 pub mod noise;
+pub mod omitted;
 mod raw_curve;
 mod reading;
 mod segment_rows;

@@ -4,6 +4,7 @@
 //! On Linux the available memory is the least of the free memory and the amounts that the control group and the limits
 //! of the process (`ulimit -v`, `-d`) leave. Elsewhere it is unknown, and no case is refused.
 
+use std::env;
 use std::fs;
 use std::path::Path;
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
@@ -21,8 +22,35 @@ const KNOWN: Duration = Duration::from_secs(1);
 /// The inverse of a small part.
 const SMALL_PART: u64 = 64;
 
-/// Address space, bytes, that the C library reserves for one more thread.
+/// Address space, bytes, that the C library reserves for one more thread, unless all share one arena.
 const ADDRESSES: u64 = 64 << 20;
+
+/// The C library's variable for the number of arenas, from which threads take their memory.
+const ARENAS: &str = "MALLOC_ARENA_MAX";
+
+/// Starts the program again with one arena for all threads if its address space is limited: the C library would
+/// reserve 64 MB for each thread as long as they fit, so more address space would leave less memory.
+#[cfg(target_os = "linux")]
+pub fn share_arena() {
+    use std::os::unix::process::CommandExt;
+    let limits = fs::read_to_string("/proc/self/limits");
+    let is_limited = limits.is_ok_and(|limits| number(&limits, ADDRESS_SPACE).is_some());
+    let mut arguments = env::args_os();
+    if let (true, None, Some(name), Ok(program)) = (
+        is_limited,
+        env::var_os(ARENAS),
+        arguments.next(),
+        env::current_exe(),
+    ) {
+        let mut again = std::process::Command::new(program);
+        // Returns only if it fails; the program then goes on as it is.
+        drop(again.arg0(name).args(arguments).env(ARENAS, "1").exec());
+    }
+}
+
+/// Other systems are not asked for the memory they leave.
+#[cfg(not(target_os = "linux"))]
+pub fn share_arena() {}
 
 /// Bytes still available to this process; none if unknown.
 #[must_use]
@@ -30,7 +58,12 @@ pub fn available() -> Option<u64> {
     let read = |path: &str| fs::read_to_string(path).ok();
     let system = read("/proc/meminfo").and_then(|text| free(&text));
     let process = read("/proc/self/limits").zip(read("/proc/self/status"));
-    let process = process.and_then(|(limits, status)| left_by_limits(&limits, &status));
+    let reserve = if env::var(ARENAS).is_ok_and(|arenas| arenas == "1") {
+        0
+    } else {
+        ADDRESSES
+    };
+    let process = process.and_then(|(limits, status)| left_by_limits(&limits, &status, reserve));
     let groups = read("/proc/self/cgroup").and_then(|text| left_by_groups(&text));
     [system, process, groups].into_iter().flatten().min()
 }
@@ -41,13 +74,16 @@ fn free(meminfo: &str) -> Option<u64> {
     Some(kibibytes("MemAvailable:")? + kibibytes("SwapFree:").unwrap_or(0))
 }
 
-/// Bytes left within the limits on the process's address space and data.
-fn left_by_limits(limits: &str, status: &str) -> Option<u64> {
+/// The limit on the address space, as the system names it.
+const ADDRESS_SPACE: &str = "Max address space";
+
+/// Bytes left within the limits on the process's address space, without `reserve`, and on its data.
+fn left_by_limits(limits: &str, status: &str, reserve: u64) -> Option<u64> {
     let left = |limit, used| {
         let used = number(status, used)? * 1024;
         Some(number(limits, limit)?.saturating_sub(used))
     };
-    let space = left("Max address space", "VmSize:").map(|left| left.saturating_sub(ADDRESSES));
+    let space = left(ADDRESS_SPACE, "VmSize:").map(|left| left.saturating_sub(reserve));
     let data = left("Max data size", "VmData:");
     [space, data].into_iter().flatten().min()
 }
@@ -209,12 +245,13 @@ mod tests {
             )
         };
         assert_eq!(
-            left_by_limits(&limits("unlimited"), status),
+            left_by_limits(&limits("unlimited"), status, 0),
             Some(50 * 1024)
         );
-        let space = (ADDRESSES + 120 * 1024).to_string();
-        assert_eq!(left_by_limits(&limits(&space), status), Some(20 * 1024));
-        assert_eq!(left_by_limits(&limits("1"), status), Some(0));
+        let space = limits(&(ADDRESSES + 120 * 1024).to_string());
+        let left = left_by_limits(&space, status, ADDRESSES);
+        assert_eq!(left, Some(20 * 1024));
+        assert_eq!(left_by_limits(&limits("1"), status, 0), Some(0));
     }
 
     #[test]

@@ -9,6 +9,7 @@ pub mod gsf;
 pub mod lock;
 pub mod netcdf;
 pub mod npz;
+mod npz_archive;
 pub mod own_files;
 pub mod partial_file;
 pub mod pictures;
@@ -19,6 +20,7 @@ mod stoppable;
 pub mod stress;
 pub mod summary;
 pub mod summary_text;
+pub mod text_cell;
 pub mod vti;
 pub mod write_progress;
 

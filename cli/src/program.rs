@@ -8,10 +8,11 @@ use clap::Parser;
 use crate::arguments::{Arguments, Command};
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::{command, interrupt, terminal};
+use crate::{command, interrupt, memory, terminal};
 
 /// Runs the program with these arguments, the first being its name.
 pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
+    memory::share_arena();
     interrupt::listen();
     let arguments = arguments
         .into_iter()

@@ -35,6 +35,21 @@ pub fn read(path: &Path) -> Result<Source, Failure> {
     }
 }
 
+/// The name of a file without its extension, for what is named after it: `case` of `case.toml`. A name of dots alone
+/// would be that of a folder, so `..toml` keeps its extension.
+#[must_use]
+pub fn stem(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    if stem.chars().all(|character| character == '.') {
+        path.file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into()
+    } else {
+        stem.into()
+    }
+}
+
 fn bytes(path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let file = File::open(path)?;
@@ -65,5 +80,31 @@ fn not_utf8(name: &str, error: &std::string::FromUtf8Error) -> Diagnosis {
             diagnosis.with_help("the file looks like UTF-16: save it as UTF-8")
         }
         _ => diagnosis.with_help("save the file as UTF-8"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_stem_is_the_name_of_this_or_the_parent_folder() {
+        let names = [
+            "case.toml",
+            "a/b.c.toml",
+            "..toml",
+            "...toml",
+            "....toml",
+            ".toml",
+            "case",
+            "..",
+        ];
+        let stems = names.map(|name| stem(Path::new(name)));
+        assert_eq!(
+            stems,
+            [
+                "case", "b.c", "..toml", "...toml", "....toml", ".toml", "case", ""
+            ]
+        );
     }
 }

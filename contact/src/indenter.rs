@@ -135,6 +135,18 @@ impl Indenter {
         self.is_mirrored() || matches!(self, Self::Pyramid(_))
     }
 
+    /// Slope of the faces or the side of a pyramid or a cone, the same at every depth beyond a rounded tip; none for
+    /// shapes that are not self-similar.
+    #[must_use]
+    pub fn self_similar_slope(&self) -> Option<f64> {
+        let half_angle = match self {
+            Self::Cone(cone) => cone.half_angle(),
+            Self::Pyramid(pyramid) => pyramid.face_angle(),
+            _ => return None,
+        };
+        Some(half_angle.tan().recip())
+    }
+
     /// Height f(x, y), m; see [`Profile::height`].
     #[must_use]
     pub fn height(&self, x: f64, y: f64) -> f64 {

@@ -36,7 +36,7 @@ pub use path::{
     levels::solved_grid,
     loads_at_once, solve_path,
     warnings::{
-        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger, edge_slope,
+        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger, map_under_resolved,
         model_warnings, relative_shortening,
     },
 };
@@ -48,9 +48,12 @@ pub use problem::{
 };
 pub use result::{
     certificate::{Certificate, Solution},
+    contact_slope::ContactSlope,
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
     grid_error::{ErrorEstimate, GridError, LevelValues},
+    map_resolution::FEWEST_ELEMENTS_PER_WAVE,
+    model_limits::{LimitRatio, ModelLimit},
     peak::PeakPlace,
     rough_contact::{Histogram, Islands, RoughContact},
     step::{CoarsePressure, Status, Step},
@@ -72,10 +75,11 @@ pub use stress::{
         BodyStress, BodyUtilisation, InterfaceStress, InterfaceUtilisation, StressExtremes,
         stress_extremes,
     },
-    critical_load::{CriticalLoad, critical_loads},
+    critical_load::{CriticalLoad, CriticalStatus, critical_loads},
     extreme::Extreme,
     field::{StressField, StressPlanes},
     model::{
         BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
     },
+    unresolved::UnresolvedStresses,
 };

@@ -31,7 +31,11 @@ use crate::{
     grid::window::Window,
     path::hierarchy::Hierarchy,
     problem::model::initial_gap,
-    result::cut_off::{CutOff, Surroundings},
+    result::{
+        cut_off::{CutOff, Surroundings},
+        map_resolution::MapResolution,
+        model_limits::ModelLimits,
+    },
     solver::Watch,
     vector::add_scaled,
 };
@@ -113,14 +117,12 @@ impl LoadingPath {
 
     /// The elasticity of the indenter alone; none if it is rigid.
     fn counterbody(&self) -> Option<SurfaceElasticity> {
-        let material = self.tables.bodies().counterbody()?;
+        let bodies = self.tables.bodies().counterbody_alone()?;
+        let material = bodies.foundation().surface_material();
         let side = self.grid.element_side();
-        let coefficient = |offset| love::coefficient(material, side, offset);
+        let coefficient = |offset| love::coefficient(&material, side, offset);
         let table = CoefficientTable::from_fn(side, self.grid.size(), coefficient).ok()?;
-        Some(SurfaceElasticity::new(
-            Arc::new(table),
-            self.tables.bodies().clone(),
-        ))
+        Some(SurfaceElasticity::new(Arc::new(table), bodies))
     }
 }
 
@@ -303,6 +305,14 @@ impl PathRun<'_> {
             for step in &mut self.steps {
                 step.cut_off = surroundings.limit_reached(&step.solution);
             }
+        }
+        let mut resolution = MapResolution::new(model, &grid, domain.boundary());
+        let mut limits = ModelLimits::new(model, grid, domain.boundary());
+        for step in &mut self.steps {
+            let elements = resolution.elements_per_wave(step.summary.contact_radius);
+            let error = std::mem::take(&mut step.grid_error);
+            step.grid_error = error.with_elements_per_wave(elements);
+            step.limits = limits.ratios(step);
         }
         let warnings = warnings::warnings(model, &grid, domain, loads, &self.steps);
         Ok(LoadingPath {

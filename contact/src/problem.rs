@@ -1,6 +1,7 @@
 //! The contact problem of an indenter pressed into a body, and its form on one grid.
 
 pub mod discrete_problem;
+pub mod gap_scale;
 pub mod load;
 pub mod model;
 pub mod operator_source;

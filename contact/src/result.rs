@@ -2,10 +2,13 @@
 
 pub mod certificate;
 pub mod contact_field;
-mod contact_shape;
+pub mod contact_shape;
+pub mod contact_slope;
 pub mod cut_off;
 pub mod deformed_surface;
 pub mod grid_error;
+pub mod map_resolution;
+pub mod model_limits;
 mod not_stored;
 pub mod peak;
 pub mod point;

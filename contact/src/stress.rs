@@ -3,6 +3,8 @@
 
 pub mod body_extremes;
 pub mod critical_load;
+mod edge_extreme;
+mod edge_tension;
 pub mod extreme;
 mod extreme_finder;
 pub mod field;
@@ -10,8 +12,11 @@ mod load_search;
 pub mod model;
 mod neighbourhood;
 mod peak_search;
+mod plane_scan;
+mod pressure_blocks;
 mod quantity;
-mod starting_points;
+mod solved_loads;
+pub mod unresolved;
 
 /// The nearest whole number.
 #[expect(

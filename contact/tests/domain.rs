@@ -188,8 +188,10 @@ fn a_first_guess_far_too_small_or_too_large_is_corrected() {
     );
     for (model, load) in [(&on_springs, hertz(0.1)), (&at_corner, hertz(0.04))] {
         let path = solve(model, Domain::Automatic, 64, load);
-        assert_eq!(path.steps[0].status(), Status::Certified);
-        let radius = path.steps[0].summary.contact_radius;
+        // The equations are solved on the whole contact, although so soft a map lets the paraboloid sink by its radius.
+        let step = &path.steps[0];
+        assert!(step.solution.certificate.is_satisfied() && step.cut_off.is_none());
+        let radius = step.summary.contact_radius;
         let part = radius / path.grid.side();
         assert!(part > 0.12 && part < 0.5, "{part} of {:?}", path.grid);
     }

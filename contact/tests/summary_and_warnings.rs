@@ -9,8 +9,8 @@
 use std::sync::Arc;
 
 use pellicle_contact::{
-    Cone, Domain, Indenter, Load, LoadingPath, Model, Paraboloid, PeakPlace, SolverOptions, Step,
-    Warning, model_warnings, solve_path,
+    Cone, Domain, FlatPunch, Indenter, Load, LoadingPath, Model, Paraboloid, PeakPlace,
+    SolverOptions, Step, Warning, model_warnings, solve_path,
 };
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
@@ -182,7 +182,8 @@ fn too_few_elements_per_radius_or_thickness_are_warned_about() {
 fn coefficients_below_their_accuracy_are_warned_about_with_the_accuracy_reached() {
     let grid = Grid::new(1.0, 100).unwrap();
     let right = model(&[0.1], Relief::Bare);
-    for (wrong_by, warned) in [(1e-13, false), (3e-11, true)] {
+    // An accuracy is not warned of where its two digits are those wanted.
+    for (wrong_by, warned) in [(1e-13, false), (1.03e-12, false), (3e-11, true)] {
         let tables = Arc::new(right.tables.perturbed(wrong_by));
         let warnings = model_warnings(
             &Model {
@@ -209,11 +210,19 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
             Warning::CutOff { step, .. } => (step, 0.0),
             Warning::FilmShortening { step, times } => (step, times),
             Warning::PeakNotResolved { step, change, .. } => (step, change),
-            Warning::SteepIndenter { step, slope } => (step, slope),
+            Warning::SteepIndenter { step, slope } => (step, slope.value()),
+            Warning::LayerShortening { step, part, .. } => (step, part),
+            Warning::BeyondModel { step, beyond } => (step, beyond.ratio),
             Warning::NotConverged { step, worst, .. } => (step, worst),
+            Warning::MapUnderResolved {
+                step,
+                elements_per_wave,
+                ..
+            } => (step, elements_per_wave),
             Warning::TextureUnderResolved { .. }
             | Warning::LayerUnderResolved { .. }
             | Warning::DomainMuchLarger { .. }
+            | Warning::SteepTip { .. }
             | Warning::CoefficientAccuracy { .. } => {
                 unreachable!("of no step")
             }
@@ -302,4 +311,30 @@ fn a_contact_near_the_edge_is_warned_about_with_the_elements_between() {
         [0, 2, 3].iter().all(|nearest| seen.contains(nearest)),
         "{seen:?}"
     );
+}
+
+#[test]
+fn a_mean_pressure_is_at_most_the_largest() {
+    // A ball that touches one to sixteen elements, and a flat punch on a film of springs, whose pressure is uniform
+    // while elements follow its outline as a staircase.
+    let ball = model(&[], Relief::Bare);
+    let film = Film::new(1.0, 1e-3).unwrap();
+    let punch = Model {
+        relief: Relief::Film(film),
+        indenter: FlatPunch::new(0.07).unwrap().into(),
+        ..ball.clone()
+    };
+    for (model, forces) in [(&ball, [1e-9, 1e-7, 1e-5]), (&punch, [1e-9, 1e-7, 1e-5])] {
+        for (force, elements) in forces.into_iter().zip([15, 16, 33]) {
+            let found = last(&solve(model, 0.4, elements, Load::Force(force))).summary;
+            assert!(found.contact_elements > 0);
+            assert!(found.mean_pressure <= found.max_pressure, "{found:?}");
+            // No smaller area carries the force under the largest pressure.
+            let least = force / found.max_pressure;
+            assert!(
+                found.meets_outline || found.contact_area >= least * (1.0 - 1e-15),
+                "{found:?}"
+            );
+        }
+    }
 }

@@ -8,6 +8,7 @@
 mod curve;
 mod fixed_number;
 mod force_scale;
+mod grid_error;
 mod reading;
 mod solved_curve;
 mod validity;

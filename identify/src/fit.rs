@@ -4,10 +4,11 @@ use std::rc::Rc;
 
 use crate::{
     Fit, FitOptions, FitVerdict, FitWarning, FitWork, FittedPoints, ForwardModel, Goodness,
-    IdentifyError, Problem, REFUSAL, Scatter, global_search,
-    goodness::{NoiseScale, Residuals, lower_half_score, smooth_score},
+    IdentifyError, Outlier, Problem, Scatter, global_search,
+    goodness::{NoiseScale, OtherTests, Residuals, lower_half_score, smooth_score},
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
+    outlier,
     predictor::{Evaluation, Predictor},
     refinement::{Refined, Refinement},
     repeats::Repeats,
@@ -15,6 +16,7 @@ use crate::{
 };
 
 mod covariance;
+mod departure;
 mod estimates;
 mod exponents;
 mod intervals;
@@ -172,6 +174,7 @@ impl<'p> Fitting<'p> {
             problem: self.problem,
             at: &refined.minimum.at,
             free: &self.determined,
+            departures: &[],
         };
         RestrictedLikelihood::new(vec![part], *self.problem.noise(), refined.levels)
     }
@@ -187,13 +190,9 @@ impl<'p> Fitting<'p> {
     ) -> Fit {
         self.warn(refined);
         let goodness = self.goodness(refined, sought);
-        let verdict = if !refined.minimum.converged {
-            FitVerdict::NotConverged
-        } else if goodness.misfit_p < REFUSAL {
-            FitVerdict::Misfit
-        } else {
-            FitVerdict::Fitted
-        };
+        let points = self.points(refined);
+        let outliers = self.outliers(refined, &points);
+        let verdict = FitVerdict::of(refined.minimum.converged, &goodness, !outliers.is_empty());
         let covariance = self.covariance(refined);
         Fit {
             verdict,
@@ -204,7 +203,9 @@ impl<'p> Fitting<'p> {
             covariance,
             noise: refined.levels,
             goodness,
-            points: self.points(refined),
+            departure: self.departure(refined, verdict, &points),
+            points,
+            outliers,
             excluded: Vec::new(),
             work: FitWork {
                 curves_solved: predictor.predictions(),
@@ -240,7 +241,7 @@ impl<'p> Fitting<'p> {
             smooth_score(problem, at.0, at.1, &self.determined),
         ];
         let scale = NoiseScale::of(problem, least);
-        let scores = scores.map(|score| scale.probability(score));
+        let [lower_half_p, smooth_p] = scores.map(|score| scale.probability(score));
         Residuals {
             series: problem
                 .spans()
@@ -252,7 +253,22 @@ impl<'p> Fitting<'p> {
             degrees: whitened.len().saturating_sub(fitted).max(1) as f64,
             known,
         }
-        .judge(scores, self.likelihood(refined).persistence_p())
+        .judge(&OtherTests {
+            lower_half: lower_half_p,
+            smooth: smooth_p,
+            persistence: self.likelihood(refined).persistence_p(),
+            common: None,
+        })
+    }
+
+    fn outliers(&self, refined: &Refined, points: &FittedPoints) -> Vec<Outlier> {
+        let series = outlier::Series {
+            residual: &points.residual,
+            observed: self.problem.observed(),
+            deviation: &refined.levels.deviations(&refined.minimum.at),
+            is_told: self.problem.noise().is_given(),
+        };
+        outlier::outliers(&series, self.problem.spans())
     }
 
     fn points(&self, refined: &Refined) -> FittedPoints {

@@ -1,13 +1,15 @@
 //! Tests of whether the model follows the data.
 //!
-//! There are up to six tests, each with its own probability under a true model: χ² if the noise is known, runs of signs
-//! and the Durbin–Watson statistic for correlated residuals, the lower half of the abscissae against the whole, a
-//! smooth change of the curve that the model lacks, and the persistence of correlated noise, which must not be long
-//! enough to hide a misfit. The misfit probability is the smallest of these times their number (Bonferroni), so a true
-//! model is refused no more often than this, however the tests are correlated.
+//! There are up to seven tests, each with its own probability under a true model: χ² if the noise is known, runs of
+//! signs and the Durbin–Watson statistic for correlated residuals, the lower half of the abscissae against the whole, a
+//! smooth change of the curve that the model lacks, or for repeats one that all of them share, and the persistence of
+//! correlated noise, which must not be long enough to hide a misfit. The misfit probability is the smallest of these
+//! times their number (Bonferroni), so a true model is refused no more often than this, however the tests are
+//! correlated.
 
 use crate::{
     Correlation, Problem,
+    departure::{HIGHEST_DEGREE, range, smooth_columns},
     distribution::{chi_squared_above, fisher_above, normal_below},
     metric::Metric,
     orthonormal_basis::{OrthonormalBasis, dot},
@@ -17,9 +19,9 @@ use crate::{
 /// A fit is refused below this probability.
 pub const REFUSAL: f64 = 0.01;
 
-/// Highest degree of the polynomials used to find a smooth misfit. A wrong indenter shape or a missing layer bends a
-/// curve once or twice.
-const HIGHEST_DEGREE: u8 = 4;
+/// Below this `χ²/ν`, which only noise given in part or whole can leave, the residuals are less than a tenth of the
+/// noise: their order then says nothing about the model, however regular it is.
+const NEGLIGIBLE: f64 = 0.01;
 
 /// How well the model follows the data.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,7 +49,11 @@ pub struct Goodness {
     /// Probability of as large a smooth part of the residuals: the curve times a polynomial in the logarithm of the
     /// abscissa, beyond what unknowns and nuisances can reproduce; `None` if they reproduce all of it.
     pub smooth_p: Option<f64>,
-    /// The smallest of these times their number, at most 1. Below [`REFUSAL`] the fit is a misfit.
+    /// For repeats, the probability that independent curves have as large a smooth part of the residuals in common;
+    /// `None` for fewer than three.
+    pub common_p: Option<f64>,
+    /// The smallest of these times their number, at most 1; 1 also for residuals of less than a tenth of the noise
+    /// given. Below [`REFUSAL`] the fit is a misfit.
     pub misfit_p: f64,
 }
 
@@ -63,13 +69,24 @@ pub(crate) struct Residuals<'a> {
     pub known: bool,
 }
 
+/// The probabilities of the tests that need more than the residuals; see [`Goodness`].
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct OtherTests {
+    pub lower_half: Option<f64>,
+    pub smooth: Option<f64>,
+    pub persistence: Option<f64>,
+    pub common: Option<f64>,
+}
+
 impl Residuals<'_> {
-    /// Judges the residuals. The probabilities of the lower half, of the smooth part and of the persistence are given.
-    pub fn judge(
-        &self,
-        [lower_half_p, smooth_p]: [Option<f64>; 2],
-        persistence_p: Option<f64>,
-    ) -> Goodness {
+    /// Judges the residuals, with the probabilities of the other tests.
+    pub fn judge(&self, others: &OtherTests) -> Goodness {
+        let OtherTests {
+            lower_half: lower_half_p,
+            smooth: smooth_p,
+            persistence: persistence_p,
+            common: common_p,
+        } = *others;
         let chi_squared = self.chi_squared;
         let chi_squared_p = self
             .known
@@ -83,10 +100,12 @@ impl Residuals<'_> {
             lower_half_p,
             persistence_p,
             smooth_p,
+            common_p,
         ]
         .into_iter()
         .flatten()
         .collect();
+        let is_negligible = chi_squared < NEGLIGIBLE * self.degrees;
         let worst = all.iter().copied().fold(1.0, f64::min);
         Goodness {
             points: self.points,
@@ -99,7 +118,12 @@ impl Residuals<'_> {
             lower_half_p,
             persistence_p,
             smooth_p,
-            misfit_p: (worst * all.len() as f64).min(1.0),
+            common_p,
+            misfit_p: if is_negligible {
+                1.0
+            } else {
+                (worst * all.len() as f64).min(1.0)
+            },
         }
     }
 }
@@ -181,25 +205,15 @@ pub(crate) fn smooth_score(
     at: &Evaluation,
     determined: &[usize],
 ) -> [f64; 2] {
-    let places: Vec<f64> = problem.abscissa().iter().map(|q| q.ln()).collect();
-    let low = places.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let columns = (0..=HIGHEST_DEGREE).map(|degree| {
-        let pairs = places.iter().zip(&at.value);
-        pairs
-            .map(|(x, value)| {
-                let position = ((2.0 * x - low - high) / (high - low)).clamp(-1.0, 1.0);
-                // T_n(x) = cos(n arccos x)
-                value * (f64::from(degree) * position.acos()).cos()
-            })
-            .collect()
-    });
+    let abscissa = problem.abscissa();
+    let range = range(abscissa.iter().copied());
+    let columns = smooth_columns(&abscissa, &at.value, range, HIGHEST_DEGREE).into_iter();
     score(metric, at, determined, columns)
 }
 
 /// `S = rᵀZ(ZᵀZ)⁻¹Zᵀr` for columns `Z` over the points, projected off the nuisances and unknowns, and its degrees of
 /// freedom.
-fn score(
+pub(crate) fn score(
     metric: &Metric,
     at: &Evaluation,
     determined: &[usize],
@@ -249,6 +263,8 @@ impl NoiseScale {
         (q > 0.0).then(|| match self {
             Self::Known => chi_squared_above(score, q),
             Self::OfCorrelated(degrees) => fisher_above(score / q, q, degrees),
+            // What is estimated is nothing beside what is given.
+            Self::OfResiduals(degrees) if degrees.is_infinite() => chi_squared_above(score, q),
             Self::OfResiduals(degrees) if degrees <= q => 1.0,
             Self::OfResiduals(degrees) if degrees <= score => 0.0,
             Self::OfResiduals(degrees) => {

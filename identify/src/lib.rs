@@ -12,6 +12,7 @@
 mod autoregressive;
 mod contact_curves;
 mod curve;
+mod departure;
 mod distribution;
 mod error;
 mod fit;
@@ -27,6 +28,7 @@ mod nuisance;
 mod null_direction;
 mod options;
 mod orthonormal_basis;
+mod outlier;
 mod plan;
 mod posterior;
 mod predictor;
@@ -46,6 +48,7 @@ pub use contact_curves::{
     StopFlag,
 };
 pub use curve::Curve;
+pub use departure::Departure;
 pub use error::IdentifyError;
 pub use fit::{exponents, identify};
 pub use forward_model::{ForwardError, ForwardModel, Prediction};
@@ -55,6 +58,7 @@ pub use noise::{Amount, Correlation, Noise, NoiseLevels};
 pub use nuisance::{LinearNuisance, NuisanceShape, Scope};
 pub use null_direction::NullDirections;
 pub use options::{FitOptions, Intervals};
+pub use outlier::Outlier;
 pub use plan::{Expected, Information, Plan};
 pub use posterior::{Convergence, Posterior, PosteriorOptions, posterior};
 pub use prior::Prior;

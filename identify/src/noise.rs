@@ -1,6 +1,6 @@
 //! The noise of the measured points: its size, and which parts of it are to be estimated.
 
-use crate::IdentifyError;
+use crate::{IdentifyError, predictor::Evaluation};
 
 pub(crate) mod restricted_likelihood;
 pub(crate) mod simplex;
@@ -91,6 +91,13 @@ impl NoiseLevels {
     #[must_use]
     pub fn variance(&self, value: f64, slope: f64) -> f64 {
         self.observed.powi(2) + (self.relative * value).powi(2) + (slope * self.abscissa).powi(2)
+    }
+
+    /// The standard deviation of each point of an evaluation.
+    pub(crate) fn deviations(&self, at: &Evaluation) -> Vec<f64> {
+        let pairs = at.value.iter().zip(&at.slope);
+        let variances = pairs.map(|(value, slope)| self.variance(*value, *slope));
+        variances.map(f64::sqrt).collect()
     }
 }
 

@@ -113,6 +113,18 @@ impl Problem {
         &self.null_directions
     }
 
+    /// Whether the sizes of the noise are given, none of them estimated.
+    #[must_use]
+    pub fn noise_is_given(&self) -> bool {
+        self.noise.is_given()
+    }
+
+    /// Whether its curves are repeats whose parameters may scatter.
+    #[must_use]
+    pub fn has_scatter(&self) -> bool {
+        self.scatter == Scatter::BetweenCurves
+    }
+
     pub(crate) fn scatter(&self) -> Scatter {
         self.scatter
     }

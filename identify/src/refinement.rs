@@ -94,6 +94,7 @@ impl<'p> Refinement<'_, 'p> {
             problem: self.problem,
             at,
             free: self.determined,
+            departures: &[],
         };
         let levels =
             RestrictedLikelihood::new(vec![part], *self.problem.noise(), levels).estimate();

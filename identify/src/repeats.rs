@@ -6,6 +6,7 @@
 //!        common parameters and scatter                                mixed_model.rs
 //! go to the common parameters, until they stay
 //! leave out the worst of the discordant curves, and go on             discordant.rs
+//! what do all residuals have in common?                               common_departure.rs
 //! ```
 //!
 //! An interval of a common value is `x ± √(t² C_c + z² C_p)`: `C_c` is the variance from the scatter and the noise of
@@ -16,12 +17,14 @@
 use std::rc::Rc;
 
 use crate::{
-    Exclusion, Fit, FitOptions, IdentifyError, NoiseLevels, Problem, Role, global_search,
+    Exclusion, Fit, FitOptions, IdentifyError, NoiseLevels, Problem, Role, departure,
+    global_search,
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
     predictor::{Evaluation, Predictor},
 };
 
+mod common_departure;
 mod curve_fit;
 mod discordant;
 mod mixed_model;
@@ -69,10 +72,12 @@ impl<'p> Repeats<'p> {
         let shared: Vec<usize> = (0..columns.len())
             .filter(|&k| columns[k].curve.is_none())
             .collect();
+        let range = departure::range(problem.abscissa().into_iter());
         let shares = (0..problem.curves().len())
             .map(|index| Share {
                 index,
                 problem: problem.of_curve(index),
+                range,
                 common: shared
                     .iter()
                     .map(|&k| columns[k].part(&problem.spans()[index]).values)
@@ -165,6 +170,7 @@ impl<'p> Repeats<'p> {
                 problem: &share.problem,
                 at,
                 free: &self.determined,
+                departures: &[],
             })
             .collect();
         RestrictedLikelihood::new(parts, *self.problem.noise(), state.levels)

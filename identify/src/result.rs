@@ -1,8 +1,8 @@
 //! The result of a fit, and correlations from a covariance.
 
 use crate::{
-    Goodness, KnownCombination, NoiseLevels, ProfilePoint, Role, Verdict,
-    distribution::student_quantile,
+    Departure, Goodness, KnownCombination, NoiseLevels, Outlier, ProfilePoint, REFUSAL, Role,
+    Verdict, distribution::student_quantile,
 };
 
 /// The verdict on a fit.
@@ -10,10 +10,27 @@ use crate::{
 pub enum FitVerdict {
     /// The model follows the data.
     Fitted,
-    /// The model does not follow the data, by the tests of [`Goodness`]: the intervals cannot be trusted.
+    /// The model does not follow the data, by the tests of [`Goodness`] or because of [outliers](Fit::outliers): the
+    /// intervals cannot be trusted.
     Misfit,
     /// The search ended before the minimum.
     NotConverged,
+    /// The search found the minimum, but the model holds at too few of the points for a fit of those alone. Never the
+    /// verdict of [`identify`](crate::identify), to which a model holds everywhere.
+    OutsideModel,
+}
+
+impl FitVerdict {
+    /// The verdict on a fit whose search has converged or not; outliers are a misfit, whatever their probability.
+    pub(crate) fn of(is_converged: bool, goodness: &Goodness, has_outliers: bool) -> Self {
+        if !is_converged {
+            Self::NotConverged
+        } else if has_outliers || goodness.misfit_p < REFUSAL {
+            Self::Misfit
+        } else {
+            Self::Fitted
+        }
+    }
 }
 
 /// How far a fit got that was ended by its model.
@@ -167,6 +184,11 @@ pub struct Fit {
     pub noise: NoiseLevels,
     /// How well the model follows the data.
     pub goodness: Goodness,
+    /// Points far from their neighbours, in the fit.
+    pub outliers: Vec<Outlier>,
+    /// The part of the residuals that repeats have in common, if independent curves would not leave it; of curves that
+    /// do not scatter, a smooth part of the residuals that only long correlation of the noise explains.
+    pub departure: Option<Departure>,
     /// The curves that were left out, where they are repeats.
     pub excluded: Vec<Exclusion>,
     /// The points.

@@ -5,7 +5,7 @@ mod parameter;
 
 pub use parameter::ElasticParameter;
 
-use pellicle_kernel::{Foundation, FoundationParameter, Material};
+use pellicle_kernel::{Base, Foundation, FoundationParameter, Material};
 
 /// A foundation and, if it is elastic too, the counterbody pressed against it: a half-space, like an indenter much
 /// larger than the contact.
@@ -44,11 +44,36 @@ impl ElasticBodies {
     /// the counterbody.
     #[must_use]
     pub fn compliance(&self, wavenumber: f64) -> f64 {
-        let of_counterbody = self.counterbody.map_or(0.0, |material| {
+        self.foundation.compliance(wavenumber) + self.counterbody_compliance(wavenumber)
+    }
+
+    /// `2/(E_i* k)` of the counterbody alone, m/Pa; 0 if it is rigid.
+    pub(crate) fn counterbody_compliance(&self, wavenumber: f64) -> f64 {
+        self.counterbody.map_or(0.0, |material| {
             // 2/(E* k)
             2.0 / (material.plane_strain_modulus() * wavenumber.abs())
-        });
-        self.foundation.compliance(wavenumber) + of_counterbody
+        })
+    }
+
+    /// The counterbody alone, as a half-space under a rigid body; `None` if it is rigid.
+    #[must_use]
+    pub fn counterbody_alone(&self) -> Option<Self> {
+        self.counterbody
+            .map(|material| Foundation::half_space(material).into())
+    }
+
+    /// Displacement per uniform pressure on a cell that repeats, m/Pa, from the plane where displacements of that cell
+    /// are measured.
+    ///
+    /// The mean displacement of a half-space is infinite and is left out: the foundation's on a half-space, layers
+    /// included, and the counterbody's. What remains is the foundation's on a rigid base,
+    /// [`Foundation::confined_compliance`]; 0 on a half-space.
+    #[must_use]
+    pub fn mean_compliance(&self) -> f64 {
+        match self.foundation.base() {
+            Base::Rigid => self.foundation.confined_compliance(),
+            Base::HalfSpace(_) => 0.0,
+        }
     }
 
     /// The change of all parameters under a change of scale; see

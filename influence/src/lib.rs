@@ -100,7 +100,8 @@ pub use operator::{
 pub use radial::{CoefficientDerivative, RadialTables};
 pub use sector::{Sector, SectorGrid};
 pub use subsurface::{
-    CentreStresses, Depth, ElementDepths, ElementFields, ElementLoads, PlaneFields, Squares,
-    SubsurfaceState, SurfaceLoad,
+    CentreStresses, Depth, ElementDepths, ElementFields, ElementLoads, LayerColumn,
+    LayerCompression, PlaneFields, RoughDepths, Squares, SubsurfaceState, SurfaceLoad,
+    SurfaceMeans,
 };
 pub use surface_elasticity::SurfaceElasticity;

@@ -9,6 +9,7 @@ mod spectrum;
 
 pub use convolution::{ConvolutionOperator, WindowOperator};
 pub use dense::DenseOperator;
+pub(crate) use periodic::ComplianceTable;
 pub use periodic::PeriodicOperator;
 pub use scattered::{ScatteredOperator, scattered_work};
 pub(crate) use spectrum::{QuarterTransform, Spectrum};

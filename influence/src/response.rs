@@ -7,7 +7,7 @@ use crate::numerics::chebyshev::{ChebyshevTransform, nodes, sum, tail, taylor};
 use crate::numerics::chebyshev_panels::ChebyshevPanels;
 
 /// Beyond this wavenumber, in units of 1/thickness of the top layer, `|Φ−1|` is below 4s² e^{−2s} = 3e-18.
-const NEGLIGIBLE_BEYOND: f64 = 24.0;
+pub(crate) const NEGLIGIBLE_BEYOND: f64 = 24.0;
 
 /// Terms of the polynomial for Φ at small wavenumbers.
 const LOW_TERMS: usize = 16;

@@ -113,6 +113,12 @@ impl SurfaceElasticity {
         self.bodies.compliance(std::f64::consts::TAU / side)
     }
 
+    /// Displacement of a periodic cell per uniform pressure, m/Pa; see [`ElasticBodies::mean_compliance`].
+    #[must_use]
+    pub fn mean_compliance(&self) -> f64 {
+        self.bodies.mean_compliance()
+    }
+
     /// `K p` of a periodic cell of `size` × `size` elements.
     #[must_use]
     pub fn periodic_operator(&self, size: usize) -> PeriodicOperator {
@@ -148,5 +154,11 @@ impl SurfaceElasticity {
     #[must_use]
     pub fn symbol(&self, size: usize) -> PeriodicSymbol {
         PeriodicSymbol::new(&self.bodies, self.table.element_side(), size)
+    }
+
+    /// The same for a periodic cell of `size` × `size` elements, quicker for many layers.
+    #[must_use]
+    pub fn cell_symbol(&self, size: usize) -> PeriodicSymbol {
+        PeriodicSymbol::of_cell(&self.bodies, self.table.element_side(), size)
     }
 }

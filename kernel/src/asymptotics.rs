@@ -13,6 +13,10 @@
 //! second term in `2 n ε` is the work of the in-plane force on the base, by reciprocity.) A spring interface adds its
 //! normal compliance `c_n`; its shear compliance, if finite, does not affect sufficiently long waves.
 //!
+//! **A uniform pressure** on a surface that repeats is not the limit of long waves: under a wave layers above a
+//! frictionless interface slide from the crests to the troughs, however long it is. A cell that repeats has no room to
+//! slide into, so `ε = 0` everywhere and `B = Σ (H M + c_n)`.
+//!
 //! **Short waves.** The wave reflected from the first interface has decayed like `e^{−2s}`, `s = k H₁`:
 //! `Φ − 1 → e^{−2s} (α + β s + γ s²)`, with coefficients from the contrast of the two materials there. Above a spring
 //! the coefficients depend on `k`: they go from those of a bond for `c 2Gk ≪ 1` to those of a free surface.
@@ -75,6 +79,29 @@ impl Foundation {
                 .sum::<f64>();
         }
         LongWaves { inverse, constant }
+    }
+
+    /// Shortening of the layers and interfaces per uniform pressure, m/Pa, if they cannot widen, as in a cell that
+    /// repeats: `Σ H (1 + ν)(1 − 2ν)/((1 − ν) E) + Σ c_n`, 0 for an incompressible layer.
+    ///
+    /// The base is not included. On a rigid base this is [`compliance`](Self::compliance) at `k = 0` if no interface is
+    /// frictionless; above a frictionless interface long waves also squeeze a layer sideways.
+    ///
+    /// ```
+    /// use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+    ///
+    /// let rubber = Layer::new(5e-6, Material::new(10e6, 0.49)?, Interface::Frictionless)?;
+    /// let foundation = Foundation::new(vec![rubber], Base::Rigid)?;
+    /// // H (1 + ν)(1 − 2ν)/((1 − ν) E), a few roundings; free to widen it is 13 times as soft, H (1 − ν²)/E.
+    /// let wanted = 5e-6 * 1.49 * 0.02 / (0.51 * 10e6);
+    /// assert!((foundation.confined_compliance() / wanted - 1.0).abs() < 1e-14);
+    /// # Ok::<(), pellicle_kernel::KernelError>(())
+    /// ```
+    #[must_use]
+    pub fn confined_compliance(&self) -> f64 {
+        let of_layer =
+            |layer: &Layer| shortening(layer, 0.0) + layer.interface().normal_compliance();
+        self.layers().iter().map(of_layer).sum()
     }
 
     /// Returns the limit of the response for waves much shorter than the first layer is thick; `None` for a half-space,

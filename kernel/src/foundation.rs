@@ -98,6 +98,15 @@ impl Foundation {
         self.base
     }
 
+    /// The material of the half-space below the layers; `None` for a rigid base.
+    #[must_use]
+    pub fn base_material(&self) -> Option<Material> {
+        match self.base {
+            Base::HalfSpace(material) => Some(material),
+            Base::Rigid => None,
+        }
+    }
+
     /// The material at the surface: of the first layer, or of the half-space.
     #[must_use]
     pub fn surface_material(&self) -> Material {
@@ -281,6 +290,7 @@ mod tests {
     fn the_longest_waves_depend_on_the_base_alone() {
         let (coating, base) = (material(10.0, 0.3), material(1.0, 0.4));
         let coated = Foundation::coated(1.0, coating, base).unwrap();
+        assert_eq!(coated.base_material(), Some(base));
         // χ (1 − ν₂²) / (1 − ν₁²), a few roundings
         assert!((coated.response_at_zero() / (10.0 * 0.84 / 0.91) - 1.0).abs() < 1e-15);
         assert!((coated.response(0.0) - coated.response_at_zero()).abs() <= 0.0);
@@ -294,6 +304,7 @@ mod tests {
         let layer = Layer::new(2.0, material(3.0, 0.25), Interface::Bonded).unwrap();
         let foundation = Foundation::new(vec![layer], Base::Rigid).unwrap();
         assert!(foundation.response(0.0).abs() <= 0.0);
+        assert_eq!(foundation.base_material(), None);
         let (limit, near) = (foundation.compliance(0.0), foundation.compliance(1e-9));
         // The next term is of second order in k H.
         assert!((near / limit - 1.0).abs() < 1e-15);

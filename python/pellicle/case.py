@@ -226,7 +226,7 @@ class Path(Sequence[Step]):
 
     @property
     def status(self) -> str:
-        """The worst status of the steps: `"certified"`, `"cut-off"` or `"not-converged"`."""
+        """The worst status of the steps: `"certified"`, `"cut-off"`, `"beyond-model"` or `"not-converged"`."""
         status: str = self.summary["status"]
         return status
 

@@ -78,7 +78,7 @@ class Identification(Result):
 
     @property
     def verdict(self) -> str:
-        """`"fitted"`, `"misfit"` or `"not-converged"`; only a fitted result may be used."""
+        """`"fitted"`, `"misfit"`, `"outside-model"` or `"not-converged"`; only a fitted result may be used."""
         verdict: str = self._found["verdict"]
         return verdict
 
@@ -137,7 +137,8 @@ class Identification(Result):
 
     @property
     def goodness(self) -> dict[str, Any]:
-        """How well the model fits the data: `chi_squared_per_degree`, `misfit_p`, `noise`, `excluded`, …"""
+        """How well the model fits the data: `chi_squared_per_degree`, `misfit_p`, `noise`, `excluded`, `outliers`,
+        `departure`, …"""
         goodness: dict[str, Any] = self._found["fit"]
         return goodness
 

@@ -75,6 +75,8 @@ class GridError:
     max_pressure: Estimate | None
     levels: tuple[Mapping[str, float | None], ...]
     """The numbers on each grid, coarsest first."""
+    elements_per_wave: float | None = None
+    """Elements to the shortest wave of a measured map around the contact; below 5 nothing is resolved."""
 
     @classmethod
     def of(cls, summary: Mapping[str, Any]) -> GridError:
@@ -85,6 +87,7 @@ class GridError:
             contact_area=Estimate.of(summary.get("contact_area")),
             max_pressure=Estimate.of(summary.get("max_pressure")),
             levels=tuple(summary["levels"]),
+            elements_per_wave=summary.get("elements_per_wave"),
         )
 
 

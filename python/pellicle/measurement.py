@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal
 
@@ -86,6 +86,8 @@ class Data(Table):
     spring_constant: Quantity | SpringConstant | None = None
     height_direction: Literal["toward", "away", "auto"] | None = None
     set: Mapping[str, Any] | None = None
+    omit: Sequence[int] | Mapping[str, Sequence[int]] | None = None
+    """Rows to leave out, from 1; for several files, by the name of each."""
 
     _measured: ClassVar[str | None] = None
 
@@ -106,6 +108,7 @@ class Data(Table):
         spring_constant: Quantity | SpringConstant | None = None,
         height_direction: Literal["toward", "away", "auto"] | None = None,
         set: Mapping[str, Any] | None = None,
+        omit: Sequence[int] | None = None,
         name: str | None = None,
     ) -> Data:
         """One curve, as arrays of equal length in SI units, in the order of the measurement.
@@ -132,6 +135,7 @@ class Data(Table):
             spring_constant=spring_constant,
             height_direction=height_direction,
             set=set,
+            omit=omit,
             rows=_rows(arrays),
         )
 

@@ -154,6 +154,8 @@ class StudyTable:
     """Cases with a result that is not certified."""
     cut_off: int
     """Cases whose contact is cut off by the edge of the domain or a map."""
+    beyond_model: int
+    """Cases with a result that is impossible for the model."""
     failed: int
     """Cases without a result; the column `message` has the reasons."""
 
@@ -168,6 +170,7 @@ class StudyTable:
             "certified": self.certified,
             "not converged": self.not_converged,
             "cut off": self.cut_off,
+            "beyond the model": self.beyond_model,
             "failed": self.failed,
         }
         return f"{self.cases} cases, " + ", ".join(f"{count} {word}" for word, count in words.items() if count)

@@ -74,8 +74,14 @@ class Step:
 
     @property
     def mean_pressure(self) -> float:
-        """Force over contact area, Pa."""
+        """Force over contact area, Pa; never above the largest pressure."""
         return number(self._summary["mean_pressure"])
+
+    @property
+    def nominal_pressure(self) -> float | None:
+        """Force over a periodic cell, or over the nominal area of a measured surface, Pa; None for others."""
+        nominal = self._summary.get("nominal_pressure")
+        return None if nominal is None else number(nominal)
 
     @property
     def contact_area(self) -> float:
@@ -125,9 +131,9 @@ class Step:
         return rough
 
     @property
-    def status(self) -> Literal["certified", "cut-off", "not-converged"]:
+    def status(self) -> Literal["certified", "cut-off", "beyond-model", "not-converged"]:
         """Whether the step may be used; only `"certified"` is good."""
-        status: Literal["certified", "cut-off", "not-converged"] = self._summary["status"]
+        status: Literal["certified", "cut-off", "beyond-model", "not-converged"] = self._summary["status"]
         return status
 
     @cached_property

@@ -331,15 +331,16 @@ impl Table {
         self.with(py, OpenTable::force)
     }
 
-    /// The numbers of certified, not converged, cut-off and failed cases.
-    fn tally(&self, py: Python<'_>) -> PyResult<(usize, usize, usize, usize)> {
+    /// The numbers of certified, not converged, cut-off, impossible and failed cases.
+    fn tally(&self, py: Python<'_>) -> PyResult<(usize, usize, usize, usize, usize)> {
         let Tally {
             certified,
             not_converged,
             cut_off,
+            beyond_model,
             failed,
         } = self.with(py, |table| Ok(table.tally()))?;
-        Ok((certified, not_converged, cut_off, failed))
+        Ok((certified, not_converged, cut_off, beyond_model, failed))
     }
 
     /// Its file.

@@ -136,6 +136,14 @@ def test_an_uncertified_path_is_returned_with_a_warning(body: pl.Foundation) -> 
     assert path[0].warnings and "cut-off" in [warning.code for warning in path.warnings]
 
 
+def test_a_path_beyond_the_model_is_returned_with_the_impossible_number(body: pl.Foundation) -> None:
+    case = pl.Case(body, pl.Sphere("0.5 mm"), force="5 MN", elements=32)
+    with pytest.warns(pl.NotCertifiedWarning, match="beyond-model, do not use these numbers.* times its radius"):
+        path = case.solve()
+    assert path.status == path[0].status == "beyond-model"
+    assert path[0].certificate
+
+
 def test_results_have_readable_representations(path: pl.Path) -> None:
     assert repr(path) == "<Path 'two loads': 2 steps, certified>"
     assert repr(path[0]).startswith("<Step 0: Q = 0.005, D = 1.")

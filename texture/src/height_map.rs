@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use crate::error::{Quantity, TextureError, positive};
 use crate::interpolation::{Interpolation, Stencil};
+use crate::step_limit::StepLimit;
 
 /// Rounding error of a position, in samples, for a map of one sample.
 const ON_A_SAMPLE: f64 = 4.0 * f64::EPSILON;
@@ -20,6 +21,8 @@ pub struct HeightMap {
     shape: [usize; 2],
     extent: [f64; 2],
     interpolation: Interpolation,
+    /// Limits beside steps, for bicubic interpolation.
+    step_limit: Option<StepLimit>,
 }
 
 impl HeightMap {
@@ -52,6 +55,7 @@ impl HeightMap {
                 found: heights[n],
             }),
             None => Ok(Self {
+                step_limit: StepLimit::of(&heights, shape),
                 heights,
                 shape,
                 extent,
@@ -127,10 +131,10 @@ impl HeightMap {
     }
 
     /// Distance from the point to the nearest line of samples along which the surface has a ridge, m: infinite where
-    /// the interpolation is smooth.
+    /// the interpolation is smooth. A bicubic surface has ridges where it is limited beside a step.
     #[must_use]
     pub fn distance_to_ridge(&self, point: [f64; 2]) -> f64 {
-        if self.interpolation == Interpolation::Bicubic {
+        if self.interpolation == Interpolation::Bicubic && !self.is_limited(self.cell(point)) {
             return f64::INFINITY;
         }
         let along = |axis: usize| {
@@ -153,7 +157,34 @@ impl HeightMap {
 
     fn bicubic(&self, point: [f64; 2]) -> f64 {
         let [along_x, along_y] = [0, 1].map(|axis| self.stencil(axis, point[axis]));
-        self.weighed([&along_x, &along_y], 0.0)
+        let height = self.weighed([&along_x, &along_y]);
+        self.limited(height, self.cell(point))
+    }
+
+    /// The cell of a point (m), by its first sample.
+    fn cell(&self, point: [f64; 2]) -> [usize; 2] {
+        [0, 1].map(|axis| self.bracket(axis, point[axis]).0)
+    }
+
+    /// The point (m) at this place in the cell whose first corner is a sample.
+    pub(crate) fn point_in_cell(&self, first: [usize; 2], at: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|axis| self.coordinate(axis, first[axis]) + at[axis] * self.pixel()[axis])
+    }
+
+    /// Whether a step nearby limits a bicubic surface in the cell whose first corner is this sample.
+    pub(crate) fn is_limited(&self, first: [usize; 2]) -> bool {
+        (self.step_limit.as_ref()).is_some_and(|limit| limit.limits(first))
+    }
+
+    /// A height of the bicubic surface in a cell, within its limits beside a step.
+    fn limited(&self, height: f64, first: [usize; 2]) -> f64 {
+        match &self.step_limit {
+            Some(limit) if limit.limits(first) => {
+                let [least, most] = limit.range(&self.heights, first);
+                height.max(least).min(most)
+            }
+            _ => height,
+        }
     }
 
     /// The samples along an axis on which the height at a coordinate depends: a single one where the coordinate is that
@@ -190,6 +221,10 @@ impl HeightMap {
                 let terms = stencil.terms().map(|(j, weight)| weight * line[j]);
                 *height = terms.sum();
             }
+            if self.step_limit.is_some() {
+                let places = row.iter_mut().zip(y);
+                places.for_each(|(height, y)| *height = self.limited(*height, self.cell([*x, *y])));
+            }
         });
         heights
     }
@@ -207,34 +242,12 @@ impl HeightMap {
         }
     }
 
-    /// Slopes along x and y, and second derivatives (xx, xy, yy), of the bicubic surface at a point (m), in heights per
-    /// distance between samples.
-    pub(crate) fn slopes_and_bends(&self, point: [f64; 2]) -> ([f64; 2], [f64; 3]) {
-        let [along_x, along_y] = [0, 1].map(|axis| {
-            let (before, _, t) = self.bracket(axis, point[axis]);
-            let samples = self.shape[axis];
-            [
-                Stencil::cubic(before, t, samples),
-                Stencil::cubic_slope(before, t, samples),
-                Stencil::cubic_bend(before, t, samples),
-            ]
-        });
-        // Differentiate height differences, so that a map far from its reference plane loses no accuracy.
-        let reference = self.height(point);
-        let derivative = |x: usize, y: usize| self.weighed([&along_x[x], &along_y[y]], reference);
-        let slopes = [derivative(1, 0), derivative(0, 1)];
-        (
-            slopes,
-            [derivative(2, 0), derivative(1, 1), derivative(0, 2)],
-        )
-    }
-
-    /// The sum of the heights above a reference, weighted along both axes.
-    fn weighed(&self, [along_x, along_y]: [&Stencil; 2], reference: f64) -> f64 {
+    /// The sum of the heights, weighted along both axes.
+    fn weighed(&self, [along_x, along_y]: [&Stencil; 2]) -> f64 {
         let column = |j: usize| {
             along_x
                 .terms()
-                .map(|(i, weight)| weight * (self.heights[i * self.shape[1] + j] - reference))
+                .map(|(i, weight)| weight * self.heights[i * self.shape[1] + j])
                 .sum::<f64>()
         };
         along_y.terms().map(|(j, weight)| weight * column(j)).sum()
@@ -273,11 +286,6 @@ impl HeightMap {
     fn coordinate(&self, axis: usize, i: usize) -> f64 {
         let pixel = self.extent[axis] / self.shape[axis] as f64;
         ((2 * i + 1) as f64 - self.shape[axis] as f64) * (0.5 * pixel)
-    }
-
-    /// Whether a coordinate lies between the outermost samples, where the surface has slopes of both signs.
-    pub(crate) fn is_between_samples(&self, axis: usize, coordinate: f64) -> bool {
-        coordinate.abs() < self.coordinate(axis, self.shape[axis] - 1)
     }
 
     /// The samples on either side of a coordinate, and the weight of the second.

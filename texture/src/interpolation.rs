@@ -69,31 +69,6 @@ impl Stencil {
         stencil
     }
 
-    /// The stencil of the cubic's slope, in heights per distance between samples.
-    pub(crate) fn cubic_slope(before: usize, t: f64, samples: usize) -> Self {
-        let mut stencil = Self::empty(before, samples);
-        // f′ = 6 t (1 − t) (f1 − f0) + (1 − t) (1 − 3t) f0′ − t (2 − 3t) f1′
-        let rest = 1.0 - t;
-        stencil.add_cubic(
-            before,
-            samples,
-            [6.0 * t * rest, rest * (1.0 - 3.0 * t), -t * (2.0 - 3.0 * t)],
-        );
-        stencil
-    }
-
-    /// The stencil of the cubic's second derivative, in heights per square of the distance between samples.
-    pub(crate) fn cubic_bend(before: usize, t: f64, samples: usize) -> Self {
-        let mut stencil = Self::empty(before, samples);
-        // f″ = 6 (1 − 2t) (f1 − f0) + (6t − 4) f0′ + (6t − 2) f1′
-        stencil.add_cubic(
-            before,
-            samples,
-            [6.0 * (1.0 - 2.0 * t), 6.0 * t - 4.0, 6.0 * t - 2.0],
-        );
-        stencil
-    }
-
     /// A stencil of zero weights on the samples that a cubic between `before` and the next depends on.
     fn empty(before: usize, samples: usize) -> Self {
         let after = (before + 1).min(samples - 1);

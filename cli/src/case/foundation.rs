@@ -164,6 +164,20 @@ impl FoundationCase {
         layers.chain(substrate).collect()
     }
 
+    /// The names of the layers of the split foundation and its base, those of a graded layer with their number of all.
+    #[must_use]
+    pub fn names_of_split(&self) -> Vec<String> {
+        let splits = self.split().map_or(Vec::new(), |split| split.splits);
+        let of_layer = |i: usize| match splits.iter().find(|split| split.layer == i) {
+            Some(Split { sublayers, .. }) => (1..=*sublayers)
+                .map(|part| format!("layer[{i}] (part {part} of {sublayers})"))
+                .collect(),
+            None => vec![format!("layer[{i}]")],
+        };
+        let layers = (0..self.layer.len()).flat_map(of_layer);
+        layers.chain(["the substrate".to_owned()]).collect()
+    }
+
     /// Whether a body or an interface has a strength.
     #[must_use]
     pub fn has_strengths(&self) -> bool {

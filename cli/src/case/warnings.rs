@@ -4,8 +4,10 @@ use pellicle_contact::{CutOff, Warning};
 
 use super::Case;
 use super::foundation::layer::LayerCase;
+use super::key_dimension;
 use super::map::MapCase;
 use crate::display::{Unit, quantity};
+use crate::input::dimension::Dimension;
 use crate::input::key_path::dotted;
 use crate::input::toml_tree::{TomlNode, TomlTable, TomlValue};
 use crate::input::units::Units;
@@ -20,7 +22,7 @@ pub struct CaseWarning {
 }
 
 /// The sentence of a warning about the solution, with the key to change.
-pub fn with_key(warning: &Warning) -> String {
+fn with_key(warning: &Warning) -> String {
     let key = match warning {
         Warning::DomainEdge { .. }
         | Warning::DomainMuchLarger { .. }
@@ -28,42 +30,37 @@ pub fn with_key(warning: &Warning) -> String {
             by: CutOff::Domain, ..
         } => "grid.side",
         Warning::FilmShortening { .. } => "surface.law",
+        Warning::MapUnderResolved { .. } => "grid.elements",
         _ => return warning.to_string(),
     };
     format!("{warning} (`{key}`)")
 }
 
-/// Keys of lengths, pressures, forces and compliances, with the unit of a bare number in a case that has units.
-const QUANTITIES: [(&str, &str); 23] = [
-    ("thickness", "m"),
-    ("young_modulus", "Pa"),
-    ("radius", "m"),
-    ("tip_radius", "m"),
-    ("height", "m"),
-    ("period", "m"),
-    ("offset", "m"),
-    ("compliance", "m/Pa"),
-    ("force", "N"),
-    ("forces", "N"),
-    ("penetration", "m"),
-    ("penetrations", "m"),
-    ("side", "m"),
-    ("sides", "m"),
-    ("normal_compliance", "m/Pa"),
-    ("shear_compliance", "m/Pa"),
-    ("yield_strength", "Pa"),
-    ("tensile_strength", "Pa"),
-    ("hardness", "Pa"),
-    ("interface_shear_strength", "Pa"),
-    ("interface_tensile_strength", "Pa"),
-    ("depths", "m"),
-    ("extent", "m"),
-];
+/// The unit of a bare number in a case that has units, by its key; none where a bare number is usual: an angle, or the
+/// length that 1 in a file of heights stands for.
+fn bare_unit(key: &str) -> Option<&'static str> {
+    let dimension = key_dimension::of_key(key).filter(|_| key != "height_unit");
+    let dimension = dimension.filter(|dimension| *dimension != Dimension::Angle);
+    dimension.map(Dimension::si_unit)
+}
 
 /// A tenth of a nanometre on a side of a centimetre; the heights of every measured surface have a larger range.
 const FLAT: f64 = 1e-8;
 
 impl Case {
+    /// The sentence of a warning about the solution, with the key to change, or the case's own name of a body.
+    #[must_use]
+    pub fn sentence(&self, warning: &Warning) -> String {
+        match warning {
+            Warning::LayerShortening { .. } | Warning::BeyondModel { .. } => {
+                let names = self.foundation.names_of_split();
+                let name = |body: usize| names.get(body).cloned().unwrap_or_default();
+                warning.words(&name)
+            }
+            _ => with_key(warning),
+        }
+    }
+
     /// The warnings about the case, solved on a domain of this side.
     #[must_use]
     pub fn warnings(&self, side: f64) -> Vec<CaseWarning> {
@@ -153,9 +150,8 @@ fn bare_numbers(root: &TomlNode, warnings: &mut Vec<CaseWarning>) {
 fn in_table(path: &str, table: &TomlTable, warnings: &mut Vec<CaseWarning>) {
     for entry in &table.entries {
         let path = dotted(path, &entry.key);
-        let unit = QUANTITIES.iter().find(|(key, _)| *key == entry.key);
-        match (&entry.node.value, unit) {
-            (_, Some((_, unit))) => {
+        match (&entry.node.value, bare_unit(&entry.key)) {
+            (_, Some(unit)) => {
                 warnings.extend(bare(&entry.node).map(|at| warn_of(&path, at, unit)));
             }
             (TomlValue::Table(table), None) => in_table(&path, table, warnings),

@@ -1,17 +1,18 @@
 //! `pellicle check`: the case as resolved, and estimates of the work of solving it.
 
 use pellicle_contact::Step;
+use pellicle_texture::SlopeSpectrum;
 
 use crate::arguments::CaseArguments;
 use crate::case::Case;
 use crate::case::map::MapCase;
 use crate::case::surface::SurfaceCase;
+use crate::case::with_units::with_units;
 use crate::command::Outcome;
 use crate::display::{self, Unit, quantity, significant};
 use crate::failure::Failure;
 use crate::forecast::Forecast;
 use crate::input::units::Units;
-use crate::map::shortest_wave;
 use crate::output::disk_space;
 use crate::{cache, terminal};
 
@@ -27,7 +28,12 @@ pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let forecast = Forecast::new(&case, &case.model(&cache)?.value);
     case.check_extent(forecast.side)?;
     case.grid.side = Some(forecast.side);
-    let resolved = toml::to_string(&case)?;
+    let resolved = serde_json::to_value(&case)?;
+    let resolved = match case.units {
+        Units::Si => with_units(resolved),
+        Units::Consistent => resolved,
+    };
+    let resolved = toml::to_string(&resolved)?;
     let estimates = estimates(&case, &forecast, chosen)?;
     terminal::print(&format!("{}\n{resolved}\n{estimates}", heading(case.units)))?;
     for warning in &forecast.warnings {
@@ -39,7 +45,7 @@ pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
 
 fn heading(units: Units) -> &'static str {
     match units {
-        Units::Si => "# The case as resolved, in m, Pa, N and rad.",
+        Units::Si => "# The case as resolved.",
         Units::Consistent => "# The case as resolved, in its own units.",
     }
 }
@@ -161,8 +167,9 @@ impl Estimates {
         {
             let per_element = significant(element_side / sample(map), 3);
             self.add(&format!("samples per element ({table})"), &per_element);
-            let wave = shortest_wave::shortest_wave(map.shape(), map.samples());
-            let wave = wave.map_or_else(|| "none found".into(), |wave| significant(wave, 2));
+            let wave = SlopeSpectrum::of(map.own()).shortest_wave();
+            let wave = wave.map(|wave| significant(wave / sample(map), 2));
+            let wave = wave.unwrap_or_else(|| "none found".into());
             self.add(&format!("samples per shortest wave ({table})"), &wave);
         }
     }

@@ -18,7 +18,7 @@ use crate::identification::{files, simulation, text};
 use crate::output::file::{self, Existing};
 use crate::output::folder::{Completeness, ResultsFolder};
 use crate::output::json;
-use crate::{interrupt, terminal, threads};
+use crate::{interrupt, source_file, terminal, threads};
 
 /// Fits the model, writes the results and reports them.
 ///
@@ -117,14 +117,11 @@ fn claim(arguments: &IdentifyArguments, ending: &str) -> Result<Option<ResultsFo
     } else {
         Existing::Keep
     };
-    let name = arguments.path.file_stem().unwrap_or_default();
+    let name = source_file::stem(&arguments.path);
     match &arguments.out {
         Some(path) => ResultsFolder::claim(path, existing).map(Some),
         None if arguments.json => Ok(None),
-        None => {
-            let name = format!("{}{ending}", name.to_string_lossy());
-            ResultsFolder::claim_default(&name, existing).map(Some)
-        }
+        None => ResultsFolder::claim_default(&(name + ending), existing).map(Some),
     }
 }
 
@@ -141,6 +138,13 @@ fn outcome(arguments: &IdentifyArguments, fit: &Fit) -> Outcome {
                  (--accept-misfit accepts them)",
             );
             Outcome::Misfit
+        }
+        FitVerdict::OutsideModel => {
+            terminal::report(
+                "Error: outside the model: the fit has converged, but its model holds at too few of the points; the \
+                 warnings above say why and what to change",
+            );
+            Outcome::NotConverged
         }
         FitVerdict::NotConverged => {
             terminal::report("Error: not converged: do not use these numbers");

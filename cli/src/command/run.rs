@@ -7,11 +7,11 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use pellicle_contact::{ContactError, Domain, LoadingPath, Model, Status};
+use pellicle_contact::{ContactError, Domain, LoadingPath, Model};
 
 use crate::arguments::RunArguments;
 use crate::case::Case;
-use crate::command::Outcome;
+use crate::command::{Outcome, complaint};
 use crate::failure::Failure;
 use crate::forecast::need::Need;
 use crate::memory::MemoryBudget;
@@ -21,7 +21,7 @@ use crate::output::summary::{Clock, RunSummary};
 use crate::output::{json, report, results, summary_text};
 use crate::progress::{ProgressLine, SearchLine};
 use crate::stress_search::{self, Stresses};
-use crate::{cache, case_solution, interrupt, terminal, threads};
+use crate::{cache, case_solution, interrupt, source_file, terminal, threads};
 
 /// Interval at which a request to stop is checked during the search for stresses.
 const LOOK: Duration = Duration::from_millis(20);
@@ -139,11 +139,11 @@ fn claim(arguments: &RunArguments) -> Result<Option<ResultsFolder>, Failure> {
     } else {
         Existing::Keep
     };
-    let name = arguments.case.path.file_stem().unwrap_or_default();
+    let name = source_file::stem(&arguments.case.path);
     let folder = match &arguments.out {
         Some(path) => ResultsFolder::claim(path, existing)?,
         None if arguments.json => return Ok(None),
-        None => ResultsFolder::claim_default(&name.to_string_lossy(), existing)?,
+        None => ResultsFolder::claim_default(&name, existing)?,
     };
     folder::sweep_beside(folder.path());
     Ok(Some(folder))
@@ -175,14 +175,8 @@ fn print_result(arguments: &RunArguments, summary: &RunSummary, folder: Option<&
     if !arguments.quiet && !summary.warnings.is_empty() {
         terminal::report(&summary_text::warning_lines(&summary.warnings));
     }
-    match summary.status {
-        Status::Certified => {}
-        Status::CutOff => terminal::report(
-            "Error: cut off: the contact would extend beyond the edge of the domain or of a map, do not use these numbers",
-        ),
-        Status::NotConverged => terminal::report(
-            "Error: not converged: the certificate is not satisfied, do not use these numbers",
-        ),
+    if let Some(complaint) = complaint(summary.status) {
+        terminal::report(&complaint);
     }
     if let (true, Some(folder)) = (prints_text(arguments), folder) {
         terminal::report(&format!("written to {}", folder.display()));

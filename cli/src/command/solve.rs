@@ -1,23 +1,22 @@
 //! `pellicle solve --stream`: solves a case repeatedly with values that another program sends through a pipe.
 
+mod stream_line;
+
 use std::io::{self, BufRead};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Arc;
 use std::time::Instant;
 
 use pellicle_contact::Status;
 use pellicle_influence::Cache;
 use serde::Serialize;
-use serde_json::Value;
 
+use self::stream_line::Replacement;
 use crate::arguments::SolveArguments;
 use crate::case::BaseCase;
 use crate::case_solution::{self, Resources, SolvedCase};
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::input::overrides;
-use crate::input::span::{STREAM, Source, Span};
-use crate::input::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 use crate::memory::MemoryBudget;
 use crate::output::folder::Completeness;
 use crate::output::summary::RunSummary;
@@ -39,13 +38,13 @@ pub fn solve(arguments: &SolveArguments) -> Result<Outcome, Failure> {
         memory: MemoryBudget::default(),
     };
     let mut outcome = Outcome::Done;
-    for (i, text) in io::stdin().lock().lines().enumerate() {
-        let text = text.map_err(|cause| Failure::Input { cause })?;
-        if text.trim().is_empty() {
+    for (i, bytes) in io::stdin().lock().split(b'\n').enumerate() {
+        let bytes = bytes.map_err(|cause| Failure::Input { cause })?;
+        if bytes.trim_ascii().is_empty() {
             continue;
         }
         let line = i + 1;
-        let Some(answer) = stream.answer(line, &text) else {
+        let Some(answer) = stream.answer(line, &bytes) else {
             return Ok(Outcome::Stopped);
         };
         if !answer.is_certified() {
@@ -85,8 +84,8 @@ impl Answer {
 
 impl Stream {
     /// Returns the answer to a line; none if the user stops it.
-    fn answer(&self, line: usize, text: &str) -> Option<Answer> {
-        let solved = catch_unwind(AssertUnwindSafe(|| self.summary(line, text)));
+    fn answer(&self, line: usize, bytes: &[u8]) -> Option<Answer> {
+        let solved = catch_unwind(AssertUnwindSafe(|| self.summary(line, bytes)));
         let failed = |error| Answer::Failed {
             line,
             status: "failed",
@@ -99,10 +98,10 @@ impl Stream {
         }
     }
 
-    fn summary(&self, line: usize, text: &str) -> Result<Option<RunSummary>, Failure> {
+    fn summary(&self, line: usize, bytes: &[u8]) -> Result<Option<RunSummary>, Failure> {
         let start = Instant::now();
         let mut root = self.base.root.clone();
-        for (key, value, span) in values(line, text)? {
+        for Replacement { key, value, span } in stream_line::replacements(line, bytes)? {
             overrides::replace(&mut root, &key, &span, value)?;
         }
         let case = self.base.resolve(&root)?;
@@ -121,59 +120,4 @@ impl Stream {
         summary.add_case(&case)?;
         Ok(Some(summary))
     }
-}
-
-/// Reads the keys of a line, each with its value and its position: `{"load.force": "3 mN", "grid.elements": 64}`.
-fn values(line: usize, text: &str) -> Result<Vec<(String, TomlNode, Span)>, Failure> {
-    let name = format!("{STREAM}, line {line}");
-    let read = serde_json::from_str::<Value>(text);
-    let span = span(&name, text.to_owned());
-    let wrong = |found| Failure::Line {
-        line,
-        found,
-        wanted: "an object of keys and values, such as {\"load.force\": \"3 mN\"}",
-    };
-    match read {
-        Ok(Value::Object(entries)) => {
-            let entries = entries.into_iter();
-            let node = |(key, value)| (key, node(value, &name), span.clone());
-            Ok(entries.map(node).collect())
-        }
-        Ok(_) => Err(wrong("other JSON".into())),
-        Err(cause) => Err(wrong(cause.to_string())),
-    }
-}
-
-/// Converts a JSON value to TOML. TOML has no null: it becomes a date, which no key accepts.
-fn node(value: Value, name: &str) -> TomlNode {
-    let span = span(name, value.to_string());
-    let value = match value {
-        Value::Null => TomlValue::Datetime,
-        Value::Bool(value) => TomlValue::Boolean(value),
-        Value::Number(number) => match number.as_i64() {
-            Some(number) => TomlValue::Integer(number),
-            None => TomlValue::Float(number.as_f64().unwrap_or(f64::NAN)),
-        },
-        Value::String(text) => TomlValue::Text(text),
-        Value::Array(items) => {
-            let items = items.into_iter();
-            TomlValue::List(items.map(|item| node(item, name)).collect())
-        }
-        Value::Object(entries) => {
-            let entry = |(key, value)| TomlEntry {
-                key,
-                key_span: span.clone(),
-                node: node(value, name),
-            };
-            let entries = entries.into_iter().map(entry).collect();
-            TomlValue::Table(TomlTable { entries })
-        }
-    };
-    TomlNode { value, span }
-}
-
-/// The position of a value, which messages quote, in a text of its own.
-fn span(name: &str, text: String) -> Span {
-    let source = Arc::new(Source::new(name, text));
-    Span::new(&source, 0..source.inner().len())
 }

@@ -8,7 +8,7 @@ use crate::arguments::StressArguments;
 use crate::case::Case;
 use crate::case::foundation::depths::BodyPlane;
 use crate::case::stress::StressCase;
-use crate::command::Outcome;
+use crate::command::{Outcome, complaint};
 use crate::failure::Failure;
 use crate::forecast::need::Need;
 use crate::input::units::Units;
@@ -165,15 +165,13 @@ fn state(field: &StressField, point: [f64; 2], depth: Depth) -> Result<Subsurfac
 }
 
 fn outcome(status: Status) -> Outcome {
-    let complaint = match status {
-        Status::Certified => return Outcome::Done,
-        Status::CutOff => {
-            "cut off: the contact would extend beyond the edge of the domain or of a map"
+    match complaint(status) {
+        None => Outcome::Done,
+        Some(complaint) => {
+            terminal::report(&complaint);
+            Outcome::NotConverged
         }
-        Status::NotConverged => "not converged: the certificate is not satisfied",
-    };
-    terminal::report(&format!("Error: {complaint}, do not use these numbers"));
-    Outcome::NotConverged
+    }
 }
 
 impl PointRow {

@@ -49,9 +49,12 @@ impl FitModel {
             table.only(&["case"])?;
             let path = maps.folder().join(case.text()?);
             let root = toml_tree::parse(&Arc::new(source_file::read(&path)?))?;
-            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
             let folder = path.parent().unwrap_or(Path::new(""));
-            (root, MapSources::in_folder(folder), stem.into_owned())
+            (
+                root,
+                MapSources::in_folder(folder),
+                source_file::stem(&path),
+            )
         } else {
             (field.node().clone(), maps.clone(), "model".to_owned())
         };

@@ -44,6 +44,14 @@ pub struct OutsidePoint {
     pub reason: Invalidity,
 }
 
+impl OutsidePoint {
+    /// Whether only the grid's error is too large there.
+    #[must_use]
+    pub fn is_inaccurate(&self) -> bool {
+        self.reason == Invalidity::Inaccurate
+    }
+}
+
 impl CurveSource {
     /// Reads the curves of the files of a table.
     ///
@@ -120,6 +128,12 @@ impl CurveSource {
             })
         });
         outside.collect()
+    }
+
+    /// The row in the table of the file, from 1, of a point of the fit.
+    #[must_use]
+    pub fn row(&self, point: usize) -> usize {
+        self.measured.rows[self.points[point]]
     }
 
     /// Returns the curve for a fit; it has times only if they increase.

@@ -72,6 +72,36 @@ pub struct NoiseResult {
     pub correlation: f64,
 }
 
+/// A point far from its neighbours.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OutlierResult {
+    /// Its file.
+    pub file: String,
+    /// Its row in the table of the file, from 1.
+    pub row: usize,
+    /// Its abscissa, N or m.
+    pub abscissa: f64,
+    /// The value observed there, m or N.
+    pub observed: f64,
+    /// The value that its neighbours lead to expect.
+    pub expected: f64,
+    /// The difference in standard deviations of such differences.
+    pub deviations: f64,
+}
+
+/// A smooth part of the residuals that independent repeats, or short-lived noise of one curve, would not leave.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DepartureResult {
+    /// Number of curves that share it.
+    pub curves: usize,
+    /// The abscissae between which it keeps its sign, N or m.
+    pub range: [f64; 2],
+    /// Its largest value, observed minus model, m or N.
+    pub largest: f64,
+    /// Probability of as much by chance.
+    pub p: f64,
+}
+
 /// A warning for the reader.
 #[derive(Debug, Clone, Serialize)]
 pub struct WarningResult {

@@ -4,7 +4,8 @@
 //! best fit of all points
 //! look where the model holds there                                  validity.rs
 //! best fit of the points at which it does, until they stay the same
-//! intervals
+//! if too few are left: those are kept at which only the grid's error is too large
+//! intervals, with that error if such points were kept                grid_error.rs
 //! ```
 
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -34,7 +35,9 @@ impl Identification {
         let report = || report(1 + predictions.fetch_add(1, Ordering::Relaxed));
         let mut narrowed: Option<Self> = None;
         let mut repetitions = 0;
-        let (outside, fit) = loop {
+        let mut keeps_inaccurate = false;
+        let mut abandoned = 0;
+        let (outside, mut fit) = loop {
             let now = narrowed.as_ref().unwrap_or(&self);
             let model = Remembered::new(&now.model, &self.stop, &report);
             let search = now.fit(&model, Intervals::Wald)?;
@@ -44,6 +47,9 @@ impl Identification {
             let Some(mut outside) = validity::outside(&self, &search, (now, &model)) else {
                 break (now.outside.clone(), now.fit(&model, self.intervals())?);
             };
+            if keeps_inaccurate {
+                outside = outside.with_inaccurate();
+            }
             let is_fit = search.verdict != FitVerdict::NotConverged;
             let handling = match self.file.report.outside {
                 _ if outside.points == now.outside.points => Some(Handling::LeftOut),
@@ -63,13 +69,20 @@ impl Identification {
                 break (outside, now.fit(&model, self.intervals())?);
             }
             let Some(next) = self.without(&outside, &search, now)? else {
+                if outside.has_inaccurate() {
+                    // Again from all points, with those that only the grid's error leaves out.
+                    keeps_inaccurate = true;
+                    abandoned += search.work.curves_solved;
+                    narrowed = None;
+                    continue;
+                }
                 if narrowed.is_some() {
                     outside = now.outside.clone();
                     outside.handling = Handling::Unsettled;
                 } else {
                     outside.handling = Handling::TooFewLeft;
                 }
-                let verdict = FitVerdict::NotConverged;
+                let verdict = FitVerdict::OutsideModel;
                 break (outside, Fit { verdict, ..search });
             };
             narrowed = Some(next);
@@ -77,6 +90,10 @@ impl Identification {
         };
         let mut found = narrowed.unwrap_or(self);
         found.outside = outside;
+        found.spent.curves += abandoned;
+        if found.outside.includes_inaccurate() && fit.stopped.is_none() {
+            found.outside.failure = found.include_grid_error(&mut fit).err();
+        }
         Ok((found, fit))
     }
 

@@ -17,6 +17,9 @@ pub struct Outside {
     pub points: Vec<Vec<OutsidePoint>>,
     /// Their handling.
     pub handling: Handling,
+    /// The points of each curve at which the grid's error is too large for the noise, if they are in the fit because
+    /// too few would be left without them; its intervals include that error. Empty otherwise.
+    pub inaccurate: Vec<Vec<OutsidePoint>>,
     /// The reason why the points could not be determined, if any.
     pub failure: Option<String>,
 }
@@ -38,6 +41,43 @@ pub enum Handling {
 }
 
 impl Outside {
+    /// The same points, except that those at which only the grid's error is too large may be in the fit.
+    #[must_use]
+    pub fn with_inaccurate(self) -> Self {
+        let invalid = self.invalid.into_iter();
+        let invalid: Vec<_> = invalid
+            .map(|reason| reason.filter(|reason| *reason != Invalidity::Inaccurate))
+            .collect();
+        let apart = self.points.into_iter().map(|points| {
+            let points = points.into_iter();
+            points.partition(OutsidePoint::is_inaccurate)
+        });
+        let (inaccurate, points): (Vec<_>, Vec<_>) = apart.unzip();
+        // As if they had never been found, so that no others is the same as none.
+        let none = invalid.iter().all(Option::is_none);
+        Self {
+            points: if none { Vec::new() } else { points },
+            invalid: if none { Vec::new() } else { invalid },
+            inaccurate,
+            ..self
+        }
+    }
+
+    /// Whether there are points that only the grid's error leaves out.
+    #[must_use]
+    pub fn has_inaccurate(&self) -> bool {
+        self.points
+            .iter()
+            .flatten()
+            .any(OutsidePoint::is_inaccurate)
+    }
+
+    /// Whether points are in the fit at which the grid's error is too large for the noise.
+    #[must_use]
+    pub fn includes_inaccurate(&self) -> bool {
+        self.inaccurate.iter().any(|points| !points.is_empty())
+    }
+
     /// Whether the points are left out of the fit.
     #[must_use]
     pub fn are_left_out(&self) -> bool {

@@ -111,6 +111,7 @@ impl FitSubject<'_> {
         let verdict = match self.fit.verdict {
             FitVerdict::Fitted => "fitted",
             FitVerdict::Misfit => "MISFIT: the model does not fit the measurements",
+            FitVerdict::OutsideModel => "OUTSIDE THE MODEL",
             FitVerdict::NotConverged => "NOT CONVERGED",
         };
         let left_out = match self.fit.excluded.len() {

@@ -222,6 +222,10 @@ fn worst(fit: &Fit) -> &'static str {
             of.persistence_p,
         ),
         ("the smooth part of the residuals", of.smooth_p),
+        (
+            "what the residuals of all repeats have in common",
+            of.common_p,
+        ),
     ];
     let known = tests.into_iter().filter_map(|(name, p)| Some((name, p?)));
     let worst = known.min_by(|(_, one), (_, other)| one.total_cmp(other));
@@ -271,6 +275,11 @@ fn tests(fit: &Fit) -> Vec<(&'static str, String, &'static str)> {
             "p of the smooth part",
             of.smooth_p,
             "of as great a smooth part of the residuals by chance",
+        ),
+        maybe(
+            "p of the common part",
+            of.common_p,
+            "that independent repeats have as much of their residuals in common by chance",
         ),
         always(
             "p of the misfit",

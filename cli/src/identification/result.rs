@@ -9,7 +9,8 @@ use serde::Serialize;
 
 use super::Identification;
 use super::findings::{
-    CombinationResult, EstimateResult, ExcludedResult, NoiseResult, WarningResult,
+    CombinationResult, DepartureResult, EstimateResult, ExcludedResult, NoiseResult, OutlierResult,
+    WarningResult,
 };
 use super::taken_as_exact::ExactNumber;
 use crate::output::summary::PROGRAM;
@@ -33,7 +34,7 @@ pub struct FitResult {
     pub version: &'static str,
     /// Title of the fit file.
     pub title: String,
-    /// `fitted`, `misfit` or `not-converged`.
+    /// `fitted`, `misfit`, `outside-model` or `not-converged`.
     pub verdict: &'static str,
     /// The unknowns.
     pub unknowns: Vec<EstimateResult>,
@@ -80,6 +81,11 @@ pub struct Quality {
     pub runs_p: f64,
     /// Durbin and Watson's `d`, 2 without correlation.
     pub durbin_watson: f64,
+    /// Points far from their neighbours, in the fit.
+    pub outliers: Vec<OutlierResult>,
+    /// What the residuals of repeats have in common, or a smooth part of those of one curve that its noise has
+    /// absorbed.
+    pub departure: Option<DepartureResult>,
 }
 
 /// The work of a fit.
@@ -118,6 +124,8 @@ impl FitResult {
         let coefficients = fit.coefficients.iter().filter(|one| one.curve.is_none());
         let common = coefficients.map(|one| of.coefficient(&one.name, one.value, one.interval));
         let mut warnings = of.warnings(fit);
+        warnings.extend(of.outlier_warnings(fit));
+        warnings.extend(of.departure_warning(fit));
         warnings.extend(of.outside_warnings());
         let (taken_as_exact, failure) = of.taken_as_exact(fit);
         warnings.extend(failure);
@@ -159,6 +167,7 @@ pub fn verdict(verdict: FitVerdict) -> &'static str {
     match verdict {
         FitVerdict::Fitted => "fitted",
         FitVerdict::Misfit => "misfit",
+        FitVerdict::OutsideModel => "outside-model",
         FitVerdict::NotConverged => "not-converged",
     }
 }
@@ -220,6 +229,13 @@ impl Identification {
             misfit_p: goodness.misfit_p,
             runs_p: goodness.runs_p,
             durbin_watson: goodness.durbin_watson,
+            outliers: self.outliers(fit),
+            departure: fit.departure.map(|of| DepartureResult {
+                curves: of.curves,
+                range: of.range,
+                largest: of.largest,
+                p: of.probability,
+            }),
         }
     }
 

@@ -4,6 +4,7 @@ use pellicle_identify::{Estimate, Fit, Observable};
 
 use super::Identification;
 use super::curve_source::OutsidePoint;
+use crate::output::text_cell::text_cell;
 
 /// The table of the points at which the model does not hold.
 pub const EXCLUDED: &str = "excluded.csv";
@@ -27,7 +28,7 @@ pub fn excluded(of: &Identification) -> Option<String> {
     let [x, y, unit] = axes(of);
     let curves = of.sources.iter().zip(&of.outside.points);
     let rows = curves.flat_map(|(source, points)| {
-        let file = quoted(&source.measured.file.display().to_string());
+        let file = text_cell(&source.measured.file.display().to_string());
         let points = points.iter();
         points.map(move |point| {
             let OutsidePoint {
@@ -58,7 +59,7 @@ fn data(of: &Identification, fit: &Fit) -> String {
     let header =
         format!("file,{x},{y} [{unit}],model [{unit}],residual [{unit}],whitened residual\n");
     let sources = of.sources.iter().flat_map(|source| {
-        let file = quoted(&source.measured.file.display().to_string());
+        let file = text_cell(&source.measured.file.display().to_string());
         let points = source.abscissa.iter().zip(&source.observed);
         points.map(move |(abscissa, observed)| format!("{file},{abscissa:e},{observed:e}"))
     });
@@ -73,7 +74,7 @@ fn data(of: &Identification, fit: &Fit) -> String {
 
 /// Covariance of the logarithms of the unknowns; cells that are not finite are empty.
 fn covariance(fit: &Fit) -> String {
-    let names: Vec<String> = fit.estimates.iter().map(|of| quoted(&of.name)).collect();
+    let names: Vec<String> = fit.estimates.iter().map(|of| text_cell(&of.name)).collect();
     let rows = names.iter().zip(&fit.covariance).map(|(name, row)| {
         let cells: Vec<String> = row.iter().map(|value| number(*value)).collect();
         format!("{name},{}\n", cells.join(","))
@@ -84,7 +85,7 @@ fn covariance(fit: &Fit) -> String {
 /// The profile of every unknown: its value, and the increase of `χ²` over the minimum with the unknown held there.
 fn profiles(fit: &Fit) -> String {
     let of_estimate = |estimate: &Estimate| {
-        let name = quoted(&estimate.name);
+        let name = text_cell(&estimate.name);
         let points = estimate.profile.iter();
         let lines = points
             .map(move |point| format!("{name},{:e},{:e}\n", point.value, point.delta_chi_squared));
@@ -99,14 +100,5 @@ fn number(value: f64) -> String {
         format!("{value:e}")
     } else {
         String::new()
-    }
-}
-
-/// Formats a text as a cell, quoted if necessary.
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use pellicle_contact::ContactError;
+use pellicle_contact::{ContactError, LARGEST_SLOPE, Warning};
 use pellicle_identify::{Fit, ForwardError, ForwardModel as _, Observable};
 
 use super::Identification;
@@ -62,6 +62,7 @@ impl Identification {
     #[must_use]
     pub fn outside_warnings(&self) -> Vec<WarningResult> {
         let mut found = Vec::new();
+        let mut warnings: Vec<_> = self.steep_tip().into_iter().collect();
         for (source, points) in self.sources.iter().zip(&self.outside.points) {
             let mut by_reason: BTreeMap<String, Vec<f64>> = BTreeMap::new();
             for point in points {
@@ -80,14 +81,20 @@ impl Identification {
             Handling::Kept => Some("these points are in the fit, as report.outside requests"),
             Handling::Unsettled => Some(
                 "these points are not in the fit, but its result would exclude others: choose a segment that \
-                 avoids them",
+                 avoids them, or report.outside = \"keep\", which fits all points",
             ),
-            Handling::NotConverged => Some("these points are in the fit, which did not converge"),
+            Handling::NotConverged => Some(
+                "these points are in the fit, which did not converge: choose a segment that avoids them",
+            ),
             Handling::TooFewLeft => Some(
-                "too few points are left without them: the fit uses all points, also those outside its model",
+                "too few points are left without them: the fit uses all points, also those outside its model. \
+                 Choose a segment that avoids them, or report.outside = \"keep\", which accepts them",
             ),
         };
         found.extend(what.map(str::to_owned));
+        if self.outside.includes_inaccurate() {
+            found.push(self.inaccurate_warning());
+        }
         let failure = self.outside.failure.as_ref();
         found.extend(failure.map(|failure| {
             format!("whether the model is valid at every point could not be checked: {failure}")
@@ -96,7 +103,36 @@ impl Identification {
             code: "outside-model".into(),
             message,
         };
-        found.into_iter().map(warning).collect()
+        warnings.extend(found.into_iter().map(warning));
+        warnings
+    }
+
+    /// The warning about a self-similar indenter that is steep at every point: said once, it is no reason to leave any
+    /// point out.
+    fn steep_tip(&self) -> Option<WarningResult> {
+        let curves = self.model.curves().iter();
+        let slopes = curves.filter_map(|curve| curve.model.indenter.self_similar_slope());
+        let slope = slopes.fold(0.0, f64::max);
+        let warning = Warning::SteepTip { slope };
+        (slope > LARGEST_SLOPE).then(|| WarningResult {
+            code: warning.code().into(),
+            message: format!("{warning}; no point is left out for it"),
+        })
+    }
+
+    /// Describes the points at which the grid's error is too large for the noise, and how to change that.
+    fn inaccurate_warning(&self) -> String {
+        let inaccurate = self.outside.inaccurate.iter().flatten();
+        let count = inaccurate.count();
+        let noise = if self.problem.noise_is_given() {
+            "the noise given is smaller than the error of the grid"
+        } else {
+            "the noise estimated from the residuals is smaller than the error of the grid"
+        };
+        format!(
+            "{noise} at {count} points, and too few are left without them: they are in the fit, and the intervals \
+             include that error. Give the noise of the measurement, such as noise = {{ relative = 0.01 }} in [[data]]"
+        )
     }
 
     /// The smallest and largest of some abscissae in words.

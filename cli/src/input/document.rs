@@ -57,6 +57,16 @@ impl Document {
         )
     }
 
+    /// The texts in the value of this key: the value itself, the items of a list, the ends of a range.
+    #[must_use]
+    pub fn texts(&self, key: &str) -> Vec<&str> {
+        let mut found = Vec::new();
+        if let Some(field) = self.field(key) {
+            texts_in(field.value(), &mut found);
+        }
+        found
+    }
+
     /// Whether there is a value of this key.
     #[must_use]
     pub fn has(&self, key: &str) -> bool {
@@ -73,5 +83,17 @@ impl Document {
             };
         }
         Some(ValueReader::new(key.to_owned(), node))
+    }
+}
+
+fn texts_in<'a>(value: &'a TomlValue, found: &mut Vec<&'a str>) {
+    match value {
+        TomlValue::Text(text) => found.push(text),
+        TomlValue::List(items) => items.iter().for_each(|item| texts_in(&item.value, found)),
+        TomlValue::Table(table) => {
+            let nodes = table.entries.iter().map(|entry| &entry.node);
+            nodes.for_each(|node| texts_in(&node.value, found));
+        }
+        _ => {}
     }
 }

@@ -9,6 +9,7 @@ use super::columns::CurveColumns;
 use super::curve_segment::CurveSegment;
 use super::error::CurveError;
 use super::noise::MeasuredNoise;
+use super::omitted::OmittedRows;
 use super::sources::MeasurementSources;
 use super::spring::{HeightDirection, SpringConstant};
 use super::text_options::TextOptions;
@@ -43,6 +44,8 @@ pub struct DataTable {
     pub text: TextOptions,
     /// The part to use.
     pub segment: CurveSegment,
+    /// Rows that are left out by hand.
+    pub omit: OmittedRows,
     /// The observable that is compared with the model.
     pub observe: Observe,
     /// The noise.
@@ -61,12 +64,13 @@ pub struct DataTable {
 }
 
 impl DataTable {
-    const KEYS: [&'static str; 10] = [
+    const KEYS: [&'static str; 11] = [
         "file",
         "columns",
         "units",
         "text",
         "segment",
+        "omit",
         "observe",
         "noise",
         "spring_constant",
@@ -126,8 +130,14 @@ impl DataTable {
         let columns = table.required("columns", columns)?.table()?;
         let spring = table.optional("spring_constant");
         let direction = table.optional("height_direction");
+        let files = matching(&table, sources)?;
         let data = Self {
-            files: matching(&table, sources)?,
+            omit: table
+                .optional("omit")
+                .map_or(Ok(OmittedRows::default()), |f| {
+                    OmittedRows::read(&f, &files)
+                })?,
+            files,
             sources: sources.clone(),
             columns: CurveColumns::read(&columns, optional("units")?.as_ref())?,
             text: optional("text")?

@@ -145,6 +145,14 @@ pub enum CurveError {
         /// The existing values.
         values: String,
     },
+    /// A row to be omitted is not in the table.
+    #[error("found {rows} rows, wanted row {row} among them, which is to be omitted")]
+    NoSuchRow {
+        /// The row, from 1.
+        row: usize,
+        /// Rows of the table.
+        rows: usize,
+    },
     /// The segment keeps too few points.
     #[error("found {found} points in the segment out of {rows} rows, wanted at least {wanted}")]
     TooFewPoints {
@@ -205,6 +213,7 @@ impl CurveError {
             Self::NoNumbers { .. } => "no-numbers",
             Self::NoSuchMarker { .. } => "no-such-marker",
             Self::NoSuchSegment { .. } => "no-such-segment",
+            Self::NoSuchRow { .. } => "no-such-row",
             Self::TooFewPoints { .. } => "too-few-points",
             Self::ConstantForce { .. } => "constant-force",
             Self::Unloading { .. } => "unloading",
@@ -228,6 +237,7 @@ impl CurveError {
             Self::OtherQuantity { name, .. } => vec![format!("columns.{name}")],
             Self::NoSuchMarker { end, .. } => vec![format!("segment.{end}")],
             Self::NoSuchSegment { .. } => vec!["segment.value".into()],
+            Self::NoSuchRow { .. } => vec!["omit".into()],
             Self::TooFewPoints { .. } | Self::ConstantForce { .. } | Self::Unloading { .. } => {
                 vec!["segment".into()]
             }

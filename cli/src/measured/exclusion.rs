@@ -7,6 +7,8 @@ use std::fmt;
 pub enum ExclusionReason {
     /// A requested column has no valid number in the row.
     InvalidValue,
+    /// The fit file leaves the row out by its number.
+    Omitted,
     /// The column of segments has another value.
     OtherSegment,
     /// The rows lie before the segment.
@@ -25,6 +27,7 @@ impl fmt::Display for ExclusionReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::InvalidValue => "invalid value",
+            Self::Omitted => "omitted row",
             Self::OtherSegment => "other segment",
             Self::BeforeSegment => "before the segment",
             Self::AfterSegment => "after the segment",

@@ -62,7 +62,7 @@ impl MeasuredCurve {
             spring::add_penetration(&mut raw, data.height_direction, spring)?;
         }
         let mut warnings = of_text(decoded.guessed, &table, data);
-        let kept = cut(&raw, &data.segment, &mut warnings)?;
+        let kept = cut(&raw, &data.segment, data.omit.of(path), &mut warnings)?;
         let mut curve = Self {
             file: path.to_owned(),
             header: table.header.iter().map(|head| head.text.clone()).collect(),

@@ -7,7 +7,7 @@ use super::depth_step::DepthStep;
 use super::error::CurveError;
 use super::exclusion::ExclusionReason::{
     AfterDepthStep, AfterLargestForce, AfterSegment, BeforeLargestForce, BeforeSegment,
-    InvalidValue, OtherSegment,
+    InvalidValue, Omitted, OtherSegment,
 };
 use super::exclusion::KeptRows;
 use super::raw_curve::RawCurve;
@@ -15,11 +15,13 @@ use super::raw_curve::RawCurve;
 /// An unloading given as a loading has its maximum force within the first 1/10 of its rows.
 const FRACTION_OF_UNLOADING: usize = 10;
 
-/// Returns the rows in the segment. The criteria are, in this order: valid numbers, the value of the segment, its rows,
-/// markers and times, its branch, its forces, and the pop-in.
+/// Returns the rows in the segment, without the omitted ones, which are numbered from 1. The criteria are, in this
+/// order: valid numbers, omitted rows, the value of the segment, its rows, markers and times, its branch, its forces,
+/// and the pop-in.
 pub(super) fn cut(
     raw: &RawCurve<'_>,
     segment: &CurveSegment,
+    omitted: &[usize],
     warnings: &mut Vec<CurveWarning>,
 ) -> Result<KeptRows, CurveError> {
     let mut kept = KeptRows {
@@ -31,6 +33,13 @@ pub(super) fn cut(
     if kept.rows.is_empty() {
         return Err(CurveError::NoNumbers { rows: raw.rows });
     }
+    if let Some(row) = omitted.iter().copied().find(|row| *row > raw.rows) {
+        return Err(CurveError::NoSuchRow {
+            row,
+            rows: raw.rows,
+        });
+    }
+    kept.retain(Omitted, |row| !omitted.contains(&(row + 1)));
     keep_value(&mut kept, raw, segment)?;
     keep_between_rows(&mut kept, raw, segment)?;
     if let Some(forces) = raw.values(Channel::Force) {

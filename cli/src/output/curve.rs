@@ -59,11 +59,12 @@ pub fn csv(summary: &RunSummary) -> String {
     let stress = StressColumns::of_steps(summary);
     let sensitivities = SensitivityColumns::of_steps(summary);
     let rough = given(summary.has_rough_contact(), OF_ROUGH_CONTACT);
+    let critical = summary.critical.as_deref().unwrap_or_default();
     let row = |(i, step): (usize, &StepSummary)| {
         let cells = [
             row(i, step),
             cells(hardness, step),
-            stress.row(step, &[]),
+            stress.row(step, critical),
             sensitivities.row(step),
             cells(rough, step),
         ];

@@ -1,9 +1,12 @@
 //! A results folder: claimed before the work, filled when the work is done, and never replacing files of others.
 //!
-//! A claimed folder contains a lock and a hidden folder that is filled. Once that is complete, its files move up.
+//! A claimed folder contains a lock and a hidden folder that is filled. Once that is complete, it takes the place of
+//! the folder around it; where the system cannot do that, its files move up.
 
 mod hidden;
+mod swap;
 
+use std::ffi::OsStr;
 use std::fs::{self, DirEntry};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -108,6 +111,7 @@ impl ResultsFolder {
             made.push(Unfinished::empty_folder(path));
         }
         hidden::settle(path).map_err(failed)?;
+        swap::settle(path).map_err(failed)?;
         check(path, existing)?;
         Ok(Self {
             path: path.to_owned(),
@@ -124,7 +128,7 @@ impl ResultsFolder {
         &self.path
     }
 
-    /// Fills the hidden folder, moves its files up and returns the path of the results. A partial result never replaces
+    /// Fills the hidden folder, puts it in place and returns the path of the results. A partial result never replaces
     /// a complete one: it goes into its own folder within.
     ///
     /// # Errors
@@ -147,7 +151,11 @@ impl ResultsFolder {
         }
         let scratch = self.scratch.path();
         unfinished::undisturbed(|| {
-            hidden::complete(scratch).and_then(|complete| hidden::empty(&self.path, &complete))
+            let complete = hidden::complete(scratch)?;
+            if swap::put_in_place(&self.path, &complete)? {
+                return Ok(());
+            }
+            hidden::empty(&self.path, &complete)
         })
         .map_err(failed)?;
         Ok(self.path.clone())
@@ -169,6 +177,13 @@ impl ResultsFolder {
             path: self.path.join(name),
         })
     }
+}
+
+/// The path as the user will see it: without the hidden folder that is filled.
+#[must_use]
+pub fn visible(path: &Path) -> PathBuf {
+    let is_visible = |part: &&OsStr| !part.to_str().is_some_and(hidden::is_name);
+    path.iter().filter(is_visible).collect()
 }
 
 /// Finishes or removes the files that dead processes left in the folders beside this one, as the next run there would.
@@ -196,7 +211,7 @@ fn sweep(folder: &Path) {
         .found()
         .is_some_and(says_made)
         .then(|| Unfinished::empty_folder(folder));
-    drop(hidden::settle(folder));
+    drop(hidden::settle(folder).and_then(|()| swap::settle(folder)));
     drop(lock);
 }
 

@@ -5,24 +5,17 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use ndarray::{Array1, Array2, ArrayView2, ShapeError};
-use ndarray_npy::{
-    NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpyExt, WriteNpzError,
-};
-use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, ZipArchive, ZipWriter};
+use ndarray_npy::{NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
+use zip::ZipArchive;
 
 use super::fields::Fields;
 use super::file::write_stoppable;
-use super::stoppable::StoppableWriter;
+use super::npz_archive::NpzArchive;
 use crate::failure::Failure;
 use crate::map::npy_header::NpyHeader;
 
 /// Largest size of an array, bytes: 16,384² numbers, the largest grid of a case, and a header.
 const MAX_ARRAY_BYTES: u64 = (8 << 28) + (1 << 16);
-
-/// Level of compression, from 1 to 9. The usual level 6 makes files 13 % smaller in three times the time; compression
-/// took 13 % of the run of a curve.
-const EFFORT: i64 = 1;
 
 /// Name of the file of a step in a results folder.
 #[must_use]
@@ -43,17 +36,16 @@ pub fn write(file: &Path, fields: &Fields<'_>) -> Result<(), Failure> {
 fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), WriteNpzError> {
     let size = fields.size;
     let centres: Array1<f64> = (0..size).map(|i| fields.centre(i)).collect();
-    let mut npz = ZipWriter::new(file);
-    add(&mut npz, "x", &centres)?;
-    add(&mut npz, "y", &centres)?;
+    let mut npz = NpzArchive::new(file);
+    npz.add("x", &centres)?;
+    npz.add("y", &centres)?;
     for field in fields.numbers() {
-        add(&mut npz, field.name, &square(size, field.values)?)?;
+        npz.add(field.name, &square(size, field.values)?)?;
     }
     for truth in fields.truths() {
-        add(&mut npz, truth.name, &square(size, &truth.values)?)?;
+        npz.add(truth.name, &square(size, &truth.values)?)?;
     }
-    npz.finish()?;
-    Ok(())
+    npz.finish()
 }
 
 /// Writes named columns of numbers, one array each.
@@ -63,30 +55,13 @@ fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), Write
 /// [`Failure::Write`] if the file cannot be written.
 pub fn write_columns(file: &Path, columns: &[(String, Vec<f64>)]) -> Result<(), Failure> {
     write_stoppable(file, |file| {
-        let mut npz = ZipWriter::new(file);
+        let mut npz = NpzArchive::new(file);
         for (name, values) in columns {
-            add(&mut npz, name, &Array1::from(values.clone())).map_err(io::Error::other)?;
+            npz.add(name, &Array1::from(values.clone()))
+                .map_err(io::Error::other)?;
         }
-        npz.finish().map(|_| ()).map_err(io::Error::other)
+        npz.finish().map_err(io::Error::other)
     })
-}
-
-/// Adds an array to an open archive.
-///
-/// # Errors
-///
-/// [`WriteNpzError`] if it cannot be written.
-pub(super) fn add(
-    npz: &mut ZipWriter<impl io::Write + io::Seek>,
-    name: &str,
-    array: &impl WriteNpyExt,
-) -> Result<(), WriteNpzError> {
-    let packed = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
-    let packed = packed.compression_level(Some(EFFORT));
-    npz.start_file(format!("{name}.npy"), packed)?;
-    // An array that compresses to almost nothing could otherwise not be stopped before its end.
-    array.write_npy(StoppableWriter(npz))?;
-    Ok(())
 }
 
 fn square<T>(size: usize, field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzError> {
@@ -198,8 +173,10 @@ impl StoredFields {
 mod tests {
     use std::io::Write;
 
+    use zip::write::SimpleFileOptions;
+    use zip::{CompressionMethod, ZipWriter};
+
     use super::*;
-    use zip::ZipWriter;
 
     /// Returns the failure to read an archive of one array, with four bytes of its directory entry replaced.
     fn refused(header: &str, data: &[u8], patch: Option<(usize, u32)>) -> String {

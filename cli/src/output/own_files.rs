@@ -1,5 +1,6 @@
 //! The files that a run or a fit writes, as opposed to files of others, which are never replaced.
 
+use std::ffi::OsString;
 use std::fs::{self, DirEntry, File};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
@@ -115,6 +116,23 @@ fn is_written(entry: &DirEntry, steps: usize) -> bool {
         .rsplit_once('-')
         .and_then(|(_, step)| step.parse::<usize>().ok());
     step.is_none_or(|step| step < steps)
+}
+
+/// Names of everything in a folder that is not of a run, nor of the fit or plan in it.
+///
+/// # Errors
+///
+/// An error of the system if the folder cannot be read.
+pub fn others(folder: &Path) -> io::Result<Vec<OsString>> {
+    let is_fit = is_fit(folder);
+    let mut names = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if !(is_file(&entry) || is_fit && is_fit_file(&entry)) {
+            names.push(entry.file_name());
+        }
+    }
+    Ok(names)
 }
 
 /// Removes the files of a run in a folder, the summary first, since without it a folder does not count as results.

@@ -65,7 +65,7 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
         run,
         side: metres(summary.grid.side),
         element_side: metres(summary.grid.element_side),
-        worst: (summary.steps.iter().map(verdict).max()).unwrap_or_default(),
+        worst: (summary.steps.iter().map(StepSummary::verdict).max()).unwrap_or_default(),
         curve: summary
             .steps
             .iter()
@@ -82,15 +82,6 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
     page.to_string()
 }
 
-/// The status of a step; in a file older than the status, that of its certificate.
-fn verdict(step: &StepSummary) -> Status {
-    if step.certificate.satisfied {
-        step.status
-    } else {
-        Status::NotConverged
-    }
-}
-
 fn row(summary: &RunSummary, step: &StepSummary) -> CurveRow {
     let quantity = |value, unit| quantity(value, unit, summary.units);
     CurveRow {
@@ -100,6 +91,6 @@ fn row(summary: &RunSummary, step: &StepSummary) -> CurveRow {
             quantity(step.summary.max_pressure, Unit::Pascal),
             quantity(step.summary.contact_area, Unit::SquareMetre),
         ],
-        status: verdict(step),
+        status: step.verdict(),
     }
 }

@@ -1,11 +1,10 @@
 //! Writing that stops soon after the user asks to stop.
 
-use std::error::Error;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use super::partial_file::PartialFile;
-use crate::failure::Failure;
+use crate::failure::{Failure, causes};
 use crate::interrupt;
 
 /// Bytes after which data are forced onto the disk: otherwise the end of a large file would wait for all of them and
@@ -26,19 +25,7 @@ pub fn was_stopped(failure: &Failure) -> bool {
     let Failure::Write { cause, .. } = failure else {
         return false;
     };
-    let mut error = cause.get_ref().map(|inner| inner as &(dyn Error + 'static));
-    while let Some(found) = error {
-        if found.is::<WriteStopped>() {
-            return true;
-        }
-        let within = found
-            .downcast_ref::<io::Error>()
-            .and_then(io::Error::get_ref);
-        error = within
-            .map(|inner| inner as &(dyn Error + 'static))
-            .or_else(|| found.source());
-    }
-    false
+    causes(cause).any(<dyn std::error::Error>::is::<WriteStopped>)
 }
 
 /// Stops before a file is begun.

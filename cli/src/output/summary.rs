@@ -6,7 +6,7 @@ mod warning;
 
 use std::time::Instant;
 
-use pellicle_contact::{CriticalLoad, LoadingPath, Status, Step};
+use pellicle_contact::{CriticalLoad, LoadingPath, Status, Step, UnresolvedStresses};
 use pellicle_influence::{CacheWarning, Origin};
 use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
@@ -18,6 +18,7 @@ pub use self::warning::WarningSummary;
 use crate::case::Case;
 use crate::case::grid::BoundaryCase;
 use crate::case::stress::StressCase;
+use crate::case::unit_slip;
 use crate::failure::Failure;
 use crate::input::units::Units;
 use crate::stress_search::Stresses;
@@ -137,9 +138,22 @@ impl RunSummary {
     pub fn add_case(&mut self, case: &Case) -> Result<(), Failure> {
         let mut resolved = case.clone();
         resolved.grid.side.get_or_insert(self.grid.side);
+        self.ask_for_unit(case);
         self.case = serde_json::to_value(&resolved)?;
         self.roughness = RoughnessSummary::of(case);
         Ok(())
+    }
+
+    /// Adds the unit that was probably meant to the warnings about numbers beyond the model.
+    fn ask_for_unit(&mut self, case: &Case) {
+        if self.status != Status::BeyondModel {
+            return;
+        }
+        if let Some(question) = unit_slip::question(case) {
+            let code = Status::BeyondModel.word();
+            let beyond = self.warnings.iter_mut().filter(|of| of.code == code);
+            beyond.for_each(|of| of.message = format!("{}: {question}", of.message));
+        }
     }
 
     /// Creates the summary of a case's results, without the data known before the solution: a row of a study's table
@@ -154,7 +168,11 @@ impl RunSummary {
         let origin = clock.tables_origin.max(path.coefficients_origin);
         let warnings = case.warnings(path.grid.side()).into_iter();
         let warnings = warnings.map(WarningSummary::from);
-        let warnings = warnings.chain(path.warnings.iter().map(WarningSummary::from));
+        let warnings = warnings.chain(
+            path.warnings
+                .iter()
+                .map(|warning| WarningSummary::of(case, warning)),
+        );
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
         let statuses = path.steps.iter().map(Step::status);
         Self {
@@ -185,8 +203,14 @@ impl RunSummary {
         }
     }
 
-    /// Adds the stresses that were found.
+    /// Adds the stresses that were found, and warnings about those that the grid does not resolve.
     pub fn add_stresses(&mut self, stress: &StressCase, found: Stresses) {
+        let of_steps = found.steps.iter().enumerate();
+        let of_steps =
+            of_steps.filter_map(|(step, extremes)| UnresolvedStresses::of_step(step, extremes));
+        let critical = found.critical.as_deref().unwrap_or_default();
+        let unresolved = of_steps.chain(UnresolvedStresses::of_critical(critical, &found.steps));
+        self.warnings.extend(unresolved.map(WarningSummary::from));
         for (step, extremes) in self.steps.iter_mut().zip(found.steps) {
             step.stress = Some(StressSummary {
                 friction: stress.friction,

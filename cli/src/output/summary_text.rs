@@ -19,7 +19,7 @@ const MAX_SHOWN_PER_CODE: usize = 3;
 pub fn text(summary: &RunSummary) -> String {
     let mut text = format!("{}\n{}", summary.title, grid(summary));
     match &summary.steps[..] {
-        [step] => text.push_str(&single(step, summary.has_relief(), summary.units)),
+        [step] => text.push_str(&single(step, summary)),
         steps => text.push_str(&table(steps, summary.units)),
     }
     text + &stress::critical(summary)
@@ -80,9 +80,12 @@ impl TextColumns {
     }
 }
 
-fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
-    let text = String::new();
-    let mut lines = TextColumns { units, text };
+fn single(step: &StepSummary, run: &RunSummary) -> String {
+    let mut lines = TextColumns {
+        units: run.units,
+        element_side: run.grid.element_side,
+        text: String::new(),
+    };
     let (numbers, error) = (&step.summary, &step.grid_error);
     lines.estimated("force Q", step.force, Unit::Newton, error.force);
     lines.estimated(
@@ -97,18 +100,18 @@ fn single(step: &StepSummary, has_relief: bool, units: Units) -> String {
         Unit::Pascal,
         error.max_pressure,
     );
-    let [x, y] = numbers
-        .max_pressure_at
-        .map(|x| quantity(x, Unit::Metre, units));
-    lines.push("  at x, y", &format!("{x}, {y}"), "");
+    lines.position("  at x, y", numbers.max_pressure_at);
     lines.quantity("mean pressure", numbers.mean_pressure, Unit::Pascal);
+    if let Some(nominal) = numbers.nominal_pressure {
+        lines.quantity("nominal pressure", nominal, Unit::Pascal);
+    }
     lines.estimated(
         "contact area",
         numbers.contact_area,
         Unit::SquareMetre,
         error.contact_area,
     );
-    if has_relief {
+    if run.has_relief() {
         lines.quantity(
             "  on the relief",
             numbers.contact_area_on_relief,
@@ -140,6 +143,7 @@ fn certificate(step: &StepSummary) -> String {
     let word = match step.status {
         _ if !step.certificate.satisfied => "NOT SATISFIED",
         Status::CutOff => "CUT OFF",
+        Status::BeyondModel => "BEYOND THE MODEL",
         _ => "satisfied",
     };
     word.to_owned()

@@ -6,16 +6,17 @@ use super::labels::power;
 use crate::display::significant;
 use crate::output::summary::StepSummary;
 
-/// The meaning of the brackets of [`of_step`].
-pub const BRACKETS: &str = "[…]: not resolved by the grids; the change from the next coarser grid";
+/// The meaning of an unresolved number of [`of_step`].
+pub const UNRESOLVED: &str =
+    "Unresolved: it still changes from grid to grid, by so much from the next coarser one";
 
 /// Describes the certificate of a step on `elements` × `elements` elements and the errors of its results: `± 0.1 %`
-/// where the grids resolve it, otherwise the change from the next coarser grid, in brackets.
+/// where the grids resolve it, otherwise the change from the next coarser grid, `13 % (unresolved)`.
 #[must_use]
 pub fn of_step(elements: usize, step: &StepSummary) -> String {
     let errors = &step.grid_error;
     format!(
-        "{elements} × {elements} elements, certificate {}; grid error of D {}, of the area {}, of the largest p {}",
+        "{elements} × {elements} elements, certificate {}; grid error: D {}, area {}, largest p {}",
         power(step.certificate.worst, 1),
         error(
             step.penetration,
@@ -39,7 +40,7 @@ pub fn of_step(elements: usize, step: &StepSummary) -> String {
 fn error(value: f64, estimate: Option<ErrorEstimate>, change: f64) -> String {
     match estimate {
         Some(error) if error.resolved => format!("± {}", percent(error.estimate / value)),
-        _ if change.is_finite() => format!("[{}]", percent(change)),
+        _ if change.is_finite() => format!("{} (unresolved)", percent(change)),
         _ => "unknown".into(),
     }
 }
@@ -74,7 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_unresolved_grid_error_is_shown_in_brackets() {
+    fn an_unresolved_grid_error_is_called_so() {
         let estimate = |resolved| {
             Some(ErrorEstimate {
                 estimate: 0.02,
@@ -83,7 +84,7 @@ mod tests {
             })
         };
         assert_eq!(error(2.0, estimate(true), 0.5), "± 1.0 %");
-        assert_eq!(error(2.0, estimate(false), 0.31), "[31 %]");
+        assert_eq!(error(2.0, estimate(false), 0.31), "31 % (unresolved)");
         assert_eq!(error(2.0, None, f64::NAN), "unknown");
     }
 

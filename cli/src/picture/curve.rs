@@ -125,12 +125,9 @@ impl<'a> Sheet<'a> {
         let mut svg = style.sheet(WIDTH, HEIGHT + legend);
         if style.heading == Heading::Shown {
             let titles: Vec<_> = self.curves.iter().map(|curve| &curve.name[..]).collect();
-            let open = self.steps().any(|step| !step.certificate.satisfied);
-            let note = if open {
-                ", open circles are NOT CONVERGED"
-            } else {
-                ""
-            };
+            let worst = self.steps().max_by_key(|step| step.verdict());
+            let mark = worst.and_then(StepSummary::mark);
+            let note = mark.map_or(String::new(), |mark| format!(", open circles are {mark}"));
             let title = if several {
                 "Curves of several results"
             } else {
@@ -173,7 +170,7 @@ impl<'a> Sheet<'a> {
                 }
             });
             for (point, step) in points {
-                let (fill, edge) = mark(step.certificate.satisfied, stroke.colour);
+                let (fill, edge) = mark(step.mark().is_none(), stroke.colour);
                 svg.circle(point, 4.5, fill, edge);
             }
         }
@@ -253,8 +250,8 @@ fn pen(i: usize) -> (Stroke, Dash) {
 }
 
 /// Fill and edge colour of a step's mark.
-fn mark(satisfied: bool, colour: Colour) -> (Colour, Colour) {
-    match (satisfied, colour) {
+fn mark(certified: bool, colour: Colour) -> (Colour, Colour) {
+    match (certified, colour) {
         (true, colour) => (colour, colour),
         (false, colours::BLUE) => (colours::WHITE, colours::ORANGE),
         (false, colour) => (colours::WHITE, colour),

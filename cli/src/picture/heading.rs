@@ -25,6 +25,12 @@ pub fn draw(svg: &mut Svg, left: f64, width: f64, title: &str, numbers: &str) {
     svg.text((left, 60.0), NUMBERS, Anchor::Start, numbers);
 }
 
+/// The approximate width of a line of text, in pixels.
+#[must_use]
+pub fn width(text: &str, size: f64) -> f64 {
+    LETTER * size * text.chars().count() as f64
+}
+
 /// Cuts the text to a width.
 #[must_use]
 pub fn fitted(text: &str, width: f64, size: f64) -> String {

@@ -1,4 +1,4 @@
-//! Histograms of the pressures in contact and of the gaps beside it, each relative to its mean.
+//! Histograms of the pressures in contact and of the gaps beside it, relative to the mean pressure and the mean gap.
 
 use pellicle_contact::Histogram;
 
@@ -34,17 +34,15 @@ pub fn draw(subject: &Subject<'_>) -> String {
         svg.text((LEFT, TOP), 18.0, Anchor::Start, "no contact");
         return svg.finish();
     };
-    let mean = |histogram: &Histogram, unit| quantity(histogram.mean, unit, subject.units);
-    let pressures = format!("mean pressure {}", mean(&rough.pressures, Unit::Pascal));
-    let gaps = format!(
-        "mean gap outside contact {}",
-        mean(&rough.gaps, Unit::Metre)
-    );
+    let (mean_pressure, mean_gap) = (subject.step.summary.mean_pressure, rough.mean_gap);
+    let written = |value, unit| quantity(value, unit, subject.units);
+    let pressures = format!("mean pressure {}", written(mean_pressure, Unit::Pascal));
+    let gaps = format!("mean gap {}", written(mean_gap, Unit::Metre));
     let right = LEFT + SIDE + BETWEEN;
     draw_panel(
         &mut svg,
         LEFT,
-        &rough.pressures,
+        (&rough.pressures, mean_pressure),
         "p / mean p",
         &pressures,
         colours::BLUE,
@@ -52,7 +50,7 @@ pub fn draw(subject: &Subject<'_>) -> String {
     draw_panel(
         &mut svg,
         right,
-        &rough.gaps,
+        (&rough.gaps, mean_gap),
         "g / mean g",
         &gaps,
         colours::GREEN,
@@ -63,18 +61,18 @@ pub fn draw(subject: &Subject<'_>) -> String {
 fn draw_panel(
     svg: &mut Svg,
     left: f64,
-    histogram: &Histogram,
+    (histogram, mean): (&Histogram, f64),
     title: &str,
     note: &str,
     colour: Colour,
 ) {
     svg.text((left, TOP - 20.0), 17.0, Anchor::Start, note);
-    let densities = densities(histogram);
+    let densities = densities(histogram, mean);
     if densities.is_empty() {
         return;
     }
     let tallest = densities.iter().copied().fold(0.0, f64::max);
-    let class = histogram.largest / histogram.mean / densities.len() as f64;
+    let class = histogram.largest / mean / densities.len() as f64;
     let along_y = if left > LEFT {
         ""
     } else {
@@ -104,9 +102,9 @@ fn draw_panel(
 }
 
 /// The density of each class of a number over its mean, normalised to an area of 1; empty if there are no numbers.
-fn densities(histogram: &Histogram) -> Vec<f64> {
+fn densities(histogram: &Histogram, mean: f64) -> Vec<f64> {
     let total: usize = histogram.counts.iter().sum();
-    let width = histogram.largest / histogram.mean / histogram.counts.len() as f64;
+    let width = histogram.largest / mean / histogram.counts.len() as f64;
     if total == 0 || !width.is_finite() {
         return Vec::new();
     }
@@ -128,18 +126,16 @@ mod tests {
     fn the_area_under_a_density_is_one() {
         let histogram = Histogram {
             largest: 6.0,
-            mean: 2.0,
             counts: vec![5, 3, 2, 0, 0, 1],
         };
-        let densities = densities(&histogram);
+        let densities = densities(&histogram, 2.0);
         // The classes are half a mean wide.
         let area: f64 = densities.iter().map(|density| 0.5 * density).sum();
         assert!((area - 1.0).abs() < 1e-15 && densities.len() == 6);
         let nothing = Histogram {
             largest: 0.0,
-            mean: 0.0,
             counts: Vec::new(),
         };
-        assert!(super::densities(&nothing).is_empty());
+        assert!(super::densities(&nothing, 0.0).is_empty());
     }
 }

@@ -2,7 +2,7 @@
 
 use super::colours;
 use super::svg::{Anchor, Rect, Stroke, Svg, TextDirection};
-use super::{labels, ticks};
+use super::{heading, labels, ticks};
 
 /// Font sizes of labels and titles, in pixels.
 pub const LABEL: f64 = 17.0;
@@ -10,6 +10,9 @@ const TITLE: f64 = 18.0;
 
 /// Length of a tick, in pixels.
 const TICK: f64 = 6.0;
+
+/// Least distance between neighbouring labels, in pixels.
+const BETWEEN_LABELS: f64 = 6.0;
 
 /// Distance from an axis to its title, in pixels.
 const TITLE_BELOW: f64 = 48.0;
@@ -162,7 +165,9 @@ impl Panel {
 
     fn draw_x_ticks(&self, svg: &mut Svg, stroke: Stroke) {
         let bottom = self.place.bottom();
-        for (value, label) in &self.x.ticks {
+        let length = |label: &str| heading::width(label, LABEL);
+        let labels = apart(&self.x, self.place.width, length);
+        for ((value, _), label) in self.x.ticks.iter().zip(labels) {
             let (x, _) = self.at(*value, self.y.from);
             svg.line(&[(x, bottom), (x, bottom + TICK)], stroke);
             svg.text((x, bottom + TICK + 14.0), LABEL, Anchor::Middle, label);
@@ -171,7 +176,8 @@ impl Panel {
 
     fn draw_y_ticks(&self, svg: &mut Svg, stroke: Stroke) {
         let left = self.place.left;
-        for (value, label) in &self.y.ticks {
+        let labels = apart(&self.y, self.place.height, |_| LABEL);
+        for ((value, _), label) in self.y.ticks.iter().zip(labels) {
             let (_, y) = self.at(self.x.from, *value);
             svg.line(&[(left - TICK, y), (left, y)], stroke);
             svg.text((left - TICK - 5.0, y), LABEL, Anchor::End, label);
@@ -179,9 +185,63 @@ impl Panel {
     }
 }
 
+/// The labels of an axis of this many pixels, without those that would touch one before; `length` is the room of a
+/// label along the axis. Of crowded ticks, those of the most round values keep their labels: powers of ten, then 5 and
+/// 2.
+fn apart(axis: &Axis, pixels: f64, length: impl Fn(&str) -> f64) -> Vec<&str> {
+    let mut order: Vec<usize> = (0..axis.ticks.len()).collect();
+    if axis.is_logarithmic {
+        order.sort_by_key(|tick| roundness(axis.ticks[*tick].0));
+    }
+    let mut taken: Vec<[f64; 2]> = Vec::new();
+    let mut labels = vec![""; axis.ticks.len()];
+    for tick in order {
+        let (value, label) = &axis.ticks[tick];
+        let (middle, half) = (pixels * axis.fraction(*value), 0.5 * length(label));
+        let [from, to] = [middle - half, middle + half];
+        let touches =
+            |[other, end]: &[f64; 2]| from < end + BETWEEN_LABELS && *other < to + BETWEEN_LABELS;
+        if !label.is_empty() && !taken.iter().any(touches) {
+            taken.push([from, to]);
+            labels[tick] = label;
+        }
+    }
+    labels
+}
+
+/// The place of a value's leading digits in the order 1, 5, 2, others.
+fn roundness(value: f64) -> usize {
+    let digits = value / 10_f64.powf(value.log10().floor());
+    let is = |wanted: &f64| (digits - wanted).abs() < 1e-6;
+    [1.0, 5.0, 2.0].iter().position(is).unwrap_or(3)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn labels_never_touch_and_round_values_keep_theirs() {
+        // 44 pixels for each of 20 numbers of four digits, which are 41 wide.
+        let crowded = Axis {
+            from: 0.0,
+            to: 10.0,
+            title: String::new(),
+            ticks: (0..=20)
+                .map(|i| (0.5 * f64::from(i), format!("{:.2}", 0.5 * f64::from(i))))
+                .collect(),
+            is_logarithmic: false,
+        };
+        let labels = apart(&crowded, 440.0, |label| heading::width(label, LABEL));
+        let shown = labels.iter().filter(|label| !label.is_empty()).count();
+        assert_eq!(shown, 7, "{labels:?}");
+        let decade = Axis::logarithmic(1.0, 1.5, String::new());
+        let labels = apart(&decade, 120.0, |label| heading::width(label, LABEL));
+        assert!(labels.contains(&"1") && labels.contains(&""), "{labels:?}");
+        // With room, all are there.
+        let labels = apart(&decade, 1000.0, |label| heading::width(label, LABEL));
+        assert!(!labels.contains(&""), "{labels:?}");
+    }
 
     #[test]
     fn values_are_placed_correctly_on_a_reversed_axis() {

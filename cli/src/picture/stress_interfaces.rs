@@ -178,19 +178,18 @@ impl InterfaceMap<'_> {
         marked: Option<&(&'static str, Extreme<2>)>,
     ) {
         let units = self.subject.units;
-        let metres = |value| quantity(value, Unit::Metre, units);
         let title = format!(
             "Interface {}, {} deep: {}",
             self.interface.index,
-            metres(self.interface.depth),
+            quantity(self.interface.depth, Unit::Metre, units),
             traction.title()
         );
         svg.text((left, top + 10.0), TITLE, Anchor::Start, &title);
         let note = match marked {
             Some((what, extreme)) => {
-                let [x, y] = extreme.at.map(metres);
+                let at = self.subject.position(extreme.at);
                 let value = quantity(extreme.value, Unit::Pascal, units);
-                format!("{what} {value} at x, y = {x}, {y}")
+                format!("{what} {value} at x, y = {at}")
             }
             None => String::new(),
         };

@@ -73,17 +73,16 @@ pub fn draw(subject: &Subject<'_>, view: &StressView) -> String {
 
 /// `,  section at y = 0 m`, or along the direction of sliding.
 fn where_is(subject: &Subject<'_>, section: &StressSection) -> String {
-    let metres = |value| quantity(value, Unit::Metre, subject.units);
     let line = section.line;
     let [x, y] = line.at(0.0);
     match along_axis(section) {
-        "x" => format!(",  section at y = {}", metres(y)),
-        "y" => format!(",  section at x = {}", metres(x)),
+        "x" => format!(",  section at y = {}", subject.position([y])),
+        "y" => format!(",  section at x = {}", subject.position([x])),
         _ => {
-            let [x, y] = line.through.map(metres);
+            let through = subject.position(line.through);
             let degrees = line.direction.to_degrees();
             format!(
-                ",  section through x, y = {x}, {y} at {}°",
+                ",  section through x, y = {through} at {}°",
                 power(degrees, 4)
             )
         }
@@ -283,8 +282,7 @@ impl<'a> SectionDrawing<'a> {
     fn draw_words(&self, svg: &mut Svg, top: f64, stress: Stress) {
         let mut title = stress.name().to_owned();
         if let Some(found) = self.largest(stress) {
-            let metres = |value| quantity(value, Unit::Metre, self.subject.units);
-            let at = found.at.map(metres).join(", ");
+            let at = self.subject.position(found.at);
             let value = quantity(found.value, Unit::Pascal, self.subject.units);
             let beside = if self.is_on_section(&found) {
                 ""

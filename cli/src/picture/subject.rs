@@ -46,21 +46,24 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// The second line of a heading: force, penetration, largest pressure, and a mark if the step has not converged.
+    /// The second line of a heading: force, penetration, largest pressure, and a mark if the step is not certified.
     #[must_use]
     pub fn numbers(&self) -> String {
         let quantity = |value, unit| display::quantity(value, unit, self.units);
-        let mark = if self.step.certificate.satisfied {
-            ""
-        } else {
-            "NOT CONVERGED:  "
-        };
+        let mark = self.step.mark();
+        let mark = mark.map_or(String::new(), |mark| format!("{mark}:  "));
         format!(
             "{mark}Q = {},  D = {},  largest p = {}",
             quantity(self.step.force, Unit::Newton),
             quantity(self.step.penetration, Unit::Metre),
             quantity(self.step.summary.max_pressure, Unit::Pascal),
         )
+    }
+
+    /// The coordinates of a point with their units.
+    #[must_use]
+    pub fn position<const AXES: usize>(&self, at: [f64; AXES]) -> String {
+        display::position(at, self.fields.element_side(), self.units)
     }
 
     /// Draws the heading, if the style shows one; `more` is appended to the numbers.

@@ -11,15 +11,18 @@ pub enum CaseStatus {
     CutOff,
     /// There is no result.
     Failed,
+    /// A number is impossible for the model.
+    BeyondModel,
 }
 
 impl CaseStatus {
     /// All statuses; a file of fields stores the index in this list.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 5] = [
         Self::Certified,
         Self::NotConverged,
         Self::CutOff,
         Self::Failed,
+        Self::BeyondModel,
     ];
 
     /// Returns the word in the table.
@@ -30,6 +33,7 @@ impl CaseStatus {
             Self::NotConverged => "not-converged",
             Self::CutOff => "cut-off",
             Self::Failed => "failed",
+            Self::BeyondModel => "beyond-model",
         }
     }
 
@@ -49,6 +53,8 @@ pub struct Tally {
     pub not_converged: usize,
     /// Cases with a result whose contact is cut off.
     pub cut_off: usize,
+    /// Cases with a result that is impossible for the model.
+    pub beyond_model: usize,
     /// Cases without a result.
     pub failed: usize,
 }
@@ -67,6 +73,7 @@ impl Tally {
             CaseStatus::Certified => &mut self.certified,
             CaseStatus::NotConverged => &mut self.not_converged,
             CaseStatus::CutOff => &mut self.cut_off,
+            CaseStatus::BeyondModel => &mut self.beyond_model,
             CaseStatus::Failed => &mut self.failed,
         };
         *count += 1;
@@ -75,7 +82,7 @@ impl Tally {
     /// Returns the number of all cases counted.
     #[must_use]
     pub fn done(&self) -> usize {
-        self.certified + self.not_converged + self.cut_off + self.failed
+        self.certified + self.not_converged + self.cut_off + self.beyond_model + self.failed
     }
 
     /// Describes the counts, out of `cases` in all.
@@ -84,6 +91,7 @@ impl Tally {
         let others = [
             (self.not_converged, "not converged"),
             (self.cut_off, "cut off"),
+            (self.beyond_model, "beyond the model"),
             (self.failed, "failed"),
             (cases - self.done(), "to do"),
         ];

@@ -11,6 +11,7 @@ use crate::input::dimension::Dimension;
 use crate::input::quantity;
 use crate::input::span::Span;
 use crate::input::toml_tree::{TomlNode, TomlValue};
+use crate::output::text_cell::{self, is_plain};
 
 /// The values of one key, one for each row of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,6 +68,9 @@ pub fn read(path: &Path, most: usize) -> Result<Vec<(String, SampleColumn)>, Fai
     let headings = samples.headings.iter().enumerate();
     let column = |(i, heading): (usize, &String)| {
         let (key, unit) = split(heading);
+        if !is_plain(key) {
+            return Err(samples.wrong(0, i, heading, "a key of a case"));
+        }
         Ok((key.to_owned(), samples.column(i, unit)?))
     };
     headings.map(column).collect()
@@ -138,7 +142,9 @@ impl Samples {
             return Ok(SampleColumn::Numbers(numbers));
         }
         let word = |cell: &str| (!cell.is_empty()).then(|| cell.to_owned());
-        let words = self.all(i, word, "a value in every row")?;
+        self.all(i, word, "a value in every row")?;
+        let plain = |cell: &str| is_plain(cell).then(|| cell.to_owned());
+        let words = self.all(i, plain, text_cell::WANTED)?;
         Ok(SampleColumn::Words(words))
     }
 
@@ -252,6 +258,14 @@ mod tests {
             (
                 "a [furlong]\n1\n",
                 "line 1, key `a`: found \"a [furlong]\", wanted a key",
+            ),
+            (
+                "a\nbare\n@SUM(1)\n",
+                "line 3, key `a`: found \"@SUM(1)\", wanted text without control characters",
+            ),
+            (
+                "=a\n1\n",
+                "line 1, key `=a`: found \"=a\", wanted a key of a case",
             ),
             ("a\n", "found no rows"),
             ("a\n1\n2\n3\n4\n", "found more than 3 rows"),

@@ -52,15 +52,9 @@ pub fn read(path: &Path, sets: &[String]) -> Result<Study, Failure> {
     for argument in sets {
         overrides::set(&mut base, argument)?;
     }
-    let stem = |path: &Path| {
-        path.file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into()
-    };
     Ok(Study {
-        name: stem(path),
-        case_name: stem(&case),
+        name: source_file::stem(path),
+        case_name: source_file::stem(&case),
         folder: case.parent().unwrap_or(Path::new("")).to_owned(),
         base,
         numbering: parts.numbering,

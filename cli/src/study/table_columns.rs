@@ -13,6 +13,7 @@ use crate::output::curve;
 use crate::output::curve::columns::{CurveColumn, OF_HARDNESS, OF_ROUGH_CONTACT, cells, names};
 use crate::output::curve::stress::StressColumns;
 use crate::output::summary::{RunSummary, StepSummary};
+use crate::output::text_cell::made_plain;
 
 /// The columns, with units.
 #[derive(Debug, Clone)]
@@ -110,6 +111,7 @@ impl TableColumns {
         let empty = vec![String::new(); self.curve + 2];
         // A row is one line: a message with line ends would be cut when it is read back.
         let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
+        let message = made_plain(&message);
         let cells = [first(study, case, CaseStatus::Failed), empty, vec![message]];
         line(&cells.concat())
     }
@@ -121,6 +123,7 @@ pub fn status(summary: &RunSummary) -> CaseStatus {
     match summary.status {
         pellicle_contact::Status::Certified => CaseStatus::Certified,
         pellicle_contact::Status::CutOff => CaseStatus::CutOff,
+        pellicle_contact::Status::BeyondModel => CaseStatus::BeyondModel,
         pellicle_contact::Status::NotConverged => CaseStatus::NotConverged,
     }
 }

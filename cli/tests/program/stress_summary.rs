@@ -126,21 +126,45 @@ fn stresses_are_listed_by_body_and_interface_and_strengths_in_sentences() {
         "stress in layer[0]",
         "stress on interface 0",
         "of the shear strength",
-        "the interface fails in shear first at ",
-        "the coating yields at none of these loads",
+        "the interface fails in shear at ",
+        "the coating yields under no load up to 1.0000 µN: ",
     ] {
         assert!(ran.stderr.contains(words), "{words} in {}", ran.stderr);
     }
     let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();
     let header = curve.lines().next().unwrap();
     let columns = [
-        "max von Mises layer[0] [Pa]",
-        "max shear traction interface[0] [Pa]",
+        "max von Mises layer[0] [Pa],max von Mises layer[0] error [Pa],max von Mises layer[0] resolved",
+        "max shear traction interface[0] [Pa],max shear traction interface[0] error [Pa]",
     ];
     assert!(
         columns.iter().all(|column| header.contains(column)),
         "{header}"
     );
+    let cells: Vec<_> = curve.lines().nth(1).unwrap().split(',').collect();
+    let column = |name: &str| {
+        let place = header.split(',').position(|column| column == name);
+        cells[place.unwrap_or_else(|| panic!("{name} in {header}"))]
+    };
+    // The same numbers as in the summary.
+    let found = &stress["bodies"][1]["max_von_mises"];
+    let [value, error] = ["", " error"].map(|what| {
+        let cell = column(&format!("max von Mises substrate{what} [Pa]"));
+        cell.parse::<f64>().ok()
+    });
+    assert_eq!(value, found["value"].as_f64());
+    let resolved = found["resolved"].as_bool().unwrap();
+    assert_eq!(error, found["estimate"].as_f64().filter(|_| resolved));
+    assert_eq!(
+        column("max von Mises substrate resolved"),
+        resolved.to_string()
+    );
+    assert_eq!(
+        column("critical force yield layer[0] status"),
+        "not-reached"
+    );
+    assert_eq!(column("critical force yield layer[0] [N]"), "");
+    assert_eq!(column("critical force shear interface[0] status"), "met");
 }
 
 #[test]
@@ -185,4 +209,91 @@ fn a_study_varies_friction_and_strength_and_has_critical_loads_as_columns() {
     // The strength does not affect the stress; friction does, and lowers the critical load.
     assert!((of(0, mises) / of(1, mises) - 1.0).abs() < 1e-12);
     assert!(of(2, mises) > of(0, mises) && of(2, critical) < of(0, critical));
+}
+
+#[test]
+fn a_strength_that_is_not_reached_is_told_from_one_that_is_not_given() {
+    // Under 1e-3 the largest pressure is 0.058, and von Mises' stress 0.036: 0.02 is met, 100 is not.
+    let body = |more: &str| format!("{{ young_modulus = 0.91, poisson_ratio = 0.3{more} }}");
+    let layer =
+        "{ thickness = 0.05, young_modulus = 0.91, poisson_ratio = 0.3, yield_strength = 100 }";
+    let bodies = ["", ", yield_strength = 0.02", ", yield_strength = 100"].map(body);
+    let study = hertz(0.1).replace("forces = [1e-4, 1e-3]", "force = 1e-3")
+        + &format!(
+            "[study.vary]\n\"foundation.substrate\" = [{}]\n\"foundation.layer\" = [[], [{layer}]]\n",
+            bodies.join(", ")
+        );
+    let folder = TestFolder::with_case(study);
+    let ran = folder.run(&["study", "case.toml", "--quiet"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let table = folder.path("results/case/results.csv");
+    let mut reader = csv::Reader::from_path(table).unwrap();
+    let header = reader.headers().unwrap().clone();
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    let column = |name: &str| -> Vec<String> {
+        let place = header.iter().position(|column| column == name);
+        let place = place.unwrap_or_else(|| panic!("{name} in {header:?}"));
+        rows.iter().map(|row| row[place].to_owned()).collect()
+    };
+    let of_base = "critical force yield substrate";
+    let statuses = ["", "", "met", "met", "not-reached", "not-reached"];
+    assert_eq!(column(&format!("{of_base} status")), statuses);
+    let statuses = ["", "not-reached"].repeat(3);
+    assert_eq!(column("critical force yield layer[0] status"), statuses);
+    let [forces, errors] =
+        ["", " error"].map(|what| column(&format!("{of_base}{what} [case units]")));
+    let resolved = column(&format!("{of_base} resolved"));
+    for (i, force) in forces.iter().enumerate() {
+        let is_met = (2..4).contains(&i);
+        assert_eq!(force.is_empty(), !is_met, "{forces:?}");
+        assert_eq!(
+            errors[i].is_empty(),
+            !is_met || resolved[i] != "true",
+            "{errors:?}"
+        );
+    }
+    assert_eq!(resolved[0], "");
+    // The exact force of Hertz, (0.02/0.62 π)³/6, is within the interval.
+    let exact = (0.02 / 0.62 * PI).powi(3) / 6.0;
+    let [force, error] = [&forces[2], &errors[2]].map(|cell| cell.parse::<f64>().unwrap());
+    assert!((force - exact).abs() < error, "{force} ± {error}, {exact}");
+}
+
+#[test]
+fn unresolved_stresses_and_critical_loads_are_warned_of_by_name() {
+    let messages = |case: String| {
+        let folder = TestFolder::with_case(case);
+        let summary = summary(&folder, &[]);
+        let warnings = summary["warnings"].as_array().unwrap();
+        let of = |code: &str| -> Vec<String> {
+            let coded = warnings.iter().filter(|warning| warning["code"] == code);
+            coded
+                .map(|warning| warning["message"].as_str().unwrap().to_owned())
+                .collect()
+        };
+        (of("stress-not-resolved"), of("critical-load-not-resolved"))
+    };
+    let case = hertz(0.1);
+    let (stresses, loads) = messages(case.clone());
+    assert!(
+        stresses.is_empty() && loads.is_empty(),
+        "{stresses:?} {loads:?}"
+    );
+    // At the rim of a punch all stresses grow with the grid.
+    let punch = case.replace(
+        "\"paraboloid\"\nradius = 1",
+        "\"flat-punch\"\nradius = 0.05",
+    );
+    let (stresses, loads) = messages(punch);
+    assert_eq!(stresses.len(), 2);
+    assert!(
+        stresses[1].starts_with(
+            "step 1: stresses are not resolved by the grid: max_von_mises of substrate, "
+        ),
+        "{stresses:?}"
+    );
+    assert_eq!(
+        loads,
+        ["critical loads are not resolved by the grid: yield of substrate"]
+    );
 }

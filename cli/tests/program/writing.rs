@@ -234,3 +234,27 @@ mod stopped {
         assert_eq!(folder.names(), ["case.toml"]);
     }
 }
+
+/// A limit on the size of files stands for a full disk: the archives of the fields and of the stresses do not fit.
+#[cfg(target_os = "linux")]
+#[test]
+fn of_a_file_that_cannot_be_written_one_line_tells_and_no_library() {
+    let folder = TestFolder::with_case(CASE.replace("elements = 32", "elements = 256"));
+    let program = env!("CARGO_BIN_EXE_pellicle");
+    for more in ["", " --set stress={}"] {
+        let line = format!("run case.toml --quiet --pictures none --formats npz{more}");
+        let script = format!("trap '' XFSZ; ulimit -f 64; exec {program} {line}");
+        let mut command = std::process::Command::new("sh");
+        command.args(["-c", &script]).env("PELLICLE_CACHE", "");
+        let ran = TestFolder::ran(command.current_dir(folder.path(".")));
+        assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+        assert_eq!(ran.stderr.lines().count(), 1, "{}", ran.stderr);
+        assert!(
+            ran.stderr.contains(".npz: cannot be written: "),
+            "{}",
+            ran.stderr
+        );
+        assert!(!ran.stderr.contains("Zip"), "{}", ran.stderr);
+    }
+    assert_eq!(folder.names(), ["case.toml"]);
+}

@@ -62,6 +62,12 @@ impl IndenterMap {
         )
     }
 
+    /// The rectangle of the map above the plane: its lower and its upper corner, m.
+    pub(crate) fn rectangle(&self) -> [[f64; 2]; 2] {
+        [-0.5, 0.5]
+            .map(|half| [0, 1].map(|axis| half * self.map.extent()[axis] - self.lowest_point[axis]))
+    }
+
     /// The point of the map above a point of the plane, m.
     fn on_map(&self, x: f64, y: f64) -> [f64; 2] {
         [x + self.lowest_point[0], y + self.lowest_point[1]]

@@ -50,6 +50,8 @@ impl Ascent {
             contact_stiffness: result.contact_stiffness,
             rough: result.rough,
             cut_off: None,
+            slope: result.slope,
+            limits: Vec::new(),
             coarser: self.coarser,
         }
     }

@@ -8,7 +8,8 @@ use pellicle_influence::{Origin, SectorGrid, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 use crate::{
-    Boundary, CoarsePressure, ContactError, Load, Model, RoughContact, SolverOptions, Step,
+    Boundary, CoarsePressure, ContactError, ContactSlope, Load, Model, RoughContact, SolverOptions,
+    Step,
     path::ascent::Ascent,
     path::capacity,
     path::domain::Guess,
@@ -242,7 +243,13 @@ impl<'a> Hierarchy<'a> {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
                 let field = level.field(self.model, &result.window, &pressure);
-                result.rough = RoughContact::of(&field, result.summary.contact_area);
+                let (force, summary) = (result.solution.force, &mut result.summary);
+                *summary = summary.with_least_area(force);
+                result.rough = RoughContact::of(&field, summary.contact_area);
+                let of_nominal = |rough: &RoughContact| force / rough.nominal_area;
+                let nominal = result.rough.as_ref().map(of_nominal);
+                summary.nominal_pressure = summary.nominal_pressure.or(nominal);
+                result.slope = ContactSlope::of(&field, result.rough.as_ref());
                 result.solution.pressure = result.window.scatter(pressure);
                 None
             }

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
-    ActiveSetSolver, Boundary, ContactError, DiscreteProblem, GradientSolver, Iterate, LevelValues,
-    LevelWork, Load, Method, Model, RoughContact, Solution, Solver, SolverOptions, Summary,
+    ActiveSetSolver, Boundary, ContactError, ContactSlope, DiscreteProblem, GradientSolver,
+    Iterate, LevelValues, LevelWork, Load, Method, Model, RoughContact, Solution, Solver,
+    SolverOptions, Summary,
     grid::window::Window,
     path::dilute::Dilute,
     path::domain::Guess,
@@ -82,8 +83,9 @@ pub struct LevelResult {
     /// The window of the pressures.
     pub window: Window,
     pub summary: Summary,
-    /// For the finest grid only.
+    /// For the finest grid only, as the next.
     pub rough: Option<RoughContact>,
+    pub slope: Option<ContactSlope>,
     pub work: LevelWork,
     pub residuals: Vec<f64>,
     pub contact_stiffness: Option<f64>,
@@ -172,6 +174,7 @@ impl Level {
         Ok(LevelResult {
             summary: Summary::of(&field, solution.force),
             rough: None,
+            slope: None,
             solution,
             window,
             work: LevelWork {

@@ -4,21 +4,31 @@ use pellicle_influence::RadialTables;
 use pellicle_texture::{Grid, Relief};
 
 use crate::{
-    Boundary, ContactError, Domain, Load, Model, Profile as _, Step, Warning, default_side,
-    result::cut_off,
+    Boundary, ContactError, ContactSlope, Domain, Load, Model, ModelLimit, Profile as _, Step,
+    Warning, default_side,
+    result::{
+        cut_off,
+        map_resolution::{FEWEST_ELEMENTS_PER_WAVE, MapResolution},
+    },
 };
 
 /// With fewer elements than this per cylinder radius its outline is not resolved.
 const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
 /// A layer thinner than this fraction of an element changes coefficients by about that fraction at most.
 const FEWEST_ELEMENTS_PER_THICKNESS: f64 = 0.02;
+/// Relative accuracy of the estimated accuracy of the coefficients, which is printed with two digits: an estimate of
+/// 1.04e-12 is as good as the 1e-12 wanted.
+const ESTIMATED_TO: f64 = 0.05;
 /// Layers whose moduli have a smaller ratio count as alike.
 const MOST_ALIKE: f64 = 2.0;
 /// A spring cannot shorten by more than its height: above this, [`Warning::FilmShortening`].
 pub const LARGEST_SHORTENING: f64 = 1.0;
 /// Largest slope that counts as small: the error of linear theory is about its square. Above this,
-/// [`Warning::SteepIndenter`].
+/// [`Warning::SteepIndenter`], or [`Warning::SteepTip`].
 pub const LARGEST_SLOPE: f64 = 0.3;
+/// Largest shortening of a layer, over its thickness, that counts as a small strain: above this,
+/// [`Warning::LayerShortening`].
+const LARGEST_STRAIN: f64 = 0.1;
 
 /// A contact with fewer elements across is not resolved; the domain is the cause if the contact covers less than a
 /// quarter of its side.
@@ -67,7 +77,7 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
         }
     }
     let (found, wanted) = (model.tables.error_estimate(), RadialTables::GOAL);
-    if found > wanted {
+    if found > wanted * (1.0 + ESTIMATED_TO) {
         warnings.push(Warning::CoefficientAccuracy { found, wanted });
     }
     warnings
@@ -96,12 +106,34 @@ pub(crate) fn warnings(
     let edges = steps.iter().enumerate();
     let edges = edges.filter_map(|(index, step)| edge(domain, index, step));
     let of_steps = steps.iter().enumerate();
-    let of_steps = of_steps.flat_map(|(index, step)| step_warnings(model, index, step));
-    edges
-        .chain(much_larger)
+    let of_steps = of_steps.flat_map(|(index, step)| {
+        let per_wave = step.grid_error.elements_per_wave;
+        let coarse = per_wave.and_then(|elements| too_few_per_wave(grid, index, elements));
+        coarse.into_iter().chain(step_warnings(model, index, step))
+    });
+    let mut found: Vec<_> = (edges.chain(much_larger))
         .chain(model_warnings(model, grid))
         .chain(of_steps.filter(is_meaningful))
-        .collect()
+        .collect();
+    tell_once(model, &mut found);
+    found
+}
+
+/// Replaces the warnings about the slope of a self-similar indenter, the same at every load, by a single one.
+fn tell_once(model: &Model, warnings: &mut Vec<Warning>) {
+    let Some(slope) = model.indenter.self_similar_slope() else {
+        return;
+    };
+    let is_steep = |warning: &Warning| {
+        let Warning::SteepIndenter { slope, .. } = warning else {
+            return false;
+        };
+        matches!(slope, ContactSlope::AtEdge(_))
+    };
+    if let Some(first) = warnings.iter().position(is_steep) {
+        warnings[first] = Warning::SteepTip { slope };
+        warnings.retain(|warning| !is_steep(warning));
+    }
 }
 
 /// Warns of a contact that is cut off or near the edge. A chosen domain already has the margin checked on the coarse
@@ -193,7 +225,8 @@ fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
         not_converged,
         shortening(model, index, step),
         peak(index, step),
-        steepness(model, index, step),
+        steepness(index, step),
+        limits(index, step),
     ]
     .into_iter()
     .flatten()
@@ -222,25 +255,69 @@ fn peak(index: usize, step: &Step) -> Option<Warning> {
         return None;
     };
     let is_resolved = error.max_pressure?.resolved || last.max_pressure == 0.0;
-    (!is_resolved).then(|| Warning::PeakNotResolved {
+    // Where elements miss waves of a map, that is the cause, and there is a warning about it.
+    (!is_resolved && error.resolves_waves()).then(|| Warning::PeakNotResolved {
         step: index,
         change: (1.0 - before.max_pressure / last.max_pressure).abs(),
         place: step.summary.peak_place,
     })
 }
 
-/// Mean slope of the indenter's profile around the edge of a step's contact; none without contact or if the indenter
-/// ends there.
+/// The warning that the elements are too long for the waves of a measured map around a contact of this radius (m);
+/// none without a map, without contact, or with enough elements.
 #[must_use]
-pub fn edge_slope(model: &Model, step: &Step) -> Option<f64> {
-    let radius = step.summary.contact_radius;
-    let slope = model.indenter.mean_slope(radius);
-    (radius > 0.0 && slope.is_finite()).then_some(slope)
+pub fn map_under_resolved(
+    model: &Model,
+    grid: &Grid,
+    boundary: Boundary,
+    contact_radius: f64,
+) -> Option<Warning> {
+    let mut resolution = MapResolution::new(model, grid, boundary);
+    too_few_per_wave(grid, 0, resolution.elements_per_wave(contact_radius)?)
 }
 
-fn steepness(model: &Model, index: usize, step: &Step) -> Option<Warning> {
-    let slope = edge_slope(model, step)?;
-    (slope > LARGEST_SLOPE).then_some(Warning::SteepIndenter { step: index, slope })
+/// Warns of too few elements to the shortest wave of a map.
+fn too_few_per_wave(grid: &Grid, step: usize, elements_per_wave: f64) -> Option<Warning> {
+    if elements_per_wave >= FEWEST_ELEMENTS_PER_WAVE {
+        return None;
+    }
+    let wanted = FEWEST_ELEMENTS_PER_WAVE / elements_per_wave * grid.size() as f64;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number of elements, the largest if there are too many"
+    )]
+    let wanted = wanted.ceil() as usize;
+    Some(Warning::MapUnderResolved {
+        step,
+        elements_per_wave,
+        wanted,
+    })
+}
+
+fn steepness(index: usize, step: &Step) -> Option<Warning> {
+    let slope = step.slope?;
+    (slope.value() > LARGEST_SLOPE).then_some(Warning::SteepIndenter { step: index, slope })
+}
+
+/// Warns of a number beyond its limit, or else of a layer that is shortened by much.
+fn limits(index: usize, step: &Step) -> Option<Warning> {
+    if let Some(beyond) = step.beyond() {
+        return Some(Warning::BeyondModel {
+            step: index,
+            beyond,
+        });
+    }
+    step.limits.iter().find_map(|found| match found.limit {
+        ModelLimit::LayerThickness { layer } if found.ratio > LARGEST_STRAIN => {
+            Some(Warning::LayerShortening {
+                step: index,
+                layer,
+                part: found.ratio,
+            })
+        }
+        _ => None,
+    })
 }
 
 #[cfg(test)]

@@ -21,7 +21,9 @@ use self::hardness::HeldPressure;
 use crate::{
     Boundary, ContactError,
     grid::{candidates::Candidates, window::Window},
-    problem::{operator_source::OperatorSource, scale::Scale, tangents::Tangents},
+    problem::{
+        gap_scale::GapScale, operator_source::OperatorSource, scale::Scale, tangents::Tangents,
+    },
     vector::update_with,
 };
 
@@ -102,7 +104,8 @@ impl DiscreteProblem {
     /// as for [`Self::new`].
     ///
     /// On a half-space displacements are relative to the mean plane of the deformed surface, so the load must be a
-    /// force.
+    /// force. On a rigid base they are relative to the undeformed surface, and under an elastic indenter to the mean
+    /// plane of its deformed surface.
     ///
     /// # Errors
     /// As [`Self::new`].
@@ -215,19 +218,15 @@ impl DiscreteProblem {
         self.operators.boundary()
     }
 
-    /// `C(k)` of a periodic cell's longest wave, in m/Pa; 0 for a free surface.
-    pub(crate) fn cell_response(&self) -> f64 {
+    /// The scale of gaps, in SI units.
+    pub(crate) fn gap_scale(&self) -> GapScale {
         match (self.boundary(), self.elasticity()) {
-            (Boundary::Periodic, Some(elasticity)) => elasticity.cell_response(self.size()),
-            _ => 0.0,
+            (Boundary::Periodic, Some(elasticity)) => GapScale::Cell {
+                mean: elasticity.mean_compliance(),
+                longest: elasticity.cell_response(self.size()),
+            },
+            _ => GapScale::Penetration,
         }
-    }
-
-    /// The reference length (m) for gaps: the penetration. In a periodic cell, where the penetration of a flat body on
-    /// a flat surface is zero, it is the displacement of the cell under the mean pressure alone if that is larger.
-    pub(crate) fn reference_length(&self, penetration: f64, total: f64) -> f64 {
-        let mean = total / self.elements() as f64;
-        penetration.abs().max(self.cell_response() * mean)
     }
 
     /// Elements per row, N.
@@ -288,6 +287,11 @@ impl DiscreteProblem {
     #[must_use]
     pub fn initial_gap(&self) -> &[f64] {
         (self.held.as_ref()).map_or(&self.initial_gap, |held| &held.gap)
+    }
+
+    /// The initial gap without the displacement by held elements, in m.
+    pub(crate) fn own_gap(&self) -> &[f64] {
+        &self.initial_gap
     }
 
     /// Whether the surface is [rough](is_rough).

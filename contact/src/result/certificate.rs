@@ -17,10 +17,10 @@
 //! ```
 //!
 //! Complementarity counts `p g⁺` of these elements. Where all pressures are 0 or `p_max`, `D` is the largest `v` of the
-//! elements at the limit: the least penetration that carries the force. In a periodic cell the penetration is measured
-//! from the mean plane and may vanish. Gaps there are relative to `C(2π/L) p̄`, the depth to which the mean pressure
-//! would press a single cell, if that is larger than `D`. Nothing is taken from an iteration's own residual. No gap is
-//! computed where the initial gap alone is too wide for an overlap.
+//! elements at the limit: the least penetration that carries the force. In a periodic cell the penetration may vanish
+//! or be due to the mean displacement alone, so gaps there are relative to the largest deformation without that mean,
+//! `max |K p + w* − C(0) p̄|`, and at least to a millionth of `D` and of `C(2π/L) p̄`. Nothing is taken from an
+//! iteration's own residual. No gap is computed where the initial gap alone is too wide for an overlap.
 
 mod judged_fields;
 mod surface;
@@ -189,7 +189,10 @@ impl Solution {
             return Self::judge_within(problem, Trial { expected, ..trial }, pressure, fields);
         }
         fields.penetration = penetration;
-        let length = problem.reference_length(penetration, total);
+        let mean_pressure = total / problem.elements() as f64;
+        let length = problem
+            .gap_scale()
+            .length(penetration, mean_pressure, |mean| surface.deformation(mean));
         // 4a² Σ p
         let carried = total * problem.loaded_area();
         let (force, load) = match load {

@@ -82,10 +82,16 @@ impl ContactField<'_> {
         law.secant(compliance, self.pressure[element])
     }
 
+    /// `g0` of an element of the window, in m.
+    pub fn initial_gap_of(&self, element: usize) -> f64 {
+        let [i, j] = self.on_sector(element);
+        self.initial_gap[i * self.window.grid().size() + j]
+    }
+
     /// The gap of an element of the window, in m; infinite where the indenter has no surface.
     pub fn gap_of(&self, element: usize) -> f64 {
         let [i, j] = self.on_sector(element);
-        let initial_gap = self.initial_gap[i * self.window.grid().size() + j];
+        let initial_gap = self.initial_gap_of(element);
         let shortening = self.secant_of(element) * self.pressure[element];
         self.judged.gap_of([i, j], initial_gap) + shortening
     }

@@ -21,9 +21,9 @@
 use crate::{grid::window::Place, result::contact_field::ContactField};
 
 /// `κ`.
-const OWN_PRESSURE: f64 = 1.2;
+pub const OWN_PRESSURE: f64 = 1.2;
 /// `δ`, in elements.
-const OFFSET: f64 = 0.1316;
+pub const OFFSET: f64 = 0.1316;
 /// Scatter of `δ` averaged over an edge of many elements, in elements.
 const UNCERTAINTY: f64 = 0.001;
 /// Largest fraction of a polygon that may be subtracted; a contact of single elements is mostly edge.
@@ -56,11 +56,11 @@ struct CellSum {
 
 /// Where the contact ends between two centres.
 #[derive(Clone, Copy)]
-struct Crossing {
+pub struct Crossing {
     /// Distance from the first centre, in elements.
-    from_first: f64,
+    pub from_first: f64,
     /// Distance by which the edge lies inside the zero line, in elements.
-    offset: f64,
+    pub offset: f64,
     /// Whether the contact ends at an outline or a rim, or steeply at an element whose pressure is cut.
     is_outline: bool,
 }
@@ -253,6 +253,11 @@ fn shoelace(points: &[[f64; 2]]) -> f64 {
         })
         .sum();
     0.5 * twice.abs()
+}
+
+/// Locates the end of the contact between the centre of an element in contact and that of one that is not.
+pub fn crossing_between(field: &ContactField<'_>, inside: Place, outside: Place) -> Crossing {
+    crossing(field, &corner(field, inside), &corner(field, outside))
 }
 
 /// Locates the end of the contact between a centre that belongs to it and one that does not.

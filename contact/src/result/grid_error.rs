@@ -19,7 +19,7 @@
 use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 
-use crate::{PeakPlace, result::not_stored};
+use crate::{PeakPlace, result::map_resolution::FEWEST_ELEMENTS_PER_WAVE, result::not_stored};
 
 /// The values on one grid level. Values that only the error estimate needs are not stored; read back, they are NaN,
 /// false or inside.
@@ -74,6 +74,10 @@ pub struct GridError {
     pub contact_area: Option<ErrorEstimate>,
     /// Error of the largest pressure, in Pa. Never resolved at an edge, where it grows with the grid.
     pub max_pressure: Option<ErrorEstimate>,
+    /// Elements to the shortest wave of the gap around the contact; none without a measured map. With
+    /// [fewer](FEWEST_ELEMENTS_PER_WAVE) no number is resolved.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub elements_per_wave: Option<f64>,
     /// The values on each level, coarsest first.
     pub levels: Vec<LevelValues>,
 }
@@ -166,7 +170,40 @@ impl GridError {
                 resolved: peak.resolved && !is_edge_peak,
                 ..peak
             }),
+            elements_per_wave: None,
             levels,
+        }
+    }
+
+    /// Whether the elements are short enough for the waves of a measured map, so that changes between grids show the
+    /// error.
+    #[must_use]
+    pub fn resolves_waves(&self) -> bool {
+        (self.elements_per_wave).is_none_or(|elements| elements >= FEWEST_ELEMENTS_PER_WAVE)
+    }
+
+    /// The errors on a grid with this many elements to the shortest wave of the gap: with too few, nothing is resolved
+    /// but what is prescribed.
+    pub(crate) fn with_elements_per_wave(self, elements_per_wave: Option<f64>) -> Self {
+        let found = Self {
+            elements_per_wave,
+            ..self
+        };
+        if found.resolves_waves() {
+            return found;
+        }
+        let unresolved = |error: Option<ErrorEstimate>| {
+            error.map(|error| ErrorEstimate {
+                resolved: error.resolved && error.estimate == 0.0,
+                ..error
+            })
+        };
+        Self {
+            penetration: unresolved(found.penetration),
+            force: unresolved(found.force),
+            contact_area: unresolved(found.contact_area),
+            max_pressure: unresolved(found.max_pressure),
+            ..found
         }
     }
 }

@@ -76,6 +76,9 @@ impl RoughContact {
         let nominal_area = nominal.elements * area;
         let perimeter = pattern.sides() as f64 * side;
         let gaps = nominal.gaps(field);
+        let (pressures, _) = Histogram::of(field.window, field.pressure, |_, pressures| {
+            pressures.iter().copied().filter(|p| *p > 0.0)
+        });
         Some(Self {
             nominal_area,
             contact_fraction: contact_area / nominal_area,
@@ -84,9 +87,7 @@ impl RoughContact {
             perimeter,
             mean_gap: gaps.mean,
             islands: Islands::of(&islands, area),
-            pressures: Histogram::of(field.window, field.pressure, |_, pressures| {
-                pressures.iter().copied().filter(|p| *p > 0.0)
-            }),
+            pressures,
             gaps: gaps.histogram,
         })
     }

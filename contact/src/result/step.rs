@@ -3,7 +3,10 @@
 use pellicle_texture::Grid;
 use serde::{Deserialize, Serialize};
 
-use crate::{GridError, RoughContact, Solution, Summary, Work, result::cut_off::CutOff};
+use crate::{
+    ContactSlope, GridError, LimitRatio, RoughContact, Solution, Summary, Work,
+    result::cut_off::CutOff,
+};
 
 /// The solution of one load. It is converged if its certificate is satisfied.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +27,10 @@ pub struct Step {
     pub rough: Option<RoughContact>,
     /// The limit that cuts off the contact, if any; the step then solves a different problem from the one posed.
     pub cut_off: Option<CutOff>,
+    /// The slope of the surfaces in contact; none without contact.
+    pub slope: Option<ContactSlope>,
+    /// Numbers over the limits from which linear elasticity cannot hold, at most one of each kind.
+    pub limits: Vec<LimitRatio>,
     /// The pressures of the next coarser grids, coarsest first; empty unless
     /// [requested](crate::SolverOptions::coarse_pressures).
     pub coarser: Vec<CoarsePressure>,
@@ -39,11 +46,20 @@ pub struct CoarsePressure {
 }
 
 impl Step {
+    /// The number farthest beyond its limit; none if the model may hold.
+    #[must_use]
+    pub fn beyond(&self) -> Option<LimitRatio> {
+        let beyond = self.limits.iter().copied().filter(LimitRatio::is_beyond);
+        beyond.max_by(|one, other| one.ratio.total_cmp(&other.ratio))
+    }
+
     /// The status of the step.
     #[must_use]
     pub fn status(&self) -> Status {
         if !self.solution.certificate.is_satisfied() {
             Status::NotConverged
+        } else if self.beyond().is_some() {
+            Status::BeyondModel
         } else if self.cut_off.is_some() {
             Status::CutOff
         } else {
@@ -62,6 +78,9 @@ pub enum Status {
     /// Its certificate is satisfied, but the contact would continue beyond the domain or a map: it solves a different
     /// problem.
     CutOff,
+    /// Its certificate is satisfied, but a [number](LimitRatio) is impossible: the equations of linear elasticity are
+    /// solved, but they do not describe such a contact.
+    BeyondModel,
     /// Its certificate is not satisfied.
     NotConverged,
 }
@@ -73,6 +92,7 @@ impl Status {
         match self {
             Self::Certified => "certified",
             Self::CutOff => "cut-off",
+            Self::BeyondModel => "beyond-model",
             Self::NotConverged => "not-converged",
         }
     }
@@ -84,7 +104,12 @@ mod tests {
 
     #[test]
     fn statuses_are_stored_by_their_words_and_ordered_from_good_to_bad() {
-        let all = [Status::Certified, Status::CutOff, Status::NotConverged];
+        let all = [
+            Status::Certified,
+            Status::CutOff,
+            Status::BeyondModel,
+            Status::NotConverged,
+        ];
         let words = all.map(|status| serde_json::to_string(&status).unwrap());
         assert_eq!(words, all.map(|status| format!("\"{}\"", status.word())));
         assert!(all.is_sorted() && all[0] == Status::default());

@@ -6,6 +6,7 @@ use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 
 use crate::{
+    Boundary,
     result::contact_field::ContactField,
     result::contact_shape::ContactShape,
     result::not_stored,
@@ -29,10 +30,16 @@ pub struct Summary {
     /// The place of the largest pressure.
     #[serde(skip)]
     pub peak_place: PeakPlace,
-    /// Force over contact area, in Pa; 0 without contact.
+    /// Force over contact area, in Pa; 0 without contact. It is never above the largest pressure: where the area
+    /// follows from an outline and is smaller than that of the elements in contact, it is the largest pressure.
     #[serde(deserialize_with = "nan_from_null")]
     pub mean_pressure: f64,
-    /// True contact area, in m².
+    /// Force over the area of a periodic cell, or over the
+    /// [nominal area](crate::RoughContact::nominal_area) of a measured surface that ends, in Pa; none for others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nominal_pressure: Option<f64>,
+    /// True contact area, in m². On the finest grid it is at least force over largest pressure, the smallest area that
+    /// can carry the force, unless the contact meets an outline.
     #[serde(deserialize_with = "nan_from_null")]
     pub contact_area: f64,
     /// Uncertainty of the area from the position of its edge within an element, in m².
@@ -112,6 +119,10 @@ impl Summary {
             max_pressure_at: [grid.centre(0); 2],
             peak_place: PeakPlace::Inside,
             mean_pressure: 0.0,
+            nominal_pressure: match field.boundary {
+                Boundary::Periodic => Some(force / grid.side().powi(2)),
+                Boundary::Free => None,
+            },
             contact_area: 0.0,
             edge_uncertainty: 0.0,
             meets_outline: false,
@@ -132,12 +143,11 @@ impl Summary {
         let largest = window.place_of_image([largest / size, largest % size]);
         let (peak, sector) = (Peak::of(field, largest), window.grid());
         let area_at_limit = at_limit as f64 * sector.loaded_area(grid.element_area());
-        let part = area_at_limit / shape.area;
         Self {
             max_pressure: peak.pressure,
             max_pressure_at: sector.first_image_of_point(peak.at),
             peak_place: peak.place,
-            mean_pressure: force / shape.area,
+            mean_pressure: (force / shape.area).min(peak.pressure),
             contact_area: shape.area,
             edge_uncertainty: shape.uncertainty,
             meets_outline: shape.meets_outline,
@@ -146,9 +156,38 @@ impl Summary {
             contact_area_between: (shape.area - shape.area_on_relief).max(0.0),
             contact_radius: shape.radius,
             area_at_limit: with_hardness(area_at_limit),
-            fraction_at_limit: with_hardness(if part.is_finite() { part.min(1.0) } else { 0.0 }),
+            fraction_at_limit: with_hardness(fraction(area_at_limit, shape.area)),
             ..nothing
         }
+    }
+
+    /// The same contact under the force `force` (N), its area at least the smallest that can carry it: `F ≤ p_max A`.
+    /// Elements longer than the waves of a surface find less. Where the contact meets an outline the area is that of
+    /// the geometry.
+    pub(crate) fn with_least_area(self, force: f64) -> Self {
+        let least = force / self.max_pressure;
+        if self.meets_outline || !least.is_finite() || self.contact_area >= least {
+            return self;
+        }
+        let on_relief = least * fraction(self.contact_area_on_relief, self.contact_area);
+        Self {
+            contact_area: least,
+            contact_area_on_relief: on_relief,
+            contact_area_between: least - on_relief,
+            mean_pressure: self.max_pressure,
+            fraction_at_limit: (self.area_at_limit).map(|area| fraction(area, least)),
+            ..self
+        }
+    }
+}
+
+/// The part of an area that another one is, at most 1; 0 of no area.
+fn fraction(part: f64, of: f64) -> f64 {
+    let fraction = part / of;
+    if fraction.is_finite() {
+        fraction.min(1.0)
+    } else {
+        0.0
     }
 }
 

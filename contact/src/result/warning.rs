@@ -2,7 +2,10 @@
 
 use std::fmt;
 
-use crate::{CutOff, PeakPlace};
+use crate::{
+    ContactSlope, CutOff, LimitRatio, ModelLimit, PeakPlace,
+    result::map_resolution::FEWEST_ELEMENTS_PER_WAVE,
+};
 
 /// A smaller relative change would be printed as 0.0 %.
 const SMALLEST_CHANGE: f64 = 5e-4;
@@ -47,6 +50,16 @@ pub enum Warning {
         /// Elements per radius.
         elements_per_radius: f64,
     },
+    /// Few elements to the shortest wave of the gap under a measured map: the grid misses summits, and none of its
+    /// numbers is resolved.
+    MapUnderResolved {
+        /// Loading step, counted from 0.
+        step: usize,
+        /// Elements to the shortest wave.
+        elements_per_wave: f64,
+        /// Elements per side that would be enough.
+        wanted: usize,
+    },
     /// A layer much thinner than an element, whose own stiffness the grid cannot resolve.
     LayerUnderResolved {
         /// Layer, counted from the surface, from 0.
@@ -71,12 +84,33 @@ pub enum Warning {
         /// The place of the largest pressure.
         place: PeakPlace,
     },
-    /// The indenter is steep where the contact ends, beyond small strains.
+    /// The surfaces in contact are steep, beyond small strains.
     SteepIndenter {
         /// Loading step, counted from 0.
         step: usize,
-        /// Slope of the indenter's profile, averaged around the contact's edge.
+        /// Their slope.
+        slope: ContactSlope,
+    },
+    /// A self-similar indenter, steep at every depth, is in contact beyond its rounded tip.
+    SteepTip {
+        /// Slope of its faces or its side.
         slope: f64,
+    },
+    /// A layer is shortened by a sizeable part of its thickness.
+    LayerShortening {
+        /// Loading step, counted from 0.
+        step: usize,
+        /// Layer, counted from the surface, from 0.
+        layer: usize,
+        /// Its largest shortening over its thickness.
+        part: f64,
+    },
+    /// A number is impossible: linear elasticity does not describe such a contact.
+    BeyondModel {
+        /// Loading step, counted from 0.
+        step: usize,
+        /// The number farthest beyond its limit.
+        beyond: LimitRatio,
     },
     /// A step did not reach its tolerance.
     NotConverged {
@@ -99,10 +133,13 @@ impl Warning {
             Self::DomainMuchLarger { .. } => "domain-much-larger",
             Self::FilmShortening { .. } => "film-shortening",
             Self::TextureUnderResolved { .. } => "texture-under-resolved",
+            Self::MapUnderResolved { .. } => "map-under-resolved",
             Self::LayerUnderResolved { .. } => "layer-under-resolved",
             Self::CoefficientAccuracy { .. } => "coefficient-accuracy",
             Self::PeakNotResolved { .. } => "peak-not-resolved",
-            Self::SteepIndenter { .. } => "steep-indenter",
+            Self::SteepIndenter { .. } | Self::SteepTip { .. } => "steep-indenter",
+            Self::LayerShortening { .. } => "layer-shortening",
+            Self::BeyondModel { .. } => "beyond-model",
             Self::NotConverged { .. } => "not-converged",
         }
     }
@@ -114,10 +151,14 @@ impl Warning {
             Self::DomainEdge { step, .. }
             | Self::CutOff { step, .. }
             | Self::FilmShortening { step, .. }
+            | Self::MapUnderResolved { step, .. }
             | Self::PeakNotResolved { step, .. }
             | Self::SteepIndenter { step, .. }
+            | Self::LayerShortening { step, .. }
+            | Self::BeyondModel { step, .. }
             | Self::NotConverged { step, .. } => Some(*step),
             Self::DomainMuchLarger { .. }
+            | Self::SteepTip { .. }
             | Self::TextureUnderResolved { .. }
             | Self::LayerUnderResolved { .. }
             | Self::CoefficientAccuracy { .. } => None,
@@ -137,6 +178,74 @@ fn decimals(value: f64, places: i32) -> String {
         format!("{value:.1e}")
     } else {
         format!("{value:.*}", places.unsigned_abs() as usize)
+    }
+}
+
+fn in_words(slope: ContactSlope) -> String {
+    match slope {
+        ContactSlope::AtEdge(slope) if slope.is_infinite() => {
+            "the contact reaches the indenter's equator, where its slope is infinite".into()
+        }
+        ContactSlope::AtEdge(slope) => {
+            format!("the indenter's slope is {slope:.2} at the edge of the contact")
+        }
+        ContactSlope::RootMeanSquare(slope) => {
+            format!("the root-mean-square slope of the surfaces in contact is {slope:.2}")
+        }
+    }
+}
+
+/// A ratio with three digits: `1.03`, `456`, `2.9e6`.
+fn times(ratio: f64) -> String {
+    match ratio {
+        ..10.0 => format!("{ratio:.2}"),
+        ..100.0 => format!("{ratio:.1}"),
+        ..1e4 => format!("{ratio:.0}"),
+        _ => format!("{ratio:.1e}"),
+    }
+}
+
+impl LimitRatio {
+    /// The number in words, with the name of each layer or the base, counted from the surface from 0.
+    #[must_use]
+    pub fn words(&self, name: &dyn Fn(usize) -> String) -> String {
+        let times = times(self.ratio);
+        match self.limit {
+            ModelLimit::LayerThickness { layer } => {
+                format!(
+                    "{} is shortened by {times} times its thickness",
+                    name(layer)
+                )
+            }
+            ModelLimit::RigidBase => {
+                format!("the surface is pressed to {times} times the depth of the rigid base")
+            }
+            ModelLimit::IndenterRadius => {
+                format!("the indenter is sunk by {times} times its radius")
+            }
+            ModelLimit::Modulus { body } => format!(
+                "{} carries a mean pressure of {times} times its Young's modulus",
+                name(body)
+            ),
+        }
+    }
+}
+
+impl Warning {
+    /// The sentence, with the name of each layer or the base, counted from the surface from 0.
+    #[must_use]
+    pub fn words(&self, name: &dyn Fn(usize) -> String) -> String {
+        match *self {
+            Self::LayerShortening { step, layer, part } => format!(
+                "step {step}: {} is shortened by {:.0} % of its thickness, beyond small strains",
+                name(layer),
+                100.0 * part
+            ),
+            Self::BeyondModel { step, beyond } => {
+                format!("step {step}: beyond the model: {}", beyond.words(name))
+            }
+            _ => self.to_string(),
+        }
     }
 }
 
@@ -180,6 +289,15 @@ impl fmt::Display for Warning {
                 "{} elements per cylinder radius are few; use more elements or a smaller side",
                 decimals(elements_per_radius, 1)
             ),
+            Self::MapUnderResolved {
+                step,
+                elements_per_wave,
+                wanted,
+            } => write!(
+                f,
+                "step {step}: {} elements to the shortest wave of the map miss its summits: areas and pressures may be wrong many times over, and no error is known; choose at least {FEWEST_ELEMENTS_PER_WAVE} to a wave, which are {wanted} elements per side",
+                decimals(elements_per_wave, 1)
+            ),
             Self::LayerUnderResolved {
                 layer,
                 elements_per_thickness,
@@ -196,33 +314,17 @@ impl fmt::Display for Warning {
                 step,
                 change,
                 place,
-            } => {
-                write!(f, "step {step}: the largest pressure ")?;
-                f.write_str(match place {
-                    PeakPlace::Inside => "is not resolved by the grid",
-                    PeakPlace::Outline => {
-                        "sits at the outline of the relief and grows with the grid"
-                    }
-                    PeakPlace::Ridge => {
-                        "sits at a ridge between the samples of the map and grows with the grid"
-                    }
-                    PeakPlace::IndenterEdge => {
-                        "sits at an edge of the indenter and grows with the grid"
-                    }
-                })?;
-                if change < SMALLEST_CHANGE {
-                    return Ok(());
-                }
-                write!(
-                    f,
-                    "; it changed by {:.1} % from the previous grid",
-                    100.0 * change
-                )
+            } => unresolved_peak(f, step, change, place),
+            Self::SteepIndenter { step, slope } => {
+                write!(f, "step {step}: {}, beyond small strains", in_words(slope))
             }
-            Self::SteepIndenter { step, slope } => write!(
+            Self::SteepTip { slope } => write!(
                 f,
-                "step {step}: the indenter's slope is {slope:.2} at the edge of the contact, beyond small strains"
+                "the indenter's slope is {slope:.2} at every depth, beyond small strains"
             ),
+            Self::LayerShortening { .. } | Self::BeyondModel { .. } => {
+                f.write_str(&self.words(&|body| format!("body {body}, counted from the surface,")))
+            }
             Self::NotConverged {
                 step,
                 worst,
@@ -235,6 +337,32 @@ impl fmt::Display for Warning {
             }
         }
     }
+}
+
+/// The sentence on a largest pressure that changed by this part from the previous grid.
+fn unresolved_peak(
+    f: &mut fmt::Formatter<'_>,
+    step: usize,
+    change: f64,
+    place: PeakPlace,
+) -> fmt::Result {
+    write!(f, "step {step}: the largest pressure ")?;
+    f.write_str(match place {
+        PeakPlace::Inside => "is not resolved by the grid",
+        PeakPlace::Outline => "sits at the outline of the relief and grows with the grid",
+        PeakPlace::Ridge => {
+            "sits at a ridge between the samples of the map and grows with the grid"
+        }
+        PeakPlace::IndenterEdge => "sits at an edge of the indenter and grows with the grid",
+    })?;
+    if change < SMALLEST_CHANGE {
+        return Ok(());
+    }
+    write!(
+        f,
+        "; it changed by {:.1} % from the previous grid",
+        100.0 * change
+    )
 }
 
 #[cfg(test)]

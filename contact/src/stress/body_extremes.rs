@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::extreme::Extreme;
 use super::extreme_finder::ExtremeFinder;
 use super::model::StressModel;
+use super::plane_scan::Target;
 use super::quantity::{OF_BODIES, OF_INTERFACES};
-use super::starting_points::Target;
 use crate::{Boundary, ContactError, LoadingPath};
 
 /// The largest ratios of stresses to the strengths of a body; none if no strength is given.
@@ -104,7 +104,8 @@ pub fn stress_extremes(
     });
     let targets: Vec<Target> = bodies.chain(interfaces).collect();
     let finder = ExtremeFinder::new(path, &path.steps[step], stress.sliding);
-    let mut found = finder.find(&targets)?.into_iter();
+    let mut rough = ExtremeFinder::rough_depths(path, stress.sliding)?;
+    let mut found = finder.find(&mut rough, &targets)?.into_iter();
     let bodies = stress.bodies.iter().zip(found.by_ref());
     let bodies = bodies.map(|(body, extremes)| {
         let [max_von_mises, max_principal, min_principal, max_shear] =

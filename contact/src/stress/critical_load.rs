@@ -4,11 +4,26 @@ use serde::{Deserialize, Serialize};
 
 use super::body_extremes::{BodyStress, InterfaceStress, StressExtremes};
 use super::extreme::Extreme;
+use super::extreme_finder::ExtremeFinder;
 use super::load_search::{LoadSearch, LoadSearchResult, Solved};
 use super::model::{Criterion, StressModel};
+use super::plane_scan::Target;
 use super::quantity::StressQuantity;
-use super::starting_points::Target;
+use super::solved_loads::SolvedLoads;
 use crate::{ContactError, Domain, LoadingPath, Model, Observer, SolverOptions};
+
+/// Whether a strength is reached.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CriticalStatus {
+    /// Under the critical force.
+    Met,
+    /// Under no load up to the largest of the path.
+    #[default]
+    NotReached,
+    /// Already under the smallest load tried.
+    BelowSmallest,
+}
 
 /// The load at which one criterion is first met.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -19,8 +34,10 @@ pub struct CriticalLoad {
     pub name: String,
     /// Strength, in Pa.
     pub strength: f64,
-    /// The smallest force at which the strength is reached, in N; none if it is not reached under the largest load, or
-    /// is reached already under the smallest load tried.
+    /// Whether the strength is reached; the default in a file older than this field.
+    #[serde(default)]
+    pub status: CriticalStatus,
+    /// The smallest force at which the strength is reached, in N; none if the status says otherwise.
     pub force: Option<f64>,
     /// The penetration under this force, in m.
     pub penetration: Option<f64>,
@@ -69,32 +86,34 @@ pub fn critical_loads(
             what: "critical loads",
         });
     }
+    let options = SolverOptions {
+        coarse_pressures: true,
+        contact_stiffness: false,
+        ..*options
+    };
+    let mut loads = SolvedLoads::new(model, path.grid.size(), options, observer);
+    let mut rough = ExtremeFinder::rough_depths(path, stress.sliding)?;
     let mut found = Vec::new();
     for criterion in criteria(stress, extremes) {
-        let solutions = path.steps.iter().map(|step| &step.solution);
-        let solved = solutions
-            .zip(&criterion.known)
-            .map(|(solution, extreme)| Solved {
-                force: solution.force,
-                penetration: solution.penetration,
-                extreme: *extreme,
-            });
+        let steps = path.steps.iter().zip(&criterion.known);
+        let solved = steps.map(|(step, extreme)| Solved {
+            force: step.solution.force,
+            penetration: step.solution.penetration,
+            radius: step.summary.contact_radius,
+            extreme: *extreme,
+            followed_on: None,
+        });
         let mut solved: Vec<Solved> = solved.collect();
         solved.sort_by(|one, other| one.force.total_cmp(&other.force));
         let mut search = LoadSearch {
-            model,
+            loads: &mut loads,
             domain,
-            elements: path.grid.size(),
-            options: SolverOptions {
-                coarse_pressures: true,
-                contact_stiffness: false,
-                ..*options
-            },
             sliding: stress.sliding,
             target: &criterion.target,
             strength: criterion.strength,
             solved,
-            observer: &mut *observer,
+            follows: true,
+            rough: &mut rough,
         };
         let outcome = search.search()?;
         found.push(criterion.into_critical_load(&outcome));
@@ -191,16 +210,22 @@ impl CriterionSearch {
             } = solved.extreme;
             Some(solved.force * estimate? / value.abs() / exponent)
         });
+        let utilisation = extreme.map_or(0.0, |extreme| extreme.value.max(0.0) / self.strength);
         CriticalLoad {
             criterion: self.criterion,
             name: self.name,
             strength: self.strength,
+            status: match met {
+                Some(_) => CriticalStatus::Met,
+                None if utilisation < 1.0 => CriticalStatus::NotReached,
+                None => CriticalStatus::BelowSmallest,
+            },
             force: met.map(|(solved, _)| solved.force),
             penetration: met.map(|(solved, _)| solved.penetration),
             at: met.map(|(solved, _)| solved.extreme.at),
             estimate: error,
             resolved: extreme.is_some_and(|extreme| extreme.resolved),
-            utilisation: extreme.map_or(0.0, |extreme| extreme.value.max(0.0) / self.strength),
+            utilisation,
         }
     }
 }

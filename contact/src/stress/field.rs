@@ -68,6 +68,11 @@ impl StressField {
         self.tractions
     }
 
+    /// Whether the surface is dragged along.
+    pub(super) fn slides(&self) -> bool {
+        self.tractions.iter().any(|factor| *factor != 0.0)
+    }
+
     pub(super) fn loaded(&self) -> &LoadedSquare {
         &self.loaded
     }
@@ -155,8 +160,14 @@ impl StressField {
 }
 
 impl LoadedSquare {
+    /// Whether the pressures are symmetric in x and y to the last bit.
+    pub fn is_mirrored(&self) -> bool {
+        let rows = || self.pressure.chunks_exact(self.size.max(1));
+        rows().all(|row| row.iter().eq(row.iter().rev())) && rows().eq(rows().rev())
+    }
+
     /// The loaded elements' centres (m) and pressures (Pa).
-    fn elements(&self, grid: Grid) -> Vec<([f64; 2], f64)> {
+    pub fn elements(&self, grid: Grid) -> Vec<([f64; 2], f64)> {
         let places = self.pressure.iter().enumerate();
         let loaded = places.filter(|(_, pressure)| **pressure > 0.0);
         let centre = |i: usize| {

@@ -1,13 +1,18 @@
 //! The search for the smallest force at which one stress reaches a strength.
 //!
 //! A stress grows roughly as a power of the load, so the secant between two solved loads in logarithms finds a strength
-//! in a few steps. Each step solves a contact on its own grids and searches its stresses.
+//! in a few steps. Each step solves a contact on its own grids and follows the peak of its stress from the nearest load
+//! solved before. The whole body is searched again, and the error found, where the strength is met; if the peak is then
+//! another one, it is searched under every further load.
+
+use pellicle_influence::RoughDepths;
 
 use super::extreme::Extreme;
 use super::extreme_finder::ExtremeFinder;
 use super::model::Sliding;
-use super::starting_points::Target;
-use crate::{ContactError, Domain, Load, Model, Observer, SolverOptions, choose_side, solve_path};
+use super::plane_scan::Target;
+use super::solved_loads::SolvedLoads;
+use crate::{ContactError, Domain, Load, LoadingPath, Step, choose_side};
 
 /// Relative accuracy of a critical load.
 const ACCURACY: f64 = 5e-5;
@@ -23,6 +28,8 @@ const NEARLY: f64 = 0.7;
 const MOST_PROBES: usize = 8;
 /// Loads whose logarithms differ by less than this are equivalent at a peak of the stress.
 const FLAT: f64 = 0.1;
+/// A load whose contact is solved already replaces one that differs by less than this factor.
+const ALIKE: f64 = 1.05;
 /// A bracket this narrow is searched on one domain, so that changes of the grid do not blur the search.
 const NARROW: f64 = 1.5;
 
@@ -33,7 +40,11 @@ pub struct Solved {
     pub force: f64,
     /// Penetration, in m.
     pub penetration: f64,
+    /// Radius of the contact, in m.
+    pub radius: f64,
     pub extreme: Extreme<3>,
+    /// The domain on which the contact was solved, if its peak was only followed: the body is not searched yet.
+    pub followed_on: Option<Domain>,
 }
 
 /// The result of a search.
@@ -45,21 +56,22 @@ pub enum LoadSearchResult {
 }
 
 /// The loads solved so far for one criterion, and the means to solve another.
-pub struct LoadSearch<'a> {
-    pub model: &'a Model,
+pub struct LoadSearch<'a, 'b> {
+    /// Solves contacts, for all criteria.
+    pub loads: &'a mut SolvedLoads<'b>,
     pub domain: Domain,
-    pub elements: usize,
-    pub options: SolverOptions,
     pub sliding: Sliding,
     pub target: &'a Target,
     /// Strength, in Pa.
     pub strength: f64,
     /// Solved loads, sorted by rising force.
     pub solved: Vec<Solved>,
-    pub observer: &'a mut dyn Observer,
+    /// Whether peaks are followed from one load to the next.
+    pub follows: bool,
+    pub rough: &'a mut RoughDepths,
 }
 
-impl LoadSearch<'_> {
+impl LoadSearch<'_, '_> {
     /// Searches for the smallest force at which the strength is reached.
     pub fn search(&mut self) -> Result<LoadSearchResult, ContactError> {
         let reached = match self.first_reached() {
@@ -67,7 +79,9 @@ impl LoadSearch<'_> {
             None => self.reached_between()?,
         };
         let Some(mut upper) = reached else {
-            return Ok(LoadSearchResult::Missed(self.largest().copied()));
+            let largest = self.largest().copied();
+            let largest = largest.map(|largest| self.searched(largest)).transpose()?;
+            return Ok(LoadSearchResult::Missed(largest));
         };
         let mut tried = 0;
         let mut lower = loop {
@@ -75,6 +89,7 @@ impl LoadSearch<'_> {
                 break lower;
             }
             if tried == MOST_SMALLER {
+                let upper = self.searched(upper)?;
                 return Ok(LoadSearchResult::Missed(Some(upper)));
             }
             tried += 1;
@@ -96,11 +111,22 @@ impl LoadSearch<'_> {
                 .map(|n| latest.force * self.utilisation(&latest).powf(-1.0 / n))
                 .filter(|force| *force > low && *force < high)
                 .unwrap_or((low * high).sqrt());
-            let solved = self.solve(force, narrow.unwrap_or(self.domain))?;
+            let mut solved = match narrow {
+                Some(domain) => self.solve(force, domain)?,
+                None => self.solve_near(force, [low, high])?,
+            };
+            let is_met = |solved: &Solved, exponent: Option<f64>| {
+                let apart = self.utilisation(solved).ln();
+                exponent.is_some_and(|n| (apart / n).abs() <= 2.0 * ACCURACY)
+            };
+            let grows = self.exponent(&solved, &latest).or(exponent);
+            if is_met(&solved, grows) || (high / low).ln() <= ACCURACY {
+                solved = self.searched(solved)?;
+            }
             let utilisation = self.utilisation(&solved);
             exponent = self.exponent(&solved, &latest).or(exponent);
             if let Some(exponent) = exponent {
-                let is_near = (utilisation.ln() / exponent).abs() <= ACCURACY;
+                let is_near = (utilisation.ln() / exponent).abs() <= 2.0 * ACCURACY;
                 // A stress that jumps with the load is only bracketed.
                 if is_near || (high / low).ln() <= ACCURACY {
                     return Ok(LoadSearchResult::Met { solved, exponent });
@@ -113,6 +139,7 @@ impl LoadSearch<'_> {
                 lower = solved;
             }
         }
+        let upper = self.searched(upper)?;
         Ok(LoadSearchResult::Missed(Some(upper)))
     }
 
@@ -207,9 +234,26 @@ impl LoadSearch<'_> {
             return Ok(self.domain);
         }
         Ok(Domain::Side(choose_side(
-            self.model,
+            self.loads.model,
             &[Load::Force(force)],
         )?))
+    }
+
+    /// Solves a load, or one that differs little, lies between these ends and is solved already, and finds its stress.
+    fn solve_near(&mut self, force: f64, [low, high]: [f64; 2]) -> Result<Solved, ContactError> {
+        let is_new = |other: f64| {
+            self.solved
+                .iter()
+                .all(|solved| solved.force.total_cmp(&other).is_ne())
+        };
+        let known = self.loads.forces();
+        let known = known.filter(|other| *other > low && *other < high && is_new(*other));
+        let near = known.min_by(|one, other| {
+            let apart = |known: &f64| (known / force).ln().abs();
+            apart(one).total_cmp(&apart(other))
+        });
+        let near = near.filter(|known| (known / force).ln().abs() <= ALIKE.ln());
+        self.solve(near.unwrap_or(force), self.domain)
     }
 
     /// Solves a load and finds its stress.
@@ -218,22 +262,81 @@ impl LoadSearch<'_> {
             Domain::Chosen(_) => Domain::Automatic,
             domain => domain,
         };
-        let (loads, observer) = ([Load::Force(force)], &mut *self.observer);
-        let (model, options) = (self.model, &self.options);
-        let path = solve_path(model, domain, self.elements, &loads, options, observer)?;
-        let [step] = &path.steps[..] else {
-            return Err(ContactError::Cancelled { step: 0 });
+        let path = self.loads.solve(force, domain)?;
+        let step = only_step(&path)?;
+        let followed = match self.expected(step.summary.contact_radius, force) {
+            Some(place) if self.follows => {
+                let finder = ExtremeFinder::new(&path, step, self.sliding);
+                finder.follow(self.rough, self.target, place)?
+            }
+            _ => None,
         };
-        let targets = std::slice::from_ref(self.target);
-        let found = ExtremeFinder::new(&path, step, self.sliding).find(targets)?;
+        let (extreme, followed_on) = match followed {
+            Some(extreme) => (extreme, Some(domain)),
+            None => (self.search_body(&path, step)?, None),
+        };
         let solved = Solved {
             force,
             penetration: step.solution.penetration,
-            extreme: found[0][0],
+            radius: step.summary.contact_radius,
+            extreme,
+            followed_on,
         };
         let place = self.solved.partition_point(|other| other.force < force);
         self.solved.insert(place, solved);
         Ok(solved)
+    }
+
+    /// Searches the whole body under a load whose peak was followed. If it is another peak, none is followed any
+    /// longer.
+    fn searched(&mut self, solved: Solved) -> Result<Solved, ContactError> {
+        let Some(domain) = solved.followed_on else {
+            return Ok(solved);
+        };
+        let path = self.loads.solve(solved.force, domain)?;
+        let searched = Solved {
+            extreme: self.search_body(&path, only_step(&path)?)?,
+            followed_on: None,
+            ..solved
+        };
+        let is_it = |other: &&mut Solved| other.force.total_cmp(&solved.force).is_eq();
+        if let Some(other) = self.solved.iter_mut().find(is_it) {
+            *other = searched;
+        }
+        let ratio = self.utilisation(&searched) / self.utilisation(&solved);
+        self.follows &= ratio.ln().abs() <= ACCURACY;
+        Ok(searched)
+    }
+
+    /// The extreme in the whole body, with its error.
+    fn search_body(&mut self, path: &LoadingPath, step: &Step) -> Result<Extreme<3>, ContactError> {
+        let targets = std::slice::from_ref(self.target);
+        let finder = ExtremeFinder::new(path, step, self.sliding);
+        Ok(finder.find(self.rough, targets)?[0][0])
+    }
+
+    /// Where the peak is expected under a force with a contact of this radius: as far from the axis and the top of the
+    /// body, in radii, as under the nearest load; at an end of the body it stays there.
+    fn expected(&self, radius: f64, force: f64) -> Option<[f64; 3]> {
+        let apart = |solved: &&Solved| (solved.force / force).ln().abs();
+        let known = self.solved.iter().filter(|solved| solved.radius > 0.0);
+        let nearest = known.min_by(|one, other| apart(one).total_cmp(&apart(other)))?;
+        let ratio = radius / nearest.radius;
+        let ([x, y, z], Target { top, bottom, .. }) = (nearest.extreme.at, self.target);
+        let z = if z < *bottom {
+            (top + (z - top) * ratio).min(*bottom)
+        } else {
+            z
+        };
+        (ratio > 0.0).then_some([x * ratio, y * ratio, z])
+    }
+}
+
+/// The only step of a path, unless it was cancelled.
+fn only_step(path: &LoadingPath) -> Result<&Step, ContactError> {
+    match &path.steps[..] {
+        [step] => Ok(step),
+        _ => Err(ContactError::Cancelled { step: 0 }),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Stresses around an element centre, interpolated from those under the neighbouring centres at up to three depths.
+//! Stresses around a place, interpolated from those at its neighbours on a square lattice at a few depths.
 
 use nalgebra::{Matrix3, Vector3};
 use pellicle_influence::SubsurfaceState;
@@ -20,16 +20,12 @@ pub struct Neighbourhood {
 }
 
 impl Neighbourhood {
-    /// An empty neighbourhood at one depth or at three evenly spaced ones.
+    /// An empty neighbourhood at some depths, from the top down.
     pub fn new(depths: Vec<f64>) -> Self {
         Self {
             depths,
             states: Vec::new(),
         }
-    }
-
-    pub fn depths(&self) -> &[f64] {
-        &self.depths
     }
 
     /// The elements whose stresses are needed around an element.
@@ -89,7 +85,7 @@ impl Neighbourhood {
     }
 
     /// The stress at a place, by Lagrange's polynomials.
-    fn state(&self, [u, v, z]: [f64; 3]) -> SubsurfaceState {
+    pub fn state(&self, [u, v, z]: [f64; 3]) -> SubsurfaceState {
         let centres: Vec<f64> = (0..SIDE).map(|i| i as f64 - (SIDE / 2) as f64).collect();
         let [along_x, along_y] = [u, v].map(|along| lagrange(&centres, along));
         let in_depth = lagrange(&self.depths, z);
@@ -104,7 +100,7 @@ impl Neighbourhood {
 }
 
 /// The weights at `x` of the values at some nodes, in the polynomial through them.
-fn lagrange(nodes: &[f64], x: f64) -> Vec<f64> {
+pub fn lagrange(nodes: &[f64], x: f64) -> Vec<f64> {
     let weight = |j: usize| {
         let others = nodes.iter().enumerate().filter(|(m, _)| *m != j);
         others

@@ -1,32 +1,30 @@
-//! The search for the largest value of a quantity near a point, in depth and plane.
+//! Stresses under one field at and between the centres of elements, or of [blocks](super::pressure_blocks) of them many
+//! elements deep, for searches: to 1e-6.
 //!
-//! From a start the search climbs from element centre to element centre and, between depths, by parabolas within a
-//! bracket. Interpolation then places the peak between them. At depths less than an element's side the stresses show
-//! the steps of the pressure, and only those under the centres count.
+//! The stresses of an element are tabulated once for each depth, and all quantities share the tables.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use pellicle_influence::{CentreStresses, Depth, InfluenceError, SubsurfaceState};
+use pellicle_influence::{CentreStresses, Depth, InfluenceError, RoughDepths, SubsurfaceState};
 use rayon::prelude::*;
 
-use super::field::{LoadedSquare, StressField};
+use super::field::StressField;
 use super::neighbourhood::Neighbourhood;
+use super::pressure_blocks::{PressureBlocks, doublings};
 use super::quantity::StressQuantity;
 
-/// Depths are bracketed to this part of the initial bracket, in at most this many trials.
-const NARROW: f64 = 0.25;
-const TRIALS: usize = 16;
-/// Distance between the depths of an interpolation, as a part of the initial bracket.
-const DEPTH_PART: f64 = 0.125;
 /// Offsets tabulated beyond those needed initially, in elements.
-const SLACK: usize = 16;
+const SLACK: usize = 8;
 /// A climb ends at a distance of one side of the loaded square plus this many depths beside it.
 const FARTHEST_DEPTHS: f64 = 4.0;
 /// Number of moves after which the stride of a climb doubles, and the longest stride, in elements.
 const PATIENCE: usize = 4;
 const LONGEST_STRIDE: isize = 16;
-/// The golden section.
-const GOLDEN: f64 = 0.381_966_011_250_105_1;
+/// Tables of up to this many offsets in all are kept, and of larger ones the last: 100 to 250 bytes each.
+const KEPT_OFFSETS: usize = 60_000;
+/// A field on a coarser grid rises from a plane to its peak between planes by at most this factor.
+const MOST_RISE: f64 = 1.2;
 
 /// A largest value and its place.
 #[derive(Debug, Clone, Copy)]
@@ -37,158 +35,72 @@ pub struct StressPeak {
     pub at: [f64; 3],
 }
 
-/// A search for the largest value of a quantity under one field.
+/// A search for largest values under one field.
 pub struct PeakSearch<'a> {
     field: &'a StressField,
-    quantity: StressQuantity,
-    /// Depth range of the search, in m.
-    range: [f64; 2],
-    /// The plane used last.
-    plane: Option<Plane>,
+    /// Centres (m) and pressures (Pa) of the loaded elements.
+    loaded: Vec<([f64; 2], f64)>,
+    blocks: BTreeMap<u32, Arc<PressureBlocks>>,
+    /// The plane used last is the last.
+    planes: Vec<Plane>,
 }
 
-/// The stresses under the centres of elements at one depth.
+/// The stresses under the centres of blocks at one depth.
 struct Plane {
-    depth: Option<Depth>,
+    depth: Depth,
+    doublings: u32,
     stresses: CentreStresses,
-    /// States by the place of the element, counted from the first loaded one.
-    known: HashMap<[isize; 2], SubsurfaceState>,
-}
-
-impl Plane {
-    fn new(field: &StressField, offsets: usize) -> Self {
-        let (foundation, side) = (field.tables().foundation(), field.grid().element_side());
-        Self {
-            depth: None,
-            stresses: CentreStresses::new(foundation, side, offsets, field.tractions()),
-            known: HashMap::new(),
-        }
-    }
-
-    fn move_to(&mut self, depth: Depth) -> Result<(), InfluenceError> {
-        if self.depth != Some(depth) {
-            self.stresses.move_to(depth)?;
-            self.known.clear();
-            self.depth = Some(depth);
-        }
-        Ok(())
-    }
+    /// States by the place of the block, counted from the first.
+    known: BTreeMap<[isize; 2], SubsurfaceState>,
 }
 
 impl<'a> PeakSearch<'a> {
-    /// A search between two depths in one body.
-    pub fn new(field: &'a StressField, quantity: StressQuantity, range: [f64; 2]) -> Self {
+    pub fn new(field: &'a StressField) -> Self {
         Self {
             field,
-            quantity,
-            range,
-            plane: None,
+            loaded: field.loaded().elements(field.grid()),
+            blocks: BTreeMap::new(),
+            planes: Vec::new(),
         }
+    }
+
+    pub fn field(&self) -> &'a StressField {
+        self.field
+    }
+
+    /// The state at a point and a depth, by a sum over the loaded elements.
+    pub fn state(
+        &self,
+        rough: &mut RoughDepths,
+        point: [f64; 2],
+        depth: Depth,
+    ) -> Result<SubsurfaceState, InfluenceError> {
+        let (side, friction) = (self.field.grid().element_side(), self.field.tractions());
+        rough.sum_over(&self.loaded, side, friction, (point, depth))
     }
 
     /// Climbs from (x, y) and returns the value under the best centre reached.
-    pub fn climb(&mut self, [x, y]: [f64; 2], z: f64) -> Result<StressPeak, InfluenceError> {
-        let tried = self.tried(self.place([x, y]), z)?;
-        Ok(StressPeak {
-            value: tried.value,
-            at: self.point(tried.place, z),
-        })
-    }
-
-    /// Finds the largest value near (x, y) in the bracket of depths around `start`.
-    pub fn peak(
+    pub fn climb(
         &mut self,
-        [x, y]: [f64; 2],
-        [before, start, after]: [f64; 3],
+        rough: &mut RoughDepths,
+        quantity: StressQuantity,
+        (start, depth): ([f64; 2], Depth),
     ) -> Result<StressPeak, InfluenceError> {
-        let first = self.tried(self.place([x, y]), start)?;
-        let mut bracket = Bracket::around(first, [before, after]);
-        for end in [before, after] {
-            let tried = self.tried(first.place, end)?;
-            bracket.take(tried);
-        }
-        for _ in 0..TRIALS {
-            if bracket.is_narrow() {
-                break;
-            }
-            let tried = self.tried(bracket.best[0].place, bracket.next())?;
-            bracket.take(tried);
-        }
-        let DepthTrial { z, value, place } = bracket.best[0];
-        let peak = StressPeak {
-            value,
-            at: self.point(place, z),
-        };
-        if z < self.field.grid().element_side() {
-            return Ok(peak);
-        }
-        self.between_centres(peak, place, after - before)
-    }
-
-    /// Finds the peak between the element centres and the depths tried, starting from the best: its place by
-    /// interpolation, its value by a sum over the loaded elements.
-    fn between_centres(
-        &mut self,
-        start: StressPeak,
-        place: [isize; 2],
-        width: f64,
-    ) -> Result<StressPeak, InfluenceError> {
-        let [low, high] = self.range;
-        let apart = (DEPTH_PART * width).min((high - low) / 2.0);
-        let z = start.at[2].clamp(low + apart, high - apart);
-        let depths = if apart > 0.0 {
-            [z - apart, z, z + apart]
-                .map(|z| z.clamp(low, high))
-                .to_vec()
-        } else {
-            vec![z]
-        };
-        let mut around = Neighbourhood::new(depths);
-        for index in 0..around.depths().len() {
-            let z = around.depths()[index];
-            let plane = self.plane_with(Neighbourhood::places(place).to_vec(), z)?;
-            around.take(&Neighbourhood::places(place).map(|place| plane.known[&place]));
-        }
-        let offset = around.largest([0.0, 0.0, start.at[2]], |state| self.quantity.of(state));
-        let side = self.field.grid().element_side();
-        let at = [
-            start.at[0] + offset[0] * side,
-            start.at[1] + offset[1] * side,
-            offset[2],
-        ];
-        let state = self.field.at([at[0], at[1]], self.depth(at[2]))?;
-        let value = self.quantity.of(&state);
-        Ok(if value > start.value {
-            StressPeak { value, at }
-        } else {
-            start
-        })
-    }
-
-    /// A depth in the body of the range.
-    fn depth(&self, z: f64) -> Depth {
-        if z < self.range[1] {
-            Depth::below(z)
-        } else {
-            Depth::above(z)
-        }
-    }
-
-    /// Climbs at a depth and returns the best value reached.
-    fn tried(&mut self, start: [isize; 2], z: f64) -> Result<DepthTrial, InfluenceError> {
+        let doublings = self.doublings(depth);
+        let blocks = self.blocks(doublings);
         // A compressive stress that decays away from the contact has no peak in tension.
-        let size = self.field.loaded().size.cast_signed();
-        let depth = z / self.field.grid().element_side();
-        let margin = size + super::nearest((FARTHEST_DEPTHS * depth).ceil());
+        let size = blocks.size.cast_signed();
+        let margin = size + super::nearest((FARTHEST_DEPTHS * depth.z / blocks.side).ceil());
         let within = |along: isize| along.clamp(-margin, size + margin);
-        let mut place = start.map(within);
+        let mut place = blocks.nearest(start).map(within);
         let (mut stride, mut moves) = (1, 0);
         loop {
             let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [i, j]));
-            let around = around
+            let around: Vec<_> = around
                 .map(|[i, j]| [place[0] + stride * i, place[1] + stride * j].map(within))
                 .collect();
-            let (value, best) = self.best_of(around, z)?;
+            let plane = self.plane_with(rough, &around, depth, doublings)?;
+            let (value, best) = best_of(&around, |place| quantity.of(&plane.known[&place]));
             if best != place {
                 place = best;
                 moves += 1;
@@ -199,156 +111,140 @@ impl<'a> PeakSearch<'a> {
             } else if stride > 1 {
                 stride /= 2;
             } else {
-                return Ok(DepthTrial { z, value, place });
+                let [x, y] = blocks.point(place);
+                let at = [x, y, depth.z];
+                return Ok(StressPeak { value, at });
             }
         }
     }
 
-    /// The largest value under some centres; among equal ones, the middle centre takes precedence, then the first.
-    fn best_of(
+    /// Finds the place of the largest value around a centre, which the first climb from `start` reaches at the depth of
+    /// this index among some depths, and within them: the place, and the factor by which the interpolated value there
+    /// exceeds that at the same (x, y) and the depth `z` (m).
+    pub fn between(
         &mut self,
-        places: Vec<[isize; 2]>,
-        z: f64,
-    ) -> Result<(f64, [isize; 2]), InfluenceError> {
-        let quantity = self.quantity;
-        let middle = places[places.len() / 2];
-        let plane = self.plane_with(places.clone(), z)?;
-        let value = |place: [isize; 2]| quantity.of(&plane.known[&place]);
-        let mut best = (value(middle), middle);
-        for place in places {
-            let value = value(place);
-            if value > best.0 {
-                best = (value, place);
-            }
+        rough: &mut RoughDepths,
+        quantity: StressQuantity,
+        (start, z): ([f64; 2], f64),
+        (depths, middle): (&[Depth], usize),
+    ) -> Result<(StressPeak, f64), InfluenceError> {
+        let climbed = self.climb(rough, quantity, (start, depths[middle]))?;
+        let doublings = self.doublings(depths[middle]);
+        let blocks = self.blocks(doublings);
+        let place = blocks.nearest([climbed.at[0], climbed.at[1]]);
+        let mut around = Neighbourhood::new(depths.iter().map(|depth| depth.z).collect());
+        let places = Neighbourhood::places(place);
+        for depth in depths {
+            let plane = self.plane_with(rough, &places, *depth, doublings)?;
+            around.take(&places.map(|place| plane.known[&place]));
         }
-        Ok(best)
+        let ends = [depths[0].z, depths[depths.len() - 1].z];
+        let [u, v, w] = around.largest([0.0, 0.0, z.clamp(ends[0], ends[1])], |state| {
+            quantity.of(state)
+        });
+        let interpolated = |z: f64| quantity.of(&around.state([u, v, z]));
+        let (value, there) = (interpolated(w), interpolated(z.clamp(ends[0], ends[1])));
+        let rise = Some(value / there).filter(|rise| (1.0..MOST_RISE).contains(rise));
+        let [x, y] = blocks.point(place);
+        let at = [x + u * blocks.side, y + v * blocks.side, w];
+        Ok((StressPeak { value, at }, rise.unwrap_or(1.0)))
     }
 
-    /// Returns the plane at a depth, with the stresses under these centres computed.
-    fn plane_with(&mut self, places: Vec<[isize; 2]>, z: f64) -> Result<&Plane, InfluenceError> {
-        let LoadedSquare { size, pressure, .. } = self.field.loaded();
-        let last = size.cast_signed() - 1;
+    /// How often elements are doubled to blocks at a depth.
+    fn doublings(&self, depth: Depth) -> u32 {
+        doublings(depth.z, self.field.grid().element_side())
+    }
+
+    /// The pressure in blocks of a size.
+    fn blocks(&mut self, doublings: u32) -> Arc<PressureBlocks> {
+        let blocks = self.blocks.entry(doublings);
+        blocks
+            .or_insert_with(|| Arc::new(PressureBlocks::new(self.field, doublings)))
+            .clone()
+    }
+
+    /// Returns the plane at a depth, with the stresses under the centres of these blocks computed.
+    fn plane_with(
+        &mut self,
+        rough: &mut RoughDepths,
+        places: &[[isize; 2]],
+        depth: Depth,
+        doublings: u32,
+    ) -> Result<&Plane, InfluenceError> {
+        let blocks = self.blocks(doublings);
+        let last = blocks.size.cast_signed() - 1;
         let farthest = places.iter().flatten();
         let farthest =
             farthest.map(|along| along.unsigned_abs().max((last - along).unsigned_abs()));
         let farthest = farthest.max().unwrap_or(0);
-        let depth = self.depth(z);
-        let reaches = |plane: &Plane| farthest < plane.stresses.offsets();
-        let known = self.plane.take().filter(reaches);
-        let mut plane =
-            known.unwrap_or_else(|| Plane::new(self.field, farthest + farthest / 4 + SLACK));
-        plane.move_to(depth)?;
-        let missing = places
-            .into_par_iter()
-            .filter(|place| !plane.known.contains_key(place));
-        let found: Vec<_> = missing
-            .map(|place| (place, plane.stresses.at(pressure, *size, place)))
+        let is_it = |plane: &Plane| plane.depth == depth && plane.doublings == doublings;
+        let known = self.planes.iter().position(is_it);
+        let known = known.map(|index| self.planes.remove(index));
+        let known = known.filter(|plane| farthest < plane.stresses.offsets());
+        let plane = if let Some(plane) = known {
+            plane
+        } else {
+            let offsets = farthest + SLACK;
+            self.drop_oldest(offsets * offsets);
+            let (foundation, friction) = (self.field.tables().foundation(), self.field.tractions());
+            let mut stresses = CentreStresses::new(foundation, blocks.side, offsets, friction);
+            stresses.move_roughly_to(rough, depth)?;
+            Plane {
+                depth,
+                doublings,
+                stresses,
+                known: BTreeMap::new(),
+            }
+        };
+        self.planes.push(plane);
+        let last = self.planes.len() - 1;
+        let plane = &mut self.planes[last];
+        plane.compute(&blocks, places);
+        Ok(plane)
+    }
+
+    /// Drops planes until there is room for one with this many offsets.
+    fn drop_oldest(&mut self, offsets: usize) {
+        let of = |plane: &Plane| plane.stresses.offsets().pow(2);
+        let mut sum = offsets + self.planes.iter().map(of).sum::<usize>();
+        let mut dropped = 0;
+        while sum > KEPT_OFFSETS && dropped < self.planes.len() {
+            sum -= of(&self.planes[dropped]);
+            dropped += 1;
+        }
+        self.planes.drain(..dropped);
+    }
+}
+
+impl Plane {
+    /// Computes the stresses under the centres of these blocks that are not known yet.
+    fn compute(&mut self, blocks: &PressureBlocks, places: &[[isize; 2]]) {
+        let missing: Vec<_> = places
+            .iter()
+            .filter(|place| !self.known.contains_key(*place))
             .collect();
-        plane.known.extend(found);
-        Ok(self.plane.insert(plane))
-    }
-
-    /// The element nearest to a point, counted from the first loaded one.
-    fn place(&self, point: [f64; 2]) -> [isize; 2] {
-        let (grid, origin) = (self.field.grid(), self.field.loaded().origin);
-        std::array::from_fn(|axis| {
-            super::nearest((point[axis] - grid.centre(origin[axis])) / grid.element_side())
-        })
-    }
-
-    fn point(&self, place: [isize; 2], z: f64) -> [f64; 3] {
-        let (grid, origin) = (self.field.grid(), self.field.loaded().origin);
-        let along =
-            |axis: usize| grid.centre(origin[axis]) + place[axis] as f64 * grid.element_side();
-        [along(0), along(1), z]
+        let found: Vec<_> = missing
+            .into_par_iter()
+            .map(|place| {
+                let state = self.stresses.at(&blocks.pressure, blocks.size, *place);
+                (*place, state)
+            })
+            .collect();
+        self.known.extend(found);
     }
 }
 
-/// A trial depth, with the best value there and its element.
-#[derive(Clone, Copy)]
-struct DepthTrial {
-    z: f64,
-    value: f64,
-    place: [isize; 2],
-}
-
-/// Depths between which a peak lies.
-struct Bracket {
-    low: f64,
-    high: f64,
-    /// Initial width.
-    width: f64,
-    /// The best three trials, best first.
-    best: [DepthTrial; 3],
-}
-
-impl Bracket {
-    fn around(first: DepthTrial, [low, high]: [f64; 2]) -> Self {
-        Self {
-            low,
-            high,
-            width: high - low,
-            best: [first; 3],
+/// The largest value at some places and its place; among equal ones, the middle place takes precedence, then the first.
+fn best_of(places: &[[isize; 2]], value: impl Fn([isize; 2]) -> f64) -> (f64, [isize; 2]) {
+    let middle = places[places.len() / 2];
+    let mut best = (value(middle), middle);
+    for place in places {
+        let value = value(*place);
+        if value > best.0 {
+            best = (value, *place);
         }
     }
-
-    fn is_narrow(&self) -> bool {
-        self.high - self.low <= NARROW * self.width
-    }
-
-    /// Adds a trial and narrows the bracket with it.
-    fn take(&mut self, tried: DepthTrial) {
-        let [first, second, _] = self.best;
-        if tried.value > first.value {
-            // The previous best becomes an end.
-            let end = if tried.z > first.z {
-                &mut self.low
-            } else {
-                &mut self.high
-            };
-            *end = first.z;
-            self.best = [tried, first, second];
-            return;
-        }
-        let end = if tried.z > first.z {
-            &mut self.high
-        } else {
-            &mut self.low
-        };
-        *end = tried.z;
-        self.best = if tried.value > second.value {
-            [first, tried, second]
-        } else {
-            [first, second, tried]
-        };
-    }
-
-    /// The next depth to try: the vertex of the parabola through the best three, or the golden section of the wider
-    /// side.
-    fn next(&self) -> f64 {
-        let (low, high, at) = (self.low, self.high, self.best[0].z);
-        let margin = NARROW / 4.0 * self.width;
-        let is_useful =
-            |z: &f64| *z > low + margin && *z < high - margin && (z - at).abs() > margin;
-        let golden = if at - low > high - at {
-            at - GOLDEN * (at - low)
-        } else {
-            at + GOLDEN * (high - at)
-        };
-        vertex(self.best.map(|tried| [tried.z, tried.value]))
-            .filter(is_useful)
-            .unwrap_or(golden)
-    }
-}
-
-/// The vertex of the parabola through three points (z, value), if it has a peak.
-fn vertex([[a, fa], [b, fb], [c, fc]]: [[f64; 2]; 3]) -> Option<f64> {
-    // With divided differences, f = fa + d (z − a) + e (z − a)(z − b).
-    let d = (fb - fa) / (b - a);
-    let e = ((fc - fb) / (c - b) - d) / (c - a);
-    (e < 0.0)
-        .then(|| 0.5 * (a + b) - 0.5 * d / e)
-        .filter(|z| z.is_finite())
+    best
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use pellicle_contact::{
     Cone, ContactError, Domain, FlatPunch, Indenter, IndenterMap, Load, LoadingPath, Model,
-    Paraboloid, Pyramid, SolverOptions, Sphere, solve_path,
+    Paraboloid, Pyramid, Sliding, SolverOptions, Sphere, solve_path,
 };
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
@@ -54,15 +54,40 @@ impl Case {
         draw.case(most)
     }
 
-    /// Solves the case.
-    pub fn solve(&self, options: &SolverOptions) -> Result<LoadingPath, ContactError> {
-        let model = Model {
+    /// The case of a seed with up to eight layers and the sliding of its indenter.
+    pub fn draw_sliding(seed: u64, most: usize) -> (Self, Sliding) {
+        let units = Units {
+            length: 1.0,
+            modulus: 1.0,
+        };
+        let mut draw = Draw {
+            random: Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x51a5),
+            side: 0.0,
+            modulus: 0.0,
+            units,
+        };
+        let sliding = Sliding {
+            friction: 2.0 * draw.random.unit() * f64::from(u8::from(draw.random.below(3) > 0)),
+            direction: std::f64::consts::TAU * draw.random.unit(),
+        };
+        let mut case = draw.case(most);
+        case.foundation = draw.layered(9);
+        (case, sliding)
+    }
+
+    /// The model, with its tables.
+    pub fn model(&self) -> Result<Model, ContactError> {
+        Ok(Model {
             tables: Arc::new(RadialTables::build(&self.foundation)?),
             relief: self.relief.clone(),
             indenter: self.indenter.clone(),
             cache: Cache::none(),
-        };
-        let loads = [self.load];
+        })
+    }
+
+    /// Solves the case.
+    pub fn solve(&self, options: &SolverOptions) -> Result<LoadingPath, ContactError> {
+        let (model, loads) = (self.model()?, [self.load]);
         solve_path(&model, self.domain, self.elements, &loads, options, &mut ())
     }
 }
@@ -129,7 +154,12 @@ impl Draw {
 
     /// Up to three layers, some sliding, on a half-space or a rigid base.
     fn foundation(&mut self) -> Foundation {
-        let count = self.random.below(4);
+        self.layered(4)
+    }
+
+    /// Fewer layers than this, some sliding, on a half-space or a rigid base.
+    fn layered(&mut self, fewer: usize) -> Foundation {
+        let count = self.random.below(fewer);
         let mut layers = Vec::new();
         for _ in 0..count {
             let modulus = self.any_modulus();

@@ -5,6 +5,7 @@
 
 mod critical_loads;
 mod extremes;
+mod sliding_edge;
 
 use std::sync::Arc;
 

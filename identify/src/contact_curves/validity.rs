@@ -1,15 +1,16 @@
-//! Where a model holds: the points at which its springs are shortened by less than their height, its indenter is flat
-//! enough, its contact is resolved, and its error is small compared with the noise.
+//! Where a model holds: the points at which none of its numbers is [impossible](pellicle_contact::ModelLimit), its
+//! springs are shortened by less than their height, its indenter is flat enough, its contact is resolved, and its error
+//! is small compared with the noise.
 //!
-//! The contact is solved once more at the loads of each curve. Between neighbouring loads, shortening, slope and
-//! elements follow powers of the load, so they are interpolated linearly in logarithms, and extrapolated likewise
+//! The contact is solved once more at the loads of each curve. Between neighbouring loads, ratios, shortening, slope
+//! and elements follow powers of the load, so they are interpolated linearly in logarithms, and extrapolated likewise
 //! beyond the first and last loads.
 
 use std::fmt;
 
 use pellicle_contact::{
-    ContactError, FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, LoadingPath, Model,
-    edge_slope, relative_shortening,
+    ContactError, ContactSlope, FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, LimitRatio,
+    LoadingPath, Model, ModelLimit, Step, relative_shortening,
 };
 use rayon::prelude::*;
 
@@ -18,7 +19,7 @@ use crate::{Fit, Prediction};
 
 /// The error of a prediction is estimated from a second one, with the grid finer and the loads more numerous by this
 /// factor.
-const FINER: f64 = 1.5;
+pub(super) const FINER: f64 = 1.5;
 /// An error above this fraction of a point's standard deviation is too large: it adds a quarter to the variance. Any
 /// limit is arbitrary; from about here on, a point says more about the grid than about the body.
 const LARGEST_ERROR: f64 = 0.5;
@@ -26,9 +27,18 @@ const LARGEST_ERROR: f64 = 0.5;
 /// Why a model does not hold at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Invalidity {
+    /// A layer is shortened by more than its thickness.
+    LayerThickness,
+    /// The surface is pressed below the top of a rigid base.
+    RigidBase,
+    /// The indenter is sunk by more than its radius.
+    IndenterRadius,
+    /// The mean pressure exceeds Young's modulus of what carries it.
+    Modulus,
     /// Springs of the linear law are shortened by more than their height.
     Squeezed,
-    /// The indenter is steeper than [`LARGEST_SLOPE`] where the contact ends.
+    /// The indenter is steeper than [`LARGEST_SLOPE`] where the contact ends; never a self-similar one, which is as
+    /// steep at every point.
     Steep,
     /// The contact is less than [`FEWEST_ELEMENTS`] across on the coarser of the two grids.
     Unresolved,
@@ -39,6 +49,10 @@ pub enum Invalidity {
 impl fmt::Display for Invalidity {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         formatter.write_str(match self {
+            Self::LayerThickness => "layer shortened by more than its thickness",
+            Self::RigidBase => "surface pressed below the top of the rigid base",
+            Self::IndenterRadius => "indenter sunk by more than its radius",
+            Self::Modulus => "mean pressure above the Young's modulus of what carries it",
             Self::Squeezed => "springs squeezed by more than their height",
             Self::Steep => "indenter too steep where the contact ends",
             Self::Unresolved => "contact not resolved by the grid",
@@ -52,12 +66,50 @@ impl fmt::Display for Invalidity {
 struct Condition {
     /// Abscissa of the curve, N or m.
     abscissa: f64,
+    /// Numbers over their limits, by [`BEYOND`].
+    ratios: [f64; BEYOND.len()],
     /// Largest shortening of the springs over their height.
     shortening: Option<f64>,
     /// Slope of the indenter where the contact ends.
     slope: Option<f64>,
     /// Elements of the coarser grid across the contact.
     elements: f64,
+}
+
+/// The reasons why a point is beyond the model, in the order in which they are given.
+const BEYOND: [Invalidity; 4] = [
+    Invalidity::RigidBase,
+    Invalidity::LayerThickness,
+    Invalidity::IndenterRadius,
+    Invalidity::Modulus,
+];
+
+/// The reason that belongs to a limit.
+fn reason(limit: ModelLimit) -> Invalidity {
+    match limit {
+        ModelLimit::LayerThickness { .. } => Invalidity::LayerThickness,
+        ModelLimit::RigidBase => Invalidity::RigidBase,
+        ModelLimit::IndenterRadius => Invalidity::IndenterRadius,
+        ModelLimit::Modulus { .. } => Invalidity::Modulus,
+    }
+}
+
+/// The numbers of a step over their limits; 0 where one is not known because it is small.
+fn ratios(step: &Step) -> [f64; BEYOND.len()] {
+    BEYOND.map(|wanted| {
+        let is_wanted = |found: &&LimitRatio| reason(found.limit) == wanted;
+        let found = step.limits.iter().find(is_wanted);
+        found.map_or(0.0, |found| found.ratio)
+    })
+}
+
+/// The slope of a step that depends on the load.
+fn slope(model: &Model, step: &Step) -> Option<f64> {
+    let slope = step.slope.filter(|slope| slope.value() > 0.0)?;
+    match (slope, model.indenter.self_similar_slope()) {
+        (ContactSlope::AtEdge(_), Some(_)) => None,
+        _ => Some(slope.value()),
+    }
 }
 
 impl ContactCurves {
@@ -98,7 +150,7 @@ impl ContactCurves {
     }
 
     /// Predicts the same points with a finer grid and more loads.
-    fn finer(&self, values: &[f64]) -> Result<Prediction, ContactError> {
+    pub(super) fn finer(&self, values: &[f64]) -> Result<Prediction, ContactError> {
         let curves = self.curves.iter().enumerate();
         let curves = curves.map(|(index, curve)| {
             let model = self.model(index, values)?;
@@ -160,8 +212,9 @@ fn condition(model: &Model, observable: Observable, force: f64, path: &LoadingPa
             Observable::ForceAtDepth => step.solution.penetration,
             Observable::StiffnessAtContactRadius => (area / std::f64::consts::PI).sqrt(),
         },
+        ratios: ratios(step),
         shortening: relative_shortening(model, step),
-        slope: edge_slope(model, step),
+        slope: slope(model, step),
         // 2a over the side of an element twice as wide.
         elements: step.summary.contact_radius / path.grid.element_side(),
     }
@@ -172,7 +225,13 @@ fn invalid(conditions: &[Condition], abscissa: f64) -> Option<Invalidity> {
     let at = |of: fn(&Condition) -> Option<f64>| interpolated(conditions, abscissa, of);
     let above = |found: Option<f64>, limit: f64| found.is_some_and(|found| found > limit);
     let elements = at(|of| Some(of.elements));
-    if above(at(|of| of.shortening), LARGEST_SHORTENING) {
+    let beyond = (0..BEYOND.len()).find(|index| {
+        let ratio = interpolated(conditions, abscissa, |of| Some(of.ratios[*index]));
+        ratio.is_some_and(|ratio| ratio >= 1.0)
+    });
+    if let Some(index) = beyond {
+        Some(BEYOND[index])
+    } else if above(at(|of| of.shortening), LARGEST_SHORTENING) {
         Some(Invalidity::Squeezed)
     } else if above(at(|of| of.slope), LARGEST_SLOPE) {
         Some(Invalidity::Steep)
@@ -187,7 +246,7 @@ fn invalid(conditions: &[Condition], abscissa: f64) -> Option<Invalidity> {
 fn interpolated(
     conditions: &[Condition],
     abscissa: f64,
-    of: fn(&Condition) -> Option<f64>,
+    of: impl Fn(&Condition) -> Option<f64>,
 ) -> Option<f64> {
     let last = conditions.len().checked_sub(2)?;
     let first = conditions.partition_point(|one| one.abscissa < abscissa);
@@ -196,18 +255,23 @@ fn interpolated(
     let (below, above) = (of(low)?, of(high)?);
     let part = (abscissa / low.abscissa).ln() / (high.abscissa / low.abscissa).ln();
     let found = below * (above / below).powf(part);
-    found.is_finite().then_some(found)
+    if found.is_nan() {
+        // Not known at one of them: as at the nearer one.
+        return Some(if part < 0.5 { below } else { above });
+    }
+    Some(found)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Power laws that exceed their limits above loads of 2 and 30, and elements too few below 0.1.
+    /// Power laws that exceed their limits above loads of 0.9, 2 and 60, and elements too few below 0.1.
     fn conditions() -> Vec<Condition> {
         [0.03_f64, 0.3, 3.0, 30.0]
             .map(|load| Condition {
                 abscissa: load,
+                ratios: [0.0, (load / 60.0).sqrt(), 0.0, 0.0],
                 shortening: Some((load / 2.0).cbrt()),
                 slope: Some(LARGEST_SLOPE * (load / 0.9).powf(0.2)),
                 elements: FEWEST_ELEMENTS as f64 * (load / 0.1).cbrt(),
@@ -226,7 +290,8 @@ mod tests {
             (0.901, Some(Invalidity::Steep)),
             (1.999, Some(Invalidity::Steep)),
             (2.001, Some(Invalidity::Squeezed)),
-            (100.0, Some(Invalidity::Squeezed)),
+            (59.0, Some(Invalidity::Squeezed)),
+            (61.0, Some(Invalidity::LayerThickness)),
         ] {
             assert_eq!(invalid(&conditions, load), wanted, "{load}");
         }
@@ -236,7 +301,7 @@ mod tests {
     fn conditions_that_a_model_lacks_never_fail() {
         let mut conditions = conditions();
         for one in &mut conditions {
-            (one.shortening, one.slope) = (None, None);
+            (one.shortening, one.slope, one.ratios) = (None, None, [0.0; 4]);
         }
         assert_eq!(invalid(&conditions, 100.0), None);
     }

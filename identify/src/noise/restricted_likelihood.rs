@@ -6,7 +6,8 @@
 //! Biometrika 58, 545 (1971). No prediction is needed: the residuals of the present point serve for every trial. The
 //! degrees of freedom of an interval follow from Satterthwaite's rule, `ν = 2 C²/Var(C)`, with `Var(C)` from the
 //! curvature of `ℓ_R`: F. G. Giesbrecht and J. C. Burns, Biometrics 41, 477 (1985). Where a correlation is estimated,
-//! `ln C` is normal instead.
+//! `ln C` is normal instead. A part of the noise that is estimated as nothing beside the others adds nothing to
+//! `Var(C)` and costs no degree of freedom; if nothing else is estimated, `ν` is infinite.
 
 use faer::{Mat, Side};
 
@@ -29,6 +30,13 @@ const DIFFERENCE: f64 = 0.05;
 /// Curvatures of `−2 ℓ_R` below this carry no information: they mean a standard error above six in a logarithm.
 const FLAT: f64 = 0.05;
 
+/// A correlation estimated from many points leaves at least this many degrees of freedom: Student's quantile is then
+/// 2.94, one and a half times the normal one. Where the likelihood is flat, `Var(ln C)` from its curvature exaggerates
+/// without limit; of measurements of 60 points with a correlation of 0.85, 95 % of the quotients were below 2.7.
+const LEAST_DEGREES: f64 = 3.5;
+/// The same for few points: at least one for each eight of them.
+const POINTS_PER_DEGREE: f64 = 8.0;
+
 /// A curve is at least this many correlation lengths of its noise long; a longer correlation counts as a misfit.
 const LEAST_CORRELATION_LENGTHS: f64 = 10.0;
 
@@ -39,6 +47,8 @@ pub(crate) struct Part<'a> {
     pub at: &'a Evaluation,
     /// Unknowns that count as fitted; those that are not identifiable are left out.
     pub free: &'a [usize],
+    /// Further columns over the points that count as fitted.
+    pub departures: &'a [Vec<f64>],
 }
 
 /// The restricted likelihood as a function of the estimated numbers of the noise, for one problem or several with the
@@ -144,11 +154,18 @@ impl<'a> RestrictedLikelihood<'a> {
                     })
                     .sum();
                 if self.noise.correlation == Correlation::Estimated {
-                    return lognormal_degrees(spread / (variance[j] * variance[j]));
+                    let found = lognormal_degrees(spread / (variance[j] * variance[j]));
+                    return found.max(self.least_degrees());
                 }
-                (2.0 * variance[j] * variance[j] / spread).max(1.0)
+                satterthwaite(variance[j], spread)
             })
             .collect())
+    }
+
+    /// The fewest degrees of freedom that an estimated correlation leaves.
+    fn least_degrees(&self) -> f64 {
+        let points: usize = self.parts.iter().map(|part| part.problem.points()).sum();
+        LEAST_DEGREES.min(points as f64 / POINTS_PER_DEGREE)
     }
 
     /// `−2 ℓ_R` without its constant.
@@ -236,6 +253,11 @@ impl<'a> Part<'a> {
         let (mut residual, jacobian) = metric.rows(self.at);
         let mut columns = metric.nuisance_columns();
         columns.extend(self.free.iter().map(|&j| jacobian[j].clone()));
+        columns.extend(
+            self.departures
+                .iter()
+                .map(|column| metric.reduce(column.clone())),
+        );
         let absorbed = OrthonormalBasis::of(columns);
         absorbed.remove_from(&mut residual);
         metric.log_determinant() + absorbed.log_determinant() + dot(&residual, &residual)
@@ -250,6 +272,16 @@ impl<'a> Part<'a> {
 
     fn metric(&self, levels: &NoiseLevels) -> Metric<'a> {
         Metric::at(self.problem, levels, self.at)
+    }
+}
+
+/// `ν = 2 C²/Var(C)`, at least one; infinite for a variance that does not depend on the estimated noise. The sum of no
+/// terms is −0, which must not become a sign.
+fn satterthwaite(variance: f64, spread: f64) -> f64 {
+    if spread > 0.0 {
+        (2.0 * variance * variance / spread).max(1.0)
+    } else {
+        f64::INFINITY
     }
 }
 

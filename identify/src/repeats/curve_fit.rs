@@ -3,9 +3,10 @@
 
 use faer::Mat;
 
-use super::mixed_model::CurveEquations;
+use super::{common_departure::DepartureShare, mixed_model::CurveEquations};
 use crate::{
     NoiseLevels, Problem,
+    departure::{HIGHEST_COMMON_DEGREE, smooth_columns},
     goodness::lower_half_score,
     metric::Metric,
     orthonormal_basis::{OrthonormalBasis, dot},
@@ -18,6 +19,8 @@ pub(super) struct Share {
     pub problem: Problem,
     /// The columns of the common linear nuisances: the contribution of one unit to each point.
     pub common: Vec<Vec<f64>>,
+    /// The smallest and largest abscissa of all curves.
+    pub range: [f64; 2],
 }
 
 /// A curve fitted alone.
@@ -38,6 +41,8 @@ pub(super) struct CurveFit {
     pub degrees: f64,
     /// Score of the lower half of its abscissae against the whole, and its degrees of freedom.
     pub lower_half: [f64; 2],
+    /// Its smooth departures from its own fit.
+    pub departure: DepartureShare,
 }
 
 impl Share {
@@ -98,7 +103,44 @@ impl Share {
             model,
             degrees: whitened.len().saturating_sub(whole.rank()).max(1) as f64,
             lower_half: lower_half_score(&self.problem, &metric, &at, determined),
+            departure: self.departure(&metric, &at, &whole, &whitened),
             whitened,
+        }
+    }
+
+    /// The smooth departures beside the columns of its own fit and those it shares with others, and the residual's part
+    /// along them.
+    fn departure(
+        &self,
+        metric: &Metric,
+        at: &Evaluation,
+        own: &OrthonormalBasis,
+        residual: &[f64],
+    ) -> DepartureShare {
+        let mut fitted = own.clone();
+        for column in &self.common {
+            fitted.push(metric.reduce(column.clone()));
+        }
+        let mut residual = residual.to_vec();
+        fitted.remove_from(&mut residual);
+        let abscissa = self.problem.abscissa();
+        let columns = smooth_columns(&abscissa, &at.value, self.range, HIGHEST_COMMON_DEGREE);
+        let (squares, columns): (Vec<f64>, Vec<Vec<f64>>) = columns
+            .into_iter()
+            .map(|column| {
+                let mut column = metric.reduce(column);
+                let square = dot(&column, &column);
+                fitted.remove_from(&mut column);
+                (square, column)
+            })
+            .unzip();
+        let size = columns.len();
+        DepartureShare {
+            equations: CurveEquations {
+                gram: Mat::from_fn(size, size, |i, k| dot(&columns[i], &columns[k])),
+                pull: Mat::from_fn(size, 1, |i, _| dot(&columns[i], &residual)),
+            },
+            squares,
         }
     }
 }

@@ -5,7 +5,7 @@
 //! depends on the number of curves, so that no more than one in 200 sets of good curves loses a curve.
 
 use super::curve_fit::CurveFit;
-use crate::Exclusion;
+use crate::{Exclusion, outlier::median};
 
 /// Numbers of normal variates, each with the 99.5 % quantile of their largest deviation in those units, from 10⁵
 /// samples.
@@ -74,9 +74,9 @@ struct Deviation {
 }
 
 fn deviations(values: &[f64]) -> Vec<Deviation> {
-    let centre = median(values);
-    let distances: Vec<f64> = values.iter().map(|v| (v - centre).abs()).collect();
-    let scale = NORMAL * median(&distances);
+    let centre = median(values.to_vec());
+    let distances = values.iter().map(|v| (v - centre).abs()).collect();
+    let scale = NORMAL * median(distances);
     values
         .iter()
         .map(|v| Deviation {
@@ -84,17 +84,6 @@ fn deviations(values: &[f64]) -> Vec<Deviation> {
             scale,
         })
         .collect()
-}
-
-fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let middle = sorted.len() / 2;
-    if sorted.len() % 2 == 1 {
-        sorted[middle]
-    } else {
-        f64::midpoint(sorted[middle - 1], sorted[middle])
-    }
 }
 
 /// The limit for this many curves; `None` for fewer than four, which have no clear majority.
@@ -122,8 +111,8 @@ mod tests {
 
     #[test]
     fn one_outlier_does_not_move_the_median() {
-        assert_eq!(median(&[1.0, 2.0, 1e9, 3.0, 2.5]), 2.5);
-        assert_eq!(median(&[4.0, 1.0, 2.0, 3.0]), 2.5);
+        assert_eq!(median(vec![1.0, 2.0, 1e9, 3.0, 2.5]), 2.5);
+        assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), 2.5);
     }
 
     #[test]

@@ -2,14 +2,16 @@
 
 use faer::Mat;
 
-use super::{Common, CurveFit, MixedModel, Repeats, State};
+use super::{Common, CurveFit, MixedModel, Repeats, State, common_departure::common_p};
 use crate::{
-    BetweenCurves, Coefficient, Estimate, Fit, FitVerdict, FitWarning, FitWork, FittedPoints,
-    Goodness, IdentifyError, KnownCombination, REFUSAL, Verdict,
+    BetweenCurves, Coefficient, Departure, Estimate, Fit, FitVerdict, FitWarning, FitWork,
+    FittedPoints, Goodness, IdentifyError, KnownCombination, Outlier, REFUSAL, Verdict,
+    departure::largest_deviation,
     distribution::student_quantile,
-    goodness::{NoiseScale, Residuals},
+    goodness::{NoiseScale, OtherTests, Residuals},
     known_combination::{expression, not_identifiable},
     orthonormal_basis::dot,
+    outlier,
     predictor::Predictor,
     profile::Open,
     result::correlation,
@@ -27,13 +29,14 @@ impl Repeats<'_> {
     ) -> Result<Fit, IdentifyError> {
         let model = self.mixed_model(curves, state);
         let goodness = self.goodness(state, curves);
-        let verdict = if !converged {
-            FitVerdict::NotConverged
-        } else if goodness.misfit_p < REFUSAL {
-            FitVerdict::Misfit
-        } else {
-            FitVerdict::Fitted
+        let points = self.points(state, curves);
+        let outliers = self.outliers(state, &points);
+        let is_fitted = |one: &Outlier| {
+            let spans = self.problem.spans();
+            let fitted = curves.iter().map(|curve| &spans[curve.index]);
+            fitted.into_iter().any(|span| span.contains(&one.point))
         };
+        let verdict = FitVerdict::of(converged, &goodness, outliers.iter().any(is_fitted));
         let covariance = self.covariance(common);
         let estimates: Result<Vec<Estimate>, IdentifyError> = (0..self.problem.unknowns().len())
             .map(|unknown| self.estimate(state, curves, common, &model, unknown))
@@ -46,8 +49,10 @@ impl Repeats<'_> {
             correlation: correlation(&covariance),
             covariance,
             noise: state.levels,
+            departure: self.departure(&goodness, curves, &points),
             goodness,
-            points: self.points(state, curves),
+            outliers,
+            points,
             excluded: state.exclusions.clone(),
             work: FitWork {
                 curves_solved: predictor.predictions(),
@@ -72,14 +77,53 @@ impl Repeats<'_> {
             degrees,
             known,
         }
-        // A deviation common to all repeats may come from the instrument as well as the model.
-        .judge(
-            [
-                NoiseScale::of(self.problem, degrees).probability([sum(0), sum(1)]),
-                None,
-            ],
-            self.persistence_p(state),
-        )
+        .judge(&OtherTests {
+            lower_half: NoiseScale::of(self.problem, degrees).probability([sum(0), sum(1)]),
+            smooth: None,
+            persistence: self.persistence_p(state),
+            common: common_p(
+                &curves
+                    .iter()
+                    .map(|curve| &curve.departure)
+                    .collect::<Vec<_>>(),
+            ),
+        })
+    }
+
+    /// What the residuals of all curves have in common, if independent curves would not leave it.
+    fn departure(
+        &self,
+        goodness: &Goodness,
+        curves: &[CurveFit],
+        points: &FittedPoints,
+    ) -> Option<Departure> {
+        let probability = goodness.common_p.filter(|p| *p < REFUSAL)?;
+        let residuals: Vec<_> = curves
+            .iter()
+            .map(|curve| {
+                let of_curve = &self.problem.curves()[curve.index];
+                let span = self.problem.spans()[curve.index].clone();
+                (of_curve.abscissa(), &points.residual[span])
+            })
+            .collect();
+        let (range, largest) = largest_deviation(&residuals)?;
+        Some(Departure {
+            curves: curves.len(),
+            range,
+            largest,
+            probability,
+        })
+    }
+
+    /// The outliers of all curves, also of those left out.
+    fn outliers(&self, state: &State, points: &FittedPoints) -> Vec<Outlier> {
+        let series = outlier::Series {
+            residual: &points.residual,
+            observed: self.problem.observed(),
+            deviation: &state.levels.deviations(&state.at),
+            is_told: self.problem.noise().is_given(),
+        };
+        outlier::outliers(&series, self.problem.spans())
     }
 
     /// The covariance of the unknowns; those not identifiable have an infinite variance.

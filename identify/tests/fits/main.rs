@@ -6,15 +6,18 @@
 )]
 
 mod analytic;
+mod common_departure;
 mod coverage;
 mod exponents;
 mod misfit;
 mod noise;
+mod outliers;
 mod profile_ends;
 mod reference;
 mod repeats;
 mod robustness;
 mod stopped;
+mod told_noise;
 mod toys;
 mod verdicts;
 mod work;

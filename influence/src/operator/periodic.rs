@@ -8,15 +8,20 @@
 //! S(k) = Σ C(|q|) sinc(q_x a) sinc(q_y a),    q = k + (m, n) π/a
 //! ```
 //!
-//! so `K` is exact for the grid, like the coefficients of a single square. On a half-space the mean displacement under
-//! a mean pressure is infinite; displacements are measured from the mean plane of the deformed surface, so `S(0) = 0`.
-//! On a rigid base, which does not give way at `k = 0`, `S(0) = C(0)`.
+//! so `K` is exact for the grid, like the coefficients of a single square. The mean displacement of a half-space under
+//! a mean pressure is infinite; it is left out, so displacements are measured from the mean plane of its deformed
+//! surface and `S(0) = 0`. On a rigid base `S(0)` is the shortening of layers that have no room to widen, whatever the
+//! counterbody: [`ElasticBodies::mean_compliance`]. `C` of the foundation is [tabulated](compliance_table) over the
+//! cell's waves, so a stack of a hundred sublayers costs little more than one layer.
 
 mod alias_sum;
+mod compliance_table;
+mod squared_table;
 
 use rayon::prelude::*;
 
-use self::alias_sum::AliasSum;
+use self::alias_sum::{AliasSum, NodeWeights, weights};
+pub(crate) use self::compliance_table::ComplianceTable;
 use super::ElasticOperator;
 use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
@@ -42,24 +47,28 @@ impl PeriodicOperator {
     pub fn new(bodies: &ElasticBodies, element_side: f64, size: usize) -> Self {
         let transform = PlaneTransform::new(FourierLines::periodic(size));
         let width = size / 2 + 1;
-        let aliases = AliasSum::new(bodies, element_side / 2.0);
+        let compliance = ComplianceTable::of_cell(bodies, element_side, size);
+        let half_side = element_side / 2.0;
+        let aliases = AliasSum::new(bodies, &compliance, half_side);
         // k a = π i/N
-        let along = |i: usize| std::f64::consts::PI * i as f64 / size as f64;
-        let own = |[x, y]: [f64; 2]| {
-            let wavenumber = x.hypot(y) / (element_side / 2.0);
-            bodies.compliance(wavenumber) * sinc(x) * sinc(y)
-        };
+        let along: Vec<f64> = (0..width)
+            .map(|i| std::f64::consts::PI * i as f64 / size as f64)
+            .collect();
+        let sincs: Vec<f64> = along.iter().map(|x| sinc(*x)).collect();
+        let weights: Vec<NodeWeights> = along.iter().map(|x| weights(*x)).collect();
         let scale = 1.0 / (size * size) as f64;
         let mut multipliers = vec![0.0; width * width];
         let rows = multipliers.par_chunks_exact_mut(width).enumerate();
         rows.for_each(|(i, row)| {
-            let of_row = aliases.along(along(i));
+            let of_row = aliases.along(&weights[i]);
             for (j, value) in row.iter_mut().enumerate() {
-                let wave = [along(i), along(j)];
                 *value = if [i, j] == [0, 0] {
-                    scale * response_to_a_mean(bodies)
+                    // The aliases of the mean vanish, since `sinc` does there.
+                    scale * bodies.mean_compliance()
                 } else {
-                    scale * (own(wave) + of_row.at(wave[1]))
+                    let wavenumber = along[i].hypot(along[j]) / half_side;
+                    let own = compliance.at(wavenumber) * sincs[i] * sincs[j];
+                    scale * (own + of_row.at(&weights[j]))
                 };
             }
         });
@@ -69,12 +78,6 @@ impl PeriodicOperator {
             size,
         }
     }
-}
-
-/// `S(0)`: the aliases of the mean vanish, since `sinc` does there.
-fn response_to_a_mean(bodies: &ElasticBodies) -> f64 {
-    let mean = bodies.compliance(0.0);
-    if mean.is_finite() { mean } else { 0.0 }
 }
 
 impl ElasticOperator for PeriodicOperator {
@@ -208,6 +211,57 @@ mod tests {
                 (difference - limit).abs() < 1e-6 * found[0],
                 "{place:?}: {difference} {limit}"
             );
+        }
+    }
+
+    /// A cell has no room to widen, so a uniform pressure shortens every layer by `p H (1 + ν)(1 − 2ν)/((1 − ν) E)`,
+    /// above a frictionless interface too, and a spring by `p c_n`. The mean of an elastic counterbody is left out.
+    #[test]
+    fn a_uniform_pressure_on_layers_over_a_rigid_base_shortens_them_as_if_confined() {
+        use Interface::{Bonded, Frictionless};
+        let layer = |thickness, modulus, ratio, interface| {
+            Layer::new(thickness, material(modulus, ratio), interface).unwrap()
+        };
+        let spring = Interface::spring(0.7, 0.2).unwrap();
+        let confined = |thickness: f64, modulus: f64, ratio: f64| {
+            thickness * (1.0 + ratio) * (1.0 - 2.0 * ratio) / ((1.0 - ratio) * modulus)
+        };
+        let stacks = [
+            (
+                vec![layer(5.0, 10.0, 0.49, Frictionless)],
+                confined(5.0, 10.0, 0.49),
+            ),
+            (vec![layer(1.0, 0.1, 0.5, Frictionless)], 0.0),
+            (
+                vec![
+                    layer(0.3, 2.0, 0.1, Bonded),
+                    layer(0.2, 0.7, 0.4, Frictionless),
+                    layer(0.5, 3.0, 0.3, Bonded),
+                ],
+                confined(0.3, 2.0, 0.1) + confined(0.2, 0.7, 0.4) + confined(0.5, 3.0, 0.3),
+            ),
+            (
+                vec![
+                    layer(0.3, 2.0, 0.2, Frictionless),
+                    layer(0.6, 0.5, 0.45, spring),
+                    layer(0.5, 3.0, 0.5, Frictionless),
+                ],
+                confined(0.3, 2.0, 0.2) + confined(0.6, 0.5, 0.45) + 0.7,
+            ),
+        ];
+        let size = 8;
+        for (layers, wanted) in stacks {
+            let foundation = Foundation::new(layers, Base::Rigid).unwrap();
+            for counterbody in [None, Some(material(0.01, 0.3))] {
+                let bodies = ElasticBodies::new(foundation.clone(), counterbody);
+                let mut found = vec![0.0; size * size];
+                let mut operator = PeriodicOperator::new(&bodies, 1.0, size);
+                operator.apply_into(&vec![2.0; size * size], &mut found);
+                for found in found {
+                    // roundings, of zero those of the pressure's other waves
+                    assert!((found - 2.0 * wanted).abs() < 1e-14, "{found} {wanted}");
+                }
+            }
         }
     }
 

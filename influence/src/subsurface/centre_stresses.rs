@@ -6,10 +6,12 @@
 use pellicle_kernel::Foundation;
 
 use super::depth::Depth;
-use super::element_table::ElementTable;
+use super::element_table::{ElementStates, ElementTable};
 use super::parity::{UNDER_PRESSURE, under_traction};
 use super::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
+use super::rough::{RoughDepths, RoughPressure, RoughTraction};
 use super::state::{FIELDS, SubsurfaceState, SurfaceLoad};
+use super::traction_steps::TractionSteps;
 use super::under_load::{DepthWaves, UnderLoad};
 use super::waves::Waves;
 use crate::element::check_element_side;
@@ -76,16 +78,50 @@ impl CentreStresses {
         depth.check(self.waves.foundation())?;
         let diagonal = std::f64::consts::SQRT_2 * self.waves.unit() * self.offsets as f64;
         let waves = DepthWaves::new(&mut self.waves, depth, diagonal)?;
-        (self.normal).fill::<Pressure, NORMAL>(&UnderLoad::new(&waves));
+        let tangential = self.tangential.is_some();
+        let tangential = tangential.then(|| UnderLoad::<Traction, TANGENTIAL>::new(&waves));
+        let normal = UnderLoad::<Pressure, NORMAL>::new(&waves);
+        self.tabulate(depth, &normal, tangential);
+        Ok(())
+    }
+
+    /// The same with [rough](RoughDepths) stresses.
+    ///
+    /// # Errors
+    /// As [`ElementFields::new`](super::ElementFields::new).
+    pub fn move_roughly_to(
+        &mut self,
+        depths: &mut RoughDepths,
+        depth: Depth,
+    ) -> Result<(), InfluenceError> {
+        let side = self.waves.unit();
+        let diagonal = std::f64::consts::SQRT_2 * side * (self.offsets + 1) as f64;
+        let kernels = depths.at(depth, side, diagonal)?;
+        let tangential = RoughTraction::under_traction(&kernels, side);
+        let normal = RoughPressure::under_pressure(&kernels, side);
+        self.tabulate(depth, &normal, tangential);
+        Ok(())
+    }
+
+    fn tabulate(
+        &mut self,
+        depth: Depth,
+        normal: &impl ElementStates,
+        traction: Option<impl ElementStates>,
+    ) {
+        self.normal.fill_with(normal);
         take_rows(&mut self.under_pressure, &self.normal, Axes::Own);
-        if let Some(tangential) = &mut self.tangential {
-            tangential.fill::<Traction, TANGENTIAL>(&UnderLoad::new(&waves));
+        if let (Some(tangential), Some(traction)) = (&mut self.tangential, traction) {
+            tangential.fill_with(&traction);
+            let steps = TractionSteps::of(self.waves.foundation(), depth, self.waves.unit());
+            steps
+                .into_iter()
+                .for_each(|steps| tangential.add_steps(steps));
             take_rows(&mut self.along_x, tangential, Axes::Own);
             if self.friction[1] != 0.0 {
                 take_rows(&mut self.swapped, tangential, Axes::Swapped);
             }
         }
-        Ok(())
     }
 
     /// The stress under the centre of the element at `place`, counted from the first of a square of `size` × `size`
@@ -97,16 +133,8 @@ impl CentreStresses {
     pub fn at(&self, pressure: &[f64], size: usize, place: [isize; 2]) -> SubsurfaceState {
         let mut sums = [[0.0; FIELDS]; 3];
         for (row, pressures) in pressure.chunks_exact(size).enumerate() {
-            let Some(first) = pressures.iter().position(|p| *p > 0.0) else {
+            let Some(line) = Line::of(pressures, row, place, self.offsets) else {
                 continue;
-            };
-            let end = pressures.iter().rposition(|p| *p > 0.0).unwrap_or(first) + 1;
-            let m = place[0] - row.cast_signed();
-            let line = Line {
-                pressures: &pressures[first..end],
-                place: place[1] - first.cast_signed(),
-                mirror: if m < 0 { -1.0 } else { 1.0 },
-                row: m.unsigned_abs() * self.offsets..(m.unsigned_abs() + 1) * self.offsets,
             };
             for field in DISPLACEMENTS..FIELDS {
                 let stress = field - DISPLACEMENTS;
@@ -154,7 +182,7 @@ fn take_rows(rows: &mut Rows, table: &ElementTable, axes: Axes) {
 }
 
 /// A row of loaded elements as seen from a place.
-struct Line<'a> {
+pub struct Line<'a> {
     pressures: &'a [f64],
     /// Index of the place, counted from the first element.
     place: isize,
@@ -164,9 +192,23 @@ struct Line<'a> {
     row: std::ops::Range<usize>,
 }
 
-impl Line<'_> {
+impl<'a> Line<'a> {
+    /// The row of these pressures, the `row`-th of a square, as seen from a place that is counted from the first
+    /// element of the square, in tables of some offsets along a side; none without pressure.
+    pub fn of(pressures: &'a [f64], row: usize, place: [isize; 2], offsets: usize) -> Option<Self> {
+        let first = pressures.iter().position(|p| *p > 0.0)?;
+        let end = pressures.iter().rposition(|p| *p > 0.0).unwrap_or(first) + 1;
+        let m = place[0] - row.cast_signed();
+        Some(Self {
+            pressures: &pressures[first..end],
+            place: place[1] - first.cast_signed(),
+            mirror: if m < 0 { -1.0 } else { 1.0 },
+            row: m.unsigned_abs() * offsets..(m.unsigned_abs() + 1) * offsets,
+        })
+    }
+
     /// The sum of a field of these parities.
-    fn sum(&self, table: &[f64], [x, y]: [Parity; 2]) -> f64 {
+    pub fn sum(&self, table: &[f64], [x, y]: [Parity; 2]) -> f64 {
         let values = &table[self.row.clone()];
         let (place, count) = (self.place, self.pressures.len());
         // Elements up to the place have decreasing offsets, those after it increasing ones.

@@ -1,6 +1,7 @@
 //! The fields of one loaded element at one depth.
 
 use std::ops::Add;
+use std::sync::OnceLock;
 
 use pellicle_kernel::Foundation;
 use rayon::prelude::*;
@@ -44,7 +45,9 @@ pub struct ElementFields {
     /// Whether `u_x` and `u_y` under a traction are bounded.
     is_held_laterally: bool,
     normal: UnderPressure,
-    tangential: UnderTraction,
+    /// Computed when a traction first needs it.
+    tangential: OnceLock<UnderTraction>,
+    waves: DepthWaves,
 }
 
 impl ElementFields {
@@ -78,13 +81,17 @@ impl ElementFields {
         }
     }
 
+    fn tangential(&self) -> &UnderTraction {
+        self.tangential.get_or_init(|| UnderLoad::new(&self.waves))
+    }
+
     /// The state at a point under one of the loads.
     #[must_use]
     pub fn state(&self, load: SurfaceLoad, point: [f64; 2]) -> SubsurfaceState {
         let place = point.map(|along| along / self.element_side);
         let mut state = match load {
             SurfaceLoad::Pressure => self.normal.at(place),
-            SurfaceLoad::Traction => self.tangential.at(place),
+            SurfaceLoad::Traction => self.tangential().at(place),
         };
         if load == SurfaceLoad::Traction && !self.is_held_laterally {
             state.displacement[..2].fill(f64::NAN);
@@ -109,7 +116,7 @@ impl ElementFields {
             let place = [point[0] - x, point[1] - y].map(|along| along / self.element_side);
             let mut state = self.normal.at(place);
             if slides {
-                let [along_x, along_y] = self.tangential.at_both(place);
+                let [along_x, along_y] = self.tangential().at_both(place);
                 state += along_x * friction[0] + along_y.transposed() * friction[1];
             }
             state * *pressure
@@ -182,7 +189,8 @@ impl ElementDepths {
             element_side: self.0.unit(),
             is_held_laterally: depth.is_held_laterally(self.0.foundation()),
             normal: UnderLoad::new(&waves),
-            tangential: UnderLoad::new(&waves),
+            tangential: OnceLock::new(),
+            waves,
         })
     }
 }

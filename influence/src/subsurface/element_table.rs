@@ -8,11 +8,18 @@ use rayon::prelude::*;
 
 use super::point_kernels::PointLoad;
 use super::state::{FIELDS, SubsurfaceState, SurfaceLoad};
+use super::traction_steps::TractionSteps;
 use super::under_load::UnderLoad;
 use crate::transform::LINES;
 
 /// The field that replaces each one when x and y are exchanged.
 pub const TRANSPOSED: [usize; FIELDS] = [1, 0, 2, 4, 3, 5, 6, 8, 7];
+
+/// Indices of the stresses that a traction's steps change.
+const XX: usize = 3;
+const YY: usize = 4;
+const ZZ: usize = 5;
+const XY: usize = 6;
 
 /// The fields under one load at `size` × `size` offsets.
 pub struct ElementTable {
@@ -25,6 +32,30 @@ pub struct ElementTable {
 
 /// One field in a tile, row by row.
 type Tile = [[f64; LINES]; LINES];
+
+/// The fields of an element under one load; places are in sides of the element from its centre.
+pub trait ElementStates: Sync {
+    /// The load.
+    const LOAD: SurfaceLoad;
+
+    /// The state at (x, y).
+    fn at(&self, place: [f64; 2]) -> SubsurfaceState;
+
+    /// The states at (x, y) and at (y, x).
+    fn at_both(&self, place: [f64; 2]) -> [SubsurfaceState; 2];
+}
+
+impl<L: PointLoad<F>, const F: usize> ElementStates for UnderLoad<L, F> {
+    const LOAD: SurfaceLoad = L::LOAD;
+
+    fn at(&self, place: [f64; 2]) -> SubsurfaceState {
+        Self::at(self, place)
+    }
+
+    fn at_both(&self, place: [f64; 2]) -> [SubsurfaceState; 2] {
+        Self::at_both(self, place)
+    }
+}
 
 impl ElementTable {
     pub fn new(size: usize, load: SurfaceLoad) -> Self {
@@ -79,7 +110,12 @@ impl ElementTable {
 
     /// Computes the fields of an element under the table's load.
     pub fn fill<L: PointLoad<F>, const F: usize>(&mut self, element: &UnderLoad<L, F>) {
-        assert!(self.load == L::LOAD, "the table is made for the load");
+        self.fill_with(element);
+    }
+
+    /// The same from an element of any accuracy.
+    pub fn fill_with<E: ElementStates>(&mut self, element: &E) {
+        assert!(self.load == E::LOAD, "the table is made for the load");
         let (size, fields) = (self.size, self.fields());
         let tiles = self.tiles.par_chunks_exact_mut(fields).enumerate();
         tiles.for_each(|(place, values)| {
@@ -97,7 +133,7 @@ impl ElementTable {
                         value[i][j] = state.field(field);
                     }
                 };
-                match L::LOAD {
+                match E::LOAD {
                     SurfaceLoad::Pressure => set(0, &element.at(place)),
                     SurfaceLoad::Traction => {
                         let [own, other] = element.at_both(place);
@@ -107,5 +143,21 @@ impl ElementTable {
                 }
             }
         });
+    }
+
+    /// Adds what the steps of a traction take from the stresses under centres.
+    pub fn add_steps(&mut self, TractionSteps { along_x, along_y }: TractionSteps) {
+        for (field, lost) in [XX, YY, ZZ].into_iter().zip(along_x) {
+            self.add([1, 0], field, lost);
+        }
+        self.add([0, 1], XY, along_y);
+    }
+
+    /// Adds to a field under a traction at an offset in the first tile.
+    fn add(&mut self, [m, n]: [usize; 2], field: usize, value: f64) {
+        if m.max(n) < self.size {
+            self.tiles[field][m][n] += value;
+            self.tiles[FIELDS + field][n][m] += value;
+        }
     }
 }

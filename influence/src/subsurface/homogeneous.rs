@@ -59,6 +59,21 @@ pub fn loaded_square(
     }
 }
 
+/// `σ_xx`, `σ_yy` and `σ_xy` on the surface at (x, y) seen from a corner of a loaded quadrant, under a pressure and
+/// under a
+/// traction along x. Summed over the corners of a square with signs, these are its stresses; lengths are in any unit.
+pub fn surface_corner(poisson_ratio: f64, [x, y]: [f64; 2]) -> [[f64; 3]; 2] {
+    let corner = Corner::new([x, y, 0.0]);
+    let loads = [
+        corner.under_pressure(poisson_ratio),
+        corner.under_traction(poisson_ratio),
+    ];
+    loads.map(|state| {
+        let [xx, yy, _, xy, _, _] = state.stress;
+        [xx, yy, xy].map(|stress| stress / (2.0 * PI))
+    })
+}
+
 /// The derivatives of the potentials at a place seen from a corner.
 struct Corner {
     x: f64,

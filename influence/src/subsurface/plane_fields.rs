@@ -11,7 +11,9 @@ use super::depth::Depth;
 use super::element_table::{ElementTable, TRANSPOSED};
 use super::parity::{ParityPart, UNDER_PRESSURE, under_traction};
 use super::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
+use super::rough::{RoughDepths, RoughPressure, RoughTraction};
 use super::state::SurfaceLoad;
+use super::traction_steps::TractionSteps;
 use super::transformed_pressure::{Squares, TransformedPressure};
 use super::under_load::{DepthWaves, UnderLoad};
 use super::waves::Waves;
@@ -128,6 +130,40 @@ impl PlaneFields {
         mut take: impl FnMut(usize, &[f64]),
     ) -> Result<(), InfluenceError> {
         self.tabulate(depth)?;
+        self.convolve(depth, chosen, &mut take);
+        Ok(())
+    }
+
+    /// As [`Self::chosen_fields_on`] with [rough](RoughDepths) stresses, for searches: near the surface a traction
+    /// holds what its steps take from stresses under centres.
+    ///
+    /// # Errors
+    /// As [`ElementFields::new`](super::ElementFields::new).
+    pub fn rough_fields_on(
+        &mut self,
+        depths: &mut RoughDepths,
+        depth: Depth,
+        chosen: &[usize],
+        mut take: impl FnMut(usize, &[f64]),
+    ) -> Result<(), InfluenceError> {
+        let side = self.waves.unit();
+        let offsets = (self.normal.size() + 1) as f64;
+        let kernels = depths.at(depth, side, std::f64::consts::SQRT_2 * side * offsets)?;
+        (self.normal).fill_with(&RoughPressure::under_pressure(&kernels, side));
+        let traction = RoughTraction::under_traction(&kernels, side);
+        if let (Some(tangential), Some(traction)) = (&mut self.tangential, traction) {
+            tangential.fill_with(&traction);
+            let steps = TractionSteps::of(self.waves.foundation(), depth, side);
+            steps
+                .into_iter()
+                .for_each(|steps| tangential.add_steps(steps));
+        }
+        self.convolve(depth, chosen, &mut take);
+        Ok(())
+    }
+
+    /// Calls `take` with chosen fields, from the tables of an element.
+    fn convolve(&mut self, depth: Depth, chosen: &[usize], take: &mut impl FnMut(usize, &[f64])) {
         let is_held_laterally = depth.is_held_laterally(self.waves.foundation());
         for of_pair in PAIRS {
             let wanted = |field: &&usize| chosen.contains(field);
@@ -145,7 +181,6 @@ impl PlaneFields {
                 take(*field, &self.shown);
             }
         }
-        Ok(())
     }
 
     /// Fills the tables of an element's fields at a depth.

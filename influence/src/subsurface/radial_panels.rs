@@ -3,18 +3,42 @@
 //! Waves that decay with depth as `e^{−kz}` give functions of r² that are analytic except at `r² = −z²` and beyond.
 //! In `w = r² + z²`, on panels from w to at most 9/8 w, whose centre lies at least 17 half widths from that point,
 //! polynomials of degree 9 leave some 1e-13 of the functions. Eight panels fill one power of two, so the leading
-//! bits of w are the number of its panel.
+//! bits of w are the number of its panel. Two panels in one power of two, the centre at least 5 half widths away, leave
+//! 1e-9.
 
 use crate::numerics::chebyshev::{ChebyshevTransform, nodes, taylor_weight};
 
 /// Number of coefficients of a polynomial.
 const TERMS: usize = 10;
 
-/// Bits of a number's fraction below the three that count panels.
-const SHIFT: u32 = 52 - 3;
+/// Bits of a number's fraction.
+const FRACTION: u32 = 52;
 
-/// Panels in one power of two.
-const PER_OCTAVE: f64 = 8.0;
+/// Leading bits of the fraction that count the panels in one power of two.
+#[derive(Clone, Copy, Debug)]
+struct PanelBits(u32);
+
+/// For functions to 1e-13, and to 1e-9.
+const FINE: PanelBits = PanelBits(3);
+const ROUGH: PanelBits = PanelBits(1);
+
+impl PanelBits {
+    /// Bits of the fraction below those that count panels.
+    fn shift(self) -> u32 {
+        FRACTION - self.0
+    }
+
+    /// The panel of `relative`, which is `w` over the smallest `w` and at least 1.
+    #[inline]
+    fn panel_of(self, relative: f64) -> u64 {
+        (relative.to_bits() - 1_f64.to_bits()) >> self.shift()
+    }
+
+    /// The beginning of a panel, over the smallest `w`.
+    fn beginning(self, panel: u64) -> f64 {
+        f64::from_bits(1_f64.to_bits() + (panel << self.shift()))
+    }
+}
 
 /// The radii that panels cover; all lengths are in sides of an element.
 #[derive(Clone, Copy, Debug)]
@@ -24,17 +48,28 @@ pub struct Layout {
     /// The smallest `w`, at which the first panel begins.
     lowest: f64,
     count: u64,
+    bits: PanelBits,
 }
 
 impl Layout {
     /// The layout for radii from one to another; `reach` and the first radius are not both 0.
-    pub fn new(reach: f64, [from, to]: [f64; 2]) -> Self {
+    pub fn new(reach: f64, ends: [f64; 2]) -> Self {
+        Self::with(FINE, reach, ends)
+    }
+
+    /// The same with fewer panels, for rough functions.
+    pub fn rough(reach: f64, ends: [f64; 2]) -> Self {
+        Self::with(ROUGH, reach, ends)
+    }
+
+    fn with(bits: PanelBits, reach: f64, [from, to]: [f64; 2]) -> Self {
         let lowest = from * from + reach * reach;
         let last = ((to * to + reach * reach) / lowest).max(1.0);
         Self {
             reach,
             lowest,
-            count: panel_of(last) + 1,
+            count: bits.panel_of(last) + 1,
+            bits,
         }
     }
 
@@ -56,7 +91,7 @@ impl Layout {
 
     /// The radii of one panel at which the functions are evaluated.
     fn radii_of(&self, panel: u64) -> impl Iterator<Item = f64> {
-        let [begin, end] = [panel, panel + 1].map(beginning);
+        let [begin, end] = [panel, panel + 1].map(|panel| self.bits.beginning(panel));
         let (lowest, reach) = (self.lowest, self.reach);
         nodes(TERMS).map(move |t| {
             let relative = begin + (end - begin) * f64::midpoint(1.0, t);
@@ -66,21 +101,14 @@ impl Layout {
     }
 }
 
-/// The panel of `relative`, which is `w` over the smallest `w` and at least 1.
-fn panel_of(relative: f64) -> u64 {
-    (relative.to_bits() - 1_f64.to_bits()) >> SHIFT
-}
-
-/// The beginning of a panel, over the smallest `w`.
-fn beginning(panel: u64) -> f64 {
-    f64::from_bits(1_f64.to_bits() + (panel << SHIFT))
-}
-
 /// `F` functions of the radius.
 #[derive(Clone, Debug)]
 pub struct RadialPanels<const F: usize> {
     reach_square: f64,
     per_lowest: f64,
+    shift: u32,
+    /// Panels in one power of two.
+    per_octave: f64,
     /// For each panel, from the highest power of the position in it down.
     powers: Vec<[[f64; F]; TERMS]>,
 }
@@ -109,6 +137,8 @@ impl<const F: usize> RadialPanels<F> {
         Self {
             reach_square: layout.reach * layout.reach,
             per_lowest: 1.0 / layout.lowest,
+            shift: layout.bits.shift(),
+            per_octave: 2_f64.powi(layout.bits.0.cast_signed()),
             powers: (0..layout.count).map(panel).collect(),
         }
     }
@@ -117,13 +147,13 @@ impl<const F: usize> RadialPanels<F> {
     #[inline]
     pub fn at(&self, radius_square: f64) -> [f64; F] {
         let relative = ((radius_square + self.reach_square) * self.per_lowest).max(1.0);
-        let panel = panel_of(relative);
+        let panel = (relative.to_bits() - 1_f64.to_bits()) >> self.shift;
         let Some(powers) = usize::try_from(panel).ok().and_then(|i| self.powers.get(i)) else {
             return [f64::NAN; F];
         };
         // The bits below those that count panels are the position in one.
-        let fraction = relative.to_bits() & ((1 << SHIFT) - 1);
-        let place = (f64::from_bits(1_f64.to_bits() | fraction) - 1.0) * PER_OCTAVE;
+        let fraction = relative.to_bits() & ((1 << self.shift) - 1);
+        let place = (f64::from_bits(1_f64.to_bits() | fraction) - 1.0) * self.per_octave;
         let mut sums = powers[0];
         for coefficients in &powers[1..] {
             for (sum, coefficient) in sums.iter_mut().zip(coefficients) {

@@ -98,6 +98,7 @@ impl SubsurfaceState {
 }
 
 impl AddAssign for SubsurfaceState {
+    #[inline]
     fn add_assign(&mut self, other: Self) {
         let displacements = self.displacement.iter_mut().zip(other.displacement);
         let stresses = self.stress.iter_mut().zip(other.stress);
@@ -110,6 +111,7 @@ impl AddAssign for SubsurfaceState {
 impl Add for SubsurfaceState {
     type Output = Self;
 
+    #[inline]
     fn add(mut self, other: Self) -> Self {
         self += other;
         self
@@ -119,6 +121,7 @@ impl Add for SubsurfaceState {
 impl Mul<f64> for SubsurfaceState {
     type Output = Self;
 
+    #[inline]
     fn mul(self, factor: f64) -> Self {
         Self {
             displacement: self.displacement.map(|value| value * factor),

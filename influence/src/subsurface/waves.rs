@@ -11,39 +11,34 @@ use pellicle_kernel::{Amplitudes, Foundation, Interior, KernelError};
 use rayon::prelude::*;
 
 use super::log_lattice::{
-    COARSE, COARSE_STRIDE, FINE, FINE_FIRST, FIRST, HankelWeights, LAST, RADIUS_STRIDE, STEP,
+    EXACT, EXACT_WEIGHTS, HankelWeights, LatticeWeights, LogLattice, ROUGH, ROUGH_WEIGHTS,
 };
 use super::point_kernels::PointLoad;
 use super::radial_panels::{Layout, RadialPanels};
 
-/// Amplitudes have fallen to e^{−60} where the wavenumber times the reach has this value.
-const DECAYED: f64 = 60.0;
-
-/// Step of `ln r`.
-const STRIDE: f64 = RADIUS_STRIDE as f64 * STEP;
-
-/// Number of points of the interpolation over `ln r`. The functions are analytic in it up to ±iπ/2, so with steps of
-/// 0.08 the error is 1e-13.
-const STENCIL: usize = 20;
-
-/// Number of lattice radii on either side of an interpolated one.
-const MARGIN: isize = 10;
+/// Largest number of points of the interpolation over `ln r`.
+const MOST_POINTS: usize = EXACT.stencil;
 
 /// The interiors of a foundation that some depth has needed, by the index of the wavenumber.
 #[derive(Debug)]
 pub struct Waves {
     foundation: Foundation,
-    /// Side of an element, m.
+    /// Unit of lengths, m: the side of an element.
     unit: f64,
+    lattice: &'static LogLattice,
+    weights: &'static LatticeWeights,
     interiors: BTreeMap<isize, Interior>,
 }
 
 /// Amplitudes on the part of the lattice from which the functions at some radii are computed.
+#[derive(Clone, Debug)]
 pub struct Sampled {
     layout: Layout,
+    lattice: &'static LogLattice,
+    weights: &'static LatticeWeights,
     /// Indices of the first and last radius of the lattice.
     radii: [isize; 2],
-    /// At the wavenumbers from the lowest on; for long waves, only at one in [`COARSE_STRIDE`].
+    /// At the wavenumbers from the lowest on; for long waves, only at one in the coarse stride.
     amplitudes: Vec<Option<Amplitudes>>,
     /// Factors of the amplitudes.
     factors: Vec<f64>,
@@ -54,7 +49,18 @@ impl Waves {
         Self {
             foundation: foundation.clone(),
             unit,
+            lattice: &EXACT,
+            weights: &EXACT_WEIGHTS,
             interiors: BTreeMap::new(),
+        }
+    }
+
+    /// Waves on the lattice of rough stresses, with lengths in any unit (m).
+    pub fn rough(foundation: &Foundation, unit: f64) -> Self {
+        Self {
+            lattice: &ROUGH,
+            weights: &ROUGH_WEIGHTS,
+            ..Self::new(foundation, unit)
         }
     }
 
@@ -62,7 +68,7 @@ impl Waves {
         &self.foundation
     }
 
-    /// Side of an element, m.
+    /// Unit of lengths, m.
     pub fn unit(&self) -> f64 {
         self.unit
     }
@@ -74,18 +80,23 @@ impl Waves {
         of: impl Fn(&Interior) -> Option<Amplitudes>,
         factor: impl Fn(isize) -> f64,
     ) -> Result<Sampled, KernelError> {
-        let [first, last] = layout.ends().map(|radius| index_of(radius.ln() / STRIDE));
-        let radii = [first - MARGIN + 1, last + MARGIN];
+        let lattice = self.lattice;
+        let stride = lattice.radius_step();
+        let [first, last] = layout.ends().map(|radius| index_of(radius.ln() / stride));
+        let margin = lattice.margin();
+        let radii = [first - margin + 1, last + margin];
         // ln k = ln x − ln r
-        let lowest = FIRST - RADIUS_STRIDE * radii[1];
-        let every_from = FINE_FIRST - RADIUS_STRIDE * radii[1];
-        let decayed = index_of((DECAYED / layout.reach()).ln() / STEP);
-        let highest = (LAST - RADIUS_STRIDE * radii[0]).min(decayed);
-        let coarse = (lowest..every_from).step_by(COARSE_STRIDE);
+        let lowest = lattice.first - lattice.radius_stride * radii[1];
+        let every_from = lattice.fine_first - lattice.radius_stride * radii[1];
+        let decayed = index_of((lattice.decayed / layout.reach()).ln() / lattice.step);
+        let highest = (lattice.last - lattice.radius_stride * radii[0]).min(decayed);
+        let coarse = (lowest..every_from).step_by(lattice.coarse_stride);
         self.solve(coarse.chain(every_from..=highest))?;
         let at = |index| self.interiors.get(&index).and_then(&of);
         Ok(Sampled {
             layout,
+            lattice,
+            weights: self.weights,
             radii,
             amplitudes: (lowest..=highest).map(at).collect(),
             factors: (lowest..=highest).map(factor).collect(),
@@ -97,7 +108,7 @@ impl Waves {
         let is_missing = |index: &isize| !self.interiors.contains_key(index);
         let missing: Vec<isize> = indices.filter(is_missing).collect();
         let interior = |index: isize| {
-            let wavenumber = (index as f64 * STEP).exp() / self.unit;
+            let wavenumber = (index as f64 * self.lattice.step).exp() / self.unit;
             Ok((index, self.foundation.interior(wavenumber)?))
         };
         let found = missing.into_par_iter().map(interior);
@@ -139,17 +150,19 @@ impl Sampled {
                 .map(|weights| L::ORDERS.map(|order| weights[order]))
                 .collect()
         };
-        let (coarse, fine) = (weights_of(&COARSE), weights_of(&FINE));
+        let (lattice, weights) = (self.lattice, self.weights);
+        let (coarse, fine) = (weights_of(&weights.coarse), weights_of(&weights.fine));
+        let stride = lattice.radius_step();
         let at_radius = |index: isize| -> [f64; F] {
-            let from = (RADIUS_STRIDE * (last - index)).unsigned_abs();
-            let to_fine = from + (FINE_FIRST - FIRST).unsigned_abs();
+            let from = (lattice.radius_stride * (last - index)).unsigned_abs();
+            let to_fine = from + (lattice.fine_first - lattice.first).unsigned_abs();
             let mut sums = [0.0; F];
             let mut add = |weights: &[f64; F], values: &[f64; F]| {
                 for ((sum, weight), value) in sums.iter_mut().zip(weights).zip(values) {
                     *sum += weight * value;
                 }
             };
-            let values = amplitudes.iter().skip(from).step_by(COARSE_STRIDE);
+            let values = amplitudes.iter().skip(from).step_by(lattice.coarse_stride);
             coarse
                 .iter()
                 .zip(values)
@@ -158,7 +171,7 @@ impl Sampled {
             fine.iter()
                 .zip(values)
                 .for_each(|(weights, values)| add(weights, values));
-            let r = (index as f64 * STRIDE).exp();
+            let r = (index as f64 * stride).exp();
             let mut orders = L::ORDERS.into_iter();
             sums.map(|sum| {
                 let order = orders.next().unwrap_or_default();
@@ -168,17 +181,29 @@ impl Sampled {
         };
         let table: Vec<[f64; F]> = (first..=last).into_par_iter().map(at_radius).collect();
         RadialPanels::new(&self.layout, |radius| {
-            interpolated(&table, radius.ln() / STRIDE - first as f64)
+            interpolated(&table, radius.ln() / stride - first as f64, lattice.stencil)
         })
     }
 }
 
-/// The values at a position between those of a table.
-fn interpolated<const F: usize>(table: &[[f64; F]], place: f64) -> [f64; F] {
-    let first = (index_of(place) - MARGIN + 1).unsigned_abs();
-    let weights = lagrange_weights(place - first as f64);
+impl LogLattice {
+    /// Step of `ln r`.
+    fn radius_step(&self) -> f64 {
+        self.radius_stride as f64 * self.step
+    }
+
+    /// Number of lattice radii on either side of an interpolated one.
+    fn margin(&self) -> isize {
+        (self.stencil / 2).cast_signed()
+    }
+}
+
+/// The values at a position between those of a table, from this number of neighbours.
+fn interpolated<const F: usize>(table: &[[f64; F]], place: f64, points: usize) -> [f64; F] {
+    let first = (index_of(place) + 1).unsigned_abs() - points / 2;
+    let weights = lagrange_weights(place - first as f64, points);
     let mut sums = [0.0; F];
-    for (values, weight) in table[first..].iter().zip(weights) {
+    for (values, weight) in table[first..].iter().zip(&weights[..points]) {
         for (sum, value) in sums.iter_mut().zip(values) {
             *sum += weight * value;
         }
@@ -187,18 +212,18 @@ fn interpolated<const F: usize>(table: &[[f64; F]], place: f64) -> [f64; F] {
 }
 
 /// The weights of the values at 0, 1, … in the polynomial through them, evaluated at t.
-fn lagrange_weights(t: f64) -> [f64; STENCIL] {
-    let mut weights = [1.0; STENCIL];
+fn lagrange_weights(t: f64, points: usize) -> [f64; MOST_POINTS] {
+    let mut weights = [1.0; MOST_POINTS];
     // w_j = Π_{m ≠ j} (t − m)/(j − m), with (j − m) from one side and (m − j) from the other
     let mut product = 1.0;
-    for (j, weight) in weights.iter_mut().enumerate() {
+    for (j, weight) in weights[..points].iter_mut().enumerate() {
         *weight = product;
         product *= (t - j as f64) / (j + 1) as f64;
     }
     product = 1.0;
-    for (j, weight) in weights.iter_mut().enumerate().rev() {
+    for (j, weight) in weights[..points].iter_mut().enumerate().rev() {
         *weight *= product;
-        product *= (j as f64 - t) / (STENCIL - j) as f64;
+        product *= (j as f64 - t) / (points - j) as f64;
     }
     weights
 }
@@ -207,7 +232,7 @@ fn lagrange_weights(t: f64) -> [f64; STENCIL] {
 mod tests {
     use pellicle_kernel::{Foundation, Material};
 
-    use super::{Layout, STENCIL, Waves, interpolated, lagrange_weights};
+    use super::{Layout, MOST_POINTS, Waves, interpolated, lagrange_weights};
 
     #[test]
     fn further_depths_reuse_the_waves_of_the_first() {
@@ -234,7 +259,7 @@ mod tests {
     #[test]
     fn polynomials_are_interpolated_exactly() {
         for t in [9.0, 9.3, 9.999] {
-            let weights = lagrange_weights(t);
+            let weights = lagrange_weights(t, MOST_POINTS);
             let value = |x: f64| ((x - 9.0) / 10.0).powi(7);
             let sum: f64 = weights
                 .iter()
@@ -244,8 +269,8 @@ mod tests {
             // Rounding of 20 weights of order 1.
             assert!((sum - value(t)).abs() < 1e-15, "{t}");
         }
-        let table: Vec<[f64; 1]> = (0..2 * STENCIL).map(|i| [i as f64]).collect();
-        let found = interpolated(&table, 15.25)[0];
+        let table: Vec<[f64; 1]> = (0..2 * MOST_POINTS).map(|i| [i as f64]).collect();
+        let found = interpolated(&table, 15.25, MOST_POINTS)[0];
         assert!((found - 15.25).abs() < 1e-13, "{found}");
     }
 }

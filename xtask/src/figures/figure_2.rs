@@ -1,6 +1,6 @@
 //! Fig. 2: pressure under the paraboloid on the compliant (a, c) and the stiff (b, d) coating, small and large load.
 
-use pellicle_cli::drawing::accuracy::BRACKETS;
+use pellicle_cli::drawing::accuracy::UNRESOLVED;
 use pellicle_cli::drawing::colours::BLUE;
 use pellicle_cli::drawing::labels::power;
 use pellicle_cli::drawing::{Dash, pressure_map, section};
@@ -43,7 +43,7 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
         format!("{MATERIALS}. Grey: relief that carries nothing."),
         "E₁ of (a), (c) is a tenth of E₁ of (b), (d): equal heights are equal pressures in all panels. A cell has the largest of its elements."
             .into(),
-        format!("Colours of the maps end where {COLOURED} % of the contact lies below. {BRACKETS}."),
+        format!("Colours of the maps end where {COLOURED} % of the contact lies below. {UNRESOLVED}."),
     ];
     let notes = named().map(|(step, name)| step.note(name));
     let peaks = steps.iter().zip(COATINGS.iter().cycle());

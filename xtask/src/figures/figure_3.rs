@@ -1,6 +1,6 @@
 //! Fig. 3: the deformed layer and the tops of the elements along the axis, in both readings.
 
-use pellicle_cli::drawing::accuracy::BRACKETS;
+use pellicle_cli::drawing::accuracy::UNRESOLVED;
 use pellicle_cli::drawing::colours::{BLUE, Colour, INK, ORANGE};
 use pellicle_cli::drawing::labels::power;
 use pellicle_cli::drawing::{Axis, Dash};
@@ -37,7 +37,7 @@ const PANELS: [(&str, &[Case<'_>]); 4] = {
 pub(super) fn draw(runner: &Runner) -> Result<Picture, XtaskError> {
     let mut notes = vec![
         MATERIALS.to_owned(),
-        format!("Depths are measured from the undeformed tops; their axes differ. {BRACKETS}."),
+        format!("Depths are measured from the undeformed tops; their axes differ. {UNRESOLVED}."),
     ];
     let mut panels = Vec::new();
     for (name, cases) in PANELS {

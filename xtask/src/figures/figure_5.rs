@@ -1,6 +1,6 @@
 //! Fig. 5: pressure under the Berkovich pyramid with and without film, and with a stiffening film.
 
-use pellicle_cli::drawing::accuracy::BRACKETS;
+use pellicle_cli::drawing::accuracy::UNRESOLVED;
 use pellicle_cli::drawing::colours::{AMBER, PURPLE, SKY};
 use pellicle_cli::drawing::{Axis, Dash};
 use pellicle_cli::{Unit, Units, quantity};
@@ -36,7 +36,7 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
     let steps = runner.steps(&CASES)?;
     let named = || steps.iter().zip(FILMS.map(|(name, _)| name));
     let remarks = [
-        format!("{COATING}. Grey: film that carries nothing. {BRACKETS}."),
+        format!("{COATING}. Grey: film that carries nothing. {UNRESOLVED}."),
         "The film shortens by many times its thickness at this force, as printed: linear springs are used outside their validity.".into(),
         "The film that stiffens has logarithmic springs of the same thickness and modulus, and is never squeezed beyond its thickness.".into(),
     ];

@@ -1,6 +1,8 @@
 //! The columns of derivatives in a curve.
 
 use super::columns::number;
+use crate::case::key_dimension;
+use crate::input::dimension::Dimension;
 use crate::input::units::Units;
 use crate::output::summary::{RunSummary, StepSummary};
 
@@ -57,11 +59,6 @@ impl SensitivityColumns {
 
 /// The SI unit of a parameter of a case, from the last part of its key.
 fn si_unit(key: &str) -> &'static str {
-    match key.rsplit('.').next().unwrap_or_default() {
-        "young_modulus" => "Pa",
-        "thickness" | "height" | "radius" | "tip_radius" => "m",
-        "half_angle" | "face_angle" => "rad",
-        "normal_compliance" | "shear_compliance" | "compliance" => "m/Pa",
-        _ => "1",
-    }
+    let last = key.rsplit('.').next().unwrap_or_default();
+    key_dimension::of_key(last).map_or("1", Dimension::si_unit)
 }

@@ -1,8 +1,10 @@
 //! The columns of stresses in tables: extremes of a step, and critical loads of a case.
 
-use pellicle_contact::{BodyStress, Criterion, CriticalLoad, InterfaceStress};
+use pellicle_contact::{
+    BodyStress, Criterion, CriticalLoad, CriticalStatus, Extreme, InterfaceStress,
+};
 
-use super::columns::number;
+use super::columns::optional;
 use crate::case::Case;
 use crate::input::units::Units;
 use crate::output::summary::{RunSummary, StepSummary};
@@ -18,31 +20,82 @@ pub struct StressColumns {
     critical: Vec<(String, Criterion)>,
 }
 
-/// The name of a column and its value for a body.
-type BodyColumn = (&'static str, fn(&BodyStress) -> f64);
+/// A number with its grid error: three columns of a table.
+struct Estimated {
+    value: Option<f64>,
+    /// Half-width of its interval; claimed only where the number is resolved.
+    estimate: Option<f64>,
+    resolved: bool,
+}
+
+impl Estimated {
+    /// The names of the columns, as `max shear substrate [Pa]`, `max shear substrate error [Pa]` and `max shear
+    /// substrate resolved`.
+    fn header(name: &str, unit: &str) -> [String; 3] {
+        [
+            format!("{name} [{unit}]"),
+            format!("{name} error [{unit}]"),
+            format!("{name} resolved"),
+        ]
+    }
+
+    /// The cells; all empty without the number.
+    fn cells(found: Option<Self>) -> [String; 3] {
+        let Some(found) = found else {
+            return <[String; 3]>::default();
+        };
+        let error = found.estimate.filter(|_| found.resolved);
+        [
+            optional(found.value),
+            optional(error),
+            found.resolved.to_string(),
+        ]
+    }
+}
+
+impl<const AXES: usize> From<Extreme<AXES>> for Estimated {
+    fn from(extreme: Extreme<AXES>) -> Self {
+        Self {
+            value: Some(extreme.value),
+            estimate: extreme.estimate,
+            resolved: extreme.resolved,
+        }
+    }
+}
+
+impl From<&CriticalLoad> for Estimated {
+    fn from(load: &CriticalLoad) -> Self {
+        Self {
+            value: load.force,
+            estimate: load.estimate,
+            resolved: load.resolved,
+        }
+    }
+}
+
+/// The name of a number and its value for a body.
+type BodyColumn = (&'static str, fn(&BodyStress) -> Extreme<3>);
 
 const OF_BODIES: [BodyColumn; 4] = [
-    ("max von Mises", |body| body.max_von_mises.value),
-    ("max principal", |body| body.max_principal.value),
-    ("min principal", |body| body.min_principal.value),
-    ("max shear", |body| body.max_shear.value),
+    ("max von Mises", |body| body.max_von_mises),
+    ("max principal", |body| body.max_principal),
+    ("min principal", |body| body.min_principal),
+    ("max shear", |body| body.max_shear),
 ];
 
-/// The name of a column and its value for an interface.
-type InterfaceColumn = (&'static str, fn(&InterfaceStress) -> f64);
+/// The name of a number and its value for an interface.
+type InterfaceColumn = (&'static str, fn(&InterfaceStress) -> Extreme<2>);
 
 const OF_INTERFACES: [InterfaceColumn; 3] = [
     ("max shear traction", |interface| {
-        interface.max_shear_traction.value
+        interface.max_shear_traction
     }),
-    ("max tension", |interface| interface.max_tension.value),
-    ("max compression", |interface| {
-        interface.max_compression.value
-    }),
+    ("max tension", |interface| interface.max_tension),
+    ("max compression", |interface| interface.max_compression),
 ];
 
 impl StressColumns {
-    /// The columns of the steps of a summary, without critical loads.
+    /// The columns of a summary.
     #[must_use]
     pub fn of_steps(summary: &RunSummary) -> Self {
         let stress = summary.steps.iter().find_map(|step| step.stress.as_ref());
@@ -55,7 +108,9 @@ impl StressColumns {
                 .map(|body| body.name.clone())
                 .collect(),
             interfaces: interfaces.map(|interface| interface.index).collect(),
-            critical: Vec::new(),
+            critical: (summary.critical.iter().flatten())
+                .map(|load| (load.name.clone(), load.criterion))
+                .collect(),
         }
     }
 
@@ -89,40 +144,49 @@ impl StressColumns {
     #[must_use]
     pub fn header(&self, units: Units) -> Vec<String> {
         let (pascal, newton) = (units.name("Pa"), units.name("N"));
-        let of_bodies = self
-            .bodies
-            .iter()
-            .flat_map(|body| OF_BODIES.map(|(name, _)| format!("{name} {body} [{pascal}]")));
+        let of_bodies = self.bodies.iter().flat_map(|body| {
+            OF_BODIES.map(|(name, _)| Estimated::header(&format!("{name} {body}"), pascal))
+        });
         let of_interfaces = self.interfaces.iter().flat_map(|index| {
-            OF_INTERFACES.map(|(name, _)| format!("{name} interface[{index}] [{pascal}]"))
+            OF_INTERFACES
+                .map(|(name, _)| Estimated::header(&format!("{name} interface[{index}]"), pascal))
         });
-        let critical = self.critical.iter().map(|(name, criterion)| {
-            let word = word(*criterion);
-            format!("critical force {word} {name} [{newton}]")
+        let critical = self.critical.iter().flat_map(|(name, criterion)| {
+            let name = format!("critical force {} {name}", word(*criterion));
+            let status = format!("{name} status");
+            (Estimated::header(&name, newton).into_iter()).chain(std::iter::once(status))
         });
-        of_bodies.chain(of_interfaces).chain(critical).collect()
+        (of_bodies.chain(of_interfaces).flatten())
+            .chain(critical)
+            .collect()
     }
 
-    /// The values of a step and of the critical loads; cells without a value are empty.
+    /// The values of a step and of the critical loads. Cells without a value are empty; a critical force is also empty
+    /// if its status is not `met`, and the status if there is no such body or its strength is not given.
     #[must_use]
     pub fn row(&self, step: &StepSummary, critical: &[CriticalLoad]) -> Vec<String> {
         let extremes = step.stress.as_ref().map(|stress| &stress.extremes);
-        let cell = |value: Option<f64>| value.map_or_else(String::new, number);
         let of_bodies = self.bodies.iter().flat_map(|name| {
             let body =
                 extremes.and_then(|found| found.bodies.iter().find(|body| body.name == *name));
-            OF_BODIES.map(|(_, value)| cell(body.map(value)))
+            OF_BODIES.map(|(_, extreme)| Estimated::cells(body.map(|body| extreme(body).into())))
         });
         let of_interfaces = self.interfaces.iter().flat_map(|index| {
             let mut interfaces = extremes.into_iter().flat_map(|found| &found.interfaces);
             let interface = interfaces.find(|interface| interface.index == *index);
-            OF_INTERFACES.map(|(_, value)| cell(interface.map(value)))
+            OF_INTERFACES.map(|(_, extreme)| {
+                Estimated::cells(interface.map(|interface| extreme(interface).into()))
+            })
         });
-        let critical = self.critical.iter().map(|(name, criterion)| {
+        let critical = self.critical.iter().flat_map(|(name, criterion)| {
             let is_it = |load: &&CriticalLoad| load.name == *name && load.criterion == *criterion;
-            cell(critical.iter().find(is_it).and_then(|load| load.force))
+            let load = critical.iter().find(is_it);
+            let status = load.map_or("", |load| status_word(load.status)).to_owned();
+            (Estimated::cells(load.map(Estimated::from)).into_iter()).chain(std::iter::once(status))
         });
-        of_bodies.chain(of_interfaces).chain(critical).collect()
+        (of_bodies.chain(of_interfaces).flatten())
+            .chain(critical)
+            .collect()
     }
 }
 
@@ -134,5 +198,14 @@ fn word(criterion: Criterion) -> &'static str {
         Criterion::Yield => "yield",
         Criterion::Tension | Criterion::InterfaceTension => "tension",
         Criterion::InterfaceShear => "shear",
+    }
+}
+
+/// The status as in `summary.json`.
+fn status_word(status: CriticalStatus) -> &'static str {
+    match status {
+        CriticalStatus::Met => "met",
+        CriticalStatus::NotReached => "not-reached",
+        CriticalStatus::BelowSmallest => "below-smallest",
     }
 }

@@ -171,3 +171,57 @@ fn folders_of_other_origin_are_not_removed() {
     sweep_beside(&path);
     assert_eq!(names(&path), [format!("{FILLING}0")]);
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn older_results_are_complete_until_the_new_ones_are() {
+    use std::sync::atomic::{AtomicBool, Ordering};
+    let (_parent, path) = parent();
+    put(&path, Existing::Replace, Completeness::Whole, "000");
+    fs::write(path.join("thesis.tex"), "").unwrap();
+    let is_done = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        let watching = scope.spawn(|| {
+            let mut looks = 0;
+            while !is_done.load(Ordering::Relaxed) {
+                assert!(path.join(summary::FILE).exists(), "after {looks} looks");
+                looks += 1;
+            }
+        });
+        for title in ["001", "002"].repeat(100) {
+            put(&path, Existing::Replace, Completeness::Whole, title);
+        }
+        is_done.store(true, Ordering::Relaxed);
+        watching.join().unwrap();
+    });
+    let wanted = ["section-002.svg", "summary.json", "thesis.tex"];
+    assert_eq!(names(&path), wanted);
+    assert_eq!(names(path.parent().unwrap()), ["a"]);
+}
+
+#[test]
+fn of_folders_left_by_a_kill_during_the_exchange_the_files_of_others_are_kept() {
+    // Before the exchange the new results are beside the older ones, after it the older ones.
+    for beside in [
+        &["fields-001.npz", summary::FILE][..],
+        &["fields-000.npz", "notes"],
+    ] {
+        let (_parent, path) = left(FILLING, &[], &["curve.csv", summary::FILE]);
+        let swapped = path.with_file_name(".pellicle-swap-x-a");
+        let of_another = path.with_file_name(".pellicle-swap-x-b-a");
+        for folder in [&swapped, &of_another] {
+            fs::create_dir(folder).unwrap();
+            for name in [beside, &[LOCK]].concat() {
+                fs::write(folder.join(name), summary("left")).unwrap();
+            }
+        }
+        drop(ResultsFolder::claim(&path, Existing::Replace).unwrap());
+        let notes = beside.contains(&"notes").then_some("notes");
+        let wanted = ["curve.csv"]
+            .into_iter()
+            .chain(notes)
+            .chain([summary::FILE]);
+        assert_eq!(names(&path), wanted.collect::<Vec<_>>());
+        assert!(!swapped.exists() && of_another.exists());
+    }
+}

@@ -2,7 +2,8 @@
 
 use serde_json::Value;
 
-use crate::display::{Unit, quantity, significant};
+use crate::case::key_dimension;
+use crate::display::dimensional;
 use crate::input::units::Units;
 
 /// Returns the keys and values of the case, sorted by key.
@@ -59,16 +60,8 @@ fn text(path: &str, value: &Value, units: Units) -> String {
 
 /// Formats a number as suits its key.
 fn real(key: &str, value: f64, units: Units) -> String {
-    let unit = match key {
-        "young_modulus" => Some(Unit::Pascal),
-        "force" | "forces" => Some(Unit::Newton),
-        "thickness" | "radius" | "height" | "period" | "offset" | "tip_radius" | "side"
-        | "sides" | "height_unit" | "penetration" | "penetrations" => Some(Unit::Metre),
-        _ => None,
-    };
-    match unit {
-        Some(unit) => quantity(value, unit, units),
-        None if key.ends_with("_angle") => format!("{}°", significant(value.to_degrees(), 5)),
+    match key_dimension::of_key(key) {
+        Some(dimension) => dimensional(value, dimension, units),
         None if value != 0.0 && value.abs() < 1e-3 => format!("{value:e}"),
         None => value.to_string(),
     }
@@ -89,7 +82,11 @@ mod tests {
     fn every_value_has_a_row_and_its_unit() {
         let case = json!({
             "title": "not again",
-            "foundation": {"substrate": "rigid", "layer": [{"thickness": 1e-8, "poisson_ratio": 0.3}]},
+            "foundation": {"substrate": "rigid", "layer": [{
+                "thickness": 1e-8, "poisson_ratio": 0.3, "interface_shear_strength": 7e8, "hardness": 2e10,
+                "interface": {"normal_compliance": 2e-18, "shear_compliance": 0.0},
+            }]},
+            "stress": {"direction": std::f64::consts::FRAC_PI_2, "depths": [0.0, 1e-6]},
             "indenter": {"kind": "<cone>", "half_angle": std::f64::consts::FRAC_PI_3},
             "load": {"forces": [1e-3, 2e-3]},
             "grid": {"elements": 64},
@@ -98,6 +95,15 @@ mod tests {
         for row in [
             ("foundation.layer[0].thickness", "10.000 nm"),
             ("foundation.layer[0].poisson_ratio", "0.3"),
+            ("foundation.layer[0].interface_shear_strength", "700.00 MPa"),
+            ("foundation.layer[0].hardness", "20.000 GPa"),
+            (
+                "foundation.layer[0].interface.normal_compliance",
+                "2.0000 nm/GPa",
+            ),
+            ("foundation.layer[0].interface.shear_compliance", "0 nm/GPa"),
+            ("stress.direction", "90.000°"),
+            ("stress.depths", "0 m, 1.0000 µm"),
             ("foundation.substrate", "rigid"),
             ("indenter.half_angle", "60.000°"),
             ("load.forces", "1.0000 mN, 2.0000 mN"),

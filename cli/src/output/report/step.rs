@@ -3,7 +3,7 @@
 use super::grid_error::GridErrorNote;
 use super::stress::StressTable;
 use super::surface::SurfaceFigure;
-use crate::display::{Unit, quantity, significant};
+use crate::display::{Unit, position, quantity, significant};
 use crate::output::pictures::{StepDrawings, StepPicture, StressPicture};
 use crate::output::summary::{CertificateSummary, RunSummary, StepSummary};
 
@@ -51,7 +51,7 @@ impl<'a> StepSection<'a> {
             rows: rows(summary, step),
             certificate: CertificateText::new(&step.certificate, tolerance.unwrap_or(f64::NAN)),
             drawings: &drawings.drawings,
-            stresses: (step.stress.as_ref()).map(|stress| StressTable::new(stress, summary.units)),
+            stresses: (step.stress.as_ref()).map(|stress| StressTable::new(stress, summary)),
             stress_drawings: &drawings.stresses,
             surface: drawings.surface.as_ref(),
         }
@@ -71,9 +71,8 @@ fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
         error: GridErrorNote::new(value, unit, error, units),
         ..number(name, value, unit)
     };
-    let [x, y] = numbers
-        .max_pressure_at
-        .map(|at| quantity(at, Unit::Metre, units));
+    let element_side = summary.grid.element_side;
+    let at = position(numbers.max_pressure_at, element_side, units);
     let stiffness = step.contact_stiffness.unwrap_or(0.0);
     let mut rows = vec![
         number("force Q", step.force, Unit::Newton),
@@ -89,7 +88,7 @@ fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
             Unit::Pascal,
             errors.max_pressure,
         ),
-        plain("at x, y", format!("{x}, {y}")),
+        plain("at x, y", at),
         number("mean pressure", numbers.mean_pressure, Unit::Pascal),
         estimated(
             "contact area",
@@ -104,6 +103,9 @@ fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
     if let (Some(fraction), Some(depth)) = (numbers.fraction_at_limit, numbers.plastic_depth) {
         rows.push(plain("fraction at the hardness", significant(fraction, 4)));
         rows.push(number("plastic depth", depth, Unit::Metre));
+    }
+    if let Some(nominal) = numbers.nominal_pressure {
+        rows.push(number("nominal pressure", nominal, Unit::Pascal));
     }
     if summary.has_relief() {
         let (on, between) = (numbers.contact_area_on_relief, numbers.contact_area_between);

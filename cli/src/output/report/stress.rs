@@ -3,9 +3,9 @@
 use pellicle_contact::{BodyStress, Extreme, InterfaceStress};
 
 use super::grid_error::GridErrorNote;
-use crate::display::{Unit, error_of, quantity, significant};
+use crate::display::{Unit, error_of, position, quantity, significant};
 use crate::input::units::Units;
-use crate::output::summary::StressSummary;
+use crate::output::summary::{RunSummary, StressSummary};
 
 /// The table of the extremes.
 pub struct StressTable {
@@ -28,11 +28,15 @@ pub struct StressRow {
 }
 
 impl StressTable {
-    pub fn new(stress: &StressSummary, units: Units) -> Self {
+    pub fn new(stress: &StressSummary, run: &RunSummary) -> Self {
+        let rows = StressRows {
+            element_side: run.grid.element_side,
+            units: run.units,
+        };
         let bodies = stress.extremes.bodies.iter();
-        let bodies = bodies.flat_map(|body| of_body(body, units));
+        let bodies = bodies.flat_map(|body| rows.of_body(body));
         let interfaces = stress.extremes.interfaces.iter();
-        let interfaces = interfaces.flat_map(|interface| of_interface(interface, units));
+        let interfaces = interfaces.flat_map(|interface| rows.of_interface(interface));
         let friction = (stress.friction, stress.direction_degrees);
         Self {
             sliding: (stress.friction > 0.0).then(|| {
@@ -47,67 +51,77 @@ impl StressTable {
     }
 }
 
-fn of_body(body: &BodyStress, units: Units) -> [StressRow; 4] {
-    let row = |name, extreme: &Extreme<3>| row(name, extreme, units);
-    let BodyStress {
-        name,
-        max_von_mises,
-        max_principal,
-        min_principal,
-        max_shear,
-        utilisation,
-    } = body;
-    [
-        StressRow {
-            place: name.clone(),
-            used: used(utilisation.yielding, "yield"),
-            ..row("largest von Mises stress", max_von_mises)
-        },
-        StressRow {
-            used: used(utilisation.tension, "tensile"),
-            ..row("largest principal stress", max_principal)
-        },
-        row("least principal stress", min_principal),
-        row("largest shear", max_shear),
-    ]
+/// The rows of a run.
+struct StressRows {
+    /// Side of an element, m.
+    element_side: f64,
+    units: Units,
 }
 
-fn of_interface(interface: &InterfaceStress, units: Units) -> [StressRow; 3] {
-    let row = |name, extreme: &Extreme<2>| row(name, extreme, units);
-    let depth = quantity(interface.depth, Unit::Metre, units);
-    [
-        StressRow {
-            place: format!("interface {}, {depth} deep", interface.index),
-            used: used(interface.utilisation.shear, "shear"),
-            ..row("largest shear traction", &interface.max_shear_traction)
-        },
-        StressRow {
-            used: used(interface.utilisation.tension, "tensile"),
-            ..row("largest tension", &interface.max_tension)
-        },
-        row("largest compression", &interface.max_compression),
-    ]
-}
+impl StressRows {
+    fn of_body(&self, body: &BodyStress) -> [StressRow; 4] {
+        let row = |name, extreme: &Extreme<3>| self.row(name, extreme);
+        let BodyStress {
+            name,
+            max_von_mises,
+            max_principal,
+            min_principal,
+            max_shear,
+            utilisation,
+        } = body;
+        [
+            StressRow {
+                place: name.clone(),
+                used: used(utilisation.yielding, "yield"),
+                ..row("largest von Mises stress", max_von_mises)
+            },
+            StressRow {
+                used: used(utilisation.tension, "tensile"),
+                ..row("largest principal stress", max_principal)
+            },
+            row("least principal stress", min_principal),
+            row("largest shear", max_shear),
+        ]
+    }
 
-fn row<const AXES: usize>(name: &'static str, extreme: &Extreme<AXES>, units: Units) -> StressRow {
-    let value = extreme.value;
-    let at = extreme.at.map(|along| quantity(along, Unit::Metre, units));
-    StressRow {
-        place: String::new(),
-        name,
-        value: quantity(value, Unit::Pascal, units),
-        at: if value == 0.0 {
-            String::new()
-        } else {
-            at.join(", ")
-        },
-        error: match extreme.estimate {
-            _ if value == 0.0 => GridErrorNote::NotEstimated,
-            _ if !extreme.resolved => GridErrorNote::NotResolved,
-            Some(error) => GridErrorNote::Estimated(error_of(value, error, Unit::Pascal, units)),
-            None => GridErrorNote::OneGrid,
-        },
-        used: String::new(),
+    fn of_interface(&self, interface: &InterfaceStress) -> [StressRow; 3] {
+        let row = |name, extreme: &Extreme<2>| self.row(name, extreme);
+        let depth = quantity(interface.depth, Unit::Metre, self.units);
+        [
+            StressRow {
+                place: format!("interface {}, {depth} deep", interface.index),
+                used: used(interface.utilisation.shear, "shear"),
+                ..row("largest shear traction", &interface.max_shear_traction)
+            },
+            StressRow {
+                used: used(interface.utilisation.tension, "tensile"),
+                ..row("largest tension", &interface.max_tension)
+            },
+            row("largest compression", &interface.max_compression),
+        ]
+    }
+
+    fn row<const AXES: usize>(&self, name: &'static str, extreme: &Extreme<AXES>) -> StressRow {
+        let value = extreme.value;
+        StressRow {
+            place: String::new(),
+            name,
+            value: quantity(value, Unit::Pascal, self.units),
+            at: if value == 0.0 {
+                String::new()
+            } else {
+                position(extreme.at, self.element_side, self.units)
+            },
+            error: match extreme.estimate {
+                _ if value == 0.0 => GridErrorNote::NotEstimated,
+                _ if !extreme.resolved => GridErrorNote::NotResolved,
+                Some(error) => {
+                    GridErrorNote::Estimated(error_of(value, error, Unit::Pascal, self.units))
+                }
+                None => GridErrorNote::OneGrid,
+            },
+            used: String::new(),
+        }
     }
 }
 
@@ -126,11 +140,15 @@ mod tests {
         let note = |resolved, estimate, value| {
             let extreme = Extreme {
                 value,
-                at: [0.0, 1e-6],
+                at: [-1e-11, 1e-6],
                 resolved,
                 estimate,
             };
-            row("largest tension", &extreme, Units::Si)
+            let rows = StressRows {
+                element_side: 1e-7,
+                units: Units::Si,
+            };
+            rows.row("largest tension", &extreme)
         };
         let good = note(true, Some(2e6), 1e9);
         assert_eq!(good.at, "0 m, 1.0000 µm");

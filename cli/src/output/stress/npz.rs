@@ -6,10 +6,10 @@ use std::path::Path;
 
 use ndarray::{Array1, Array2, Array3, ArrayView, Dimension, ShapeError};
 use ndarray_npy::{NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
-use zip::ZipWriter;
 
 use super::super::file::write_stoppable;
-use super::super::npz::{add, check};
+use super::super::npz::check;
+use super::super::npz_archive::NpzArchive;
 use super::view::{InterfaceTractions, StressSection, StressView, SurfaceLine};
 use crate::failure::Failure;
 
@@ -41,28 +41,23 @@ fn npz(file: impl io::Write + io::Seek, view: &StressView) -> Result<(), WriteNp
     let body = section.bodies.iter().map(|body| *body as f64);
     let planes = (section.depths.len(), section.along.len());
     let maps = (interfaces.len(), view.centres.len(), view.centres.len());
-    let mut npz = ZipWriter::new(file);
-    add(&mut npz, "line", &list(&[x, y, section.line.direction]))?;
-    add(&mut npz, "s", &list(&section.along))?;
-    add(&mut npz, "z", &list(&section.depths))?;
-    add(&mut npz, "body", &Array1::from_iter(body))?;
-    add(&mut npz, "von_mises", &shaped(planes, &section.von_mises)?)?;
-    add(
-        &mut npz,
-        "max_principal",
-        &shaped(planes, &section.max_principal)?,
-    )?;
-    add(&mut npz, "x", &list(&view.centres))?;
+    let mut npz = NpzArchive::new(file);
+    npz.add("line", &list(&[x, y, section.line.direction]))?;
+    npz.add("s", &list(&section.along))?;
+    npz.add("z", &list(&section.depths))?;
+    npz.add("body", &Array1::from_iter(body))?;
+    npz.add("von_mises", &shaped(planes, &section.von_mises)?)?;
+    npz.add("max_principal", &shaped(planes, &section.max_principal)?)?;
+    npz.add("x", &list(&view.centres))?;
     let index = interfaces.iter().map(|interface| interface.index as f64);
-    add(&mut npz, "interface", &Array1::from_iter(index))?;
+    npz.add("interface", &Array1::from_iter(index))?;
     let depth = interfaces.iter().map(|interface| interface.depth);
-    add(&mut npz, "interface_z", &Array1::from_iter(depth))?;
+    npz.add("interface_z", &Array1::from_iter(depth))?;
     let shear = joined(|interface| &interface.shear);
-    add(&mut npz, "shear_traction", &shaped(maps, &shear)?)?;
+    npz.add("shear_traction", &shaped(maps, &shear)?)?;
     let normal = joined(|interface| &interface.normal);
-    add(&mut npz, "normal_traction", &shaped(maps, &normal)?)?;
-    npz.finish()?;
-    Ok(())
+    npz.add("normal_traction", &shaped(maps, &normal)?)?;
+    npz.finish()
 }
 
 fn shaped<D: Dimension>(

@@ -76,6 +76,29 @@ pub struct SensitivitySummary {
     pub derivatives: Sensitivity,
 }
 
+impl StepSummary {
+    /// The status; in a file older than the status, that of the certificate.
+    #[must_use]
+    pub fn verdict(&self) -> Status {
+        if self.certificate.satisfied {
+            self.status
+        } else {
+            Status::NotConverged
+        }
+    }
+
+    /// The words that mark a step in pictures; none if it is certified.
+    #[must_use]
+    pub fn mark(&self) -> Option<&'static str> {
+        match self.verdict() {
+            Status::Certified => None,
+            Status::CutOff => Some("CUT OFF"),
+            Status::BeyondModel => Some("BEYOND THE MODEL"),
+            Status::NotConverged => Some("NOT CONVERGED"),
+        }
+    }
+}
+
 impl From<&Step> for StepSummary {
     fn from(step: &Step) -> Self {
         let lines = step.solution.certificate;
@@ -147,10 +170,10 @@ mod tests {
 
     #[test]
     fn a_step_with_hardness_rough_contact_and_derivatives_is_read_back_as_written() {
-        let histogram = json!({"largest": 4.5, "mean": 1.25, "counts": [3, 0, 1]});
+        let histogram = json!({"largest": 4.5, "counts": [3, 0, 1]});
         let step = json!({
             "force": 1.5, "penetration": 2.5, "max_pressure": 3.5, "max_pressure_at": [0.5, 1.5],
-            "mean_pressure": 4.5, "contact_area": 5.5, "contact_elements": 6,
+            "mean_pressure": 4.5, "nominal_pressure": 0.5, "contact_area": 5.5, "contact_elements": 6,
             "contact_area_on_relief": 7.5, "contact_area_between": 8.5, "contact_radius": 9.5,
             "area_at_limit": 1.25, "fraction_at_limit": 0.25, "plastic_depth": 0.75,
             "contact_stiffness": 10.5,

@@ -1,10 +1,11 @@
 //! A warning in a summary: of the case, of the path, of the cache.
 
-use pellicle_contact::Warning;
+use pellicle_contact::{UnresolvedStresses, Warning};
 use pellicle_influence::CacheWarning;
 use serde::{Deserialize, Serialize};
 
-use crate::case::warnings::{CaseWarning, with_key};
+use crate::case::Case;
+use crate::case::warnings::CaseWarning;
 
 /// A warning about the numbers.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -23,11 +24,22 @@ impl From<CaseWarning> for WarningSummary {
     }
 }
 
-impl From<&Warning> for WarningSummary {
-    fn from(warning: &Warning) -> Self {
+impl WarningSummary {
+    /// A warning about the solution of a case.
+    #[must_use]
+    pub fn of(case: &Case, warning: &Warning) -> Self {
         Self {
             code: warning.code().into(),
-            message: with_key(warning),
+            message: case.sentence(warning),
+        }
+    }
+}
+
+impl From<UnresolvedStresses> for WarningSummary {
+    fn from(unresolved: UnresolvedStresses) -> Self {
+        Self {
+            code: unresolved.code().into(),
+            message: unresolved.to_string(),
         }
     }
 }

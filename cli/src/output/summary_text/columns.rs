@@ -2,12 +2,14 @@
 
 use pellicle_contact::ErrorEstimate;
 
-use crate::display::{Unit, error_of, quantity};
+use crate::display::{Unit, error_of, position, quantity};
 use crate::input::units::Units;
 
 /// Lines of name, value and note, in columns.
 pub struct TextColumns {
     pub units: Units,
+    /// Side of an element, m.
+    pub element_side: f64,
     pub text: String,
 }
 
@@ -20,6 +22,10 @@ impl TextColumns {
 
     pub fn quantity(&mut self, name: &str, value: f64, unit: Unit) {
         self.push(name, &quantity(value, unit, self.units), "");
+    }
+
+    pub fn position<const AXES: usize>(&mut self, name: &str, at: [f64; AXES]) {
+        self.push(name, &position(at, self.element_side, self.units), "");
     }
 
     pub fn estimated(&mut self, name: &str, value: f64, unit: Unit, error: Option<ErrorEstimate>) {

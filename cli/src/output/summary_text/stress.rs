@@ -1,9 +1,9 @@
 //! Stresses and critical loads in words.
 
-use pellicle_contact::{Criterion, CriticalLoad, Extreme};
+use pellicle_contact::{Criterion, CriticalLoad, CriticalStatus, Extreme};
 
 use super::columns::TextColumns;
-use crate::display::{Unit, error_of, quantity, significant};
+use crate::display::{Unit, error_of, position, quantity, settled, significant};
 use crate::input::units::Units;
 use crate::output::summary::RunSummary;
 use crate::output::summary::StressSummary;
@@ -40,12 +40,8 @@ impl TextColumns {
             None => String::new(),
         };
         self.push(name, &quantity(value, Unit::Pascal, self.units), &note);
-        let at = rounded(at).map(|along| quantity(along, Unit::Metre, self.units));
-        self.push(
-            &format!("    at {}", ["x", "y", "z"][..AXES].join(", ")),
-            &at.join(", "),
-            "",
-        );
+        let axes = ["x", "y", "z"][..AXES].join(", ");
+        self.position(&format!("    at {axes}"), at);
     }
 
     fn used(&mut self, strength: &str, ratio: Option<f64>) {
@@ -62,67 +58,102 @@ pub fn critical(summary: &RunSummary) -> String {
     let Some(critical) = &summary.critical else {
         return String::new();
     };
-    let layers = summary.layers();
     let mut loads: Vec<_> = critical.iter().collect();
     let force = |load: &CriticalLoad| load.force.unwrap_or(f64::INFINITY);
     loads.sort_by(|one, other| force(one).total_cmp(&force(other)));
     let first = loads.first().filter(|load| load.force.is_some()).copied();
+    let forces = summary.steps.iter().map(|step| step.force);
+    let words = CriticalWords {
+        layers: summary.layers(),
+        largest_force: forces.fold(0.0, f64::max),
+        element_side: summary.grid.element_side,
+        units: summary.units,
+    };
     let sentence = |load: &&CriticalLoad| {
-        let is_first = loads.len() > 1 && Some(*load) == first;
-        format!("{}\n", sentence(load, is_first, layers, summary.units))
+        let is_first = Some(*load) == first && is_clearly_first(load, &loads);
+        let sentence = match load.force {
+            Some(force) => words.met(load, force, is_first),
+            None => words.not_met(load),
+        };
+        format!("{sentence}\n")
     };
     loads.iter().map(sentence).collect()
 }
 
-/// `the coating yields first at 3.2 mN ± 0.1 mN (grid), 0.48 µm below the surface on the axis`
-fn sentence(load: &CriticalLoad, is_first: bool, layers: usize, units: Units) -> String {
-    let (what, verb) = (place(&load.name, layers), verb(load.criterion));
-    let Some(force) = load.force else {
-        let ratio = significant(load.utilisation, 3);
-        return if load.utilisation < 1.0 {
-            format!("{what} {verb} at none of these loads: {ratio} of its strength is reached")
-        } else {
-            format!(
-                "{what} {verb} already at the smallest load tried: {ratio} times its strength is reached"
-            )
-        };
+/// Whether the interval of a load, the smallest of several, ends below those of all others.
+fn is_clearly_first(load: &CriticalLoad, loads: &[&CriticalLoad]) -> bool {
+    let interval = |load: &CriticalLoad| {
+        let (force, error) = (load.force?, load.estimate.filter(|_| load.resolved)?);
+        Some([force - error, force + error])
     };
-    let first = if is_first { " first" } else { "" };
-    let newtons = quantity(force, Unit::Newton, units);
-    let note = match load.estimate {
-        _ if !load.resolved => " (not resolved by the grid)".to_owned(),
-        Some(error) => format!(" {} (grid)", error_of(force, error, Unit::Newton, units)),
-        None => String::new(),
+    let Some([_, end]) = interval(load) else {
+        return false;
     };
-    let at = load.at.map_or_else(String::new, |at| depth(at, units));
-    format!("{what} {verb}{first} at {newtons}{note}{at}")
+    let mut others = loads
+        .iter()
+        .filter(|other| **other != load && other.force.is_some());
+    loads.len() > 1 && others.all(|other| interval(other).is_some_and(|[start, _]| end < start))
 }
 
+/// The sentences on the critical loads of a run.
+struct CriticalWords {
+    /// The number of layers; a single one is the coating.
+    layers: usize,
+    /// The largest force of the run, N.
+    largest_force: f64,
+    /// Side of an element, m.
+    element_side: f64,
+    units: Units,
+}
+
+impl CriticalWords {
+    /// `the coating yields first at 3.2 mN ± 0.1 mN (grid), 0.48 µm below the surface on the axis`
+    fn met(&self, load: &CriticalLoad, force: f64, is_first: bool) -> String {
+        let (what, verb) = (place(&load.name, self.layers), verb(load.criterion));
+        let first = if is_first { " first" } else { "" };
+        let newtons = quantity(force, Unit::Newton, self.units);
+        let note = match load.estimate {
+            _ if !load.resolved => NOT_RESOLVED.to_owned(),
+            Some(error) => {
+                let error = error_of(force, error, Unit::Newton, self.units);
+                format!(" {error} (grid)")
+            }
+            None => String::new(),
+        };
+        let depth = |at| depth(at, self.element_side, self.units);
+        let at = load.at.map_or_else(String::new, depth);
+        format!("{what} {verb}{first} at {newtons}{note}{at}")
+    }
+
+    /// `the coating yields under no load up to 5 mN: 0.34 of its strength is reached`
+    fn not_met(&self, load: &CriticalLoad) -> String {
+        let (what, verb) = (place(&load.name, self.layers), verb(load.criterion));
+        let when = match load.status {
+            CriticalStatus::BelowSmallest => "already at the smallest load tried".to_owned(),
+            CriticalStatus::Met | CriticalStatus::NotReached => {
+                let largest = quantity(self.largest_force, Unit::Newton, self.units);
+                format!("under no load up to {largest}")
+            }
+        };
+        let ratio = significant(load.utilisation, 3);
+        let note = if load.resolved { "" } else { NOT_RESOLVED };
+        format!("{what} {verb} {when}: {ratio} of its strength is reached{note}")
+    }
+}
+
+/// The note on a number that still changes from grid to grid.
+const NOT_RESOLVED: &str = " (not resolved by the grid)";
+
 /// `, 0.48 µm below the surface at x, y = 0 m, 1.2 µm`
-fn depth(at: [f64; 3], units: Units) -> String {
-    let [x, y, z] = rounded(at);
-    let metres = |value| quantity(value, Unit::Metre, units);
+fn depth(at: [f64; 3], element_side: f64, units: Units) -> String {
+    let [x, y, z] = settled(at, element_side);
     let depth = if z == 0.0 {
         "at the surface".to_owned()
     } else {
-        format!("{} below the surface", metres(z))
+        format!("{} below the surface", quantity(z, Unit::Metre, units))
     };
-    let (x, y) = (metres(x), metres(y));
-    format!(", {depth} at x, y = {x}, {y}")
-}
-
-/// Sets coordinates below a millionth of the largest to zero: a peak on the axis is found slightly beside it.
-fn rounded<const AXES: usize>(at: [f64; AXES]) -> [f64; AXES] {
-    let largest = at
-        .iter()
-        .fold(0.0_f64, |largest, along| largest.max(along.abs()));
-    at.map(|along| {
-        if along.abs() < 1e-6 * largest {
-            0.0
-        } else {
-            along
-        }
-    })
+    let at = position([x, y], element_side, units);
+    format!(", {depth} at x, y = {at}")
 }
 
 /// Names a body or interface of a summary; a single layer is the coating.
@@ -155,6 +186,10 @@ mod tests {
             criterion,
             name: name.into(),
             strength: 1e9,
+            status: match force {
+                Some(_) => CriticalStatus::Met,
+                None => CriticalStatus::NotReached,
+            },
             force,
             penetration: force.map(|_| 1e-7),
             at: force.map(|_| [0.0, 0.0, 0.48e-6]),
@@ -164,30 +199,70 @@ mod tests {
         }
     }
 
+    fn words(layers: usize, units: Units) -> CriticalWords {
+        CriticalWords {
+            layers,
+            largest_force: 5e-3,
+            element_side: 1e-7,
+            units,
+        }
+    }
+
     #[test]
     fn a_critical_load_is_printed_with_its_error_and_place() {
         let yields = load("layer[0]", Criterion::Yield, Some(3.2e-3));
         assert_eq!(
-            sentence(&yields, true, 1, Units::Si),
+            words(1, Units::Si).met(&yields, 3.2e-3, true),
             "the coating yields first at 3.2000 mN ± 0.020 mN (grid), 480.00 nm below the surface at x, y = 0 m, 0 m"
         );
         let unresolved = CriticalLoad {
             resolved: false,
-            at: Some([1e-6, 0.0, 0.0]),
+            at: Some([1e-6, -1e-12, 1e-15]),
             ..load("layer[1]", Criterion::Tension, Some(1.0))
         };
         assert_eq!(
-            sentence(&unresolved, false, 2, Units::Consistent),
+            words(2, Units::Consistent).met(&unresolved, 1.0, false),
             "layer 1 cracks at 1.0000 (not resolved by the grid), at the surface at x, y = 1.0000e-6, 0"
         );
+    }
+
+    #[test]
+    fn first_is_said_only_where_intervals_do_not_overlap() {
+        // ± 0.02 mN each.
+        let yields = load("layer[0]", Criterion::Yield, Some(3.2e-3));
+        let holds = load("interface[0]", Criterion::InterfaceShear, None);
+        for (force, resolved, is_first) in [
+            (3.25e-3, true, true),
+            (3.23e-3, true, false),
+            (3.25e-3, false, false),
+        ] {
+            let cracks = CriticalLoad {
+                resolved,
+                ..load("layer[0]", Criterion::Tension, Some(force))
+            };
+            let loads = [&yields, &cracks, &holds];
+            assert_eq!(is_clearly_first(&yields, &loads), is_first, "{force}");
+        }
+        assert!(is_clearly_first(&yields, &[&yields, &holds]));
+        assert!(!is_clearly_first(&yields, &[&yields]));
     }
 
     #[test]
     fn an_unreached_strength_is_printed_with_its_utilisation() {
         let holds = load("interface[0]", Criterion::InterfaceShear, None);
         assert_eq!(
-            sentence(&holds, false, 1, Units::Si),
-            "the interface fails in shear at none of these loads: 0.340 of its strength is reached"
+            words(1, Units::Si).not_met(&holds),
+            "the interface fails in shear under no load up to 5.0000 mN: 0.340 of its strength is reached"
+        );
+        let fails = CriticalLoad {
+            status: CriticalStatus::BelowSmallest,
+            utilisation: 2.0,
+            resolved: false,
+            ..holds
+        };
+        assert_eq!(
+            words(1, Units::Si).not_met(&fails),
+            "the interface fails in shear already at the smallest load tried: 2.00 of its strength is reached (not resolved by the grid)"
         );
     }
 }

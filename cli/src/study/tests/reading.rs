@@ -171,6 +171,45 @@ fn an_invalid_value_is_found_before_anything_is_solved() {
 }
 
 #[test]
+fn a_text_that_a_spreadsheet_takes_for_a_formula_is_refused_and_numbers_with_a_sign_are_not() {
+    let with =
+        |line: &str| study(&TWO_KEYS.replace("[study.vary]\n", &format!("[study.vary]\n{line}\n")));
+    for text in [
+        "=cmd|'/C calc'!A0",
+        "+1+1",
+        "@SUM(1)",
+        "\\tx",
+        "a\\nb",
+        "-x",
+    ] {
+        let refused = with(&format!("title = [\"a\", \"{text}\"]")).unwrap_err();
+        let wanted = "wanted text without control characters that does not begin with =, +, - or @";
+        assert!(refused.contains(wanted), "{refused}");
+        assert!(refused.contains("key `title`"), "{refused}");
+    }
+    let refused = with("load = [{ \"a\\nb\" = \"1 N\" }]").unwrap_err();
+    assert!(refused.contains("control characters"), "{refused}");
+    let refused = with("\"=1+1\" = [2]").unwrap_err();
+    assert!(
+        refused.contains("found \"=1+1\", wanted a key of a case"),
+        "{refused}"
+    );
+    let plain = [
+        (
+            "surface.offset = [[-1.5, 0], [\"-2 um\", \"0 um\"]]",
+            ["[-1.5e0, 0]", "[-2 um, 0 um]"],
+        ),
+        ("indenter.radius = [\"-2 um\", -1.5]", ["-2e-6", "-1.5e0"]),
+        ("title = [\"-2\", \"a\\\"b,c\"]", ["-2", "a\"b,c"]),
+    ];
+    for (line, cells) in plain {
+        let study = with(line).unwrap();
+        let varied = &study.varied_keys()[0];
+        assert_eq!([0, 1].map(|i| varied.cell(i).into_owned()), cells);
+    }
+}
+
+#[test]
 fn each_list_of_loads_has_its_own_number_of_rows() {
     let text = "[study]\ncase = \"base.toml\"\n[study.vary]\ngrid.elements = [32, 64]\n\
                 load.forces = [[\"1 uN\"], [\"1 uN\", \"2 uN\", \"3 uN\"]]\nsolver.tolerance = [1e-6, 1e-8]\n";

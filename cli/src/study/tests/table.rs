@@ -164,12 +164,15 @@ fn parts_are_merged_only_if_no_case_is_missing() {
 fn a_line_break_inside_quotes_does_not_end_a_row() {
     let text = TWO_KEYS.replace("grid.elements", "title").replace(
         "{ from = 32, to = 128, count = 3, spacing = \"log\" }",
-        "[\"a\\nb\", \"c\\r\\n\\\"d\", \"e,f\"]",
+        "[\"first\", \"second\", \"e,f\"]",
     );
     let study = study(&text).unwrap();
     let plan = StudyPlan::new(&study, Shard::WHOLE).unwrap();
     let rows = (0..9).map(|case| plan.columns.failed(&study, case, "why"));
     let table = format!("{}\n{}", plan.identity.header, rows.collect::<String>());
+    // As a version that allowed such text has written it.
+    let table = table.replace("first", "\"a\nb\"");
+    let table = table.replace("second", "\"c\r\n\"\"d\"");
     for cut in 0..=table.len() {
         let found = blocks(&table.as_bytes()[..cut], &plan.identity);
         let end = usize::try_from(found.end).unwrap();

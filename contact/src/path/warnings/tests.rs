@@ -81,17 +81,57 @@ fn a_step_is_warned_about_for_its_certificate_springs_peak_or_slope() {
         panic!("{found:?}")
     };
     assert_eq!(times, 1.5);
-    // f = ρ²/4: a slope of ρ/2
     step.summary.largest_shortening = 0.0;
-    step.summary.contact_radius = 0.5;
-    assert!((edge_slope(&model, &step).unwrap() - 0.25).abs() < 1e-6);
-    assert_eq!(codes(&model, &step), [""; 0]);
-    step.summary.contact_radius = 0.7;
-    assert_eq!(codes(&model, &step), ["steep-indenter"]);
-    step.summary.contact_radius = 0.0;
-    assert_eq!(edge_slope(&model, &step), None);
+    // f = ρ²/4: a slope of ρ/2
+    let slope = step.slope.unwrap().value();
+    assert!((slope / (step.summary.contact_radius / 2.0) - 1.0).abs() < 1e-6);
+    for (slope, found) in [(0.29, vec![]), (0.31, vec!["steep-indenter"])] {
+        step.slope = Some(ContactSlope::AtEdge(slope));
+        assert_eq!(codes(&model, &step), found);
+        step.slope = Some(ContactSlope::RootMeanSquare(slope));
+        assert_eq!(codes(&model, &step), found);
+    }
+    step.slope = None;
+    for (ratio, found) in [
+        (0.09, vec![]),
+        (0.11, vec!["layer-shortening"]),
+        (0.99, vec!["layer-shortening"]),
+        (1.0, vec!["beyond-model"]),
+    ] {
+        let limit = ModelLimit::LayerThickness { layer: 0 };
+        step.limits = vec![crate::LimitRatio { limit, ratio }];
+        assert_eq!(codes(&model, &step), found);
+    }
+    step.limits.clear();
     step.solution.certificate.overlap = 2.0 * step.solution.certificate.tolerance;
     assert_eq!(codes(&model, &step), ["not-converged"]);
+}
+
+#[test]
+fn a_self_similar_indenter_is_steep_at_every_load_and_is_told_of_once() {
+    let (model, mut step) = on_film();
+    step.slope = Some(ContactSlope::AtEdge(0.46));
+    let steps = vec![step; 3];
+    let with = |indenter: crate::Indenter| {
+        let model = Model {
+            indenter,
+            ..model.clone()
+        };
+        let grid = Grid::new(1.0, 64).unwrap();
+        let loads = [Load::Force(1e-2); 3];
+        let found = warnings(&model, &grid, Domain::Side(1.0), &loads, &steps);
+        let steep = found
+            .into_iter()
+            .filter(|warning| warning.code() == "steep-indenter");
+        steep
+            .map(|warning| (warning.step(), warning.to_string()))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(with(Paraboloid::new(2.0).unwrap().into()).len(), 3);
+    let pyramid = crate::Pyramid::berkovich(0.0).unwrap();
+    // cot 65.03° = 0.4657
+    let once = "the indenter's slope is 0.47 at every depth, beyond small strains";
+    assert_eq!(with(pyramid.into()), [(None, once.to_owned())]);
 }
 
 #[test]
@@ -227,7 +267,7 @@ fn a_contact_that_the_grid_barely_resolves_gets_no_further_warning_about_its_pea
     let large = Domain::Side(20.0);
     assert_eq!(codes(20.0, large, &step), ["domain-much-larger"]);
     // A steep edge on few elements gives no warning if the estimated contact is much smaller.
-    let radius = std::mem::replace(&mut step.summary.contact_radius, 0.7);
+    let slope = step.slope.replace(ContactSlope::AtEdge(0.35));
     let found = codes(20.0, large, &step);
     assert_eq!(found, ["domain-much-larger"]);
     let steep = Model {
@@ -238,7 +278,7 @@ fn a_contact_that_the_grid_barely_resolves_gets_no_further_warning_about_its_pea
     let found = warnings(&steep, &grid, large, &loads, std::slice::from_ref(&step));
     let found: Vec<_> = found.iter().map(Warning::code).collect();
     assert_eq!(found, ["domain-much-larger", "steep-indenter"]);
-    step.summary.contact_radius = radius;
+    step.slope = slope;
     assert_eq!(
         codes(20.0, Domain::Periodic(20.0), &step),
         ["peak-not-resolved"]

@@ -10,6 +10,7 @@ use super::fields::{VALUES_AT_ONCE, check_values, is_rough};
 use crate::{
     ContactError,
     grid::candidates::{Candidates, elements_where},
+    problem::gap_scale::GapScale,
 };
 
 /// `u = 2 p`.
@@ -155,17 +156,15 @@ fn on_half_space(is_cell: bool, gap: &[f64]) -> DiscreteProblem {
 }
 
 #[test]
-fn the_reference_length_of_a_cell_includes_the_displacement_by_its_mean_pressure() {
-    let [free, cell] = [false, true].map(|is_cell| on_half_space(is_cell, &[0.0; 16]));
-    // C = 2/(E* k) at k = 2π, for a cell of side 1.
-    let response = 1.0 / std::f64::consts::PI;
-    assert!((cell.cell_response() / response - 1.0).abs() < 1e-9);
-    assert_eq!(free.cell_response(), 0.0);
-    // A total of 32 is 2 on each of 16 elements.
-    let length = cell.reference_length(-0.1, 32.0);
-    assert!((length / (2.0 * response) - 1.0).abs() < 1e-9, "{length}");
-    assert_eq!(cell.reference_length(-7.0, 32.0), 7.0);
-    assert_eq!(free.reference_length(-0.1, 32.0), 0.1);
+fn gaps_of_a_cell_are_scaled_by_its_longest_wave_and_those_of_a_free_surface_are_not() {
+    let [free, cell] = [false, true].map(|is_cell| on_half_space(is_cell, &[0.0; 16]).gap_scale());
+    assert_eq!(free, GapScale::Penetration);
+    let GapScale::Cell { mean, longest } = cell else {
+        panic!("{cell:?}");
+    };
+    // C = 2/(E* k) at k = 2π, for a cell of side 1; the mean of a half-space is left out.
+    assert!((longest * std::f64::consts::PI - 1.0).abs() < 1e-9);
+    assert_eq!(mean, 0.0);
 }
 
 #[test]

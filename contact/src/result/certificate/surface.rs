@@ -64,6 +64,23 @@ impl Surface<'_> {
         if free > 0.0 { sum / free } else { highest }
     }
 
+    /// Returns the largest `|K p + w* − m|` (m), for a mean displacement `m`, of the elements that can touch; NaN if
+    /// one is NaN.
+    pub fn deformation(&self, mean: f64) -> f64 {
+        let parts = self
+            .reach
+            .by_lines(self.displacement, |line, displacement| {
+                let mut deformed = displacement.to_vec();
+                for pressed in self.pressed(line) {
+                    deformed[pressed.column] += pressed.shortening;
+                }
+                let gaps = self.reach.line(self.initial_gap, line);
+                let touching = deformed.iter().zip(gaps).filter(|(_, g0)| g0.is_finite());
+                touching.fold(0.0, |most, (u, _)| largest(most, (u - mean).abs()))
+            });
+        parts.into_iter().fold(0.0, largest)
+    }
+
     /// Returns the lines of the certificate that need the gaps, relative to the length `reference` (m).
     pub fn violations(&self, penetration: f64, reference: f64, total: f64) -> Violations {
         let parts = self

@@ -175,3 +175,36 @@ fn changes_that_hardly_shrink_are_resolved_if_small_relative_to_the_value() {
     // The interval, about 3 · 0.76/1.46, is a twentieth of 31.
     assert!(with(0.4, 40.0).resolved && !with(0.4, 20.0).resolved);
 }
+
+#[test]
+fn nothing_is_resolved_on_elements_longer_than_a_fifth_of_the_shortest_wave_but_what_is_prescribed()
+{
+    let settled = ErrorEstimate {
+        estimate: 0.0,
+        order: None,
+        resolved: true,
+    };
+    let found = ErrorEstimate {
+        estimate: 0.1,
+        ..settled
+    };
+    let error = || GridError {
+        penetration: Some(settled),
+        force: Some(found),
+        contact_area: Some(found),
+        max_pressure: Some(found),
+        ..GridError::default()
+    };
+    for (elements, resolved) in [(Some(4.99), false), (Some(5.0), true), (None, true)] {
+        let with = error().with_elements_per_wave(elements);
+        assert_eq!(with.resolves_waves(), resolved);
+        let numbers = [
+            with.penetration,
+            with.force,
+            with.contact_area,
+            with.max_pressure,
+        ];
+        let numbers = numbers.map(|error| error.unwrap().resolved);
+        assert_eq!(numbers, [true, resolved, resolved, resolved]);
+    }
+}

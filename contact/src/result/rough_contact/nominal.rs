@@ -55,7 +55,7 @@ impl Nominal {
     }
 
     pub fn gaps(&self, field: &ContactField<'_>) -> Gaps {
-        let histogram = Histogram::of(field.window, field.pressure, |line, pressures| {
+        let (histogram, sum) = Histogram::of(field.window, field.pressure, |line, pressures| {
             let columns = self.spans[line].clone();
             let open = columns.filter(move |j| pressures[*j] <= 0.0);
             let gaps = field.gaps_of_line(line);
@@ -63,7 +63,6 @@ impl Nominal {
             gaps.filter(|gap| gap.is_finite())
         });
         let elements: usize = self.spans.iter().map(Range::len).sum();
-        let sum = histogram.mean * histogram.total() as f64;
         Gaps {
             mean: sum / elements.max(1) as f64,
             histogram,

@@ -29,7 +29,7 @@ use crate::solver::gradient::preconditioner::sparse_factor::{
 use crate::solver::gradient::state::State;
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
-    DiscreteProblem,
+    Boundary, DiscreteProblem,
     problem::discrete_problem::near_columns::NearColumns,
     vector::{sum, update, update_with},
 };
@@ -129,7 +129,11 @@ impl Preconditioner {
         let of_all = problem
             .elasticity()
             .filter(|_| problem.candidates().is_none());
-        let symbol = of_all.map(|elasticity| elasticity.symbol(problem.grid().whole_size()));
+        let size = problem.grid().whole_size();
+        let symbol = of_all.map(|elasticity| match problem.boundary() {
+            Boundary::Free => elasticity.symbol(size),
+            Boundary::Periodic => elasticity.cell_symbol(size),
+        });
         let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
         let is_stiff = contrast > stiff(problem);
         let has_springs = problem.tangent_compliance().iter().any(|c| *c > 0.0);

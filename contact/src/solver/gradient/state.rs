@@ -11,6 +11,7 @@
 //! So both kinds of load take the same steps. A residual that is uniform over the contact, for which preconditioners
 //! are least accurate, never occurs.
 
+use crate::problem::gap_scale::GapScale;
 use crate::solver::gradient::load_control::LoadControl;
 use crate::{
     DiscreteProblem,
@@ -37,8 +38,9 @@ pub struct State {
     /// The elements under the indenter.
     can_touch: Vec<bool>,
     keeps_total: bool,
-    /// The displacement of a periodic cell under a unit mean pressure alone; 0 for a free surface.
-    cell_response: f64,
+    gap_scale: GapScale,
+    /// `g0` of a periodic cell itself, where that of the linear problem differs; empty elsewhere.
+    own_gap: Vec<f64>,
     /// `Σ p` of the elements held at a hardness, which are excluded from the problem while they are held.
     held_total: f64,
     applications: usize,
@@ -66,7 +68,8 @@ impl State {
             initial_gap: vec![0.0; elements],
             can_touch: vec![false; elements],
             keeps_total: false,
-            cell_response: problem.cell_response() / problem.scale().compliance,
+            gap_scale: (problem.gap_scale()).scaled(1.0 / problem.scale().compliance),
+            own_gap: Vec::new(),
             held_total: 0.0,
             applications: 0,
         };
@@ -80,6 +83,20 @@ impl State {
         let gaps = self.can_touch.iter_mut().zip(problem.initial_gap());
         gaps.for_each(|(can_touch, g0)| *can_touch = g0.is_finite());
         self.held_total = problem.held_total() / problem.scale().pressure();
+        self.read_own_gap(problem);
+    }
+
+    /// Reads the gap of a cell on nonlinear springs or with a hardness, from which its deformation is measured.
+    fn read_own_gap(&mut self, problem: &DiscreteProblem) {
+        let differs = problem.has_hardness() || !problem.spring_law().is_linear();
+        if self.gap_scale == GapScale::Penetration || !differs {
+            return;
+        }
+        let per_length = 1.0 / problem.scale().length;
+        let gaps = problem.own_gap().iter();
+        self.own_gap = gaps
+            .map(|g0| if g0.is_finite() { g0 * per_length } else { 0.0 })
+            .collect();
     }
 
     /// Reads the problem's own initial gap.
@@ -302,18 +319,40 @@ impl State {
         } else if length == 0.0 {
             0.0
         } else {
-            length / self.reference_length(penetration)
+            length / self.reference_length(v, penetration)
         };
         (residual, !lines.pulls)
     }
 
-    /// The reference length of the residual.
-    pub fn reference_length(&self, penetration: f64) -> f64 {
-        let mean = match self.control {
-            LoadControl::Total(total) => (total + self.held_total) / self.elements() as f64,
-            LoadControl::Penetration(_) => 0.0,
+    /// The reference length of the residual for this `v` and penetration.
+    pub fn reference_length(&self, v: &[f64], penetration: f64) -> f64 {
+        if self.gap_scale == GapScale::Penetration {
+            return penetration.abs();
+        }
+        let total = match self.control {
+            LoadControl::Total(total) => total,
+            LoadControl::Penetration(_) => sum(&self.pressure),
         };
-        penetration.abs().max(self.cell_response * mean)
+        let mean_pressure = (total + self.held_total) / self.elements() as f64;
+        self.gap_scale
+            .length(penetration, mean_pressure, |mean| self.deformation(v, mean))
+    }
+
+    /// The largest `|v − g0 − m|` of the elements that can touch.
+    fn deformation(&self, v: &[f64], mean: f64) -> f64 {
+        let gap = if self.own_gap.is_empty() {
+            &self.initial_gap
+        } else {
+            &self.own_gap
+        };
+        let parts = by_parts(self.elements(), |part| {
+            let fields = v[part.clone()].iter().zip(&gap[part.clone()]);
+            let touching = fields.zip(&self.can_touch[part]).filter(|(_, can)| **can);
+            touching.fold(0.0, |most: f64, ((v, g0), _)| {
+                most.max((v - g0 - mean).abs())
+            })
+        });
+        parts.into_iter().fold(0.0, f64::max)
     }
 
     fn lines(&self, part: std::ops::Range<usize>, v: &[f64], penetration: f64) -> ResidualExtremes {

@@ -91,7 +91,8 @@ impl WorkingSet {
             self.wrong.fill(false);
             self.predicted_on = Some(self.revision);
         }
-        let lowest = state.penetration - slack * state.reference_length(state.penetration);
+        let lowest =
+            state.penetration - slack * state.reference_length(&state.v, state.penetration);
         let fields = (state.pressure.par_chunks(PART)).zip(missing.par_chunks(PART));
         let fields = fields.zip(state.v.par_chunks(PART));
         let fields = fields.zip(self.mask.par_chunks(PART));

@@ -121,7 +121,9 @@ fn the_relative_error_of_a_critical_load_is_that_of_the_stress_over_its_exponent
     let solved = |value: f64| Solved {
         force: 6.0,
         penetration: 0.3,
+        radius: 1.0,
         extreme: extreme(value),
+        followed_on: None,
     };
     let met = search().into_critical_load(&LoadSearchResult::Met {
         solved: solved(4.0),
@@ -131,10 +133,14 @@ fn the_relative_error_of_a_critical_load_is_that_of_the_stress_over_its_exponent
     assert!((met.estimate.unwrap() - 0.3).abs() < 1e-15);
     let numbers = (met.force, met.penetration, met.at, met.utilisation);
     assert_eq!(numbers, (Some(6.0), Some(0.3), Some([0.5; 3]), 1.0));
+    assert_eq!(met.status, CriticalStatus::Met);
     let missed = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(1.0))));
     let numbers = (missed.force, missed.penetration, missed.at, missed.estimate);
     assert_eq!(numbers, (None, None, None, None));
     assert_eq!((missed.utilisation, missed.resolved), (0.25, true));
+    assert_eq!(missed.status, CriticalStatus::NotReached);
+    let exceeded = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(8.0))));
+    assert_eq!(exceeded.status, CriticalStatus::BelowSmallest);
     let pulled = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(-1.0))));
     assert_eq!(pulled.utilisation, 0.0);
     let unloaded = search().into_critical_load(&LoadSearchResult::Missed(None));

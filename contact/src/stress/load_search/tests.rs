@@ -3,18 +3,20 @@
 use pellicle_texture::Relief;
 
 use super::*;
-use crate::{Paraboloid, stress::quantity::StressQuantity};
+use crate::{Model, Observer, Paraboloid, SolverOptions, stress::quantity::StressQuantity};
 
 fn solved(force: f64, value: f64) -> Solved {
     Solved {
         force,
         penetration: 0.0,
+        radius: 0.0,
         extreme: Extreme {
             value,
             at: [0.0; 3],
             resolved: true,
             estimate: None,
         },
+        followed_on: None,
     }
 }
 
@@ -22,22 +24,28 @@ fn model() -> Model {
     Model::on_half_space([1.0, 0.3], Relief::Bare, Paraboloid::new(1.0).unwrap())
 }
 
-fn search<'a>(
-    (model, target): (&'a Model, &'a Target),
+/// What several searches share.
+fn shared<'a>(model: &'a Model, observer: &'a mut dyn Observer) -> (SolvedLoads<'a>, RoughDepths) {
+    let loads = SolvedLoads::new(model, 32, SolverOptions::default(), observer);
+    let foundation = model.tables.foundation();
+    (loads, RoughDepths::new(foundation, 0.01, [0.0; 2]).unwrap())
+}
+
+fn search<'a, 'b>(
+    (loads, rough): &'a mut (SolvedLoads<'b>, RoughDepths),
+    target: &'a Target,
     strength: f64,
     solved: Vec<Solved>,
-    observer: &'a mut dyn Observer,
-) -> LoadSearch<'a> {
+) -> LoadSearch<'a, 'b> {
     LoadSearch {
-        model,
+        loads,
         domain: Domain::Automatic,
-        elements: 32,
-        options: SolverOptions::default(),
         sliding: Sliding::default(),
         target,
         strength,
         solved,
-        observer,
+        follows: true,
+        rough,
     }
 }
 
@@ -63,7 +71,8 @@ fn secants_from_either_side_find_the_yield_force_under_a_ball_in_a_few_loads() {
     ] {
         let before = known.len();
         let observer = &mut ();
-        let mut search = search((&model, &target), strength, known, observer);
+        let mut shared = shared(&model, observer);
+        let mut search = search(&mut shared, &target, strength, known);
         let LoadSearchResult::Met { solved, exponent } = search.search().unwrap() else {
             panic!("the strength is reached")
         };
@@ -95,7 +104,8 @@ fn solved_loads_bracket_the_strength_and_give_the_growth_exponent() {
     let loads = [(0.0, -1.0), (1.0, 2.0), (4.0, 4.0), (9.0, 6.0)];
     let known = loads.map(|(force, value)| solved(force, value)).to_vec();
     let observer = &mut ();
-    let mut search = search((&model, &target), 4.0, known, observer);
+    let mut shared = shared(&model, observer);
+    let mut search = search(&mut shared, &target, 4.0, known);
     let [none, one, four, nine] = [0, 1, 2, 3].map(|i: usize| search.solved[i]);
     assert_eq!(
         [none, one, nine].map(|at| search.utilisation(&at)),
@@ -143,7 +153,8 @@ fn a_strength_narrowly_missed_is_searched_for_between_the_adjacent_loads() {
         loads.map(of).to_vec()
     };
     let observer = &mut ();
-    let mut one = search((&model, &target), strength, known(1.0), observer);
+    let mut of_one = shared(&model, observer);
+    let mut one = search(&mut of_one, &target, strength, known(1.0));
     let found = one.reached_between().unwrap().unwrap();
     // First halfway to the previous load, √(0.3 · 0.9), where it is not reached; then halfway to the next.
     let places: Vec<f64> = one.solved.iter().map(|at| at.force / exact).collect();
@@ -157,7 +168,6 @@ fn a_strength_narrowly_missed_is_searched_for_between_the_adjacent_loads() {
     assert!(found.force > 0.9 * exact && found.force < 2.0 * exact);
     assert!(found.extreme.value >= strength);
     // With less than seven tenths of the strength there is no search.
-    let observer = &mut ();
-    let mut far = search((&model, &target), strength, known(0.7), observer);
+    let mut far = search(&mut of_one, &target, strength, known(0.7));
     assert!(far.reached_between().unwrap().is_none() && far.solved.len() == 3);
 }

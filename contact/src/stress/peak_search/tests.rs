@@ -9,52 +9,6 @@ use pellicle_texture::Grid;
 use super::*;
 use crate::stress::model::Sliding;
 
-#[test]
-fn the_vertex_of_a_parabola_is_recovered() {
-    let value = |z: f64| 3.0 - 2.0 * (z - 0.7).powi(2);
-    let found = vertex([0.1, 0.5, 2.0].map(|z| [z, value(z)])).unwrap();
-    assert!((found - 0.7).abs() < 1e-14, "{found}");
-    assert!(vertex([0.1, 0.5, 2.0].map(|z| [z, -value(z)])).is_none());
-}
-
-#[test]
-fn a_bracket_narrows_on_a_peak_in_a_few_trials() {
-    let peaks: [fn(f64) -> f64; 3] = [
-        |z| z * (1.0 - z).exp(),
-        |z| 1.0 - (z - 1.0).abs(),
-        |z| if z < 1.0 { z } else { 2.0 - z * z },
-    ];
-    for value in peaks {
-        for start in [0.2, 1.7] {
-            let tried = |z: f64| DepthTrial {
-                z,
-                value: value(z),
-                place: [0, 0],
-            };
-            let mut bracket = Bracket::around(tried(start), [0.1, 4.1]);
-            for end in [0.1, 4.1] {
-                bracket.take(tried(end));
-            }
-            let mut trials = 0;
-            while !bracket.is_narrow() {
-                let z = bracket.next();
-                assert!(z > bracket.low && z < bracket.high);
-                bracket.take(tried(z));
-                trials += 1;
-            }
-            assert!(trials <= 5, "{trials}");
-            let [first, second, third] = bracket.best.map(|tried| tried.value);
-            assert!(first >= second && second >= third);
-            assert!(bracket.low <= 1.0 && bracket.high >= 1.0);
-            assert!(
-                bracket.high - bracket.low <= 1.0,
-                "a quarter of the first width"
-            );
-            assert!((bracket.best[0].z - 1.0).abs() <= 0.5);
-        }
-    }
-}
-
 /// Hertz's pressure of radius and peak 1 on 15 × 15 elements of a square of side 3, under sliding.
 fn hertz(friction: f64) -> StressField {
     let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
@@ -71,160 +25,126 @@ fn hertz(friction: f64) -> StressField {
     StressField::of(tables, grid, &pressure.collect::<Vec<_>>(), sliding)
 }
 
+fn rough(field: &StressField) -> RoughDepths {
+    RoughDepths::new(field.tables().foundation(), 0.2, field.tractions()).unwrap()
+}
+
 #[test]
 fn a_climb_ends_under_the_centre_from_near_and_far() {
     let field = hertz(0.0);
     let middle = field.at([0.0; 2], Depth::below(0.4)).unwrap();
     for start in [[0.0, 0.0], [1.3, -0.9], [-0.45, 5.0], [30.0, -30.0]] {
-        let mut search = PeakSearch::new(&field, StressQuantity::Compression, [0.0, f64::INFINITY]);
-        let found = search.climb(start, 0.4).unwrap();
+        let mut search = PeakSearch::new(&field);
+        let from = (start, Depth::below(0.4));
+        let found = search.climb(&mut rough(&field), StressQuantity::Compression, from);
+        let found = found.unwrap();
         assert!(found.at[0].hypot(found.at[1]) < 1e-12 && found.at[2] == 0.4);
-        assert!((found.value + middle.stress[2]).abs() < 1e-9);
+        assert!((found.value + middle.stress[2]).abs() < 1e-5);
     }
 }
 
 #[test]
-fn no_point_around_a_peak_exceeds_it_and_it_lies_at_its_reported_position() {
-    for (friction, range) in [(0.0, [0.0, f64::INFINITY]), (0.3, [0.25, 0.9])] {
+fn no_point_around_a_peak_exceeds_it() {
+    for friction in [0.0, 0.3] {
         let field = hertz(friction);
-        let mut search = PeakSearch::new(&field, StressQuantity::VonMises, range);
-        let found = search.peak([0.4, 0.2], [0.25, 0.35, 0.9]).unwrap();
-        let [x, y, z] = found.at;
-        let there = field.at([x, y], Depth::below(z)).unwrap();
-        assert!((there.von_mises() - found.value).abs() < 1e-9);
+        let (mut search, mut rough) = (PeakSearch::new(&field), rough(&field));
+        let quantity = StressQuantity::VonMises;
+        let depths = [0.28, 0.38, 0.5].map(Depth::below);
+        let found = search.between(&mut rough, quantity, ([0.4, 0.2], 0.38), (&depths, 1));
+        let (StressPeak { at: [x, y, z], .. }, rise) = found.unwrap();
+        let largest = search
+            .state(&mut rough, [x, y], Depth::below(z))
+            .unwrap()
+            .von_mises();
+        let above = search
+            .state(&mut rough, [x, y], Depth::below(0.38))
+            .unwrap();
+        // By a parabola through depths a third apart.
+        assert!(
+            (largest / above.von_mises() / rise - 1.0).abs() < 4e-3,
+            "{rise}"
+        );
         let offsets = [-0.1, -0.02, 0.0, 0.02, 0.1];
         let points = offsets.map(|u| offsets.map(|v| [x + u, y + v])).concat();
-        for depth in offsets.map(|w| Depth::below((z + w).max(0.25))) {
+        for depth in offsets.map(|w| Depth::below((z + w).clamp(0.28, 0.5))) {
             for state in field.at_points(&points, depth).unwrap() {
                 // The peak is flat; its place is accurate to a hundredth of the radius.
-                assert!(state.von_mises() < (1.0 + 1e-5) * found.value, "{found:?}");
+                assert!(state.von_mises() < (1.0 + 5e-5) * largest, "{x} {y} {z}");
             }
         }
     }
 }
 
 #[test]
-fn within_an_element_of_the_surface_only_centres_count() {
-    let field = hertz(0.0);
-    let mut search = PeakSearch::new(&field, StressQuantity::Compression, [0.0, f64::INFINITY]);
-    let found = search.peak([0.3, 0.1], [0.0, 0.0, 0.1]).unwrap();
-    assert_eq!(found.at[2], 0.0);
-    // The pressure of the middle element.
-    assert!((found.value - 1.0).abs() < 1e-9 && found.at[0].hypot(found.at[1]) < 1e-12);
-}
-
-#[test]
-fn the_element_nearest_to_a_centre_is_its_own() {
-    let field = hertz(0.0);
-    let search = PeakSearch::new(&field, StressQuantity::VonMises, [0.0, 1.0]);
-    for place in [[0, 0], [3, -2], [-7, 20]] {
-        let [x, y, z] = search.point(place, 0.3);
-        assert_eq!((search.place([x + 0.09, y - 0.09]), z), (place, 0.3));
-    }
-    // The row of the first loaded elements lies at x = −0.8.
-    assert!((search.point([0, 5], 0.0)[0] + 0.8).abs() < 1e-12);
-}
-
-#[test]
-fn a_bracket_is_divided_at_the_vertex_of_its_parabola_or_in_the_golden_section() {
-    let trial = |z: f64, value: f64| DepthTrial {
-        z,
-        value,
-        place: [0, 0],
-    };
-    let next = |best: [(f64, f64); 3]| {
-        let bracket = Bracket {
-            low: 0.0,
-            high: 4.0,
-            width: 4.0,
-            best: best.map(|(z, value)| trial(z, value)),
-        };
-        bracket.next()
-    };
-    // A vertex is accepted if it lies over a sixteenth of the width, 0.25, from the best and from either end.
-    let parabola = |vertex: f64, at: [f64; 3]| at.map(|z| (z, 9.0 - (z - vertex).powi(2)));
-    let vertices = [
-        (1.3, [1.0, 2.0, 0.5]),
-        (0.3, [1.0, 2.0, 3.0]),
-        (3.7, [3.0, 2.0, 1.0]),
-    ];
-    for (vertex, at) in vertices {
-        assert!(
-            (next(parabola(vertex, at)) - vertex).abs() < 1e-13,
-            "{vertex}"
-        );
-    }
-    // Otherwise the wider side of the best is divided.
-    let golden = [
-        (1.2, [1.0, 2.0, 0.5], 1.0 + GOLDEN * 3.0),
-        (0.2, [1.0, 2.0, 3.0], 1.0 + GOLDEN * 3.0),
-        (3.8, [3.0, 2.0, 1.0], 3.0 - GOLDEN * 3.0),
-        (3.2, [3.0, 2.0, 1.0], 3.0 - GOLDEN * 3.0),
-    ];
-    for (vertex, at, wanted) in golden {
-        assert!(
-            (next(parabola(vertex, at)) - wanted).abs() < 1e-13,
-            "{vertex}"
-        );
-    }
-}
-
-#[test]
-fn depths_at_either_end_of_a_range_lie_in_its_body() {
-    let field = hertz(0.0);
-    let search = PeakSearch::new(&field, StressQuantity::VonMises, [0.2, 0.5]);
-    let found = [0.2, 0.3, 0.5].map(|z| search.depth(z));
-    assert!(found == [Depth::below(0.2), Depth::below(0.3), Depth::above(0.5)]);
-}
-
-#[test]
 fn an_endless_climb_stops_a_few_depths_outside_the_loaded_square() {
     // Eleven elements of side 0.2 have pressure, from −1.1 on; a decaying stress has no peak before the limit.
     let field = hertz(0.0);
-    let mut search = PeakSearch::new(&field, StressQuantity::Tension, [0.0, f64::INFINITY]);
+    let mut search = PeakSearch::new(&field);
     for depth in [0.2, 0.6] {
-        let found = search.climb([90.0, 0.0], depth).unwrap();
+        let from = ([90.0, 0.0], Depth::below(depth));
+        let found = search.climb(&mut rough(&field), StressQuantity::Tension, from);
+        let found = found.unwrap();
         let limit = field.loaded().size as f64 * 0.2 + FARTHEST_DEPTHS * depth;
         assert!(found.at[0].abs() <= 1.1 + limit + 1e-9, "{found:?}");
     }
 }
 
 #[test]
-fn a_peak_between_depths_is_interpolated_within_the_range_however_narrow() {
+fn quantities_share_the_tables_of_a_depth_and_few_tables_are_kept() {
     let field = hertz(0.0);
-    // Von Mises stress is largest near 0.48; the depths of an interpolation are an eighth of the width apart.
-    for (range, start, inside) in [
-        ([0.4, 0.45], 0.4, false),
-        ([0.3, 2.0], 0.35, true),
-        ([0.2, 0.5], 0.45, true),
-        ([0.55, 0.56], 0.56, false),
-    ] {
-        let mut search = PeakSearch::new(&field, StressQuantity::VonMises, range);
-        let first = search.climb([0.0; 2], start).unwrap();
-        let found = search
-            .between_centres(first, search.place([0.0; 2]), 1.0)
-            .unwrap();
-        let depth = found.at[2];
-        assert!(
-            depth >= range[0] && depth <= range[1],
-            "{range:?}: {found:?}"
-        );
-        assert!(found.value > first.value, "{range:?}: {found:?}");
-        // No neighbouring depth exceeds it by more than a thousandth.
-        let around = [-0.02, 0.02].map(|z| depth + z);
-        for z in around
-            .into_iter()
-            .filter(|z| *z > range[0] && *z < range[1])
-        {
-            let state = field
-                .at([found.at[0], found.at[1]], Depth::below(z))
+    let (mut search, mut rough) = (PeakSearch::new(&field), rough(&field));
+    for quantity in [StressQuantity::VonMises, StressQuantity::MaxShear] {
+        for depth in [0.4, 0.6, 0.8].map(Depth::below) {
+            search
+                .climb(&mut rough, quantity, ([0.0; 2], depth))
                 .unwrap();
-            assert!(state.von_mises() < 1.001 * found.value);
         }
-        assert_eq!(
-            depth > range[0] && depth < range[1],
-            inside,
-            "{range:?}: {found:?}"
-        );
+    }
+    assert_eq!((rough.computed(), search.planes.len()), (3, 3));
+    for i in 0..300 {
+        let depth = Depth::below(0.4 + 1e-3 * f64::from(i));
+        search
+            .climb(&mut rough, StressQuantity::VonMises, ([0.0; 2], depth))
+            .unwrap();
+    }
+    let kept = search
+        .planes
+        .iter()
+        .map(|plane| plane.stresses.offsets().pow(2));
+    assert!(kept.sum::<usize>() <= KEPT_OFFSETS && search.planes.len() > 20);
+}
+
+#[test]
+fn far_below_a_small_contact_the_peak_is_that_of_its_force() {
+    // Boussinesq: −σ_zz = 3 Q z³/(2π ρ⁵) is largest on the axis, and the shear σ_rz = 3 Q r z²/(2π ρ⁵) at r = z/2.
+    let field = hertz(0.0);
+    let force: f64 = field.loaded().pressure.iter().sum::<f64>() * 0.04;
+    for z in [60.0, 4e3, 3e7] {
+        for (quantity, power, radius) in [
+            (StressQuantity::Compression, 0, 0.0),
+            (StressQuantity::ShearTraction, 1, 0.5),
+        ] {
+            let (mut search, mut rough) = (PeakSearch::new(&field), rough(&field));
+            let depth = Depth::above(z);
+            let found = search.between(&mut rough, quantity, ([0.1, 0.3 * z], z), (&[depth], 0));
+            let [x, y, _] = found.unwrap().0.at;
+            let value = quantity.of(&search.state(&mut rough, [x, y], depth).unwrap());
+            // With r in depths, at the place found.
+            let r = x.hypot(y) / z;
+            let part = r.powi(power) / (1.0 + r * r).powf(2.5);
+            let wanted = 1.5 * part * force / (std::f64::consts::PI * z * z);
+            // A contact of radius 1 differs from a force by some (1/z)².
+            let error = (value / wanted - 1.0).abs();
+            assert!(error < 2e-5 + 2.0 / (z * z), "{z}: {value}, {wanted}");
+            // A flat peak is placed to the root of the error of its value.
+            assert!((r - radius).abs() < 3e-3, "{x} {y}");
+            // However deep, the tables are those of blocks as large as an eighth of the depth.
+            assert!(
+                search
+                    .planes
+                    .iter()
+                    .all(|plane| plane.stresses.offsets() < 100)
+            );
+        }
     }
 }

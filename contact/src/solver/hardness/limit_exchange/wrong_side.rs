@@ -40,7 +40,16 @@ impl LimitExchange {
         let penetration = self.penetration(v);
         self.total.penetration = penetration;
         let total = self.free.iter().sum::<f64>() + self.held.total;
-        let reference = problem.reference_length(penetration, total);
+        let mean_pressure = total / problem.elements() as f64;
+        let reference = problem
+            .gap_scale()
+            .length(penetration, mean_pressure, |mean| {
+                let gaps = v
+                    .iter()
+                    .zip(problem.own_gap())
+                    .filter(|(_, g0)| g0.is_finite());
+                gaps.fold(0.0, |most, (v, g0)| (v - g0 - mean).abs().max(most))
+            });
         let lowest = penetration + SLACK * self.accuracy * reference;
         let held = self.held.mask.iter().enumerate();
         let open = held.filter(|(element, held)| **held && v[*element] > lowest);

@@ -67,7 +67,7 @@ fn a_value_within_two_percent_of_the_largest_counts_as_near_it() {
     }
 }
 
-/// Pressures that are equal over blocks of 2 × 2 elements, on a unit square of 8 × 8.
+/// Pressures on blocks of 2 × 2 elements, on a unit square of 8 × 8.
 fn field() -> StressField {
     let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
     let pressed = |e: usize| match [e / 16, e % 8 / 2] {
@@ -82,30 +82,42 @@ fn field() -> StressField {
     StressField::of(tables, grid, &pressure, Sliding::default())
 }
 
+fn rough(field: &StressField) -> RoughDepths {
+    let (foundation, side) = (field.tables().foundation(), field.grid().element_side());
+    RoughDepths::new(foundation, side, field.tractions()).unwrap()
+}
+
 #[test]
 fn planes_under_blocks_have_the_stresses_of_the_field_at_the_block_centres() {
-    let (field, depth) = (field(), Depth::below(0.2));
-    for elements in [1, 2] {
-        let mut blocks = BlockPlanes::new(&field, elements, 0.2);
-        let states = blocks.states_on(depth).unwrap();
+    let field = field();
+    // Under elements to 1e-6. Blocks of an eighth of the depth widen a load by b²/12 along x and along y, from which
+    // −σ_zz under a force falls by 5/768 = 0.65 %.
+    for (m, z, accuracy) in [(0, 0.2, 1e-5), (1, 2.0, 1e-2), (5, 32.0, 1e-2)] {
+        let depth = Depth::below(z);
+        let mut blocks = BlockPlanes::new(&field, m, z);
+        let states = blocks.states_on(&mut rough(&field), depth).unwrap();
         let place = |k: usize| [k / blocks.shown, k % blocks.shown];
         let point =
             |k: usize| [0, 1].map(|axis| blocks.first[axis] + place(k)[axis] as f64 * blocks.side);
         let points: Vec<_> = (0..states.len()).map(point).collect();
-        // On either side of the loaded square at least 0.3 of its side plus one and a half depths, not a block more.
+        // On either side of the loaded square, from −0.25 to 0.25, at least 0.3 of its side plus one and a half depths.
         let [low, high] = [points[0], points[states.len() - 1]];
         for axis in 0..2 {
             let edges = [-low[axis], high[axis]].map(|middle| middle + blocks.side / 2.0);
+            let reach = 0.25 + 0.3 * 0.5 + 1.5 * z;
+            let most = reach + 3.0 * blocks.side;
             assert!(
-                edges
-                    .iter()
-                    .all(|edge| *edge >= 0.7 && *edge < 0.7 + blocks.side)
+                edges.iter().all(|edge| (reach..most).contains(edge)),
+                "{edges:?}"
             );
         }
+        assert!(blocks.shown < 64);
         let wanted = field.at_points(&points, depth).unwrap();
+        let largest = wanted.iter().flat_map(|state| state.stress);
+        let largest = largest.fold(0.0, |largest: f64, stress| largest.max(stress.abs()));
         for (found, wanted) in states.iter().zip(&wanted) {
             for (found, wanted) in found.stress.iter().zip(wanted.stress) {
-                assert!((found - wanted).abs() < 1e-10, "{elements}");
+                assert!((found - wanted).abs() < accuracy * largest, "{m}");
             }
         }
     }
@@ -113,7 +125,7 @@ fn planes_under_blocks_have_the_stresses_of_the_field_at_the_block_centres() {
 
 #[test]
 fn peaks_of_a_plane_are_the_values_near_the_largest_with_no_larger_neighbour() {
-    let blocks = BlockPlanes::new(&field(), 1, 0.2);
+    let blocks = BlockPlanes::new(&field(), 0, 0.2);
     let mut states = vec![SubsurfaceState::default(); blocks.shown.pow(2)];
     let last = blocks.shown - 1;
     for (i, j, stress) in [
@@ -154,7 +166,9 @@ fn peaks_of_every_plane_equal_its_stresses_under_elements_and_under_blocks() {
         quantities: quantities.to_vec(),
     };
     let targets = [target(0.0, 3.0), target(0.5, 0.5)];
-    let found = starting_points(&field, &targets).unwrap();
+    let found = scan(&field, &mut rough(&field), &targets)
+        .unwrap()
+        .starting_points;
     assert!(found.is_sorted_by(|one, other| one.value >= other.value));
     let element = grid.element_side();
     for (index, of) in targets.iter().enumerate() {
@@ -169,8 +183,10 @@ fn peaks_of_every_plane_equal_its_stresses_under_elements_and_under_blocks() {
                 assert!(own.count() < PEAKS_OF_A_PLANE);
                 let there = field.at(largest.at, *depth).unwrap();
                 let ratio = largest.value / quantity.of(&there);
+                // Blocks of side b = z/8 widen a load by the variance b²/12 along x and along y, and −σ_zz under a
+                // force falls by 5/2 of their sum over z²: 5/768 = 0.65 %.
                 assert!(
-                    (ratio - 1.0).abs() < 5e-3,
+                    (ratio - 1.0).abs() < 1e-2,
                     "{quantity:?} {}: {ratio}",
                     depth.z
                 );
@@ -180,17 +196,67 @@ fn peaks_of_every_plane_equal_its_stresses_under_elements_and_under_blocks() {
                     assert!((ratio - 1.0).abs() < 0.02, "{}: {ratio}", depth.z);
                     let apart = largest.at[0].hypot(largest.at[1]);
                     assert!(apart <= element.max(depth.z / 8.0), "{}: {apart}", depth.z);
-                    // Blocks are no wider than an eighth of the depth, and their middles are whole blocks apart.
-                    let block = if depth.z >= 16.0 * element { 2.0 } else { 1.0 };
-                    let first = grid.centre(field.loaded().origin[0]) - element / 2.0;
-                    let middle = (largest.at[0] - first) / (block * element) - 0.5;
-                    assert!(
-                        (middle - middle.round()).abs() < 1e-9,
-                        "{}: {middle}",
-                        depth.z
-                    );
                 }
             }
         }
     }
+}
+
+#[test]
+fn an_interface_shares_the_plane_at_the_bottom_of_its_body() {
+    let field = field();
+    let target = |top: f64, bottom: f64| Target {
+        top,
+        bottom,
+        quantities: vec![StressQuantity::VonMises],
+    };
+    let mut rough = rough(&field);
+    let targets = [target(0.0, 0.5), target(0.5, 0.5)];
+    let Scan { planes, .. } = scan(&field, &mut rough, &targets).unwrap();
+    assert!(Arc::ptr_eq(planes[0].last().unwrap(), &planes[1][0]));
+    assert_eq!(rough.computed(), planes[0].len());
+}
+
+#[test]
+fn interpolated_between_planes_the_largest_stress_under_hertz_lies_where_it_does() {
+    let grid = Grid::new(2.5, 64).unwrap();
+    let pressure = grid
+        .centres()
+        .map(|[x, y]| (1.0 - x * x - y * y).max(0.0).sqrt());
+    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+    let tables = Arc::new(RadialTables::build(&body).unwrap());
+    let pressure: Vec<f64> = pressure.collect();
+    let field = StressField::of(tables, grid, &pressure, Sliding::default());
+    let target = Target {
+        top: 0.0,
+        bottom: f64::INFINITY,
+        quantities: vec![StressQuantity::VonMises],
+    };
+    let scan = scan(&field, &mut rough(&field), &[target]).unwrap();
+    let StartingPoint { depth, at, .. } = scan.starting_points[0];
+    let (value, [x, y, z]) = refined(&scan.planes[0], StressQuantity::VonMises, (depth, at));
+    // Johnson 1985: 0.62 p0 at 0.481 a. The stresses are interpolated to 1e-3, which moves the place by a hundredth.
+    assert!((value - 0.6205).abs() < 2e-3, "{value}");
+    assert!((z - 0.481).abs() < 0.01 && x.hypot(y) < 0.01, "{x} {y} {z}");
+}
+
+#[test]
+fn a_smooth_pressure_is_scanned_in_blocks_and_a_rough_one_in_elements() {
+    let body = Foundation::half_space(Material::new(1.0, 0.3).unwrap());
+    let tables = Arc::new(RadialTables::build(&body).unwrap());
+    let grid = Grid::new(2.0, 128).unwrap();
+    let doublings = |pressure: &dyn Fn([f64; 2]) -> f64| {
+        let pressure: Vec<f64> = grid.centres().map(pressure).collect();
+        let field = StressField::of(tables.clone(), grid, &pressure, Sliding::default());
+        smooth_doublings(&field)
+    };
+    let ball = |[x, y]: [f64; 2]| (1.0 - x * x - y * y).max(0.0).sqrt();
+    assert_eq!(doublings(&ball), 2);
+    assert_eq!(
+        doublings(&|[x, y]| ball([4.0 * x, 4.0 * y])),
+        0,
+        "32 elements across"
+    );
+    let waves = |[x, y]: [f64; 2]| (ball([x, y]) * (1.0 + (90.0 * x).sin())).max(0.0);
+    assert_eq!(doublings(&waves), 0);
 }

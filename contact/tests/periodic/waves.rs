@@ -2,31 +2,20 @@
 //! and a cell so large that its neighbours do not matter.
 
 use std::f64::consts::{PI, TAU};
-use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use pellicle_contact::{
-    ContactError, Domain, Indenter, Load, LoadingPath, Method, Model, Paraboloid, Profile,
-    SolverOptions, Warning, solve_path,
+    ContactError, Domain, Indenter, Load, Method, Paraboloid, Profile, SolverOptions, solve_path,
 };
-use pellicle_influence::{Cache, RadialTables};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
-use pellicle_texture::Relief;
+
+use super::{model, solve};
 
 /// Side of the cell and plane-strain modulus are 1.
 const AMPLITUDE: f64 = 0.01;
 
 fn half_space() -> Foundation {
     Foundation::half_space(Material::new(1.0, 0.0).expect("a material"))
-}
-
-fn model(foundation: &Foundation, indenter: Indenter) -> Model {
-    Model {
-        tables: Arc::new(RadialTables::build(foundation).expect("tables")),
-        relief: Relief::Bare,
-        indenter,
-        cache: Cache::none(),
-    }
 }
 
 /// `Δ (1 − cos 2πx)`, or `Δ (1 − cos 2πx cos 2πy)`.
@@ -48,21 +37,6 @@ impl Profile for Waves {
 
 fn waves(in_both_directions: bool) -> Indenter {
     Indenter::custom(Waves { in_both_directions })
-}
-
-fn solve(model: &Model, domain: Domain, elements: usize, force: f64) -> LoadingPath {
-    let options = SolverOptions::default();
-    let loads = [Load::Force(force)];
-    let path = solve_path(model, domain, elements, &loads, &options, &mut ()).expect("a path");
-    let certificate = path.steps[0].solution.certificate;
-    assert!(certificate.is_satisfied(), "{certificate:?}");
-    let is_unexpected = |warning: &Warning| !matches!(warning, Warning::PeakNotResolved { .. });
-    assert!(
-        !path.warnings.iter().any(is_unexpected),
-        "{:?}",
-        path.warnings
-    );
-    path
 }
 
 /// Westergaard 1939: `p̄ = p* sin² πa`, `p = 2 p̄ cos πx √(sin² πa − sin² πx)/sin² πa` with `p* = π E* Δ`.

@@ -1,0 +1,301 @@
+//! Limits of linear elasticity with small strains: numbers of a solved contact that no body can have.
+//!
+//! The equations of a contact are linear and have a solution at every load. What it means is checked here. Each number
+//! is divided by its limit, so that the model cannot hold from 1 on:
+//!
+//! | limit | number | divided by | counts if |
+//! |---|---|---|---|
+//! | [`LayerThickness`](ModelLimit::LayerThickness) | shortening of a layer below the deepest or most pressed point | its thickness | there are layers |
+//! | [`RigidBase`](ModelLimit::RigidBase) | displacement of the surface, which on a bare body is that of the indenter | depth of the base | the base is rigid |
+//! | [`IndenterRadius`](ModelLimit::IndenterRadius) | penetration | radius of a sphere, paraboloid or punch | the indenter's own part of it is large, see below |
+//! | [`Modulus`](ModelLimit::Modulus) | mean pressure that reaches a layer or the base | its Young's modulus | it is thicker than the pressure is wide |
+//!
+//! A penetration may exceed a small indenter's radius where a stiff skin sinks as a whole. The contact then is narrow
+//! ([`NARROW`]) or, under a punch, its pressure small ([`SMALL_PRESSURE`]). A layer thinner than its pressure is wide
+//! cannot move sideways, so it carries more than its modulus; what it cannot do is in its shortening. Springs of a
+//! relief have a [warning](crate::Warning::FilmShortening) of their own. Self-similar tips and maps have no size.
+
+use std::cell::OnceCell;
+use std::f64::consts::PI;
+
+use pellicle_influence::{LayerColumn, LayerCompression};
+use pellicle_texture::{Grid, Relief};
+
+use crate::{Boundary, Indenter, Model, PeakPlace, Step};
+
+/// Below this ratio of largest pressure to smallest Young's modulus no strain comes near a tenth, and layers are not
+/// examined.
+const NEGLIGIBLE_PRESSURE: f64 = 0.02;
+/// A contact with a radius below this part of the indenter's is narrow. On a half-space a sphere sunk by its radius has
+/// 0.83, a paraboloid 1.
+const NARROW: f64 = 0.5;
+/// A mean pressure below this part of the modulus is small under a punch. On a half-space one sunk by its radius has
+/// 0.64 E*; below it on the axis, half of that.
+const SMALL_PRESSURE: f64 = 0.25;
+
+/// What a contact cannot exceed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ModelLimit {
+    /// A layer cannot be shortened by its whole thickness.
+    LayerThickness {
+        /// Layer, counted from the surface, from 0.
+        layer: usize,
+    },
+    /// The indenter cannot be below the top of a rigid base.
+    RigidBase,
+    /// An indenter cannot be sunk by more than its own radius where linear elasticity holds.
+    IndenterRadius,
+    /// A body cannot carry a mean pressure above its Young's modulus.
+    Modulus {
+        /// Layer, counted from the surface, from 0; the number of layers for the base.
+        body: usize,
+    },
+}
+
+/// A number of a contact over its limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LimitRatio {
+    /// The limit.
+    pub limit: ModelLimit,
+    /// The number over the limit; the model cannot hold from 1 on.
+    pub ratio: f64,
+}
+
+impl LimitRatio {
+    /// Whether the model cannot hold.
+    #[must_use]
+    pub fn is_beyond(&self) -> bool {
+        self.ratio >= 1.0
+    }
+}
+
+/// The limits of a model on a grid, with the tables that they need.
+pub(crate) struct ModelLimits<'a> {
+    model: &'a Model,
+    grid: Grid,
+    boundary: Boundary,
+    /// Made on first use; none if the kernel cannot compute them.
+    tables: OnceCell<Option<LayerCompression>>,
+}
+
+impl<'a> ModelLimits<'a> {
+    pub fn new(model: &'a Model, grid: Grid, boundary: Boundary) -> Self {
+        Self {
+            model,
+            grid,
+            boundary,
+            tables: OnceCell::new(),
+        }
+    }
+
+    /// The numbers of a step over their limits, at most one of each kind: the largest.
+    pub fn ratios(&mut self, step: &Step) -> Vec<LimitRatio> {
+        let columns = self.columns(step);
+        let modulus = self.modulus(step, &columns);
+        let pressed = modulus.map_or(0.0, |found| found.ratio);
+        [
+            self.thickness(&columns),
+            self.rigid_base(step, &columns),
+            self.indenter_radius(step, pressed),
+            modulus,
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
+    /// The largest shortening of a layer over its thickness.
+    fn thickness(&self, columns: &[LayerColumn]) -> Option<LimitRatio> {
+        let layers = self.model.tables.foundation().layers();
+        let of_column = |column: &LayerColumn| {
+            let shortenings = column.shortenings.iter().zip(layers).enumerate();
+            let ratios = shortenings.map(|(layer, (shortening, of))| LimitRatio {
+                limit: ModelLimit::LayerThickness { layer },
+                ratio: shortening / of.thickness(),
+            });
+            ratios.collect::<Vec<_>>()
+        };
+        largest(columns.iter().flat_map(of_column))
+    }
+
+    /// The displacement of the surface over the depth of a rigid base.
+    fn rigid_base(&self, step: &Step, columns: &[LayerColumn]) -> Option<LimitRatio> {
+        let foundation = self.model.tables.foundation();
+        if foundation.base_material().is_some() {
+            return None;
+        }
+        let displacement = if self.has_known_surface() {
+            // Where the indenter's lowest point presses; D is exact.
+            step.solution.penetration
+        } else {
+            let all = columns.iter().map(|column| column.shortenings.iter().sum());
+            all.fold(0.0, f64::max)
+        };
+        Some(LimitRatio {
+            limit: ModelLimit::RigidBase,
+            ratio: displacement / foundation.thickness(),
+        })
+    }
+
+    /// Whether the layers' surface in contact is the indenter's, so that its displacement is known.
+    fn has_known_surface(&self) -> bool {
+        self.model.relief == Relief::Bare
+            && self.boundary == Boundary::Free
+            && self.model.tables.bodies().counterbody().is_none()
+    }
+
+    /// The penetration over the radius of the indenter, if that part of it is its own.
+    fn indenter_radius(&self, step: &Step, pressed: f64) -> Option<LimitRatio> {
+        let is_wide = |radius: f64| step.summary.contact_radius > NARROW * radius;
+        let radius = match &self.model.indenter {
+            Indenter::Sphere(sphere) if is_wide(sphere.radius()) => sphere.radius(),
+            Indenter::Paraboloid(of) if is_wide(of.radius()) => of.radius(),
+            Indenter::FlatPunch(punch) if pressed > SMALL_PRESSURE => punch.radius(),
+            _ => return None,
+        };
+        Some(LimitRatio {
+            limit: ModelLimit::IndenterRadius,
+            ratio: step.solution.penetration / radius,
+        })
+    }
+
+    /// The mean pressure that reaches a body over its modulus, the largest of the bodies thicker than it is wide.
+    fn modulus(&self, step: &Step, columns: &[LayerColumn]) -> Option<LimitRatio> {
+        let (force, mean) = (step.solution.force, step.summary.mean_pressure);
+        let foundation = self.model.tables.foundation();
+        let (layers, base) = (foundation.layers(), foundation.base_material());
+        let ratio = |body: usize| {
+            let pressure = match body.checked_sub(1) {
+                None => mean,
+                Some(above) => {
+                    let reaching = columns.iter().map(|column| column.pressures[above]);
+                    reaching.fold(0.0, f64::max).min(mean)
+                }
+            };
+            let (material, thickness) = match layers.get(body) {
+                Some(layer) => (layer.material(), layer.thickness()),
+                None => (base?, f64::INFINITY),
+            };
+            // F = π a² p
+            let is_wider = (force / (PI * pressure)).sqrt() > thickness;
+            (pressure > 0.0 && !is_wider).then(|| LimitRatio {
+                limit: ModelLimit::Modulus { body },
+                ratio: pressure / material.young_modulus(),
+            })
+        };
+        largest((0..=layers.len()).filter_map(ratio))
+    }
+
+    /// The layers below the places of a step at which they may be shortened most; none where nothing is.
+    fn columns(&mut self, step: &Step) -> Vec<LayerColumn> {
+        let foundation = self.model.tables.foundation();
+        let (layers, base) = (foundation.layers().iter(), foundation.base_material());
+        let moduli = layers.map(|layer| layer.material().young_modulus());
+        let moduli = moduli.chain(base.map(|base| base.young_modulus()));
+        let softest = moduli.fold(f64::INFINITY, f64::min);
+        let is_negligible = step.summary.max_pressure < NEGLIGIBLE_PRESSURE * softest;
+        if foundation.layers().is_empty() || is_negligible {
+            return Vec::new();
+        }
+        let known = base.is_none() && self.has_known_surface();
+        let (side, grid) = (self.grid.element_side(), self.grid);
+        let tables = self.tables.get_or_init(|| {
+            LayerCompression::new(foundation, [side / 2.0, 2.0 * grid.side()]).ok()
+        });
+        let Some(tables) = tables else {
+            return Vec::new();
+        };
+        let pressure = &step.solution.pressure;
+        let boundary = self.boundary;
+        let places = places(grid, boundary, step).into_iter();
+        let columns = places.map(|place| {
+            let column = below(tables, (grid, boundary), pressure, place);
+            if !known {
+                return column;
+            }
+            // The surface lies on the indenter, and the base does not move.
+            let height = self.model.indenter.height(place[0], place[1]);
+            let displacement = step.solution.penetration - height;
+            scaled(column, displacement)
+        });
+        columns.collect()
+    }
+}
+
+/// A column whose layers are shortened by this much (m) together.
+fn scaled(mut column: LayerColumn, together: f64) -> LayerColumn {
+    let factor = together / column.shortenings.iter().sum::<f64>();
+    if factor.is_finite() && factor > 0.0 {
+        for shortening in &mut column.shortenings {
+            *shortening *= factor;
+        }
+    }
+    column
+}
+
+/// The largest ratio; the first of equal ones.
+fn largest(ratios: impl Iterator<Item = LimitRatio>) -> Option<LimitRatio> {
+    let finite = ratios.filter(|found| found.ratio.is_finite());
+    finite.reduce(|one, other| if other.ratio > one.ratio { other } else { one })
+}
+
+/// The places of the largest pressure, unless it is an edge's and grows with the grid, and of the element in contact
+/// nearest to the indenter's lowest point, m.
+fn places(grid: Grid, boundary: Boundary, step: &Step) -> Vec<[f64; 2]> {
+    let peak = step.summary.max_pressure_at;
+    let is_smooth = match step.summary.peak_place {
+        PeakPlace::Inside | PeakPlace::Ridge => true,
+        PeakPlace::Outline | PeakPlace::IndenterEdge => false,
+    };
+    let mut places = if is_smooth { vec![peak] } else { Vec::new() };
+    if boundary == Boundary::Periodic && is_smooth {
+        return places;
+    }
+    let nearest = nearest_in_contact(grid, &step.solution.pressure);
+    let is_new = |place: &[f64; 2]| {
+        !is_smooth || (place[0] - peak[0]).hypot(place[1] - peak[1]) > 2.0 * grid.element_side()
+    };
+    places.extend(nearest.filter(is_new));
+    places
+}
+
+/// The centre of the element in contact that is nearest to the axis, m.
+fn nearest_in_contact(grid: Grid, pressure: &[f64]) -> Option<[f64; 2]> {
+    let size = grid.size();
+    let in_contact = (0..pressure.len()).filter(|element| pressure[*element] > 0.0);
+    let places = in_contact.map(|element| [element / size, element % size].map(|i| grid.centre(i)));
+    let distance = |place: &[f64; 2]| place[0].hypot(place[1]);
+    places.min_by(|one, other| distance(one).total_cmp(&distance(other)))
+}
+
+/// The layers below a place under pressures on a grid. In a periodic cell they are split into their mean, and what
+/// differs from it within half a cell to either side of the place.
+fn below(
+    tables: &LayerCompression,
+    (grid, boundary): (Grid, Boundary),
+    pressure: &[f64],
+    [x, y]: [f64; 2],
+) -> LayerColumn {
+    let (size, side) = (grid.size(), grid.side());
+    let (mean, away): (f64, fn(f64, f64) -> f64) = match boundary {
+        Boundary::Free => (0.0, |distance, _| distance),
+        Boundary::Periodic => (
+            pressure.iter().sum::<f64>() / pressure.len() as f64,
+            |distance, side| distance - side * (distance / side).round(),
+        ),
+    };
+    let along = |from: f64| -> Vec<f64> {
+        let centres = (0..size).map(|i| grid.centre(i) - from);
+        centres.map(|distance| away(distance, side)).collect()
+    };
+    let (along_x, along_y) = (along(x), along(y));
+    let loads = pressure.iter().enumerate();
+    let loads = loads.map(|(element, p)| (element, p - mean));
+    let loads = loads
+        .filter(|(_, p)| *p != 0.0)
+        .map(|(element, p)| ([along_x[element / size], along_y[element % size]], p));
+    tables.below(loads, grid.element_side(), mean)
+}
+
+#[cfg(test)]
+mod tests;

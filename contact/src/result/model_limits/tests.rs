@@ -1,0 +1,223 @@
+//! Limits of solved contacts, from closed forms, exact fields, and the definition.
+
+use pellicle_influence::Depth;
+use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side};
+use pellicle_texture::Film;
+
+use super::*;
+use crate::{
+    Cone, Domain, FlatPunch, Load, LoadingPath, Paraboloid, Sliding, SolverOptions, Sphere, Status,
+    StressField, solve_path,
+};
+
+fn material(young: f64, nu: f64) -> Material {
+    Material::new(young, nu).unwrap()
+}
+
+/// Layers of thickness, Young's modulus and Poisson's ratio, surface first.
+fn body(layers: &[[f64; 3]], base: Base) -> Foundation {
+    let layer = |[thickness, young, nu]: &[f64; 3]| {
+        Layer::new(*thickness, material(*young, *nu), Interface::Bonded).unwrap()
+    };
+    Foundation::new(layers.iter().map(layer).collect(), base).unwrap()
+}
+
+fn solved(body: &Foundation, indenter: impl Into<Indenter>, loads: &[Load]) -> LoadingPath {
+    let model = Model::on(body, Relief::Bare, indenter);
+    let options = SolverOptions::default();
+    solve_path(&model, Domain::Automatic, 64, loads, &options, &mut ()).unwrap()
+}
+
+fn ratio(step: &Step, is: impl Fn(ModelLimit) -> bool) -> Option<f64> {
+    let found = step.limits.iter().find(|found| is(found.limit));
+    found.map(|found| found.ratio)
+}
+
+fn of_layer(step: &Step) -> f64 {
+    ratio(step, |limit| {
+        matches!(limit, ModelLimit::LayerThickness { .. })
+    })
+    .unwrap()
+}
+
+/// The shortenings of the layers over their thicknesses below the axis, by the exact fields.
+fn exact(path: &LoadingPath, step: usize) -> Vec<f64> {
+    let field = StressField::new(path, step, Sliding::default()).unwrap();
+    let foundation = path.tables.foundation();
+    let sinking = |z: f64, side: Side| {
+        let at = field.at([0.0; 2], Depth { z, side });
+        at.unwrap().displacement[2]
+    };
+    let layers = foundation.layers().iter().enumerate();
+    layers
+        .map(|(layer, of)| {
+            let [top, bottom] = [layer, layer + 1].map(|i| foundation.interface_depth(i));
+            let is_rigid_below =
+                layer + 1 == foundation.layers().len() && foundation.base_material().is_none();
+            let below = if is_rigid_below {
+                0.0
+            } else {
+                sinking(bottom, Side::Above)
+            };
+            (sinking(top, Side::Below) - below) / of.thickness()
+        })
+        .collect()
+}
+
+#[test]
+fn shortenings_are_those_of_the_exact_field_to_some_percent() {
+    let glass = Base::HalfSpace(material(70.0, 0.2));
+    let hard = Base::HalfSpace(material(200.0, 0.3));
+    for (name, body, radius, depth) in [
+        ("thin film", body(&[[0.1, 1.0, 0.4]], glass), 50.0, 0.1),
+        ("thick film", body(&[[5.0, 1.0, 0.4]], glass), 5.0, 0.7),
+        (
+            "interlayer",
+            body(&[[1.0, 100.0, 0.3], [0.2, 1.0, 0.45]], hard),
+            100.0,
+            0.05,
+        ),
+        ("incompressible", body(&[[0.5, 1.0, 0.5]], glass), 10.0, 0.2),
+        (
+            "graded",
+            body(&[[0.1, 2.0, 0.3], [0.1, 4.0, 0.3], [0.1, 8.0, 0.3]], hard),
+            1.0,
+            0.05,
+        ),
+    ] {
+        let ball = Paraboloid::new(radius).unwrap();
+        let path = solved(&body, ball, &[Load::Penetration(depth)]);
+        let exact = exact(&path, 0).into_iter().fold(0.0, f64::max);
+        let found = of_layer(&path.steps[0]);
+        assert!(
+            (found / exact - 1.0).abs() < 0.05,
+            "{name}: {found} {exact}"
+        );
+    }
+}
+
+#[test]
+fn a_layer_on_a_rigid_base_is_shortened_by_the_penetration() {
+    let gel = body(&[[1e-6, 1e6, 0.45]], Base::Rigid);
+    let depths = [0.1, 0.5, 0.999, 1.0, 2.0];
+    let loads = depths.map(|depth| Load::Penetration(depth * 1e-6));
+    for indenter in [
+        Indenter::from(Sphere::new(1e-3).unwrap()),
+        FlatPunch::new(5e-6).unwrap().into(),
+    ] {
+        let path = solved(&gel, indenter, &loads);
+        for (step, depth) in path.steps.iter().zip(depths) {
+            let found = of_layer(step);
+            // Between the axis and the nearest centre a ball rises by less than 1e-3 of its depth.
+            assert!((found / depth - 1.0).abs() < 2e-3, "{depth} {found}");
+            let base = ratio(step, |limit| limit == ModelLimit::RigidBase).unwrap();
+            assert!((base / depth - 1.0).abs() < 1e-12, "{depth} {base}");
+            let wanted = if depth < 1.0 {
+                Status::Certified
+            } else {
+                Status::BeyondModel
+            };
+            assert_eq!(step.status(), wanted, "{depth}");
+        }
+    }
+}
+
+#[test]
+fn an_indenter_sunk_by_its_radius_is_beyond_the_model() {
+    let body = Foundation::half_space(material(1.0, 0.3));
+    for indenter in [
+        Indenter::from(Sphere::new(1.0).unwrap()),
+        Paraboloid::new(1.0).unwrap().into(),
+        FlatPunch::new(1.0).unwrap().into(),
+    ] {
+        let loads = [0.98, 1.0, 456.0].map(Load::Penetration);
+        let path = solved(&body, indenter.clone(), &loads);
+        let statuses: Vec<_> = path.steps.iter().map(Step::status).collect();
+        assert_eq!(
+            statuses,
+            [Status::Certified, Status::BeyondModel, Status::BeyondModel],
+            "{indenter:?}"
+        );
+        let found = path.steps[2].beyond().unwrap();
+        let size = ratio(&path.steps[2], |limit| limit == ModelLimit::IndenterRadius).unwrap();
+        assert!((size / 456.0 - 1.0).abs() < 1e-12 && found.ratio >= size);
+    }
+    // A self-similar tip has no size.
+    let cone = Cone::new(1.2, 0.0).unwrap();
+    let path = solved(&body, cone, &[Load::Penetration(456.0)]);
+    assert_eq!(path.steps[0].status(), Status::Certified);
+}
+
+#[test]
+fn a_small_indenter_may_sink_with_a_stiff_skin_by_more_than_its_radius() {
+    // A skin much stiffer than what it lies on, ten times as thick as the indenter is large.
+    let base = Base::HalfSpace(material(0.01, 0.3));
+    let skin = body(&[[10.0, 1000.0, 0.3]], base);
+    for (radius, indenter) in [
+        (1.0, Indenter::from(Sphere::new(1.0).unwrap())),
+        (0.2, FlatPunch::new(0.2).unwrap().into()),
+    ] {
+        let path = solved(&skin, indenter.clone(), &[Load::Force(20.0)]);
+        let step = &path.steps[0];
+        assert!(step.solution.penetration > radius, "{indenter:?}");
+        let limits = &step.limits;
+        assert_eq!(step.status(), Status::Certified, "{limits:?}");
+    }
+}
+
+#[test]
+fn a_mean_pressure_above_the_modulus_of_what_carries_it_is_beyond_the_model() {
+    // A cone's mean pressure is E* cot α/2 at every load: 1.1 E at α = 0.46.
+    let steep = Cone::new(0.42, 0.0).unwrap();
+    let half_space = Foundation::half_space(material(1.0, 0.3));
+    let path = solved(&half_space, steep, &[Load::Penetration(1.0)]);
+    let wanted = 1.0 / (0.91 * 2.0 * 0.42_f64.tan());
+    let found = ratio(&path.steps[0], |of| of == ModelLimit::Modulus { body: 0 }).unwrap();
+    assert!(
+        wanted > 1.0 && (found / wanted - 1.0).abs() < 0.02,
+        "{found} {wanted}"
+    );
+    assert_eq!(path.steps[0].status(), Status::BeyondModel);
+    // Under a thin stiff coat the body below it carries the same pressure.
+    let coated = body(&[[0.01, 50.0, 0.3]], Base::HalfSpace(material(1.0, 0.3)));
+    let path = solved(&coated, FlatPunch::new(1.0).unwrap(), &[Load::Force(10.0)]);
+    let found = ratio(&path.steps[0], |of| of == ModelLimit::Modulus { body: 1 }).unwrap();
+    // On the axis of a punch the pressure is half of its mean, 3.2, and up to its mean farther down.
+    assert!((1.5..3.2).contains(&found), "{found}");
+    assert_eq!(path.steps[0].status(), Status::BeyondModel);
+}
+
+#[test]
+fn springs_on_the_surface_are_not_layers() {
+    // The film's springs are shortened by many times their height, the body hardly at all.
+    let stiff = body(&[[1.0, 1e4, 0.3]], Base::Rigid);
+    let film = Relief::Film(Film::new(1e-3, 1e-2).unwrap());
+    let model = Model::on(&stiff, film, Paraboloid::new(1.0).unwrap());
+    let options = SolverOptions::default();
+    let load = [Load::Penetration(0.01)];
+    let path = solve_path(&model, Domain::Automatic, 32, &load, &options, &mut ()).unwrap();
+    assert_eq!(path.steps[0].status(), Status::Certified);
+    assert!(
+        path.warnings
+            .iter()
+            .any(|of| of.code() == "film-shortening")
+    );
+}
+
+#[test]
+fn in_a_periodic_cell_the_mean_pressure_shortens_a_layer_as_if_confined() {
+    let soft = body(&[[0.1, 1.0, 0.3]], Base::HalfSpace(material(100.0, 0.3)));
+    let model = Model::on(&soft, Relief::Bare, FlatPunch::new(9.0).unwrap());
+    let options = SolverOptions::default();
+    let loads = [Load::Force(0.5), Load::Force(2.0)];
+    let domain = Domain::Periodic(1.0);
+    let path = solve_path(&model, domain, 32, &loads, &options, &mut ()).unwrap();
+    // p (1 + ν)(1 − 2ν)/(E (1 − ν)), of the whole cell in contact.
+    for (step, pressure) in path.steps.iter().zip([0.5, 2.0]) {
+        let wanted = pressure * 1.3 * 0.4 / 0.7;
+        let found = of_layer(step);
+        assert!((found / wanted - 1.0).abs() < 1e-6, "{found} {wanted}");
+    }
+    let statuses: Vec<_> = path.steps.iter().map(Step::status).collect();
+    assert_eq!(statuses, [Status::Certified, Status::BeyondModel]);
+}

@@ -1,0 +1,180 @@
+//! Stresses of random cases with up to eight layers, under forces and penetrations, at rest and sliding: each is found,
+//! with finite numbers at places in its body, or refused with a reason.
+//!
+//! 16 by default; for more
+//!
+//! ```sh
+//! PELLICLE_RANDOM_STRESSES=2000 cargo test --release -p pellicle-contact --test random_cases stresses
+//! ```
+
+use pellicle_contact::{
+    BodyPart, BodyStrengths, ContactError, Extreme, InterfacePart, InterfaceStrengths, LoadingPath,
+    Sliding, SolverOptions, StressExtremes, StressModel, critical_loads, stress_extremes,
+};
+use pellicle_influence::InfluenceError;
+use pellicle_kernel::{Base, Foundation};
+use rayon::prelude::*;
+
+use crate::case::Case;
+
+/// Number of cases in the short form, and the most elements per side.
+const SHORT: u64 = 16;
+const MOST_ELEMENTS: usize = 32;
+/// Critical loads are searched for in one of this many cases.
+const CRITICAL: u64 = 8;
+
+/// The bodies and interfaces of a foundation, with strengths that are reached at part of the load.
+fn stresses(foundation: &Foundation, sliding: Sliding) -> StressModel {
+    let count = foundation.layers().len();
+    let depth = |i: usize| match i {
+        0 => 0.0,
+        i if i > count => f64::INFINITY,
+        i => foundation.interface_depth(i),
+    };
+    let last = match foundation.base() {
+        Base::HalfSpace(_) => count + 1,
+        Base::Rigid => count,
+    };
+    let bodies = (0..last).map(|i| BodyPart {
+        name: format!("body {i}"),
+        top: depth(i),
+        bottom: depth(i + 1),
+        strengths: BodyStrengths::default(),
+    });
+    let interfaces = (0..count).map(|i| InterfacePart {
+        index: i,
+        depth: depth(i + 1),
+        strengths: InterfaceStrengths::default(),
+    });
+    StressModel {
+        sliding,
+        bodies: bodies.collect(),
+        interfaces: interfaces.collect(),
+    }
+}
+
+/// Why an extreme is not one of its body.
+fn fault<const AXES: usize>(extreme: &Extreme<AXES>, [top, bottom]: [f64; 2]) -> Option<String> {
+    let is_finite = extreme.value.is_finite()
+        && extreme.at.iter().all(|along| along.is_finite())
+        && extreme.estimate.is_none_or(f64::is_finite);
+    let is_inside = extreme.at.get(2).is_none_or(|z| (top..=bottom).contains(z));
+    (!is_finite || !is_inside).then(|| format!("{extreme:?} between {top} and {bottom}"))
+}
+
+fn faults(stress: &StressModel, found: &StressExtremes) -> Option<String> {
+    let bodies = stress.bodies.iter().zip(&found.bodies);
+    let mut of_bodies = bodies.flat_map(|(part, body)| {
+        let all = [
+            body.max_von_mises,
+            body.max_principal,
+            body.min_principal,
+            body.max_shear,
+        ];
+        all.into_iter()
+            .filter_map(|extreme| fault(&extreme, [part.top, part.bottom]))
+    });
+    let mut of_interfaces = found.interfaces.iter().flat_map(|of| {
+        let all = [of.max_shear_traction, of.max_tension, of.max_compression];
+        all.into_iter()
+            .filter_map(|extreme| fault(&extreme, [0.0; 2]))
+    });
+    of_bodies.next().or_else(|| of_interfaces.next())
+}
+
+/// Whether the case was refused; why it failed.
+fn outcome(seed: u64) -> Result<bool, String> {
+    let (case, sliding) = Case::draw_sliding(seed, MOST_ELEMENTS);
+    let options = SolverOptions {
+        coarse_pressures: true,
+        ..SolverOptions::default()
+    };
+    let refused = |error: ContactError| match error {
+        ContactError::Influence(InfluenceError::TableAccuracy { .. })
+        | ContactError::DomainTooSmall { .. } => Ok(true),
+        error => Err(error.to_string()),
+    };
+    let path = match case.solve(&options) {
+        Ok(path) => path,
+        Err(error) => return refused(error),
+    };
+    let mut stress = stresses(&case.foundation, sliding);
+    let found = match stress_extremes(&path, 0, &stress) {
+        Ok(found) => found,
+        Err(error) => return Err(error.to_string()),
+    };
+    if let Some(fault) = faults(&stress, &found) {
+        return Err(fault);
+    }
+    if seed.is_multiple_of(CRITICAL) {
+        return critical(&case, &path, &mut stress, found).map(|()| false);
+    }
+    Ok(false)
+}
+
+/// Critical loads of four criteria at two thirds of the stress.
+fn critical(
+    case: &Case,
+    path: &LoadingPath,
+    stress: &mut StressModel,
+    found: StressExtremes,
+) -> Result<(), String> {
+    let part = |extreme: f64| (extreme > 0.0).then_some(extreme / 1.5);
+    stress.bodies[0].strengths = BodyStrengths {
+        yield_strength: part(found.bodies[0].max_von_mises.value),
+        tensile_strength: part(found.bodies[0].max_principal.value),
+    };
+    if let Some(interface) = stress.interfaces.first_mut() {
+        interface.strengths = InterfaceStrengths {
+            shear_strength: part(found.interfaces[0].max_shear_traction.value),
+            tensile_strength: part(found.interfaces[0].max_tension.value),
+        };
+    }
+    let (model, options) = (case.model(), SolverOptions::default());
+    let model = model.map_err(|error| error.to_string())?;
+    let loads = critical_loads(
+        &model,
+        path,
+        &[found],
+        case.domain,
+        &options,
+        stress,
+        &mut (),
+    );
+    // A load between may need a larger domain or more products than the case itself.
+    for load in loads.unwrap_or_default() {
+        if load
+            .force
+            .is_some_and(|force| !(force > 0.0 && force.is_finite()))
+        {
+            return Err(format!("{load:?}"));
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn stresses_of_every_random_case_are_finite_and_in_their_bodies() {
+    let count = std::env::var("PELLICLE_RANDOM_STRESSES");
+    let count = count.map_or(SHORT, |count| count.parse().unwrap());
+    let outcomes: Vec<_> = (0..count)
+        .into_par_iter()
+        .map(|seed| (seed, outcome(seed)))
+        .collect();
+    let (mut refused, mut failures) = (0, 0);
+    for (seed, outcome) in outcomes {
+        match outcome {
+            Ok(is_refused) => refused += u64::from(is_refused),
+            Err(how) => {
+                failures += 1;
+                eprintln!(
+                    "{seed}: {how}, {:?}",
+                    Case::draw_sliding(seed, MOST_ELEMENTS)
+                );
+            }
+        }
+    }
+    eprintln!("{count} cases: {refused} refused, {failures} failed");
+    assert_eq!(failures, 0);
+    assert!(20 * refused <= count, "{refused}");
+}
