@@ -22,7 +22,7 @@ pub enum Chore {
     Tidy,
     /// Draw the figures of the paper from its cases: SVG, PNG and CSV.
     Figures(FiguresArguments),
-    /// Run everything and compare its numbers with those of an earlier build.
+    /// Run everything and compare what it gives with what an earlier build gave.
     Golden(GoldenArguments),
     /// The program `pellicle` itself, with its own command line; tests run it instead of a release build.
     #[command(hide = true, disable_help_flag = true)]

@@ -40,6 +40,9 @@ pub enum XtaskError {
         /// The error of the operating system.
         cause: io::Error,
     },
+    /// The program could not be built; cargo has said why.
+    #[error("the program cannot be built in release")]
+    NotBuilt,
     /// A run of a case of the paper is not certified, so nothing is drawn from it.
     #[error("{run}: found a solution that is not certified, wanted one to draw")]
     NotCertified {
@@ -67,6 +70,14 @@ impl XtaskError {
     pub(crate) fn read(path: &Path, cause: io::Error) -> Self {
         Self::Read {
             path: path.into(),
+            cause,
+        }
+    }
+
+    /// A program that cannot be started or waited for.
+    pub fn start(program: &Path, cause: io::Error) -> Self {
+        Self::Start {
+            program: program.into(),
             cause,
         }
     }

@@ -60,25 +60,22 @@ fn figures(arguments: &FiguresArguments) -> Result<ExitCode, XtaskError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Writes or compares the golden numbers; exit code 1 if any moved.
+/// Writes or compares the golden values; exit code 1 if any moved.
 fn golden(arguments: &GoldenArguments) -> Result<ExitCode, XtaskError> {
-    let release = Runner::release(root(), 0, |_| {}).program;
-    let program = arguments.program.clone();
-    let program = program.map_or(release, |program| vec![program.into()]);
-    let file = root().join(&arguments.file);
-    match xtask::golden(root(), &program, &file, arguments.write)? {
-        Golden::Written(count) => {
-            println!("{count} values in {}", arguments.file.display());
-            Ok(ExitCode::SUCCESS)
+    let program = match &arguments.program {
+        Some(program) => {
+            std::path::absolute(program).map_err(|cause| XtaskError::start(program, cause))?
         }
-        Golden::Compared(moved, count) if moved.is_empty() => {
-            println!("same bits: {count} values");
-            Ok(ExitCode::SUCCESS)
-        }
-        Golden::Compared(moved, count) => {
-            moved.iter().for_each(|moved| println!("{moved}"));
-            println!("{} of {count} values moved", moved.len());
-            Ok(ExitCode::FAILURE)
+        None => xtask::release_program(root())?,
+    };
+    match xtask::golden(root(), &[program.into()], arguments)? {
+        Golden::Written(count) => println!("{count} values in {}", arguments.file.display()),
+        Golden::Compared(moved) => {
+            println!("{}", moved.report(arguments.most));
+            if !moved.is_same() {
+                return Ok(ExitCode::FAILURE);
+            }
         }
     }
+    Ok(ExitCode::SUCCESS)
 }

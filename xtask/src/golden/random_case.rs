@@ -1,174 +1,130 @@
-//! Random case files as a user might write them: every kind of body, relief, indenter, load and option.
+//! Random case files as a user might write them: every kind of body, surface, indenter, load and option, and now and
+//! then a fault. One seed always gives the same text and maps.
 
-use std::fmt::Write;
+mod draw;
+mod fault;
+mod foundation;
+mod indenter;
+mod map;
+mod requests;
+mod surface;
 
-use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use super::run::InputFile;
+use draw::Draw;
 
-/// Moduli of the base, in Pa, and scales of length, in m.
-const MODULI: [f64; 2] = [1e5, 1e12];
-const SCALES: [f64; 2] = [1e-8, 1e-3];
+/// One text in so many has a fault.
+const FAULTY: u32 = 8;
 
-/// The text of the case of a seed.
-pub fn random_case(seed: u64) -> String {
-    let mut draw = Draw {
-        random: ChaCha8Rng::seed_from_u64(seed),
-        text: String::new(),
-    };
-    draw.case();
-    draw.text
+/// A case with the maps that it names.
+#[derive(Debug, PartialEq)]
+pub struct RandomCase {
+    /// The case file.
+    pub text: String,
+    /// The files of its maps.
+    pub maps: Vec<InputFile>,
 }
 
-struct Draw {
-    random: ChaCha8Rng,
-    text: String,
+/// The sizes that go together in a case, so that most contacts are reasonable.
+#[derive(Debug, Clone, Copy)]
+struct Scales {
+    /// Young's modulus of the base, E.
+    modulus: f64,
+    /// Radius of the indenter, R.
+    radius: f64,
+    /// Hertz's contact radius, a.
+    contact: f64,
+    /// Side of the domain, if the case gives it.
+    side: Option<f64>,
+    /// Whether the domain is a periodic cell.
+    periodic: bool,
 }
 
-impl Draw {
-    fn case(&mut self) {
-        let radius = self.decades(SCALES);
-        let modulus = self.decades(MODULI);
-        // Hertz's contact radius, on which all lengths but the indenter's depend.
-        let contact = radius * self.decades([3e-3, 0.1]);
-        let layers = self.foundation(contact, modulus);
-        self.surface(contact, modulus);
-        self.indenter(radius, contact);
-        let periodic = self.one_in(6);
-        let springs = self.text.contains("kind = \"cylinders\"");
-        let force = 4.0 / 3.0 * modulus * contact.powi(3) / radius;
-        let depth = contact * contact / radius;
-        if !periodic && self.one_in(3) {
-            self.line(&format!("[load]\npenetration = {depth:e}"));
-        } else if self.one_in(6) {
-            self.line(&format!(
-                "[load]\nforces = {{ from = {:e}, to = {force:e}, count = 3 }}",
-                force / 5.0
-            ));
-        } else {
-            self.line(&format!("[load]\nforce = {force:e}"));
-        }
-        let elements = self.random.random_range(12..40);
-        self.line(&format!("[grid]\nelements = {elements}"));
-        if periodic {
-            self.line(&format!(
-                "side = {:e}\nboundary = \"periodic\"",
-                4.0 * contact
-            ));
-        } else if !springs && self.one_in(3) {
-            let (friction, direction) = (self.part(), 360.0 * self.part());
-            self.line(&format!(
-                "[stress]\nfriction = {friction:.3}\ndirection = {direction:.1}"
-            ));
-        } else if layers > 0 && self.one_in(8) {
-            self.line(&format!("[solver]\nhardness = {:e}", 0.05 * modulus));
+impl Scales {
+    fn draw(draw: &mut Draw) -> Self {
+        let [moduli, radii] = match draw.has_units() {
+            true => [[1e5, 1e12], [1e-8, 1e-3]],
+            false => [[0.1, 10.0], [0.1, 10.0]],
+        };
+        let radius = draw.decades(radii);
+        let contact = radius * draw.decades([3e-3, 0.1]);
+        let periodic = draw.one_in(7);
+        let side = contact * draw.decades([2.5, 6.0]);
+        Self {
+            modulus: draw.decades(moduli),
+            radius,
+            contact,
+            side: (periodic || draw.one_in(3)).then_some(side),
+            periodic,
         }
     }
 
-    /// Up to three layers, which need not be bonded or homogeneous.
-    fn foundation(&mut self, contact: f64, modulus: f64) -> usize {
-        let count = self.random.random_range(0..4);
-        let rigid = count > 0 && self.one_in(6);
-        if rigid {
-            self.line("[foundation]\nsubstrate = \"rigid\"");
-        } else {
-            let poisson_ratio = self.poisson_ratio();
-            self.line(&format!(
-                "[foundation]\nsubstrate = {{ young_modulus = {modulus:e}, poisson_ratio = {poisson_ratio} }}"
-            ));
-        }
-        for _ in 0..count {
-            let thickness = contact * self.decades([0.1, 10.0]);
-            let layer = modulus * self.decades([0.1, 10.0]);
-            let poisson_ratio = self.poisson_ratio();
-            self.line(&format!(
-                "[[foundation.layer]]\nthickness = {thickness:e}\npoisson_ratio = {poisson_ratio}"
-            ));
-            if self.one_in(8) {
-                self.line(&format!(
-                    "young_modulus = {{ from = {layer:e}, to = {modulus:e}, profile = \"linear\" }}"
-                ));
-            } else {
-                self.line(&format!("young_modulus = {layer:e}"));
-            }
-            if self.one_in(4) {
-                self.line("interface = \"frictionless\"");
-            }
-            if self.one_in(4) {
-                self.line(&format!("yield_strength = {:e}", 0.01 * layer));
-            }
-        }
-        count
+    /// Hertz's penetration D = a²/R.
+    fn depth(self) -> f64 {
+        self.contact * self.contact / self.radius
     }
 
-    fn surface(&mut self, contact: f64, modulus: f64) {
-        let height = contact * self.decades([1e-4, 1e-2]);
-        let springs = modulus * self.decades([0.1, 10.0]);
-        match self.random.random_range(0..4) {
-            0 => self.line(&format!(
-                "[surface]\nkind = \"film\"\nthickness = {height:e}\nyoung_modulus = {springs:e}"
-            )),
-            1 => {
-                let period = contact * self.decades([0.3, 2.0]);
-                let radius = period * (0.2 + 0.25 * self.part());
-                let lattice = ["square", "hexagonal"][self.random.random_range(0..2)];
-                self.line(&format!(
-                    "[surface]\nkind = \"cylinders\"\nradius = {radius:e}\nheight = {height:e}\nperiod = {period:e}\nlattice = \"{lattice}\"\nyoung_modulus = {springs:e}"
-                ));
-            }
-            _ => {}
-        }
+    /// Hertz's force Q = 4 E a³ / (3 R).
+    fn force(self) -> f64 {
+        4.0 / 3.0 * self.modulus * self.contact.powi(3) / self.radius
     }
 
-    fn indenter(&mut self, radius: f64, contact: f64) {
-        self.line("[indenter]");
-        let tip = contact / 3.0;
-        match self.random.random_range(0..6) {
-            0 => self.line(&format!("kind = \"sphere\"\nradius = {radius:e}")),
-            1 => self.line(&format!(
-                "kind = \"cone\"\nhalf_angle = {:.2}\ntip_radius = {tip:e}",
-                88.0 - 10.0 * self.part()
-            )),
-            2 => self.line(&format!("kind = \"berkovich\"\ntip_radius = {tip:e}")),
-            3 => self.line(&format!("kind = \"flat-punch\"\nradius = {contact:e}")),
-            _ => self.line(&format!("kind = \"paraboloid\"\nradius = {radius:e}")),
-        }
+    /// The size of the pressure, E a/R.
+    fn pressure(self) -> f64 {
+        self.modulus * self.contact / self.radius
     }
+}
 
-    fn poisson_ratio(&mut self) -> f64 {
-        [0.0, 0.2, 0.3, 0.45, 0.5][self.random.random_range(0..5)]
+/// The case of a seed.
+pub fn random_case(seed: u64) -> RandomCase {
+    let mut draw = Draw::new(seed);
+    let scales = Scales::draw(&mut draw);
+    foundation::draw(&mut draw, scales);
+    surface::draw(&mut draw, scales);
+    indenter::draw(&mut draw, scales);
+    requests::draw(&mut draw, scales);
+    if draw.one_in(FAULTY) {
+        fault::draw(&mut draw);
     }
-
-    fn line(&mut self, text: &str) {
-        let written = writeln!(self.text, "{text}");
-        debug_assert!(written.is_ok(), "writing to a string cannot fail");
-    }
-
-    /// A number whose logarithm is uniform between two ends.
-    fn decades(&mut self, [from, to]: [f64; 2]) -> f64 {
-        from * (to / from).powf(self.part())
-    }
-
-    /// A number from 0 to 1.
-    fn part(&mut self) -> f64 {
-        self.random.random()
-    }
-
-    fn one_in(&mut self, count: u32) -> bool {
-        self.random.random_range(0..count) == 0
-    }
+    draw.case()
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::collection::RANDOM_CASES;
     use super::*;
 
     #[test]
-    fn a_seed_gives_one_text_of_toml_and_seeds_differ() {
+    fn a_seed_gives_one_case_and_seeds_differ() {
         for seed in 0..20 {
-            let text = random_case(seed);
-            assert_eq!(text, random_case(seed));
-            assert_ne!(text, random_case(seed + 1));
-            text.parse::<toml::Table>().unwrap();
+            let case = random_case(seed);
+            assert_eq!(case, random_case(seed));
+            assert_ne!(case, random_case(seed + 1));
         }
+    }
+
+    /// Every word of the case file that chooses something, and what a fault leaves behind.
+    #[test]
+    fn the_random_cases_together_hold_every_kind_of_everything() {
+        let cases: Vec<RandomCase> = (0..RANDOM_CASES).map(random_case).collect();
+        let wanted = "\
+            substrate = \"rigid\" | [[foundation.layer]] | profile = \"linear\" | profile = \"exponential\" | interface = \"bonded\"
+            interface = \"frictionless\" | normal_compliance = | shear_compliance = | yield_strength = | tensile_strength =
+            interface_shear_strength = | interface_tensile_strength = | hardness = | 
+            kind = \"bare\" | kind = \"film\" | kind = \"cylinders\" | kind = \"rough\"
+            lattice = \"square\" | lattice = \"hexagonal\" | offset = [ | law = \"logarithmic\" | law = \"linear\" | compliance =
+            .npy\" | .csv\" | .txt\" | .gsf\" | side = | sides = [ | height_unit = | interpolation = \"linear\"
+            kind = \"paraboloid\" | kind = \"sphere\" | kind = \"cone\" | kind = \"berkovich\" | kind = \"vickers\"
+            kind = \"cube-corner\" | kind = \"flat-punch\" | half_angle = | tip_radius = | face_angle =
+            force = | forces = { | forces = [ | penetration = | penetrations = { | penetrations = [ | spacing = \"log\"
+            sensitivities = true | boundary = \"periodic\" | tolerance = | method = \"active-set\" | [stress] | friction =
+            direction = | depths = [ | extent = | GPa\" | um\" | mN\" | deg\"";
+        for word in wanted.split(['|', '\n']).map(str::trim) {
+            let holds = |case: &&RandomCase| case.text.contains(word);
+            let count = cases.iter().filter(holds).count();
+            assert!(count >= 3, "{word}: in {count} cases");
+        }
+        let is_toml = |case: &&RandomCase| case.text.parse::<toml::Table>().is_ok();
+        let read = cases.iter().filter(is_toml).count();
+        assert!((270..cases.len()).contains(&read), "{read} are TOML");
     }
 }
