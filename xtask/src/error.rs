@@ -75,6 +75,7 @@ impl XtaskError {
     }
 
     /// A program that cannot be started or waited for.
+    #[must_use]
     pub fn start(program: &Path, cause: io::Error) -> Self {
         Self::Start {
             program: program.into(),

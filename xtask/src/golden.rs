@@ -73,9 +73,10 @@ pub fn golden(
     arguments: &GoldenArguments,
 ) -> Result<Golden, XtaskError> {
     let file = root.join(&arguments.file);
-    let known = match arguments.write {
-        true => None,
-        false => Some(read(&file, &arguments.only)?),
+    let known = if arguments.write {
+        None
+    } else {
+        Some(read(&file, &arguments.only)?)
     };
     let mut runs = collection::all(root)?;
     runs.retain(|run| run.name.starts_with(&arguments.only));

@@ -49,6 +49,7 @@ impl Comparison {
     }
 
     /// Whether every value has the same bits.
+    #[must_use]
     pub fn is_same(&self) -> bool {
         self.differences.is_empty()
     }
@@ -65,9 +66,10 @@ impl Comparison {
             lines.push(format!("… and {} more", self.differences.len() - most));
         }
         lines.extend(self.quantities());
-        lines.push(match self.is_same() {
-            true => format!("same bits: {} values", self.count),
-            false => format!("{} of {} values moved", self.differences.len(), self.count),
+        lines.push(if self.is_same() {
+            format!("same bits: {} values", self.count)
+        } else {
+            format!("{} of {} values moved", self.differences.len(), self.count)
         });
         lines.join("\n")
     }
@@ -193,18 +195,18 @@ mod tests {
 
     use super::*;
 
-    fn outcomes(values: Value) -> BTreeMap<String, Outcome> {
+    fn outcomes(values: &Value) -> BTreeMap<String, Outcome> {
         let values = values.as_object().unwrap().clone();
         BTreeMap::from([("case".to_owned(), values.into_iter().collect())])
     }
 
     #[test]
     fn moved_new_and_lost_values_are_listed_by_size_and_equal_ones_are_not() {
-        let before = outcomes(json!({
+        let before = outcomes(&json!({
             "exit": 0, "steps.0.force": 1.0, "steps.0.depth": 2.0, "steps.1.depth": 1.0, "area": 3.0,
             "stderr": "a\nb\nc", "gone": true, "steps.0.pressure": 1.0,
         }));
-        let now = outcomes(json!({
+        let now = outcomes(&json!({
             "exit": 1, "steps.0.force": 1.0, "steps.0.depth": 2.5, "steps.1.depth": 1.0_f64.next_up(),
             "area": 3.0, "stderr": "a\nB\nd", "warning": "steep", "steps.0.pressure": 10.0,
         }));
@@ -229,8 +231,8 @@ depth: 2 numbers in 1 runs, at most 2.0e-1 (case)
 
     #[test]
     fn of_a_run_with_another_input_only_that_is_told() {
-        let before = outcomes(json!({"input": "a", "force": 1.0}));
-        let now = outcomes(json!({"input": "b", "force": 2.0}));
+        let before = outcomes(&json!({"input": "a", "force": 1.0}));
+        let now = outcomes(&json!({"input": "b", "force": 2.0}));
         let told = Comparison::of(&before, &now).report(9);
         assert!(told.starts_with("case: input: \"a\" → \"b\""), "{told}");
         assert!(!told.contains("force"), "{told}");
@@ -238,7 +240,7 @@ depth: 2 numbers in 1 runs, at most 2.0e-1 (case)
 
     #[test]
     fn a_lost_run_and_a_new_one_are_listed() {
-        let of = outcomes(json!({"force": 1.0}));
+        let of = outcomes(&json!({"force": 1.0}));
         let none = BTreeMap::new();
         assert_eq!(Comparison::of(&of, &none).differences[0].now, None);
         assert_eq!(Comparison::of(&none, &of).differences[0].before, None);

@@ -33,9 +33,12 @@ pub fn values(out: &Path, kept: Files) -> Result<Outcome, XtaskError> {
         for path in entries(out)? {
             let below = values(&path, kept)?;
             let is_folder = path.is_dir();
-            let inside = |key: String| match is_folder {
-                true => format!("{}/{key}", name(&path)),
-                false => key,
+            let inside = |key: String| {
+                if is_folder {
+                    format!("{}/{key}", name(&path))
+                } else {
+                    key
+                }
             };
             found.extend(below.into_iter().map(|(key, value)| (inside(key), value)));
         }
@@ -120,7 +123,9 @@ fn arrays(path: &Path, name: &str) -> Result<Outcome, XtaskError> {
             .or_else(|| numbers::<i32>(&mut npz, &array, f64::from))
             .or_else(|| numbers::<u64>(&mut npz, &array, |number| number as f64))
             .or_else(|| numbers::<i64>(&mut npz, &array, |number| number as f64));
-        let values = numbers.map_or_else(|| BTreeMap::from([("type", "unknown".into())]), digest);
+        let values = numbers
+            .as_ref()
+            .map_or_else(|| BTreeMap::from([("type", "unknown".into())]), digest);
         let array = array.trim_end_matches(".npy");
         found.extend(
             values
@@ -140,7 +145,7 @@ fn numbers<T: ReadableElement + Copy>(
     Some(array.mapv(to))
 }
 
-fn digest(array: ArrayD<f64>) -> BTreeMap<&'static str, Value> {
+fn digest(array: &ArrayD<f64>) -> BTreeMap<&'static str, Value> {
     let bytes: Vec<u8> = array
         .iter()
         .flat_map(|number| number.to_le_bytes())

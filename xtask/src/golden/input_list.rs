@@ -63,7 +63,8 @@ impl InputList {
         files.extend(small.map(|(name, text)| (name.clone(), text.as_bytes().into())));
         Ok(Self {
             curves: folder(&root.join(CURVES), |name| {
-                name.starts_with(TUNGSTEN) && name.ends_with(".csv")
+                name.starts_with(TUNGSTEN)
+                    && Path::new(name).extension().is_some_and(|end| end == "csv")
             })?,
             listed,
             files,
@@ -104,7 +105,7 @@ impl InputList {
             .and_then(|at| words.get(at + 1))
             .map(|out| ((*out).into(), Files::All));
         if words.first() == Some(&"solve") {
-            run.stdin = self.listed.stream.clone();
+            run.stdin.clone_from(&self.listed.stream);
         }
         run
     }

@@ -41,9 +41,10 @@ struct Scales {
 
 impl Scales {
     fn draw(draw: &mut Draw) -> Self {
-        let [moduli, radii] = match draw.has_units() {
-            true => [[1e5, 1e12], [1e-8, 1e-3]],
-            false => [[0.1, 10.0], [0.1, 10.0]],
+        let [moduli, radii] = if draw.has_units() {
+            [[1e5, 1e12], [1e-8, 1e-3]]
+        } else {
+            [[0.1, 10.0], [0.1, 10.0]]
         };
         let radius = draw.decades(radii);
         let contact = radius * draw.decades([3e-3, 0.1]);

@@ -68,6 +68,10 @@ fn rows(heights: &Array2<f64>, between: &str) -> String {
 }
 
 /// Gwyddion Simple Field: a header padded to a multiple of four bytes, then rows in single precision from the top.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the format has single precision"
+)]
 fn gsf(heights: &Array2<f64>, side: f64) -> Vec<u8> {
     let [x, y] = [heights.nrows(), heights.ncols()];
     let mut bytes = format!(

@@ -19,13 +19,17 @@ pub fn draw(draw: &mut Draw, scales: Scales) {
 
 fn load(draw: &mut Draw, scales: Scales) {
     let by_force = draw.one_in(if scales.periodic { 1 } else { 2 });
-    let (key, size) = match by_force {
-        true => ("force", scales.force()),
-        false => ("penetration", scales.depth()),
+    let (key, size) = if by_force {
+        ("force", scales.force())
+    } else {
+        ("penetration", scales.depth())
     };
-    let value = |draw: &mut Draw, part: f64| match by_force {
-        true => draw.force(part * size),
-        false => draw.length(part * size),
+    let value = |draw: &mut Draw, part: f64| {
+        if by_force {
+            draw.force(part * size)
+        } else {
+            draw.length(part * size)
+        }
     };
     draw.line("[load]");
     match draw.below(6) {
