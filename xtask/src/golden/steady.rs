@@ -1,11 +1,11 @@
-//! Texts without what differs from run to run: times and the version of the program.
+//! Texts without what differs from run to run: times, numbers of threads and the version of the program.
 
-/// Units of a time after its number.
-const TIMES: [&str; 4] = ["s", "ms", "min", "seconds"];
+/// What stands after a number that differs: units of a time, and threads.
+const UNSTEADY: [&str; 6] = ["s", "ms", "min", "seconds", "thread", "threads"];
 /// Marks around a word.
 const MARKS: [char; 8] = [',', '.', ';', ':', '(', ')', '>', '<'];
 
-/// The text with `…` in place of every number before a unit of time, and of every version.
+/// The text with `…` in place of every number of such a unit, and of every version.
 pub fn steady(text: &str) -> String {
     let lines: Vec<String> = text.split('\n').map(steady_line).collect();
     lines.join("\n")
@@ -15,8 +15,8 @@ fn steady_line(line: &str) -> String {
     let words: Vec<&str> = line.split(' ').collect();
     let next = words.iter().skip(1).map(|word| bare(word)).chain([""]);
     let kept = words.iter().zip(next).map(|(&word, next)| {
-        let is_time = TIMES.contains(&next) && bare(word).parse::<f64>().is_ok();
-        if is_time || is_version(bare(word)) {
+        let is_unsteady = UNSTEADY.contains(&next) && bare(word).parse::<f64>().is_ok();
+        if is_unsteady || is_version(bare(word)) {
             word.replacen(bare(word), "…", 1)
         } else {
             word.to_owned()
@@ -47,7 +47,10 @@ mod tests {
                 "7 products with K, 0.0258 s\nnext 1",
                 "7 products with K, … s\nnext 1",
             ),
-            ("Coefficients 0.00447 s (read)", "Coefficients … s (read)"),
+            (
+                "Coefficients 0.00447 s (read), 2 threads.</p>",
+                "Coefficients … s (read), … threads.</p>",
+            ),
             ("solved, 0.992 s</p>", "solved, … s</p>"),
             ("Pellicle 0.1.0, 256 × 256", "Pellicle …, 256 × 256"),
             ("found 5 m, wanted 3 sides", "found 5 m, wanted 3 sides"),
