@@ -62,7 +62,7 @@ fn a_withdrawn_option_or_key_is_answered_with_what_to_use_instead() {
         ),
         (
             &["identify", "fit.toml", "--plan"],
-            ["key `report.posterior`", "withdrawn, wanted", "emcee"],
+            ["key `report.posterior`", "withdrawn key, wanted", "emcee"],
         ),
     ] {
         // The drawing of a file breaks no sentence, but precedes it with marks.

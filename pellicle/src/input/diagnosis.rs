@@ -36,7 +36,7 @@ pub enum Fault {
         wanted: String,
     },
     /// A key that was known to earlier versions.
-    #[error("found a key that was withdrawn, wanted {wanted}")]
+    #[error("found a withdrawn key, wanted {wanted}")]
     Withdrawn {
         /// What to use instead.
         wanted: String,
