@@ -11,10 +11,12 @@ use pellicle::case::output::{Format, OutputCase, Steps};
 
 pub use self::identify::IdentifyArguments;
 pub use self::study::{GatherArguments, StudyArguments};
-use self::values::{depth, hurst, length, offset, perturbation, point, positive, range, section};
-use crate::picture::colour_map::ColourMap;
-use crate::picture::style::Cut;
+use self::values::{
+    colour_map, depth, hurst, length, offset, perturbation, point, positive, range, section,
+};
 use crate::templates::Template;
+use pellicle_plot::sheet::colour_map::ColourMap;
+use pellicle_plot::sheet::style::Cut;
 
 /// Contact of an indenter with a layered, textured elastic body: a case file in, a certified solution out.
 #[derive(Debug, Parser)]
@@ -155,7 +157,7 @@ pub struct OutputArguments {
     /// Loading steps whose pictures are drawn [default: as in the case, or last]
     #[arg(long, value_enum, value_name = "STEPS")]
     pub pictures: Option<Steps>,
-    /// Formats of the fields, separated by commas [default: as in the case, or all]
+    /// Formats of the fields, separated by commas [default: as in the case, or npz]
     #[arg(long, value_enum, value_name = "FORMATS", value_delimiter = ',')]
     pub formats: Vec<Format>,
 }
@@ -318,7 +320,7 @@ pub struct PlotArguments {
     #[arg(long)]
     pub no_title: bool,
     /// Colour map [default: viridis]
-    #[arg(long, value_enum, value_name = "COLOURS")]
+    #[arg(long, value_name = "COLOURS", value_parser = colour_map())]
     pub colour_map: Option<ColourMap>,
     /// Range of the pressure scale: "2 GPa" or "0.5 GPa:2 GPa"; a bare number is in Pa or the case's own unit [default:
     /// up to the largest pressure]

@@ -8,10 +8,10 @@ use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::identification::Identification;
 use crate::identification::fitted_file::FittedFile;
+use crate::identification::likelihood::FittedLikelihood;
 use crate::identification::result::FitResult;
 use crate::planning::Planning;
-use crate::planning::after_fit::Next;
-use crate::planning::candidate::{POINTS, candidates};
+use crate::planning::candidate::candidates;
 use crate::planning::premises::Premises;
 use crate::planning::result::PlanResult;
 
@@ -24,7 +24,7 @@ pub enum Stage {
     Planned(usize),
 }
 
-/// Fits a file whose reading began at `start`, and plans its design.
+/// Fits a file whose reading began at `start`.
 ///
 /// # Errors
 ///
@@ -38,14 +38,28 @@ pub fn fit(
 ) -> Result<FittedFile, Failure> {
     let identification = Identification::new(file, stop.clone())?;
     let (identification, fit) = identification.fitted(&|done| report(Stage::Solved(done)))?;
-    let next = Next::of(&identification, &fit, &|done| report(Stage::Planned(done)));
     let seconds = start.elapsed().as_secs_f64();
-    let found = FitResult::new(&identification, &fit, next, seconds);
+    let found = FitResult::new(&identification, &fit, seconds);
     Ok(FittedFile {
         identification,
         fit,
         found,
     })
+}
+
+/// Fits a file, and returns the likelihood of its data.
+///
+/// # Errors
+///
+/// Those of [`fit`].
+pub fn likelihood(
+    file: FitFile,
+    stop: &StopFlag,
+    report: &(dyn Fn(Stage) + Sync),
+) -> Result<FittedLikelihood, Failure> {
+    let identification = Identification::new(file, stop.clone())?;
+    let (identification, fit) = identification.fitted(&|done| report(Stage::Solved(done)))?;
+    FittedLikelihood::new(identification, &fit)
 }
 
 /// Assesses the design of a file whose reading began at `start`; `report` is called for each curve.
@@ -59,8 +73,8 @@ pub fn plan(
     stop: &StopFlag,
     report: &dyn Fn(Stage),
 ) -> Result<PlanResult, Failure> {
-    let candidates = candidates(file, POINTS, None)?;
-    let premises = Premises::of_file(file, &candidates)?;
+    let candidates = candidates(file)?;
+    let premises = Premises::new(file, &candidates)?;
     let planning = Planning::new(premises, &candidates, stop, &|done| {
         report(Stage::Planned(done));
     })?;

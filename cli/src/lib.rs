@@ -34,6 +34,7 @@ mod terminal;
 mod threads;
 mod unfinished;
 mod validation;
+mod withdrawn;
 
 pub use failure::Failure;
 pub use program::main;
@@ -66,9 +67,10 @@ pub mod studied {
 
 /// Fits made as the program makes them.
 pub mod fitted {
-    pub use crate::fit_and_plan::{Stage, fit, plan};
+    pub use crate::fit_and_plan::{Stage, fit, likelihood, plan};
     pub use crate::fit_file::{FitFile, FitSources, Measurements};
     pub use crate::identification::fitted_file::FittedFile;
+    pub use crate::identification::likelihood::FittedLikelihood;
     pub use crate::measured::sources::MeasurementSources;
     pub use crate::planning::files::table as plan_table;
     pub use crate::planning::result::PlanResult;
@@ -81,25 +83,11 @@ pub mod results {
     pub use crate::output::npz::{StoredFields, file as fields_file};
     pub use crate::output::results::read_summary;
     pub use crate::output::stress::npz::{file as stresses_file, read as read_stresses};
-    pub use crate::output::stress::view::{StressSection, StressView, SurfaceLine};
 }
 
-/// The pictures of a solution, and their parts.
+/// Results as the plain numbers of their pictures, which `pellicle-plot` draws.
 pub mod drawing {
-    pub use crate::picture::coarse_field::CoarseField;
-    pub use crate::picture::colour_map::ColourScale;
-    pub use crate::picture::colours::Colour;
-    pub use crate::picture::crop::Crop;
-    pub use crate::picture::panel::{Axis, Panel};
-    pub use crate::picture::panel_3d::Panel3d;
-    pub use crate::picture::projection::Projection;
-    pub use crate::picture::style::Style;
-    pub use crate::picture::subject::Subject;
-    pub use crate::picture::svg::{Anchor, Dash, Rect, Stroke, Svg};
-    pub use crate::picture::{
-        accuracy, colour_bar, colours, heading, labels, pressure_map, render, section,
-        stress_section,
-    };
+    pub use crate::picture::{accuracy, extremes, subject};
 }
 
 /// Measured indentation curves, read from the text files of instruments as a `[[data]]` table specifies.

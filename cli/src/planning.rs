@@ -1,12 +1,9 @@
 //! Planning of measurements: the expected intervals from the curves of a design, alone, in pairs and together.
 
-pub mod advice;
-pub mod after_fit;
 pub mod candidate;
 pub mod comparison;
 pub mod design;
 pub mod files;
-pub mod page;
 pub mod picture;
 pub mod premises;
 pub mod result;
@@ -31,11 +28,11 @@ const INTERVAL: f64 = 0.1;
 /// Elements per side of the solution that gives the warnings about a model.
 const ELEMENTS: usize = 64;
 
-/// A measurement, existing or planned: its information, and the directions in which it does not change.
+/// A planned measurement: its information, and the directions in which it does not change.
 #[derive(Debug)]
 pub struct Judged {
-    /// The curve; `None` for the existing data.
-    pub candidate: Option<CandidateCurve>,
+    /// The curve.
+    pub candidate: CandidateCurve,
     /// Indices, among the unknowns of the plan, of the radii that it depends on.
     pub radii: Vec<usize>,
     /// Its information about the unknowns.
@@ -49,8 +46,6 @@ pub struct Judged {
 pub struct Planning<'a> {
     /// The assumed values, noise and indenters.
     pub premises: Premises<'a>,
-    /// The existing data.
-    pub data: Option<Judged>,
     /// The curves that could be solved.
     pub judged: Vec<Judged>,
     /// Number of loads solved.
@@ -73,7 +68,6 @@ impl<'a> Planning<'a> {
     ) -> Result<Self, Failure> {
         let mut planning = Self {
             premises,
-            data: None,
             judged: Vec::new(),
             loads_solved: 0,
             warnings: Vec::new(),
@@ -128,7 +122,7 @@ impl<'a> Planning<'a> {
         let curve = timed(abscissae, &prediction)?;
         let information = premises.plan.information(&prediction, &[curve])?;
         self.judged.push(Judged {
-            candidate: Some(candidate.clone()),
+            candidate: candidate.clone(),
             radii: premises.place(&indenter).into_iter().collect(),
             information,
             directions,

@@ -8,7 +8,7 @@ use clap::Parser;
 use crate::arguments::{Arguments, Command};
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::{arena, command, interrupt, terminal};
+use crate::{arena, command, interrupt, terminal, withdrawn};
 
 /// Runs the program with these arguments, the first being its name.
 pub fn main(arguments: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> ExitCode {
@@ -72,6 +72,10 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
 
 /// Prints help and version to standard output, a wrong command line to standard error.
 fn usage(error: &clap::Error) -> ExitCode {
+    if let Some(sentence) = withdrawn::on_the_command_line(error) {
+        terminal::report(&format!("Error: {sentence}"));
+        return ExitCode::from(2);
+    }
     // If the terminal is gone, the failure cannot be reported.
     drop(error.print());
     ExitCode::from(if error.use_stderr() { 2 } else { 0 })

@@ -89,18 +89,6 @@ pub enum IdentifyError {
         /// The model's own error.
         source: ForwardError,
     },
-    /// A surrogate that is not accurate enough.
-    #[error(
-        "found a surrogate with an error of {reached:e} after {predictions} predictions, wanted {wanted:e}"
-    )]
-    Surrogate {
-        /// Largest relative error at the check points; infinite if the model has no prediction at one of them.
-        reached: f64,
-        /// Largest error wanted.
-        wanted: f64,
-        /// Predictions made.
-        predictions: usize,
-    },
     /// The caller ended the fit.
     #[error("the fit was stopped after {predictions} predictions")]
     Stopped {

@@ -21,6 +21,7 @@ mod global_search;
 mod goodness;
 mod known_combination;
 mod least_squares;
+mod likelihood;
 mod metric;
 mod noise;
 mod normal_equations;
@@ -30,7 +31,6 @@ mod options;
 mod orthonormal_basis;
 mod outlier;
 mod plan;
-mod posterior;
 mod predictor;
 mod prior;
 mod problem;
@@ -39,7 +39,6 @@ mod refinement;
 mod repeats;
 mod result;
 mod start;
-mod surrogate;
 mod unknown;
 mod verdict;
 
@@ -54,13 +53,13 @@ pub use fit::{exponents, identify};
 pub use forward_model::{ForwardError, ForwardModel, Prediction};
 pub use goodness::{Goodness, REFUSAL};
 pub use known_combination::KnownCombination;
+pub use likelihood::Likelihood;
 pub use noise::{Amount, Correlation, Noise, NoiseLevels};
 pub use nuisance::{LinearNuisance, NuisanceShape, Scope};
 pub use null_direction::NullDirections;
 pub use options::{FitOptions, Intervals};
 pub use outlier::Outlier;
 pub use plan::{Expected, Information, Plan};
-pub use posterior::{Convergence, Posterior, PosteriorOptions, posterior};
 pub use prior::Prior;
 pub use problem::{Problem, Scatter};
 pub use profile::ProfilePoint;
@@ -68,6 +67,5 @@ pub use result::{
     BetweenCurves, Coefficient, Estimate, Exclusion, Fit, FitVerdict, FitWarning, FitWork,
     FittedPoints, Stopped,
 };
-pub use surrogate::{Surrogate, SurrogateOptions};
 pub use unknown::{Coordinate, Role, Unknown};
 pub use verdict::{IDENTIFIED_WITHIN, PRIOR_DRIVEN_ABOVE, Verdict};

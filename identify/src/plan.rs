@@ -30,10 +30,6 @@ pub struct Plan {
     pub nuisances: Vec<LinearNuisance>,
     /// The noise of every point.
     pub noise: NoiseLevels,
-    /// Standard deviation of each unknown between curves, in its coordinate: 0 if it is the same for all.
-    pub scatter: Vec<f64>,
-    /// Degrees of freedom behind the interval of each unknown, infinite if the noise is given.
-    pub degrees_of_freedom: Vec<f64>,
 }
 
 /// The expected estimate of an unknown.
@@ -74,8 +70,6 @@ impl Plan {
     ) -> Result<Information, IdentifyError> {
         let unknowns = self.unknowns.len();
         check_length("list of true values", &self.truth, unknowns)?;
-        check_length("scatter of the unknowns", &self.scatter, unknowns)?;
-        check_length("degrees of freedom", &self.degrees_of_freedom, unknowns)?;
         let points = curves.iter().map(Curve::points).sum();
         if !prediction.is_complete(points, unknowns) {
             let source = ForwardError::Incomplete;
@@ -120,7 +114,7 @@ impl Plan {
             None => f64::INFINITY,
         };
         let position = unknown.position(self.truth[index]);
-        let half = student_quantile(level, self.degrees_of_freedom[index]) * standard_error;
+        let half = student_quantile(level, f64::INFINITY) * standard_error;
         let ends = verdict::wald_ends(unknown, position, half);
         let mut expected = Expected {
             name: unknown.name().to_owned(),

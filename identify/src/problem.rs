@@ -129,6 +129,14 @@ impl Problem {
         self.scatter
     }
 
+    /// The problem without the priors of its unknowns.
+    pub(crate) fn without_priors(&self) -> Self {
+        Self {
+            unknowns: self.unknowns.iter().map(Unknown::without_prior).collect(),
+            ..self.clone()
+        }
+    }
+
     /// The problem of one curve alone: with its own nuisances, and without the priors of unknowns, which apply to the
     /// values common to all curves.
     pub(crate) fn of_curve(&self, index: usize) -> Self {

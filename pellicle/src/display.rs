@@ -128,24 +128,6 @@ pub fn quantity(value: f64, unit: Unit, units: Units) -> String {
     }
 }
 
-/// A quantity of a case with its unit; an angle, in rad, is shown in degrees, a compliance in nm/GPa.
-#[must_use]
-pub fn dimensional(value: f64, dimension: Dimension, units: Units) -> String {
-    let of = |unit| quantity(value, unit, units);
-    match (dimension, units) {
-        (Dimension::Angle, _) => format!("{}°", significant(value.to_degrees(), 5)),
-        (Dimension::Length, _) => of(Unit::Metre),
-        (Dimension::Pressure, _) => of(Unit::Pascal),
-        (Dimension::Force, _) => of(Unit::Newton),
-        (Dimension::Stiffness, _) => of(Unit::NewtonPerMetre),
-        (_, Units::Consistent) => significant(value, 5),
-        (Dimension::Compliance, Units::Si) => format!("{} nm/GPa", significant(value * 1e18, 5)),
-        (Dimension::FrameCompliance | Dimension::Time, Units::Si) => {
-            format!("{} {}", significant(value, 5), dimension.si_unit())
-        }
-    }
-}
-
 /// Part of an element within which a coordinate counts as zero: the search for a peak on an axis ends slightly beside
 /// it, where a length of picometres would say nothing.
 const ON_AXIS: f64 = 1e-3;
@@ -232,6 +214,24 @@ pub fn superscript(exponent: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raise = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
     exponent.to_string().chars().map(raise).collect()
+}
+
+/// A quantity of a case with its unit; an angle, in rad, is shown in degrees, a compliance in nm/GPa.
+#[must_use]
+pub fn dimensional(value: f64, dimension: Dimension, units: Units) -> String {
+    let of = |unit| quantity(value, unit, units);
+    match (dimension, units) {
+        (Dimension::Angle, _) => format!("{}°", significant(value.to_degrees(), 5)),
+        (Dimension::Length, _) => of(Unit::Metre),
+        (Dimension::Pressure, _) => of(Unit::Pascal),
+        (Dimension::Force, _) => of(Unit::Newton),
+        (Dimension::Stiffness, _) => of(Unit::NewtonPerMetre),
+        (_, Units::Consistent) => significant(value, 5),
+        (Dimension::Compliance, Units::Si) => format!("{} nm/GPa", significant(value * 1e18, 5)),
+        (Dimension::FrameCompliance | Dimension::Time, Units::Si) => {
+            format!("{} {}", significant(value, 5), dimension.si_unit())
+        }
+    }
 }
 
 #[cfg(test)]

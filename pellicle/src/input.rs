@@ -16,3 +16,4 @@ pub mod table_reader;
 pub mod toml_tree;
 pub mod units;
 pub mod value_reader;
+pub mod withdrawn;

@@ -47,6 +47,7 @@ from .indenter import (
     Vickers,
 )
 from .judgement import Certificate, Estimate, GridError, ResultWarning, Sensitivity, Work
+from .likelihood import Likelihood
 from .measurement import Data, Noise, Segment, SpringConstant, Text
 from .operator import ElasticOperator, compliance, influence_coefficients
 from .options import Output, Range, Stress
@@ -102,6 +103,7 @@ __all__ = [
     "KernelError",
     "KnownCombination",
     "Layer",
+    "Likelihood",
     "Material",
     "Noise",
     "NotCertifiedWarning",

@@ -72,7 +72,7 @@ class ExpectedDesign:
     """One or several curves, and the accuracy to expect from them."""
 
     curves: Sequence[Mapping[str, Any]]
-    """The curves to measure; none for the existing measurements alone."""
+    """The curves to measure."""
     unknowns: Sequence[Expected]
     nuisances: Sequence[Expected]
 
@@ -100,7 +100,7 @@ def estimate_of(found: Mapping[str, Any]) -> FitEstimate:
 
 
 def design_of(found: Mapping[str, Any]) -> ExpectedDesign:
-    """Converts a design from its form in `fit.json` and `plan.json`."""
+    """Converts a design from its form in `plan.json`."""
     unknowns, nuisances = (list(map(_expected, found[name])) for name in ("unknowns", "nuisances"))
     return ExpectedDesign(found["curves"], unknowns, nuisances)
 

@@ -77,11 +77,10 @@ class Design(Table):
 
 @dataclass(frozen=True)
 class Report(Table):
-    """Options of the report: level and kind of the intervals, samples of the posterior, what to measure next."""
+    """Options of the report: level and kind of the intervals, the seed of simulated noise, and the design of a plan."""
 
     level: float | None = None
     intervals: Literal["profile", "wald"] | None = None
-    posterior: int | None = None
     seed: int | None = None
     design: Design | None = None
     outside: Literal["leave out", "keep"] | None = None

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from .curve import Curve
 from .errors import ArgumentError
@@ -28,7 +27,7 @@ def design_cells(design: ExpectedDesign) -> list[str]:
         for curve in design.curves
     )
     factors = (expected.factor for expected in design.unknowns)
-    return [named or "the data", *(f"factor {factor:.3g}" if np.isfinite(factor) else "open" for factor in factors)]
+    return [named, *(f"factor {factor:.3g}" if np.isfinite(factor) else "open" for factor in factors)]
 
 
 def curve(table: Curve, title: str) -> Any:
@@ -82,33 +81,6 @@ def profiles(estimates: Sequence[FitEstimate], table: Curve) -> Any:
         ax.axvline(estimate.value, color="0.2", lw=1)
         ax.set(ylabel="rise of χ²", title=estimate.verdict)
         _quantity(ax.xaxis, _short(estimate.key), estimate.unit)
-    figure.tight_layout()
-    return figure
-
-
-def corner(estimates: Sequence[FitEstimate], samples: Mapping[str, npt.NDArray[np.float64]]) -> Any:
-    """Draws the samples of the posterior, each pair of unknowns."""
-    import matplotlib.pyplot as plt
-
-    unknowns = [estimate for estimate in estimates if estimate.key in samples]
-    if not unknowns:
-        raise ArgumentError("posterior: found no samples, wanted a fit whose report requests them")
-    count = len(unknowns)
-    figure, axes = plt.subplots(count, count, squeeze=False, figsize=(2.8 * count, 2.6 * count))
-    for i, down in enumerate(unknowns):
-        for j, across in enumerate(unknowns):
-            ax = axes[i][j]
-            if j > i:
-                ax.set_axis_off()
-                continue
-            if i == j:
-                ax.hist(samples[down.key], bins=40, color="0.6")
-                ax.set_yticks([])
-            else:
-                ax.plot(samples[across.key], samples[down.key], ".", ms=2, alpha=0.3)
-                _quantity(ax.yaxis, _short(down.key) if j == 0 else "", down.unit)
-            _quantity(ax.xaxis, _short(across.key) if i == count - 1 else "", across.unit)
-            ax.tick_params(axis="x", rotation=30)
     figure.tight_layout()
     return figure
 

@@ -22,21 +22,18 @@ from .judgement import ResultWarning
 from .progress import FitProgress, FitReport, reporting
 from .waiting import finished
 
-Files = tuple[str, list[tuple[str, str]], list[tuple[str, list[float]]], bool]
-"""JSON, tables by the names of their files, samples of the posterior, and whether the work was finished."""
+Files = tuple[str, list[tuple[str, str]], bool]
+"""JSON, tables by the names of their files, and whether the work was finished."""
 
 
 class Result:
     """The result of a fit or a plan, as in its results file."""
 
-    def __init__(
-        self, fit: Fit, found: dict[str, Any], tables: Mapping[str, str], samples: Mapping[str, Any], is_whole: bool
-    ) -> None:
+    def __init__(self, fit: Fit, found: dict[str, Any], tables: Mapping[str, str], is_whole: bool) -> None:
         self.fit = fit
         """The fit as it was given."""
         self._found = found
         self._tables = dict(tables)
-        self._samples = dict(samples)
         self.is_whole = is_whole
         """Whether everything that was requested is here; otherwise it was interrupted."""
 
@@ -70,7 +67,7 @@ class Result:
         return self
 
     def __reduce__(self) -> tuple[type[Result], tuple[Any, ...]]:
-        return type(self), (self.fit, self._found, self._tables, self._samples, self.is_whole)
+        return type(self), (self.fit, self._found, self._tables, self.is_whole)
 
 
 class Identification(Result):
@@ -123,11 +120,6 @@ class Identification(Result):
         """The columns of `profiles.csv`: the likelihood along each unknown."""
         return Curve.of_csv(self._tables["profiles.csv"])
 
-    @cached_property
-    def posterior(self) -> dict[str, npt.NDArray[np.float64]]:
-        """Samples of the posterior by key; empty unless the report requests them."""
-        return {key: np.array(values, dtype=np.float64) for key, values in self._samples.items()}
-
     @property
     def taken_as_exact(self) -> list[dict[str, Any]]:
         """Numbers that the model holds fixed: `key`, `unit`, `value`, and `exponents`, the change of each unknown in
@@ -154,11 +146,6 @@ class Identification(Result):
         table = self._tables.get("excluded.csv")
         return None if table is None else Curve.of_csv(table)
 
-    @cached_property
-    def design(self) -> list[ExpectedDesign]:
-        """The expected gain from the curves of the report's design, best first."""
-        return [design_of(found) for found in self._found.get("design", [])]
-
     def plot(self) -> Any:
         """Plots data, model and residuals; returns the matplotlib figure."""
         return fit_views.curve(self.curve, f"{self.fit.title}: {self.verdict}")
@@ -166,10 +153,6 @@ class Identification(Result):
     def plot_profiles(self) -> Any:
         """Plots the likelihood along each unknown with its interval; returns the matplotlib figure."""
         return fit_views.profiles(self.unknowns, self.profiles)
-
-    def plot_corner(self) -> Any:
-        """Plots the posterior for each pair of unknowns; returns the matplotlib figure."""
-        return fit_views.corner(self.unknowns, self.posterior)
 
     def __str__(self) -> str:
         return "\n".join([f"{self.fit.title}: {self.verdict}", *(f"  {estimate}" for estimate in self.unknowns)])
@@ -190,26 +173,24 @@ class Plan(Result):
         """The designs, best first."""
         return [design_of(found) for found in self._found["designs"]]
 
-    @property
-    def advice(self) -> str:
-        """Advice on the measurement, in a sentence or two."""
-        advice: str = self._found["advice"]
-        return advice
-
     @cached_property
     def table(self) -> Curve:
         """The columns of `plan.csv`."""
         return Curve.of_csv(self._tables["plan.csv"])
 
     def __str__(self) -> str:
-        return f"{self.fit.title}: {self.advice}"
+        return "\n".join([f"{self.fit.title}: expected", *(f"  {' '.join(cells)}" for cells in self._rows)])
+
+    @property
+    def _rows(self) -> list[list[str]]:
+        return [fit_views.design_cells(design) for design in self.designs]
 
     def __repr__(self) -> str:
         return f"<Plan {self.fit.title!r}: {len(self.designs)} designs>"
 
     def _repr_html_(self) -> str:
         keys = [expected.key for expected in self.designs[0].unknowns] if self.designs else []
-        return show.table(["curves", *keys], [fit_views.design_cells(design) for design in self.designs])
+        return show.table(["curves", *keys], self._rows)
 
 
 def identify(
@@ -221,19 +202,20 @@ def identify(
     `Case.solve`; any number gives the same bits. Ctrl-C raises `Interrupted`, whose `result` holds the best values and
     the intervals found so far. A misfit or an unconverged fit is returned with a `FitWarning`.
     """
-    fit = _fit(fit)
+    fit = fit_of(fit)
     run = fit.begun(is_measured=True).start_fit(checked_threads(threads))
     return finished(run, lambda found: _identification(fit, found), reporting(progress, fit, FitProgress))
 
 
 def plan(fit: Fit | str | os.PathLike[str], *, progress: bool | FitReport = False, threads: int | None = None) -> Plan:
     """Predicts the accuracy of designs, as `pellicle identify --plan` does; no data are needed."""
-    fit = _fit(fit)
+    fit = fit_of(fit)
     run = fit.begun(is_measured=fit.is_measured).start_plan(checked_threads(threads))
     return finished(run, lambda found: Plan(*_parts(fit, found)), reporting(progress, fit, FitProgress))
 
 
-def _fit(fit: Fit | str | os.PathLike[str]) -> Fit:
+def fit_of(fit: Fit | str | os.PathLike[str]) -> Fit:
+    """The fit, or that of a fit file."""
     if isinstance(fit, Fit):
         return fit
     if isinstance(fit, (str, os.PathLike)):
@@ -241,9 +223,9 @@ def _fit(fit: Fit | str | os.PathLike[str]) -> Fit:
     raise ArgumentError(f"fit: found {type(fit).__name__}, wanted a pellicle.Fit or the path of a fit file")
 
 
-def _parts(fit: Fit, found: Files) -> tuple[Fit, dict[str, Any], dict[str, str], dict[str, list[float]], bool]:
-    text, tables, samples, is_whole = found
-    return fit, json.loads(text), dict(tables), dict(samples), is_whole
+def _parts(fit: Fit, found: Files) -> tuple[Fit, dict[str, Any], dict[str, str], bool]:
+    text, tables, is_whole = found
+    return fit, json.loads(text), dict(tables), is_whole
 
 
 def _identification(fit: Fit, found: Files) -> Identification:

@@ -135,7 +135,9 @@ fn exception_of_case(error: &pellicle::Error, message: String) -> PyErr {
 fn describe(py: Python<'_>, error: &PyErr, diagnosis: &Diagnosis) -> PyResult<()> {
     let (found, wanted) = match &diagnosis.fault {
         Fault::Wrong { found, wanted } => (Some(found), Some(wanted)),
-        Fault::Missing { wanted } | Fault::Unknown { wanted } => (None, Some(wanted)),
+        Fault::Missing { wanted } | Fault::Unknown { wanted } | Fault::Withdrawn { wanted } => {
+            (None, Some(wanted))
+        }
         Fault::Refused { .. } => (None, None),
     };
     let attributes = [

@@ -9,8 +9,8 @@ use numpy::PyReadonlyArray2;
 use pellicle::input::span::Source;
 use pellicle_cli::Failure;
 use pellicle_cli::fitted::{
-    FitFile, FitSources, FittedFile, MeasurementSources, Measurements, PlanResult, Stage, fit,
-    plan, plan_table,
+    FitFile, FitSources, FittedFile, FittedLikelihood, MeasurementSources, Measurements,
+    PlanResult, Stage, fit, likelihood, plan, plan_table,
 };
 use pellicle_cli::solved::json;
 use pellicle_identify::IdentifyError;
@@ -95,6 +95,17 @@ impl Fit {
         Ok(FitRun(work.map_err(Refusal::from)?))
     }
 
+    /// Starts fitting on this many threads, to evaluate the likelihood of other values.
+    #[pyo3(signature = (threads = None))]
+    fn start_likelihood(&self, threads: Option<u16>) -> PyResult<LikelihoodRun> {
+        let file = self.take()?;
+        let work = Work::start(threads, move |watched| {
+            let report = |stage| watched.report(counts(stage));
+            unless_stopped(likelihood(file, &watched.stop, &report))
+        });
+        Ok(LikelihoodRun(work.map_err(Refusal::from)?))
+    }
+
     /// Starts planning its design on this many threads.
     #[pyo3(signature = (threads = None))]
     fn start_plan(&self, threads: Option<u16>) -> PyResult<FitRun> {
@@ -129,7 +140,6 @@ fn unless_stopped<T>(found: Result<T, Failure>) -> Result<Option<T>, Failure> {
 struct Found {
     json: String,
     tables: Vec<(String, String)>,
-    samples: Vec<(String, Vec<f64>)>,
     is_whole: bool,
 }
 
@@ -141,7 +151,6 @@ impl Found {
             tables: tables
                 .map(|(name, table)| (name.to_owned(), table))
                 .collect(),
-            samples: fitted.samples(),
             is_whole: !fitted.is_stopped(),
         })
     }
@@ -150,14 +159,13 @@ impl Found {
         Ok(Self {
             json: json(plan)?,
             tables: vec![("plan.csv".to_owned(), plan_table(plan))],
-            samples: Vec::new(),
             is_whole: true,
         })
     }
 }
 
-/// The texts of a result's files, the samples of its posterior, and whether the work was finished.
-type Files = (String, Vec<(String, String)>, Vec<(String, Vec<f64>)>, bool);
+/// The texts of a result's files, and whether the work was finished.
+type Files = (String, Vec<(String, String)>, bool);
 
 /// A running fit or plan. It is stopped when this object is dropped.
 #[pyclass(frozen, module = "pellicle._pellicle")]
@@ -180,10 +188,66 @@ impl FitRun {
         self.0.progress()
     }
 
-    /// Takes the result of finished work: JSON, tables with their file names, samples of the posterior, and whether it
-    /// is complete; `None` if nothing was found before the stop.
+    /// Takes the result of finished work: JSON, tables with their file names, and whether it is complete; `None` if
+    /// nothing was found before the stop.
     fn result(&self) -> PyResult<Option<Files>> {
         let found = self.0.result()?;
-        Ok(found.map(|found| (found.json, found.tables, found.samples, found.is_whole)))
+        Ok(found.map(|found| (found.json, found.tables, found.is_whole)))
+    }
+}
+
+/// A running fit whose likelihood is wanted. It is stopped when this object is dropped.
+#[pyclass(frozen, module = "pellicle._pellicle")]
+pub struct LikelihoodRun(Work<(Option<usize>, Option<usize>), Option<FittedLikelihood>>);
+
+#[pymethods]
+impl LikelihoodRun {
+    /// Waits at most this many milliseconds; returns whether the work is finished.
+    fn wait(&self, py: Python<'_>, milliseconds: u64) -> bool {
+        self.0.wait(py, milliseconds)
+    }
+
+    /// Asks the work to end.
+    fn cancel(&self) {
+        self.0.cancel();
+    }
+
+    /// Curves solved; `None` before the first.
+    fn progress(&self) -> Option<(Option<usize>, Option<usize>)> {
+        self.0.progress()
+    }
+
+    /// Takes the likelihood after finished work; `None` if it was stopped.
+    fn result(&self) -> PyResult<Option<Likelihood>> {
+        Ok(self.0.result()?.map(Likelihood))
+    }
+}
+
+/// The likelihood of the data of a fit.
+#[pyclass(frozen, module = "pellicle._pellicle")]
+pub struct Likelihood(FittedLikelihood);
+
+#[pymethods]
+impl Likelihood {
+    /// Keys of the unknowns, then of the nuisances.
+    #[getter]
+    fn keys(&self) -> Vec<&str> {
+        self.0.keys()
+    }
+
+    /// Their values in the best fit.
+    #[getter]
+    fn best(&self) -> Vec<f64> {
+        self.0.best().to_vec()
+    }
+
+    /// The logarithm of the likelihood of other values, over that of the best fit.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "Python hands over a list of its own"
+    )]
+    fn logarithm(&self, py: Python<'_>, values: Vec<f64>) -> PyResult<f64> {
+        let found = Threads::work(py, || self.0.logarithm(&values))?;
+        Ok(found.map_err(Refusal::from)?)
     }
 }

@@ -36,7 +36,7 @@ mod _pellicle {
     #[pymodule_export]
     use crate::field::Field;
     #[pymodule_export]
-    use crate::fit::{Fit, FitRun};
+    use crate::fit::{Fit, FitRun, Likelihood, LikelihoodRun};
     #[pymodule_export]
     use crate::foundation::{Foundation, Operator};
     #[pymodule_export]

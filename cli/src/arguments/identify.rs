@@ -21,8 +21,7 @@ pub struct IdentifyArguments {
     /// Replace the results in an existing folder
     #[arg(long)]
     pub force: bool,
-    /// Advise what to measure, in place of a fit: the intervals that the design of the fit file would give; needs no
-    /// data
+    /// Print the intervals that the design of the fit file would give, in place of a fit; needs no data
     #[arg(long, conflicts_with_all = ["simulate", "accept_misfit"])]
     pub plan: bool,
     /// Write measurements that the fit file would give, from the values of its model and its noise, in place of a fit

@@ -22,9 +22,6 @@ pub struct StudyArguments {
     /// Results folder [default: results/NAME after the study]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Continue where it stopped (the default)
-    #[arg(long, conflicts_with = "fresh")]
-    pub resume: bool,
     /// Start afresh and discard the results in the folder, of this study or another
     #[arg(long)]
     pub fresh: bool,

@@ -1,9 +1,10 @@
 //! Parsers of option values: quantities, ranges, sections and offsets.
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use pellicle::input::dimension::Dimension;
 use pellicle::input::quantity;
-
-use crate::picture::style::Cut;
+use pellicle_plot::sheet::colour_map::ColourMap;
+use pellicle_plot::sheet::style::Cut;
 
 pub(super) fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
@@ -47,6 +48,17 @@ pub(super) fn section(text: &str) -> Result<Cut, String> {
         (_, Some(("x", x))) => quantity(x, Dimension::Length).map(Cut::AlongY),
         _ => Err("wanted axis, peak, or a place such as y=\"5 um\" or x=0.1".into()),
     }
+}
+
+/// The parser of a colour map by its name.
+pub(super) fn colour_map() -> impl TypedValueParser<Value = ColourMap> {
+    let names = ColourMap::ALL.map(|(_, name, words)| PossibleValue::new(name).help(words));
+    PossibleValuesParser::new(names).map(|found| {
+        let named = ColourMap::ALL
+            .into_iter()
+            .find(|(_, name, _)| *name == found);
+        named.map_or_else(ColourMap::default, |(map, ..)| map)
+    })
 }
 
 pub(super) fn perturbation(text: &str) -> Result<f64, String> {

@@ -5,12 +5,12 @@ use std::fs;
 use std::path::Path;
 
 use pellicle::summary::WarningSummary;
+use pellicle_plot::sheet::style::{Heading, Style};
 
 use crate::arguments::PlotArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::output::redraw::{self, RedrawOptions};
-use crate::picture::style::{Heading, Style};
 use crate::progress::ProgressLine;
 use crate::terminal;
 

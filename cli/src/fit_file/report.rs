@@ -9,8 +9,6 @@ use pellicle_identify::{FitOptions, Intervals};
 
 use super::model::ModelParameters;
 
-/// The largest number of samples of a posterior.
-const MOST_SAMPLES: usize = 1_000_000;
 /// The largest number of curves of a design: maximum forces times radii.
 const MOST_OF_DESIGN: usize = 100;
 /// The largest number of points of a curve of a design.
@@ -18,18 +16,16 @@ const MOST_POINTS: usize = 10_000;
 /// The smallest number of points of a curve of a design.
 const FEWEST_POINTS: usize = 3;
 
-/// The table `[report]`: the intervals, the posterior, the designs, and the points left out.
+/// The table `[report]`: the intervals, the designs of a plan, and the points left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReportTable {
     /// Level of the intervals.
     pub level: f64,
     /// The method that finds them.
     pub intervals: Intervals,
-    /// Number of samples of the posterior; 0 for none.
-    pub posterior: usize,
-    /// Seed of all random numbers.
+    /// Seed of simulated noise.
     pub seed: u64,
-    /// Measurements to assess in advance.
+    /// Measurements for a plan to assess.
     pub design: Design,
     /// The treatment of points at which the model does not hold.
     pub outside: OutsidePoints,
@@ -60,7 +56,6 @@ impl Default for ReportTable {
         Self {
             level: 0.95,
             intervals: Intervals::Profile,
-            posterior: 0,
             seed: 1,
             design: Design::default(),
             outside: OutsidePoints::LeaveOut,
@@ -76,14 +71,7 @@ impl ReportTable {
     /// A [`Diagnosis`] of the first fault.
     pub fn read(table: &TableReader<'_>, parameters: &ModelParameters) -> Result<Self, Diagnosis> {
         const LEVEL: &str = "a number between 0.5 and 0.999, such as 0.95";
-        table.only(&[
-            "level",
-            "intervals",
-            "posterior",
-            "seed",
-            "design",
-            "outside",
-        ])?;
+        table.only(&["level", "intervals", "seed", "design", "outside"])?;
         let mut report = Self::default();
         if let Some(field) = table.optional("level") {
             report.level = field.number(LEVEL)?;
@@ -94,9 +82,6 @@ impl ReportTable {
         if let Some(field) = table.optional("intervals") {
             let choices = [("profile", Intervals::Profile), ("wald", Intervals::Wald)];
             report.intervals = field.choice(&choices)?;
-        }
-        if let Some(field) = table.optional("posterior") {
-            report.posterior = field.count(0..=MOST_SAMPLES, "")?;
         }
         if let Some(field) = table.optional("seed") {
             report.seed = field.count(0..=usize::MAX, "")? as u64;
@@ -126,12 +111,6 @@ impl ReportTable {
 }
 
 impl Design {
-    /// Whether there is nothing to assess.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        *self == Self::default()
-    }
-
     fn read(field: &ValueReader<'_>, parameters: &ModelParameters) -> Result<Self, Diagnosis> {
         let table = field.clone().table()?;
         table.only(&["forces", "radii", "points"])?;

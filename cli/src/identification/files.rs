@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use pellicle_plot::sheet::style::Style;
+
 use super::findings::WarningResult;
 use super::fitted_file::FittedFile;
 use super::pictures::{self, FitPicture};
@@ -9,12 +11,9 @@ use super::{report, result, tables};
 use crate::failure::Failure;
 use crate::output::file;
 use crate::output::json;
-use crate::output::npz;
 use crate::output::write_progress::WriteProgress;
-use crate::picture::style::Style;
+use crate::withdrawn;
 
-/// Samples of the posterior, an array for each unknown.
-const SAMPLES: &str = "posterior.npz";
 /// The tables of a fit.
 const TABLES: [&str; 3] = ["fit.csv", "covariance.csv", "profiles.csv"];
 
@@ -25,7 +24,8 @@ pub fn is_name(name: &str) -> bool {
         let ending = name.strip_prefix(picture.name());
         ending.is_some_and(|ending| [".svg", ".png"].contains(&ending))
     };
-    [result::FILE, SAMPLES, tables::EXCLUDED].contains(&name)
+    [result::FILE, tables::EXCLUDED].contains(&name)
+        || withdrawn::is_file_of_a_fit(name)
         || TABLES.contains(&name)
         || FitPicture::ALL.iter().any(is_picture)
 }
@@ -47,10 +47,6 @@ pub fn write(folder: &Path, fitted: &mut FittedFile) -> Result<(), Failure> {
             code: warning.code,
             message: warning.message,
         }));
-    let samples = fitted.samples();
-    if !samples.is_empty() {
-        npz::write_columns(&folder.join(SAMPLES), &samples)?;
-    }
     for (name, table) in fitted.tables() {
         file::write_bytes(&folder.join(name), table.as_bytes())?;
     }

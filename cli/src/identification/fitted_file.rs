@@ -31,17 +31,4 @@ impl FittedFile {
         let all = tables::all(&self.identification, &self.fit).into_iter();
         all.chain(excluded).collect()
     }
-
-    /// Samples of the posterior: each estimate with its name.
-    #[must_use]
-    pub fn samples(&self) -> Vec<(String, Vec<f64>)> {
-        if self.found.samples.is_empty() {
-            return Vec::new();
-        }
-        let estimates = self.fit.estimates.iter().enumerate();
-        let column = |index: usize| self.found.samples.iter().map(move |sample| sample[index]);
-        estimates
-            .map(|(index, of)| (of.name.clone(), column(index).collect()))
-            .collect()
-    }
 }

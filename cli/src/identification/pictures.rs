@@ -4,21 +4,19 @@ use std::path::Path;
 
 use pellicle::display::{count, significant};
 use pellicle_identify::{Estimate, Exclusion, Fit, FitVerdict, Observable, Role};
+use pellicle_plot::fit::axes;
+use pellicle_plot::fit::curve::{AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
+use pellicle_plot::fit::heading::FitHeading;
+use pellicle_plot::fit::profiles::Profiles;
+use pellicle_plot::fit::repeats::{Repeated, RepeatsPlot};
+use pellicle_plot::fit::unknown::{Combination, FittedUnknown};
+use pellicle_plot::sheet::style::Style;
 use rayon::prelude::*;
 
 use super::result::FitResult;
 use super::{Identification, names, units};
 use crate::failure::Failure;
 use crate::output::write_progress::WriteProgress;
-use crate::picture::fit::corner::{self, CornerPlot};
-use crate::picture::fit::curve::{self, AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
-use crate::picture::fit::designs::{self, Designs};
-use crate::picture::fit::profiles::{self, Profiles};
-use crate::picture::fit::repeats::{self, Repeated, RepeatsPlot};
-use crate::picture::fit::unknown::{Combination, FittedUnknown};
-use crate::picture::fit::{FitHeading, axes};
-use crate::picture::style::Style;
-use crate::planning;
 
 /// A picture of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,33 +25,21 @@ pub enum FitPicture {
     Curve,
     /// The profile of each unknown.
     Profiles,
-    /// The pairs of unknowns.
-    Corner,
     /// The values of each repeat.
     Repeats,
-    /// The expected intervals with one more curve of the design.
-    Designs,
 }
 
 impl FitPicture {
     /// All pictures, in the order of the report.
-    pub const ALL: [Self; 5] = [
-        Self::Curve,
-        Self::Profiles,
-        Self::Corner,
-        Self::Repeats,
-        Self::Designs,
-    ];
+    pub const ALL: [Self; 3] = [Self::Curve, Self::Profiles, Self::Repeats];
 
     /// Its name, without extension.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Self::Curve => curve::NAME,
-            Self::Profiles => profiles::NAME,
-            Self::Corner => corner::NAME,
-            Self::Repeats => repeats::NAME,
-            Self::Designs => designs::NAME,
+            Self::Curve => "fit-curve",
+            Self::Profiles => "fit-profiles",
+            Self::Repeats => "fit-repeats",
         }
     }
 }
@@ -101,9 +87,7 @@ impl FitSubject<'_> {
         match picture {
             FitPicture::Curve => self.curves().draw(style),
             FitPicture::Profiles => self.profiles().draw(style),
-            FitPicture::Corner => self.corner().draw(style),
             FitPicture::Repeats => self.repeats().draw(style),
-            FitPicture::Designs => self.designs().draw(style),
         }
     }
 
@@ -207,24 +191,6 @@ impl FitSubject<'_> {
         }
     }
 
-    fn corner(&self) -> CornerPlot {
-        let has_covariance = |(_, estimate): &(usize, &Estimate)| estimate.wald.is_some();
-        let chosen: Vec<_> = self.sought().filter(has_covariance).collect();
-        let correlation = &self.fit.correlation;
-        let row =
-            |(i, _): &(usize, &Estimate)| chosen.iter().map(|(j, _)| correlation[*i][*j]).collect();
-        CornerPlot {
-            head: self.head(),
-            correlation: chosen.iter().map(row).collect(),
-            unknowns: (chosen.iter())
-                .map(|(index, of)| self.unknown(*index, of))
-                .collect(),
-            samples: (self.found.samples.iter())
-                .map(|sample| chosen.iter().map(|(index, _)| sample[*index]).collect())
-                .collect(),
-        }
-    }
-
     fn repeats(&self) -> RepeatsPlot {
         let repeated = |(index, estimate): (usize, &Estimate)| {
             let between = estimate.between_curves.as_ref()?;
@@ -239,12 +205,6 @@ impl FitSubject<'_> {
             names: self.names(),
             unknowns: self.sought().filter_map(repeated).collect(),
         }
-    }
-
-    fn designs(&self) -> Designs {
-        let level = self.of.file.report.level;
-        let noise = "with the noise of the fit";
-        planning::picture::designs(&self.found.title, level, noise, &self.found.design)
     }
 
     /// The unknowns of the fit without the nuisances.

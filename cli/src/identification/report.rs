@@ -10,7 +10,6 @@ use super::pictures::{FitDrawings, FitPicture};
 use super::result::FitResult;
 use super::taken_as_exact::ExactNumber;
 use super::{Identification, names, units};
-use crate::planning::page::DesignTable;
 
 /// The contents of the page, with numbers in words.
 #[derive(Template)]
@@ -33,8 +32,6 @@ struct FitPage<'a> {
     curves: Vec<(String, usize, String)>,
     /// For each unknown that is not well determined, the measurement that would help.
     help: Vec<String>,
-    /// The designs, if the fit file has any.
-    designs: DesignTable,
     seconds: String,
 }
 
@@ -84,7 +81,6 @@ pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDra
             FitVerdict::Fitted => found.unknowns.iter().filter_map(help).collect(),
             _ => vec![FIRST.into()],
         },
-        designs: DesignTable::of(&found.design),
         seconds: significant(found.work.seconds, 3),
     };
     page.to_string()

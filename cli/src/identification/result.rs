@@ -14,8 +14,6 @@ use super::findings::{
     WarningResult,
 };
 use super::taken_as_exact::ExactNumber;
-use crate::planning::after_fit::Next;
-use crate::planning::design::DesignResult;
 
 /// Name of the file in a folder of results.
 pub const FILE: &str = "fit.json";
@@ -51,17 +49,8 @@ pub struct FitResult {
     pub work: WorkResult,
     /// The curves.
     pub curves: Vec<CurveResult>,
-    /// The designs, the best first; missing unless the fit file requests them.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub design: Vec<DesignResult>,
     /// Warnings for the reader.
     pub warnings: Vec<WarningResult>,
-    /// Samples of the posterior, which have their own file.
-    #[serde(skip)]
-    pub samples: Vec<Vec<f64>>,
-    /// The advice on the next measurement, in a sentence or two.
-    #[serde(skip)]
-    pub advice: String,
 }
 
 /// The quality of a fit: how well the model follows the data.
@@ -113,9 +102,9 @@ pub struct CurveResult {
 }
 
 impl FitResult {
-    /// Assembles the result of a fit that took this many seconds, with the next measurement.
+    /// Assembles the result of a fit that took this many seconds.
     #[must_use]
-    pub fn new(of: &Identification, fit: &Fit, next: Next, seconds: f64) -> Self {
+    pub fn new(of: &Identification, fit: &Fit, seconds: f64) -> Self {
         let estimates = || fit.estimates.iter().enumerate();
         let with_role = |role: Role| {
             let chosen = estimates().filter(move |(_, estimate)| estimate.role == role);
@@ -130,9 +119,6 @@ impl FitResult {
         let (taken_as_exact, failure) = of.taken_as_exact(fit);
         warnings.extend(failure);
         let is_differentiated = !taken_as_exact.is_empty();
-        let sampling = of.sample(fit);
-        warnings.extend(sampling.warnings);
-        warnings.extend(next.warnings);
         Self {
             schema: SCHEMA,
             program: PROGRAM,
@@ -153,10 +139,7 @@ impl FitResult {
                 seconds,
             },
             curves: of.curves(fit),
-            design: next.designs,
             warnings,
-            samples: sampling.samples,
-            advice: next.advice,
         }
     }
 }

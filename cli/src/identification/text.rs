@@ -5,7 +5,6 @@ use pellicle::display::significant;
 use super::findings::EstimateResult;
 use super::result::FitResult;
 use super::taken_as_exact::most_critical;
-use crate::planning;
 
 /// Describes the result, one line per parameter.
 #[must_use]
@@ -28,23 +27,10 @@ pub fn text(result: &FitResult) -> String {
     let exact = most_critical(&result.taken_as_exact, &result.unknowns);
     let exact = exact.map(|sentence| format!("  {sentence}\n"));
     format!(
-        "{}\n{}{}{quality}{work}{}",
+        "{}\n{}{}{quality}{work}",
         result.title,
         estimates.collect::<String>(),
         exact.unwrap_or_default(),
-        next(result)
-    )
-}
-
-/// The table of the designs and the advice; empty without a design.
-fn next(result: &FitResult) -> String {
-    if result.design.is_empty() {
-        return String::new();
-    }
-    let table = planning::text::table(&result.design);
-    format!(
-        "\n  what to measure next, added to what was measured:\n{table}  {}\n",
-        result.advice
     )
 }
 

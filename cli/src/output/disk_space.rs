@@ -7,15 +7,15 @@
 use pellicle::case::Case;
 use pellicle::case::output::{Format, OutputCase};
 use pellicle::case::surface::SurfaceCase;
+use pellicle_plot::step::pressure_map::CELLS;
 
 use super::results::STEPS_IN_REPORT;
-use crate::picture::pressure_map::CELLS;
 
 /// Bytes of an element in an uncompressed file: five numbers and two truth values; in `.nc` the contact once more; in
-/// `.gsf` three files.
+/// `.gsf` the pressure alone.
 const VTI: f64 = 22.0;
 const NC: f64 = 43.0;
-const GSF: f64 = 12.0;
+const GSF: f64 = 4.0;
 
 /// Bytes of an element in a compressed file: displacement and gap of a symmetric contact. A film's pressure and
 /// shortening add to them, and fields without symmetry compress poorly.

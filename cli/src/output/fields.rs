@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
+use pellicle_plot::step::fields as plot;
 
 /// The fields of a step, N × N values each, element `(i, j)` at index `i N + j`: the first index runs along x.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,6 +89,33 @@ impl<'a> Fields<'a> {
         }
     }
 
+    /// The numbers of its pictures.
+    #[must_use]
+    pub fn plotted(&self) -> plot::Fields<'a> {
+        let Fields {
+            side,
+            size,
+            pressure,
+            displacement,
+            gap,
+            shortening,
+            plastic_depth,
+            profile,
+            mask,
+        } = *self;
+        plot::Fields {
+            side,
+            size,
+            pressure,
+            displacement,
+            gap,
+            shortening,
+            plastic_depth,
+            profile,
+            mask,
+        }
+    }
+
     /// The numeric fields, in their order in the files: five, and the plastic depth if there is a hardness.
     #[must_use]
     pub fn numbers(&self) -> Vec<NumberField<'a>> {
@@ -169,19 +197,6 @@ impl<'a> Fields<'a> {
     pub fn centre(&self, i: usize) -> f64 {
         // x_i = (2i + 1 − N) h/2; the bracket is exact.
         ((2 * i + 1) as f64 - self.size as f64) * (0.5 * self.element_side())
-    }
-
-    /// The element along an axis that contains a coordinate or is nearest to it.
-    #[must_use]
-    pub fn nearest(&self, coordinate: f64) -> usize {
-        let elements = (coordinate / self.side + 0.5) * self.size as f64;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "the conversion saturates"
-        )]
-        let element = elements as usize;
-        element.min(self.size.saturating_sub(1))
     }
 
     /// Side of an element, m.

@@ -1,11 +1,10 @@
-//! `pressure-NNN.gsf`, `mask-NNN.gsf`, `contact-NNN.gsf`: one field of a loading step each, in Gwyddion's simple field
-//! format.
+//! `pressure-NNN.gsf`: the pressure of a loading step in Gwyddion's simple field format.
 //!
-//! A file of this format contains one field; a truth value is 1 or 0. The file consists of a line that names the
-//! format, lines `name = value`, one to four zero bytes up to a multiple of four, and the values in single precision by
-//! rows from the top: y decreases from row to row, x increases along a row.
+//! A file of this format contains one field. It consists of a line that names the format, lines `name = value`, one to
+//! four zero bytes up to a multiple of four, and the values in single precision by rows from the top: y decreases from
+//! row to row, x increases along a row.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::Path;
 
 use pellicle::input::units::Units;
@@ -14,46 +13,23 @@ use super::fields::Fields;
 use super::file::write_stoppable;
 use crate::failure::Failure;
 
-/// The field of a file.
-struct GsfChannel<'a> {
-    title: &'a str,
-    /// Its unit in SI, if it has one.
-    unit: Option<&'static str>,
-}
-
-/// Name of the file of a step in a results folder, for the pressure, the mask or the contact.
+/// Name of the file of a step in a results folder.
 #[must_use]
-pub fn file(name: &str, step: usize) -> String {
-    format!("{name}-{step:03}.gsf")
+pub fn file(step: usize) -> String {
+    format!("pressure-{step:03}.gsf")
 }
 
-/// Writes the pressure, the mask and the contact of a step into a folder; the files of a case without units have none.
+/// Writes the pressure of a step into a folder; the file of a case without units has none.
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if a file cannot be written.
+/// [`Failure::Write`] if the file cannot be written.
 pub fn write(folder: &Path, fields: &Fields<'_>, units: Units, step: usize) -> Result<(), Failure> {
-    let pressure = GsfChannel {
-        title: "Pressure",
-        unit: Some("Pa"),
-    };
-    #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
-    let pressures = |e: usize| fields.pressure[e] as f32;
-    let path = folder.join(file("pressure", step));
-    write_channel(&path, fields, units, &pressure, pressures)?;
-    fields.truths().into_iter().try_for_each(|truth| {
-        let channel = GsfChannel {
-            title: truth.name,
-            unit: None,
-        };
-        let values = |e: usize| f32::from(u8::from(truth.values[e]));
-        write_channel(
-            &folder.join(file(truth.name, step)),
-            fields,
-            units,
-            &channel,
-            values,
-        )
+    write_stoppable(&folder.join(file(step)), |file| {
+        file.write_all(&head(fields, units))?;
+        #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
+        let pressure = |e: usize| fields.pressure[e] as f32;
+        rows(fields.size).try_for_each(|e| file.write_all(&pressure(e).to_le_bytes()))
     })
 }
 
@@ -71,33 +47,15 @@ pub fn height_map(heights: &[f64], size: usize, side: f64) -> Vec<u8> {
     bytes
 }
 
-fn write_channel(
-    path: &Path,
-    fields: &Fields<'_>,
-    units: Units,
-    channel: &GsfChannel<'_>,
-    value: impl Fn(usize) -> f32,
-) -> Result<(), Failure> {
-    write_stoppable(path, |file| {
-        file.write_all(&head(fields, units, channel))?;
-        write_rows(file, fields.size, value)
-    })
-}
-
-fn head(fields: &Fields<'_>, units: Units, channel: &GsfChannel<'_>) -> Vec<u8> {
+fn head(fields: &Fields<'_>, units: Units) -> Vec<u8> {
     let (size, side, low) = (fields.size, fields.side, fields.edge(0));
-    let unit = |name: &str, unit: &str| format!("{name} = {unit}\n");
     let units = match units {
-        Units::Si => {
-            let own = channel.unit.map(|own| unit("ZUnits", own));
-            unit("XYUnits", "m") + &own.unwrap_or_default()
-        }
-        Units::Consistent => String::new(),
+        Units::Si => "XYUnits = m\nZUnits = Pa\n",
+        Units::Consistent => "",
     };
-    let title = channel.title;
     let text = format!(
         "Gwyddion Simple Field 1.0\nXRes = {size}\nYRes = {size}\nXReal = {side:e}\nYReal = {side:e}\n\
-         XOffset = {low:e}\nYOffset = {low:e}\n{units}Title = {title}\n"
+         XOffset = {low:e}\nYOffset = {low:e}\n{units}Title = Pressure\n"
     );
     padded(text)
 }
@@ -114,10 +72,6 @@ fn padded(text: String) -> Vec<u8> {
 fn rows(size: usize) -> impl Iterator<Item = usize> {
     let row = move |j: usize| (0..size).map(move |i| i * size + j);
     (0..size).rev().flat_map(row)
-}
-
-fn write_rows(file: &mut impl Write, size: usize, value: impl Fn(usize) -> f32) -> io::Result<()> {
-    rows(size).try_for_each(|e| file.write_all(&value(e).to_le_bytes()))
 }
 
 #[cfg(test)]
@@ -138,11 +92,7 @@ mod tests {
                 profile: &[0.0],
                 mask: &[false],
             };
-            let channel = GsfChannel {
-                title: "Pressure",
-                unit: Some("Pa"),
-            };
-            let head = head(&fields, Units::Si, &channel);
+            let head = head(&fields, Units::Si);
             let text = head.iter().position(|byte| *byte == 0).unwrap();
             assert!(head.len().is_multiple_of(4) && head.len() - text <= 4);
             assert!(head[text..].iter().all(|byte| *byte == 0));

@@ -48,22 +48,6 @@ fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), Write
     npz.finish()
 }
 
-/// Writes named columns of numbers, one array each.
-///
-/// # Errors
-///
-/// [`Failure::Write`] if the file cannot be written.
-pub fn write_columns(file: &Path, columns: &[(String, Vec<f64>)]) -> Result<(), Failure> {
-    write_stoppable(file, |file| {
-        let mut npz = NpzArchive::new(file);
-        for (name, values) in columns {
-            npz.add(name, &Array1::from(values.clone()))
-                .map_err(io::Error::other)?;
-        }
-        npz.finish().map_err(io::Error::other)
-    })
-}
-
 fn square<T>(size: usize, field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzError> {
     ArrayView2::from_shape((size, size), field)
         .map_err(|error: ShapeError| WriteNpyError::Io(io::Error::other(error)).into())

@@ -28,6 +28,7 @@ const OF_A_STEP: [(&str, &[&str]); 13] = [
     ("stress-section", &["svg", "png"]),
     ("stress-interfaces", &["svg", "png"]),
     ("pressure", &["gsf", "svg", "png"]),
+    // Of earlier versions.
     ("mask", &["gsf"]),
     ("contact", &["gsf"]),
     ("pressure-3d", &["svg", "png"]),

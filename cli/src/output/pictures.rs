@@ -3,21 +3,26 @@
 use std::path::Path;
 
 use pellicle::case::output::Steps;
-use pellicle::summary::RunSummary;
+use pellicle::summary::{RunSummary, StepSummary};
+use pellicle_plot as plot;
+use pellicle_plot::sheet::style::Style;
+use pellicle_plot::step::field_map::FieldMap;
+use pellicle_plot::step::subject::Subject;
+use pellicle_plot::step::{pressure_map, pressure_view, section};
+use pellicle_plot::stress::extremes::Extremes;
+use pellicle_plot::stress::view::StressView;
 use rayon::prelude::*;
 
 use super::fields::Fields;
 use super::report::surface::SurfaceFigure;
-use super::stress::view::StressView;
 use super::write_progress::WriteProgress;
 use crate::failure::Failure;
-use crate::picture::field_map::FieldMap;
-use crate::picture::style::Style;
-use crate::picture::subject::Subject;
-use crate::picture::{
-    convergence, curve, histograms, pressure_map, pressure_view, section, spectrum,
-    stress_interfaces, stress_section,
-};
+use crate::picture::{convergence, curve, extremes, histograms, spectrum, subject};
+
+/// The pictures of a run as a whole.
+const CURVE: &str = "curve";
+const CONVERGENCE: &str = "convergence";
+const SPECTRUM: &str = "spectrum";
 
 /// A picture of a loading step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,22 +60,28 @@ pub fn of_a_step(summary: &RunSummary) -> Vec<StepPicture> {
 }
 
 impl StepPicture {
+    /// Its file name, without extension.
     fn name(self, step: usize) -> String {
-        match self {
-            Self::PressureMap => pressure_map::name(step),
-            Self::Section => section::name(step),
-            Self::PressureView => pressure_view::name(step),
-            Self::Histograms => histograms::name(step),
-            Self::Field(field) => field.name(step),
-        }
+        let name = match self {
+            Self::PressureMap => "pressure",
+            Self::Section => "section",
+            Self::PressureView => "pressure-3d",
+            Self::Histograms => "histograms",
+            Self::Field(FieldMap::Heights) => "heights",
+            Self::Field(FieldMap::Gap) => "gap",
+            Self::Field(FieldMap::Displacement) => "displacement",
+        };
+        format!("{name}-{step:03}")
     }
 
-    fn draw(self, subject: &Subject<'_>) -> String {
+    fn draw(self, subject: &Subject<'_>, step: &StepSummary) -> String {
         match self {
             Self::PressureMap => pressure_map::draw(subject),
             Self::Section => section::draw(subject),
             Self::PressureView => pressure_view::draw(subject),
-            Self::Histograms => histograms::draw(subject),
+            Self::Histograms => {
+                plot::step::histograms::draw(subject, histograms::of_step(step).as_ref())
+            }
             Self::Field(field) => field.draw(subject),
         }
     }
@@ -129,17 +140,18 @@ pub fn of_stresses(summary: &RunSummary) -> &'static [StressPicture] {
 }
 
 impl StressPicture {
+    /// Its file name, without extension.
     fn name(self, step: usize) -> String {
         match self {
-            Self::Section => stress_section::name(step),
-            Self::Interfaces => stress_interfaces::name(step),
+            Self::Section => format!("stress-section-{step:03}"),
+            Self::Interfaces => format!("stress-interfaces-{step:03}"),
         }
     }
 
-    fn draw(self, subject: &Subject<'_>, view: &StressView) -> String {
+    fn draw(self, subject: &Subject<'_>, view: &StressView, extremes: &Extremes) -> String {
         match self {
-            Self::Section => stress_section::draw(subject, view),
-            Self::Interfaces => stress_interfaces::draw(subject, view),
+            Self::Section => plot::stress::section::draw(subject, view, extremes),
+            Self::Interfaces => plot::stress::interfaces::draw(subject, view, extremes),
         }
     }
 }
@@ -165,10 +177,11 @@ pub fn stresses(
     style: &Style,
     writer: &WriteProgress<'_>,
 ) -> Result<StressDrawings, Failure> {
-    let subject = Subject::of(summary, &summary.steps[step], fields, *style);
+    let subject = subject::of_step(summary, &summary.steps[step], &fields, *style);
+    let extremes = extremes::of_step(&summary.steps[step]);
     let pictures = of_stresses(summary).par_iter();
     let drawn = pictures.map(|picture| {
-        let draw = || picture.draw(&subject, view);
+        let draw = || picture.draw(&subject, view, &extremes);
         let svg = writer.picture(folder, &picture.name(step), draw)?;
         Ok(svg.map(|svg| (*picture, svg)))
     });
@@ -192,10 +205,13 @@ pub fn step(
     style: &Style,
     writer: &WriteProgress<'_>,
 ) -> Result<StepDrawings, Failure> {
-    let subject = Subject::of(summary, &summary.steps[step], fields, *style);
+    let numbers = &summary.steps[step];
+    let subject = subject::of_step(summary, numbers, &fields, *style);
     let pictures = of_a_step(summary).into_par_iter();
     let drawn = pictures.map(|picture| {
-        let svg = writer.picture(folder, &picture.name(step), || picture.draw(&subject))?;
+        let svg = writer.picture(folder, &picture.name(step), || {
+            picture.draw(&subject, numbers)
+        })?;
         Ok(svg.map(|svg| (picture, svg)))
     });
     let drawn = drawn.collect::<Result<Vec<_>, Failure>>()?;
@@ -229,22 +245,48 @@ pub fn run(
             .map(|_| Some(svg)),
         svg => Ok(svg),
     };
-    let curve = writer.drawn(curve::NAME, || Ok(curve::draw(summary, style)));
-    let convergence = writer.drawn(convergence::NAME, || Ok(convergence::draw(summary, style)));
-    let spectrum = writer.drawn(spectrum::NAME, || Ok(spectrum::draw(summary, style)));
+    let of_curve = || {
+        let of_run = curve::of_run(summary, summary.title.clone());
+        let worst = curve::worst(summary.steps.iter());
+        let has_several = summary.steps.len() > 1;
+        Ok(has_several.then(|| plot::run::curve::draw(of_run, worst, summary.units, style)))
+    };
+    let of_convergence = || {
+        let (title, numbers) = (&summary.title, convergence::of_run(summary));
+        Ok(plot::run::convergence::draw(
+            title,
+            &numbers,
+            summary.units,
+            style,
+        ))
+    };
+    let of_spectrum = || {
+        let (title, maps) = (&summary.title, spectrum::of_run(summary));
+        Ok(plot::run::spectrum::draw(
+            title,
+            &maps,
+            summary.units,
+            style,
+        ))
+    };
+    let curve = writer.drawn(CURVE, of_curve);
+    let convergence = writer.drawn(CONVERGENCE, of_convergence);
+    let spectrum = writer.drawn(SPECTRUM, of_spectrum);
     Ok(RunDrawings {
-        curve: one(curve::NAME, curve.flatten())?,
-        convergence: one(convergence::NAME, convergence.flatten())?,
-        spectrum: one(spectrum::NAME, spectrum.flatten())?,
+        curve: one(CURVE, curve.flatten())?,
+        convergence: one(CONVERGENCE, convergence.flatten())?,
+        spectrum: one(SPECTRUM, spectrum.flatten())?,
     })
 }
 
 /// The pictures of a run as a whole, and whether there is something to draw.
 fn of_a_run(summary: &RunSummary) -> [(&'static str, bool); 3] {
+    let has_grids = plot::run::convergence::is_drawn(&convergence::of_run(summary));
+    let has_maps = plot::run::spectrum::is_drawn(&spectrum::of_run(summary));
     [
-        (curve::NAME, curve::is_drawn(summary)),
-        (convergence::NAME, convergence::is_drawn(summary)),
-        (spectrum::NAME, spectrum::is_drawn(summary)),
+        (CURVE, summary.steps.len() > 1),
+        (CONVERGENCE, has_grids),
+        (SPECTRUM, has_maps),
     ]
 }
 

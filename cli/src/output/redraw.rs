@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use pellicle::case::output::Steps;
 use pellicle::summary::{RunSummary, WarningSummary};
+use pellicle_plot::run::curve::draw_several;
+use pellicle_plot::sheet::style::Style;
 use rayon::prelude::*;
 
 use super::npz::{self, StoredFields};
@@ -12,8 +14,10 @@ use super::report;
 use super::write_progress::{OnProgress, WriteProgress};
 use super::{results, stress};
 use crate::failure::Failure;
-use crate::picture::curve::{self, NamedCurve};
-use crate::picture::style::Style;
+use crate::picture::curve;
+
+/// File name of the picture of several curves, without extension.
+const CURVES: &str = "curves";
 
 /// The pictures to redraw of one results folder.
 #[derive(Debug, Clone, Default)]
@@ -130,7 +134,7 @@ pub fn draw_curves(
     style: &Style,
 ) -> Result<Vec<WarningSummary>, Failure> {
     if !replaces {
-        keep(out, curve::NAME_OF_SEVERAL)?;
+        keep(out, CURVES)?;
     }
     let summaries = folders.iter().map(|folder| results::read_summary(folder));
     let summaries = summaries.collect::<Result<Vec<_>, Failure>>()?;
@@ -145,16 +149,12 @@ pub fn draw_curves(
         return Err(Failure::damaged(&folders[other], &reason));
     }
     let names = names(folders, &summaries);
-    let curves = summaries
-        .iter()
-        .zip(names)
-        .map(|(summary, name)| NamedCurve {
-            name,
-            steps: &summary.steps,
-        });
+    let curves = summaries.iter().zip(names);
+    let curves = curves.map(|(summary, name)| curve::of_run(summary, name));
+    let worst = curve::worst(summaries.iter().flat_map(|summary| &summary.steps));
     let writer = WriteProgress::new(1, &|_, _| ());
-    writer.picture(out, curve::NAME_OF_SEVERAL, || {
-        curve::draw_several(curves.collect(), units, style)
+    writer.picture(out, CURVES, || {
+        draw_several(curves.collect(), worst, units, style)
     })?;
     Ok(writer.warnings())
 }

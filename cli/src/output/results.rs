@@ -11,6 +11,7 @@ use pellicle::case::output::{Format, OutputCase};
 use pellicle::summary;
 use pellicle::summary::RunSummary;
 use pellicle_contact::LoadingPath;
+use pellicle_plot::sheet::style::Style;
 use rayon::prelude::*;
 
 use super::fields::Fields;
@@ -20,7 +21,6 @@ use super::write_progress::{OnProgress, WriteProgress};
 use super::{curve, file, gsf, json, netcdf, npz, stress, vti};
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::picture::style::Style;
 
 /// Largest number of loading steps in the report, at some 100 kB each.
 pub(super) const STEPS_IN_REPORT: usize = 24;

@@ -21,12 +21,13 @@ use pellicle_contact::{LoadingPath, StressField};
 pub use self::plane_values::{FIELDS, FieldName};
 use self::plane_values::{PlaneValues, StressFile, StressHead};
 use self::planes::{PlaneUses, block_radius};
-use self::view::{SectionDepths, StressView, SurfaceLine, ViewCollector};
+use self::view::{SectionDepths, ViewCollector};
 use super::fields::Fields;
 use super::pictures::{self, StressDrawings};
 use super::write_progress::WriteProgress;
 use crate::failure::Failure;
-use crate::picture::style::Style;
+use pellicle_plot::sheet::style::Style;
+use pellicle_plot::stress::view::{StressView, SurfaceLine};
 
 /// Selects the formats in which stresses are written.
 #[must_use]

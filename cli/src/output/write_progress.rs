@@ -7,12 +7,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use pellicle::summary::WarningSummary;
+use pellicle_plot::sheet::render;
 
 use super::file::write_bytes;
 use super::stoppable;
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::picture::render;
 
 /// Called with the number of files written so far and in total.
 pub type OnProgress<'a> = &'a (dyn Fn(usize, usize) + Sync);

@@ -3,8 +3,7 @@
 use pellicle::display::significant;
 use pellicle::summary::StepSummary;
 use pellicle_contact::{ErrorEstimate, LevelValues};
-
-use super::labels::power;
+use pellicle_plot::axes::labels::power;
 
 /// The meaning of an unresolved number of [`of_step`].
 pub const UNRESOLVED: &str =

@@ -1,111 +1,19 @@
-//! The power spectra of the maps of a case, on logarithmic axes.
+//! The maps of a case, as numbers of the picture of their spectra.
 
-use pellicle::display::{Unit, quantity, significant};
-use pellicle::input::units::Units;
 use pellicle::summary::RunSummary;
 use pellicle::summary::roughness::RoughnessSummary;
-use pellicle_texture::Roughness;
+use pellicle_plot::run::spectrum::RoughMap;
 
-use super::colours::{self, Colour};
-use super::heading;
-use super::panel::{Axis, Panel};
-use super::style::{Heading, Style};
-use super::svg::{Anchor, Rect, Stroke};
-
-/// File name of the picture, without extension.
-pub const NAME: &str = "spectrum";
-
-const PLACE: Rect = Rect::at((132.0, heading::HEIGHT + 8.0), (620.0, 460.0));
-const WIDTH: f64 = PLACE.left + PLACE.width + 36.0;
-/// Height of a line of the legend, and distance of the legend below the panel.
-const ENTRY: f64 = 28.0;
-const LEGEND: f64 = 86.0;
-
-/// Powers below this fraction of the largest are not shown: they are the rounding of heights in single precision. Four
-/// decades of wavenumbers of a self-affine surface lie above it.
-const ROUNDING: f64 = 1e-16;
-
-/// Whether the case has a map with any roughness.
+/// The maps of a run; empty without maps.
 #[must_use]
-pub fn is_drawn(summary: &RunSummary) -> bool {
-    (summary.roughness.iter())
-        .flat_map(RoughnessSummary::maps)
-        .any(|(_, map)| !points(map).is_empty())
-}
-
-/// Draws the picture as SVG; `None` for a case without a rough map.
-#[must_use]
-pub fn draw(summary: &RunSummary, style: &Style) -> Option<String> {
-    if !is_drawn(summary) {
-        return None;
-    }
-    let maps: Vec<_> = summary.roughness.as_ref()?.maps().collect();
-    let legend = ENTRY * maps.len() as f64;
-    let mut svg = style.sheet(WIDTH, PLACE.bottom() + LEGEND + legend);
-    if style.heading == Heading::Shown {
-        let numbers = "power spectrum, averaged over directions";
-        heading::draw(
-            &mut svg,
-            PLACE.left,
-            WIDTH - PLACE.left,
-            &summary.title,
-            numbers,
-        );
-    }
-    let lines: Vec<_> = maps.iter().map(|(_, map)| points(map)).collect();
-    let ends = |axis: fn(&(f64, f64)) -> f64| {
-        let values = lines.iter().flatten().map(axis);
-        values.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), value| {
-            (low.min(value), high.max(value))
-        })
-    };
-    let ((from, to), (least, most)) = (ends(|point| point.0), ends(|point| point.1));
-    let [wavenumber, power] = match summary.units {
-        Units::Si => ["1/m", "m⁴"],
-        Units::Consistent => ["case units"; 2],
-    };
-    let panel = Panel {
-        place: PLACE,
-        x: Axis::logarithmic(from, to, format!("wavenumber q, {wavenumber}")),
-        y: Axis::logarithmic(least, most, format!("power spectral density C, {power}")),
-    };
-    panel.draw_mesh(&mut svg);
-    for (k, ((name, map), line)) in maps.iter().zip(&lines).enumerate() {
-        let colour = colour(k);
-        let places = panel.all_at(line.iter().copied());
-        svg.within(PLACE, |svg| svg.line(&places, Stroke::new(colour, 2.0)));
-        svg.dots(&places, 3.0, colour);
-        let y = PLACE.bottom() + LEGEND + ENTRY * k as f64;
-        let left = PLACE.left;
-        svg.line(&[(left, y), (left + 40.0, y)], Stroke::new(colour, 2.0));
-        svg.text(
-            (left + 50.0, y),
-            16.0,
-            Anchor::Start,
-            &words(name, map, summary.units),
-        );
-    }
-    panel.draw_axes(&mut svg);
-    Some(svg.finish())
-}
-
-/// For example `surface: rms height 1.2 nm, rms slope 0.05`.
-fn words(name: &str, map: &Roughness, units: Units) -> String {
-    let height = quantity(map.rms_height, Unit::Metre, units);
-    let slope = significant(map.rms_slope, 3);
-    format!("{name}: rms height {height}, rms slope {slope}")
-}
-
-fn colour(map: usize) -> Colour {
-    [colours::BLUE, colours::ORANGE][map % 2]
-}
-
-/// Wavenumbers and powers of the bands with nonzero power.
-fn points(map: &Roughness) -> Vec<(f64, f64)> {
-    let (wavenumber, power) = (&map.spectrum.wavenumber, &map.spectrum.power);
-    let largest = power.iter().copied().fold(0.0, f64::max);
-    let points = wavenumber.iter().copied().zip(power.iter().copied());
-    points
-        .filter(|(q, power)| *q > 0.0 && *power > ROUNDING * largest)
-        .collect()
+pub fn of_run(run: &RunSummary) -> Vec<RoughMap<'_>> {
+    let maps = run.roughness.iter().flat_map(RoughnessSummary::maps);
+    maps.map(|(name, map)| RoughMap {
+        name,
+        rms_height: map.rms_height,
+        rms_slope: map.rms_slope,
+        wavenumber: &map.spectrum.wavenumber,
+        power: &map.spectrum.power,
+    })
+    .collect()
 }

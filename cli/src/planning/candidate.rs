@@ -10,8 +10,8 @@ use crate::fit_file::model::ModelParameters;
 use crate::identification::units;
 use crate::measured::curve_segment::SegmentEnd;
 
-/// Default number of points of a curve, if neither the fit file nor measurements give it.
-pub const POINTS: usize = 24;
+/// Default number of points of a curve.
+const POINTS: usize = 24;
 
 /// Ratio of the largest to the smallest load, unless the segment begins later.
 const SPAN: f64 = 100.0;
@@ -59,16 +59,12 @@ pub fn radius_words(radius: f64) -> String {
 /// Returns the curves of the design in a fit file: each radius with each largest force.
 ///
 /// If no radii are given, they are those of the `[[data]]` tables, or that of the model. If no forces are given, the
-/// end of the segment is used, or `largest`, the largest measured force.
+/// end of the segment is used.
 ///
 /// # Errors
 ///
 /// [`Failure`] if there is no largest force, or if the values of a table are not valid.
-pub fn candidates(
-    file: &FitFile,
-    points: usize,
-    largest: Option<f64>,
-) -> Result<Vec<CandidateCurve>, Failure> {
+pub fn candidates(file: &FitFile) -> Result<Vec<CandidateCurve>, Failure> {
     let design = &file.report.design;
     let radii: Vec<Option<f64>> = if design.radii.is_empty() {
         radii_of_tables(file)?
@@ -76,11 +72,11 @@ pub fn candidates(
         design.radii.iter().copied().map(Some).collect()
     };
     let forces = if design.forces.is_empty() {
-        vec![end(file).or(largest).ok_or_else(|| no_force(file))?]
+        vec![end(file).ok_or_else(|| no_force(file))?]
     } else {
         design.forces.clone()
     };
-    let points = design.points.unwrap_or(points);
+    let points = design.points.unwrap_or(POINTS);
     let one = |radius: Option<f64>, most: f64| CandidateCurve {
         radius,
         forces: [least(file, most), most],

@@ -11,7 +11,7 @@ use crate::identification::findings::CombinationResult;
 /// Number of pairs reported, the best ones.
 const PAIRS: usize = 10;
 
-/// Returns the designs, best first: each curve alone, the best pairs, and all together; and the existing data alone.
+/// Returns the designs, best first: each curve alone, the best pairs, and all together.
 ///
 /// # Errors
 ///
@@ -30,29 +30,25 @@ pub fn designs(of: &Planning<'_>) -> Result<Vec<DesignResult>, Failure> {
     if count > 2 {
         designs.push(design((0..count).collect())?);
     }
-    if of.data.is_some() {
-        designs.push(design(Vec::new())?);
-    }
     designs.sort_by(better);
     Ok(designs)
 }
 
 impl Planning<'_> {
-    /// Evaluates the design of some of the curves, added to the data if there are any.
+    /// Evaluates the design of some of the curves.
     fn design(&self, chosen: &[usize]) -> Result<DesignResult, Failure> {
         let chosen: Vec<&Judged> = chosen.iter().map(|i| &self.judged[*i]).collect();
-        let parts: Vec<&Judged> = self.data.iter().chain(chosen.iter().copied()).collect();
         let directions: Vec<NullDirections> =
-            parts.iter().map(|of| of.directions.clone()).collect();
+            chosen.iter().map(|of| of.directions.clone()).collect();
         let directions = NullDirections::common(&directions)?;
-        let information: Vec<_> = parts.iter().map(|of| &of.information).collect();
+        let information: Vec<_> = chosen.iter().map(|of| &of.information).collect();
         let premises = &self.premises;
         let level = premises.file.report.level;
         let all = premises.plan.expected(&information, &directions, level)?;
         let own = premises.place_of_radius();
         let of_case = |index: usize| {
             let expected = match own {
-                Some(place) if place == index => radius(&all, &parts, place),
+                Some(place) if place == index => radius(&all, &chosen, place),
                 _ => &all[index],
             };
             (expected.role, self.result(index, expected))
@@ -64,7 +60,7 @@ impl Planning<'_> {
             let all = all.into_iter();
             all.map(|(_, expected)| expected).collect()
         };
-        let curves = chosen.iter().filter_map(|of| of.candidate.clone());
+        let curves = chosen.iter().map(|of| of.candidate.clone());
         Ok(DesignResult {
             curves: curves.collect::<Vec<CandidateCurve>>(),
             unknowns: without_role(sought),
@@ -89,8 +85,8 @@ impl Planning<'_> {
 }
 
 /// Of several unknown indenter radii, the one with the largest standard error.
-fn radius<'a>(all: &'a [Expected], parts: &[&Judged], own: usize) -> &'a Expected {
-    let places = parts.iter().flat_map(|of| &of.radii);
+fn radius<'a>(all: &'a [Expected], curves: &[&Judged], own: usize) -> &'a Expected {
+    let places = curves.iter().flat_map(|of| &of.radii);
     let least = places
         .map(|place| &all[*place])
         .max_by(|one, other| one.standard_error.total_cmp(&other.standard_error));

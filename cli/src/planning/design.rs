@@ -16,7 +16,7 @@ const MANY: f64 = 1000.0;
 /// A design: one curve or several.
 #[derive(Debug, Clone, Serialize)]
 pub struct DesignResult {
-    /// The curves to measure; empty for the existing data alone.
+    /// The curves to measure.
     pub curves: Vec<CandidateCurve>,
     /// The unknowns.
     pub unknowns: Vec<ExpectedResult>,
@@ -68,12 +68,6 @@ impl DesignResult {
         let errors = determined.filter_map(|of| of.standard_error);
         errors.fold(0.0, f64::max)
     }
-
-    /// Whether every unknown is determined within a factor of 1.2.
-    #[must_use]
-    pub fn is_determined(&self) -> bool {
-        self.unknowns.iter().all(ExpectedResult::is_determined)
-    }
 }
 
 impl ExpectedResult {
@@ -85,23 +79,11 @@ impl ExpectedResult {
             .any(|verdict| self.verdict == verdict.to_string())
     }
 
-    /// Whether the parameter is determined within a factor of 1.2.
-    #[must_use]
-    pub fn is_determined(&self) -> bool {
-        !self.is_lost() && (self.factor).is_some_and(|factor| factor <= IDENTIFIED_WITHIN)
-    }
-
-    /// Whether no data can determine the parameter.
-    #[must_use]
-    pub fn is_never(&self) -> bool {
-        self.verdict == Verdict::NotIdentifiable.to_string()
-    }
-
     /// Writes the interval relative to the value: `± 3.4 %`, `factor 2.1`, `lost` if every value between the bounds
     /// fits, `never` if no data can determine it.
     #[must_use]
     pub fn width(&self) -> String {
-        if self.is_never() {
+        if self.verdict == Verdict::NotIdentifiable.to_string() {
             return "never".into();
         }
         match self

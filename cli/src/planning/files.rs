@@ -1,23 +1,26 @@
-//! The files of a plan: picture, table, the page, and `plan.json` last.
+//! The files of a plan: picture, table, and `plan.json` last.
 
 use std::path::Path;
 
+use pellicle_plot::sheet::style::Style;
+
 use super::result::{self, PlanResult};
-use super::{page, picture, text};
+use super::{picture, text};
 use crate::failure::Failure;
 use crate::identification::findings::WarningResult;
 use crate::output::write_progress::WriteProgress;
-use crate::output::{file, json, report};
-use crate::picture::fit::designs;
-use crate::picture::style::Style;
+use crate::output::{file, json};
+
+/// File name of the picture, without extension.
+const PICTURE: &str = "plan-intervals";
 
 /// File name of the table.
 const TABLE: &str = "plan.csv";
 
-/// Whether a plan writes a file with this name, other than the page.
+/// Whether a plan writes a file with this name.
 #[must_use]
 pub fn is_name(name: &str) -> bool {
-    let ending = name.strip_prefix(designs::NAME);
+    let ending = name.strip_prefix(PICTURE);
     [result::FILE, TABLE].contains(&name)
         || ending.is_some_and(|ending| [".svg", ".png"].contains(&ending))
 }
@@ -31,19 +34,16 @@ pub fn write(folder: &Path, plan: &mut PlanResult) -> Result<(), Failure> {
     let writer = WriteProgress::new(1, &|_, _| ());
     let conditions = text::conditions(plan);
     let designs = picture::designs(&plan.title, plan.level, &conditions, &plan.designs);
-    let svg = writer.drawn(designs::NAME, || Ok(designs.draw(&Style::default())));
-    let svg = match svg.flatten() {
-        Some(svg) => writer.picture(folder, designs::NAME, || svg)?,
-        None => None,
-    };
+    let svg = writer.drawn(PICTURE, || Ok(designs.draw(&Style::default())));
+    if let Some(svg) = svg.flatten() {
+        writer.picture(folder, PICTURE, || svg)?;
+    }
     let failed = writer.warnings().into_iter();
     plan.warnings.extend(failed.map(|warning| WarningResult {
         code: warning.code,
         message: warning.message,
     }));
     file::write_bytes(&folder.join(TABLE), table(plan).as_bytes())?;
-    let page = page::html(plan, svg.as_deref());
-    file::write_bytes(&folder.join(report::FILE), page.as_bytes())?;
     file::write_bytes(&folder.join(result::FILE), json(plan)?.as_bytes())
 }
 

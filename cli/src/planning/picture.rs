@@ -1,11 +1,12 @@
 //! The picture of a plan: the expected interval of each unknown against the largest force.
 
+use pellicle_plot::fit::designs::{DesignedUnknown, Designs};
+use pellicle_plot::fit::heading::FitHeading;
+
 use super::candidate::{CandidateCurve, radius_words};
 use super::design::{DesignResult, ExpectedResult};
 use super::text::percent;
 use crate::identification::{names, units};
-use crate::picture::fit::FitHeading;
-use crate::picture::fit::designs::{DesignedUnknown, Designs};
 
 /// Prepares the picture of the designs; `conditions` are the noise and the number of points.
 #[must_use]
@@ -25,7 +26,6 @@ pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) 
     };
     let together = all.iter().max_by_key(|design| design.curves.len());
     let together = together.filter(|design| design.curves.len() > 1);
-    let measured = all.iter().find(|design| design.curves.is_empty());
     let count = all.first().map_or(0, |design| design.unknowns.len());
     let unknown = |index: usize| {
         let of = |design: &DesignResult| half_width(&design.unknowns[index]);
@@ -39,18 +39,12 @@ pub fn designs(title: &str, level: f64, conditions: &str, all: &[DesignResult]) 
             name: names::of_key(&all[0].unknowns[index].key),
             lines: radii.iter().map(line).collect(),
             together: together.and_then(of),
-            measured: measured.and_then(of),
         }
-    };
-    let added = if measured.is_some() {
-        "with one curve added to what was measured"
-    } else {
-        "of one curve alone"
     };
     Designs {
         head: FitHeading {
             title: format!("{title}: what to measure"),
-            numbers: format!("expected {} intervals {added}", percent(level)),
+            numbers: format!("expected {} intervals of one curve alone", percent(level)),
         },
         note: conditions.to_owned(),
         // Over many decades, the unit is chosen for short numbers in the middle of the axis.

@@ -1,16 +1,16 @@
-//! The premises of a plan: the values of the model or of a fit, the noise, and the indenters.
+//! The premises of a plan: the values of the model, the noise, and the indenters.
 
 mod radius;
 
 use pellicle_contact::ModelParameter;
-use pellicle_identify::{Amount, Fit, NoiseLevels, Plan, Prediction, Unknown};
+use pellicle_identify::{Amount, NoiseLevels, Plan, Prediction, Unknown};
 
 use super::candidate::CandidateCurve;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
 use crate::fit_file::model::ModelParameters;
 use crate::fit_file::unknown::UnknownCase;
-use crate::identification::{Identification, curve_source};
+use crate::identification::curve_source;
 use crate::measured::data_table::Observe;
 
 /// Relative noise of the observable assumed if the fit file gives no noise.
@@ -38,7 +38,7 @@ pub struct Premises<'a> {
 /// Source of the noise of a plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoiseSource {
-    /// The fit file or a fit.
+    /// The fit file.
     Known,
     /// No source: it is assumed.
     Assumed,
@@ -67,57 +67,13 @@ impl IndenterRadius {
 }
 
 impl<'a> Premises<'a> {
-    /// Builds the premises before any measurement: the values of the model, the noise of the fit file.
+    /// Builds the premises: the values of the model, the noise of the fit file.
     ///
     /// # Errors
     ///
     /// [`Failure`] if the tables of the fit file disagree, or if their observable cannot be planned.
-    pub fn of_file(file: &'a FitFile, candidates: &[CandidateCurve]) -> Result<Self, Failure> {
-        let cases = file.all_unknowns();
-        let truth = cases.iter().map(|case| case.start).collect();
-        let (noise, source) = noise(file)?;
-        let mut premises = Self::new(file, cases, truth, noise)?;
-        premises.noise = source;
-        premises.seek_radii(candidates)?;
-        Ok(premises)
-    }
-
-    /// Builds the premises after a fit: its values, its noise, and the scatter between repeats.
-    ///
-    /// # Errors
-    ///
-    /// [`Failure`] if the observable of the tables cannot be planned.
-    pub fn of_fit(
-        of: &'a Identification,
-        fit: &Fit,
-        candidates: &[CandidateCurve],
-    ) -> Result<Self, Failure> {
-        let estimates = || fit.estimates.iter();
-        let truth = estimates().map(|estimate| estimate.value).collect();
-        let mut premises = Self::new(&of.file, of.file.all_unknowns(), truth, fit.noise)?;
-        // The unknowns of a fit file are fitted by their logarithms.
-        let scatter = estimates().map(|estimate| {
-            let between = estimate.between_curves.as_ref();
-            between.map_or(0.0, |between| between.standard_deviation / estimate.value)
-        });
-        premises.plan.scatter = scatter.collect();
-        premises.plan.degrees_of_freedom = estimates()
-            .map(|estimate| estimate.degrees_of_freedom)
-            .collect();
-        premises.seek_radii(candidates)?;
-        Ok(premises)
-    }
-
-    fn new(
-        file: &'a FitFile,
-        cases: Vec<UnknownCase>,
-        truth: Vec<f64>,
-        noise: NoiseLevels,
-    ) -> Result<Self, Failure> {
-        let observe = file
-            .data
-            .first()
-            .map_or(Observe::default(), |table| table.observe);
+    pub fn new(file: &'a FitFile, candidates: &[CandidateCurve]) -> Result<Self, Failure> {
+        let observe = (file.data.first()).map_or(Observe::default(), |table| table.observe);
         if let (Observe::StiffnessAtContactRadius, Some(table)) = (observe, file.data.first()) {
             let wanted = "\"depth at force\" or \"force at depth\" to plan";
             return Err(table.wanted("observe", wanted).into());
@@ -125,24 +81,26 @@ impl<'a> Premises<'a> {
         let sought = file.unknowns.iter().map(UnknownCase::unknown);
         let nuisances = file.nuisances.parameters.iter();
         let nuisances = nuisances.map(|case| case.unknown().map(Unknown::as_nuisance));
+        let cases = file.all_unknowns();
+        let (noise, source) = noise(file)?;
         let plan = Plan {
             unknowns: sought.chain(nuisances).collect::<Result<_, _>>()?,
-            scatter: vec![0.0; truth.len()],
-            degrees_of_freedom: vec![f64::INFINITY; truth.len()],
-            truth,
+            truth: cases.iter().map(|case| case.start).collect(),
             nuisances: file.nuisances.linear()?,
             noise,
         };
-        Ok(Self {
+        let mut premises = Self {
             file,
             plan,
             observe,
-            noise: NoiseSource::Known,
+            noise: source,
             base: file.model.parameters()?,
             cases,
             others: Vec::new(),
             known: known_radii(file)?,
-        })
+        };
+        premises.seek_radii(candidates)?;
+        Ok(premises)
     }
 
     /// The unknowns and nuisances on which a curve depends.

@@ -1,10 +1,9 @@
-//! `plan.json`, and the key `design` of `fit.json`: the expected results of designs, in SI units.
+//! `plan.json`: the expected results of designs, in SI units.
 
 use pellicle::summary::PROGRAM;
 use serde::Serialize;
 
 use super::Planning;
-use super::advice::{self, Advice};
 use super::comparison;
 use super::design::DesignResult;
 use super::premises::{NoiseSource, Premises};
@@ -35,8 +34,6 @@ pub struct PlanResult {
     pub noise: NoiseResult,
     /// The designs, best first.
     pub designs: Vec<DesignResult>,
-    /// The advice on the next measurement, in one or two sentences.
-    pub advice: String,
     /// The work spent.
     pub work: PlanWork,
     /// Warnings for the reader.
@@ -71,7 +68,6 @@ impl PlanResult {
             title: of.premises.file.title.clone(),
             level: of.premises.file.report.level,
             noise: of.premises.noise_result(),
-            advice: advice::advice(&designs, Advice::ForAPlan),
             designs,
             work: PlanWork {
                 curves_solved: of.judged.len(),

@@ -2,7 +2,7 @@
 
 use pellicle::display::{count, short, significant};
 
-use super::advice;
+use super::candidate::CandidateCurve;
 use super::design::{DesignResult, ExpectedResult};
 use super::result::PlanResult;
 use crate::identification::findings::NoiseResult;
@@ -12,16 +12,15 @@ use crate::identification::units;
 /// Number of rows shown.
 const ROWS: usize = 24;
 
-/// Describes the plan: the noise, the table, the advice.
+/// Describes the plan: the noise and the table.
 #[must_use]
 pub fn text(plan: &PlanResult) -> String {
     format!(
-        "{}: what to measure\n  expected {} intervals, {}\n\n{}\n  {}\n  {} solved, {} loads, {} s\n",
+        "{}: what to measure\n  expected {} intervals, {}\n\n{}\n  {} solved, {} loads, {} s\n",
         plan.title,
         percent(plan.level),
         conditions(plan),
         table(&plan.designs),
-        plan.advice,
         count(plan.work.curves_solved, "curve"),
         plan.work.loads_solved,
         significant(plan.work.seconds, 3)
@@ -106,9 +105,9 @@ pub fn numbers(design: &DesignResult) -> impl Iterator<Item = &ExpectedResult> {
 /// Names the curves of a design in a row.
 #[must_use]
 pub fn name(design: &DesignResult) -> String {
-    match design.curves.len() {
-        0 => "what was measured".into(),
-        1 | 2 => advice::curves(design).replace(" and ", " + "),
+    let all: Vec<_> = design.curves.iter().map(CandidateCurve::words).collect();
+    match all.len() {
+        1 | 2 => all.join(" + "),
         count => format!("all {count} curves"),
     }
 }

@@ -45,6 +45,37 @@ fn a_wrong_command_line_exits_with_2() {
 }
 
 #[test]
+fn a_withdrawn_option_or_key_is_answered_with_what_to_use_instead() {
+    let fit = "[model]\nfoundation = { substrate = { young_modulus = \"10 GPa\", poisson_ratio = 0.3 } }\n\
+               indenter = { kind = \"paraboloid\", radius = \"10 um\" }\n[unknown]\n\
+               \"indenter.radius\" = { from = \"1 um\", to = \"1 mm\" }\n[report]\nposterior = 4000\n";
+    let folder = TestFolder::with_case(CASE);
+    std::fs::write(folder.path("fit.toml"), fit).unwrap();
+    for (line, words) in [
+        (
+            &["study", "study.toml", "--resume"][..],
+            ["--resume: found", "wanted no option", "--fresh"],
+        ),
+        (
+            &["plot", "results", "--colour-map", "magma"],
+            ["--colour-map magma: found", "wanted viridis", "greys"],
+        ),
+        (
+            &["identify", "fit.toml", "--plan"],
+            ["key `report.posterior`", "withdrawn key, wanted", "emcee"],
+        ),
+    ] {
+        // The drawing of a file breaks no sentence, but precedes it with marks.
+        let ran = folder.run(line);
+        assert_eq!((ran.code, ran.stdout.as_str()), (Some(2), ""), "{line:?}");
+        for word in words {
+            assert!(ran.stderr.contains(word), "{word}: {}", ran.stderr);
+        }
+    }
+    assert_eq!(folder.names(), ["case.toml", "fit.toml"]);
+}
+
+#[test]
 fn setting_a_second_load_is_rejected_with_what_to_write() {
     let curve = CASE.replace("force = \"1 uN\"", "forces = [\"1 uN\", \"2 uN\"]");
     let folder = TestFolder::with_case(curve);

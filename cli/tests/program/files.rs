@@ -9,16 +9,11 @@ use serde_json::Value;
 use crate::runner::{CASE, TestFolder, names};
 
 /// The files of a run of one step.
-const FILES: [&str; 17] = [
-    "contact-000.gsf",
+const FILES: [&str; 12] = [
     "convergence.png",
     "convergence.svg",
     "curve.csv",
-    "fields-000.nc",
     "fields-000.npz",
-    "fields-000.vti",
-    "mask-000.gsf",
-    "pressure-000.gsf",
     "pressure-000.png",
     "pressure-000.svg",
     "pressure-3d-000.png",

@@ -22,7 +22,6 @@ fn a_plan_writes_a_complete_folder_of_its_own() {
     for text in [
         "R 1 µm, 0.01 to 1 mN",
         "± ",
-        "Measure ",
         "E, layer 0",
         "results/fit-plan",
     ] {
@@ -34,7 +33,6 @@ fn a_plan_writes_a_complete_folder_of_its_own() {
         "plan-intervals.svg",
         "plan.csv",
         "plan.json",
-        "report.html",
     ];
     assert_eq!(names(&results), files);
     let read = |name: &str| fs::read_to_string(results.join(name)).unwrap();
@@ -42,15 +40,7 @@ fn a_plan_writes_a_complete_folder_of_its_own() {
     assert_eq!(plan["schema"], "pellicle-plan/1");
     // Each curve alone and both together, with two unknowns each.
     assert_eq!(read("plan.csv").lines().count(), 1 + 3 * 2);
-    let page = read("report.html");
-    assert!(page.contains("Coating &amp; ball") || page.contains("Coating &#38; ball"));
-    assert!(page.contains(plan["advice"].as_str().unwrap().split(':').next().unwrap()));
-    assert_eq!(page.matches("<figure").count(), 1);
-    assert!(
-        !page
-            .replace("http://www.w3.org/2000/svg", "")
-            .contains("://")
-    );
+    assert!(read("plan-intervals.svg").contains("Coating &amp; ball: what to measure"));
     // A second plan does not replace the first, unless forced.
     let again = folder.run(&["identify", "fit.toml", "--plan", "--quiet"]);
     assert_eq!(again.code, Some(0), "{}", again.stderr);

@@ -106,21 +106,6 @@ fn a_fit_of_one_unknown_writes_curve_profile_and_page() {
 }
 
 #[test]
-fn a_fit_of_two_identifiable_unknowns_shows_their_pair() {
-    let folder = TestFolder::new();
-    // The two are indistinguishable without the prior; the radius is known to a tenth.
-    let radius = r#""indenter.radius" = { prior = "lognormal", median = "10 um", factor = 1.1 }"#;
-    hertz(&folder, &format!("{MODULUS}\n{radius}"), 1.0);
-    let output = folder.run(&["identify", "fit.toml", "--out", "results"]);
-    assert_eq!(output.code, Some(0), "{}", output.stderr);
-    let results = folder.path("results");
-    assert_is_png(&results.join("fit-corner.png"));
-    let (_, page) = page(&results);
-    assert!(page.contains("Pairs of unknowns"));
-    assert_eq!(page.matches("<figure").count(), 3);
-}
-
-#[test]
 fn an_unidentifiable_unknown_is_shown_with_its_known_combination() {
     let folder = TestFolder::new();
     hertz(&folder, &format!("{MODULUS}\n{RADIUS}"), 1.0);

@@ -17,7 +17,6 @@ mod files;
 mod guide;
 mod identify;
 mod identify_exact;
-mod identify_next;
 mod identify_noise;
 mod identify_plan;
 mod identify_plan_files;

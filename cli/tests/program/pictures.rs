@@ -41,7 +41,7 @@ fn custom_pictures_are_added_beside_the_existing_ones() {
     assert!(before.contains("Q = 1.0000 µN"));
     plot(
         &folder,
-        "plot one --out fig --no-title --size 600 --colour-map magma --section peak",
+        "plot one --out fig --no-title --size 600 --colour-map cividis --section peak",
     );
     assert_eq!(svg(&folder.path("one/pressure-000.svg")), before);
     let map = svg(&folder.path("fig/pressure-000.svg"));

@@ -128,7 +128,13 @@ fn check_both_cases(script: &str) {
     ];
     let punch = ["--set", "indenter={kind=\"flat-punch\", radius=\"90 nm\"}"];
     for (name, more) in [("curve", &curve[..]), ("punch", &punch[..])] {
-        let line = [&["run", "case.toml", "--quiet", "--out", name], more].concat();
+        let all = ["--formats", "npz,vti,nc,gsf"];
+        let line = [
+            &["run", "case.toml", "--quiet", "--out", name],
+            &all[..],
+            more,
+        ]
+        .concat();
         let ran = folder.run(&line);
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
         read_back(script, &[folder.path(name)]);
@@ -181,7 +187,8 @@ fn stresses_are_read_as_written_by_xarray_and_vtk() {
             "--out",
             name,
         ];
-        let line = line.into_iter().chain(["--fields", "all"]).chain(sets);
+        let fields = ["--fields", "all", "--formats", "npz,vti,nc"];
+        let line = line.into_iter().chain(fields).chain(sets);
         let ran = folder.run(&line.collect::<Vec<_>>());
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
         for script in ["xarray_stress.py", "vtk_rectilinear.py"] {

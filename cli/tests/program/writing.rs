@@ -29,8 +29,18 @@ fn fields_and_pictures_are_of_the_last_step_unless_more_are_requested() {
     run(&folder, "last", &["--set", LOADS]);
     assert_eq!(steps(&folder, "last", "fields-", ".npz"), ["002"]);
     assert_eq!(steps(&folder, "last", "section-", ".png"), ["002"]);
+    assert_eq!(steps(&folder, "last", "fields-", "").join(" "), "002.npz");
     assert!(folder.path("last/curve.png").is_file());
-    let flags = ["--set", LOADS, "--fields", "all", "--pictures", "none"];
+    let flags = [
+        "--set",
+        LOADS,
+        "--fields",
+        "all",
+        "--pictures",
+        "none",
+        "--formats",
+        "vti",
+    ];
     run(&folder, "flags", &flags);
     assert_eq!(steps(&folder, "flags", "fields-", ".vti").len(), 3);
     let pictures = names(&folder.path("flags")).into_iter();

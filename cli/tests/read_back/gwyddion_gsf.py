@@ -1,6 +1,6 @@
 """Reads the Gwyddion files with gsffile.
 
-Pressure, mask and contact in single precision, y falling from row to row, extent, units.
+The pressure in single precision, y falling from row to row, extent, units.
 """
 
 import json
@@ -15,10 +15,9 @@ summary = json.loads((folder / "summary.json").read_text())
 side = summary["grid"]["side"]
 for step in range(len(summary["steps"])):
     fields = np.load(folder / f"fields-{step:03}.npz")
-    for name, unit in [("pressure", "Pa"), ("mask", None), ("contact", None)]:
-        data, header = read_gsf(folder / f"{name}-{step:03}.gsf")
-        assert data.dtype == np.float32
-        assert np.array_equal(data, fields[name].T[::-1].astype(np.float32)), name
-        assert header["XReal"] == header["YReal"] == side, header
-        assert header["XOffset"] == header["YOffset"] == -side / 2, header
-        assert (header["XYUnits"], header.get("ZUnits")) == ("m", unit), header
+    data, header = read_gsf(folder / f"pressure-{step:03}.gsf")
+    assert data.dtype == np.float32
+    assert np.array_equal(data, fields["pressure"].T[::-1].astype(np.float32))
+    assert header["XReal"] == header["YReal"] == side, header
+    assert header["XOffset"] == header["YOffset"] == -side / 2, header
+    assert (header["XYUnits"], header["ZUnits"]) == ("m", "Pa"), header

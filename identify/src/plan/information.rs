@@ -47,11 +47,6 @@ impl Information {
                 let sd = column.prior.map(|[_, sd]| sd);
                 eliminated.push(&whitened(column.values.clone()), sd);
             }
-            for (column, sd) in jacobian.iter().zip(&plan.scatter) {
-                if *sd > 0.0 {
-                    eliminated.push(column, Some(*sd));
-                }
-            }
             let left = compressed(eliminated.remove_from(&columns));
             all.iter_mut()
                 .zip(left)
@@ -111,8 +106,7 @@ impl Nuisances {
     }
 }
 
-/// One curve's own columns: its nuisances, and the differences of its parameters from the common ones, with one more
-/// row for each prior.
+/// One curve's own nuisances, with one more row for each prior.
 struct OwnColumns<'a> {
     span: &'a Range<usize>,
     columns: Vec<(Vec<f64>, Option<f64>)>,

@@ -120,8 +120,6 @@ fn of_the_paper(greatest_force: f64, sought: &[usize]) -> Vec<f64> {
         unknowns: unknowns.collect(),
         nuisances: vec![LinearNuisance::shift()],
         noise,
-        scatter: vec![0.0; truth.len()],
-        degrees_of_freedom: vec![f64::INFINITY; truth.len()],
         truth,
     };
     let prediction = curves.predict(&plan.truth).unwrap();

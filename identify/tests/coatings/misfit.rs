@@ -1,15 +1,14 @@
 //! How often a wrong model of a coating is refused, and a right one accepted.
 //!
 //! Each measurement has 100 points with noise of 1 % of the depth and its own zero. Its fit seeks both moduli of a
-//! half-micrometre coating on a half-space under a ball of ten micrometres, on a surrogate of the real model.
+//! half-micrometre coating on a half-space under a ball of ten micrometres, on curves interpolated from the real model.
 
 use std::f64::consts::FRAC_PI_2;
 
 use pellicle_contact::{Cone, Indenter, Model, Paraboloid};
 use pellicle_identify::{
     Amount, ContactCurve, ContactCurves, Curve, CurveOptions, Fit, FitOptions, FitVerdict,
-    ForwardModel as _, LinearNuisance, Noise, Observable, Problem, Surrogate, SurrogateOptions,
-    Unknown, identify,
+    ForwardModel as _, LinearNuisance, Noise, Observable, Problem, Unknown, identify,
 };
 use pellicle_influence::{Cache, ElasticBodies};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
@@ -20,14 +19,18 @@ use rand_distr::{Distribution as _, StandardNormal};
 use rayon::prelude::*;
 
 use crate::coating::{Coating, coating};
+use crate::interpolant::Interpolant;
 
 const NOISE: f64 = 0.01;
 
-/// The coating, the unknowns and the surrogate of a fit.
+/// Values of each modulus at which the real model is solved.
+const NODES: usize = 7;
+
+/// The coating, the unknowns and the curves of a fit.
 struct Fitted {
     coating: Coating,
     unknowns: Vec<Unknown>,
-    surrogate: Surrogate,
+    curves: Interpolant,
 }
 
 /// Outcomes of a set of fits.
@@ -50,15 +53,11 @@ impl Fitted {
             .zip(ranges)
             .map(|(name, range)| Unknown::positive(*name, range).unwrap())
             .collect();
-        let options = SurrogateOptions {
-            tolerance: 1e-3,
-            ..SurrogateOptions::default()
-        };
-        let surrogate = Surrogate::over(&coating.curves(2), &unknowns, &ranges, options).unwrap();
+        let curves = Interpolant::over(&coating.curves(2), &ranges, NODES);
         Self {
             coating,
             unknowns,
-            surrogate,
+            curves,
         }
     }
 
@@ -74,7 +73,7 @@ impl Fitted {
         };
         let shift = [LinearNuisance::shift()];
         let problem = Problem::new(vec![curve], self.unknowns.clone(), &shift, noise).unwrap();
-        identify(&self.surrogate, &problem, &FitOptions::default()).unwrap()
+        identify(&self.curves, &problem, &FitOptions::default()).unwrap()
     }
 
     fn fits(&self, depths: &[f64], replicates: u64) -> Ends {
@@ -123,7 +122,7 @@ impl Fitted {
 
     /// Depths of the model itself.
     fn true_depths(&self) -> Vec<f64> {
-        self.surrogate
+        self.curves
             .predict(&self.coating.truth()[..2])
             .unwrap()
             .value

@@ -31,8 +31,6 @@ fn plan_for(unknowns: &[Unknown], truth: &[f64], more: &[LinearNuisance]) -> Pla
         truth: truth.to_vec(),
         nuisances: [&[LinearNuisance::shift()], more].concat(),
         noise: NOISE,
-        scatter: vec![0.0; truth.len()],
-        degrees_of_freedom: vec![f64::INFINITY; truth.len()],
     }
 }
 
@@ -135,18 +133,14 @@ fn errors_of_lost_parameters_exceed_a_factor_of_two() {
 }
 
 #[test]
-fn two_equal_curves_halve_the_variance_but_not_the_scatter_between_curves() {
+fn two_equal_curves_halve_the_variance() {
     let coating = coating(10e-6);
-    let mut plan = plan_for(&unknowns()[..1], &[100e9], &[]);
+    let plan = plan_for(&unknowns()[..1], &[100e9], &[]);
     let one = information(&plan, &coating);
     let single = errors(&plan, &[&one])[0];
     let pair = errors(&plan, &[&one, &one])[0];
     // 1/σ² is additive, to rounding.
     assert!((single / pair - 2_f64.sqrt()).abs() < 1e-9);
-    plan.scatter = vec![0.03];
-    let scattered = errors(&plan, &[&information(&plan, &coating)])[0];
-    // σ² + τ², to rounding.
-    assert!((scattered / single.hypot(0.03) - 1.0).abs() < 1e-9);
 }
 
 #[test]

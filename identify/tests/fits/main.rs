@@ -9,6 +9,7 @@ mod analytic;
 mod common_departure;
 mod coverage;
 mod exponents;
+mod likelihood;
 mod misfit;
 mod noise;
 mod outliers;

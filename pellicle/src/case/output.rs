@@ -14,7 +14,7 @@ record! {
         fields: Steps = word(STEPS).or(Steps::Last, "\"last\""), "loading steps whose fields are written";
         pictures: Steps = word(STEPS).or(Steps::Last, "\"last\""),
             "loading steps whose pictures are drawn; with \"none\", those of the whole run are left out too";
-        formats: Vec<Format> = list(word(FORMATS), FORMATS_WANTED).checked(distinct).or(all(), "all"),
+        formats: Vec<Format> = list(word(FORMATS), FORMATS_WANTED).checked(distinct).or(vec![Format::Npz], "[\"npz\"]"),
             "formats of the fields";
     }
 }
@@ -63,11 +63,6 @@ const FORMATS: &[(&str, Format)] = &[
 const FORMATS_WANTED: &str =
     "a list of \"npz\", \"vti\", \"nc\", \"gsf\"; for no fields at all write fields = \"none\"";
 
-/// All formats.
-fn all() -> Vec<Format> {
-    FORMATS.iter().map(|(_, format)| *format).collect()
-}
-
 /// The formats in order, each once.
 fn distinct(
     _: &ValueReader<'_>,
@@ -106,7 +101,7 @@ impl Default for OutputCase {
         Self {
             fields: Steps::Last,
             pictures: Steps::Last,
-            formats: all(),
+            formats: vec![Format::Npz],
         }
     }
 }
@@ -131,10 +126,10 @@ mod tests {
     }
 
     #[test]
-    fn fields_and_pictures_default_to_the_last_step() {
+    fn fields_and_pictures_default_to_the_last_step_and_fields_to_npz() {
         let output = read("").unwrap();
         assert_eq!((output.fields, output.pictures), (Steps::Last, Steps::Last));
-        assert_eq!(output.formats.len(), FORMATS.len());
+        assert_eq!(output.formats, [Format::Npz]);
         let kept = |steps: Steps| (0..3).filter(|i| steps.contains(*i, 3)).collect::<Vec<_>>();
         assert_eq!(kept(Steps::Last), [2]);
         assert_eq!(kept(Steps::All), [0, 1, 2]);

@@ -121,7 +121,7 @@ impl Need {
 }
 
 #[cfg(test)]
-pub mod tests {
+pub(crate) mod tests {
 
     use std::path::Path;
     use std::sync::Arc;

@@ -35,6 +35,12 @@ pub enum Fault {
         /// The keys known here.
         wanted: String,
     },
+    /// A key that was known to earlier versions.
+    #[error("found a withdrawn key, wanted {wanted}")]
+    Withdrawn {
+        /// What to use instead.
+        wanted: String,
+    },
     /// A value of the right kind that the model rejects.
     #[error("{reason}")]
     Refused {
@@ -117,6 +123,7 @@ impl Diagnosis {
             Fault::Wrong { .. } | Fault::Refused { .. } => "this",
             Fault::Missing { .. } => "missing here",
             Fault::Unknown { .. } => "unknown",
+            Fault::Withdrawn { .. } => "withdrawn",
         }
     }
 }

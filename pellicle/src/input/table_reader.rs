@@ -6,6 +6,7 @@ use super::key_path::dotted;
 use super::span::Span;
 use super::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 use super::value_reader::ValueReader;
+use super::withdrawn;
 
 /// A table and its dotted path.
 #[derive(Debug, Clone)]
@@ -39,8 +40,12 @@ impl<'a> TableReader<'a> {
     }
 
     fn unknown(&self, entry: &TomlEntry, known: &[&str]) -> Diagnosis {
-        let wanted = format!("one of {}", known.join(", "));
         let path = self.path_of(&entry.key);
+        if let Some(instead) = withdrawn::instead_of(&path) {
+            let wanted = instead.to_owned();
+            return Diagnosis::of_key(path, entry.key_span.clone(), Fault::Withdrawn { wanted });
+        }
+        let wanted = format!("one of {}", known.join(", "));
         let diagnosis = Diagnosis::of_key(path, entry.key_span.clone(), Fault::Unknown { wanted });
         match closest(&entry.key, known) {
             Some(key) => diagnosis.with_help(format!("did you mean `{key}`?")),

@@ -186,7 +186,6 @@ fn of_identify(py: Python<'_>, value: &Bound<'_, PyAny>, error: &IdentifyError) 
         Twice { name },
         TooFewPoints { points, wanted },
         NoStart { starts },
-        Surrogate { reached, wanted, predictions },
         Stopped { predictions },
         Decomposition { size },
     });

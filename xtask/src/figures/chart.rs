@@ -1,7 +1,8 @@
 //! A sheet with panels of curves and one legend, and the table of the points.
 
-use pellicle_cli::drawing::colours::Colour;
-use pellicle_cli::drawing::{Anchor, Axis, Dash, Panel, Rect, Stroke, Svg};
+use pellicle_plot::axes::panel::{Axis, Panel};
+use pellicle_plot::sheet::colours::Colour;
+use pellicle_plot::sheet::svg::{Anchor, Dash, Rect, Stroke, Svg};
 
 use super::sheet::{Caption, Picture, TOP, csv};
 

@@ -1,9 +1,10 @@
 //! Fig. 2: pressure under the paraboloid on the compliant (a, c) and the stiff (b, d) coating, small and large load.
 
 use pellicle_cli::drawing::accuracy::UNRESOLVED;
-use pellicle_cli::drawing::colours::BLUE;
-use pellicle_cli::drawing::labels::power;
-use pellicle_cli::drawing::{Dash, pressure_map, section};
+use pellicle_plot::axes::labels::power;
+use pellicle_plot::sheet::colours::BLUE;
+use pellicle_plot::sheet::svg::Dash;
+use pellicle_plot::step::{pressure_map, section};
 
 use super::chart::COLUMNS;
 use super::pressures::{PressurePanel, Pressures, rounded_up};

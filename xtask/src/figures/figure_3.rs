@@ -1,9 +1,10 @@
 //! Fig. 3: the deformed layer and the tops of the elements along the axis, in both readings.
 
 use pellicle_cli::drawing::accuracy::UNRESOLVED;
-use pellicle_cli::drawing::colours::{BLUE, Colour, INK, ORANGE};
-use pellicle_cli::drawing::labels::power;
-use pellicle_cli::drawing::{Axis, Dash};
+use pellicle_plot::axes::labels::power;
+use pellicle_plot::axes::panel::Axis;
+use pellicle_plot::sheet::colours::{BLUE, Colour, INK, ORANGE};
+use pellicle_plot::sheet::svg::Dash;
 
 use super::chart::{Chart, ChartLine, CurvePanel};
 use super::figure_2::{self, MATERIALS, TEXTURED};

@@ -1,11 +1,11 @@
 //! Fig. 5: pressure under the Berkovich pyramid with and without film, and with a stiffening film.
 
-use pellicle::display::Unit;
-use pellicle::display::quantity;
+use pellicle::display::{Unit, quantity};
 use pellicle::input::units::Units;
 use pellicle_cli::drawing::accuracy::UNRESOLVED;
-use pellicle_cli::drawing::colours::{AMBER, PURPLE, SKY};
-use pellicle_cli::drawing::{Axis, Dash};
+use pellicle_plot::axes::panel::Axis;
+use pellicle_plot::sheet::colours::{AMBER, PURPLE, SKY};
+use pellicle_plot::sheet::svg::Dash;
 
 use super::chart::{Chart, CurvePanel, Pen};
 use super::pressures::{PressurePanel, Pressures, rounded_up};

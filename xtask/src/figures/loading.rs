@@ -1,12 +1,11 @@
 //! Figures 4 and 6: two quantities against load, side by side.
 
-use pellicle::summary::RunSummary;
-use pellicle::summary::StepSummary;
-use pellicle_cli::drawing::Axis;
-use pellicle_cli::drawing::Dash::{Dashed, Solid};
+use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_cli::drawing::accuracy::{last_change, percent};
-use pellicle_cli::drawing::colours::{GREEN, PURPLE};
-use pellicle_cli::drawing::labels::power;
+use pellicle_plot::axes::labels::power;
+use pellicle_plot::axes::panel::Axis;
+use pellicle_plot::sheet::colours::{GREEN, PURPLE};
+use pellicle_plot::sheet::svg::Dash::{Dashed, Solid};
 
 use super::chart::{Chart, ChartLine, CurvePanel, Pen};
 use super::figure_2::MATERIALS;

@@ -1,9 +1,14 @@
 //! Figures 2 and 5: pressures as maps, and as columns over the surface, with the same axes in every panel.
 
-use pellicle_cli::drawing::{
-    Anchor, Axis, CoarseField, ColourScale, Crop, Panel, Panel3d, Projection, Rect, Svg,
-    colour_bar, pressure_map,
-};
+use pellicle_plot::axes::colour_bar;
+use pellicle_plot::axes::panel::{Axis, Panel};
+use pellicle_plot::sheet::colour_map::ColourScale;
+use pellicle_plot::sheet::svg::{Anchor, Rect, Svg};
+use pellicle_plot::step::coarse_field::CoarseField;
+use pellicle_plot::step::crop::Crop;
+use pellicle_plot::step::panel_3d::Panel3d;
+use pellicle_plot::step::pressure_map;
+use pellicle_plot::step::projection::Projection;
 
 use super::chart::{ChartLine, Pen};
 use super::runner::SolvedStep;

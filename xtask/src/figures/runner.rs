@@ -4,10 +4,12 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pellicle::summary::RunSummary;
-use pellicle::summary::StepSummary;
-use pellicle_cli::drawing::{Style, Subject, accuracy};
-use pellicle_cli::results::{Fields, StoredFields, fields_file, read_summary};
+use pellicle::summary::{RunSummary, StepSummary};
+use pellicle_cli::drawing::{accuracy, subject};
+use pellicle_cli::results::{StoredFields, fields_file, read_summary};
+use pellicle_plot::sheet::style::Style;
+use pellicle_plot::step::fields::Fields;
+use pellicle_plot::step::subject::Subject;
 
 use crate::XtaskError;
 
@@ -134,7 +136,7 @@ fn name(case: &str) -> &str {
 impl SolvedStep {
     /// Its fields, N × N values each, first index along x.
     pub(super) fn fields(&self) -> Fields<'_> {
-        self.stored.fields(self.run.grid.side)
+        self.stored.fields(self.run.grid.side).plotted()
     }
 
     /// A note on its data: grid, certificate, grid error.
@@ -145,6 +147,7 @@ impl SolvedStep {
 
     /// The subject of a picture in the program's style.
     pub(super) fn subject(&self) -> Subject<'_> {
-        Subject::of(&self.run, &self.numbers, self.fields(), Style::default())
+        let fields = self.stored.fields(self.run.grid.side);
+        subject::of_step(&self.run, &self.numbers, &fields, Style::default())
     }
 }

@@ -5,8 +5,9 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use pellicle_cli::Failure;
-use pellicle_cli::drawing::{Anchor, Svg, heading, render};
 use pellicle_cli::results::write_whole;
+use pellicle_plot::sheet::svg::{Anchor, Svg};
+use pellicle_plot::sheet::{heading, render};
 
 /// Distance of the panels from the top; the notes are below, not in the heading.
 pub(super) const TOP: f64 = heading::HEIGHT - 22.0;

@@ -1,7 +1,10 @@
 //! The stresses under Fig. 2, which the paper does not show: sections through the largest von Mises stress.
 
-use pellicle_cli::drawing::{Subject, stress_section};
-use pellicle_cli::results::{StressView, read_stresses, stresses_file};
+use pellicle_cli::drawing::extremes;
+use pellicle_cli::results::{read_stresses, stresses_file};
+use pellicle_plot::step::subject::Subject;
+use pellicle_plot::stress::section;
+use pellicle_plot::stress::view::StressView;
 
 use super::runner::Runner;
 use super::sheet::{Picture, csv};
@@ -26,7 +29,8 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
         let view = read_stresses(&runner.folder(case).join(stresses_file(0)))?;
         let subject = steps[0].subject();
         let title = &runner.marked(subject.title);
-        let svg = stress_section::draw(&Subject { title, ..subject }, &view);
+        let extremes = extremes::of_step(&steps[0].numbers);
+        let svg = section::draw(&Subject { title, ..subject }, &view, &extremes);
         let csv = csv("x,z,body,von Mises,largest principal", rows(&view));
         Ok(Picture { name, svg, csv })
     };

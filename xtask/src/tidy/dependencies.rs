@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use the packages that these may use.
-const ALLOWED: [(&str, &[&str]); 8] = [
+const ALLOWED: [(&str, &[&str]); 9] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-kernel"]),
     ("pellicle-texture", &[]),
@@ -24,6 +24,7 @@ const ALLOWED: [(&str, &[&str]); 8] = [
         ],
     ),
     ("pellicle-identify", &["pellicle-contact"]),
+    ("pellicle-plot", &["pellicle"]),
     (
         "pellicle-cli",
         &[
@@ -32,6 +33,7 @@ const ALLOWED: [(&str, &[&str]); 8] = [
             "pellicle-identify",
             "pellicle-influence",
             "pellicle-kernel",
+            "pellicle-plot",
             "pellicle-texture",
         ],
     ),

@@ -3,13 +3,12 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use pellicle::display;
-
-use crate::picture::coarse_field::CoarseField;
-use crate::picture::colour_map::ColourMap;
-use crate::picture::colours::Colour;
-use crate::picture::crop::Crop;
-use crate::picture::labels;
-use crate::picture::subject::Subject;
+use pellicle_plot::axes::labels;
+use pellicle_plot::sheet::colour_map::ColourMap;
+use pellicle_plot::sheet::colours::Colour;
+use pellicle_plot::step::coarse_field::CoarseField;
+use pellicle_plot::step::crop::Crop;
+use pellicle_plot::step::subject::Subject;
 
 /// Largest number of columns along a side that a browser rotates without delay.
 const CELLS: usize = 96;

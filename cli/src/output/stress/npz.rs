@@ -6,11 +6,11 @@ use std::path::Path;
 
 use ndarray::{Array1, Array2, Array3, ArrayView, Dimension, ShapeError};
 use ndarray_npy::{NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
+use pellicle_plot::stress::view::{InterfaceTractions, StressSection, StressView, SurfaceLine};
 
 use super::super::file::write_stoppable;
 use super::super::npz::check;
 use super::super::npz_archive::NpzArchive;
-use super::view::{InterfaceTractions, StressSection, StressView, SurfaceLine};
 use crate::failure::Failure;
 
 /// Name of the file of a step in a results folder.

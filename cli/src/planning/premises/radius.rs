@@ -36,8 +36,6 @@ impl Premises<'_> {
             self.others.push((radius, plan.unknowns.len()));
             plan.unknowns.push(unknown);
             plan.truth.push(radius);
-            plan.scatter.push(plan.scatter[place]);
-            plan.degrees_of_freedom.push(plan.degrees_of_freedom[place]);
         }
         Ok(())
     }

@@ -1,0 +1,64 @@
+//! Style of the pictures.
+
+use crate::sheet::colour_map::ColourMap;
+use crate::sheet::heading;
+use crate::sheet::svg::{Frame, Svg};
+
+/// Options for the style of a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Style {
+    /// Width on the screen and of the PNG, in pixels; by default the width of the drawing.
+    pub width: Option<f64>,
+    /// Whether the heading is shown.
+    pub heading: Heading,
+    /// The colour map.
+    pub colours: ColourMap,
+    /// Ends of the scale of pressures, Pa; by default 0 and the largest pressure.
+    pub pressures: Option<[f64; 2]>,
+    /// The place of the section.
+    pub cut: Cut,
+}
+
+/// Whether a picture has a heading.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Heading {
+    /// The heading is shown.
+    #[default]
+    Shown,
+    /// Neither the heading nor the space for it.
+    Hidden,
+}
+
+/// The place of a section.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Cut {
+    /// Along x, through the axis.
+    #[default]
+    Axis,
+    /// Along x, through the largest pressure.
+    Peak,
+    /// Along x at this y, m.
+    AlongX(f64),
+    /// Along y at this x, m.
+    AlongY(f64),
+}
+
+/// Space left above a picture without heading, in pixels: labels reach a little above their ticks.
+const ABOVE: f64 = 16.0;
+
+impl Style {
+    /// Returns a white sheet for a picture of this width and height, which includes the heading.
+    #[must_use]
+    pub fn sheet(&self, width: f64, height: f64) -> Svg {
+        let top = match self.heading {
+            Heading::Shown => 0.0,
+            Heading::Hidden => heading::HEIGHT - ABOVE,
+        };
+        Svg::framed(&Frame {
+            width,
+            height,
+            top,
+            shown_width: self.width.unwrap_or(width),
+        })
+    }
+}

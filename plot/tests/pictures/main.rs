@@ -1,0 +1,4 @@
+//! Every picture can be drawn and rendered, whatever its numbers.
+
+mod fits;
+mod solutions;
