@@ -30,6 +30,8 @@ pub enum Template {
     RoughMap,
     /// A parameter study: a ball on coatings of several thicknesses under several loads
     Study,
+    /// The JSON schema of a case, with which editors complete and check it while it is typed
+    Schema,
 }
 
 impl Template {
@@ -49,6 +51,7 @@ impl Template {
             Self::Rough => include_str!("templates/rough.toml"),
             Self::RoughMap => include_str!("templates/rough-surface.csv"),
             Self::Study => include_str!("templates/study.toml"),
+            Self::Schema => include_str!("../../docs/case.schema.json"),
         }
     }
 
@@ -61,6 +64,7 @@ impl Template {
                 "pellicle init rough-map --out rough-surface.csv beside it, and pellicle run {path}"
             ),
             Self::RoughMap => "pellicle init rough".into(),
+            Self::Schema => format!("write #:schema {path} as the first line of a case"),
             _ => format!("pellicle run {path}"),
         }
     }
@@ -96,7 +100,10 @@ mod tests {
     #[test]
     fn every_template_is_a_case_with_units_and_comments() {
         for template in Template::value_variants() {
-            if matches!(template, Template::Study | Template::RoughMap) {
+            if matches!(
+                template,
+                Template::Study | Template::RoughMap | Template::Schema
+            ) {
                 continue;
             }
             let folder = tempfile::tempdir().unwrap();

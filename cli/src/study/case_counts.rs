@@ -2,6 +2,7 @@
 
 use pellicle::case::grid::GridCase;
 use pellicle::case::load::LoadCase;
+use pellicle::declare::{Record, Scope};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::value_reader::ValueReader;
@@ -74,7 +75,7 @@ impl Study {
         let read = || {
             let root = self.tree(case)?;
             let load = TableReader::root(&root)?.required("load", "a table [load]")?;
-            LoadCase::read(&load.table()?)
+            LoadCase::read(&load.table()?, &Scope::default())
         };
         read().map_or(1, |load: LoadCase| load.loads().len())
     }

@@ -273,3 +273,57 @@ fn every_summary_conforms_to_its_schema() {
     }
     read_back("schema.py", &arguments);
 }
+
+/// Mistakes that an editor can see, each with a table that replaces one of [`CASE`].
+const MISTAKES: [&str; 12] = [
+    "foundation={layer=[{thickness=1, young_modulus=1, poisson_ratio=0.3}]}",
+    "foundation={substrate=\"soft\"}",
+    "foundation={substrate={young_modulus=1, poisson_ratio=\"0.3\"}}",
+    "indenter={kind=\"parabolid\", radius=1}",
+    "indenter={kind=\"sphere\", radius=\"1\"}",
+    "indenter={kind=\"sphere\", radius=1, tip_radius=2}",
+    "indenter={kind=\"sphere\", radius=1, young_modulus=1}",
+    "surface={kind=\"cylinders\", radius=1, height=1}",
+    "surface={kind=\"film\", thickness=1, young_modulus=1, law=\"soft\"}",
+    "load={force=1, penetration=1}",
+    "grid={elements=64.5}",
+    "output={formats=[\"hdf5\"]}",
+];
+
+#[test]
+fn editors_accept_every_case_and_template_and_see_mistakes() {
+    let folder = TestFolder::with_case(CASE);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let toml = |folder: &Path| {
+        let files = fs::read_dir(folder).unwrap();
+        let files = files.map(|file| file.unwrap().path());
+        files.filter(|file| file.extension().is_some_and(|end| end == "toml"))
+    };
+    let mut right: Vec<PathBuf> = ["cases", "cases/paper", "cli/src/templates"]
+        .iter()
+        .flat_map(|name| toml(&root.join(name)).collect::<Vec<_>>())
+        .filter(|path| !path.ends_with("study.toml"))
+        .collect();
+    right.push(folder.path("case.toml"));
+    assert!(right.len() > 25, "{right:?}");
+    let mut wrong = Vec::new();
+    for (i, mistake) in MISTAKES.iter().enumerate() {
+        // The program refuses it, too.
+        let ran = folder.run(&["check", "case.toml", "--set", mistake]);
+        assert_eq!(ran.code, Some(2), "{mistake}: {}", ran.stdout);
+        let (key, value) = mistake.split_once('=').unwrap();
+        let mut case: toml::Table = CASE.parse().unwrap();
+        let value: toml::Table = format!("value = {value}").parse().unwrap();
+        case.insert(key.into(), value["value"].clone());
+        let path = folder.path(&format!("wrong-{i}.toml"));
+        fs::write(&path, case.to_string()).unwrap();
+        wrong.push(path);
+    }
+    let mut arguments = vec![
+        root.join("docs/case.schema.json"),
+        right.len().to_string().into(),
+    ];
+    arguments.extend(right);
+    arguments.extend(wrong);
+    read_back("case_schema.py", &arguments);
+}

@@ -73,6 +73,7 @@ pub fn block_radius(contact_radius: f64, side: f64) -> f64 {
 mod tests {
     use std::sync::Arc;
 
+    use pellicle::declare::{Record, Scope};
     use pellicle::input::span::Source;
     use pellicle::input::table_reader::TableReader;
     use pellicle::input::toml_tree;
@@ -85,7 +86,8 @@ mod tests {
     fn planes(depths: Option<Vec<f64>>, files: bool, view: bool) -> Vec<WantedPlane> {
         let source = Arc::new(Source::new("case.toml", FOUNDATION.into()));
         let root = toml_tree::parse(&source).unwrap();
-        let case = FoundationCase::read(&TableReader::root(&root).unwrap()).unwrap();
+        let case =
+            FoundationCase::read(&TableReader::root(&root).unwrap(), &Scope::default()).unwrap();
         let foundation = case.split().unwrap().foundation;
         let stress = StressCase {
             depths,
