@@ -4,9 +4,9 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::identify::tungsten;
-use crate::identify_plan::{E1, E2, MODEL, design, error, number, unknown};
-use crate::runner::{TestFolder, names};
+use super::identify::tungsten;
+use super::identify_plan::{E1, E2, MODEL, design, error, number, unknown};
+use super::runner::{TestFolder, names};
 
 /// Simulates a measurement of a coating, with a radius that is not known exactly and a compliant frame.
 fn measured(folder: &TestFolder, report: &str) {

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::runner::{CASE, TestFolder, names};
+use super::runner::{CASE, TestFolder, names};
 
 /// A folder with results of one load, and of three.
 fn results() -> TestFolder {

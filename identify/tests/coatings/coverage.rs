@@ -12,7 +12,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 use rayon::prelude::*;
 
-use crate::coating::{Coating, coating};
+use super::coating::{Coating, coating};
 
 const EXPECTED: std::ops::RangeInclusive<usize> = 368..=390;
 

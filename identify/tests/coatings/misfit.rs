@@ -19,7 +19,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 use rayon::prelude::*;
 
-use crate::coating::{Coating, coating};
+use super::coating::{Coating, coating};
 
 const NOISE: f64 = 0.01;
 

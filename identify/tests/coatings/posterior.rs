@@ -11,7 +11,7 @@ use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
-use crate::{coating::coating, surrogate::Power};
+use super::{coating::coating, surrogate::Power};
 
 /// `a + b q`.
 struct Line(Vec<f64>);

@@ -6,7 +6,7 @@ use pellicle_identify::{
     ForwardError, ForwardModel, IdentifyError, Prediction, Surrogate, SurrogateOptions, Unknown,
 };
 
-use crate::coating::coating;
+use super::coating::coating;
 
 /// `y = a q^b + c`, with a count of its evaluations.
 pub struct Power {
