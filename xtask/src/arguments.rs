@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use clap::{Parser, Subcommand};
 
-use crate::FiguresArguments;
+use crate::{FiguresArguments, GoldenArguments};
 
 /// The chores of the workspace.
 #[derive(Debug, Parser)]
@@ -22,6 +22,8 @@ pub enum Chore {
     Tidy,
     /// Draw the figures of the paper from its cases: SVG, PNG and CSV.
     Figures(FiguresArguments),
+    /// Run everything and compare what it gives with what an earlier build gave.
+    Golden(GoldenArguments),
     /// The program `pellicle` itself, with its own command line; tests run it instead of a release build.
     #[command(hide = true, disable_help_flag = true)]
     Program {

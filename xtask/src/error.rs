@@ -1,7 +1,7 @@
 //! The errors of the chores.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pellicle_cli::Failure;
 use pellicle_cli::evidence::ValidationError;
@@ -14,6 +14,14 @@ pub enum XtaskError {
     #[error("{}: cannot be read: {cause}", path.display())]
     Read {
         /// The file or folder.
+        path: PathBuf,
+        /// The error of the operating system.
+        cause: io::Error,
+    },
+    /// A file could not be written.
+    #[error("{}: cannot be written: {cause}", path.display())]
+    Write {
+        /// The file.
         path: PathBuf,
         /// The error of the operating system.
         cause: io::Error,
@@ -32,6 +40,9 @@ pub enum XtaskError {
         /// The error of the operating system.
         cause: io::Error,
     },
+    /// The program could not be built; cargo has said why.
+    #[error("the program cannot be built in release")]
+    NotBuilt,
     /// A run of a case of the paper is not certified, so nothing is drawn from it.
     #[error("{run}: found a solution that is not certified, wanted one to draw")]
     NotCertified {
@@ -52,4 +63,31 @@ pub enum XtaskError {
     /// A number for a documentation page could not be computed.
     #[error(transparent)]
     Evidence(#[from] ValidationError),
+}
+
+impl XtaskError {
+    /// A file or folder that cannot be read.
+    pub(crate) fn read(path: &Path, cause: io::Error) -> Self {
+        Self::Read {
+            path: path.into(),
+            cause,
+        }
+    }
+
+    /// A program that cannot be started or waited for.
+    #[must_use]
+    pub fn start(program: &Path, cause: io::Error) -> Self {
+        Self::Start {
+            program: program.into(),
+            cause,
+        }
+    }
+
+    /// A file that cannot be written.
+    pub(crate) fn write(path: &Path, cause: io::Error) -> Self {
+        Self::Write {
+            path: path.into(),
+            cause,
+        }
+    }
 }

@@ -1,4 +1,4 @@
-//! The chores of the workspace on the command line: `cargo xtask tidy`, `cargo xtask figures`.
+//! The chores of the workspace on the command line: `cargo xtask tidy`, `cargo xtask figures`, `cargo xtask golden`.
 
 #![expect(
     clippy::print_stdout,
@@ -10,12 +10,15 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
-use xtask::{Arguments, Chore, FiguresArguments, Runner, Tree, XtaskError};
+use xtask::{
+    Arguments, Chore, FiguresArguments, Golden, GoldenArguments, Runner, Tree, XtaskError,
+};
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().chore {
         Chore::Tidy => tidy(),
         Chore::Figures(arguments) => figures(&arguments),
+        Chore::Golden(arguments) => golden(&arguments),
         Chore::Program { arguments } => {
             let line = std::iter::once("pellicle".into()).chain(arguments);
             Ok(pellicle_cli::main(line))
@@ -54,5 +57,25 @@ fn figures(arguments: &FiguresArguments) -> Result<ExitCode, XtaskError> {
     let small = arguments.docs.then(|| root().join("docs/figures"));
     let count = xtask::figures(&arguments.figures(), &runner, &out, small.as_deref())?;
     eprintln!("{count} pictures in {}", arguments.out.display());
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Writes or compares the golden values; exit code 1 if any moved.
+fn golden(arguments: &GoldenArguments) -> Result<ExitCode, XtaskError> {
+    let program = match &arguments.program {
+        Some(program) => {
+            std::path::absolute(program).map_err(|cause| XtaskError::start(program, cause))?
+        }
+        None => xtask::release_program(root())?,
+    };
+    match xtask::golden(root(), &[program.into()], arguments)? {
+        Golden::Written(count) => println!("{count} values in {}", arguments.file.display()),
+        Golden::Compared(moved) => {
+            println!("{}", moved.report(arguments.most));
+            if !moved.is_same() {
+                return Ok(ExitCode::FAILURE);
+            }
+        }
+    }
     Ok(ExitCode::SUCCESS)
 }
