@@ -1,15 +1,12 @@
 //! Random cases from nanometres to metres with a chosen domain: none is refused for it, and none is cut off by it.
 //!
-//! 20 by default; `PELLICLE_RANDOM_DOMAINS=2000 cargo test --release -p pellicle-contact --test random_domains` for
+//! 20 by default; `PELLICLE_RANDOM_DOMAINS=2000 cargo test --release -p pellicle-contact random_domains::` for
 //! more.
 
 #![expect(
     clippy::unwrap_used,
     reason = "a scene that cannot be built fails its test"
 )]
-
-#[path = "random_cases/random.rs"]
-mod random;
 
 use std::sync::Arc;
 
@@ -24,7 +21,7 @@ use pellicle_texture::{
 };
 use rayon::prelude::*;
 
-use self::random::Random;
+use super::random_cases::random::Random;
 
 const ELEMENTS: usize = 48;
 /// Thickness of a coating over the length of a case, its modulus over the body's, and whether the body is rigid.

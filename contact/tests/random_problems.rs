@@ -1,7 +1,7 @@
 //! Random problems, from the soft extreme to the stiff: each is certified or refused with a reason.
 //!
 //! 1000 of each kind by default, but 100 with a hardness, which take many times as long;
-//! `PELLICLE_RANDOM_PROBLEMS=10000 cargo test --release -p pellicle-contact --test random_problems` for more.
+//! `PELLICLE_RANDOM_PROBLEMS=10000 cargo test --release -p pellicle-contact random_problems::` for more.
 
 #![expect(
     clippy::unwrap_used,
@@ -11,9 +11,6 @@
     clippy::print_stderr,
     reason = "`--nocapture` shows what a long run took"
 )]
-
-#[path = "random_cases/random.rs"]
-mod random;
 
 use std::sync::{
     Arc, LazyLock,
@@ -29,7 +26,7 @@ use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief, SpringLaw};
 use rayon::prelude::*;
 
-use self::random::Random;
+use super::random_cases::random::Random;
 
 /// Number of foundations that the problems share: their tables take longer than a solution.
 const FOUNDATIONS: u64 = 24;

@@ -2,7 +2,7 @@
 //! reason, and none stalls.
 //!
 //! 12 of each kind by default, and the hardest; `PELLICLE_RANDOM_ROUGH=1000 cargo test --release -p pellicle-contact
-//! --test random_rough` for more.
+//! random_rough::` for more.
 
 #![expect(
     clippy::unwrap_used,
@@ -12,9 +12,6 @@
     clippy::print_stderr,
     reason = "`--nocapture` shows what a long run took"
 )]
-
-#[path = "random_cases/random.rs"]
-mod random;
 
 use std::f64::consts::TAU;
 use std::sync::{
@@ -31,7 +28,7 @@ use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use pellicle_texture::{HeightMap, MapCompliance, Relief, ReliefMap};
 use rayon::prelude::*;
 
-use self::random::Random;
+use super::random_cases::random::Random;
 
 /// Number of foundations that the problems share.
 const FOUNDATIONS: u64 = 16;

@@ -1,6 +1,6 @@
 //! The documents made from the declarations: the list of keys and the schema of a case.
 //!
-//! `PELLICLE_UPDATE_DOCUMENTS=1 cargo test -p pellicle --test documents` writes them anew.
+//! `PELLICLE_UPDATE_DOCUMENTS=1 cargo test -p pellicle documents` writes them anew.
 
 use std::fs;
 use std::path::{Path, PathBuf};

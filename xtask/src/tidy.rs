@@ -3,6 +3,7 @@
 mod dependencies;
 mod documents;
 mod sources;
+mod test_binaries;
 mod violation;
 
 pub use self::violation::Violation;
@@ -11,11 +12,12 @@ use crate::Tree;
 /// A house rule.
 type Rule = fn(&Tree) -> Vec<Violation>;
 
-const RULES: [Rule; 6] = [
+const RULES: [Rule; 7] = [
     dependencies::point_downward,
     sources::begin_with_their_job,
     sources::have_lines_of_prose_that_fit,
     sources::hold_no_trace_of_a_machine,
+    test_binaries::hold_every_test,
     documents::links_resolve,
     documents::named_tests_exist,
 ];

@@ -1,6 +1,6 @@
 //! Wrong command lines: exit code 2, a sentence that states the fault, nothing written.
 
-use crate::runner::{CASE, TestFolder};
+use super::runner::{CASE, TestFolder};
 
 #[test]
 fn a_wrong_value_on_the_command_line_is_reported_there() {

@@ -1,6 +1,6 @@
 //! Wrong values in a case: exit code 2, exactly one diagnosis that names key, line, found and wanted, nothing written.
 
-use crate::runner::{CASE, TestFolder};
+use super::runner::{CASE, TestFolder};
 
 /// The parts that the one diagnosis of a wrong case must name.
 pub struct Expected<'a> {

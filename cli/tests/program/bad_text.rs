@@ -1,7 +1,7 @@
 //! Case files that are not text, not TOML or not a case, or that contain terminal control characters.
 
-use crate::bad_input::{Expected, refuses, refuses_case};
-use crate::runner::{CASE, TestFolder};
+use super::bad_input::{Expected, refuses, refuses_case};
+use super::runner::{CASE, TestFolder};
 
 #[test]
 fn a_file_that_is_not_toml_is_rejected_at_its_position() {

@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::TestFolder;
+use super::runner::TestFolder;
 
 /// A ball on a coated polymer under a force given in MN for mN.
 const MEGANEWTONS: &str = r#"

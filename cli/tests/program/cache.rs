@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, ProgramOutput, TestFolder};
+use super::runner::{CASE, ProgramOutput, TestFolder};
 
 /// A grid large enough for its coefficients to be kept, and two coarser ones.
 const SIZE: &str = "grid.elements=128";

@@ -7,7 +7,7 @@ use std::process::Stdio;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
-use crate::runner::{CASE, ProgramOutput, TestFolder};
+use super::runner::{CASE, ProgramOutput, TestFolder};
 
 /// One way to damage a case, at a place given by a number in [0, 1).
 #[derive(Debug, Clone)]

@@ -6,7 +6,7 @@ use ndarray::{Array1, Array2};
 use ndarray_npy::NpzReader;
 use serde_json::Value;
 
-use crate::runner::{CASE, TestFolder, names};
+use super::runner::{CASE, TestFolder, names};
 
 /// The files of a run of one step.
 const FILES: [&str; 12] = [

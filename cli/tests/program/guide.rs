@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::runner::{TestFolder, names};
+use super::runner::{TestFolder, names};
 
 const GUIDE: &str = include_str!("../../../docs/guide.md");
 

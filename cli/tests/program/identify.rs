@@ -5,8 +5,8 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::identify_plan::number;
-use crate::runner::{ProgramOutput, TestFolder, keys};
+use super::identify_plan::number;
+use super::runner::{ProgramOutput, TestFolder, keys};
 
 /// A coating on a polymer indented by a ball, with noise of 1 %.
 const COATING: &str = r#"

@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::TestFolder;
+use super::runner::TestFolder;
 
 /// Two balls on a half-space; the radius of one is given in the table of its curve.
 const BALLS: &str = r#"

@@ -5,9 +5,9 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::identify::tungsten;
-use crate::identify_plan::number;
-use crate::runner::{ProgramOutput, TestFolder};
+use super::identify::tungsten;
+use super::identify_plan::number;
+use super::runner::{ProgramOutput, TestFolder};
 
 /// A ball of 10 µm on glass, with this line for its noise.
 fn ball(noise: &str) -> String {

@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::TestFolder;
+use super::runner::TestFolder;
 
 /// A coating on a polymer indented by a ball; there are no measurements.
 pub const MODEL: &str = r#"title = "Coating & ball"

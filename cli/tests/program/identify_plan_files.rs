@@ -4,8 +4,8 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::identify_plan::{E1, E2, MODEL, fit_file};
-use crate::runner::{TestFolder, names};
+use super::identify_plan::{E1, E2, MODEL, fit_file};
+use super::runner::{TestFolder, names};
 
 #[test]
 fn a_plan_writes_a_complete_folder_of_its_own() {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::runner::{TestFolder, names};
+use super::runner::{TestFolder, names};
 
 /// The folder of the recorded curves.
 const CURVES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/curves");

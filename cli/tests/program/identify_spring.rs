@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::TestFolder;
+use super::runner::TestFolder;
 
 const MODULUS: f64 = 50e3;
 const RADIUS: f64 = 5e-6;

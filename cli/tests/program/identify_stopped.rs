@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use crate::interrupt::interrupted;
-use crate::runner::TestFolder;
+use super::interrupt::interrupted;
+use super::runner::TestFolder;
 
 /// Three unknowns of a coating.
 const COATING: &str = r#"

@@ -6,7 +6,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::{ProgramOutput, TestFolder};
+use super::runner::{ProgramOutput, TestFolder};
 
 /// A ball on a 1 µm film on a practically rigid body, between a tenth of and ten times the load that squeezes the film
 /// by its thickness.

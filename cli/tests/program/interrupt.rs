@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::runner::{CASE, ProgramOutput, TestFolder};
+use super::runner::{CASE, ProgramOutput, TestFolder};
 
 /// More work than a test waits for.
 const LONG: [&str; 4] = [

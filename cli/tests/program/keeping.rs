@@ -6,7 +6,7 @@ use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::runner::{CASE, ProgramOutput, TestFolder, names};
+use super::runner::{CASE, ProgramOutput, TestFolder, names};
 
 /// Three cases that take almost no time.
 const STUDY: &str =

@@ -6,7 +6,7 @@ use ndarray::Array2;
 use ndarray_npy::WriteNpyExt;
 use serde_json::Value;
 
-use crate::runner::{CASE, ProgramOutput, TestFolder};
+use super::runner::{CASE, ProgramOutput, TestFolder};
 
 /// Samples of the map along x and y, and its sides.
 const SHAPE: [usize; 2] = [40, 30];

@@ -1,6 +1,6 @@
 //! Odd values of single keys: one sentence each with the key, the value found and the one wanted.
 
-use crate::runner::{CASE, TestFolder};
+use super::runner::{CASE, TestFolder};
 
 /// A text of the case, its replacement, and the key, the value found and the value wanted as named in the message.
 const ODD: [(&str, &str, &str, &str, &str); 16] = [

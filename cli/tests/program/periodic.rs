@@ -6,7 +6,7 @@ use ndarray::Array2;
 use ndarray_npy::WriteNpyExt;
 use serde_json::Value;
 
-use crate::runner::{CASE, TestFolder};
+use super::runner::{CASE, TestFolder};
 
 const SAMPLES: usize = 20;
 

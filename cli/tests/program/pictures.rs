@@ -6,7 +6,7 @@ use std::path::Path;
 use pellicle::display::{Unit, quantity};
 use pellicle::input::units::Units;
 
-use crate::runner::{CASE, TestFolder, names};
+use super::runner::{CASE, TestFolder, names};
 
 /// A folder with results of one load, and of three.
 fn results() -> TestFolder {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-use crate::runner::{CASE, TestFolder};
+use super::runner::{CASE, TestFolder};
 
 /// Packages imported by the scripts; VTK is installed without its plotting libraries.
 const PACKAGES: [&str; 5] = ["numpy", "scipy", "xarray", "gsffile", "jsonschema"];

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::runner::TestFolder;
+use super::runner::TestFolder;
 
 /// Hertz's contact of a diamond on steel, nine forces over a decade.
 const HERTZ: &str = r#"

@@ -5,7 +5,7 @@ use std::process::Stdio;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, ProgramOutput, TestFolder};
+use super::runner::{CASE, ProgramOutput, TestFolder};
 
 /// Writes one line at a time and reads its answer before the next; returns the exit code and the answers.
 fn answers(folder: &TestFolder, lines: &[&str]) -> (Option<i32>, Vec<Value>) {

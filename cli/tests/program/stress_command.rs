@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, ProgramOutput, TestFolder, keys};
+use super::runner::{CASE, ProgramOutput, TestFolder, keys};
 
 /// Hertz's contact with R = 1 and E/(1 − ν²) = 1.
 const HERTZ: &str = "[foundation]\nsubstrate = { young_modulus = 0.91, poisson_ratio = 0.3 }\n\

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::runner::TestFolder;
+use super::runner::TestFolder;
 
 /// Pillars between the centres of the elements of the coarsest grid of the solution, on which no element touches.
 const PILLARS: &str = r#"[foundation]

@@ -6,8 +6,8 @@ use std::fs;
 use ndarray::Array2;
 use ndarray_npy::NpzReader;
 
-use crate::netcdf_reader;
-use crate::runner::{CASE, TestFolder, names};
+use super::netcdf_reader;
+use super::runner::{CASE, TestFolder, names};
 
 /// Returns the arrays of a VTK file by name, all as numbers.
 fn vtk_arrays(bytes: &[u8]) -> BTreeMap<String, Vec<f64>> {

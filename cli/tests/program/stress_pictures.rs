@@ -4,7 +4,7 @@ use std::fs;
 
 use pellicle_cli::results::read_stresses;
 
-use crate::runner::{TestFolder, names};
+use super::runner::{TestFolder, names};
 
 /// A hard coating on a base, R = 1, with sliding in an oblique direction.
 const COATED: &str = "title = \"Coating\"\n\

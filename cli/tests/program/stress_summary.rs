@@ -5,7 +5,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, TestFolder, keys};
+use super::runner::{CASE, TestFolder, keys};
 
 /// Hertz's contact with R = 1, E/(1 − ν²) = 1 and a yield strength.
 fn hertz(yield_strength: f64) -> String {

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use crate::runner::{CASE, TestFolder, names};
+use super::runner::{CASE, TestFolder, names};
 
 /// 40 cases, of which the four with the widest cylinders overlap.
 const STUDY: &str = r#"[study]

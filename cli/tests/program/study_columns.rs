@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use crate::runner::TestFolder;
+use super::runner::TestFolder;
 
 /// A bare surface, a rough one, and one with a hardness.
 const MIXED: &str = r#"

@@ -9,8 +9,8 @@ use std::time::{Duration, Instant, SystemTime};
 
 use serde_json::Value;
 
-use crate::read_back::say_skipped;
-use crate::runner::{CASE, ProgramOutput, TestFolder};
+use super::read_back::say_skipped;
+use super::runner::{CASE, ProgramOutput, TestFolder};
 
 /// 40 cases, of which the ten with the widest cylinders overlap.
 const STUDY: &str = r#"[study]

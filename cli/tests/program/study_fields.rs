@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 use ndarray::Array2;
 use ndarray_npy::NpzReader;
 
-use crate::netcdf_reader::{self, Records};
-use crate::runner::{CASE, ProgramOutput, TestFolder, names};
+use super::netcdf_reader::{self, Records};
+use super::runner::{CASE, ProgramOutput, TestFolder, names};
 
 /// Two grids; the cylinders with the last radius overlap.
 const STUDY: &str = r#"[study]

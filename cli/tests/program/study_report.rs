@@ -5,7 +5,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, TestFolder};
+use super::runner::{CASE, TestFolder};
 
 const STUDY: &str = r#"[study]
 case = "case.toml"

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::runner::{CASE, TestFolder};
+use super::runner::{CASE, TestFolder};
 
 const LINE: [&str; 8] = [
     "--side", "1 um", "--rms", "0.2 nm", "--size", "64", "--seed", "5",

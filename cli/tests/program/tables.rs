@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, TestFolder, keys};
+use super::runner::{CASE, TestFolder, keys};
 
 fn json(folder: &TestFolder, arguments: &[&str]) -> Value {
     let ran = folder.run(arguments);

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use serde_json::Value;
 
-use crate::runner::{CASE, TestFolder, names};
+use super::runner::{CASE, TestFolder, names};
 
 /// Three loads.
 const LOADS: &str = "load={forces=[\"1 uN\", \"2 uN\", \"4 uN\"]}";

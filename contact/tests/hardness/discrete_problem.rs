@@ -10,7 +10,7 @@ use pellicle_contact::{
 use pellicle_influence::{CoefficientTable, ElasticOperator, RadialTables, SurfaceElasticity};
 use pellicle_kernel::Foundation;
 
-use crate::{SIDE, body};
+use super::{SIDE, body};
 
 fn elasticity(foundation: Foundation, size: usize) -> Arc<SurfaceElasticity> {
     let tables = RadialTables::build(&foundation).unwrap();

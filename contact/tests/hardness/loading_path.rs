@@ -10,7 +10,7 @@ use pellicle_contact::{
 use pellicle_influence::{Cache, RadialTables};
 use pellicle_texture::Relief;
 
-use crate::{SIDE, body};
+use super::{SIDE, body};
 
 fn model(indenter: impl Into<Indenter>) -> Model {
     Model {

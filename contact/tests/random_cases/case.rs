@@ -13,7 +13,7 @@ use pellicle_texture::{
     CylinderSpec, Cylinders, Film, HeightMap, Lattice, MapCompliance, Relief, ReliefMap,
 };
 
-use crate::random::Random;
+use super::random::Random;
 
 /// Moduli, in Pa.
 const MODULI: [f64; 2] = [1e3, 1e12];

@@ -4,7 +4,7 @@
 //! 16 by default; for more
 //!
 //! ```sh
-//! PELLICLE_RANDOM_STRESSES=2000 cargo test --release -p pellicle-contact --test random_cases stresses
+//! PELLICLE_RANDOM_STRESSES=2000 cargo test --release -p pellicle-contact random_cases::stresses
 //! ```
 
 use pellicle_contact::{
@@ -15,7 +15,7 @@ use pellicle_influence::InfluenceError;
 use pellicle_kernel::{Base, Foundation};
 use rayon::prelude::*;
 
-use crate::case::Case;
+use super::case::Case;
 
 /// Number of cases in the short form, and the most elements per side.
 const SHORT: u64 = 16;

@@ -13,7 +13,7 @@ use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
-use crate::coating::{Coating, THICKNESS, coating, young_modulus};
+use super::coating::{Coating, THICKNESS, coating, young_modulus};
 
 const NOISE: f64 = 0.01;
 

@@ -12,8 +12,8 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 use rayon::prelude::*;
 
-use crate::coating::{Coating, coating};
-use crate::interpolant::Interpolant;
+use super::coating::{Coating, coating};
+use super::interpolant::Interpolant;
 
 const EXPECTED: std::ops::RangeInclusive<usize> = 368..=390;
 

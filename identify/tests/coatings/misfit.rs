@@ -18,8 +18,8 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 use rayon::prelude::*;
 
-use crate::coating::{Coating, coating};
-use crate::interpolant::Interpolant;
+use super::coating::{Coating, coating};
+use super::interpolant::Interpolant;
 
 const NOISE: f64 = 0.01;
 

@@ -5,7 +5,7 @@ use pellicle_identify::{
     Prior, Unknown, Verdict,
 };
 
-use crate::coating::{Coating, coating};
+use super::coating::{Coating, coating};
 
 /// White noise of 1 % of the depth.
 const NOISE: NoiseLevels = NoiseLevels {

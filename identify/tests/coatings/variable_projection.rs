@@ -18,7 +18,7 @@ use varpro::{
     solvers::levmar::LevMarSolver, statistics::FitStatistics,
 };
 
-use crate::coating::{Coating, THICKNESS, coating, young_modulus};
+use super::coating::{Coating, THICKNESS, coating, young_modulus};
 
 /// Depths are in nanometres for `varpro`, moduli in gigapascals, thicknesses in micrometres.
 const NANO: f64 = 1e-9;

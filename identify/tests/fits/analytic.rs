@@ -6,7 +6,7 @@ use pellicle_identify::{
     identify,
 };
 
-use crate::toys::{Normals, Toy, line, noisy};
+use super::toys::{Normals, Toy, line, noisy};
 
 fn signed(name: &str, range: [f64; 2]) -> Unknown {
     Unknown::signed(name, range).unwrap()

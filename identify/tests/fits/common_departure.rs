@@ -5,7 +5,7 @@ use pellicle_identify::{
     Scatter, identify,
 };
 
-use crate::toys::{Normals, Toy, hertz_modulus, logarithmic, unknown};
+use super::toys::{Normals, Toy, hertz_modulus, logarithmic, unknown};
 
 const SIGMA: f64 = 0.02;
 

@@ -8,7 +8,7 @@ use pellicle_identify::{
     Amount, Correlation, Fit, FitOptions, LinearNuisance, Noise, Problem, Unknown, identify,
 };
 
-use crate::toys::{
+use super::toys::{
     Normals, Point, Toy, coating, coating_moduli, hertz_modulus, logarithmic, noisy, two_moduli,
     unknown,
 };

@@ -5,7 +5,7 @@ use pellicle_identify::{
     Prior, Problem, Unknown, exponents, identify,
 };
 
-use crate::toys::{Normals, Toy, coating, hertz, logarithmic, noisy, unknown};
+use super::toys::{Normals, Toy, coating, hertz, logarithmic, noisy, unknown};
 
 /// A law with its last parameter held.
 struct Held {

@@ -5,7 +5,7 @@ use pellicle_identify::{
     Prior, Problem, Unknown, identify,
 };
 
-use crate::toys::{Point, Toy};
+use super::toys::{Point, Toy};
 
 /// `y = b q²`.
 fn parabola(q: f64, parameters: &[f64]) -> Point {

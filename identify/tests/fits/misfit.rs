@@ -5,7 +5,7 @@ use pellicle_identify::{
     identify,
 };
 
-use crate::toys::{
+use super::toys::{
     Normals, Point, Toy, coating_moduli, hertz_modulus, logarithmic, noisy, unknown,
 };
 

@@ -6,7 +6,7 @@ use pellicle_identify::{
     identify,
 };
 
-use crate::toys::{
+use super::toys::{
     Normals, Toy, coating_moduli, hertz_modulus, line, logarithmic, noisy, two_moduli, unknown,
 };
 

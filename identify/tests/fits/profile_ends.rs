@@ -6,7 +6,7 @@ use pellicle_identify::{
     Fit, FitOptions, LinearNuisance, Noise, Problem, Unknown, Verdict, identify,
 };
 
-use crate::toys::{Normals, Point, Toy, coating, coating_moduli, logarithmic, noisy, unknown};
+use super::toys::{Normals, Point, Toy, coating, coating_moduli, logarithmic, noisy, unknown};
 
 /// `z` at the ends of an interval of level 0.95.
 const QUANTILE: f64 = 1.959_963_984_540_054;

@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use pellicle_identify::{Curve, FitOptions, Intervals, Noise, Problem, Unknown, identify};
 
-use crate::toys::{Point, Toy};
+use super::toys::{Point, Toy};
 
 /// `y = b1 (1 − exp(−b2 x))`.
 fn misra(x: f64, parameters: &[f64]) -> Point {

@@ -6,7 +6,7 @@ use pellicle_identify::{
     Problem, Scatter, Verdict, identify,
 };
 
-use crate::toys::{Normals, Toy, coating_moduli, hertz, logarithmic, two_moduli, unknown};
+use super::toys::{Normals, Toy, coating_moduli, hertz, logarithmic, two_moduli, unknown};
 
 const CURVES: usize = 8;
 const SIGMA: f64 = 0.005;

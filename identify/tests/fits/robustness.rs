@@ -5,7 +5,7 @@ use pellicle_identify::{
     LinearNuisance, Noise, Prediction, Problem, Scatter, identify,
 };
 
-use crate::toys::{Normals, Point, Toy, coating_moduli, logarithmic, noisy, unknown};
+use super::toys::{Normals, Point, Toy, coating_moduli, logarithmic, noisy, unknown};
 
 /// A toy whose predictions jump with the parameters, like those on a grid.
 struct Jagged {

@@ -7,7 +7,7 @@ use pellicle_identify::{
     Prediction, Problem, Stopped, identify,
 };
 
-use crate::toys::{Normals, Toy, coating_moduli, logarithmic, noisy, unknown};
+use super::toys::{Normals, Toy, coating_moduli, logarithmic, noisy, unknown};
 
 const TRUTH: [f64; 2] = [10.0, 1.5];
 

@@ -8,7 +8,7 @@ use pellicle_identify::{
     Amount, Correlation, Curve, Fit, FitOptions, LinearNuisance, Noise, Problem, identify,
 };
 
-use crate::toys::{Normals, Toy, hertz_modulus, logarithmic, unknown};
+use super::toys::{Normals, Toy, hertz_modulus, logarithmic, unknown};
 
 /// A series of measurements: a Hertz contact of modulus 5 under 0.1 to 30, depths from 0.06 to 2.8.
 #[derive(Clone, Copy)]

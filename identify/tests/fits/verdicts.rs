@@ -6,7 +6,7 @@ use pellicle_identify::{
     identify,
 };
 
-use crate::toys::{Normals, Point, Toy, coating, hertz, logarithmic, noisy, unknown};
+use super::toys::{Normals, Point, Toy, coating, hertz, logarithmic, noisy, unknown};
 
 fn fit(
     law: fn(f64, &[f64]) -> Point,

@@ -5,7 +5,7 @@ use pellicle_identify::{
     Unknown, identify,
 };
 
-use crate::toys::{Normals, Point, Toy, coating, coating_moduli, logarithmic, noisy, unknown};
+use super::toys::{Normals, Point, Toy, coating, coating_moduli, logarithmic, noisy, unknown};
 
 const FORCES: [f64; 2] = [0.01, 100.0];
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use pellicle_influence::{Cache, CoefficientTable, InfluenceError, Origin, RadialTables};
 use pellicle_kernel::Foundation;
 
-use crate::scene::{ELEMENT_SIDE, SIZE, bits, coated, filled, foundations, material, plain};
+use super::scene::{ELEMENT_SIDE, SIZE, bits, coated, filled, foundations, material, plain};
 
 #[test]
 fn data_read_equal_the_data_computed_to_the_bit() {

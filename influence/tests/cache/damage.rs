@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use pellicle_influence::{Cache, CacheWarning};
 
-use crate::scene::{SIZE, assert_replaced, filled, only_file, plain};
+use super::scene::{SIZE, assert_replaced, filled, only_file, plain};
 
 #[test]
 fn a_file_truncated_anywhere_is_recomputed() {

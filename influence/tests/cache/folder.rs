@@ -6,7 +6,9 @@ use std::process::{Command, Stdio};
 
 use pellicle_influence::{Cache, CacheWarning, Origin};
 
-use crate::scene::{ELEMENT_SIDE, SIZE, bits, coefficients, expected, filled, only_file, plain};
+use super::scene::{
+    ELEMENT_SIDE, SIZE, bits, coefficients, expected, filled, full_name, only_file, plain,
+};
 
 #[test]
 fn a_folder_in_place_of_a_file_costs_only_the_cache() {
@@ -85,7 +87,8 @@ fn a_disk_that_fills_up_within_a_file_costs_only_the_cache() {
     let folder = tempfile::tempdir().unwrap();
     // A process whose files cannot grow beyond 8 blocks, half the size of the coefficients, and whose
     // write returns an error.
-    let name = "folder::a_disk_that_fills_up_within_a_file_costs_only_the_cache";
+    let test = "a_disk_that_fills_up_within_a_file_costs_only_the_cache";
+    let name = full_name(module_path!(), test);
     let line = format!("trap '' XFSZ; ulimit -f 8; exec \"$0\" {name} --exact");
     let mut limited = Command::new("sh");
     limited.arg("-c").arg(line);

@@ -88,3 +88,9 @@ pub fn assert_replaced(folder: &TempDir, file: &Path, bytes: &[u8]) {
     assert_eq!((origin, none), (Origin::Disk, Vec::new()));
     assert_eq!(bits(&table), expected());
 }
+
+/// The name by which this binary knows a test of a module, for a process that runs it alone.
+pub fn full_name(module: &str, test: &str) -> String {
+    let (_, inside) = module.split_once("::").unwrap();
+    format!("{inside}::{test}")
+}

@@ -7,7 +7,7 @@ use std::thread;
 
 use pellicle_influence::Cache;
 
-use crate::scene::{bits, coefficients, expected, only_file};
+use super::scene::{bits, coefficients, expected, full_name, only_file};
 
 #[test]
 fn threads_may_write_and_read_the_same_data_at_once() {
@@ -42,10 +42,11 @@ fn processes_may_write_read_and_clear_at_once() {
         return;
     }
     let folder = tempfile::tempdir().unwrap();
-    let name = "together::processes_may_write_read_and_clear_at_once";
+    let test = "processes_may_write_read_and_clear_at_once";
+    let name = full_name(module_path!(), test);
     let start = || {
         Command::new(std::env::current_exe().unwrap())
-            .args([name, "--exact"])
+            .args([&name, "--exact"])
             .env(FOLDER_OF_CHILD, folder.path())
             .stdout(Stdio::null())
             .spawn()

@@ -14,7 +14,7 @@ use pellicle_influence::{Cache, RadialTables};
 use pellicle_tests::scene::unit_half_space;
 use pellicle_texture::{HeightMap, MapCompliance, MapRim, Relief, ReliefMap, Roughness};
 
-use crate::rough::{SAMPLES, repeated, samples};
+use super::rough::{SAMPLES, repeated, samples};
 
 /// Solves one load on a surface of heights under a flat body.
 fn solve(heights: HeightMap, domain: Domain, elements: usize, force: f64) -> Step {

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::cases::{PaperCase, RADIUS, only_step};
-use crate::fields::{SolvedFields, nearest_cylinder, relative_distance};
-use crate::numbers::assert_reads;
+use super::cases::{PaperCase, RADIUS, only_step};
+use super::fields::{SolvedFields, nearest_cylinder, relative_distance};
+use super::numbers::assert_reads;
 
 /// The edge region of a cylinder: from here to its boundary, in radii. A tenth of the radius is three elements at
 /// N = 512 in Fig. 2(a), so a step in the sampled circle does not move a peak out of it.

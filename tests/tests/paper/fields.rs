@@ -2,7 +2,7 @@
 
 use pellicle_contact::SampledModel;
 
-use crate::cases::{PERIOD, PaperCase, RADIUS, path};
+use super::cases::{PERIOD, PaperCase, RADIUS, path};
 
 /// N² values each, first index along x.
 pub struct SolvedFields {

@@ -1,9 +1,9 @@
 //! A soft film under the pyramid (Figs. 5 and 6).
 
-use crate::cases::PaperCase;
-use crate::fields::SolvedFields;
-use crate::loading::{LoadingCurve, range};
-use crate::numbers::assert_reads;
+use super::cases::PaperCase;
+use super::fields::SolvedFields;
+use super::loading::{LoadingCurve, range};
+use super::numbers::assert_reads;
 
 /// A twentieth exceeds the error of areas and peaks on these grids, and the variation of r² between grids.
 const CLEAR: f64 = 0.05;

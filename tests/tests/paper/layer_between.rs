@@ -1,8 +1,8 @@
 //! The parts of the surface in contact: the cylinders alone, or the layer between them too.
 
-use crate::cases::{Coating, PaperCase, only_step};
-use crate::fields::SolvedFields;
-use crate::numbers::assert_reads;
+use super::cases::{Coating, PaperCase, only_step};
+use super::fields::SolvedFields;
+use super::numbers::assert_reads;
 
 /// Below a twentieth, a picture of the contact would look closed.
 const OPEN: f64 = 0.05;

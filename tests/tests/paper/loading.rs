@@ -1,7 +1,7 @@
 //! Penetration D against load Q (Fig. 4).
 
-use crate::cases::{Coating, PaperCase, path};
-use crate::numbers::assert_reads;
+use super::cases::{Coating, PaperCase, path};
+use super::numbers::assert_reads;
 
 /// A bend of a twentieth of the full scale is clearly visible.
 const BEND: f64 = 0.05;

@@ -1,8 +1,8 @@
 //! Peaks on grids finer than the paper could afford: the tables of `docs/claims.md`, line by line.
 
-use crate::cases::{Coating, PaperCase, only_step, path, spring_length};
-use crate::layer_between::share_between;
-use crate::numbers::{assert_reads, exponent, fitted_exponent};
+use super::cases::{Coating, PaperCase, only_step, path, spring_length};
+use super::layer_between::share_between;
+use super::numbers::{assert_reads, exponent, fitted_exponent};
 
 /// The page with the tables.
 const PAGE: &str = include_str!("../../../docs/claims.md");

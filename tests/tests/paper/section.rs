@@ -1,8 +1,8 @@
 //! The deformed layer along the axis, between the central cylinder and its neighbour (Fig. 3).
 
-use crate::cases::{Coating, PERIOD, PaperCase, RADIUS};
-use crate::fields::SolvedFields;
-use crate::numbers::assert_reads;
+use super::cases::{Coating, PERIOD, PaperCase, RADIUS};
+use super::fields::SolvedFields;
+use super::numbers::assert_reads;
 
 /// One part in a hundred of the displacement is about the width of a line in a printed figure.
 const SEEN: f64 = 0.01;

@@ -4,7 +4,7 @@ use pellicle_contact::{Domain, Load, SolverOptions, Step, solve_path};
 use pellicle_tests::scene::figure_2;
 use serde_json::Value;
 
-use crate::run;
+use super::run;
 
 /// Two of the paper's cases that are also test scenes.
 const FIG2C: &str = include_str!("../../../cases/fig2c.toml");

@@ -3,7 +3,7 @@
 use pellicle_cli::evidence::{SECTIONS, ValidationRun};
 use serde_json::Value;
 
-use crate::{Ran, run};
+use super::{Ran, run};
 
 fn validate(arguments: &[&str]) -> Ran {
     run("", &[&["validate"], arguments].concat())

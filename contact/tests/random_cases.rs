@@ -2,7 +2,7 @@
 //! refused with a reason, none is NaN, and none depends on its units.
 //!
 //! 24 by default;
-//! `PELLICLE_RANDOM_CASES=3000 cargo test --release -p pellicle-contact --test random_cases -- --nocapture` for more,
+//! `PELLICLE_RANDOM_CASES=3000 cargo test --release -p pellicle-contact random_cases:: -- --nocapture` for more,
 //! larger ones and a table.
 
 #![expect(
@@ -11,7 +11,7 @@
 )]
 
 mod case;
-mod random;
+pub mod random;
 mod stresses;
 
 use pellicle_contact::{ContactError, Domain, FlatPunch, Load, SolverOptions, Status};

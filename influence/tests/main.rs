@@ -1,0 +1,7 @@
+//! Tests of coefficients, operators, stresses inside and the cache.
+
+mod cache;
+mod coefficients;
+mod derivative;
+mod operators;
+mod subsurface;
