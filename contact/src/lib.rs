@@ -81,5 +81,6 @@ pub use stress::{
     model::{
         BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
     },
+    quantity::StressQuantity,
     unresolved::UnresolvedStresses,
 };

@@ -14,7 +14,7 @@ mod neighbourhood;
 mod peak_search;
 mod plane_scan;
 mod pressure_blocks;
-mod quantity;
+pub mod quantity;
 mod solved_loads;
 pub mod unresolved;
 

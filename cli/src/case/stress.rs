@@ -5,7 +5,8 @@ mod depths;
 use std::sync::Arc;
 
 use pellicle_contact::{
-    BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths, Sliding, StressModel,
+    BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
+    StressQuantity,
 };
 use pellicle_kernel::Foundation;
 use serde::Serialize;
@@ -36,6 +37,9 @@ pub struct StressCase {
     pub friction: f64,
     /// Direction of sliding, rad, from +x to +y.
     pub direction: f64,
+    /// The quantities whose extremes are wanted, in the order of results; none for all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub only: Option<Vec<StressQuantity>>,
 }
 
 /// More depths than this are a mistake.
@@ -59,7 +63,7 @@ impl StressCase {
         foundation: &FoundationCase,
         side: Option<f64>,
     ) -> Result<Self, Diagnosis> {
-        table.only(&["depths", "extent", "friction", "direction"])?;
+        table.only(&["depths", "extent", "friction", "direction", "only"])?;
         let depths = table.optional("depths");
         let extent = table.optional("extent").map(|field| extent(&field, side));
         let direction = table.optional("direction");
@@ -71,6 +75,9 @@ impl StressCase {
             extent: extent.transpose()?,
             friction: (table.optional("friction")).map_or(Ok(0.0), |field| friction(&field))?,
             direction: direction.map_or(Ok(0.0), angle)?,
+            only: (table.optional("only"))
+                .map(|field| only(&field, foundation))
+                .transpose()?,
         })
     }
 }
@@ -99,6 +106,13 @@ impl StressCase {
             friction: self.friction,
             direction: self.direction,
         }
+    }
+
+    /// Whether the extremes of a quantity are wanted.
+    #[must_use]
+    pub fn wants(&self, quantity: StressQuantity) -> bool {
+        let only = self.only.as_ref();
+        only.is_none_or(|only| only.contains(&quantity))
     }
 
     /// Direction of sliding, degrees from +x to +y, to 15 digits.
@@ -138,6 +152,7 @@ impl StressCase {
                     strengths: layer.interface_strength.into(),
                 })
                 .collect(),
+            only: self.only.clone(),
         }
     }
 
@@ -251,6 +266,43 @@ fn friction(field: &ValueReader<'_>) -> Result<f64, Diagnosis> {
         Ok(friction)
     } else {
         Err(field.wanted(wanted))
+    }
+}
+
+/// Reads the quantities whose extremes are wanted, in the order of results and without duplicates: at least those that
+/// the given strengths limit.
+fn only(
+    field: &ValueReader<'_>,
+    foundation: &FoundationCase,
+) -> Result<Vec<StressQuantity>, Diagnosis> {
+    let names = StressQuantity::NAMES;
+    let words = names.map(|(name, _)| format!("\"{name}\"")).join(", ");
+    let items = field.list(&format!("a list of some of {words}"))?;
+    let choices = items.iter().map(|item| item.choice(&names));
+    let choices: Vec<_> = choices.collect::<Result<_, _>>()?;
+    for (name, criterion) in foundation.criteria() {
+        let quantity = criterion.quantity();
+        if !choices.contains(&quantity) {
+            let (quantity, strength) = (quantity.name(), strength(criterion));
+            let wanted = format!(
+                "\"{quantity}\" among them, which the {strength} of {name} limits, or no such strength"
+            );
+            return Err(field.wanted(wanted));
+        }
+    }
+    let wanted = names.into_iter().map(|(_, quantity)| quantity);
+    Ok(wanted
+        .filter(|quantity| choices.contains(quantity))
+        .collect())
+}
+
+/// The strength of a criterion, as in a case.
+fn strength(criterion: Criterion) -> &'static str {
+    match criterion {
+        Criterion::Yield => "yield_strength",
+        Criterion::Tension => "tensile_strength",
+        Criterion::InterfaceShear => "interface_shear_strength",
+        Criterion::InterfaceTension => "interface_tensile_strength",
     }
 }
 

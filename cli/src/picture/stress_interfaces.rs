@@ -153,20 +153,19 @@ impl InterfaceMap<'_> {
     }
 
     /// Returns the extreme to mark: the largest shear, the largest tension, or the largest compression if there is no
-    /// tension.
+    /// tension or it is not wanted.
     fn marked(&self, traction: InterfaceTraction) -> Option<(&'static str, Extreme<2>)> {
         let found = self.extremes?;
         match traction {
-            InterfaceTraction::Shear if found.max_shear_traction.value > 0.0 => {
-                Some(("largest", found.max_shear_traction))
+            InterfaceTraction::Shear => {
+                let shear = found.max_shear_traction.filter(|shear| shear.value > 0.0);
+                Some(("largest", shear?))
             }
-            InterfaceTraction::Shear => None,
-            InterfaceTraction::Normal if found.max_tension.value > 0.0 => {
-                Some(("largest tension", found.max_tension))
-            }
-            InterfaceTraction::Normal => {
-                Some(("no tension; largest compression", found.max_compression))
-            }
+            InterfaceTraction::Normal => match found.max_tension {
+                Some(tension) if tension.value > 0.0 => Some(("largest tension", tension)),
+                Some(_) => Some(("no tension; largest compression", found.max_compression?)),
+                None => Some(("largest compression", found.max_compression?)),
+            },
         }
     }
 

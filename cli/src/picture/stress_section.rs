@@ -229,16 +229,16 @@ impl<'a> SectionDrawing<'a> {
     /// Returns the largest value in all bodies, as found by the search.
     fn largest(&self, stress: Stress) -> Option<Largest<'a>> {
         let found = self.subject.step.stress.as_ref()?.extremes.bodies.iter();
-        let found = found.map(|body| {
+        let found = found.filter_map(|body| {
             let extreme = match stress {
-                Stress::VonMises => body.max_von_mises,
-                Stress::MaxPrincipal => body.max_principal,
+                Stress::VonMises => body.max_von_mises?,
+                Stress::MaxPrincipal => body.max_principal?,
             };
-            Largest {
+            Some(Largest {
                 value: extreme.value,
                 at: extreme.at,
                 body: &body.name,
-            }
+            })
         });
         found.max_by(|one, other| one.value.total_cmp(&other.value))
     }

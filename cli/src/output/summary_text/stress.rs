@@ -9,27 +9,36 @@ use crate::output::summary::RunSummary;
 use crate::output::summary::StressSummary;
 
 impl TextColumns {
-    /// Adds the largest stresses in each body and on each interface.
+    /// Adds the largest stresses in each body and on each interface: of those wanted, the ones that strengths limit.
     pub(super) fn stresses(&mut self, stress: &StressSummary) {
         for body in &stress.extremes.bodies {
+            if body.max_von_mises.is_none() && body.max_principal.is_none() {
+                continue;
+            }
             self.push(&format!("stress in {}", body.name), "", "");
-            self.extreme("  von Mises", &body.max_von_mises);
+            self.extreme("  von Mises", body.max_von_mises);
             self.used("yield", body.utilisation.yielding);
-            self.extreme("  tension", &body.max_principal);
+            self.extreme("  tension", body.max_principal);
             self.used("tensile", body.utilisation.tension);
         }
         for interface in &stress.extremes.interfaces {
-            self.push(&format!("stress on interface {}", interface.index), "", "");
-            self.extreme("  shear", &interface.max_shear_traction);
-            self.used("shear", interface.utilisation.shear);
-            if interface.max_tension.value > 0.0 {
-                self.extreme("  tension", &interface.max_tension);
+            let tension = interface.max_tension;
+            if interface.max_shear_traction.is_none() && tension.is_none() {
+                continue;
             }
+            self.push(&format!("stress on interface {}", interface.index), "", "");
+            self.extreme("  shear", interface.max_shear_traction);
+            self.used("shear", interface.utilisation.shear);
+            self.extreme("  tension", tension.filter(|tension| tension.value > 0.0));
             self.used("tensile", interface.utilisation.tension);
         }
     }
 
-    fn extreme<const AXES: usize>(&mut self, name: &str, extreme: &Extreme<AXES>) {
+    /// Adds an extreme, if it is wanted.
+    fn extreme<const AXES: usize>(&mut self, name: &str, extreme: Option<Extreme<AXES>>) {
+        let Some(extreme) = extreme else {
+            return;
+        };
         let (value, at) = (extreme.value, extreme.at);
         let note = match extreme.estimate {
             _ if !extreme.resolved => "not resolved by the grid".into(),
