@@ -82,5 +82,6 @@ pub use stress::{
         BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
     },
     quantity::StressQuantity,
+    search_work::{LoadedElements, SearchWork, critical_work, search_work},
     unresolved::UnresolvedStresses,
 };

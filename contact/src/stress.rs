@@ -15,6 +15,7 @@ mod peak_search;
 mod plane_scan;
 mod pressure_blocks;
 pub mod quantity;
+pub mod search_work;
 mod solved_loads;
 pub mod unresolved;
 

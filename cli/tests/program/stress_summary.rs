@@ -212,6 +212,25 @@ fn a_study_varies_friction_and_strength_and_has_critical_loads_as_columns() {
 }
 
 #[test]
+fn check_and_list_tell_the_time_of_stresses_in_advance() {
+    let folder = TestFolder::with_study(
+        hertz(1.0),
+        &(hertz(1.0) + "[study.vary]\nstress.friction = [0.0, 0.1, 0.2]\n"),
+    );
+    let checked = folder.run(&["check", "case.toml"]).stdout;
+    for line in [
+        "# CPU time of stresses, about ",
+        "# CPU time of critical loads, about ",
+    ] {
+        assert!(checked.contains(line), "{checked}");
+    }
+    let listed = folder.run(&["study", "many.toml", "--list"]);
+    let words = "of CPU time, by the forecast of 3 of 3 cases";
+    assert!(listed.stderr.contains(words), "{}", listed.stderr);
+    assert_eq!(listed.stdout.lines().count(), 3);
+}
+
+#[test]
 fn only_the_wanted_stresses_are_in_the_results() {
     let folder = TestFolder::with_case(format!(
         "{CASE}\n[stress]\nonly = [\"max_tension\", \"max_shear\"]\n"

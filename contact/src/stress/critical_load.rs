@@ -22,6 +22,8 @@ pub enum CriticalStatus {
     NotReached,
     /// Already under the smallest load tried.
     BelowSmallest,
+    /// Under the critical force, but there the contact is [beyond the model](crate::Status::BeyondModel).
+    BeyondModel,
 }
 
 /// The load at which one criterion is first met.
@@ -100,6 +102,7 @@ pub fn critical_loads(
             force: step.solution.force,
             penetration: step.solution.penetration,
             radius: step.summary.contact_radius,
+            is_beyond: step.beyond().is_some(),
             extreme: *extreme,
             followed_on: None,
         });
@@ -208,6 +211,7 @@ impl CriterionSearch {
             name: self.name,
             strength: self.strength,
             status: match met {
+                Some((solved, _)) if solved.is_beyond => CriticalStatus::BeyondModel,
                 Some(_) => CriticalStatus::Met,
                 None if utilisation < 1.0 => CriticalStatus::NotReached,
                 None => CriticalStatus::BelowSmallest,

@@ -265,5 +265,6 @@ fn status_word(status: CriticalStatus) -> &'static str {
         CriticalStatus::Met => "met",
         CriticalStatus::NotReached => "not-reached",
         CriticalStatus::BelowSmallest => "below-smallest",
+        CriticalStatus::BeyondModel => "beyond-model",
     }
 }

@@ -131,7 +131,11 @@ impl CriticalWords {
         };
         let depth = |at| depth(at, self.element_side, self.units);
         let at = load.at.map_or_else(String::new, depth);
-        format!("{what} {verb}{first} at {newtons}{note}{at}")
+        let beyond = match load.status {
+            CriticalStatus::BeyondModel => BEYOND_MODEL,
+            _ => "",
+        };
+        format!("{what} {verb}{first} at {newtons}{note}{at}{beyond}")
     }
 
     /// `the coating yields under no load up to 5 mN: 0.34 of its strength is reached`
@@ -139,7 +143,7 @@ impl CriticalWords {
         let (what, verb) = (place(&load.name, self.layers), verb(load.criterion));
         let when = match load.status {
             CriticalStatus::BelowSmallest => "already at the smallest load tried".to_owned(),
-            CriticalStatus::Met | CriticalStatus::NotReached => {
+            CriticalStatus::Met | CriticalStatus::BeyondModel | CriticalStatus::NotReached => {
                 let largest = quantity(self.largest_force, Unit::Newton, self.units);
                 format!("under no load up to {largest}")
             }
@@ -152,6 +156,9 @@ impl CriticalWords {
 
 /// The note on a number that still changes from grid to grid.
 const NOT_RESOLVED: &str = " (not resolved by the grid)";
+
+/// The note on a load under which the contact is beyond the model.
+const BEYOND_MODEL: &str = ": BEYOND THE MODEL, do not use this load: under it the contact has numbers that no body can have";
 
 /// `, 0.48 µm below the surface at x, y = 0 m, 1.2 µm`
 fn depth(at: [f64; 3], element_side: f64, units: Units) -> String {
@@ -232,6 +239,15 @@ mod tests {
         assert_eq!(
             words(2, Units::Consistent).met(&unresolved, 1.0, false),
             "layer 1 cracks at 1.0000 (not resolved by the grid), at the surface at x, y = 1.0000e-6, 0"
+        );
+        let beyond = CriticalLoad {
+            status: CriticalStatus::BeyondModel,
+            ..yields
+        };
+        let sentence = words(1, Units::Si).met(&beyond, 3.2e-3, false);
+        assert!(
+            sentence.contains("x, y = 0 m, 0 m: BEYOND THE MODEL"),
+            "{sentence}"
         );
     }
 

@@ -131,6 +131,7 @@ fn the_relative_error_of_a_critical_load_is_that_of_the_stress_over_its_exponent
         force: 6.0,
         penetration: 0.3,
         radius: 1.0,
+        is_beyond: false,
         extreme: extreme(value),
         followed_on: None,
     };
