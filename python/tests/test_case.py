@@ -56,7 +56,9 @@ EVERYTHING = pl.Case(
     elements=64,
     tolerance=1e-6,
     method="gradient",
-    stress=pl.Stress(depths=["5 nm", 0], extent="8 um", friction=0.3, direction="30 deg", only=get_args(StressName)),
+    stress=pl.Stress(
+        depths=["5 nm", 0], extent="8 um", friction=0.3, direction="30 deg", only=get_args(StressName)
+    ),
     output=pl.Output(fields="all", pictures="none", formats=["npz"]),
     title='a "quoted" title',
 )

@@ -32,8 +32,8 @@ const BYTES_PER_ELEMENT_STRESSED: [f64; 2] = [270.0, 410.0];
 /// Memory per sample of a map, in bytes: in the case, in the model and beside the solution.
 const BYTES_PER_SAMPLE: f64 = 24.0;
 
-/// Elements per side above which a trial is solved without stresses: smaller grids need so little memory that the size of
-/// the contact does not matter.
+/// Elements per side above which a trial is solved without stresses: smaller grids need so little memory that the size
+/// of the contact does not matter.
 const TRIAL_ELEMENTS: usize = 512;
 
 /// The memory that a case needs.

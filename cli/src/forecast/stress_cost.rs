@@ -1,7 +1,7 @@
 //! The time and memory of stresses and critical loads, from the counted work of their searches.
 //!
-//! All constants of time are here. `cargo bench -p pellicle-contact --bench stress_forecast` measures them anew, in some
-//! four minutes of CPU time: it prints them in the order in which they stand below, and how well they describe 80
+//! All constants of time are here. `cargo bench -p pellicle-contact --bench stress_forecast` measures them anew, in
+//! some four minutes of CPU time: it prints them in the order in which they stand below, and how well they describe 80
 //! searches and 24 pairs of critical loads.
 
 use std::time::Duration;
@@ -10,8 +10,8 @@ use pellicle_contact::{LoadedElements, LoadingPath, SearchWork, critical_work, s
 
 use crate::case::Case;
 
-/// CPU time of each [term](SearchWork::terms) of a search, s, without and with friction. *Measured* on 0 to 8 layers, 64
-/// to 1024 elements per side, all stresses and two of them, 0.02 to 15 s: forecasts are 0.60 to 1.7 times the time
+/// CPU time of each [term](SearchWork::terms) of a search, s, without and with friction. *Measured* on 0 to 8 layers,
+/// 64 to 1024 elements per side, all stresses and two of them, 0.02 to 15 s: forecasts are 0.60 to 1.7 times the time
 /// without friction, 0.50 to 2.0 times with it.
 const SECONDS: [[f64; SearchWork::TERMS]; 2] = [
     [0.0, 0.0, 9.3e-8, 5.9e-3, 0.0, 2.2e-7, 4.6e-6],

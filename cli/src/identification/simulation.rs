@@ -41,8 +41,8 @@ pub struct Simulation {
 ///
 /// # Errors
 ///
-/// [`Failure`] if the fit file does not give the range of forces, the contact cannot be solved, or every point is beyond
-/// the model.
+/// [`Failure`] if the fit file does not give the range of forces, the contact cannot be solved, or every point is
+/// beyond the model.
 pub fn measurement(file: &FitFile, table: usize, seed: u64) -> Result<Simulation, Failure> {
     let data = &file.data[table];
     let forces = forces(file, data)?;

@@ -67,8 +67,8 @@ struct CriterionSearch {
 /// the path, loads around the one with the largest stress are tried.
 ///
 /// # Errors
-/// [`ContactError::WithHardness`] with a hardness; [`ContactError::StressLeftOut`] if the extremes lack the quantity of a
-/// strength that is given; those of [`solve_path`](crate::solve_path) and
+/// [`ContactError::WithHardness`] with a hardness; [`ContactError::StressLeftOut`] if the extremes lack the quantity of
+/// a strength that is given; those of [`solve_path`](crate::solve_path) and
 /// [`stress_extremes`](super::body_extremes::stress_extremes); [`ContactError::Cancelled`] if the observer cancels.
 ///
 /// # Panics

@@ -73,8 +73,8 @@ impl SearchWork {
     /// Number of [terms](Self::terms).
     pub const TERMS: usize = 7;
 
-    /// The counts of which the time of a search is a sum: planes, the same in layers, places, peaks, the same in layers,
-    /// sums and those of the edge.
+    /// The counts of which the time of a search is a sum: planes, the same in layers, places, peaks, the same in
+    /// layers, sums and those of the edge.
     #[must_use]
     pub fn terms(&self) -> [f64; Self::TERMS] {
         [
