@@ -43,7 +43,8 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let plan = StudyPlan::new(&study, arguments.shard.resolve()?)?;
     if arguments.list {
         list(&study, &plan.identity)?;
-        return report_stress_time(&study, &plan.identity);
+        report_stress_time(&study, &plan.identity);
+        return Ok(Outcome::Done);
     }
     if let Some(words) = plan.refused.words().filter(|_| prints_text(arguments)) {
         terminal::report(&format!("warning: {words}"));
@@ -221,7 +222,7 @@ fn list(study: &Study, identity: &StudyIdentity) -> Result<(), Failure> {
 }
 
 /// Reports the time that the stresses of a part take, by the forecasts of some cases that are spread evenly over it.
-fn report_stress_time(study: &Study, identity: &StudyIdentity) -> Result<Outcome, Failure> {
+fn report_stress_time(study: &Study, identity: &StudyIdentity) {
     let (cases, cache) = (identity.case_count(), cache::open_for_many());
     let apart = cases.div_ceil(FORECAST_CASES).max(1);
     let mut forecasts = Vec::new();
@@ -246,5 +247,4 @@ fn report_stress_time(study: &Study, identity: &StudyIdentity) -> Result<Outcome
             forecasts.len()
         ));
     }
-    Ok(Outcome::Done)
 }
