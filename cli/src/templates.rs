@@ -94,6 +94,7 @@ mod tests {
         let stress = case.stress.unwrap();
         assert_eq!((stress.friction, stress.extent), (0.15, Some(30e-6)));
         assert_eq!(stress.depths.unwrap().len(), 41);
+        assert_eq!(stress.only.unwrap().len(), 4);
         assert_eq!(case.foundation.criteria().len(), 4);
     }
 

@@ -38,6 +38,7 @@ mod solve;
 mod stress_command;
 mod stress_extent;
 mod stress_files;
+mod stress_memory;
 mod stress_pictures;
 mod stress_summary;
 mod study;

@@ -78,6 +78,7 @@ fn stresses(foundation: &Foundation, friction: f64) -> StressModel {
         },
         bodies: bodies.collect(),
         interfaces: interfaces.collect(),
+        only: None,
     }
 }
 
@@ -90,14 +91,15 @@ fn strengthen(stress: &mut StressModel, found: &StressExtremes) -> usize {
     };
     let first = &found.bodies[0];
     stress.bodies[0].strengths = BodyStrengths {
-        yield_strength: some(first.max_von_mises.value),
-        tensile_strength: some(first.max_principal.value),
+        yield_strength: some(first.max_von_mises.expect("wanted").value),
+        tensile_strength: some(first.max_principal.expect("wanted").value),
     };
     if let (Some(interface), Some(of)) = (stress.interfaces.first_mut(), found.interfaces.first()) {
-        interface.strengths.shear_strength = some(of.max_shear_traction.value);
+        interface.strengths.shear_strength = some(of.max_shear_traction.expect("wanted").value);
         let last = found.bodies.len() - 1;
         let of = &found.bodies[last];
-        stress.bodies[last].strengths.yield_strength = some(of.max_von_mises.value);
+        stress.bodies[last].strengths.yield_strength =
+            some(of.max_von_mises.expect("wanted").value);
     }
     count
 }

@@ -68,6 +68,12 @@ pub enum ContactError {
     /// Stresses that are not numbers, so that there is no largest one.
     #[error("found stresses that are not numbers, wanted finite ones")]
     StressNotFinite,
+    /// A strength is given, but the stress that reaches it was left out.
+    #[error("found a strength but no {quantity} among the stresses, wanted it or no such strength")]
+    StressLeftOut {
+        /// Name of the stress in results.
+        quantity: &'static str,
+    },
     /// A field whose length does not match the grid.
     #[error("found {found} values of the {field}, wanted {wanted}, one per element")]
     FieldLength {

@@ -81,5 +81,7 @@ pub use stress::{
     model::{
         BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
     },
+    quantity::StressQuantity,
+    search_work::{LoadedElements, SearchWork, critical_work, search_work},
     unresolved::UnresolvedStresses,
 };

@@ -14,7 +14,8 @@ mod neighbourhood;
 mod peak_search;
 mod plane_scan;
 mod pressure_blocks;
-mod quantity;
+pub mod quantity;
+pub mod search_work;
 mod solved_loads;
 pub mod unresolved;
 

@@ -93,6 +93,7 @@ fn sliding_coating(thickness: f64) -> StressModel {
             depth: thickness,
             strengths: InterfaceStrengths::default(),
         }],
+        only: None,
     }
 }
 

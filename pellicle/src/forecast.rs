@@ -4,6 +4,7 @@
 //! and the warnings about the model. Its domain is that of the solution.
 
 pub mod need;
+pub mod stress_cost;
 mod trial;
 
 use pellicle_contact::{
@@ -13,7 +14,8 @@ use pellicle_contact::{
 use pellicle_texture::Grid;
 
 use self::need::Need;
-use self::trial::{TRIAL, contact_share};
+use self::stress_cost::StressCost;
+use self::trial::TRIAL;
 use crate::case::{Case, grid::BoundaryCase};
 use crate::display::significant;
 
@@ -35,6 +37,8 @@ pub struct Forecast {
     pub trial: usize,
     /// The memory that a run will need.
     pub need: Need,
+    /// What the stresses cost beside the contact; none without stresses, or if the trial failed.
+    pub stress: Option<StressCost>,
     /// The solution of the largest load on that grid; none if the trial failed.
     pub step: Option<Step>,
     /// The warnings to expect from the solution, as far as the trial shows.
@@ -73,12 +77,16 @@ impl Forecast {
             Err(error) => warnings.push(format!("the trial failed: {error}")),
         }
         warnings.extend(maps(case, side));
-        let share = path.as_ref().map_or(1.0, contact_share);
+        let path = path.ok();
         Self {
             side,
             trial,
-            need: Need::of(case, model, rayon::current_num_threads(), share),
-            step: path.ok().and_then(|mut path| path.steps.pop()),
+            need: Need::of(case, model, rayon::current_num_threads(), path.as_ref()),
+            stress: path.as_ref().and_then(|path| {
+                let [least, most] = products(path.steps.last()?, trial, case.grid.elements);
+                StressCost::of(case, path, (least * most).sqrt())
+            }),
+            step: path.and_then(|mut path| path.steps.pop()),
             warnings,
         }
     }
@@ -87,10 +95,15 @@ impl Forecast {
     #[must_use]
     pub fn products(&self, elements: usize) -> Option<[f64; 2]> {
         let step = self.step.as_ref()?;
-        let least = step.work.operator_applications as f64;
-        let halvings = (elements as f64 / self.trial as f64).log2().max(0.0);
-        Some([least, least * GROWTH.powf(halvings)])
+        Some(products(step, self.trial, elements))
     }
+}
+
+/// Lower and upper estimates of the products with `K` on this many elements per side, from a step on those of a trial.
+fn products(step: &Step, trial: usize, elements: usize) -> [f64; 2] {
+    let least = step.work.operator_applications as f64;
+    let halvings = (elements as f64 / trial as f64).log2().max(0.0);
+    [least, least * GROWTH.powf(halvings)]
 }
 
 /// The warning that the domain is far too large for the contact of the largest load. The contact is that of the trial;

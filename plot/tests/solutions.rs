@@ -50,14 +50,14 @@ fn view(side: f64, values: &[f64]) -> StressView {
 fn extremes(side: f64, value: f64) -> Extremes {
     let body = |name: &str| BodyExtremes {
         name: name.into(),
-        von_mises: Extreme {
+        von_mises: Some(Extreme {
             value: value.abs(),
             at: [0.1 * side, 0.2 * side, 0.1 * side],
-        },
-        max_principal: Extreme {
+        }),
+        max_principal: Some(Extreme {
             value,
             at: [side, side, 2.0 * side],
-        },
+        }),
     };
     let extreme = Extreme {
         value,
@@ -67,9 +67,9 @@ fn extremes(side: f64, value: f64) -> Extremes {
         bodies: vec![body("layer 0"), body("substrate")],
         interfaces: vec![InterfaceExtremes {
             index: 0,
-            shear: extreme,
-            tension: extreme,
-            compression: extreme,
+            shear: Some(extreme),
+            tension: Some(extreme),
+            compression: Some(extreme),
         }],
     }
 }

@@ -29,18 +29,32 @@ Depths: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
 """Several depths: a list, an array or a range."""
 
 
+StressName: TypeAlias = Literal[
+    "max_von_mises",
+    "max_principal",
+    "min_principal",
+    "max_shear",
+    "max_shear_traction",
+    "max_tension",
+    "max_compression",
+]
+"""A largest stress by its name in the summary: four of bodies, three of interfaces."""
+
+
 @dataclass(frozen=True)
 class Stress(Table):
     """Requests the stresses inside the body.
 
     The program writes planes at `depths`, squares of side `extent`, in m. A sliding indenter has a coefficient of
-    `friction` and a `direction` in rad, from +x to +y.
+    `friction` and a `direction` in rad, from +x to +y. `only` names the stresses whose largest values are sought, as in
+    the summary; by default all.
     """
 
     depths: Depths | None = None
     extent: Quantity | None = None
     friction: float | None = None
     direction: Quantity | None = None
+    only: Sequence[StressName] | None = None
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,14 @@ import math
 import pickle
 import tomllib
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 import pytest
 
 import pellicle as pl
 from pellicle import toml
+from pellicle.options import StressName
 from pellicle.quantity import SI_UNITS
 
 
@@ -55,7 +56,9 @@ EVERYTHING = pl.Case(
     elements=64,
     tolerance=1e-6,
     method="gradient",
-    stress=pl.Stress(depths=["5 nm", 0], extent="8 um", friction=0.3, direction="30 deg"),
+    stress=pl.Stress(
+        depths=["5 nm", 0], extent="8 um", friction=0.3, direction="30 deg", only=get_args(StressName)
+    ),
     output=pl.Output(fields="all", pictures="none", formats=["npz"]),
     title='a "quoted" title',
 )
@@ -75,6 +78,7 @@ def test_every_key_can_be_written_and_read_back() -> None:
     assert math.isclose(resolved["indenter"]["half_angle"], math.radians(70.0), rel_tol=1e-15)
     assert resolved["load"] == {"forces": [1e-6, 1e-5, 1e-4, 1e-3], "sensitivities": True}
     assert resolved["stress"]["depths"] == [0.0, 5e-9]
+    assert resolved["stress"]["only"] == list(get_args(StressName))
     assert resolved["output"] == {"fields": "all", "pictures": "none", "formats": ["npz"]}
 
 
@@ -179,7 +183,7 @@ def test_no_table_of_the_case_file_has_keys_that_its_class_lacks(
     values = {} if not hasattr(kind, "_kind") or kind._kind is None else {"kind": kind._kind}
     known = keys_that_the_reader_knows(place, **values)
     assert (fields(kind) | more) - less == known
-    assert known - more - set(SI_UNITS) <= {"lattice", "law", "interpolation", "fields", "pictures", "formats"}
+    assert known - more - set(SI_UNITS) <= {"lattice", "law", "interpolation", "fields", "pictures", "formats", "only"}
 
 
 def test_layers_loads_grid_and_solver_have_the_keys_of_the_case_file() -> None:

@@ -14,6 +14,7 @@ use crate::arguments::CaseArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::output::disk_space;
+use crate::progress::in_words;
 use crate::{cache, terminal};
 
 /// Prints the case with every default filled in, then the estimates and the warnings to expect.
@@ -151,6 +152,12 @@ impl Estimates {
         if strengths > 0 {
             let words = format!("{strengths}, each by solving some ten more loads");
             self.add("critical loads", &words);
+        }
+        if let Some(cost) = forecast.stress {
+            self.add("CPU time of stresses, about", &in_words(cost.extremes));
+            if let Some(critical) = cost.critical {
+                self.add("CPU time of critical loads, about", &in_words(critical));
+            }
         }
         Ok([count, size])
     }

@@ -88,14 +88,17 @@ fn simulate(arguments: &IdentifyArguments, file: &FitFile, out: &Path) -> Result
     threads::set(arguments.threads)?;
     let seed = arguments.seed.unwrap_or(file.report.seed);
     for table in 0..file.data.len() {
-        let text = simulation::measurement(file, table, seed)?;
+        let found = simulation::measurement(file, table, seed)?;
+        for warning in &found.warnings {
+            terminal::report(&format!("warning: {warning}"));
+        }
         let path = simulation::path(out, table, file.data.len());
         let write = if arguments.force {
             file::write_bytes
         } else {
             file::write_new
         };
-        write(&path, text.as_bytes())?;
+        write(&path, found.text.as_bytes())?;
         if !arguments.quiet {
             terminal::report(&format!("written to {}", path.display()));
         }

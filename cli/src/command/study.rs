@@ -1,7 +1,9 @@
 //! `pellicle study`: solves a case for many values of its keys.
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
+use pellicle::forecast::Forecast;
 use pellicle::memory::MemoryBudget;
 use serde::Serialize;
 
@@ -28,6 +30,9 @@ use crate::{cache, interrupt, output, terminal};
 /// Number of bytes of the list of cases printed at once.
 const LISTED_AT_ONCE: usize = 1 << 16;
 
+/// Number of cases of a study whose time is forecast.
+const FORECAST_CASES: usize = 8;
+
 /// Solves the remaining cases and prints the number of cases by status.
 ///
 /// # Errors
@@ -37,7 +42,9 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     let study = study_file::read(&arguments.path, &arguments.sets)?;
     let plan = StudyPlan::new(&study, arguments.shard.resolve()?)?;
     if arguments.list {
-        return list(&study, &plan.identity);
+        list(&study, &plan.identity)?;
+        report_stress_time(&study, &plan.identity);
+        return Ok(Outcome::Done);
     }
     if let Some(words) = plan.refused.words().filter(|_| prints_text(arguments)) {
         terminal::report(&format!("warning: {words}"));
@@ -201,7 +208,7 @@ fn report(
 }
 
 /// Prints the cases of a part, in blocks.
-fn list(study: &Study, identity: &StudyIdentity) -> Result<Outcome, Failure> {
+fn list(study: &Study, identity: &StudyIdentity) -> Result<(), Failure> {
     let mut text = String::new();
     for case in identity.cases() {
         let line = format!("case {}: {}\n", case + 1, study.words(case));
@@ -211,5 +218,33 @@ fn list(study: &Study, identity: &StudyIdentity) -> Result<Outcome, Failure> {
         }
     }
     terminal::print(&text)?;
-    Ok(Outcome::Done)
+    Ok(())
+}
+
+/// Reports the time that the stresses of a part take, by the forecasts of some cases that are spread evenly over it.
+fn report_stress_time(study: &Study, identity: &StudyIdentity) {
+    let (cases, cache) = (identity.case_count(), cache::open_for_many());
+    let apart = cases.div_ceil(FORECAST_CASES).max(1);
+    let mut forecasts = Vec::new();
+    for case in identity.cases().step_by(apart) {
+        // An invalid case is recorded as failed in its turn.
+        let Ok(case) = study.case(case) else {
+            continue;
+        };
+        let cost = match &case.stress {
+            Some(_) => (case.model(&cache).ok())
+                .and_then(|model| Forecast::new(&case, &model.value).stress),
+            None => None,
+        };
+        forecasts.push(cost.map_or(0.0, |cost| cost.total().as_secs_f64()));
+    }
+    let sum: f64 = forecasts.iter().sum();
+    if sum > 0.0 {
+        let all = sum / forecasts.len() as f64 * cases as f64;
+        let time = in_words(Duration::try_from_secs_f64(all).unwrap_or(Duration::MAX));
+        terminal::report(&format!(
+            "stresses and critical loads take about {time} of CPU time, by the forecast of {} of {cases} cases",
+            forecasts.len()
+        ));
+    }
 }

@@ -1,17 +1,21 @@
 //! Simulated measurements of a fit file: the curve of its model, with its noise, in the format that it reads.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use pellicle::display::significant;
 use pellicle_identify::{
-    ContactCurve, ContactCurves, CurveOptions, ForwardError, ForwardModel, Observable, Prediction,
+    ContactCurve, ContactCurves, CurveOptions, ForwardError, ForwardModel, Invalidity, Observable,
 };
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::curve_source::observable;
+use super::units;
 use crate::failure::Failure;
 use crate::fit_file::FitFile;
+use crate::fit_file::report::OutsidePoints;
 use crate::measured::channel::Channel;
 use crate::measured::columns::{ColumnName, ColumnUnit};
 use crate::measured::curve_segment::SegmentEnd;
@@ -24,15 +28,33 @@ const RELATIVE: f64 = 0.01;
 /// Time between two points, s.
 const INTERVAL: f64 = 0.1;
 
-/// Writes the measurements of a table as text, with noise of this seed.
+/// A simulated measurement.
+pub struct Simulation {
+    /// The table, in the columns and units that the fit file reads.
+    pub text: String,
+    /// Sentences on the points that are left out because they are beyond the model.
+    pub warnings: Vec<String>,
+}
+
+/// Simulates the measurements of a table, with noise of this seed. Points beyond the model are left out, unless the fit
+/// file keeps them.
 ///
 /// # Errors
 ///
-/// [`Failure`] if the fit file does not give the range of forces, or the contact cannot be solved.
-pub fn measurement(file: &FitFile, table: usize, seed: u64) -> Result<String, Failure> {
+/// [`Failure`] if the fit file does not give the range of forces, the contact cannot be solved, or every point is
+/// beyond the model.
+pub fn measurement(file: &FitFile, table: usize, seed: u64) -> Result<Simulation, Failure> {
     let data = &file.data[table];
     let forces = forces(file, data)?;
-    let depths = depths(file, data, &forces)?;
+    let curves = curves(file, data, &forces)?;
+    let depths = curves.predict(&[]).map_err(|error| match error {
+        ForwardError::OutOfRange { source } => Failure::NotSimulated(source.to_string()),
+        other => Failure::NotSimulated(other.to_string()),
+    })?;
+    let beyond = match file.report.outside {
+        OutsidePoints::LeaveOut => curves.beyond_model(&[])?,
+        OutsidePoints::Keep => vec![None; forces.len()],
+    };
     let mut normal = Normal(ChaCha8Rng::seed_from_u64(seed.wrapping_add(table as u64)));
     let noise = data.noise;
     let is_given = noise.depth.is_some() || noise.force.is_some() || noise.relative.is_some();
@@ -53,7 +75,44 @@ pub fn measurement(file: &FitFile, table: usize, seed: u64) -> Result<String, Fa
             noisy(*force, noise.force, of_force),
         ]
     });
-    Ok(text(data, &points.collect::<Vec<_>>()))
+    // Every point takes its noise, so that leaving some out changes no other.
+    let points: Vec<_> = points.collect();
+    let kept = points.iter().zip(&beyond);
+    let kept = kept.filter(|(_, beyond)| beyond.is_none());
+    let kept: Vec<[f64; 2]> = kept.map(|(point, _)| *point).collect();
+    let warnings = left_out(&forces, &beyond);
+    if kept.is_empty() {
+        return Err(Failure::NotSimulated(warnings.join("; ")));
+    }
+    Ok(Simulation {
+        text: text(data, &kept),
+        warnings,
+    })
+}
+
+/// A sentence for each reason for which points are left out, with their number and forces.
+fn left_out(forces: &[f64], beyond: &[Option<Invalidity>]) -> Vec<String> {
+    let mut by_reason: BTreeMap<String, Vec<f64>> = BTreeMap::new();
+    for (force, reason) in forces.iter().zip(beyond) {
+        if let Some(reason) = reason {
+            by_reason
+                .entry(reason.to_string())
+                .or_default()
+                .push(*force);
+        }
+    }
+    let sentences = by_reason.into_iter().map(|(reason, forces)| {
+        let count = forces.len();
+        let scale = units::scale(forces[count - 1], "N");
+        let [least, most] =
+            [forces[0], forces[count - 1]].map(|force| significant(force / scale.divisor, 3));
+        format!(
+            "outside the model, {reason}: {count} points from {least} to {most} {} are left out; \
+             report.outside = \"keep\" simulates them",
+            scale.label
+        )
+    });
+    sentences.collect()
 }
 
 /// The file of a table: the named one, or a numbered one if there are several tables.
@@ -89,8 +148,8 @@ fn forces(file: &FitFile, data: &DataTable) -> Result<Vec<f64>, Failure> {
         .collect())
 }
 
-/// Computes the depths at these forces by the model of a table.
-fn depths(file: &FitFile, data: &DataTable, forces: &[f64]) -> Result<Prediction, Failure> {
+/// The curve of a table's model at these forces.
+fn curves(file: &FitFile, data: &DataTable, forces: &[f64]) -> Result<ContactCurves, Failure> {
     if observable(data.observe) == Observable::StiffnessAtContactRadius {
         let wanted = "\"depth at force\" or \"force at depth\" to simulate";
         return Err(data.wanted("observe", wanted).into());
@@ -101,11 +160,8 @@ fn depths(file: &FitFile, data: &DataTable, forces: &[f64]) -> Result<Prediction
         abscissae: forces.to_vec(),
         own: Vec::new(),
     };
-    let curves = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default())?;
-    curves.predict(&[]).map_err(|error| match error {
-        ForwardError::OutOfRange { source } => Failure::NotSimulated(source.to_string()),
-        other => Failure::NotSimulated(other.to_string()),
-    })
+    let options = CurveOptions::default();
+    Ok(ContactCurves::new(vec![curve], Vec::new(), options)?)
 }
 
 /// Writes the table in the columns and units that the fit file reads.

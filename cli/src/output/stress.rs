@@ -183,15 +183,19 @@ fn write_step(
     Ok(uses.view.then_some(view))
 }
 
-/// The line through the point of the largest von Mises stress, along the direction of sliding or along x.
+/// The line through the point of the largest von Mises stress, or of another stress if that is not wanted, along the
+/// direction of sliding or along x.
 fn section_line(step: &StepSummary, stress: &StressCase) -> SurfaceLine {
     let bodies = step
         .stress
         .iter()
         .flat_map(|stress| &stress.extremes.bodies);
     let largest = bodies
-        .map(|body| body.max_von_mises)
-        .max_by(|one, other| one.value.total_cmp(&other.value));
+        .filter_map(|body| {
+            let others = body.max_principal.or(body.max_shear).or(body.min_principal);
+            body.max_von_mises.or(others)
+        })
+        .max_by(|one, other| one.value.abs().total_cmp(&other.value.abs()));
     SurfaceLine {
         through: largest.map_or([0.0; 2], |largest| [largest.at[0], largest.at[1]]),
         direction: if stress.friction > 0.0 {

@@ -26,9 +26,11 @@ pub fn of_step(step: &StepSummary) -> Extremes {
     }
 }
 
-fn extreme<const AXES: usize>(of: pellicle_contact::Extreme<AXES>) -> Extreme<AXES> {
-    Extreme {
+fn extreme<const AXES: usize>(
+    of: Option<pellicle_contact::Extreme<AXES>>,
+) -> Option<Extreme<AXES>> {
+    of.map(|of| Extreme {
         value: of.value,
         at: of.at,
-    }
+    })
 }

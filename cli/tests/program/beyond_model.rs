@@ -55,6 +55,31 @@ fn messages<'a>(summary: &'a Value, code: &str) -> Vec<&'a str> {
 }
 
 #[test]
+fn a_critical_load_beyond_the_model_says_so() {
+    let strong = MEGANEWTONS.replace(
+        "poisson_ratio = 0.25",
+        "poisson_ratio = 0.25\nyield_strength = \"900 GPa\"",
+    );
+    let folder = TestFolder::with_case(format!("{strong}\n[stress]\n"));
+    let flags = ["--pictures", "none", "--fields", "none", "--out"];
+    let run = |more: &[&str]| folder.run(&[&["run", "case.toml"], &flags[..], more].concat());
+    // The ball is sunk by 15 radii when the coating yields.
+    let ran = run(&["a"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    let load = folder.summary("a")["critical"][0].clone();
+    assert_eq!(load["status"], "beyond-model");
+    assert!(load["penetration"].as_f64().unwrap() > 0.5e-3);
+    let weak = "foundation.layer.0.yield_strength=\"0.5 GPa\"";
+    let ran = run(&["b", "--set", weak, "--set", "load.force=\"100 mN\""]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    assert_eq!(folder.summary("b")["critical"][0]["status"], "met");
+    let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();
+    assert!(curve.contains(",beyond-model\n"), "{curve}");
+    let text = fs::read_to_string(folder.path("a/report.html")).unwrap();
+    assert!(text.contains("BEYOND THE MODEL, do not use this load"));
+}
+
+#[test]
 fn a_result_beyond_the_model_is_written_and_marked_and_the_unit_is_asked_for() {
     let folder = TestFolder::with_case(MEGANEWTONS);
     let ran = folder.run(&["run", "case.toml", "--out", "a"]);

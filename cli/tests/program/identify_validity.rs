@@ -47,6 +47,9 @@ noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
 const SQUEEZED: &str = "springs squeezed by more than their height";
 const TOO_STEEP: &str = "indenter too steep where the contact ends";
 
+/// Points that no body can have are simulated only if this is added to a fit file.
+const KEEP: &str = "\n[report]\noutside = \"keep\"\n";
+
 /// Fits measurements simulated from the file `simulated` with the file `fit`.
 fn fitted(simulated: &str, fit: &str) -> (TestFolder, ProgramOutput, Value) {
     let folder = TestFolder::new();
@@ -153,7 +156,7 @@ noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
 [unknown]
 "foundation.layer[0].young_modulus" = { from = "0.1 MPa", to = "10 MPa" }
 "#;
-    let (folder, ran, found) = fitted(case, case);
+    let (folder, ran, found) = fitted(&format!("{case}{KEEP}"), case);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert_eq!(found["verdict"], "fitted");
     let [excluded] = &found["fit"]["excluded"].as_array().unwrap()[..] else {
@@ -171,6 +174,26 @@ noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
     let found = excluded["count"].as_u64().unwrap();
     assert!(found.abs_diff(count as u64) <= 2, "{found} {count}");
     assert!(folder.path("fit").join("excluded.csv").exists());
+    // The simulation leaves out the same points, and says so; the others are as before.
+    let before = fs::read_to_string(folder.path("curve.csv")).unwrap();
+    fs::write(folder.path("fit.toml"), case).unwrap();
+    let simulate = [
+        "identify",
+        "fit.toml",
+        "--simulate",
+        "--force",
+        "--out",
+        "curve.csv",
+    ];
+    let ran = folder.run(&simulate);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let words = format!(
+        "outside the model, surface pressed below the top of the rigid base: {found} points from"
+    );
+    assert!(ran.stderr.contains(&words), "{}", ran.stderr);
+    let kept = fs::read_to_string(folder.path("curve.csv")).unwrap();
+    assert_eq!(kept.lines().count() as u64, 101 - found);
+    assert!(before.starts_with(&kept));
 }
 
 #[test]

@@ -212,6 +212,72 @@ fn a_study_varies_friction_and_strength_and_has_critical_loads_as_columns() {
 }
 
 #[test]
+fn check_and_list_tell_the_time_of_stresses_in_advance() {
+    let folder = TestFolder::with_study(
+        hertz(1.0),
+        &(hertz(1.0) + "[study.vary]\nstress.friction = [0.0, 0.1, 0.2]\n"),
+    );
+    let checked = folder.run(&["check", "case.toml"]).stdout;
+    for line in [
+        "# CPU time of stresses, about ",
+        "# CPU time of critical loads, about ",
+    ] {
+        assert!(checked.contains(line), "{checked}");
+    }
+    let listed = folder.run(&["study", "many.toml", "--list"]);
+    let words = "of CPU time, by the forecast of 3 of 3 cases";
+    assert!(listed.stderr.contains(words), "{}", listed.stderr);
+    assert_eq!(listed.stdout.lines().count(), 3);
+}
+
+#[test]
+fn only_the_wanted_stresses_are_in_the_results() {
+    let folder = TestFolder::with_case(format!(
+        "{CASE}\n[stress]\nonly = [\"max_tension\", \"max_shear\"]\n"
+    ));
+    let flags = ["--formats", "npz", "--out", "a"];
+    let ran = folder.run(&[&["run", "case.toml"][..], &flags].concat());
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let summary = folder.summary("a");
+    assert_eq!(
+        summary["case"]["stress"]["only"],
+        serde_json::json!(["max_shear", "max_tension"])
+    );
+    let stress = &summary["steps"][0]["stress"];
+    for body in stress["bodies"].as_array().unwrap() {
+        assert_eq!(keys(body), ["name", "max_shear", "utilisation"]);
+    }
+    let wanted = ["index", "depth", "max_tension", "utilisation"];
+    assert_eq!(keys(&stress["interfaces"][0]), wanted);
+    let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();
+    let header = curve.lines().next().unwrap();
+    for (name, is_there) in [
+        ("max shear layer[0] [Pa]", true),
+        ("max tension interface[0] [Pa]", true),
+        ("max von Mises", false),
+        ("principal", false),
+        ("max shear traction", false),
+        ("compression", false),
+    ] {
+        assert_eq!(header.contains(name), is_there, "{name} in {header}");
+    }
+    assert!(
+        curve
+            .lines()
+            .all(|row| row.split(',').count() == header.split(',').count())
+    );
+    let report = fs::read_to_string(folder.path("a/report.html")).unwrap();
+    assert!(report.contains("largest tension") && !report.contains("largest compression"));
+    assert!(!report.contains("<td>largest von Mises stress"));
+    // A key of the command line is one of the file.
+    let set = "stress.only=[\"max_sheer\"]";
+    let refused = folder.run(&["run", "case.toml", "--set", set]);
+    assert_eq!(refused.code, Some(2));
+    let hint = "did you mean \"max_shear\"?";
+    assert!(refused.stderr.contains(hint), "{}", refused.stderr);
+}
+
+#[test]
 fn a_strength_that_is_not_reached_is_told_from_one_that_is_not_given() {
     // Under 1e-3 the largest pressure is 0.058, and von Mises' stress 0.036: 0.02 is met, 100 is not.
     let body = |more: &str| format!("{{ young_modulus = 0.91, poisson_ratio = 0.3{more} }}");

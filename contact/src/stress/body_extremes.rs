@@ -4,9 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::extreme::Extreme;
 use super::extreme_finder::ExtremeFinder;
-use super::model::StressModel;
+use super::model::{BodyPart, InterfacePart, StressModel};
 use super::plane_scan::Target;
-use super::quantity::{OF_BODIES, OF_INTERFACES};
+use super::quantity::{OF_BODIES, OF_INTERFACES, StressQuantity};
 use crate::{Boundary, ContactError, LoadingPath};
 
 /// The largest ratios of stresses to the strengths of a body; none if no strength is given.
@@ -19,19 +19,23 @@ pub struct BodyUtilisation {
     pub tension: Option<f64>,
 }
 
-/// The extremes in one body.
+/// The extremes in one body; none of a quantity that is not wanted.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BodyStress {
     /// `layer[0]`, …, or `substrate`.
     pub name: String,
     /// Largest von Mises stress.
-    pub max_von_mises: Extreme<3>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_von_mises: Option<Extreme<3>>,
     /// Largest principal stress.
-    pub max_principal: Extreme<3>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_principal: Option<Extreme<3>>,
     /// Least principal stress.
-    pub min_principal: Extreme<3>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub min_principal: Option<Extreme<3>>,
     /// Tresca's largest shear, half the difference of the principal stresses.
-    pub max_shear: Extreme<3>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_shear: Option<Extreme<3>>,
     /// Ratios to the strengths given.
     pub utilisation: BodyUtilisation,
 }
@@ -45,7 +49,7 @@ pub struct InterfaceUtilisation {
     pub tension: Option<f64>,
 }
 
-/// The extremes of the tractions on one interface.
+/// The extremes of the tractions on one interface; none of a quantity that is not wanted.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InterfaceStress {
     /// Index, counted from 0 at the surface.
@@ -53,11 +57,14 @@ pub struct InterfaceStress {
     /// Depth, in m.
     pub depth: f64,
     /// Largest `τ = |(σ_xz, σ_yz)|`.
-    pub max_shear_traction: Extreme<2>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_shear_traction: Option<Extreme<2>>,
     /// Largest `σ_zz`, 0 without tension.
-    pub max_tension: Extreme<2>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_tension: Option<Extreme<2>>,
     /// Largest `−σ_zz`.
-    pub max_compression: Extreme<2>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_compression: Option<Extreme<2>>,
     /// Ratios to the strengths given.
     pub utilisation: InterfaceUtilisation,
 }
@@ -92,78 +99,114 @@ pub fn stress_extremes(
     if path.boundary == Boundary::Periodic {
         return Err(ContactError::Periodic { what: "stresses" });
     }
+    let wanted = |all: &[StressQuantity]| -> Vec<StressQuantity> {
+        let wanted = all.iter().filter(|quantity| stress.wants(**quantity));
+        wanted.copied().collect()
+    };
+    let (of_bodies, of_interfaces) = (wanted(&OF_BODIES), wanted(&OF_INTERFACES));
     let bodies = stress.bodies.iter().map(|body| Target {
         top: body.top,
         bottom: body.bottom,
-        quantities: OF_BODIES.to_vec(),
+        quantities: of_bodies.clone(),
     });
     let interfaces = stress.interfaces.iter().map(|interface| Target {
         top: interface.depth,
         bottom: interface.depth,
-        quantities: OF_INTERFACES.to_vec(),
+        quantities: of_interfaces.clone(),
     });
-    let targets: Vec<Target> = bodies.chain(interfaces).collect();
+    // A target without a wanted quantity is not scanned.
+    let targets = bodies.chain(interfaces);
+    let targets: Vec<Target> = targets
+        .filter(|target| !target.quantities.is_empty())
+        .collect();
     let finder = ExtremeFinder::new(path, &path.steps[step], stress.sliding);
     let mut rough = ExtremeFinder::rough_depths(path, stress.sliding)?;
     let mut found = finder.find(&mut rough, &targets)?.into_iter();
-    let bodies = stress.bodies.iter().zip(found.by_ref());
-    let bodies = bodies.map(|(body, extremes)| {
-        let [max_von_mises, max_principal, min_principal, max_shear] =
-            [0, 1, 2, 3].map(|i: usize| extremes[i]);
-        let utilisation = BodyUtilisation {
-            yielding: body
-                .strengths
-                .yield_strength
-                .map(|strength| max_von_mises.value / strength),
-            tension: body
-                .strengths
-                .tensile_strength
-                .map(|strength| max_principal.value.max(0.0) / strength),
-        };
-        BodyStress {
-            name: body.name.clone(),
-            max_von_mises,
-            max_principal,
-            min_principal: Extreme {
-                value: -min_principal.value,
-                ..min_principal
-            },
-            max_shear,
-            utilisation,
-        }
-    });
+    let mut next = |quantities: &[StressQuantity]| Found {
+        extremes: if quantities.is_empty() {
+            Vec::new()
+        } else {
+            let extremes = found.next().unwrap_or_default();
+            quantities.iter().copied().zip(extremes).collect()
+        },
+    };
+    let bodies = stress.bodies.iter();
+    let bodies = bodies.map(|body| of_body(body, &next(&of_bodies)));
     let bodies = bodies.collect();
-    let interfaces = stress.interfaces.iter().zip(found);
-    let interfaces = interfaces.map(|(interface, extremes)| {
-        let flat = |extreme: &Extreme<3>| Extreme {
+    let interfaces = stress.interfaces.iter();
+    let interfaces = interfaces.map(|interface| of_interface(interface, &next(&of_interfaces)));
+    let interfaces = interfaces.collect();
+    Ok(StressExtremes { bodies, interfaces })
+}
+
+/// The extremes of one target by quantity.
+struct Found {
+    extremes: Vec<(StressQuantity, Extreme<3>)>,
+}
+
+impl Found {
+    /// The extreme of a quantity; none if it was not wanted.
+    fn of(&self, quantity: StressQuantity) -> Option<Extreme<3>> {
+        let mut extremes = self.extremes.iter();
+        let found = extremes.find(|(other, _)| *other == quantity);
+        found.map(|(_, extreme)| *extreme)
+    }
+
+    /// The extreme on an interface, 0 where it is negative.
+    fn on_interface(&self, quantity: StressQuantity) -> Option<Extreme<2>> {
+        self.of(quantity).map(|extreme| Extreme {
             value: extreme.value.max(0.0),
             at: [extreme.at[0], extreme.at[1]],
             resolved: extreme.resolved,
             estimate: extreme.estimate,
-        };
-        let [max_shear_traction, max_tension, max_compression] =
-            [0, 1, 2].map(|i: usize| flat(&extremes[i]));
-        let utilisation = InterfaceUtilisation {
-            shear: interface
-                .strengths
-                .shear_strength
-                .map(|strength| max_shear_traction.value / strength),
-            tension: interface
-                .strengths
-                .tensile_strength
-                .map(|strength| max_tension.value / strength),
-        };
-        InterfaceStress {
-            index: interface.index,
-            depth: interface.depth,
-            max_shear_traction,
-            max_tension,
-            max_compression,
-            utilisation,
-        }
-    });
-    let interfaces = interfaces.collect();
-    Ok(StressExtremes { bodies, interfaces })
+        })
+    }
+}
+
+/// The ratio of a stress, 0 where it is negative, to a strength; none without either.
+fn utilisation<const AXES: usize>(
+    extreme: Option<Extreme<AXES>>,
+    strength: Option<f64>,
+) -> Option<f64> {
+    Some(extreme?.value.max(0.0) / strength?)
+}
+
+fn of_body(body: &BodyPart, found: &Found) -> BodyStress {
+    let max_von_mises = found.of(StressQuantity::VonMises);
+    let max_principal = found.of(StressQuantity::MaxPrincipal);
+    let min_principal = found.of(StressQuantity::MinPrincipal);
+    let strengths = body.strengths;
+    BodyStress {
+        name: body.name.clone(),
+        max_von_mises,
+        max_principal,
+        min_principal: min_principal.map(|extreme| Extreme {
+            value: -extreme.value,
+            ..extreme
+        }),
+        max_shear: found.of(StressQuantity::MaxShear),
+        utilisation: BodyUtilisation {
+            yielding: utilisation(max_von_mises, strengths.yield_strength),
+            tension: utilisation(max_principal, strengths.tensile_strength),
+        },
+    }
+}
+
+fn of_interface(interface: &InterfacePart, found: &Found) -> InterfaceStress {
+    let max_shear_traction = found.on_interface(StressQuantity::ShearTraction);
+    let max_tension = found.on_interface(StressQuantity::Tension);
+    let strengths = interface.strengths;
+    InterfaceStress {
+        index: interface.index,
+        depth: interface.depth,
+        max_shear_traction,
+        max_tension,
+        max_compression: found.on_interface(StressQuantity::Compression),
+        utilisation: InterfaceUtilisation {
+            shear: utilisation(max_shear_traction, strengths.shear_strength),
+            tension: utilisation(max_tension, strengths.tensile_strength),
+        },
+    }
 }
 
 #[cfg(test)]
@@ -174,7 +217,7 @@ mod tests {
     use super::*;
     use crate::{
         Domain, Load, Model, Paraboloid, SolverOptions, solve_path,
-        stress::model::{BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths},
+        stress::model::{BodyStrengths, InterfaceStrengths},
     };
 
     #[test]
@@ -213,24 +256,83 @@ mod tests {
         };
         // Seven elements per radius.
         let near = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 0.04;
-        assert!(near(body.max_von_mises.value, 0.62 * p0));
-        assert!(near(body.max_shear.value, 0.31 * p0));
+        assert!(near(body.max_von_mises.unwrap().value, 0.62 * p0));
+        assert!(near(body.max_shear.unwrap().value, 0.31 * p0));
         assert!(near(body.utilisation.yielding.unwrap(), 0.62));
         // The least principal stress is that along z on the axis, largest at the top of the range.
         assert!(
-            near(body.min_principal.value, -p0 / (1.0 + 0.09)),
+            near(body.min_principal.unwrap().value, -p0 / (1.0 + 0.09)),
             "{body:?}"
         );
-        assert!(near(plane.max_compression.value, p0 / 2.0), "{plane:?}");
+        assert!(
+            near(plane.max_compression.unwrap().value, p0 / 2.0),
+            "{plane:?}"
+        );
         assert_eq!(
-            (plane.index, plane.depth, plane.max_tension.value),
+            (plane.index, plane.depth, plane.max_tension.unwrap().value),
             (3, a, 0.0)
         );
         assert_eq!(plane.utilisation.tension, Some(0.0));
-        let shear = plane.max_shear_traction.value;
+        let shear = plane.max_shear_traction.unwrap().value;
         assert!(shear > 0.05 * p0 && shear < 0.3 * p0);
         assert_eq!(plane.utilisation.shear, Some(shear / (2.0 * p0)));
         let tension = body.utilisation.tension.unwrap();
-        assert_eq!(tension, body.max_principal.value.max(0.0) / p0);
+        assert_eq!(tension, body.max_principal.unwrap().value.max(0.0) / p0);
+    }
+
+    #[test]
+    fn only_the_wanted_quantities_are_found_and_they_are_those_of_all() {
+        let model = Model::on_half_space([1.0, 0.3], Relief::Bare, Paraboloid::new(1.0).unwrap());
+        let (load, options) = (Load::Penetration(0.09), SolverOptions::default());
+        let path = solve_path(&model, Domain::Side(1.0), 16, &[load], &options, &mut ()).unwrap();
+        let mut stress = StressModel {
+            bodies: vec![BodyPart {
+                name: "half".to_owned(),
+                top: 0.0,
+                bottom: 0.3,
+                strengths: BodyStrengths {
+                    yield_strength: Some(1.0),
+                    tensile_strength: Some(1.0),
+                },
+            }],
+            interfaces: vec![InterfacePart {
+                index: 0,
+                depth: 0.3,
+                strengths: InterfaceStrengths::default(),
+            }],
+            ..StressModel::default()
+        };
+        let all = stress_extremes(&path, 0, &stress).unwrap();
+        let [body, interface] = [
+            serde_json::to_value(&all.bodies[0]),
+            serde_json::to_value(&all.interfaces[0]),
+        ]
+        .map(Result::unwrap);
+        for only in [
+            vec![StressQuantity::VonMises, StressQuantity::Tension],
+            vec![StressQuantity::Compression],
+            vec![StressQuantity::MaxShear],
+        ] {
+            stress.only = Some(only.clone());
+            let found = stress_extremes(&path, 0, &stress).unwrap();
+            let [found_body, found_interface] = [
+                serde_json::to_value(&found.bodies[0]),
+                serde_json::to_value(&found.interfaces[0]),
+            ]
+            .map(Result::unwrap);
+            for (i, (name, quantity)) in StressQuantity::NAMES.into_iter().enumerate() {
+                let (found, all) = if i < OF_BODIES.len() {
+                    (&found_body, &body)
+                } else {
+                    (&found_interface, &interface)
+                };
+                let wanted = only.contains(&quantity).then(|| &all[name]);
+                assert_eq!(found.get(name), wanted, "{name} of {only:?}");
+            }
+            let has_von_mises = only.contains(&StressQuantity::VonMises);
+            let utilisation = found.bodies[0].utilisation;
+            assert_eq!(utilisation.yielding.is_some(), has_von_mises);
+            assert_eq!(utilisation.tension, None);
+        }
     }
 }

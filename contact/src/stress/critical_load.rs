@@ -8,7 +8,6 @@ use super::extreme_finder::ExtremeFinder;
 use super::load_search::{LoadSearch, LoadSearchResult, Solved};
 use super::model::{Criterion, StressModel};
 use super::plane_scan::Target;
-use super::quantity::StressQuantity;
 use super::solved_loads::SolvedLoads;
 use crate::{ContactError, Domain, LoadingPath, Model, Observer, SolverOptions};
 
@@ -23,6 +22,8 @@ pub enum CriticalStatus {
     NotReached,
     /// Already under the smallest load tried.
     BelowSmallest,
+    /// Under the critical force, but there the contact is [beyond the model](crate::Status::BeyondModel).
+    BeyondModel,
 }
 
 /// The load at which one criterion is first met.
@@ -66,7 +67,8 @@ struct CriterionSearch {
 /// the path, loads around the one with the largest stress are tried.
 ///
 /// # Errors
-/// [`ContactError::WithHardness`] with a hardness; those of [`solve_path`](crate::solve_path) and
+/// [`ContactError::WithHardness`] with a hardness; [`ContactError::StressLeftOut`] if the extremes lack the quantity of
+/// a strength that is given; those of [`solve_path`](crate::solve_path) and
 /// [`stress_extremes`](super::body_extremes::stress_extremes); [`ContactError::Cancelled`] if the observer cancels.
 ///
 /// # Panics
@@ -94,12 +96,13 @@ pub fn critical_loads(
     let mut loads = SolvedLoads::new(model, path.grid.size(), options, observer);
     let mut rough = ExtremeFinder::rough_depths(path, stress.sliding)?;
     let mut found = Vec::new();
-    for criterion in criteria(stress, extremes) {
+    for criterion in criteria(stress, extremes)? {
         let steps = path.steps.iter().zip(&criterion.known);
         let solved = steps.map(|(step, extreme)| Solved {
             force: step.solution.force,
             penetration: step.solution.penetration,
             radius: step.summary.contact_radius,
+            is_beyond: step.beyond().is_some(),
             extreme: *extreme,
             followed_on: None,
         });
@@ -122,77 +125,69 @@ pub fn critical_loads(
 }
 
 /// Collects the criteria for which strengths are given.
-fn criteria(stress: &StressModel, extremes: &[StressExtremes]) -> Vec<CriterionSearch> {
+fn criteria(
+    stress: &StressModel,
+    extremes: &[StressExtremes],
+) -> Result<Vec<CriterionSearch>, ContactError> {
     let mut searches = Vec::new();
-    let mut add = |criterion, name: &str, strength: Option<f64>, [top, bottom]: [f64; 2], known| {
-        let quantity = match criterion {
-            Criterion::Yield => StressQuantity::VonMises,
-            Criterion::Tension => StressQuantity::MaxPrincipal,
-            Criterion::InterfaceShear => StressQuantity::ShearTraction,
-            Criterion::InterfaceTension => StressQuantity::Tension,
+    let mut add = |criterion: Criterion,
+                   name: &str,
+                   strength: Option<f64>,
+                   [top, bottom]: [f64; 2],
+                   known: Option<Vec<Extreme<3>>>| {
+        let Some(strength) = strength else {
+            return Ok(());
         };
-        searches.extend(strength.map(|strength| CriterionSearch {
+        let quantity = criterion.quantity();
+        let quantities = vec![quantity];
+        let quantity = quantity.name();
+        searches.push(CriterionSearch {
             criterion,
             name: name.to_owned(),
             strength,
             target: Target {
                 top,
                 bottom,
-                quantities: vec![quantity],
+                quantities,
             },
-            known,
-        }));
+            known: known.ok_or(ContactError::StressLeftOut { quantity })?,
+        });
+        Ok::<(), ContactError>(())
     };
     for (index, body) in stress.bodies.iter().enumerate() {
         let (strengths, range) = (body.strengths, [body.top, body.bottom]);
-        let known = |of: fn(&BodyStress) -> Extreme<3>| {
+        let known = |of: fn(&BodyStress) -> Option<Extreme<3>>| {
             let steps = extremes.iter().map(|step| of(&step.bodies[index]));
-            steps.collect::<Vec<_>>()
+            steps.collect()
         };
-        let yielding = known(|body| body.max_von_mises);
-        add(
-            Criterion::Yield,
-            &body.name,
-            strengths.yield_strength,
-            range,
-            yielding,
+        let (yielding, tension) = (
+            known(|body| body.max_von_mises),
+            known(|body| body.max_principal),
         );
-        let tension = known(|body| body.max_principal);
-        add(
-            Criterion::Tension,
-            &body.name,
-            strengths.tensile_strength,
-            range,
-            tension,
-        );
+        let strength = strengths.yield_strength;
+        add(Criterion::Yield, &body.name, strength, range, yielding)?;
+        let strength = strengths.tensile_strength;
+        add(Criterion::Tension, &body.name, strength, range, tension)?;
     }
     for (index, interface) in stress.interfaces.iter().enumerate() {
         let (strengths, depth) = (interface.strengths, interface.depth);
-        let name = format!("interface[{}]", interface.index);
-        let known = |of: fn(&InterfaceStress) -> Extreme<2>| {
-            let steps = extremes
-                .iter()
-                .map(|step| of(&step.interfaces[index]).at_depth(depth));
-            steps.collect::<Vec<_>>()
+        let (name, range) = (format!("interface[{}]", interface.index), [depth; 2]);
+        let known = |of: fn(&InterfaceStress) -> Option<Extreme<2>>| {
+            let steps = extremes.iter().map(|step| of(&step.interfaces[index]));
+            steps
+                .map(|extreme| Some(extreme?.at_depth(depth)))
+                .collect()
         };
-        let shear = known(|interface| interface.max_shear_traction);
-        add(
-            Criterion::InterfaceShear,
-            &name,
-            strengths.shear_strength,
-            [depth; 2],
-            shear,
+        let (shear, tension) = (
+            known(|interface| interface.max_shear_traction),
+            known(|interface| interface.max_tension),
         );
-        let tension = known(|interface| interface.max_tension);
-        add(
-            Criterion::InterfaceTension,
-            &name,
-            strengths.tensile_strength,
-            [depth; 2],
-            tension,
-        );
+        let strength = strengths.shear_strength;
+        add(Criterion::InterfaceShear, &name, strength, range, shear)?;
+        let strength = strengths.tensile_strength;
+        add(Criterion::InterfaceTension, &name, strength, range, tension)?;
     }
-    searches
+    Ok(searches)
 }
 
 impl CriterionSearch {
@@ -216,6 +211,7 @@ impl CriterionSearch {
             name: self.name,
             strength: self.strength,
             status: match met {
+                Some((solved, _)) if solved.is_beyond => CriticalStatus::BeyondModel,
                 Some(_) => CriticalStatus::Met,
                 None if utilisation < 1.0 => CriticalStatus::NotReached,
                 None => CriticalStatus::BelowSmallest,

@@ -42,6 +42,8 @@ pub struct Solved {
     pub penetration: f64,
     /// Radius of the contact, in m.
     pub radius: f64,
+    /// Whether the contact is beyond the model.
+    pub is_beyond: bool,
     pub extreme: Extreme<3>,
     /// The domain on which the contact was solved, if its peak was only followed: the body is not searched yet.
     pub followed_on: Option<Domain>,
@@ -279,6 +281,7 @@ impl LoadSearch<'_, '_> {
             force,
             penetration: step.solution.penetration,
             radius: step.summary.contact_radius,
+            is_beyond: step.beyond().is_some(),
             extreme,
             followed_on,
         };

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::quantity::StressQuantity;
+
 /// Sliding of the indenter along the surface: a traction `q = μ p` that drags the surface with the indenter, uncoupled
 /// from the pressure (Goodman's approximation).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -72,6 +74,17 @@ pub struct StressModel {
     pub bodies: Vec<BodyPart>,
     /// Interfaces from the surface down, including one with a rigid base.
     pub interfaces: Vec<InterfacePart>,
+    /// The quantities whose extremes are wanted; none for all.
+    pub only: Option<Vec<StressQuantity>>,
+}
+
+impl StressModel {
+    /// Whether the extremes of a quantity are wanted.
+    #[must_use]
+    pub fn wants(&self, quantity: StressQuantity) -> bool {
+        let only = self.only.as_ref();
+        only.is_none_or(|only| only.contains(&quantity))
+    }
 }
 
 /// How a coating fails.
@@ -86,6 +99,19 @@ pub enum Criterion {
     InterfaceShear,
     /// The tension reaches an interface's strength.
     InterfaceTension,
+}
+
+impl Criterion {
+    /// The quantity that reaches the strength.
+    #[must_use]
+    pub fn quantity(self) -> StressQuantity {
+        match self {
+            Self::Yield => StressQuantity::VonMises,
+            Self::Tension => StressQuantity::MaxPrincipal,
+            Self::InterfaceShear => StressQuantity::ShearTraction,
+            Self::InterfaceTension => StressQuantity::Tension,
+        }
+    }
 }
 
 #[cfg(test)]

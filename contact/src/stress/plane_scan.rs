@@ -33,7 +33,7 @@ const NEARLY: f64 = 0.98;
 /// Largest number of peaks examined on one plane.
 const PEAKS_OF_A_PLANE: usize = 4;
 /// Blocks across the loaded square that suffice for a smooth pressure.
-const BLOCKS: usize = 32;
+pub const BLOCKS: usize = 32;
 /// Number of planes on either side of a depth from which stresses are interpolated.
 const PLANES_AROUND: usize = 2;
 /// How often an interpolated peak is followed to another block or plane.
@@ -268,6 +268,13 @@ impl ScannedPlane {
     }
 }
 
+/// The number of places beyond a loaded square of this size on either side of planes down to a depth, in places.
+pub fn margin(size: usize, deepest: f64) -> usize {
+    let margin = MARGIN_PART * size as f64 + MARGIN_DEPTHS * deepest;
+    // Two places on either side of every one are needed for interpolation.
+    super::nearest(margin.ceil()).unsigned_abs().max(2)
+}
+
 /// Planes under blocks of elements.
 struct BlockPlanes {
     fields: PlaneFields,
@@ -286,9 +293,7 @@ impl BlockPlanes {
             first,
             pressure,
         } = PressureBlocks::new(field, doublings);
-        let margin = MARGIN_PART * size as f64 + MARGIN_DEPTHS * deepest / side;
-        // Two places on either side of every one are needed for interpolation.
-        let margin = super::nearest(margin.ceil()).unsigned_abs().max(2);
+        let margin = margin(size, deepest / side);
         let shown = size + 2 * margin;
         let squares = Squares {
             loaded: size,

@@ -1,14 +1,18 @@
 //! The quantities whose extremes are searched for, each with its sign chosen so that the largest value is wanted.
 
 use pellicle_influence::SubsurfaceState;
+use serde::{Serialize, Serializer};
 
-/// A quantity at a point of a body or an interface.
+/// A quantity at a point of a body or an interface, whose largest value is sought.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StressQuantity {
+    /// Von Mises' stress.
     VonMises,
+    /// The largest principal stress.
     MaxPrincipal,
     /// Minus the least principal stress.
     MinPrincipal,
+    /// Tresca's largest shear.
     MaxShear,
     /// `τ = |(σ_xz, σ_yz)|`.
     ShearTraction,
@@ -34,8 +38,27 @@ pub const OF_INTERFACES: [StressQuantity; 3] = [
 ];
 
 impl StressQuantity {
+    /// All quantities by the names of their extremes in results: those of bodies, then those of interfaces.
+    pub const NAMES: [(&'static str, Self); 7] = [
+        ("max_von_mises", Self::VonMises),
+        ("max_principal", Self::MaxPrincipal),
+        ("min_principal", Self::MinPrincipal),
+        ("max_shear", Self::MaxShear),
+        ("max_shear_traction", Self::ShearTraction),
+        ("max_tension", Self::Tension),
+        ("max_compression", Self::Compression),
+    ];
+
+    /// The name of its extreme in results.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        let mut names = Self::NAMES.iter();
+        let named = names.find(|(_, quantity)| *quantity == self);
+        named.map_or("", |(name, _)| name)
+    }
+
     /// The value of the quantity, in Pa.
-    pub fn of(self, state: &SubsurfaceState) -> f64 {
+    pub(super) fn of(self, state: &SubsurfaceState) -> f64 {
         let [_, _, zz, _, xz, yz] = state.stress;
         match self {
             Self::VonMises => state.von_mises(),
@@ -49,7 +72,7 @@ impl StressQuantity {
     }
 
     /// The value to 1e-7 of von Mises' stress, in a third of the time.
-    pub fn roughly(self, state: &SubsurfaceState) -> f64 {
+    pub(super) fn roughly(self, state: &SubsurfaceState) -> f64 {
         match self {
             Self::MaxPrincipal => outer_principal(state)[0],
             Self::MinPrincipal => -outer_principal(state)[1],
@@ -64,7 +87,7 @@ impl StressQuantity {
     }
 
     /// An upper bound on the value, without principal stresses.
-    pub fn bound(self, state: &SubsurfaceState) -> f64 {
+    pub(super) fn bound(self, state: &SubsurfaceState) -> f64 {
         match self {
             // Principal stresses differ from their mean by at most ⅔ of von Mises' stress, and from one another by at
             // most 2/√3 of it.
@@ -75,6 +98,12 @@ impl StressQuantity {
                 self.of(state)
             }
         }
+    }
+}
+
+impl Serialize for StressQuantity {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
     }
 }
 

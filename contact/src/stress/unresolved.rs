@@ -20,30 +20,7 @@ impl UnresolvedStresses {
     /// The extremes of a step that are not resolved; none on a single grid, which has no estimates.
     #[must_use]
     pub fn of_step(step: usize, extremes: &StressExtremes) -> Option<Self> {
-        let mut all = Vec::new();
-        for body in &extremes.bodies {
-            let named = [
-                ("max_von_mises", body.max_von_mises),
-                ("max_principal", body.max_principal),
-                ("min_principal", body.min_principal),
-                ("max_shear", body.max_shear),
-            ];
-            all.extend(named.map(|(quantity, extreme)| (quantity, body.name.clone(), extreme)));
-        }
-        for interface in &extremes.interfaces {
-            let named = [
-                ("max_shear_traction", interface.max_shear_traction),
-                ("max_tension", interface.max_tension),
-                ("max_compression", interface.max_compression),
-            ];
-            let name = format!("interface[{}]", interface.index);
-            let named = named.map(|(quantity, extreme)| {
-                (quantity, name.clone(), extreme.at_depth(interface.depth))
-            });
-            all.extend(named);
-        }
-        let has_estimate =
-            |(_, _, extreme): &(&str, String, Extreme<3>)| extreme.estimate.is_some();
+        let all = named(extremes);
         if !all.iter().any(has_estimate) {
             return None;
         }
@@ -63,10 +40,11 @@ impl UnresolvedStresses {
     /// grid.
     #[must_use]
     pub fn of_critical(loads: &[CriticalLoad], extremes: &[StressExtremes]) -> Option<Self> {
-        let bodies = extremes.iter().flat_map(|step| &step.bodies);
-        let mut estimates =
-            bodies.map(|body| body.max_von_mises.estimate.or(body.max_principal.estimate));
-        if !estimates.any(|estimate| estimate.is_some()) {
+        if !extremes
+            .iter()
+            .flat_map(named)
+            .any(|named| has_estimate(&named))
+        {
             return None;
         }
         let unresolved = loads
@@ -104,6 +82,44 @@ impl fmt::Display for UnresolvedStresses {
     }
 }
 
+/// An extreme with its name in results and that of its body or interface.
+type NamedExtreme = (&'static str, String, Extreme<3>);
+
+/// The extremes of a step, without those that are not wanted.
+fn named(extremes: &StressExtremes) -> Vec<NamedExtreme> {
+    let mut all = Vec::new();
+    for body in &extremes.bodies {
+        let of_body = [
+            ("max_von_mises", body.max_von_mises),
+            ("max_principal", body.max_principal),
+            ("min_principal", body.min_principal),
+            ("max_shear", body.max_shear),
+        ];
+        all.extend(of_body.map(|(quantity, extreme)| (quantity, body.name.clone(), extreme)));
+    }
+    for interface in &extremes.interfaces {
+        let of_interface = [
+            ("max_shear_traction", interface.max_shear_traction),
+            ("max_tension", interface.max_tension),
+            ("max_compression", interface.max_compression),
+        ];
+        let name = format!("interface[{}]", interface.index);
+        let in_space = |extreme: Extreme<2>| extreme.at_depth(interface.depth);
+        let of_interface =
+            of_interface.map(|(quantity, extreme)| (quantity, name.clone(), extreme.map(in_space)));
+        all.extend(of_interface);
+    }
+    let wanted = all.into_iter();
+    wanted
+        .filter_map(|(quantity, name, extreme)| Some((quantity, name, extreme?)))
+        .collect()
+}
+
+/// Whether an extreme has an estimate, which none has on a single grid.
+fn has_estimate((_, _, extreme): &NamedExtreme) -> bool {
+    extreme.estimate.is_some()
+}
+
 fn quantity(criterion: Criterion) -> &'static str {
     match criterion {
         Criterion::Yield => "yield",
@@ -128,10 +144,10 @@ mod tests {
         StressExtremes {
             bodies: vec![BodyStress {
                 name: "substrate".to_owned(),
-                max_von_mises: extreme(resolved[0]),
-                max_principal: extreme(resolved[1]),
-                min_principal: extreme(resolved[2]),
-                max_shear: extreme(resolved[3]),
+                max_von_mises: Some(extreme(resolved[0])),
+                max_principal: Some(extreme(resolved[1])),
+                min_principal: Some(extreme(resolved[2])),
+                max_shear: Some(extreme(resolved[3])),
                 utilisation: BodyUtilisation::default(),
             }],
             interfaces: Vec::new(),

@@ -50,6 +50,7 @@ fn stresses(foundation: &Foundation, sliding: Sliding) -> StressModel {
         sliding,
         bodies: bodies.collect(),
         interfaces: interfaces.collect(),
+        only: None,
     }
 }
 
@@ -66,16 +67,20 @@ fn faults(stress: &StressModel, found: &StressExtremes) -> Option<String> {
     let bodies = stress.bodies.iter().zip(&found.bodies);
     let mut of_bodies = bodies.flat_map(|(part, body)| {
         let all = [
-            body.max_von_mises,
-            body.max_principal,
-            body.min_principal,
-            body.max_shear,
+            body.max_von_mises.unwrap(),
+            body.max_principal.unwrap(),
+            body.min_principal.unwrap(),
+            body.max_shear.unwrap(),
         ];
         all.into_iter()
             .filter_map(|extreme| fault(&extreme, [part.top, part.bottom]))
     });
     let mut of_interfaces = found.interfaces.iter().flat_map(|of| {
-        let all = [of.max_shear_traction, of.max_tension, of.max_compression];
+        let all = [
+            of.max_shear_traction.unwrap(),
+            of.max_tension.unwrap(),
+            of.max_compression.unwrap(),
+        ];
         all.into_iter()
             .filter_map(|extreme| fault(&extreme, [0.0; 2]))
     });
@@ -121,13 +126,13 @@ fn critical(
 ) -> Result<(), String> {
     let part = |extreme: f64| (extreme > 0.0).then_some(extreme / 1.5);
     stress.bodies[0].strengths = BodyStrengths {
-        yield_strength: part(found.bodies[0].max_von_mises.value),
-        tensile_strength: part(found.bodies[0].max_principal.value),
+        yield_strength: part(found.bodies[0].max_von_mises.unwrap().value),
+        tensile_strength: part(found.bodies[0].max_principal.unwrap().value),
     };
     if let Some(interface) = stress.interfaces.first_mut() {
         interface.strengths = InterfaceStrengths {
-            shear_strength: part(found.interfaces[0].max_shear_traction.value),
-            tensile_strength: part(found.interfaces[0].max_tension.value),
+            shear_strength: part(found.interfaces[0].max_shear_traction.unwrap().value),
+            tensile_strength: part(found.interfaces[0].max_tension.unwrap().value),
         };
     }
     let (model, options) = (case.model(), SolverOptions::default());

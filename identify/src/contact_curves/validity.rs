@@ -149,6 +149,23 @@ impl ContactCurves {
             .collect())
     }
 
+    /// For each point of all curves, the reason why it is beyond the model at these values; `None` where it is not.
+    ///
+    /// Each load is solved once more, which is not counted in the loads solved.
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError`] where the contact cannot be solved.
+    pub fn beyond_model(&self, values: &[f64]) -> Result<Vec<Option<Invalidity>>, ContactError> {
+        let mut found = Vec::new();
+        for (index, curve) in self.curves.iter().enumerate() {
+            let conditions = self.conditions(index, values)?;
+            let beyond = |abscissa: &f64| beyond(&conditions, *abscissa);
+            found.extend(curve.abscissae.iter().map(beyond));
+        }
+        Ok(found)
+    }
+
     /// Predicts the same points with a finer grid and more loads.
     pub(super) fn finer(&self, values: &[f64]) -> Result<Prediction, ContactError> {
         let curves = self.curves.iter().enumerate();
@@ -225,12 +242,8 @@ fn invalid(conditions: &[Condition], abscissa: f64) -> Option<Invalidity> {
     let at = |of: fn(&Condition) -> Option<f64>| interpolated(conditions, abscissa, of);
     let above = |found: Option<f64>, limit: f64| found.is_some_and(|found| found > limit);
     let elements = at(|of| Some(of.elements));
-    let beyond = (0..BEYOND.len()).find(|index| {
-        let ratio = interpolated(conditions, abscissa, |of| Some(of.ratios[*index]));
-        ratio.is_some_and(|ratio| ratio >= 1.0)
-    });
-    if let Some(index) = beyond {
-        Some(BEYOND[index])
+    if let Some(beyond) = beyond(conditions, abscissa) {
+        Some(beyond)
     } else if above(at(|of| of.shortening), LARGEST_SHORTENING) {
         Some(Invalidity::Squeezed)
     } else if above(at(|of| of.slope), LARGEST_SLOPE) {
@@ -240,6 +253,16 @@ fn invalid(conditions: &[Condition], abscissa: f64) -> Option<Invalidity> {
     } else {
         None
     }
+}
+
+/// The number that is impossible at an abscissa, if one is.
+fn beyond(conditions: &[Condition], abscissa: f64) -> Option<Invalidity> {
+    let is_beyond = |index: &usize| {
+        let ratio = interpolated(conditions, abscissa, |of| Some(of.ratios[*index]));
+        ratio.is_some_and(|ratio| ratio >= 1.0)
+    };
+    let index = (0..BEYOND.len()).find(is_beyond)?;
+    Some(BEYOND[index])
 }
 
 /// A positive quantity at an abscissa, on the straight line in logarithms through the two loads beside it.
@@ -294,6 +317,8 @@ mod tests {
             (61.0, Some(Invalidity::LayerThickness)),
         ] {
             assert_eq!(invalid(&conditions, load), wanted, "{load}");
+            let beyond_wanted = wanted.filter(|wanted| BEYOND.contains(wanted));
+            assert_eq!(beyond(&conditions, load), beyond_wanted, "{load}");
         }
     }
 

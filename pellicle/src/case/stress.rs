@@ -5,7 +5,8 @@ mod depths;
 use std::sync::Arc;
 
 use pellicle_contact::{
-    BodyPart, BodyStrengths, InterfacePart, InterfaceStrengths, Sliding, StressModel,
+    BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
+    StressQuantity,
 };
 use pellicle_kernel::Foundation;
 
@@ -15,7 +16,7 @@ use super::foundation::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::foundation::substrate::SubstrateCase;
 use crate::declare::codec::Number;
 use crate::declare::macros::record;
-use crate::declare::{Codec, Record, Scope, angle, fraction, length, series};
+use crate::declare::{Codec, Record, Scope, angle, fraction, length, list, series, word};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::spacing::rounded;
 use crate::input::span::Source;
@@ -37,6 +38,9 @@ record! {
         friction: f64 = friction().or(0.0, "0"),
             "coefficient of friction of a sliding indenter, whose traction does not change the pressure";
         direction: f64 = angle().or(0.0, "0"), "direction of sliding, from +x towards +y";
+        #[serde(skip_serializing_if = "Option::is_none")]
+        only: Option<Vec<StressQuantity>> = list(word(&StressQuantity::NAMES), some_quantities())
+            .checked(enough_for_the_strengths).optional("all"), "quantities whose extremes are wanted";
     }
 }
 
@@ -77,6 +81,13 @@ impl StressCase {
         }
     }
 
+    /// Whether the extremes of a quantity are wanted.
+    #[must_use]
+    pub fn wants(&self, quantity: StressQuantity) -> bool {
+        let only = self.only.as_ref();
+        only.is_none_or(|only| only.contains(&quantity))
+    }
+
     /// Direction of sliding, degrees from +x to +y, to 15 digits.
     #[must_use]
     pub fn direction_degrees(&self) -> f64 {
@@ -114,6 +125,7 @@ impl StressCase {
                     strengths: layer.interface_strength.into(),
                 })
                 .collect(),
+            only: self.only.clone(),
         }
     }
 
@@ -239,6 +251,45 @@ pub fn extent_wanted(side: f64) -> String {
 fn friction() -> Number {
     let wanted = format!("a coefficient of friction, a number from 0 to {MAX_FRICTION}");
     fraction(0.0..=MAX_FRICTION, wanted)
+}
+
+fn some_quantities() -> String {
+    let words = StressQuantity::NAMES.map(|(name, _)| format!("\"{name}\""));
+    format!("a list of some of {}", words.join(", "))
+}
+
+/// The quantities in the order of results, each once: at least those that the given strengths limit.
+fn enough_for_the_strengths(
+    value: &ValueReader<'_>,
+    quantities: Vec<StressQuantity>,
+    scope: &Scope<'_>,
+) -> Result<Vec<StressQuantity>, Diagnosis> {
+    let criteria = scope.foundation.map(FoundationCase::criteria);
+    for (name, criterion) in criteria.unwrap_or_default() {
+        let quantity = criterion.quantity();
+        if !quantities.contains(&quantity) {
+            let (quantity, strength) = (quantity.name(), strength(criterion));
+            let wanted = format!(
+                "\"{quantity}\" among them, which the {strength} of {name} limits, or no such strength"
+            );
+            return Err(value.wanted(wanted));
+        }
+    }
+    let wanted = StressQuantity::NAMES.into_iter();
+    let wanted = wanted.map(|(_, quantity)| quantity);
+    Ok(wanted
+        .filter(|quantity| quantities.contains(quantity))
+        .collect())
+}
+
+/// The strength of a criterion, as in a case.
+fn strength(criterion: Criterion) -> &'static str {
+    match criterion {
+        Criterion::Yield => "yield_strength",
+        Criterion::Tension => "tensile_strength",
+        Criterion::InterfaceShear => "interface_shear_strength",
+        Criterion::InterfaceTension => "interface_tensile_strength",
+    }
 }
 
 #[cfg(test)]

@@ -530,14 +530,15 @@ impl Codec for Literal {
 }
 
 /// A list of values.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct List<C> {
     item: C,
-    wanted: &'static str,
+    wanted: String,
 }
 
 /// A list of at least one value, wanted in these words.
-pub const fn list<C: Codec>(item: C, wanted: &'static str) -> List<C> {
+pub fn list<C: Codec>(item: C, wanted: impl Into<String>) -> List<C> {
+    let wanted = wanted.into();
     List { item, wanted }
 }
 
@@ -549,11 +550,11 @@ impl<C: Codec> Codec for List<C> {
     }
 
     fn wanted(&self) -> String {
-        self.wanted.into()
+        self.wanted.clone()
     }
 
     fn read(&self, value: &ValueReader<'_>, scope: &Scope<'_>) -> Result<Vec<C::Out>, Diagnosis> {
-        let items = value.list(self.wanted)?;
+        let items = value.list(&self.wanted)?;
         items
             .iter()
             .map(|item| self.item.read(item, scope))

@@ -1,7 +1,8 @@
 //! The memory that a case needs.
 
-use pellicle_contact::{Domain, Method, Model, loads_at_once, solved_grid};
+use pellicle_contact::{Domain, LoadingPath, Method, Model, loads_at_once, solved_grid};
 
+use super::stress_cost::StressCost;
 use super::trial::{self, TRIAL, contact_share};
 use crate::case::Case;
 
@@ -31,8 +32,8 @@ const BYTES_PER_ELEMENT_STRESSED: [f64; 2] = [270.0, 410.0];
 /// Memory per sample of a map, in bytes: in the case, in the model and beside the solution.
 const BYTES_PER_SAMPLE: f64 = 24.0;
 
-/// Elements per side above which a trial is solved: smaller grids need so little memory that the size of the contact
-/// does not matter.
+/// Elements per side above which a trial is solved without stresses: smaller grids need so little memory that the size
+/// of the contact does not matter.
 const TRIAL_ELEMENTS: usize = 512;
 
 /// The memory that a case needs.
@@ -50,22 +51,22 @@ impl Need {
     #[must_use]
     pub fn new(case: &Case, model: &Model, domain: Domain, writers: usize) -> Self {
         let elements = case.grid.elements;
-        let trial = (elements > TRIAL_ELEMENTS).then(|| trial::solve(case, model, domain, TRIAL));
-        let share = trial
-            .and_then(Result::ok)
-            .as_ref()
-            .map_or(1.0, contact_share);
-        Self::of(case, model, writers, share)
+        let is_tried = elements > TRIAL_ELEMENTS || case.stress.is_some();
+        let trial = is_tried.then(|| trial::solve(case, model, domain, TRIAL.min(elements)));
+        let trial = trial.and_then(Result::ok);
+        Self::of(case, model, writers, trial.as_ref())
     }
 
-    /// Estimates the memory if the square around the contact takes this share of the domain.
+    /// Estimates the memory with a trial of the smallest and the largest load; without one, the contact may fill the
+    /// domain.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "a number of bytes"
     )]
     #[must_use]
-    pub fn of(case: &Case, model: &Model, writers: usize, share: f64) -> Self {
+    pub fn of(case: &Case, model: &Model, writers: usize, trial: Option<&LoadingPath>) -> Self {
+        let share = trial.map_or(1.0, contact_share);
         let (elements, steps) = (case.grid.elements, case.load.loads().len());
         let (options, boundary) = (case.solver_options(), case.grid.boundary.into());
         let images = solved_grid(model, elements, boundary, &options).images();
@@ -86,6 +87,8 @@ impl Need {
         let stressed = case.stress.as_ref().map_or(0.0, |stress| {
             BYTES_PER_ELEMENT_STRESSED[usize::from(stress.friction > 0.0)]
         });
+        let searched = trial.and_then(|trial| StressCost::of(case, trial, 0.0));
+        let searched = searched.map_or(0.0, |cost| cost.bytes);
         let kept = BYTES_PER_ELEMENT_AND_STEP * steps.saturating_sub(1) as f64;
         let area = (elements as f64).powi(2);
         let maps = [case.surface.map(), case.indenter.map()]
@@ -100,6 +103,7 @@ impl Need {
         Self {
             bytes: (BYTES
                 + BYTES_PER_SAMPLE * samples as f64
+                + searched
                 + (solved.max(written).max(stressed) + kept) * area
                 + dense) as u64,
             elements,

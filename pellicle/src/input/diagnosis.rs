@@ -182,7 +182,12 @@ impl Diagnostic for Diagnosis {
 pub fn closest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase().replace('-', "_");
     let distance = |key: &str| strsim::damerau_levenshtein(&word, &key.replace('-', "_"));
-    let near = |key: &&&str| distance(key) <= 1 + key.len() / 4;
+    // A name without its first part, such as `tension` for `max_tension`.
+    let ends = format!("_{word}");
+    let near = |key: &&&str| {
+        let key = key.replace('-', "_");
+        distance(&key) <= 1 + key.len() / 4 || key.ends_with(&ends)
+    };
     let near = known.iter().filter(near);
     near.min_by_key(|key| distance(key)).copied()
 }
@@ -197,6 +202,10 @@ mod tests {
         assert_eq!(
             closest("Flat_Punch", &["flat-punch", "cone"]),
             Some("flat-punch")
+        );
+        assert_eq!(
+            closest("tension", &["max_shear", "max_tension"]),
+            Some("max_tension")
         );
     }
 }

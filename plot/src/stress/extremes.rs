@@ -18,26 +18,26 @@ pub struct Extremes {
     pub interfaces: Vec<InterfaceExtremes>,
 }
 
-/// The largest stresses in a body.
+/// The largest stresses in a body, as far as they were sought.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyExtremes {
     /// Its name.
     pub name: String,
     /// The largest von Mises stress.
-    pub von_mises: Extreme<3>,
+    pub von_mises: Option<Extreme<3>>,
     /// The largest principal stress.
-    pub max_principal: Extreme<3>,
+    pub max_principal: Option<Extreme<3>>,
 }
 
-/// The largest tractions on an interface.
+/// The largest tractions on an interface, as far as they were sought.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct InterfaceExtremes {
     /// Its index, from 0 at the surface.
     pub index: usize,
     /// The largest shear traction.
-    pub shear: Extreme<2>,
+    pub shear: Option<Extreme<2>>,
     /// The largest tension.
-    pub tension: Extreme<2>,
+    pub tension: Option<Extreme<2>>,
     /// The largest compression.
-    pub compression: Extreme<2>,
+    pub compression: Option<Extreme<2>>,
 }

@@ -144,18 +144,18 @@ impl InterfaceMap<'_> {
     }
 
     /// Returns the extreme to mark: the largest shear, the largest tension, or the largest compression if there is no
-    /// tension.
+    /// tension or it is not wanted.
     fn marked(&self, traction: InterfaceTraction) -> Option<(&'static str, Extreme<2>)> {
         let found = self.extremes?;
         match traction {
-            InterfaceTraction::Shear if found.shear.value > 0.0 => Some(("largest", found.shear)),
-            InterfaceTraction::Shear => None,
-            InterfaceTraction::Normal if found.tension.value > 0.0 => {
-                Some(("largest tension", found.tension))
+            InterfaceTraction::Shear => {
+                Some(("largest", found.shear.filter(|shear| shear.value > 0.0)?))
             }
-            InterfaceTraction::Normal => {
-                Some(("no tension; largest compression", found.compression))
-            }
+            InterfaceTraction::Normal => match found.tension {
+                Some(tension) if tension.value > 0.0 => Some(("largest tension", tension)),
+                Some(_) => Some(("no tension; largest compression", found.compression?)),
+                None => Some(("largest compression", found.compression?)),
+            },
         }
     }
 

@@ -138,7 +138,10 @@ impl<'a> SectionDrawing<'a> {
             Stress::MaxPrincipal => &self.section.max_principal,
         };
         let field = SectionField::new(self.section, values, &self.depths);
+        let marked = self.mark(&field, &panel, stress);
         let [least, largest] = field.extent();
+        // At the edge of a contact the extreme is larger than any value on the planes.
+        let largest = marked.map_or(largest, |(_, value)| largest.max(value));
         let pascals = DisplayUnit::of(
             largest.abs().max(least.abs()),
             Unit::Pascal,
@@ -152,7 +155,6 @@ impl<'a> SectionDrawing<'a> {
         let image = field.raster(panel.place, |value| bands.colour(value / pascals.divisor));
         svg.image(panel.place, &image);
         let mut places = ContourPlaces::new(panel.place);
-        let marked = self.mark(&field, &panel, stress);
         let mark = marked.map(|(place, value)| (place, mark_text(value, &pascals)));
         if let Some((place, text)) = &mark {
             places.reserve_mark(*place, text);
@@ -216,6 +218,7 @@ impl<'a> SectionDrawing<'a> {
             Stress::MaxPrincipal => body.max_principal,
         });
         let found = found.enumerate();
+        let found = found.filter_map(|(body, found)| Some((body, found?)));
         found.max_by(|(_, one), (_, other)| one.value.total_cmp(&other.value))
     }
 

@@ -4,7 +4,7 @@ use pellicle::case::Case;
 use pellicle::input::units::Units;
 use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_contact::{
-    BodyStress, Criterion, CriticalLoad, CriticalStatus, Extreme, InterfaceStress,
+    BodyStress, Criterion, CriticalLoad, CriticalStatus, Extreme, InterfaceStress, StressQuantity,
 };
 
 use super::columns::optional;
@@ -16,6 +16,8 @@ pub struct StressColumns {
     bodies: Vec<String>,
     /// Indices of interfaces.
     interfaces: Vec<usize>,
+    /// The quantities that are wanted.
+    quantities: Vec<StressQuantity>,
     /// Names of bodies and interfaces with the criterion of a given strength.
     critical: Vec<(String, Criterion)>,
 }
@@ -73,25 +75,47 @@ impl From<&CriticalLoad> for Estimated {
     }
 }
 
-/// The name of a number and its value for a body.
-type BodyColumn = (&'static str, fn(&BodyStress) -> Extreme<3>);
+/// The name of a number, its quantity and its value for a body.
+type BodyColumn = (
+    &'static str,
+    StressQuantity,
+    fn(&BodyStress) -> Option<Extreme<3>>,
+);
 
 const OF_BODIES: [BodyColumn; 4] = [
-    ("max von Mises", |body| body.max_von_mises),
-    ("max principal", |body| body.max_principal),
-    ("min principal", |body| body.min_principal),
-    ("max shear", |body| body.max_shear),
+    ("max von Mises", StressQuantity::VonMises, |body| {
+        body.max_von_mises
+    }),
+    ("max principal", StressQuantity::MaxPrincipal, |body| {
+        body.max_principal
+    }),
+    ("min principal", StressQuantity::MinPrincipal, |body| {
+        body.min_principal
+    }),
+    ("max shear", StressQuantity::MaxShear, |body| body.max_shear),
 ];
 
-/// The name of a number and its value for an interface.
-type InterfaceColumn = (&'static str, fn(&InterfaceStress) -> Extreme<2>);
+/// The name of a number, its quantity and its value for an interface.
+type InterfaceColumn = (
+    &'static str,
+    StressQuantity,
+    fn(&InterfaceStress) -> Option<Extreme<2>>,
+);
 
 const OF_INTERFACES: [InterfaceColumn; 3] = [
-    ("max shear traction", |interface| {
-        interface.max_shear_traction
+    (
+        "max shear traction",
+        StressQuantity::ShearTraction,
+        |interface| interface.max_shear_traction,
+    ),
+    ("max tension", StressQuantity::Tension, |interface| {
+        interface.max_tension
     }),
-    ("max tension", |interface| interface.max_tension),
-    ("max compression", |interface| interface.max_compression),
+    (
+        "max compression",
+        StressQuantity::Compression,
+        |interface| interface.max_compression,
+    ),
 ];
 
 impl StressColumns {
@@ -103,7 +127,19 @@ impl StressColumns {
             return Self::default();
         };
         let interfaces = stress.extremes.interfaces.iter();
+        let of_bodies = OF_BODIES.iter().filter_map(|(_, quantity, extreme)| {
+            let mut bodies = stress.extremes.bodies.iter();
+            bodies
+                .any(|body| extreme(body).is_some())
+                .then_some(*quantity)
+        });
+        let of_interfaces = OF_INTERFACES.iter().filter_map(|(_, quantity, extreme)| {
+            let mut interfaces = stress.extremes.interfaces.iter();
+            let has_it = interfaces.any(|interface| extreme(interface).is_some());
+            has_it.then_some(*quantity)
+        });
         Self {
+            quantities: of_bodies.chain(of_interfaces).collect(),
             bodies: (stress.extremes.bodies.iter())
                 .map(|body| body.name.clone())
                 .collect(),
@@ -116,8 +152,12 @@ impl StressColumns {
 
     /// Adds the columns of a case, without duplicates.
     pub fn add(&mut self, case: &Case) {
-        if case.stress.is_none() {
+        let Some(stress) = &case.stress else {
             return;
+        };
+        for (_, quantity) in StressQuantity::NAMES {
+            let is_new = stress.wants(quantity) && !self.quantities.contains(&quantity);
+            self.quantities.extend(is_new.then_some(quantity));
         }
         // The substrate is the last, whatever the number of layers.
         for name in case.foundation.body_names() {
@@ -140,16 +180,33 @@ impl StressColumns {
         }
     }
 
+    /// The columns of the wanted quantities of a body.
+    fn of_bodies(&self) -> impl Iterator<Item = &'static BodyColumn> {
+        OF_BODIES
+            .iter()
+            .filter(|(_, quantity, _)| self.quantities.contains(quantity))
+    }
+
+    /// The columns of the wanted quantities of an interface.
+    fn of_interfaces(&self) -> impl Iterator<Item = &'static InterfaceColumn> {
+        OF_INTERFACES
+            .iter()
+            .filter(|(_, quantity, _)| self.quantities.contains(quantity))
+    }
+
     /// Names of the columns, with units: those of a step, then the critical loads.
     #[must_use]
     pub fn header(&self, units: Units) -> Vec<String> {
         let (pascal, newton) = (units.name("Pa"), units.name("N"));
         let of_bodies = self.bodies.iter().flat_map(|body| {
-            OF_BODIES.map(|(name, _)| Estimated::header(&format!("{name} {body}"), pascal))
+            let names = self.of_bodies();
+            let names = names.map(move |(name, ..)| format!("{name} {body}"));
+            names.map(|name| Estimated::header(&name, pascal))
         });
         let of_interfaces = self.interfaces.iter().flat_map(|index| {
-            OF_INTERFACES
-                .map(|(name, _)| Estimated::header(&format!("{name} interface[{index}]"), pascal))
+            let names = self.of_interfaces();
+            let names = names.map(move |(name, ..)| format!("{name} interface[{index}]"));
+            names.map(|name| Estimated::header(&name, pascal))
         });
         let critical = self.critical.iter().flat_map(|(name, criterion)| {
             let name = format!("critical force {} {name}", word(*criterion));
@@ -169,14 +226,15 @@ impl StressColumns {
         let of_bodies = self.bodies.iter().flat_map(|name| {
             let body =
                 extremes.and_then(|found| found.bodies.iter().find(|body| body.name == *name));
-            OF_BODIES.map(|(_, extreme)| Estimated::cells(body.map(|body| extreme(body).into())))
+            let found = self.of_bodies().map(move |(.., extreme)| extreme(body?));
+            found.map(|extreme| Estimated::cells(extreme.map(Estimated::from)))
         });
         let of_interfaces = self.interfaces.iter().flat_map(|index| {
             let mut interfaces = extremes.into_iter().flat_map(|found| &found.interfaces);
             let interface = interfaces.find(|interface| interface.index == *index);
-            OF_INTERFACES.map(|(_, extreme)| {
-                Estimated::cells(interface.map(|interface| extreme(interface).into()))
-            })
+            let found = self.of_interfaces();
+            let found = found.map(move |(.., extreme)| extreme(interface?));
+            found.map(|extreme| Estimated::cells(extreme.map(Estimated::from)))
         });
         let critical = self.critical.iter().flat_map(|(name, criterion)| {
             let is_it = |load: &&CriticalLoad| load.name == *name && load.criterion == *criterion;
@@ -207,5 +265,6 @@ fn status_word(status: CriticalStatus) -> &'static str {
         CriticalStatus::Met => "met",
         CriticalStatus::NotReached => "not-reached",
         CriticalStatus::BelowSmallest => "below-smallest",
+        CriticalStatus::BeyondModel => "beyond-model",
     }
 }

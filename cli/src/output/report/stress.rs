@@ -59,46 +59,62 @@ struct StressRows {
 }
 
 impl StressRows {
-    fn of_body(&self, body: &BodyStress) -> [StressRow; 4] {
-        let row = |name, extreme: &Extreme<3>| self.row(name, extreme);
-        let BodyStress {
-            name,
-            max_von_mises,
-            max_principal,
-            min_principal,
-            max_shear,
-            utilisation,
-        } = body;
-        [
-            StressRow {
-                place: name.clone(),
-                used: used(utilisation.yielding, "yield"),
-                ..row("largest von Mises stress", max_von_mises)
-            },
-            StressRow {
-                used: used(utilisation.tension, "tensile"),
-                ..row("largest principal stress", max_principal)
-            },
-            row("least principal stress", min_principal),
-            row("largest shear", max_shear),
-        ]
+    /// The rows of the stresses wanted in a body, the first with its name.
+    fn of_body(&self, body: &BodyStress) -> Vec<StressRow> {
+        let utilisation = body.utilisation;
+        let yielding = used(utilisation.yielding, "yield");
+        let tension = used(utilisation.tension, "tensile");
+        let none = String::new;
+        let rows = [
+            ("largest von Mises stress", body.max_von_mises, yielding),
+            ("largest principal stress", body.max_principal, tension),
+            ("least principal stress", body.min_principal, none()),
+            ("largest shear", body.max_shear, none()),
+        ];
+        self.of_place(&body.name, rows)
     }
 
-    fn of_interface(&self, interface: &InterfaceStress) -> [StressRow; 3] {
-        let row = |name, extreme: &Extreme<2>| self.row(name, extreme);
+    /// The rows of the tractions wanted on an interface, the first with its name.
+    fn of_interface(&self, interface: &InterfaceStress) -> Vec<StressRow> {
         let depth = quantity(interface.depth, Unit::Metre, self.units);
-        [
-            StressRow {
-                place: format!("interface {}, {depth} deep", interface.index),
-                used: used(interface.utilisation.shear, "shear"),
-                ..row("largest shear traction", &interface.max_shear_traction)
-            },
-            StressRow {
-                used: used(interface.utilisation.tension, "tensile"),
-                ..row("largest tension", &interface.max_tension)
-            },
-            row("largest compression", &interface.max_compression),
-        ]
+        let place = format!("interface {}, {depth} deep", interface.index);
+        let utilisation = interface.utilisation;
+        let (shear, tension) = (
+            used(utilisation.shear, "shear"),
+            used(utilisation.tension, "tensile"),
+        );
+        let traction = interface.max_shear_traction;
+        let rows = [
+            ("largest shear traction", traction, shear),
+            ("largest tension", interface.max_tension, tension),
+            (
+                "largest compression",
+                interface.max_compression,
+                String::new(),
+            ),
+        ];
+        self.of_place(&place, rows)
+    }
+
+    fn of_place<const AXES: usize, const ROWS: usize>(
+        &self,
+        place: &str,
+        rows: [(&'static str, Option<Extreme<AXES>>, String); ROWS],
+    ) -> Vec<StressRow> {
+        let wanted = rows.into_iter();
+        let wanted = wanted.filter_map(|(name, extreme, used)| Some((name, extreme?, used)));
+        let rows = wanted
+            .enumerate()
+            .map(|(i, (name, extreme, used))| StressRow {
+                place: if i == 0 {
+                    place.to_owned()
+                } else {
+                    String::new()
+                },
+                used,
+                ..self.row(name, &extreme)
+            });
+        rows.collect()
     }
 
     fn row<const AXES: usize>(&self, name: &'static str, extreme: &Extreme<AXES>) -> StressRow {

@@ -9,27 +9,36 @@ use pellicle_contact::{Criterion, CriticalLoad, CriticalStatus, Extreme};
 use super::columns::TextColumns;
 
 impl TextColumns {
-    /// Adds the largest stresses in each body and on each interface.
+    /// Adds the largest stresses in each body and on each interface: of those wanted, the ones that strengths limit.
     pub(super) fn stresses(&mut self, stress: &StressSummary) {
         for body in &stress.extremes.bodies {
+            if body.max_von_mises.is_none() && body.max_principal.is_none() {
+                continue;
+            }
             self.push(&format!("stress in {}", body.name), "", "");
-            self.extreme("  von Mises", &body.max_von_mises);
+            self.extreme("  von Mises", body.max_von_mises);
             self.used("yield", body.utilisation.yielding);
-            self.extreme("  tension", &body.max_principal);
+            self.extreme("  tension", body.max_principal);
             self.used("tensile", body.utilisation.tension);
         }
         for interface in &stress.extremes.interfaces {
-            self.push(&format!("stress on interface {}", interface.index), "", "");
-            self.extreme("  shear", &interface.max_shear_traction);
-            self.used("shear", interface.utilisation.shear);
-            if interface.max_tension.value > 0.0 {
-                self.extreme("  tension", &interface.max_tension);
+            let tension = interface.max_tension;
+            if interface.max_shear_traction.is_none() && tension.is_none() {
+                continue;
             }
+            self.push(&format!("stress on interface {}", interface.index), "", "");
+            self.extreme("  shear", interface.max_shear_traction);
+            self.used("shear", interface.utilisation.shear);
+            self.extreme("  tension", tension.filter(|tension| tension.value > 0.0));
             self.used("tensile", interface.utilisation.tension);
         }
     }
 
-    fn extreme<const AXES: usize>(&mut self, name: &str, extreme: &Extreme<AXES>) {
+    /// Adds an extreme, if it is wanted.
+    fn extreme<const AXES: usize>(&mut self, name: &str, extreme: Option<Extreme<AXES>>) {
+        let Some(extreme) = extreme else {
+            return;
+        };
         let (value, at) = (extreme.value, extreme.at);
         let note = match extreme.estimate {
             _ if !extreme.resolved => "not resolved by the grid".into(),
@@ -122,7 +131,11 @@ impl CriticalWords {
         };
         let depth = |at| depth(at, self.element_side, self.units);
         let at = load.at.map_or_else(String::new, depth);
-        format!("{what} {verb}{first} at {newtons}{note}{at}")
+        let beyond = match load.status {
+            CriticalStatus::BeyondModel => BEYOND_MODEL,
+            _ => "",
+        };
+        format!("{what} {verb}{first} at {newtons}{note}{at}{beyond}")
     }
 
     /// `the coating yields under no load up to 5 mN: 0.34 of its strength is reached`
@@ -130,7 +143,7 @@ impl CriticalWords {
         let (what, verb) = (place(&load.name, self.layers), verb(load.criterion));
         let when = match load.status {
             CriticalStatus::BelowSmallest => "already at the smallest load tried".to_owned(),
-            CriticalStatus::Met | CriticalStatus::NotReached => {
+            CriticalStatus::Met | CriticalStatus::BeyondModel | CriticalStatus::NotReached => {
                 let largest = quantity(self.largest_force, Unit::Newton, self.units);
                 format!("under no load up to {largest}")
             }
@@ -143,6 +156,9 @@ impl CriticalWords {
 
 /// The note on a number that still changes from grid to grid.
 const NOT_RESOLVED: &str = " (not resolved by the grid)";
+
+/// The note on a load under which the contact is beyond the model.
+const BEYOND_MODEL: &str = ": BEYOND THE MODEL, do not use this load: under it the contact has numbers that no body can have";
 
 /// `, 0.48 µm below the surface at x, y = 0 m, 1.2 µm`
 fn depth(at: [f64; 3], element_side: f64, units: Units) -> String {
@@ -223,6 +239,15 @@ mod tests {
         assert_eq!(
             words(2, Units::Consistent).met(&unresolved, 1.0, false),
             "layer 1 cracks at 1.0000 (not resolved by the grid), at the surface at x, y = 1.0000e-6, 0"
+        );
+        let beyond = CriticalLoad {
+            status: CriticalStatus::BeyondModel,
+            ..yields
+        };
+        let sentence = words(1, Units::Si).met(&beyond, 3.2e-3, false);
+        assert!(
+            sentence.contains("x, y = 0 m, 0 m: BEYOND THE MODEL"),
+            "{sentence}"
         );
     }
 

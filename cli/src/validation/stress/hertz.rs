@@ -106,13 +106,14 @@ fn largest(path: &LoadingPath, wanted: &HertzContact) -> Result<[Comparison; 2],
             strengths: BodyStrengths::default(),
         }],
         interfaces: Vec::new(),
+        only: None,
     };
     let extremes = stress_extremes(path, 0, &model)?;
     let found = extremes
         .bodies
         .first()
-        .ok_or(ValidationError::NoSolution)?
-        .max_von_mises;
+        .and_then(|body| body.max_von_mises)
+        .ok_or(ValidationError::NoSolution)?;
     let share = found.value / wanted.peak_pressure;
     let depth = found.at[2] / wanted.contact_radius;
     let row = |what: &str, wanted: f64, found: f64, tolerance| {

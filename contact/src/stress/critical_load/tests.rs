@@ -58,10 +58,10 @@ fn stress() -> StressModel {
 fn every_strength_has_its_own_stress_in_its_own_depth_range() {
     let body = |value: f64| BodyStress {
         name: String::new(),
-        max_von_mises: extreme(value),
-        max_principal: extreme(value + 1.0),
-        min_principal: extreme(-9.0),
-        max_shear: extreme(9.0),
+        max_von_mises: Some(extreme(value)),
+        max_principal: Some(extreme(value + 1.0)),
+        min_principal: Some(extreme(-9.0)),
+        max_shear: Some(extreme(9.0)),
         utilisation: BodyUtilisation::default(),
     };
     let step = StressExtremes {
@@ -69,13 +69,13 @@ fn every_strength_has_its_own_stress_in_its_own_depth_range() {
         interfaces: vec![InterfaceStress {
             index: 0,
             depth: 0.2,
-            max_shear_traction: extreme(30.0),
-            max_tension: extreme(31.0),
-            max_compression: extreme(9.0),
+            max_shear_traction: Some(extreme(30.0)),
+            max_tension: Some(extreme(31.0)),
+            max_compression: Some(extreme(9.0)),
             utilisation: InterfaceUtilisation::default(),
         }],
     };
-    let searches = criteria(&stress(), &[step]);
+    let searches = criteria(&stress(), std::slice::from_ref(&step)).unwrap();
     let found = searches.iter().map(|search| {
         let Target {
             top,
@@ -103,6 +103,15 @@ fn every_strength_has_its_own_stress_in_its_own_depth_range() {
     assert_eq!(found.collect::<Vec<_>>(), wanted);
     // On an interface the depth is that of the interface.
     assert_eq!(searches[3].known[0].at, [0.5, 0.5, 0.2]);
+    let mut without = step;
+    without.interfaces[0].max_tension = None;
+    let refused = criteria(&stress(), &[without]).err();
+    assert!(matches!(
+        refused,
+        Some(ContactError::StressLeftOut {
+            quantity: "max_tension"
+        })
+    ));
 }
 
 #[test]
@@ -122,6 +131,7 @@ fn the_relative_error_of_a_critical_load_is_that_of_the_stress_over_its_exponent
         force: 6.0,
         penetration: 0.3,
         radius: 1.0,
+        is_beyond: false,
         extreme: extreme(value),
         followed_on: None,
     };

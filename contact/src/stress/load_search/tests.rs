@@ -10,6 +10,7 @@ fn solved(force: f64, value: f64) -> Solved {
         force,
         penetration: 0.0,
         radius: 0.0,
+        is_beyond: false,
         extreme: Extreme {
             value,
             at: [0.0; 3],

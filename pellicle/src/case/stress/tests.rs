@@ -167,10 +167,62 @@ fn invalid_stress_tables_are_rejected_with_what_is_wanted() {
         ("depths = 3", "wanted a list"),
         ("extent = 0", "wanted a positive length"),
         ("direction = \"5 nm\"", "wanted a finite angle"),
-        ("frictoin = 1", "one of depths, extent, friction, direction"),
+        (
+            "frictoin = 1",
+            "one of depths, extent, friction, direction, only",
+        ),
+        (
+            "only = []",
+            "found [], wanted a list of some of \"max_von_mises\", ",
+        ),
+        ("only = \"max_tension\"", "wanted a list of some of"),
+        (
+            "only = [\"max_shear\", \"von_mises\"]",
+            "key `only[1]`: found \"von_mises\", wanted one of \"max_von_mises\", ",
+        ),
     ] {
         let message = read(text).unwrap_err();
         assert!(message.contains(wanted), "{text}: {message}");
+    }
+}
+
+#[test]
+fn the_wanted_stresses_are_in_the_order_of_results_each_once() {
+    let stress = read("only = [\"max_tension\", \"max_von_mises\", \"max_tension\"]").unwrap();
+    let wanted = vec![StressQuantity::VonMises, StressQuantity::Tension];
+    assert!(stress.wants(StressQuantity::Tension) && !stress.wants(StressQuantity::MaxShear));
+    assert_eq!(stress.only, Some(wanted));
+    assert!(read("").unwrap().wants(StressQuantity::MaxShear));
+}
+
+#[test]
+fn a_strength_whose_stress_is_left_out_is_refused() {
+    let foundation = format!("{LAYERS}substrate = {HALF_SPACE}");
+    let case = read_table(&foundation, |table| FoundationCase::read(&table)).unwrap();
+    let read = |text: &str| read_table(text, |table| StressCase::read(&table, &case, None));
+    let all =
+        "only = [\"max_principal\", \"max_von_mises\", \"max_shear_traction\", \"max_tension\"]";
+    assert!(read(all).is_ok());
+    for (quantity, of) in [
+        (
+            "max_von_mises",
+            "the yield_strength of layer[1] limits, or no such strength",
+        ),
+        ("max_principal", "the tensile_strength of layer[0]"),
+        (
+            "max_shear_traction",
+            "the interface_shear_strength of interface[0]",
+        ),
+        (
+            "max_tension",
+            "the interface_tensile_strength of interface[1]",
+        ),
+    ] {
+        let without = all.replace(&format!("\"{quantity}\""), "\"max_shear\"");
+        let message = read(&without).unwrap_err();
+        let wanted = format!("wanted \"{quantity}\" among them, which {of}");
+        assert!(message.contains("key `only`: found "), "{message}");
+        assert!(message.contains(&wanted), "{message}");
     }
 }
 

@@ -1,0 +1,90 @@
+//! The error of an extreme, and whether the grid resolves it; beside the contact's edge it is that of the edge.
+
+use super::{ExtremeFinder, ON_AXIS};
+use crate::result::peak::place_near;
+use crate::stress::edge_extreme::{edge_extreme, is_near_edge};
+use crate::stress::extreme::Extreme;
+use crate::stress::peak_search::StressPeak;
+use crate::stress::quantity::StressQuantity;
+use crate::{ContactError, ErrorEstimate, PeakPlace};
+
+/// An extreme within this many elements of the surface and near something sharp grows with the grid.
+const ELEMENTS_FROM_SURFACE: f64 = 2.0;
+/// A tension sampled on the surface within this many elements of the contact's edge is not that of the continuum, which
+/// has a cusp there.
+const BESIDE_EDGE: isize = 3;
+/// The pressures of the two outermost elements are up to 15 % off, and so are stresses under sliding on the surface
+/// there.
+const OUTERMOST: isize = 2;
+
+impl ExtremeFinder<'_> {
+    /// The extreme of a quantity, in the topmost body or another one, where sampled stresses beside the edge of the
+    /// contact are not those of the continuum.
+    pub(super) fn judged_beside_edge(
+        &self,
+        (quantity, is_on_top): (StressQuantity, bool),
+        judged: Extreme<3>,
+    ) -> Result<Extreme<3>, ContactError> {
+        if is_on_top && quantity == StressQuantity::MaxPrincipal {
+            return self.or_at_edge(judged);
+        }
+        let ([x, y, z], element) = (judged.at, self.field.grid().element_side());
+        let slides = self.field.slides();
+        let is_outermost = slides && z < element && is_near_edge(&self.field, [x, y], OUTERMOST);
+        Ok(Extreme {
+            resolved: judged.resolved && !is_outermost,
+            ..judged
+        })
+    }
+
+    /// Replaces the largest tension of the topmost body by that at the contact's edge if this is larger, or if the
+    /// value was sampled beside the edge.
+    pub(super) fn or_at_edge(&self, sampled: Extreme<3>) -> Result<Extreme<3>, ContactError> {
+        let Self {
+            path,
+            step,
+            field,
+            coarser,
+        } = self;
+        let at_edge = edge_extreme(path, step, field, coarser.last())?;
+        let [x, y, z] = sampled.at;
+        let is_beside = z < field.grid().element_side() && is_near_edge(field, [x, y], BESIDE_EDGE);
+        Ok(match at_edge {
+            Some(edge) if edge.value >= sampled.value || (is_beside && edge.resolved) => edge,
+            _ => Extreme {
+                resolved: sampled.resolved && !is_beside,
+                ..sampled
+            },
+        })
+    }
+
+    /// Returns the extreme with its error, from pairs of elements per side and value.
+    pub(super) fn judged(&self, peak: StressPeak, values: &[(usize, f64)]) -> Extreme<3> {
+        let Self { path, step, .. } = self;
+        let [x, y, z] = peak.at;
+        let side = path.grid.element_side();
+        let is_near = place_near(&path.relief, &path.indenter, side, [x, y]) != PeakPlace::Inside;
+        let is_at_edge = z < ELEMENTS_FROM_SURFACE * side && is_near;
+        let meets_outline = step
+            .grid_error
+            .levels
+            .iter()
+            .any(|level| level.meets_outline);
+        let accuracy = step.solution.certificate.worst() + path.tables.error_estimate();
+        let error = ErrorEstimate::of_values(values, meets_outline, is_at_edge, accuracy);
+        // A peak nearer to the axis than rounding resolves lies on it.
+        let snapped = |along: f64| {
+            if along.abs() < ON_AXIS * side {
+                0.0
+            } else {
+                along
+            }
+        };
+        Extreme {
+            value: peak.value,
+            at: [snapped(x), snapped(y), z],
+            resolved: error.is_some_and(|error| error.resolved) && step.grid_error.resolves_waves(),
+            estimate: error.map(|error| error.estimate),
+        }
+    }
+}
