@@ -13,7 +13,7 @@ use std::process::Command;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::runner::TestFolder;
+use super::runner::TestFolder;
 
 /// Number of random bodies in the short form.
 const SHORT: u64 = 3;

@@ -198,8 +198,20 @@ fn the_wanted_stresses_are_in_the_order_of_results_each_once() {
 #[test]
 fn a_strength_whose_stress_is_left_out_is_refused() {
     let foundation = format!("{LAYERS}substrate = {HALF_SPACE}");
-    let case = read_table(&foundation, |table| FoundationCase::read(&table)).unwrap();
-    let read = |text: &str| read_table(text, |table| StressCase::read(&table, &case, None));
+    let case = read_table(&foundation, |table| {
+        FoundationCase::read(&table, &Scope::default())
+    })
+    .unwrap();
+    let read = |text: &str| {
+        read_table(text, |table| {
+            let foundation = Some(&case);
+            let scope = Scope {
+                foundation,
+                ..Scope::default()
+            };
+            StressCase::read(&table, &scope)
+        })
+    };
     let all =
         "only = [\"max_principal\", \"max_von_mises\", \"max_shear_traction\", \"max_tension\"]";
     assert!(read(all).is_ok());
