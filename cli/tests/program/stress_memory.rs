@@ -27,12 +27,13 @@ fn case(random: &mut ChaCha8Rng, layers: usize, elements: usize) -> String {
         between(0.01, 10.0)
     );
     for _ in 0..layers {
-        text += &format!(
+        let layer = format!(
             "[[foundation.layer]]\nthickness = {}\nyoung_modulus = {}\npoisson_ratio = {}\n",
             between(1e-3, 10.0),
             between(0.1, 10.0),
             between(0.1, 0.49)
         );
+        text.push_str(&layer);
     }
     let friction = between(0.01, 2.0);
     let friction = if friction < 0.1 { 0.0 } else { friction };
