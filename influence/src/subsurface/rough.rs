@@ -1,4 +1,4 @@
-//! Stresses to 2e-5 of the largest at a depth, for searches: at a twentieth of the cost of the exact ones.
+//! Stresses to 2e-6 of the largest at a depth, for searches: at a twentieth of the cost of the exact ones.
 //!
 //! The functions of the radius are those of [point loads](super::point_kernels), from a [coarser
 //! lattice](super::log_lattice::ROUGH) and fewer [panels](super::radial_panels). They do not depend on the element, so

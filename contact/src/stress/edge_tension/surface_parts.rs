@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use pellicle_influence::{Depth, InfluenceError, PlaneFields, Squares, SurfaceMeans};
+use pellicle_influence::{Depth, InfluenceError, PlaneFields, RoughDepths, Squares, SurfaceMeans};
 use rayon::prelude::*;
 
 use super::edge_contact::Place;
@@ -45,8 +45,7 @@ impl<'a> SurfaceParts<'a> {
     }
 
     /// Computes the stresses at the places where they are not yet known; no farther from the loaded square than the
-    /// fits
-    /// reach.
+    /// fits reach.
     pub fn compute(&mut self, part: Part, places: &[Place]) {
         let LoadedSquare { size, pressure, .. } = self.field.loaded();
         let tractions = self.field.tractions();
@@ -75,8 +74,7 @@ impl<'a> SurfaceParts<'a> {
     }
 
     /// The larger principal stresses along the surface at places within an element of the loaded square: at a few by
-    /// sums,
-    /// at many under centres by a convolution.
+    /// sums, at many under centres by a convolution.
     pub fn tensions(&mut self, places: &[Place]) -> Result<Vec<f64>, InfluenceError> {
         if places.len() > MOST_SUMS {
             return self.tensions_by_convolution(places);
@@ -105,7 +103,9 @@ impl<'a> SurfaceParts<'a> {
         let mut fields =
             PlaneFields::new(foundation, side, squares, pressure, self.field.tractions());
         let mut stresses = vec![[0.0; 3]; places.len()];
-        fields.chosen_fields_on(Depth::below(0.0), &ALONG_SURFACE, |field, values| {
+        let mut rough = RoughDepths::new(foundation, side, self.field.tractions())?;
+        let surface = Depth::below(0.0);
+        fields.rough_fields_on(&mut rough, surface, &ALONG_SURFACE, |field, values| {
             let Some(index) = ALONG_SURFACE.iter().position(|other| *other == field) else {
                 return;
             };

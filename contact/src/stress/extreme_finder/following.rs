@@ -2,8 +2,10 @@
 
 use pellicle_influence::{Depth, RoughDepths};
 
+use super::judgement::BESIDE_EDGE;
 use super::{ExtremeFinder, depth_in};
 use crate::ContactError;
+use crate::stress::edge_extreme::{Wanted, is_near_edge};
 use crate::stress::extreme::Extreme;
 use crate::stress::peak_search::{PeakSearch, StressPeak};
 use crate::stress::plane_scan::Target;
@@ -30,7 +32,11 @@ impl ExtremeFinder<'_> {
         let followed = self.followed_from(rough, (target, *quantity), expected)?;
         match followed.map(without_error) {
             Some(sampled) if target.top == 0.0 && *quantity == StressQuantity::MaxPrincipal => {
-                self.or_at_edge(sampled).map(Some)
+                let [x, y, z] = expected;
+                let is_at_edge = z < self.field.grid().element_side()
+                    && is_near_edge(&self.field, [x, y], BESIDE_EDGE);
+                let from = is_at_edge.then_some([x, y]);
+                self.or_at_edge(sampled, Wanted::Value(from)).map(Some)
             }
             sampled => Ok(sampled),
         }

@@ -11,7 +11,9 @@ use crate::element::check_element_side;
 use crate::error::InfluenceError;
 use crate::subsurface::depth::Depth;
 use crate::subsurface::element_table::ElementStates;
-use crate::subsurface::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
+use crate::subsurface::point_kernels::{
+    NORMAL_STRESSES, PressureStresses, TANGENTIAL_STRESSES, TractionStresses,
+};
 use crate::subsurface::radial_panels::{Layout, RadialPanels};
 use crate::subsurface::state::SubsurfaceState;
 use crate::subsurface::waves::Waves;
@@ -19,8 +21,8 @@ use crate::subsurface::waves::Waves;
 /// Functions are tabulated up to this factor beyond the distance that is asked for, so that others seldom need more.
 const ROOM: f64 = 1.5;
 
-/// The stresses around point loads at all depths asked for so far, to 2e-5 of the largest at each depth. Displacements
-/// are less accurate.
+/// The stresses around point loads at all depths asked for so far, to 2e-6 of the largest at each depth; without
+/// displacements.
 #[derive(Debug)]
 pub struct RoughDepths {
     waves: Waves,
@@ -62,8 +64,8 @@ pub struct NearSurface {
 pub struct Kernels {
     /// Depth with which the waves decay.
     pub reach: f64,
-    pub normal: RadialPanels<NORMAL>,
-    pub tangential: Option<RadialPanels<TANGENTIAL>>,
+    pub normal: RadialPanels<NORMAL_STRESSES>,
+    pub tangential: Option<RadialPanels<TANGENTIAL_STRESSES>>,
 }
 
 impl RoughDepths {
@@ -178,8 +180,9 @@ impl RoughDepths {
             let sampled = self.waves.sampled(layout, of, |_| 1.0)?;
             Ok::<_, KernelError>(Kernels {
                 reach: sampled.reach(),
-                normal: sampled.panels::<Pressure, NORMAL>(),
-                tangential: slides.then(|| sampled.panels::<Traction, TANGENTIAL>()),
+                normal: sampled.panels::<PressureStresses, NORMAL_STRESSES>(),
+                tangential: slides
+                    .then(|| sampled.panels::<TractionStresses, TANGENTIAL_STRESSES>()),
             })
         };
         let nearest = near_surface.map_or(0.0, |side| {
