@@ -18,6 +18,9 @@ mod quantity;
 mod solved_loads;
 pub mod unresolved;
 
+/// How often a peak is followed to a place beyond those known.
+const MOST_MOVES: usize = 8;
+
 /// The nearest whole number.
 #[expect(
     clippy::cast_possible_truncation,

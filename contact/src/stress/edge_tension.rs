@@ -19,6 +19,7 @@ use outline::{EdgePoint, beside, crossed_cells, outline};
 use patch::{Continued, Patch};
 use surface_parts::{Part, SurfaceParts};
 
+use super::MOST_MOVES;
 use super::field::StressField;
 use crate::PeakPlace;
 use crate::result::peak::place_near;
@@ -26,13 +27,11 @@ use crate::result::peak::place_near;
 /// A cell of the edge is examined if an element beside the contact there has at least this part of the largest tension:
 /// sampled there, the tension at equal edges varies by a quarter with their places within the elements.
 const NEARLY: f64 = 0.65;
-/// Distance between the cells examined first, in elements, and about how many they are at most.
-const SPACING: f64 = 2.5;
+/// About how many cells are examined first at most.
 const MOST_POINTS: usize = 10;
-/// Points within this distance, in elements, are examined together; on a coarser grid they are the same.
+/// Cells at least this far apart, in elements, are examined first, and those within this distance of the largest at
+/// last; a point on a coarser grid is the same within it.
 const SAME: f64 = 2.5;
-/// How often the largest is looked for around a larger one.
-const MOVES: usize = 8;
 /// With springs of more than this part of `K₀₀` the pressure does not rise like a root.
 const SOFT: f64 = 1e-3;
 /// Elements in a top layer that is resolved at the edge, and the ratio of moduli that begins another layer.
@@ -59,15 +58,15 @@ pub struct EdgeTension {
 pub fn edge_tension(contact: &EdgeContact) -> Result<Option<EdgeTension>, InfluenceError> {
     let mut search = EdgeSearch::new(contact)?;
     let cells = search.candidates()?;
-    let mut reach = SPACING.max(cells.len() as f64 / MOST_POINTS as f64);
+    let mut reach = SAME.max(cells.len() as f64 / MOST_POINTS as f64);
     let mut examined = spread(&cells, &[], reach);
     let mut known = search.examine(&examined);
     while let Some((best, _)) = largest(&known) {
-        reach /= 2.0;
-        if reach < SAME {
+        if reach <= SAME {
             return Ok(search.climb(&cells, best.at));
         }
-        let near = cells_near(&cells, best.at, 2.0 * reach);
+        let near = cells_near(&cells, best.at, reach);
+        reach /= 3.0;
         let more = spread(&near, &examined, reach);
         known.extend(search.examine(&more));
         examined.extend(more);
@@ -200,7 +199,7 @@ impl<'a> EdgeSearch<'a> {
     /// The largest tension reached from a place by steps to the largest one near it.
     fn climb(&mut self, cells: &[Place], mut at: [f64; 2]) -> Option<EdgeTension> {
         let mut best: Option<(EdgePoint, Continued)> = None;
-        for _ in 0..MOVES {
+        for _ in 0..MOST_MOVES {
             let near = self.examine(&cells_near(cells, at, SAME));
             let found = largest(&near)
                 .filter(|(_, found)| best.is_none_or(|(_, best)| found.value > best.value));

@@ -12,6 +12,7 @@ use std::sync::Arc;
 use pellicle_influence::{
     Depth, InfluenceError, PlaneFields, RoughDepths, Squares, SubsurfaceState,
 };
+pub use plane_stresses::PEAKS;
 use plane_stresses::PlaneStresses;
 
 use super::field::StressField;
@@ -36,8 +37,6 @@ const NEARLY: f64 = 0.98;
 const BLOCKS: usize = 32;
 /// Number of planes on either side of a depth from which stresses are interpolated.
 const PLANES_AROUND: usize = 2;
-/// How often an interpolated peak is followed to another block or plane.
-const MOVES: usize = 8;
 
 /// A depth range and the quantities whose extremes are wanted there; an interface is a range without extent.
 #[derive(Debug, Clone)]
@@ -225,7 +224,7 @@ pub fn refined(
     (mut plane, mut at): (usize, [f64; 2]),
 ) -> (f64, [f64; 3]) {
     let mut best = (f64::NEG_INFINITY, [at[0], at[1], planes[plane].depth.z]);
-    for _ in 0..MOVES {
+    for _ in 0..super::MOST_MOVES {
         let around = window(planes.len(), plane);
         let depths = planes[around.clone()].iter().map(|plane| plane.depth.z);
         let (z, side) = (planes[plane].depth.z, planes[plane].side);

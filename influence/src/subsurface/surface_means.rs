@@ -15,7 +15,7 @@ use pellicle_kernel::{Base, Foundation};
 use rayon::prelude::*;
 
 use super::centre_stresses::Line;
-use super::homogeneous::surface_corner;
+use super::homogeneous::surface_corners;
 use super::parity::{UNDER_PRESSURE, under_traction};
 use crate::element::check_element_side;
 use crate::error::InfluenceError;
@@ -145,10 +145,20 @@ fn homogeneous_means(poisson_ratio: f64, offsets: usize) -> [Tables; 2] {
                 -1.0 / 6.0
             }
     };
-    let corners = (0..count * count)
-        .into_par_iter()
-        .map(|index| surface_corner(poisson_ratio, [place(index / count), place(index % count)]));
-    let corners: Vec<[[f64; 3]; 2]> = corners.collect();
+    let row = |i: usize| -> Vec<_> {
+        let columns = 0..=i;
+        columns
+            .map(|j| surface_corners(poisson_ratio, [place(i), place(j)]))
+            .collect()
+    };
+    let octant: Vec<Vec<[[[f64; 3]; 2]; 2]>> = (0..count).into_par_iter().map(row).collect();
+    let corner = |i: usize, j: usize| {
+        if j <= i {
+            &octant[i][j][0]
+        } else {
+            &octant[j][i][1]
+        }
+    };
     let mut means = [(); 2].map(|()| [(); 3].map(|()| Vec::with_capacity(offsets * offsets)));
     let signs = [-0.5, -0.5, 0.5, 0.5];
     for m in 0..offsets {
@@ -156,7 +166,7 @@ fn homogeneous_means(poisson_ratio: f64, offsets: usize) -> [Tables; 2] {
             let mut sums = [[0.0; 3]; 2];
             for (i, sign_x) in signs.iter().enumerate() {
                 for (j, sign_y) in signs.iter().enumerate() {
-                    let corner = corners[(2 * m + i) * count + 2 * n + j];
+                    let corner = corner(2 * m + i, 2 * n + j);
                     for (sums, values) in sums.iter_mut().zip(corner) {
                         for (sum, value) in sums.iter_mut().zip(values) {
                             *sum += sign_x * sign_y * value;

@@ -7,8 +7,8 @@ use pellicle_influence::SubsurfaceState;
 use super::is_nearly;
 use crate::stress::quantity::StressQuantity;
 
-/// Largest number of peaks examined on one plane.
-pub const PEAKS_OF_A_PLANE: usize = 4;
+/// Largest number of peaks of a quantity that are followed, on one plane and in all.
+pub const PEAKS: usize = 4;
 
 /// Stresses at places on a square lattice, row by row; without displacements.
 pub struct PlaneStresses {
@@ -91,7 +91,7 @@ impl PlaneStresses {
         let peaks = near.into_iter().filter(|at| self.is_peak(&values, of(*at)));
         let mut peaks: Vec<_> = peaks.map(|at| (values[at], of(at))).collect();
         peaks.sort_by(|(one, _), (other, _)| other.total_cmp(one));
-        peaks.truncate(PEAKS_OF_A_PLANE);
+        peaks.truncate(PEAKS);
         peaks
     }
 

@@ -52,6 +52,18 @@ fn depths_cover_a_body_from_top_to_bottom_and_are_densest_at_the_surface() {
 }
 
 #[test]
+fn layers_below_the_surface_take_five_planes_each_if_they_are_thin_on_the_scale_of_their_depth() {
+    // Layers of a third, a half and a fifth of the contact's radius on a half-space.
+    let interfaces = [0.0, 1.6, 4.4, 5.5, f64::INFINITY];
+    let planes = interfaces
+        .windows(2)
+        .map(|ends| depths(ends[0], ends[1]).len());
+    let planes: Vec<usize> = planes.collect();
+    assert_eq!(planes[2], 5, "{planes:?}");
+    assert!(planes.iter().sum::<usize>() <= 28, "{planes:?}");
+}
+
+#[test]
 fn an_interface_has_one_depth() {
     assert_eq!(depths(2.0, 2.0), [2.0]);
 }

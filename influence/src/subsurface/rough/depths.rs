@@ -113,13 +113,17 @@ impl RoughDepths {
         (point, depth): ([f64; 2], Depth),
     ) -> Result<SubsurfaceState, InfluenceError> {
         let seen = |centre: &[f64; 2]| [0, 1].map(|axis: usize| point[axis] - centre[axis]);
-        let distances = loaded.iter().map(|(centre, _)| seen(centre));
-        let farthest = distances.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+        let squares = loaded.iter().map(|(centre, _)| {
+            let [x, y] = seen(centre);
+            x * x + y * y
+        });
+        let farthest = squares.fold(0.0, f64::max).sqrt();
         let kernels = self.at(depth, element_side, farthest + element_side)?;
         let normal = RoughPressure::under_pressure(&kernels, element_side);
         let tangential = RoughTraction::under_traction(&kernels, element_side);
+        let per_side = 1.0 / element_side;
         let of_element = |(centre, pressure): &([f64; 2], f64)| {
-            let place = seen(centre).map(|along| along / element_side);
+            let place = seen(centre).map(|along| along * per_side);
             let mut state = normal.at(place);
             if let Some(tangential) = &tangential {
                 let [along_x, along_y] = tangential.at_both(place);
