@@ -1,4 +1,4 @@
-//! The scan for extremes of stresses, on planes at depths that are denser near the surface and the interfaces.
+//! The scan for extremes of stresses, on planes that are denser near the surface.
 //!
 //! On planes many elements deep the pressure is that of [blocks](super::pressure_blocks) of elements, and everywhere
 //! that of blocks that are small beside the contact, if the pressure is smooth on their scale. Between the planes and

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use pellicle_influence::{Depth, InfluenceError, PlaneFields, RoughDepths, Squares, SurfaceMeans};
+use pellicle_influence::{Depth, InfluenceError, PlaneFields, Squares, SurfaceMeans};
 use rayon::prelude::*;
 
 use super::edge_contact::Place;
@@ -103,9 +103,7 @@ impl<'a> SurfaceParts<'a> {
         let mut fields =
             PlaneFields::new(foundation, side, squares, pressure, self.field.tractions());
         let mut stresses = vec![[0.0; 3]; places.len()];
-        let mut rough = RoughDepths::new(foundation, side, self.field.tractions())?;
-        let surface = Depth::below(0.0);
-        fields.rough_fields_on(&mut rough, surface, &ALONG_SURFACE, |field, values| {
+        fields.chosen_fields_on(Depth::below(0.0), &ALONG_SURFACE, |field, values| {
             let Some(index) = ALONG_SURFACE.iter().position(|other| *other == field) else {
                 return;
             };

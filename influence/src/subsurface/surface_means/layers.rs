@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use pellicle_kernel::{Foundation, Interior, KernelError};
+use pellicle_kernel::{Foundation, Interior, KernelError, Layer};
 
 use super::{ALONG_SURFACE, EXCHANGED};
 use crate::subsurface::depth::Depth;
@@ -62,7 +62,8 @@ impl LayerMeans {
         farthest: f64,
     ) -> Result<Self, KernelError> {
         let top = foundation.layers().first();
-        let reach = 2.0 * top.map_or(0.0, |top| top.thickness()) / element_side;
+        let thickness = top.map_or(0.0, Layer::thickness);
+        let reach = 2.0 * thickness / element_side;
         if reach < SMOOTH_REACH {
             let mut waves = Waves::new(foundation, element_side);
             let waves = DepthWaves::new(&mut waves, Depth::below(0.0), element_side * farthest)?;
