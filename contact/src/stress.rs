@@ -19,6 +19,9 @@ pub mod search_work;
 mod solved_loads;
 pub mod unresolved;
 
+/// How often a peak is followed to a place beyond those known.
+const MOST_MOVES: usize = 8;
+
 /// The nearest whole number.
 #[expect(
     clippy::cast_possible_truncation,

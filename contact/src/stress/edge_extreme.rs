@@ -1,6 +1,6 @@
 //! The largest tension at the edge of the contact as an extreme of the topmost body.
 
-use super::edge_tension::{EdgeContact, edge_tension, edge_tension_near};
+use super::edge_tension::{EdgeContact, edge_tension, edge_tension_from, edge_tension_near};
 use super::extreme::Extreme;
 use super::field::StressField;
 use crate::{ContactError, LoadingPath, Step};
@@ -10,25 +10,37 @@ use crate::{ContactError, LoadingPath, Step};
 const PART_OF_TENSION: f64 = 0.005;
 const PART_OF_PRESSURE: f64 = 2e-4;
 
+/// What is wanted of an extreme at the edge.
+#[derive(Clone, Copy)]
+pub enum Wanted<'a> {
+    /// Only its value, reached along the edge from a point (x, y; m), or the largest one.
+    Value(Option<[f64; 2]>),
+    /// Its error as well, from the next coarser grid; without one it is not known.
+    Error(Option<&'a StressField>),
+}
+
 /// The extreme of the tension at the edge under a step; none if no edge determines one, or all are in compression.
 ///
 /// ± is the sum of the change of the continuation from one order to another, its change from the next coarser grid and
-/// a
-/// constant part.
+/// a constant part.
 pub fn edge_extreme(
     path: &LoadingPath,
     step: &Step,
     field: &StressField,
-    coarser: Option<&StressField>,
+    wanted: Wanted,
 ) -> Result<Option<Extreme<3>>, ContactError> {
     let bodies = (&path.relief, &path.indenter);
     let contact = EdgeContact::new(field, bodies, step.solution.penetration, path.hardness);
     // Under a stiff coating at rest the edge may be in compression.
-    let Some(found) = edge_tension(&contact)?.filter(|found| found.value > 0.0) else {
+    let found = match wanted {
+        Wanted::Value(Some(from)) => edge_tension_from(&contact, from)?,
+        Wanted::Value(None) | Wanted::Error(_) => edge_tension(&contact)?,
+    };
+    let Some(found) = found.filter(|found| found.value > 0.0) else {
         return Ok(None);
     };
-    let on_coarser = match coarser {
-        Some(coarse) => {
+    let on_coarser = match wanted {
+        Wanted::Error(Some(coarse)) => {
             let levels = step.grid_error.levels.iter();
             let mut penetrations = levels.filter(|level| level.elements == coarse.grid().size());
             let penetration = penetrations
@@ -37,7 +49,7 @@ pub fn edge_extreme(
             let contact = EdgeContact::new(coarse, bodies, penetration, path.hardness);
             edge_tension_near(&contact, found.at)?
         }
-        None => None,
+        Wanted::Error(None) | Wanted::Value(_) => None,
     };
     let pressure = field
         .loaded()
@@ -54,7 +66,7 @@ pub fn edge_extreme(
     Ok(Some(Extreme {
         value: found.value,
         at: [x, y, 0.0],
-        resolved: found.is_resolved && estimate.is_some(),
+        resolved: found.is_resolved && (estimate.is_some() || matches!(wanted, Wanted::Value(_))),
         estimate,
     }))
 }

@@ -2,8 +2,8 @@
 //!
 //! The tension has a cusp at the edge: sampled under element centres it is 7 to 14 % too small at the usual grids, and
 //! converges like √h. Here it is [continued](patch) to the [edge's place](outline) within the elements from both sides
-//! of
-//! the edge, as far as it is smooth there: within 1 % where some twenty elements make a radius (`docs/grid-error.md`).
+//! of the edge, as far as it is smooth there: within 1 % where some twenty elements make a radius
+//! (`docs/grid-error.md`).
 
 mod edge_contact;
 mod least_squares;
@@ -19,20 +19,18 @@ use outline::{EdgePoint, beside, crossed_cells, outline};
 use patch::{Continued, Patch};
 use surface_parts::{Part, SurfaceParts};
 
+use super::MOST_MOVES;
 use super::field::StressField;
 use crate::PeakPlace;
 use crate::result::peak::place_near;
 
 /// A cell of the edge is examined if an element beside the contact there has at least this part of the largest tension:
-/// sampled there,
-/// the tension at equal edges varies by a quarter with their places within the elements.
+/// sampled there, the tension at equal edges varies by a quarter with their places within the elements.
 const NEARLY: f64 = 0.65;
-/// Distance between the cells examined first, in elements, and about how many they are at most.
-const SPACING: f64 = 2.5;
-const MOST_POINTS: usize = 24;
-/// The largest is examined more closely until its neighbours are at this distance, in elements.
-const CLOSE: f64 = 1.5;
-/// A point on a coarser grid is the same within this distance, in its elements.
+/// About how many cells are examined first at most.
+const MOST_POINTS: usize = 10;
+/// Cells at least this far apart, in elements, are examined first, and those within this distance of the largest at
+/// last; a point on a coarser grid is the same within it.
 const SAME: f64 = 2.5;
 /// With springs of more than this part of `K₀₀` the pressure does not rise like a root.
 const SOFT: f64 = 1e-3;
@@ -60,24 +58,32 @@ pub struct EdgeTension {
 pub fn edge_tension(contact: &EdgeContact) -> Result<Option<EdgeTension>, InfluenceError> {
     let mut search = EdgeSearch::new(contact)?;
     let cells = search.candidates()?;
-    let spacing = SPACING.max(cells.len() as f64 / MOST_POINTS as f64);
-    let mut examined = spread(&cells, &[], spacing);
+    let mut reach = SAME.max(cells.len() as f64 / MOST_POINTS as f64);
+    let mut examined = spread(&cells, &[], reach);
     let mut known = search.examine(&examined);
-    let mut reach = spacing;
     while let Some((best, _)) = largest(&known) {
-        reach /= 2.0;
-        if reach < CLOSE / 2.0 {
-            break;
+        if reach <= SAME {
+            return Ok(search.climb(&cells, best.at));
         }
-        let near = cells
-            .iter()
-            .filter(|cell| distance(middle(**cell), best.at) <= 2.0 * reach);
-        let near: Vec<Place> = near.copied().collect();
+        let near = cells_near(&cells, best.at, reach);
+        reach /= 3.0;
         let more = spread(&near, &examined, reach);
         known.extend(search.examine(&more));
         examined.extend(more);
     }
-    Ok(largest(&known).map(|(point, found)| search.judged(point, found)))
+    Ok(None)
+}
+
+/// The largest tension reached along the edge from a point (m), as [`edge_tension`] reaches it at last.
+///
+/// # Errors
+/// As [`edge_tension`].
+pub fn edge_tension_from(
+    contact: &EdgeContact,
+    at: [f64; 2],
+) -> Result<Option<EdgeTension>, InfluenceError> {
+    let cells = crossed_cells(contact);
+    Ok(EdgeSearch::new(contact)?.climb(&cells, contact.place(at)))
 }
 
 /// The largest tension near a point (m) of the edge on a coarser grid.
@@ -89,9 +95,7 @@ pub fn edge_tension_near(
     at: [f64; 2],
 ) -> Result<Option<EdgeTension>, InfluenceError> {
     let mut search = EdgeSearch::new(contact)?;
-    let place = contact.place(at);
-    let mut near = crossed_cells(contact);
-    near.retain(|cell| distance(middle(*cell), place) <= SAME);
+    let near = cells_near(&crossed_cells(contact), contact.place(at), SAME);
     let known = search.examine(&near);
     Ok(largest(&known).map(|(point, found)| search.judged(point, found)))
 }
@@ -192,6 +196,21 @@ impl<'a> EdgeSearch<'a> {
         continued.collect()
     }
 
+    /// The largest tension reached from a place by steps to the largest one near it.
+    fn climb(&mut self, cells: &[Place], mut at: [f64; 2]) -> Option<EdgeTension> {
+        let mut best: Option<(EdgePoint, Continued)> = None;
+        for _ in 0..MOST_MOVES {
+            let near = self.examine(&cells_near(cells, at, SAME));
+            let found = largest(&near)
+                .filter(|(_, found)| best.is_none_or(|(_, best)| found.value > best.value));
+            let Some((point, _)) = found else {
+                break;
+            };
+            (best, at) = (found, point.at);
+        }
+        best.map(|(point, found)| self.judged(point, found))
+    }
+
     /// The result at a point.
     fn judged(&self, point: EdgePoint, found: Continued) -> EdgeTension {
         let EdgeContact {
@@ -228,6 +247,12 @@ fn top_thickness(field: &StressField) -> f64 {
         .iter()
         .take_while(|layer| is_alike(layer.material().young_modulus()));
     alike.fold(0.0, |sum, layer| sum + layer.thickness())
+}
+
+/// The cells within a distance of a place, in elements.
+fn cells_near(cells: &[Place], at: [f64; 2], reach: f64) -> Vec<Place> {
+    let is_near = |cell: &&Place| distance(middle(**cell), at) <= reach;
+    cells.iter().filter(is_near).copied().collect()
 }
 
 /// Selects cells, in their order, that keep a distance from one another and from others.

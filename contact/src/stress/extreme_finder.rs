@@ -1,30 +1,28 @@
 //! The largest values of quantities in depth ranges: planes first, then points, then the same peak on coarser grids.
 
 mod coarser_grids;
-mod exact_states;
 mod following;
 mod judgement;
+mod near_surface;
 
 use std::sync::Arc;
 
 use coarser_grids::coarse_value;
-use exact_states::ExactStates;
 use pellicle_influence::{Depth, RoughDepths};
 
 use super::extreme::Extreme;
 use super::field::StressField;
 use super::model::Sliding;
 use super::peak_search::{PeakSearch, StressPeak};
-use super::plane_scan::{ScannedPlane, StartingPoint, Target, is_nearly, refined, scan, window};
+use super::plane_scan::{
+    PEAKS, ScannedPlane, StartingPoint, Target, is_nearly, refined, scan, smooth_doublings, window,
+};
+use super::pressure_blocks::doublings;
 use super::quantity::StressQuantity;
 use crate::{ContactError, LoadingPath, Step};
 
-/// Largest number of peaks followed for one quantity.
-const PEAKS: usize = 4;
-/// Peaks less than this many elements below the surface are compared with the values under centres at these parts of an
-/// element: at the rim of a punch stresses are largest there.
-const ELEMENTS_BELOW_SURFACE: f64 = 3.0;
-const BELOW_SURFACE: [f64; 3] = [0.25, 0.5, 0.75];
+/// Stresses under blocks of elements differ by up to this part from those under elements.
+const BLOCK_ERROR: f64 = 0.01;
 /// Part of an element within which a place counts as on an axis.
 const ON_AXIS: f64 = 1e-3;
 
@@ -39,10 +37,11 @@ pub struct ExtremeFinder<'a> {
 
 /// What the targets of a search share.
 struct Shared<'a> {
+    /// Whether the pressure is smooth on the scale of some elements.
+    is_smooth: bool,
     rough: &'a mut RoughDepths,
     fine: PeakSearch<'a>,
     coarser: Vec<PeakSearch<'a>>,
-    exact: ExactStates<'a>,
 }
 
 impl<'a> ExtremeFinder<'a> {
@@ -87,124 +86,172 @@ impl<'a> ExtremeFinder<'a> {
         rough.forget();
         let scan = scan(&self.field, rough, targets)?;
         let mut shared = Shared {
+            is_smooth: smooth_doublings(&self.field) > 0,
             rough,
             fine: PeakSearch::new(&self.field),
             coarser: self.coarser.iter().map(PeakSearch::new).collect(),
-            exact: ExactStates::new(&self.field)?,
         };
         let mut found = Vec::new();
         for (index, (target, planes)) in targets.iter().zip(&scan.planes).enumerate() {
-            let mut of_target = Vec::new();
+            let mut peaks = Vec::new();
             for quantity in &target.quantities {
                 let of =
                     |start: &&StartingPoint| start.target == index && start.quantity == *quantity;
                 let own: Vec<_> = scan.starting_points.iter().filter(of).copied().collect();
-                of_target.push(self.extreme(&mut shared, (target, *quantity), planes, &own)?);
+                peaks.push(self.peak(&mut shared, *quantity, planes, &own)?);
+            }
+            let depths: Vec<Depth> = planes.iter().map(|plane| plane.depth).collect();
+            self.look_near_surface(&mut shared, target, &depths, &mut peaks)?;
+            let is_on_top = target.top == 0.0;
+            let mut of_target = Vec::new();
+            for (quantity, peak) in target.quantities.iter().zip(peaks) {
+                let values = self.values(&mut shared, *quantity, &depths, peak)?;
+                let judged = self.judged(peak, &values);
+                of_target.push(self.judged_beside_edge((*quantity, is_on_top), judged)?);
             }
             found.push(of_target);
         }
         Ok(found)
     }
 
-    /// Finds the extreme among starting points, which are sorted by falling value.
-    fn extreme(
+    /// Finds the largest peak that starting points, which are sorted by falling value, lead to.
+    fn peak(
         &self,
         shared: &mut Shared,
-        (target, quantity): (&Target, StressQuantity),
+        quantity: StressQuantity,
         planes: &[Arc<ScannedPlane>],
         starting_points: &[StartingPoint],
-    ) -> Result<Extreme<3>, ContactError> {
+    ) -> Result<StressPeak, ContactError> {
         let element = self.field.grid().element_side();
         let depths: Vec<Depth> = planes.iter().map(|plane| plane.depth).collect();
         let zs: Vec<f64> = depths.iter().map(|depth| depth.z).collect();
         let mut best: Option<(StressPeak, StressPeak)> = None;
         for start in distinct(starting_points, &zs, element) {
-            let (peak, centre) = followed(shared, quantity, planes, &start, element)?;
+            let (peak, centre) = self.followed(shared, quantity, planes, &start)?;
             if best.is_none_or(|(best, _)| peak.value > best.value) {
                 best = Some((peak, centre));
             }
         }
-        let Some((mut peak, mut centre)) = best else {
+        let Some((peak, centre)) = best else {
             return Err(ContactError::StressNotFinite);
         };
-        if peak.at[2] < ELEMENTS_BELOW_SURFACE * element && quantity != StressQuantity::MinPrincipal
-        {
-            let Shared { fine, rough, .. } = shared;
+        let best = self.valued(shared, quantity, &depths, peak)?;
+        let is_of_elements = !shared.is_smooth && doublings(centre.at[2], element) == 0;
+        let error = if is_of_elements { 0.0 } else { BLOCK_ERROR };
+        if best.value >= centre.value - error * centre.value.abs() {
+            return Ok(best);
+        }
+        // The interpolation between centres has gone astray.
+        let at_centre = if is_of_elements {
+            centre
+        } else {
+            self.valued(shared, quantity, &depths, centre)?
+        };
+        Ok(if at_centre.value > best.value {
+            at_centre
+        } else {
+            best
+        })
+    }
+
+    /// Follows a starting point to the peak between places and planes, and returns it with the best centre on the plane.
+    fn followed(
+        &self,
+        Shared {
+            is_smooth,
+            fine,
+            rough,
+            ..
+        }: &mut Shared,
+        quantity: StressQuantity,
+        planes: &[Arc<ScannedPlane>],
+        start: &StartingPoint,
+    ) -> Result<(StressPeak, StressPeak), ContactError> {
+        let element = self.field.grid().element_side();
+        let plane = &planes[start.depth];
+        if plane.is_at_edge(start.at) {
+            // Some stresses are largest far outside the loaded square.
+            let around = window(planes.len(), start.depth);
+            let middle = start.depth - around.start;
+            let depths: Vec<Depth> = planes[around].iter().map(|plane| plane.depth).collect();
+            let from = (start.at, plane.depth.z);
+            let (peak, _) = fine.between(rough, quantity, from, (&depths, middle))?;
             let [x, y, z] = peak.at;
-            if z >= element {
-                let state = fine.state(rough, [x, y], depth_in(&depths, z))?;
-                peak.value = quantity.of(&state);
-            }
-            let within = |z: &f64| *z > zs[0] && *z < zs[zs.len() - 1];
-            for z in BELOW_SURFACE
-                .map(|part| part * element)
-                .into_iter()
-                .filter(within)
-            {
-                let below = fine.climb(rough, quantity, ([x, y], depth_in(&depths, z)))?;
-                if below.value > peak.value {
-                    (peak, centre) = (below, below);
-                }
-            }
+            let value = quantity.of(&fine.state(rough, [x, y], depth_in(&depths, z))?);
+            let peak = StressPeak { value, ..peak };
+            return Ok((peak, peak));
         }
-        let mut best = shared.exact.peak(quantity, &depths, peak)?;
-        if best.value < centre.value && peak.at.map(f64::to_bits) != centre.at.map(f64::to_bits) {
-            // The value at the centre is that under blocks of elements where they are used.
-            let at_centre = shared.exact.peak(quantity, &depths, centre)?;
-            if at_centre.value > best.value {
-                best = at_centre;
+        let (value, at) = refined(planes, quantity, (start.depth, start.at));
+        // Within an element of the surface only the values under centres count.
+        let is_between = at[2] >= element;
+        let centre = if plane.is_of_elements || (is_between && plane.depth.z >= element) {
+            let [x, y] = start.at;
+            StressPeak {
+                value: start.value,
+                at: [x, y, plane.depth.z],
             }
+        } else {
+            // Under blocks the peak lies between their centres.
+            let [x, y, _] = at;
+            let from = ([x, y], plane.depth);
+            if *is_smooth && self.is_away_from_edges(at) {
+                fine.under_nearest(rough, quantity, from)?
+            } else {
+                fine.climb(rough, quantity, from)?
+            }
+        };
+        let peak = if is_between && value > centre.value {
+            StressPeak { value, at }
+        } else {
+            centre
+        };
+        Ok((peak, centre))
+    }
+
+    /// The peak with the value at its place, on an axis if it is as near as places are accurate; within an element of
+    /// the surface its value is that under the centre already.
+    fn valued(
+        &self,
+        shared: &mut Shared,
+        quantity: StressQuantity,
+        depths: &[Depth],
+        peak: StressPeak,
+    ) -> Result<StressPeak, ContactError> {
+        let ([x, y, z], element) = (peak.at, self.field.grid().element_side());
+        if z < element {
+            return Ok(peak);
         }
+        let block = element * 2_f64.powi(doublings(z, element).cast_signed());
+        let point = [x, y].map(|along| {
+            if along.abs() < ON_AXIS * block {
+                0.0
+            } else {
+                along
+            }
+        });
+        let state = shared
+            .fine
+            .state(shared.rough, point, depth_in(depths, z))?;
+        let value = quantity.of(&state);
+        Ok(StressPeak { value, ..peak })
+    }
+
+    /// The values of a peak on all grids: pairs of elements per side and value.
+    fn values(
+        &self,
+        shared: &mut Shared,
+        quantity: StressQuantity,
+        depths: &[Depth],
+        peak: StressPeak,
+    ) -> Result<Vec<(usize, f64)>, ContactError> {
         let mut values = Vec::new();
         for coarse in &mut shared.coarser {
-            let value = coarse_value(coarse, shared.rough, quantity, &depths, best)?;
+            let value = coarse_value(coarse, shared.rough, quantity, depths, peak)?;
             values.push((coarse.field().grid().size(), value));
         }
-        values.push((self.field.grid().size(), best.value));
-        let is_on_top = target.top == 0.0;
-        self.judged_beside_edge((quantity, is_on_top), self.judged(best, &values))
+        values.push((self.field.grid().size(), peak.value));
+        Ok(values)
     }
-}
-
-/// Follows a starting point to the peak between places and planes, and returns it with the best centre on the plane.
-fn followed(
-    Shared { fine, rough, .. }: &mut Shared,
-    quantity: StressQuantity,
-    planes: &[Arc<ScannedPlane>],
-    start: &StartingPoint,
-    element: f64,
-) -> Result<(StressPeak, StressPeak), ContactError> {
-    let plane = &planes[start.depth];
-    if plane.is_at_edge(start.at) {
-        // Some stresses are largest far outside the loaded square.
-        let around = window(planes.len(), start.depth);
-        let middle = start.depth - around.start;
-        let depths: Vec<Depth> = planes[around].iter().map(|plane| plane.depth).collect();
-        let from = (start.at, plane.depth.z);
-        let (peak, _) = fine.between(rough, quantity, from, (&depths, middle))?;
-        let [x, y, z] = peak.at;
-        let value = quantity.of(&fine.state(rough, [x, y], depth_in(&depths, z))?);
-        let peak = StressPeak { value, ..peak };
-        return Ok((peak, peak));
-    }
-    let (value, at) = refined(planes, quantity, (start.depth, start.at));
-    // Within an element of the surface only the values under centres count.
-    let is_between = at[2] >= element;
-    let centre = if plane.is_of_elements || (is_between && plane.depth.z >= element) {
-        let [x, y] = start.at;
-        StressPeak {
-            value: start.value,
-            at: [x, y, plane.depth.z],
-        }
-    } else {
-        fine.climb(rough, quantity, (start.at, plane.depth))?
-    };
-    let peak = if is_between && value > centre.value {
-        StressPeak { value, at }
-    } else {
-        centre
-    };
-    Ok((peak, centre))
 }
 
 /// A depth in the body of these depths.

@@ -18,14 +18,13 @@ use crate::{ContactError, Domain, Load, LoadingPath, Step, choose_side};
 const ACCURACY: f64 = 5e-5;
 /// Largest number of loads solved for one criterion.
 const MOST_SOLVED: usize = 24;
-/// Number of these found by secants before the bracket is halved.
-const MOST_SECANTS: usize = 8;
-/// Factor between loads below the smallest of the path, and how many are tried at most.
+/// Factor between loads below the smallest of the path.
 const SMALLER: f64 = 0.25;
-const MOST_SMALLER: usize = 8;
-/// If the largest stress is at least this part of a strength, other loads may reach it; how many are tried at most.
+/// Largest number of loads found by secants before the bracket is halved, of smaller loads, and of those around the
+/// largest stress.
+const MOST_TRIALS: usize = 8;
+/// If the largest stress is at least this part of a strength, other loads may reach it.
 const NEARLY: f64 = 0.7;
-const MOST_PROBES: usize = 8;
 /// Loads whose logarithms differ by less than this are equivalent at a peak of the stress.
 const FLAT: f64 = 0.1;
 /// A load whose contact is solved already replaces one that differs by less than this factor.
@@ -90,7 +89,7 @@ impl LoadSearch<'_, '_> {
             if let Some(lower) = self.last_before(upper.force) {
                 break lower;
             }
-            if tried == MOST_SMALLER {
+            if tried == MOST_TRIALS {
                 let upper = self.searched(upper)?;
                 return Ok(LoadSearchResult::Missed(Some(upper)));
             }
@@ -109,7 +108,7 @@ impl LoadSearch<'_, '_> {
                 narrow = Some(self.domain_for(high)?);
             }
             let force = exponent
-                .filter(|_| trial < MOST_SECANTS)
+                .filter(|_| trial < MOST_TRIALS)
                 .map(|n| latest.force * self.utilisation(&latest).powf(-1.0 / n))
                 .filter(|force| *force > low && *force < high)
                 .unwrap_or((low * high).sqrt());
@@ -167,7 +166,7 @@ impl LoadSearch<'_, '_> {
             below.map_or(SMALLER * best.force, |solved| solved.force),
             self.first_after(best.force),
         ];
-        for trial in 0..MOST_PROBES {
+        for trial in 0..MOST_TRIALS {
             // Alternately below and above the best; the stress is flat at a peak.
             let side = trial % 2;
             if (ends[side] / best.force).ln().abs() <= FLAT {

@@ -3,8 +3,9 @@
 use nalgebra::{Matrix3, Vector3};
 use pellicle_influence::SubsurfaceState;
 
-/// Centres along a side, at whole offsets from −2 to 2 elements.
-const SIDE: usize = 5;
+/// Centres along a side, at whole offsets from −2 to 2 elements, and the most depths.
+pub const SIDE: usize = 5;
+pub const OFFSETS: [f64; SIDE] = [-2.0, -1.0, 0.0, 1.0, 2.0];
 const CENTRES: usize = SIDE * SIDE;
 /// Side of the first stencil of a quadratic, in elements and in distances between the depths, and of the smallest one.
 const STENCIL: f64 = 0.25;
@@ -14,9 +15,10 @@ const FARTHEST: f64 = 1.0;
 
 /// The stresses around a centre.
 pub struct Neighbourhood {
+    /// At most [`SIDE`].
     depths: Vec<f64>,
-    /// States at each depth, row by row.
-    states: Vec<[SubsurfaceState; CENTRES]>,
+    /// Stresses at each depth, row by row.
+    stresses: Vec<[[f64; 6]; CENTRES]>,
 }
 
 impl Neighbourhood {
@@ -24,7 +26,7 @@ impl Neighbourhood {
     pub fn new(depths: Vec<f64>) -> Self {
         Self {
             depths,
-            states: Vec::new(),
+            stresses: Vec::new(),
         }
     }
 
@@ -39,7 +41,7 @@ impl Neighbourhood {
 
     /// Adds the stresses at the next depth.
     pub fn take(&mut self, states: &[SubsurfaceState; CENTRES]) {
-        self.states.push(*states);
+        self.stresses.push(states.map(|state| state.stress));
     }
 
     /// Finds the place (x and y in elements from the middle, z in m) near `start` where a quantity is largest.
@@ -86,28 +88,38 @@ impl Neighbourhood {
 
     /// The stress at a place, by Lagrange's polynomials.
     pub fn state(&self, [u, v, z]: [f64; 3]) -> SubsurfaceState {
-        let centres: Vec<f64> = (0..SIDE).map(|i| i as f64 - (SIDE / 2) as f64).collect();
-        let [along_x, along_y] = [u, v].map(|along| lagrange(&centres, along));
+        let [along_x, along_y] = [u, v].map(|along| lagrange(&OFFSETS, along));
         let in_depth = lagrange(&self.depths, z);
-        let mut sum = SubsurfaceState::default();
-        for (states, weight) in self.states.iter().zip(in_depth) {
-            for (index, state) in states.iter().enumerate() {
-                sum += *state * (weight * along_x[index / SIDE] * along_y[index % SIDE]);
+        let mut sums = [0.0; 6];
+        for (plane, of_depth) in self.stresses.iter().zip(in_depth) {
+            for (row, of_row) in plane.chunks_exact(SIDE).zip(along_x) {
+                for (stresses, of_column) in row.iter().zip(along_y) {
+                    let weight = of_depth * of_row * of_column;
+                    for (sum, stress) in sums.iter_mut().zip(stresses) {
+                        *sum += weight * stress;
+                    }
+                }
             }
         }
-        sum
+        SubsurfaceState {
+            displacement: [0.0; 3],
+            stress: sums,
+        }
     }
 }
 
-/// The weights at `x` of the values at some nodes, in the polynomial through them.
-pub fn lagrange(nodes: &[f64], x: f64) -> Vec<f64> {
-    let weight = |j: usize| {
-        let others = nodes.iter().enumerate().filter(|(m, _)| *m != j);
-        others
-            .map(|(_, node)| (x - node) / (nodes[j] - node))
-            .product()
-    };
-    (0..nodes.len()).map(weight).collect()
+/// The weights at `x` of the values at some nodes, at most [`SIDE`], in the polynomial through them.
+pub fn lagrange(nodes: &[f64], x: f64) -> [f64; SIDE] {
+    let mut weights = [0.0; SIDE];
+    for (j, (weight, node)) in weights.iter_mut().zip(nodes).enumerate() {
+        *weight = 1.0;
+        for (m, other) in nodes.iter().enumerate() {
+            if m != j {
+                *weight *= (x - other) / (node - other);
+            }
+        }
+    }
+    weights
 }
 
 /// Offsets of a stencil, in units of its sides: a cube without its corners, or a square.

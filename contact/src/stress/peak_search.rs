@@ -1,5 +1,5 @@
 //! Stresses under one field at and between the centres of elements, or of [blocks](super::pressure_blocks) of them many
-//! elements deep, for searches: to 1e-6.
+//! elements deep, for searches: to 2e-6.
 //!
 //! The stresses of an element are tabulated once for each depth, and all quantities share the tables.
 
@@ -79,6 +79,24 @@ impl<'a> PeakSearch<'a> {
         rough.sum_over(&self.loaded, side, friction, (point, depth))
     }
 
+    /// The value under the centre nearest to (x, y).
+    pub fn under_nearest(
+        &mut self,
+        rough: &mut RoughDepths,
+        quantity: StressQuantity,
+        (point, depth): ([f64; 2], Depth),
+    ) -> Result<StressPeak, InfluenceError> {
+        let doublings = self.doublings(depth);
+        let blocks = self.blocks(doublings);
+        let place = blocks.nearest(point);
+        let plane = self.plane_with(rough, &[place], depth, doublings)?;
+        let [x, y] = blocks.point(place);
+        Ok(StressPeak {
+            value: quantity.of(&plane.known[&place]),
+            at: [x, y, depth.z],
+        })
+    }
+
     /// Climbs from (x, y) and returns the value under the best centre reached.
     pub fn climb(
         &mut self,
@@ -140,7 +158,7 @@ impl<'a> PeakSearch<'a> {
         }
         let ends = [depths[0].z, depths[depths.len() - 1].z];
         let [u, v, w] = around.largest([0.0, 0.0, z.clamp(ends[0], ends[1])], |state| {
-            quantity.of(state)
+            quantity.roughly(state)
         });
         let interpolated = |z: f64| quantity.of(&around.state([u, v, z]));
         let (value, there) = (interpolated(w), interpolated(z.clamp(ends[0], ends[1])));

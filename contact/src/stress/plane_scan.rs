@@ -1,8 +1,10 @@
-//! The scan for extremes of stresses, on planes at depths that are denser near the surface and the interfaces.
+//! The scan for extremes of stresses, on planes that are denser near the surface.
 //!
 //! On planes many elements deep the pressure is that of [blocks](super::pressure_blocks) of elements, and everywhere
 //! that of blocks that are small beside the contact, if the pressure is smooth on their scale. Between the planes and
 //! their places stresses are interpolated.
+
+mod plane_stresses;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -10,34 +12,31 @@ use std::sync::Arc;
 use pellicle_influence::{
     Depth, InfluenceError, PlaneFields, RoughDepths, Squares, SubsurfaceState,
 };
-use rayon::prelude::*;
+pub use plane_stresses::PEAKS;
+use plane_stresses::PlaneStresses;
 
 use super::field::StressField;
-use super::neighbourhood::{Neighbourhood, lagrange};
+use super::neighbourhood::{Neighbourhood, OFFSETS, lagrange};
 use super::pressure_blocks::{PressureBlocks, doublings};
 use super::quantity::StressQuantity;
 
 /// The stresses among the fields of a plane.
 const STRESSES: [usize; 6] = [3, 4, 5, 6, 7, 8];
-/// Ratio of the distances of successive planes from an end of a body.
+/// Ratio of the depths of successive planes.
 const RATIO: f64 = 1.4;
-/// The planes nearest to the middle of a body are at least this factor away from it.
-const ROOM: f64 = 1.15;
+/// Fewest steps from one plane to the next in a body below the surface, from which stresses are interpolated.
+const FEWEST_STEPS: usize = 4;
 /// Planes reach down to this many sides of the loaded square below the top of a body.
 const REACH: f64 = 2.0;
 /// The planes extend beyond the loaded square by this part of it plus this many depths, on either side.
 const MARGIN_PART: f64 = 0.3;
-const MARGIN_DEPTHS: f64 = 1.5;
+const MARGIN_DEPTHS: f64 = 1.0;
 /// Peaks above this part of the largest are examined more closely.
 const NEARLY: f64 = 0.98;
-/// Largest number of peaks examined on one plane.
-const PEAKS_OF_A_PLANE: usize = 4;
 /// Blocks across the loaded square that suffice for a smooth pressure.
 pub const BLOCKS: usize = 32;
 /// Number of planes on either side of a depth from which stresses are interpolated.
 const PLANES_AROUND: usize = 2;
-/// How often an interpolated peak is followed to another block or plane.
-const MOVES: usize = 8;
 
 /// A depth range and the quantities whose extremes are wanted there; an interface is a range without extent.
 #[derive(Debug, Clone)]
@@ -66,28 +65,33 @@ pub struct StartingPoint {
 impl Target {
     /// The depths to examine, from the top down, under a loaded square of side `loaded` (m) with elements of side
     /// `element` (m).
+    ///
+    /// Waves decay from the surface as `e^{−kz}` or, reflected from below, earlier: within a body stresses vary on the
+    /// scale of the depth.
     pub fn depths(&self, loaded: f64, element: f64) -> Vec<Depth> {
         let (top, bottom) = (self.top, self.bottom.min(self.top + REACH * loaded));
         if top >= bottom {
             return vec![Depth::above(top)];
         }
-        let is_cut = bottom < self.bottom;
-        let half = if is_cut {
-            bottom - top
-        } else {
-            (bottom - top) / 2.0
-        };
-        // In a thin layer stresses vary little over a sixteenth of its thickness.
-        let first = (element / 2.0).max((half / 8.0).min(loaded / 16.0));
-        let first = first.max((top / 8.0).min(half / 2.0)).min(half);
-        let steps = std::iter::successors(Some(first), |step| Some(step * RATIO));
-        // The last step stays clear of the middle.
-        let steps: Vec<f64> = steps.take_while(|step| *step < half / ROOM).collect();
         let mut depths = vec![Depth::below(top)];
-        depths.extend(steps.iter().map(|step| Depth::below(top + step)));
-        if !is_cut {
-            depths.push(Depth::below(top + half));
-            depths.extend(steps.iter().rev().map(|step| Depth::above(bottom - step)));
+        if top > 0.0 {
+            let octaves = (bottom / top).ln() / RATIO.ln();
+            let steps = super::nearest(octaves.ceil())
+                .unsigned_abs()
+                .max(FEWEST_STEPS);
+            let between = (1..steps).map(|step| {
+                let part = step as f64 / steps as f64;
+                Depth::below(top * (bottom / top).powf(part))
+            });
+            depths.extend(between);
+        } else {
+            // In a thin layer stresses vary little over a sixteenth of its thickness.
+            let first = (element / 2.0)
+                .max((bottom / 16.0).min(loaded / 16.0))
+                .min(bottom / 2.0);
+            let between = std::iter::successors(Some(first), |z| Some(z * RATIO));
+            let between = between.take_while(|z| *z < bottom / RATIO.sqrt());
+            depths.extend(between.map(Depth::below));
         }
         depths.push(Depth::above(bottom));
         depths
@@ -133,30 +137,45 @@ pub fn scan(
         }
     }
     let least = smooth_doublings(field);
-    let mut groups = BTreeMap::<u32, Vec<_>>::new();
+    let mut groups = BTreeMap::<(u32, u32), Vec<_>>::new();
     for plane in &planes {
         let m = doublings(plane.0.z, element).max(least);
-        groups.entry(m).or_default().push(plane);
+        let side = element * 2_f64.powi(m.cast_signed());
+        groups
+            .entry((m, margin_class(plane.0.z / side)))
+            .or_default()
+            .push(plane);
     }
     let (mut found, mut scanned) = (Vec::new(), Vec::new());
-    for (m, group) in groups {
+    let mut largest: Vec<Vec<f64>> = targets
+        .iter()
+        .map(|target| vec![f64::NEG_INFINITY; target.quantities.len()])
+        .collect();
+    for ((m, _), group) in groups {
         let deepest = group.iter().map(|(depth, _)| depth.z).fold(0.0, f64::max);
         let mut blocks = BlockPlanes::new(field, m, deepest);
         for (depth, of) in group {
-            let states = blocks.states_on(rough, *depth)?;
+            blocks.move_to(rough, *depth)?;
             for [target, index] in of {
-                for quantity in &targets[*target].quantities {
-                    let peaks = blocks.peaks(&states, *quantity);
-                    found.extend(peaks.into_iter().map(|(value, at)| StartingPoint {
+                let of_quantities = targets[*target]
+                    .quantities
+                    .iter()
+                    .zip(&mut largest[*target]);
+                for (quantity, largest) in of_quantities {
+                    let peaks = blocks.stresses.peaks(*quantity, *largest);
+                    *largest = peaks
+                        .first()
+                        .map_or(*largest, |(value, _)| largest.max(*value));
+                    found.extend(peaks.into_iter().map(|(value, place)| StartingPoint {
                         target: *target,
                         quantity: *quantity,
                         value,
-                        at,
+                        at: blocks.point(place),
                         depth: *index,
                     }));
                 }
             }
-            let plane = Arc::new(blocks.scanned(*depth, m == 0, &states));
+            let plane = Arc::new(blocks.scanned(*depth, m == 0));
             scanned.extend(of.iter().map(|place| (*place, plane.clone())));
         }
     }
@@ -172,9 +191,17 @@ pub fn scan(
     })
 }
 
+/// Planes of one class share their margin: their depths in blocks are up to 4, 8, 16, …
+fn margin_class(depth: f64) -> u32 {
+    let least = 4.0;
+    (0..u32::BITS)
+        .find(|class| depth <= least * 2_f64.powi(class.cast_signed()))
+        .unwrap_or(u32::BITS)
+}
+
 /// How often elements are doubled to the largest blocks that are small beside the contact and on whose scale the
 /// pressure is smooth.
-fn smooth_doublings(field: &StressField) -> u32 {
+pub fn smooth_doublings(field: &StressField) -> u32 {
     let size = field.loaded().size;
     let largest = (1..u32::BITS).take_while(|m| size >> m >= BLOCKS).last();
     let m = largest.unwrap_or(0);
@@ -197,7 +224,7 @@ pub fn refined(
     (mut plane, mut at): (usize, [f64; 2]),
 ) -> (f64, [f64; 3]) {
     let mut best = (f64::NEG_INFINITY, [at[0], at[1], planes[plane].depth.z]);
-    for _ in 0..MOVES {
+    for _ in 0..super::MOST_MOVES {
         let around = window(planes.len(), plane);
         let depths = planes[around.clone()].iter().map(|plane| plane.depth.z);
         let (z, side) = (planes[plane].depth.z, planes[plane].side);
@@ -208,7 +235,7 @@ pub fn refined(
                 of.state([x, y])
             }));
         }
-        let [u, v, depth] = states.largest([0.0, 0.0, z], |state| quantity.of(state));
+        let [u, v, depth] = states.largest([0.0, 0.0, z], |state| quantity.roughly(state));
         let value = quantity.of(&states.state([u, v, depth]));
         if value <= best.0 {
             break;
@@ -243,7 +270,6 @@ impl ScannedPlane {
 
     /// The state at (x, y), by Lagrange's polynomials through 5 × 5 places.
     fn state(&self, point: [f64; 2]) -> SubsurfaceState {
-        let nodes = [-2.0, -1.0, 0.0, 1.0, 2.0];
         let last = self.shown.saturating_sub(3).max(2) as f64;
         let along = [0, 1].map(|axis: usize| {
             let place = (point[axis] - self.first[axis]) / self.side;
@@ -252,7 +278,7 @@ impl ScannedPlane {
             let offset = (place - middle).clamp(-2.0, 2.0);
             (
                 super::nearest(middle).unsigned_abs(),
-                lagrange(&nodes, offset),
+                lagrange(&OFFSETS, offset),
             )
         });
         let [(i, of_rows), (j, of_columns)] = &along;
@@ -283,6 +309,8 @@ struct BlockPlanes {
     /// x and y (m) of the first block.
     first: [f64; 2],
     side: f64,
+    /// Those of the last plane.
+    stresses: PlaneStresses,
 }
 
 impl BlockPlanes {
@@ -306,97 +334,45 @@ impl BlockPlanes {
             shown,
             first: first.map(|first| first - margin as f64 * side),
             side,
+            stresses: PlaneStresses::zeros(shown),
         }
     }
 
-    /// The states on a plane, without displacements, row by row.
-    fn states_on(
-        &mut self,
-        rough: &mut RoughDepths,
-        depth: Depth,
-    ) -> Result<Vec<SubsurfaceState>, InfluenceError> {
-        let mut states = vec![SubsurfaceState::default(); self.shown * self.shown];
-        self.fields
-            .rough_fields_on(rough, depth, &STRESSES, |field, values| {
-                let entries = states.par_iter_mut().zip(values);
-                entries.for_each(|(state, value)| state.stress[field - STRESSES[0]] = *value);
-            })?;
-        Ok(states)
+    /// Computes the stresses on a plane.
+    fn move_to(&mut self, rough: &mut RoughDepths, depth: Depth) -> Result<(), InfluenceError> {
+        let Self {
+            fields, stresses, ..
+        } = self;
+        fields.rough_fields_on(rough, depth, &STRESSES, |field, values| {
+            stresses.take(field - STRESSES[0], values);
+        })?;
+        stresses.find_invariants();
+        Ok(())
     }
 
-    /// A plane with these states.
+    /// The place (x, y; m) of a row and column.
+    fn point(&self, place: [usize; 2]) -> [f64; 2] {
+        std::array::from_fn(|axis| self.first[axis] + place[axis] as f64 * self.side)
+    }
+
+    /// The last plane, at this depth.
     #[expect(
         clippy::cast_possible_truncation,
         reason = "places need no more digits"
     )]
-    fn scanned(
-        &self,
-        depth: Depth,
-        is_of_elements: bool,
-        states: &[SubsurfaceState],
-    ) -> ScannedPlane {
+    fn scanned(&self, depth: Depth, is_of_elements: bool) -> ScannedPlane {
+        let places = 0..self.shown * self.shown;
+        let stresses = places.map(|place| self.stresses.state(place).stress);
         ScannedPlane {
             depth,
             is_of_elements,
             shown: self.shown,
             first: self.first,
             side: self.side,
-            stresses: states
-                .iter()
-                .map(|state| state.stress.map(|stress| stress as f32))
+            stresses: stresses
+                .map(|stresses| stresses.map(|stress| stress as f32))
                 .collect(),
         }
-    }
-
-    /// The largest peaks of a quantity on a plane, with their places (m).
-    fn peaks(&self, states: &[SubsurfaceState], quantity: StressQuantity) -> Vec<(f64, [f64; 2])> {
-        // Values are computed only where the bound, which costs less, comes near the largest.
-        let bounds: Vec<f64> = states
-            .par_iter()
-            .map(|state| quantity.bound(state))
-            .collect();
-        let most = (0..states.len()).max_by(|one, other| bounds[*one].total_cmp(&bounds[*other]));
-        let Some(most) = most else {
-            return Vec::new();
-        };
-        let mut largest = quantity.roughly(&states[most]);
-        for (state, bound) in states.iter().zip(&bounds) {
-            if *bound > largest {
-                largest = largest.max(quantity.roughly(state));
-            }
-        }
-        let value = |(state, bound): (&SubsurfaceState, &f64)| {
-            if is_nearly(*bound, largest) {
-                quantity.roughly(state)
-            } else {
-                f64::NEG_INFINITY
-            }
-        };
-        let values: Vec<f64> = states.par_iter().zip(&bounds).map(value).collect();
-        let place = |i: usize| [i / self.shown, i % self.shown];
-        let near = values.iter().enumerate().filter_map(|(i, value)| {
-            (is_nearly(*value, largest) && self.is_peak(&values, place(i), *value))
-                .then_some((*value, place(i)))
-        });
-        let mut peaks: Vec<(f64, [usize; 2])> = near.collect();
-        peaks.sort_by(|(one, _), (other, _)| other.total_cmp(one));
-        peaks.truncate(PEAKS_OF_A_PLANE);
-        let point = |place: [usize; 2]| {
-            std::array::from_fn(|axis| self.first[axis] + place[axis] as f64 * self.side)
-        };
-        peaks
-            .into_iter()
-            .map(|(value, place)| (value, point(place)))
-            .collect()
-    }
-
-    /// Whether no neighbour is larger.
-    fn is_peak(&self, values: &[f64], [i, j]: [usize; 2], value: f64) -> bool {
-        let last = self.shown - 1;
-        let rows = i.saturating_sub(1)..=(i + 1).min(last);
-        let columns = j.saturating_sub(1)..=(j + 1).min(last);
-        let mut around = rows.flat_map(|i| columns.clone().map(move |j| [i, j]));
-        around.all(|[i, j]| values[i * self.shown + j] <= value)
     }
 }
 

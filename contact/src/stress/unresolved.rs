@@ -36,8 +36,7 @@ impl UnresolvedStresses {
     }
 
     /// The critical loads that are not resolved, including the stresses of strengths that are not reached; none on a
-    /// single
-    /// grid.
+    /// single grid.
     #[must_use]
     pub fn of_critical(loads: &[CriticalLoad], extremes: &[StressExtremes]) -> Option<Self> {
         if !extremes

@@ -75,9 +75,10 @@ fn no_sampled_stress_exceeds_the_extremes_and_each_lies_at_its_reported_position
                 }
             };
             let there = field.at([x, y], depth(z)).unwrap();
-            // On the surface values are those of the continuum, not of the steps of the traction.
+            // On the surface values are those of the continuum, not of the steps of the traction. A search knows
+            // stresses to 2e-6 of the largest at a depth.
             if z >= element {
-                assert_relative_eq!(quantities[index](&there), value, max_relative = 1e-9);
+                assert_relative_eq!(quantities[index](&there), value, max_relative = 2e-6);
             }
             let near = (0..40).map(|i| {
                 let [u, v, w] = spread(i).map(|part| element * part);

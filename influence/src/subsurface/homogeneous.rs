@@ -59,18 +59,21 @@ pub fn loaded_square(
     }
 }
 
-/// `σ_xx`, `σ_yy` and `σ_xy` on the surface at (x, y) seen from a corner of a loaded quadrant, under a pressure and
-/// under a
-/// traction along x. Summed over the corners of a square with signs, these are its stresses; lengths are in any unit.
-pub fn surface_corner(poisson_ratio: f64, [x, y]: [f64; 2]) -> [[f64; 3]; 2] {
+/// `σ_xx`, `σ_yy` and `σ_xy` on the surface, under a pressure and under a traction along x, at (x, y) and at (y, x) seen
+/// from a corner of a loaded quadrant. Summed over the corners of a square with signs, these are its stresses; lengths
+/// are in any unit.
+pub fn surface_corners(poisson_ratio: f64, [x, y]: [f64; 2]) -> [[[f64; 3]; 2]; 2] {
     let corner = Corner::new([x, y, 0.0]);
-    let loads = [
-        corner.under_pressure(poisson_ratio),
-        corner.under_traction(poisson_ratio),
-    ];
-    loads.map(|state| {
-        let [xx, yy, _, xy, _, _] = state.stress;
-        [xx, yy, xy].map(|stress| stress / (2.0 * PI))
+    let exchanged = corner.exchanged();
+    [corner, exchanged].map(|corner| {
+        let loads = [
+            corner.under_pressure(poisson_ratio),
+            corner.under_traction(poisson_ratio),
+        ];
+        loads.map(|state| {
+            let [xx, yy, _, xy, _, _] = state.stress;
+            [xx, yy, xy].map(|stress| stress / (2.0 * PI))
+        })
     })
 }
 
@@ -95,6 +98,21 @@ struct Corner {
 }
 
 impl Corner {
+    /// The place with x and y exchanged.
+    fn exchanged(&self) -> Self {
+        Self {
+            x: self.y,
+            y: self.x,
+            v_x: self.v_y,
+            v_y: self.v_x,
+            lambda_xx: self.lambda_yy,
+            lambda_yy: self.lambda_xx,
+            over_xz: self.over_yz,
+            over_yz: self.over_xz,
+            ..*self
+        }
+    }
+
     fn new([x, y, z]: [f64; 3]) -> Self {
         let r = (x * x + y * y + z * z).sqrt();
         let (xz, yz) = ((x * x + z * z).sqrt(), (y * y + z * z).sqrt());

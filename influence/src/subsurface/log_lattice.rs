@@ -64,7 +64,7 @@ pub const EXACT: LogLattice = LogLattice {
     coarse_last: 44,
 };
 
-/// The lattice of stresses to 2e-5: *measured* in [`super::rough`].
+/// The lattice of stresses to 2e-6: *measured* in [`super::rough`].
 ///
 /// - The taper's Fourier transform is 1e-8 at wavenumber 1, and it ends at 5e-8.
 /// - Nothing oscillates within a coarse step up to x = 2.

@@ -31,6 +31,9 @@ use super::state::{SubsurfaceState, SurfaceLoad};
 /// Functions of the radius under a pressure, and under a traction.
 pub const NORMAL: usize = 6;
 pub const TANGENTIAL: usize = 9;
+/// The same without displacements.
+pub const NORMAL_STRESSES: usize = 4;
+pub const TANGENTIAL_STRESSES: usize = 6;
 
 /// A point load, whose fields consist of `F` functions of the radius.
 pub trait PointLoad<const F: usize>: Sync {
@@ -51,16 +54,46 @@ pub trait PointLoad<const F: usize>: Sync {
 #[derive(Clone, Copy, Debug)]
 pub struct Pressure;
 
+/// The stresses under a pressure.
+#[derive(Clone, Copy, Debug)]
+pub struct PressureStresses;
+
 impl PointLoad<NORMAL> for Pressure {
     const LOAD: SurfaceLoad = SurfaceLoad::Pressure;
 
     const ORDERS: [usize; NORMAL] = [0, 1, 0, 1, 0, 2];
 
-    fn combined(Amplitudes { normal: p, .. }: &Amplitudes) -> [f64; NORMAL] {
-        let mean = f64::midpoint;
+    fn combined(amplitudes: &Amplitudes) -> [f64; NORMAL] {
+        let p = &amplitudes.normal;
+        let [zz, rz, mean, half] = PressureStresses::combined(amplitudes);
         [
             p.vertical_displacement,
             p.horizontal_displacement,
+            zz,
+            rz,
+            mean,
+            half,
+        ]
+    }
+
+    #[inline]
+    fn state(functions: &[f64; NORMAL], [x, y]: [f64; 2]) -> SubsurfaceState {
+        let &[uz, ur, zz, rz, mean, half] = functions;
+        SubsurfaceState {
+            displacement: [ur * x, ur * y, uz],
+            ..PressureStresses::state(&[zz, rz, mean, half], [x, y])
+        }
+    }
+}
+
+impl PointLoad<NORMAL_STRESSES> for PressureStresses {
+    const LOAD: SurfaceLoad = SurfaceLoad::Pressure;
+
+    const ORDERS: [usize; NORMAL_STRESSES] = [0, 1, 0, 2];
+
+    fn combined(Amplitudes { normal: p, .. }: &Amplitudes) -> [f64; NORMAL_STRESSES] {
+        let mean = f64::midpoint;
+        [
             p.normal_stress,
             p.shear_stress,
             mean(p.longitudinal_stress, p.transverse_stress),
@@ -69,11 +102,11 @@ impl PointLoad<NORMAL> for Pressure {
     }
 
     #[inline]
-    fn state(functions: &[f64; NORMAL], [x, y]: [f64; 2]) -> SubsurfaceState {
-        let &[uz, ur, zz, rz, mean, half] = functions;
+    fn state(functions: &[f64; NORMAL_STRESSES], [x, y]: [f64; 2]) -> SubsurfaceState {
+        let &[zz, rz, mean, half] = functions;
         let [cos_2, sin_2] = [x * x - y * y, 2.0 * x * y];
         SubsurfaceState {
-            displacement: [ur * x, ur * y, uz],
+            displacement: [0.0; 3],
             stress: [
                 mean - half * cos_2,
                 mean + half * cos_2,
@@ -90,6 +123,10 @@ impl PointLoad<NORMAL> for Pressure {
 #[derive(Clone, Copy, Debug)]
 pub struct Traction;
 
+/// The stresses under a traction along x.
+#[derive(Clone, Copy, Debug)]
+pub struct TractionStresses;
+
 impl PointLoad<TANGENTIAL> for Traction {
     const LOAD: SurfaceLoad = SurfaceLoad::Traction;
 
@@ -98,12 +135,42 @@ impl PointLoad<TANGENTIAL> for Traction {
     fn combined(amplitudes: &Amplitudes) -> [f64; TANGENTIAL] {
         let (q, a) = (&amplitudes.shear, &amplitudes.antiplane);
         let mean = f64::midpoint;
-        let difference = (q.longitudinal_stress - q.transverse_stress) / 4.0;
-        let lateral = a.lateral_shear_stress / 2.0;
+        let [zz, t0, t2, big_x, big_y, big_z] = TractionStresses::combined(amplitudes);
         [
             mean(q.horizontal_displacement, a.displacement),
             mean(q.horizontal_displacement, -a.displacement),
             q.vertical_displacement,
+            zz,
+            t0,
+            t2,
+            big_x,
+            big_y,
+            big_z,
+        ]
+    }
+
+    #[inline]
+    fn state(functions: &[f64; TANGENTIAL], [x, y]: [f64; 2]) -> SubsurfaceState {
+        let &[u0, u2, uz, zz, t0, t2, big_x, big_y, big_z] = functions;
+        let [cos_2, sin_2] = [x * x - y * y, 2.0 * x * y];
+        SubsurfaceState {
+            displacement: [u0 - u2 * cos_2, -u2 * sin_2, -uz * x],
+            ..TractionStresses::state(&[zz, t0, t2, big_x, big_y, big_z], [x, y])
+        }
+    }
+}
+
+impl PointLoad<TANGENTIAL_STRESSES> for TractionStresses {
+    const LOAD: SurfaceLoad = SurfaceLoad::Traction;
+
+    const ORDERS: [usize; TANGENTIAL_STRESSES] = [1, 0, 2, 1, 1, 3];
+
+    fn combined(amplitudes: &Amplitudes) -> [f64; TANGENTIAL_STRESSES] {
+        let (q, a) = (&amplitudes.shear, &amplitudes.antiplane);
+        let mean = f64::midpoint;
+        let difference = (q.longitudinal_stress - q.transverse_stress) / 4.0;
+        let lateral = a.lateral_shear_stress / 2.0;
+        [
             q.normal_stress,
             mean(q.shear_stress, a.vertical_shear_stress),
             mean(q.shear_stress, -a.vertical_shear_stress),
@@ -114,12 +181,12 @@ impl PointLoad<TANGENTIAL> for Traction {
     }
 
     #[inline]
-    fn state(functions: &[f64; TANGENTIAL], [x, y]: [f64; 2]) -> SubsurfaceState {
-        let &[u0, u2, uz, zz, t0, t2, big_x, big_y, big_z] = functions;
+    fn state(functions: &[f64; TANGENTIAL_STRESSES], [x, y]: [f64; 2]) -> SubsurfaceState {
+        let &[zz, t0, t2, big_x, big_y, big_z] = functions;
         let [cos_2, sin_2] = [x * x - y * y, 2.0 * x * y];
         let [cos_3, sin_3] = [x * cos_2 - y * sin_2, y * cos_2 + x * sin_2];
         SubsurfaceState {
-            displacement: [u0 - u2 * cos_2, -u2 * sin_2, -uz * x],
+            displacement: [0.0; 3],
             stress: [
                 -(big_x + big_y) * x + big_z * cos_3,
                 -(big_x - big_y) * x - big_z * cos_3,

@@ -106,6 +106,7 @@ impl Layout {
 pub struct RadialPanels<const F: usize> {
     reach_square: f64,
     per_lowest: f64,
+    bits: PanelBits,
     shift: u32,
     /// Panels in one power of two.
     per_octave: f64,
@@ -137,10 +138,47 @@ impl<const F: usize> RadialPanels<F> {
         Self {
             reach_square: layout.reach * layout.reach,
             per_lowest: 1.0 / layout.lowest,
+            bits: layout.bits,
             shift: layout.bits.shift(),
             per_octave: 2_f64.powi(layout.bits.0.cast_signed()),
             powers: (0..layout.count).map(panel).collect(),
         }
+    }
+
+    /// The functions of a square element of this side, from those of points that belong to fields `f rⁿ cos nφ` of these
+    /// orders n: to `k⁴ cos 4θ/11520`, far away from the element.
+    ///
+    /// Averaged over the element, a wave is `1 − k²h²/24 + 7/11520 k⁴h⁴` besides what depends on its direction, and −k²
+    /// is the Laplacian, which on a field of order n is, with `w = r² + z²`,
+    ///
+    /// ```text
+    /// Δ(f rⁿ cos nφ) = (4 r² f'' + 4 (n + 1) f') rⁿ cos nφ       ' = d/dw
+    /// ```
+    pub fn averaged(&self, orders: [usize; F], side: f64) -> Self {
+        let square = side * side;
+        let [second, fourth] = [square / 24.0, 7.0 / 11520.0 * square * square];
+        let panel = |(index, powers): (u64, &[[f64; F]; TERMS])| {
+            let place = self.place_of(index);
+            let once = laplacian(powers, &orders, place);
+            let twice = laplacian(&once, &orders, place);
+            let mut sums = *powers;
+            for (term, sums) in sums.iter_mut().enumerate() {
+                for (f, sum) in sums.iter_mut().enumerate() {
+                    *sum += second * once[term][f] + fourth * twice[term][f];
+                }
+            }
+            sums
+        };
+        Self {
+            powers: (0..).zip(&self.powers).map(panel).collect(),
+            ..*self
+        }
+    }
+
+    /// `r²` at the beginning of a panel, and its width in `w`.
+    fn place_of(&self, panel: u64) -> [f64; 2] {
+        let ends = [panel, panel + 1].map(|panel| self.bits.beginning(panel) / self.per_lowest);
+        [ends[0] - self.reach_square, ends[1] - ends[0]]
     }
 
     /// The functions at the root of `radius_square`; NaN beyond the last panel.
@@ -162,6 +200,33 @@ impl<const F: usize> RadialPanels<F> {
         }
         sums
     }
+}
+
+/// The Laplacians of fields of these orders, as polynomials on a panel that begins at `r²` and has a width in w.
+fn laplacian<const F: usize>(
+    powers: &[[f64; F]; TERMS],
+    orders: &[usize; F],
+    [radius_square, width]: [f64; 2],
+) -> [[f64; F]; TERMS] {
+    // Powers fall from the first term on; those above the highest are 0.
+    let coefficient = |power: usize, f: usize| {
+        if power < TERMS {
+            powers[TERMS - 1 - power][f]
+        } else {
+            0.0
+        }
+    };
+    let mut sums = [[0.0; F]; TERMS];
+    for (power, sums) in sums.iter_mut().rev().enumerate() {
+        let k = power as f64;
+        for (f, (sum, order)) in sums.iter_mut().zip(orders).enumerate() {
+            // 4 r² f'' + 4 (n + 1) f' with r² = r₀² + s t and f = Σ cₖ tᵏ
+            let second = radius_square / width * (k + 2.0) * coefficient(power + 2, f);
+            let first = (k + 1.0 + *order as f64) * coefficient(power + 1, f);
+            *sum = 4.0 * (k + 1.0) / width * (second + first);
+        }
+    }
+    sums
 }
 
 #[cfg(test)]

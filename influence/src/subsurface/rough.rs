@@ -1,9 +1,9 @@
-//! Stresses to 2e-5 of the largest at a depth, for searches: at a twentieth of the cost of the exact ones.
+//! Stresses to 2e-6 of the largest at a depth, for searches, at a small part of the cost of the exact ones.
 //!
 //! The functions of the radius are those of [point loads](super::point_kernels), from a [coarser
 //! lattice](super::log_lattice::ROUGH) and fewer [panels](super::radial_panels). They do not depend on the element, so
-//! that grids of every size share those of a depth. An element is a sum over Gauss points; near the surface the closed
-//! form of its half-space is exact, and only the layers' correction is summed.
+//! that grids of every size share those of a depth. An element is a sum over Gauss points, and far away from it their
+//! average; near the surface the closed form of its half-space is exact, and only the layers' correction is summed.
 
 mod depths;
 mod element;

@@ -2,24 +2,21 @@
 //!
 //! Under element centres the surface stresses of a piecewise constant traction are first order in the element's side h:
 //! the odd symbols of a traction alias with `Σ (−1)^m cos(2πm ξ/h)/m = −ln(2 cos(π ξ/h))` at the place ξ of an element,
-//! so
-//! that `σ_xx` misses `(2 ln 2/π) h ∂q/∂x` at ξ = 0. At ξ = ±h/3 the sum vanishes, and the mean over the four points
+//! so that `σ_xx` misses `(2 ln 2/π) h ∂q/∂x` at ξ = 0. At ξ = ±h/3 the sum vanishes, and the mean over the four points
 //! (±h/3, ±h/3) is second order, under a pressure and under a traction alike.
 //!
 //! The mean of a closed form over the points is a sum over the corners of nine overlapping squares, whose coordinates
-//! are
-//! whole numbers ± 1/6: four corners an element.
+//! are whole numbers ± 1/6: four corners an element.
 
+mod layers;
+
+use layers::{LayerMeans, Means};
 use pellicle_kernel::{Base, Foundation};
 use rayon::prelude::*;
 
 use super::centre_stresses::Line;
-use super::homogeneous::surface_corner;
+use super::homogeneous::surface_corners;
 use super::parity::{UNDER_PRESSURE, under_traction};
-use super::point_kernels::{NORMAL, PointLoad, Pressure, TANGENTIAL, Traction};
-use super::state::SubsurfaceState;
-use super::under_load::{DepthWaves, UnderLoad};
-use super::waves::Waves;
 use crate::element::check_element_side;
 use crate::error::InfluenceError;
 
@@ -32,8 +29,7 @@ const EXCHANGED: [usize; 3] = [1, 0, 2];
 type Tables = [Vec<f64>; 3];
 
 /// `σ_xx`, `σ_yy`, `σ_xy` on the surface under unit pressure or unit traction on one element, averaged over four points
-/// of
-/// another, and their sums over many.
+/// of another, and their sums over many.
 #[derive(Clone, Debug)]
 pub struct SurfaceMeans {
     offsets: usize,
@@ -60,19 +56,9 @@ impl SurfaceMeans {
         let is_homogeneous =
             foundation.layers().is_empty() && matches!(foundation.base(), Base::HalfSpace(_));
         if !is_homogeneous {
-            let mut waves = Waves::new(foundation, element_side);
-            let diagonal = std::f64::consts::SQRT_2 * element_side * (offsets + 1) as f64;
-            let waves = DepthWaves::of_four_points(&mut waves, diagonal)?;
-            add_layers(
-                &mut normal,
-                &UnderLoad::<Pressure, NORMAL>::new(&waves),
-                offsets,
-            );
-            add_layers(
-                &mut along_x,
-                &UnderLoad::<Traction, TANGENTIAL>::new(&waves),
-                offsets,
-            );
+            let farthest = std::f64::consts::SQRT_2 * (offsets + 1) as f64;
+            let layers = LayerMeans::new(foundation, element_side, farthest)?;
+            add_layers([&mut normal, &mut along_x], &layers, offsets);
         }
         let along_y = EXCHANGED.map(|stress| transposed(&along_x[stress], offsets));
         Ok(Self {
@@ -159,10 +145,20 @@ fn homogeneous_means(poisson_ratio: f64, offsets: usize) -> [Tables; 2] {
                 -1.0 / 6.0
             }
     };
-    let corners = (0..count * count)
-        .into_par_iter()
-        .map(|index| surface_corner(poisson_ratio, [place(index / count), place(index % count)]));
-    let corners: Vec<[[f64; 3]; 2]> = corners.collect();
+    let row = |i: usize| -> Vec<_> {
+        let columns = 0..=i;
+        columns
+            .map(|j| surface_corners(poisson_ratio, [place(i), place(j)]))
+            .collect()
+    };
+    let octant: Vec<Vec<[[[f64; 3]; 2]; 2]>> = (0..count).into_par_iter().map(row).collect();
+    let corner = |i: usize, j: usize| {
+        if j <= i {
+            &octant[i][j][0]
+        } else {
+            &octant[j][i][1]
+        }
+    };
     let mut means = [(); 2].map(|()| [(); 3].map(|()| Vec::with_capacity(offsets * offsets)));
     let signs = [-0.5, -0.5, 0.5, 0.5];
     for m in 0..offsets {
@@ -170,7 +166,7 @@ fn homogeneous_means(poisson_ratio: f64, offsets: usize) -> [Tables; 2] {
             let mut sums = [[0.0; 3]; 2];
             for (i, sign_x) in signs.iter().enumerate() {
                 for (j, sign_y) in signs.iter().enumerate() {
-                    let corner = corners[(2 * m + i) * count + 2 * n + j];
+                    let corner = corner(2 * m + i, 2 * n + j);
                     for (sums, values) in sums.iter_mut().zip(corner) {
                         for (sum, value) in sums.iter_mut().zip(values) {
                             *sum += sign_x * sign_y * value;
@@ -189,27 +185,25 @@ fn homogeneous_means(poisson_ratio: f64, offsets: usize) -> [Tables; 2] {
 }
 
 /// Adds what the layers change, or replaces the values where only the whole is known.
-fn add_layers<L: PointLoad<F>, const F: usize>(
-    tables: &mut Tables,
-    of: &UnderLoad<L, F>,
-    offsets: usize,
-) {
-    let along_surface = |state: &SubsurfaceState| ALONG_SURFACE.map(|field| state.field(field));
-    let parts = (0..offsets * offsets).into_par_iter().map(|index| {
-        let place = [index / offsets, index % offsets].map(|along| along as f64);
-        match of.added_at_four_points(place) {
-            Some(added) => (true, along_surface(&added)),
-            None => (false, along_surface(&of.at_four_points(place))),
-        }
-    });
-    let parts: Vec<(bool, [f64; 3])> = parts.collect();
-    for (index, (is_added, values)) in parts.into_iter().enumerate() {
-        for (table, value) in tables.iter_mut().zip(values) {
-            table[index] = if is_added {
-                table[index] + value
-            } else {
-                value
-            };
+fn add_layers(tables: [&mut Tables; 2], layers: &LayerMeans, offsets: usize) {
+    let row = |m: usize| -> Vec<Means> {
+        let columns = 0..=m;
+        columns.map(|n| layers.at([m as f64, n as f64])).collect()
+    };
+    let octant: Vec<Vec<Means>> = (0..offsets).into_par_iter().map(row).collect();
+    let kept = if layers.are_added() { 1.0 } else { 0.0 };
+    for (tables, load) in tables.into_iter().zip(0..) {
+        for (m, row) in octant.iter().enumerate() {
+            for (n, means) in row.iter().enumerate() {
+                let places = [m * offsets + n, n * offsets + m];
+                // A place on the diagonal is its own image.
+                let count = if m == n { 1 } else { 2 };
+                for (place, values) in places.into_iter().zip(means[load]).take(count) {
+                    for (table, value) in tables.iter_mut().zip(values) {
+                        table[place] = kept * table[place] + value;
+                    }
+                }
+            }
         }
     }
 }

@@ -86,55 +86,6 @@ fn factor(zone: usize, index: isize) -> f64 {
     }
 }
 
-/// Layers whose waves decay over at least this many sides have a correction that, averaged over four points of an
-/// element,
-/// is taken as a function of the radius. What depends on the direction is `k⁴ cos 4θ/2900`: 1e-5 of the correction at a
-/// reach of four sides; at one side it still cancels in sums over pressures that vary slowly.
-const SMOOTH_REACH: f64 = 1.0;
-
-/// The places in an element whose stresses are wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Places {
-    /// A point.
-    Point,
-    /// The mean over the four points at a third of a side from the centre along both axes.
-    FourPoints,
-}
-
-/// The four points, `ξ = ±h/3`: there the aliases `Σ (−1)^m cos(2πm ξ/h)/m = −ln(2 cos(π ξ/h))` of an odd symbol
-/// vanish.
-pub const FOUR_POINTS: [[f64; 2]; 4] = {
-    let third = 1.0 / 3.0;
-    [
-        [third, third],
-        [third, -third],
-        [-third, third],
-        [-third, -third],
-    ]
-};
-
-/// The mean of a wave over the four points and the loaded element, averaged over its directions.
-fn four_point_factor(index: isize) -> f64 {
-    let wavenumber = (index as f64 * STEP).exp();
-    let directions = [1.0, 3.0, 5.0, 7.0].map(|odd| odd * PI / 32.0);
-    let mean = directions.map(|angle| {
-        let k = [wavenumber * angle.cos(), wavenumber * angle.sin()];
-        let [x, y] = k.map(|k| (k / 2.0).sin() / (k / 2.0) * (k / 3.0).cos());
-        x * y
-    });
-    mean.iter().sum::<f64>() / 4.0
-}
-
-/// The factors of four points, from the lattice point below which they are 1 to 1e-17 on.
-static FOUR_POINT_FACTORS: LazyLock<Vec<f64>> = LazyLock::new(|| {
-    (FACTORS[0]..FOUR_POINTS_LAST)
-        .map(four_point_factor)
-        .collect()
-});
-
-/// Lattice point at which waves of the smooth reach have decayed.
-const FOUR_POINTS_LAST: isize = 410;
-
 /// The amplitudes at one depth from which the fields of any load are computed.
 #[derive(Clone, Debug)]
 pub struct DepthWaves {
@@ -144,8 +95,6 @@ pub struct DepthWaves {
     /// The material of the half-space whose fields are added in the near zone.
     material: Option<Material>,
     near: Option<Sampled>,
-    /// The places that the near zone's functions stand for.
-    places: Places,
     middle: Option<Sampled>,
     far: Option<Sampled>,
 }
@@ -156,26 +105,6 @@ impl DepthWaves {
         waves: &mut Waves,
         depth: Depth,
         largest_distance: f64,
-    ) -> Result<Self, KernelError> {
-        Self::at_places(waves, depth, largest_distance, Places::Point)
-    }
-
-    /// The same on the surface, with the layers' correction averaged over four points where that is a function of the
-    /// radius.
-    pub fn of_four_points(waves: &mut Waves, largest_distance: f64) -> Result<Self, KernelError> {
-        Self::at_places(
-            waves,
-            Depth::below(0.0),
-            largest_distance,
-            Places::FourPoints,
-        )
-    }
-
-    fn at_places(
-        waves: &mut Waves,
-        depth: Depth,
-        largest_distance: f64,
-        wanted: Places,
     ) -> Result<Self, KernelError> {
         let (side, foundation) = (waves.unit(), waves.foundation().clone());
         let (z, largest) = (depth.z / side, largest_distance / side);
@@ -197,25 +126,13 @@ impl DepthWaves {
         let far = sampled(zone([FAR_FROM, f64::INFINITY], 0.0), 0)?;
         let middle = sampled(zone([MIDDLE_FROM, FAR_FROM], 0.5), 1)?;
         let near = zone([0.0, MIDDLE_FROM], 1.0);
-        let mut places = Places::Point;
         let near = match (near, foundation.layers().first()) {
             (None, _) | (_, None) => None,
             (Some(ends), Some(top)) if is_split => {
                 let reach = (2.0 * top.thickness() - depth.z) / side;
                 let correction =
                     |interior: &pellicle_kernel::Interior| interior.correction(depth.z);
-                if wanted == Places::FourPoints && reach >= SMOOTH_REACH {
-                    places = Places::FourPoints;
-                    let factors = &*FOUR_POINT_FACTORS;
-                    let factor = |index: isize| match usize::try_from(index - FACTORS[0]) {
-                        Err(_) => 1.0,
-                        Ok(place) => factors.get(place).copied().unwrap_or(0.0),
-                    };
-                    let layout = Layout::new(reach, ends);
-                    Some(waves.sampled(layout, correction, factor)?)
-                } else {
-                    Some(waves.sampled(Layout::new(reach, ends), correction, |_| 1.0)?)
-                }
+                Some(waves.sampled(Layout::new(reach, ends), correction, |_| 1.0)?)
             }
             (Some(ends), Some(_)) => Some(waves.sampled(Layout::new(z, ends), all, |_| 1.0)?),
         };
@@ -224,7 +141,6 @@ impl DepthWaves {
             side,
             material: is_split.then(|| foundation.surface_material()),
             near,
-            places,
             middle,
             far,
         })
@@ -261,7 +177,6 @@ struct Homogeneous {
 struct Near<const F: usize> {
     panels: RadialPanels<F>,
     reach: f64,
-    places: Places,
 }
 
 impl<L: PointLoad<F>, const F: usize> UnderLoad<L, F> {
@@ -279,7 +194,6 @@ impl<L: PointLoad<F>, const F: usize> UnderLoad<L, F> {
             near: waves.near.as_ref().map(|near| Near {
                 panels: panels(near),
                 reach: near.reach(),
-                places: waves.places,
             }),
             middle: waves.middle.as_ref().map(panels),
             far: waves.far.as_ref().map(panels),
@@ -294,25 +208,6 @@ impl<L: PointLoad<F>, const F: usize> UnderLoad<L, F> {
             state += L::state(functions, from) * weight;
         });
         state
-    }
-
-    /// The mean over the four points around (x, y) of what the layers add to the half-space of the top layer's
-    /// material;
-    /// none where only the whole state is known.
-    pub fn added_at_four_points(&self, place: [f64; 2]) -> Option<SubsurfaceState> {
-        let near = self.near.as_ref()?;
-        let radius_square = place[0] * place[0] + place[1] * place[1];
-        let is_known =
-            near.places == Places::FourPoints && radius_square < MIDDLE_FROM * MIDDLE_FROM;
-        is_known.then(|| L::state(&near.panels.at(radius_square), place))
-    }
-
-    /// The mean of the state over the four points around (x, y).
-    pub fn at_four_points(&self, [x, y]: [f64; 2]) -> SubsurfaceState {
-        let states = FOUR_POINTS.map(|[i, j]| self.at([x + i, y + j]));
-        states
-            .into_iter()
-            .fold(SubsurfaceState::default(), |sum, state| sum + state * 0.25)
     }
 
     /// The states at (x, y) and at (y, x).

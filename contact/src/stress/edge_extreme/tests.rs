@@ -24,7 +24,7 @@ fn solved(model: &Model, elements: usize, depth: f64, sliding: Sliding) -> Optio
         .coarser
         .last()
         .map(|coarse| of(coarse.grid, &coarse.pressure));
-    edge_extreme(&path, step, &field, coarse.as_ref()).unwrap()
+    edge_extreme(&path, step, &field, Wanted::Error(coarse.as_ref())).unwrap()
 }
 
 /// The extreme under a ball whose contact has a radius of so many elements, in parts of the closed form's tension.
@@ -145,8 +145,7 @@ struct Coverage {
 
 impl Coverage {
     /// Adds a value and the half-width of its interval, in parts of the truth. The load F at which a strength of this
-    /// value
-    /// is found is truly F value³.
+    /// value is found is truly F value³.
     fn add(&mut self, found: Extreme<3>) {
         self.contacts += 1;
         if !found.resolved {

@@ -40,8 +40,7 @@ fn corners([i, j]: Place) -> [Place; 4] {
 }
 
 /// The points of the edge in some cells that it crosses, but none where the contact ends with the indenter, a map or
-/// the
-/// grid.
+/// the grid.
 pub fn outline(contact: &EdgeContact, cells: &[Place]) -> Vec<EdgePoint> {
     let mut places: Vec<Place> = cells
         .iter()

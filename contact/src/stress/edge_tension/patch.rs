@@ -1,17 +1,15 @@
 //! The tension at one point of the edge, continued from the elements around it.
 //!
 //! At the edge the traction vanishes, so the tension is the larger principal value of the tensor `N + T` along the
-//! surface,
-//! under the pressure and under the traction. With `p = K √s` at the depth s inside an edge with the normal n and the
-//! tangent t,
+//! surface, under the pressure and under the traction. With `p = K √s` at the depth s inside an edge with the normal n
+//! and the tangent t,
 //!
 //! ```text
 //! N = −p (n⊗n + 2ν t⊗t) + smooth       T analytic inside, with a cusp √|s| outside
 //! ```
 //!
 //! where the smooth part has a term `s^{3/2}` inside, from the edge's curvature. N without its cusp is fitted across
-//! the
-//! edge, T from inside alone and without the two outermost elements, whose pressures are 5 to 15 % off.
+//! the edge, T from inside alone and without the two outermost elements, whose pressures are 5 to 15 % off.
 
 use super::edge_contact::{EdgeContact, Place};
 use super::least_squares::LeastSquares;
@@ -30,8 +28,7 @@ const TANGENTIAL_ALONG: f64 = 2.1;
 /// load.
 const TAPER: f64 = 0.3;
 /// Elements farther from the edge than this, plus the sagitta of an edge of the least radius, lie on the side of the
-/// edge
-/// that their depth says.
+/// edge that their depth says.
 const NEAR_EDGE: f64 = 0.8;
 /// Least radius of a resolved contact, in elements: below it the patches of opposite edges overlap.
 const LEAST_RADIUS: f64 = 7.0;

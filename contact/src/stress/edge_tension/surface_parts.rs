@@ -45,8 +45,7 @@ impl<'a> SurfaceParts<'a> {
     }
 
     /// Computes the stresses at the places where they are not yet known; no farther from the loaded square than the
-    /// fits
-    /// reach.
+    /// fits reach.
     pub fn compute(&mut self, part: Part, places: &[Place]) {
         let LoadedSquare { size, pressure, .. } = self.field.loaded();
         let tractions = self.field.tractions();
@@ -75,8 +74,7 @@ impl<'a> SurfaceParts<'a> {
     }
 
     /// The larger principal stresses along the surface at places within an element of the loaded square: at a few by
-    /// sums,
-    /// at many under centres by a convolution.
+    /// sums, at many under centres by a convolution.
     pub fn tensions(&mut self, places: &[Place]) -> Result<Vec<f64>, InfluenceError> {
         if places.len() > MOST_SUMS {
             return self.tensions_by_convolution(places);

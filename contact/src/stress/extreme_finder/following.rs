@@ -2,17 +2,19 @@
 
 use pellicle_influence::{Depth, RoughDepths};
 
+use super::judgement::BESIDE_EDGE;
 use super::{ExtremeFinder, depth_in};
 use crate::ContactError;
+use crate::stress::MOST_MOVES;
+use crate::stress::edge_extreme::{Wanted, edge_extreme, is_near_edge};
 use crate::stress::extreme::Extreme;
 use crate::stress::peak_search::{PeakSearch, StressPeak};
 use crate::stress::plane_scan::Target;
 use crate::stress::quantity::StressQuantity;
 
 /// Factor between the three depths around a peak that is followed from another load, so narrow that a parabola places
-/// the peak to half a percent and finds its value to 1e-5, and how often it may leave them.
+/// the peak to half a percent and finds its value to 1e-5.
 const FOLLOWED_RATIO: f64 = 1.12;
-const FOLLOWED_MOVES: usize = 8;
 
 impl ExtremeFinder<'_> {
     /// The largest value of the first quantity of a target near a place that is expected from another load, to 1e-5 and
@@ -27,10 +29,22 @@ impl ExtremeFinder<'_> {
         let Some(quantity) = target.quantities.first().filter(|_| loaded > 0) else {
             return Ok(None);
         };
+        let ([x, y, z], is_tension) = (expected, *quantity == StressQuantity::MaxPrincipal);
+        let may_be_at_edge = target.top == 0.0 && is_tension;
+        let is_at_edge =
+            z < self.field.grid().element_side() && is_near_edge(&self.field, [x, y], BESIDE_EDGE);
+        let from = is_at_edge.then_some([x, y]);
+        if may_be_at_edge && is_at_edge {
+            let at_edge = edge_extreme(self.path, self.step, &self.field, Wanted::Value(from))?;
+            // What is sampled beside a resolved edge does not count.
+            if let Some(edge) = at_edge.filter(|edge| edge.resolved) {
+                return Ok(Some(edge));
+            }
+        }
         let followed = self.followed_from(rough, (target, *quantity), expected)?;
         match followed.map(without_error) {
-            Some(sampled) if target.top == 0.0 && *quantity == StressQuantity::MaxPrincipal => {
-                self.or_at_edge(sampled).map(Some)
+            Some(sampled) if may_be_at_edge => {
+                self.or_at_edge(sampled, Wanted::Value(from)).map(Some)
             }
             sampled => Ok(sampled),
         }
@@ -49,7 +63,7 @@ impl ExtremeFinder<'_> {
         let [low, high] = [depths[0].z, depths[depths.len() - 1].z];
         let mut search = PeakSearch::new(&self.field);
         let (mut at, mut z) = ([x, y], z.clamp(low, high));
-        for _ in 0..FOLLOWED_MOVES {
+        for _ in 0..MOST_MOVES {
             if z < element {
                 let depth = depth_in(&depths, z);
                 return Ok(Some(search.climb(rough, quantity, (at, depth))?));

@@ -2,7 +2,7 @@
 
 use super::{ExtremeFinder, ON_AXIS};
 use crate::result::peak::place_near;
-use crate::stress::edge_extreme::{edge_extreme, is_near_edge};
+use crate::stress::edge_extreme::{Wanted, edge_extreme, is_near_edge};
 use crate::stress::extreme::Extreme;
 use crate::stress::peak_search::StressPeak;
 use crate::stress::quantity::StressQuantity;
@@ -10,9 +10,9 @@ use crate::{ContactError, ErrorEstimate, PeakPlace};
 
 /// An extreme within this many elements of the surface and near something sharp grows with the grid.
 const ELEMENTS_FROM_SURFACE: f64 = 2.0;
-/// A tension sampled on the surface within this many elements of the contact's edge is not that of the continuum, which
-/// has a cusp there.
-const BESIDE_EDGE: isize = 3;
+/// Stresses sampled on the surface within this many elements of the contact's edge are not those of the continuum, whose
+/// tension has a cusp there.
+pub const BESIDE_EDGE: isize = 3;
 /// The pressures of the two outermost elements are up to 15 % off, and so are stresses under sliding on the surface
 /// there.
 const OUTERMOST: isize = 2;
@@ -26,7 +26,7 @@ impl ExtremeFinder<'_> {
         judged: Extreme<3>,
     ) -> Result<Extreme<3>, ContactError> {
         if is_on_top && quantity == StressQuantity::MaxPrincipal {
-            return self.or_at_edge(judged);
+            return self.or_at_edge(judged, Wanted::Error(self.coarser.last()));
         }
         let ([x, y, z], element) = (judged.at, self.field.grid().element_side());
         let slides = self.field.slides();
@@ -39,14 +39,15 @@ impl ExtremeFinder<'_> {
 
     /// Replaces the largest tension of the topmost body by that at the contact's edge if this is larger, or if the
     /// value was sampled beside the edge.
-    pub(super) fn or_at_edge(&self, sampled: Extreme<3>) -> Result<Extreme<3>, ContactError> {
+    pub(super) fn or_at_edge(
+        &self,
+        sampled: Extreme<3>,
+        wanted: Wanted,
+    ) -> Result<Extreme<3>, ContactError> {
         let Self {
-            path,
-            step,
-            field,
-            coarser,
+            path, step, field, ..
         } = self;
-        let at_edge = edge_extreme(path, step, field, coarser.last())?;
+        let at_edge = edge_extreme(path, step, field, wanted)?;
         let [x, y, z] = sampled.at;
         let is_beside = z < field.grid().element_side() && is_near_edge(field, [x, y], BESIDE_EDGE);
         Ok(match at_edge {

@@ -23,11 +23,12 @@ fn depths(top: f64, bottom: f64) -> Vec<f64> {
 }
 
 #[test]
-fn depths_cover_a_body_from_top_to_bottom_and_are_densest_at_its_ends() {
+fn depths_cover_a_body_from_top_to_bottom_and_are_densest_at_the_surface() {
     for (top, bottom) in [
         (0.0, 1.0),
         (0.0, 0.01),
         (3.0, 4.0),
+        (1.0, 9.0),
         (0.0, f64::INFINITY),
         (5.0, f64::INFINITY),
     ] {
@@ -41,13 +42,25 @@ fn depths_cover_a_body_from_top_to_bottom_and_are_densest_at_its_ends() {
         for (gap, next) in gaps.iter().zip(&gaps[1..]) {
             assert!(gap / next < 2.6 && next / gap < 2.6, "{found:?}");
         }
-        let [first, last] = [gaps[0], gaps[gaps.len() - 1]];
-        if bottom.is_finite() {
-            assert!((first / last - 1.0).abs() < 1e-9, "{found:?}");
-        } else {
-            assert!(last > 2.0 * first, "{found:?}");
-        }
+        // Stresses vary on the scale of the depth.
+        let below_surface = found.iter().skip_while(|z| **z == 0.0);
+        let depths: Vec<&f64> = below_surface.collect();
+        let is_dense = |pair: &[&f64]| pair[1] / pair[0] < 2.1;
+        assert!(depths.windows(2).all(is_dense), "{found:?}");
+        assert!(top == 0.0 || found.len() >= 5, "{found:?}");
     }
+}
+
+#[test]
+fn layers_below_the_surface_take_five_planes_each_if_they_are_thin_on_the_scale_of_their_depth() {
+    // Layers of a third, a half and a fifth of the contact's radius on a half-space.
+    let interfaces = [0.0, 1.6, 4.4, 5.5, f64::INFINITY];
+    let planes = interfaces
+        .windows(2)
+        .map(|ends| depths(ends[0], ends[1]).len());
+    let planes: Vec<usize> = planes.collect();
+    assert_eq!(planes[2], 5, "{planes:?}");
+    assert!(planes.iter().sum::<usize>() <= 28, "{planes:?}");
 }
 
 #[test]
@@ -90,21 +103,23 @@ fn rough(field: &StressField) -> RoughDepths {
 #[test]
 fn planes_under_blocks_have_the_stresses_of_the_field_at_the_block_centres() {
     let field = field();
-    // Under elements to 1e-6. Blocks of an eighth of the depth widen a load by b²/12 along x and along y, from which
+    // Under elements to 2e-6. Blocks of an eighth of the depth widen a load by b²/12 along x and along y, from which
     // −σ_zz under a force falls by 5/768 = 0.65 %.
     for (m, z, accuracy) in [(0, 0.2, 1e-5), (1, 2.0, 1e-2), (5, 32.0, 1e-2)] {
         let depth = Depth::below(z);
         let mut blocks = BlockPlanes::new(&field, m, z);
-        let states = blocks.states_on(&mut rough(&field), depth).unwrap();
+        blocks.move_to(&mut rough(&field), depth).unwrap();
+        let places = 0..blocks.shown * blocks.shown;
+        let states: Vec<_> = places.map(|place| blocks.stresses.state(place)).collect();
         let place = |k: usize| [k / blocks.shown, k % blocks.shown];
         let point =
             |k: usize| [0, 1].map(|axis| blocks.first[axis] + place(k)[axis] as f64 * blocks.side);
         let points: Vec<_> = (0..states.len()).map(point).collect();
-        // On either side of the loaded square, from −0.25 to 0.25, at least 0.3 of its side plus one and a half depths.
+        // On either side of the loaded square, from −0.25 to 0.25, at least 0.3 of its side plus one depth.
         let [low, high] = [points[0], points[states.len() - 1]];
         for axis in 0..2 {
             let edges = [-low[axis], high[axis]].map(|middle| middle + blocks.side / 2.0);
-            let reach = 0.25 + 0.3 * 0.5 + 1.5 * z;
+            let reach = 0.25 + 0.3 * 0.5 + z;
             let most = reach + 3.0 * blocks.side;
             assert!(
                 edges.iter().all(|edge| (reach..most).contains(edge)),
@@ -125,9 +140,10 @@ fn planes_under_blocks_have_the_stresses_of_the_field_at_the_block_centres() {
 
 #[test]
 fn peaks_of_a_plane_are_the_values_near_the_largest_with_no_larger_neighbour() {
-    let blocks = BlockPlanes::new(&field(), 0, 0.2);
-    let mut states = vec![SubsurfaceState::default(); blocks.shown.pow(2)];
-    let last = blocks.shown - 1;
+    let (side, zz) = (20, 2);
+    let mut stresses = PlaneStresses::zeros(side);
+    let last = side - 1;
+    let mut values = vec![0.0; side * side];
     for (i, j, stress) in [
         (5, 3, 9.9),
         (2, 3, 10.0),
@@ -137,13 +153,24 @@ fn peaks_of_a_plane_are_the_values_near_the_largest_with_no_larger_neighbour() {
         (last, last, 9.82),
         (8, 8, 9.7),
     ] {
-        states[i * blocks.shown + j].stress[2] = stress;
+        values[i * side + j] = stress;
     }
-    let found = blocks.peaks(&states, StressQuantity::Tension);
-    let values: Vec<f64> = found.iter().map(|(value, _)| *value).collect();
-    assert_eq!(values, [10.0, 9.9, 9.85, 9.82]);
-    let [x, y] = blocks.first;
-    assert_eq!(found[0].1, [x + 2.0 * blocks.side, y + 3.0 * blocks.side]);
+    stresses.take(zz, &values);
+    stresses.find_invariants();
+    // On the axis of a uniaxial stress all of these are its value.
+    for quantity in [
+        StressQuantity::Tension,
+        StressQuantity::VonMises,
+        StressQuantity::MaxPrincipal,
+    ] {
+        let found = stresses.peaks(quantity, f64::NEG_INFINITY);
+        let rounded = found.iter().map(|(value, _)| (1e6 * value).round() / 1e6);
+        assert_eq!(rounded.collect::<Vec<_>>(), [10.0, 9.9, 9.85, 9.82]);
+        assert_eq!(found[0].1, [2, 3]);
+        // Other planes may have larger values.
+        assert_eq!(stresses.peaks(quantity, 10.1).len(), 2);
+        assert!(stresses.peaks(quantity, 11.0).is_empty());
+    }
 }
 
 #[test]
@@ -165,12 +192,15 @@ fn peaks_of_every_plane_equal_its_stresses_under_elements_and_under_blocks() {
         bottom,
         quantities: quantities.to_vec(),
     };
-    let targets = [target(0.0, 3.0), target(0.5, 0.5)];
+    let element = grid.element_side();
+    let depths = target(0.0, 3.0).depths(32.0 * element, element);
+    // Of a whole body only peaks near the largest are kept.
+    let planes = depths.iter().map(|depth| target(depth.z, depth.z));
+    let targets: Vec<Target> = planes.collect();
     let found = scan(&field, &mut rough(&field), &targets)
         .unwrap()
         .starting_points;
     assert!(found.is_sorted_by(|one, other| one.value >= other.value));
-    let element = grid.element_side();
     for (index, of) in targets.iter().enumerate() {
         let depths = of.depths(32.0 * element, element);
         for quantity in quantities {
@@ -180,7 +210,6 @@ fn peaks_of_every_plane_equal_its_stresses_under_elements_and_under_blocks() {
                     place == (index, quantity, at)
                 });
                 let largest = own.next().unwrap();
-                assert!(own.count() < PEAKS_OF_A_PLANE);
                 let there = field.at(largest.at, *depth).unwrap();
                 let ratio = largest.value / quantity.of(&there);
                 // Blocks of side b = z/8 widen a load by the variance b²/12 along x and along y, and −σ_zz under a

@@ -11,7 +11,9 @@ use crate::element::check_element_side;
 use crate::error::InfluenceError;
 use crate::subsurface::depth::Depth;
 use crate::subsurface::element_table::ElementStates;
-use crate::subsurface::point_kernels::{NORMAL, Pressure, TANGENTIAL, Traction};
+use crate::subsurface::point_kernels::{
+    NORMAL_STRESSES, PressureStresses, TANGENTIAL_STRESSES, TractionStresses,
+};
 use crate::subsurface::radial_panels::{Layout, RadialPanels};
 use crate::subsurface::state::SubsurfaceState;
 use crate::subsurface::waves::Waves;
@@ -19,8 +21,8 @@ use crate::subsurface::waves::Waves;
 /// Functions are tabulated up to this factor beyond the distance that is asked for, so that others seldom need more.
 const ROOM: f64 = 1.5;
 
-/// The stresses around point loads at all depths asked for so far, to 2e-5 of the largest at each depth. Displacements
-/// are less accurate.
+/// The stresses around point loads at all depths asked for so far, to 2e-6 of the largest at each depth; without
+/// displacements.
 #[derive(Debug)]
 pub struct RoughDepths {
     waves: Waves,
@@ -62,8 +64,8 @@ pub struct NearSurface {
 pub struct Kernels {
     /// Depth with which the waves decay.
     pub reach: f64,
-    pub normal: RadialPanels<NORMAL>,
-    pub tangential: Option<RadialPanels<TANGENTIAL>>,
+    pub normal: RadialPanels<NORMAL_STRESSES>,
+    pub tangential: Option<RadialPanels<TANGENTIAL_STRESSES>>,
 }
 
 impl RoughDepths {
@@ -111,13 +113,17 @@ impl RoughDepths {
         (point, depth): ([f64; 2], Depth),
     ) -> Result<SubsurfaceState, InfluenceError> {
         let seen = |centre: &[f64; 2]| [0, 1].map(|axis: usize| point[axis] - centre[axis]);
-        let distances = loaded.iter().map(|(centre, _)| seen(centre));
-        let farthest = distances.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+        let squares = loaded.iter().map(|(centre, _)| {
+            let [x, y] = seen(centre);
+            x * x + y * y
+        });
+        let farthest = squares.fold(0.0, f64::max).sqrt();
         let kernels = self.at(depth, element_side, farthest + element_side)?;
         let normal = RoughPressure::under_pressure(&kernels, element_side);
         let tangential = RoughTraction::under_traction(&kernels, element_side);
+        let per_side = 1.0 / element_side;
         let of_element = |(centre, pressure): &([f64; 2], f64)| {
-            let place = seen(centre).map(|along| along / element_side);
+            let place = seen(centre).map(|along| along * per_side);
             let mut state = normal.at(place);
             if let Some(tangential) = &tangential {
                 let [along_x, along_y] = tangential.at_both(place);
@@ -178,8 +184,9 @@ impl RoughDepths {
             let sampled = self.waves.sampled(layout, of, |_| 1.0)?;
             Ok::<_, KernelError>(Kernels {
                 reach: sampled.reach(),
-                normal: sampled.panels::<Pressure, NORMAL>(),
-                tangential: slides.then(|| sampled.panels::<Traction, TANGENTIAL>()),
+                normal: sampled.panels::<PressureStresses, NORMAL_STRESSES>(),
+                tangential: slides
+                    .then(|| sampled.panels::<TractionStresses, TANGENTIAL_STRESSES>()),
             })
         };
         let nearest = near_surface.map_or(0.0, |side| {

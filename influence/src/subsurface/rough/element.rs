@@ -8,21 +8,24 @@ use super::depths::{DepthKernels, Kernels, NearSurface};
 use crate::numerics::quadrature::{Node, legendre_of};
 use crate::subsurface::element_table::ElementStates;
 use crate::subsurface::homogeneous::loaded_square;
-use crate::subsurface::point_kernels::{NORMAL, PointLoad, Pressure, TANGENTIAL, Traction};
+use crate::subsurface::point_kernels::{
+    NORMAL_STRESSES, PointLoad, PressureStresses, TANGENTIAL_STRESSES, TractionStresses,
+};
 use crate::subsurface::radial_panels::RadialPanels;
 use crate::subsurface::state::{SubsurfaceState, SurfaceLoad};
 
-/// Rules for square cells, and the distance, in half sides of the cell, from which the error of each is below 1e-6 of a
+/// Rules for square cells, and the distance, in half sides of the cell, from which the error of each is some 1e-6 of a
 /// point load: p points per direction leave some ten times `(2d)^(−2p)` under a traction.
-static RULES: LazyLock<[(f64, Vec<Node>); 5]> = LazyLock::new(|| {
+static RULES: LazyLock<[(f64, Vec<Node>); 3]> = LazyLock::new(|| {
     [
-        (1600.0, legendre_of::<1>()),
-        (24.0, legendre_of::<2>()),
         (9.0, legendre_of::<3>()),
-        (4.5, legendre_of::<4>()),
-        (2.0, legendre_of::<6>()),
+        (5.0, legendre_of::<4>()),
+        (2.5, legendre_of::<6>()),
     ]
 });
+
+/// Distance, in sides, from which the averages of functions over an element are accurate to 2e-6 of a point load.
+const FAR: f64 = 15.0;
 
 /// The stresses of an element under one load. Places are in sides of the element from its centre.
 pub struct RoughElement<'a, L, const F: usize> {
@@ -37,14 +40,15 @@ pub struct RoughElement<'a, L, const F: usize> {
 }
 
 /// Under a pressure, and under a traction.
-pub type RoughPressure<'a> = RoughElement<'a, Pressure, NORMAL>;
-pub type RoughTraction<'a> = RoughElement<'a, Traction, TANGENTIAL>;
+pub type RoughPressure<'a> = RoughElement<'a, PressureStresses, NORMAL_STRESSES>;
+pub type RoughTraction<'a> = RoughElement<'a, TractionStresses, TANGENTIAL_STRESSES>;
 
 /// Functions of the radius and the depth with which they vary, in sides.
-#[derive(Clone, Copy)]
 struct Radial<'a, const F: usize> {
     reach: f64,
     functions: &'a RadialPanels<F>,
+    /// Averaged over the element.
+    far: RadialPanels<F>,
 }
 
 impl<'a> RoughPressure<'a> {
@@ -79,6 +83,7 @@ impl<'a, L: PointLoad<F>, const F: usize> RoughElement<'a, L, F> {
         let radial = |reach: f64, functions: &'a RadialPanels<F>| Radial {
             reach: reach / ratio,
             functions,
+            far: functions.averaged(L::ORDERS, ratio),
         };
         let correction = correction.map(|(of, functions)| radial(of.reach, functions));
         let near_surface = kernels.near_surface.as_ref();
@@ -100,7 +105,7 @@ impl<'a, L: PointLoad<F>, const F: usize> RoughElement<'a, L, F> {
 
     /// The closed form's part of the state; zero away from the element.
     fn closed_form(&self, [x, y]: [f64; 2]) -> SubsurfaceState {
-        match self.near_surface {
+        match &self.near_surface {
             Some((near, _)) if self.is_near([x, y]) => {
                 let point = [x * self.side, y * self.side, self.depth];
                 loaded_square(L::LOAD, &near.material, self.side, point)
@@ -112,15 +117,25 @@ impl<'a, L: PointLoad<F>, const F: usize> RoughElement<'a, L, F> {
     /// Calls `take` for the points of the element over which the rest of the state is summed, with their weights and
     /// functions and the place as seen from each.
     fn visit(&self, place: [f64; 2], mut take: impl FnMut(f64, &[f64; F], [f64; 2])) {
-        let radial = match self.near_surface {
-            Some((_, correction)) if self.is_near(place) => correction,
-            _ => Some(self.whole),
+        let radial = match &self.near_surface {
+            Some((_, correction)) if self.is_near(place) => correction.as_ref(),
+            _ => Some(&self.whole),
         };
-        let Some(Radial { reach, functions }) = radial else {
+        let Some(Radial {
+            reach,
+            functions,
+            far,
+        }) = radial
+        else {
             return;
         };
-        let ratio = self.ratio;
-        visit_cell([0.0; 2], 0.5, place, reach, &mut |weight, from| {
+        let (ratio, [x, y]) = (self.ratio, place);
+        if x * x + y * y + reach * reach >= FAR * FAR {
+            let [x, y] = place.map(|along| along * ratio);
+            take(ratio * ratio, &far.at(x * x + y * y), [x, y]);
+            return;
+        }
+        visit_cell([0.0; 2], 0.5, place, *reach, &mut |weight, from| {
             let [x, y] = from.map(|along| along * ratio);
             take(weight * ratio * ratio, &functions.at(x * x + y * y), [x, y]);
         });

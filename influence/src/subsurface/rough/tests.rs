@@ -18,11 +18,12 @@ fn foundations() -> [Foundation; 3] {
 }
 
 #[test]
-fn rough_stresses_differ_from_exact_ones_by_a_hundred_thousandth_or_two_at_every_depth_and_distance()
- {
+fn rough_stresses_differ_from_exact_ones_by_two_millionths_at_every_depth_and_distance() {
     for foundation in foundations() {
         let mut depths = RoughDepths::new(&foundation, 1.0, [0.3, 0.0]).unwrap();
-        for z in [0.0, 0.3, 0.6, 1.9, 2.1, 5.0, 11.9, 40.0, 300.0] {
+        for z in [
+            0.0, 0.3, 0.6, 1.9, 2.1, 4.6, 5.0, 11.9, 12.1, 20.1, 40.0, 300.0,
+        ] {
             // Elements of other sides share the functions of a depth.
             for side in [1.0, 0.37] {
                 let depth = Depth::below(z * side);
@@ -52,7 +53,7 @@ fn rough_stresses_differ_from_exact_ones_by_a_hundred_thousandth_or_two_at_every
                     for ((found, exact), place) in found.iter().zip(&exact).zip(&places) {
                         for (found, exact) in found.stress.iter().zip(exact.stress) {
                             let error = (found - exact).abs() / largest;
-                            assert!(error < 2e-5, "{load:?} {z} {side} {place:?}: {error:e}");
+                            assert!(error < 2e-6, "{load:?} {z} {side} {place:?}: {error:e}");
                         }
                     }
                 }

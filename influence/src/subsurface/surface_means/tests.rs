@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use pellicle_kernel::{Base, Interface, Layer, Material};
 
 use super::*;
-use crate::{Depth, ElementFields, SurfaceLoad};
+use crate::{Depth, ElementFields, SubsurfaceState, SurfaceLoad};
 
 fn material(young_modulus: f64, poisson_ratio: f64) -> Material {
     Material::new(young_modulus, poisson_ratio).unwrap()
@@ -121,8 +121,7 @@ fn under_a_smooth_pressure_what_depends_on_the_direction_cancels() {
 }
 
 /// The error of the surface stress under a traction of cosines, whose exact amplitude on a half-space is 2: `σ_xx = −2
-/// sin kx`
-/// for q = cos kx along x.
+/// sin kx` for q = cos kx along x.
 #[test]
 fn under_a_traction_the_means_are_second_order_where_centres_are_first_order() {
     let body = Foundation::half_space(material(1.0, 0.3));
