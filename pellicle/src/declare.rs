@@ -1,7 +1,7 @@
-//! The keys of a case, each declared once: `record!` declares a table with its fields, `one_of!` fields of which exactly
-//! one is given, `kinds!` a table whose `kind` chooses its fields. From a declaration come the type, the reader with its
-//! diagnoses, and the [`Shape`] of the table; from that the [schema] for editors, the list of [keys] in the documents,
-//! and the dimension of each number.
+//! The keys of a case, each declared once: `record!` declares a table with its fields, `one_of!` fields of which
+//! exactly one is given, `kinds!` a table whose `kind` chooses its fields. From a declaration come the type, the reader
+//! with its diagnoses, and the [`Shape`] of the table; from that the [schema] for editors, the list of [keys] in the
+//! documents, and the dimension of each number.
 //!
 //! A line of a declaration is a field: its key and type, the [`Codec`] that reads it, and its meaning.
 

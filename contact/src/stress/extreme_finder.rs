@@ -154,7 +154,8 @@ impl<'a> ExtremeFinder<'a> {
         })
     }
 
-    /// Follows a starting point to the peak between places and planes, and returns it with the best centre on the plane.
+    /// Follows a starting point to the peak between places and planes, and returns it with the best centre on the
+    /// plane.
     fn followed(
         &self,
         Shared {

@@ -59,9 +59,9 @@ pub fn loaded_square(
     }
 }
 
-/// `σ_xx`, `σ_yy` and `σ_xy` on the surface, under a pressure and under a traction along x, at (x, y) and at (y, x) seen
-/// from a corner of a loaded quadrant. Summed over the corners of a square with signs, these are its stresses; lengths
-/// are in any unit.
+/// `σ_xx`, `σ_yy` and `σ_xy` on the surface, under a pressure and under a traction along x, at (x, y) and at (y, x)
+/// seen from a corner of a loaded quadrant. Summed over the corners of a square with signs, these are its stresses;
+/// lengths are in any unit.
 pub fn surface_corners(poisson_ratio: f64, [x, y]: [f64; 2]) -> [[[f64; 3]; 2]; 2] {
     let corner = Corner::new([x, y, 0.0]);
     let exchanged = corner.exchanged();

@@ -145,8 +145,8 @@ impl<const F: usize> RadialPanels<F> {
         }
     }
 
-    /// The functions of a square element of this side, from those of points that belong to fields `f rⁿ cos nφ` of these
-    /// orders n: to `k⁴ cos 4θ/11520`, far away from the element.
+    /// The functions of a square element of this side, from those of points that belong to fields `f rⁿ cos nφ` of
+    /// these orders n: to `k⁴ cos 4θ/11520`, far away from the element.
     ///
     /// Averaged over the element, a wave is `1 − k²h²/24 + 7/11520 k⁴h⁴` besides what depends on its direction, and −k²
     /// is the Laplacian, which on a field of order n is, with `w = r² + z²`,

@@ -10,8 +10,8 @@ use crate::{ContactError, ErrorEstimate, PeakPlace};
 
 /// An extreme within this many elements of the surface and near something sharp grows with the grid.
 const ELEMENTS_FROM_SURFACE: f64 = 2.0;
-/// Stresses sampled on the surface within this many elements of the contact's edge are not those of the continuum, whose
-/// tension has a cusp there.
+/// Stresses sampled on the surface within this many elements of the contact's edge are not those of the continuum,
+/// whose tension has a cusp there.
 pub const BESIDE_EDGE: isize = 3;
 /// The pressures of the two outermost elements are up to 15 % off, and so are stresses under sliding on the surface
 /// there.
