@@ -78,7 +78,7 @@ impl FitFile {
     ///
     /// # Errors
     ///
-    /// [`Failure::Unreadable`] if the file or its case cannot be read, [`Failure::Case`] if one of them is not valid.
+    /// [`Failure::Case`] if the file or its case cannot be read, or one of them is not valid.
     pub fn read(path: &Path, measurements: Measurements) -> Result<Self, Failure> {
         let source = Arc::new(source_file::read(path)?);
         let stem = source_file::stem(path);

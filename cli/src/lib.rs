@@ -1,8 +1,8 @@
 //! The program `pellicle`: a case file in, a certified contact solution out.
 //!
-//! [`main`] runs the program from the command line to the exit code. The rest serves the figures of the paper and the
-//! tests: a [`Case`] as read from its file, the [results](mod@results) that a run leaves, the tools for
-//! [drawing](mod@drawing) them, and the [evidence](mod@evidence) that the program is right.
+//! [`main`] runs the program from the command line to the exit code. The rest serves the Python package, the figures of
+//! the paper and the tests: [studies](mod@studied), [fits](mod@fitted), the [results](mod@results) that a run leaves,
+//! their numbers for [drawing](mod@drawing), and the [evidence](mod@evidence) that the program is right.
 
 #![cfg_attr(
     test,

@@ -32,7 +32,7 @@ use crate::failure::Failure;
 ///
 /// # Errors
 ///
-/// [`Failure::Json`] if the value has no JSON form.
+/// [`Failure::Case`] if the value has no JSON form.
 pub fn json(value: &impl Serialize) -> Result<String, Failure> {
     let mut text = serde_json::to_string_pretty(value)?;
     text.push('\n');

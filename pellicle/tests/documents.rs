@@ -19,10 +19,10 @@ fn document(name: &str) -> PathBuf {
 fn hold(name: &str, wanted: &str) {
     let path = document(name);
     if std::env::var_os("PELLICLE_UPDATE_DOCUMENTS").is_some() {
-        fs::write(path, wanted).unwrap();
+        fs::write(path, wanted).expect("a writable folder");
         return;
     }
-    let found = fs::read_to_string(&path).unwrap();
+    let found = fs::read_to_string(&path).expect("the document");
     assert!(
         found == wanted,
         "docs/{name} differs from the declarations; see the head of this test"

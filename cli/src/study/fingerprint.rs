@@ -29,7 +29,7 @@ const OUTPUT: &str = "output";
 ///
 /// # Errors
 ///
-/// [`Failure::Json`] if the case has no JSON form.
+/// [`Failure::Case`] if the case has no JSON form.
 pub fn of(study: &Study, valid: (usize, &Case), header: &str) -> Result<String, Failure> {
     let (number, case) = valid;
     let units = case.units;

@@ -3,9 +3,7 @@
 use serde::Serialize;
 
 use crate::declare::macros::record;
-use crate::declare::{Codec, Scope, list, word};
-use crate::input::diagnosis::Diagnosis;
-use crate::input::value_reader::ValueReader;
+use crate::declare::{Codec, list, word};
 
 record! {
     /// The files that a run writes in addition to summary, curve and report.
@@ -14,7 +12,7 @@ record! {
         fields: Steps = word(STEPS).or(Steps::Last, "\"last\""), "loading steps whose fields are written";
         pictures: Steps = word(STEPS).or(Steps::Last, "\"last\""),
             "loading steps whose pictures are drawn; with \"none\", those of the whole run are left out too";
-        formats: Vec<Format> = list(word(FORMATS), FORMATS_WANTED).checked(distinct).or(vec![Format::Npz], "[\"npz\"]"),
+        formats: Vec<Format> = list(word(FORMATS), FORMATS_WANTED).map(distinct).or(vec![Format::Npz], "[\"npz\"]"),
             "formats of the fields";
     }
 }
@@ -64,14 +62,10 @@ const FORMATS_WANTED: &str =
     "a list of \"npz\", \"vti\", \"nc\", \"gsf\"; for no fields at all write fields = \"none\"";
 
 /// The formats in order, each once.
-fn distinct(
-    _: &ValueReader<'_>,
-    mut formats: Vec<Format>,
-    _: &Scope<'_>,
-) -> Result<Vec<Format>, Diagnosis> {
+fn distinct(mut formats: Vec<Format>) -> Vec<Format> {
     formats.sort_unstable();
     formats.dedup();
-    Ok(formats)
+    formats
 }
 
 impl Steps {
@@ -118,7 +112,7 @@ impl OutputCase {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::declare::Record;
+    use crate::declare::{Record, Scope};
     use crate::input::table_reader::tests::read_table;
 
     fn read(text: &str) -> Result<OutputCase, String> {

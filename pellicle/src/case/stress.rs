@@ -29,7 +29,7 @@ record! {
     #[derive(Default)]
     pub struct StressCase {
         #[serde(skip_serializing_if = "Option::is_none")]
-        depths: Option<Vec<f64>> = series(length(), MAX_DEPTHS).each(within_the_body).checked(increasing)
+        depths: Option<Vec<f64>> = series(length(), MAX_DEPTHS).each(within_the_body).map(increasing)
             .optional("chosen through layers and base, down to two contact radii"),
             "depths of the planes that are written";
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -220,14 +220,10 @@ fn within_the_body(
 }
 
 /// The depths in order, each once.
-fn increasing(
-    _: &ValueReader<'_>,
-    mut depths: Vec<f64>,
-    _: &Scope<'_>,
-) -> Result<Vec<f64>, Diagnosis> {
+fn increasing(mut depths: Vec<f64>) -> Vec<f64> {
     depths.sort_unstable_by(f64::total_cmp);
     depths.dedup();
-    Ok(depths)
+    depths
 }
 
 /// Refuses a square larger than the domain, where that is known.
@@ -259,6 +255,7 @@ fn some_quantities() -> String {
 }
 
 /// The quantities in the order of results, each once: at least those that the given strengths limit.
+#[expect(clippy::needless_pass_by_value, reason = "the signature of a check")]
 fn enough_for_the_strengths(
     value: &ValueReader<'_>,
     quantities: Vec<StressQuantity>,

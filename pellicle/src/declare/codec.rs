@@ -4,7 +4,7 @@
 use std::marker::PhantomData;
 use std::ops::RangeInclusive;
 
-use super::combinators::{Checked, Optional, Or, OrElse};
+use super::combinators::{Checked, Mapped, Optional, Or, OrElse};
 use super::shape::{Field, Presence, Shape, TableShape};
 use super::{Record, Scope, in_words};
 use crate::input::diagnosis::Diagnosis;
@@ -88,6 +88,14 @@ pub trait Codec: Sized {
     /// None if the key is missing; the words say what holds then.
     fn optional(self, words: &'static str) -> Optional<Self> {
         Optional { codec: self, words }
+    }
+
+    /// With the value changed by a function.
+    fn map(self, change: fn(Self::Out) -> Self::Out) -> Mapped<Self> {
+        Mapped {
+            codec: self,
+            change,
+        }
     }
 
     /// With a further check of the value.

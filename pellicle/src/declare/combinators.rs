@@ -154,6 +154,29 @@ impl<C: Codec> Codec for Checked<C> {
     }
 }
 
+/// A value that is changed once it is read.
+#[derive(Debug, Clone, Copy)]
+pub struct Mapped<C: Codec> {
+    pub(super) codec: C,
+    pub(super) change: fn(C::Out) -> C::Out,
+}
+
+impl<C: Codec> Codec for Mapped<C> {
+    type Out = C::Out;
+
+    fn shape(&self) -> Shape {
+        self.codec.shape()
+    }
+
+    fn wanted(&self) -> String {
+        self.codec.wanted()
+    }
+
+    fn read(&self, value: &ValueReader<'_>, scope: &Scope<'_>) -> Result<C::Out, Diagnosis> {
+        self.codec.read(value, scope).map(self.change)
+    }
+}
+
 /// A value of one codec, or a table of another.
 #[derive(Debug, Clone, Copy)]
 pub struct Either<V: Codec, T, O> {

@@ -58,17 +58,17 @@ fn section(text: &mut String, path: &str, table: &TableShape) {
 fn inner(text: &mut String, path: &str, meaning: &str, shape: &Shape) {
     match shape {
         Shape::Table(table) => {
-            *text += &format!("### `[{path}]`: {meaning}\n\n");
+            add(text, &format!("### `[{path}]`: {meaning}\n\n"));
             section(text, path, table);
         }
         Shape::List(item, _) if matches!(**item, Shape::Table(_)) => {
             if let Shape::Table(table) = &**item {
-                *text += &format!("### `[[{path}]]`: {meaning}\n\n");
+                add(text, &format!("### `[[{path}]]`: {meaning}\n\n"));
                 section(text, path, table);
             }
         }
         Shape::Kinds(kinds) => {
-            *text += &format!("### `[{path}]`: {meaning}\n\n");
+            add(text, &format!("### `[{path}]`: {meaning}\n\n"));
             section(text, path, &kinds.shared);
             for (word, meaning, table) in &kinds.kinds {
                 let default = if kinds.default == Some(*word) {
@@ -76,7 +76,10 @@ fn inner(text: &mut String, path: &str, meaning: &str, shape: &Shape) {
                 } else {
                     ""
                 };
-                *text += &format!("`{} = \"{word}\"`: {meaning}{default}\n\n", kinds.key);
+                add(
+                    text,
+                    &format!("`{} = \"{word}\"`: {meaning}{default}\n\n", kinds.key),
+                );
                 section(text, path, table);
             }
         }
@@ -87,12 +90,16 @@ fn inner(text: &mut String, path: &str, meaning: &str, shape: &Shape) {
                 _ => None,
             });
             for table in tables {
-                *text += &format!("`{path} = {{ … }}`:\n\n");
+                add(text, &format!("`{path} = {{ … }}`:\n\n"));
                 section(text, path, table);
             }
         }
         _ => {}
     }
+}
+
+fn add(text: &mut String, more: &str) {
+    text.push_str(more);
 }
 
 fn row(field: &Field, table: &TableShape) -> String {
