@@ -25,6 +25,8 @@ __all__ = [
     "InfluenceError",
     "InternalError",
     "KernelError",
+    "Likelihood",
+    "LikelihoodRun",
     "Operator",
     "Planes",
     "Run",
