@@ -26,7 +26,7 @@ class Likelihood:
     """
 
     def __init__(self, fit: Fit | str | os.PathLike[str], *, threads: int | None = None) -> None:
-        self.fit = fit_of(fit)
+        self.fit: Fit = fit_of(fit)
         """The fit as it was given."""
         run = self.fit.begun(is_measured=True).start_likelihood(checked_threads(threads))
         silent = reporting(False, self.fit, FitProgress)

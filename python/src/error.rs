@@ -67,7 +67,7 @@ create_exception!(
     IdentifyError,
     Error,
     "A fit cannot be posed or made. Its attributes, as far as its message states them, are `curve`, `found`, \
-     `list`, `name`, `point`, `points`, `predictions`, `quantity`, `reached`, `size`, `starts` and `wanted`."
+     `list`, `name`, `point`, `points`, `predictions`, `quantity`, `size`, `starts` and `wanted`."
 );
 create_exception!(
     pellicle,

@@ -30,7 +30,7 @@ const FEWEST_STEPS: usize = 4;
 const REACH: f64 = 2.0;
 /// The planes extend beyond the loaded square by this part of it plus this many depths, on either side.
 const MARGIN_PART: f64 = 0.3;
-const MARGIN_DEPTHS: f64 = 1.0;
+const MARGIN_DEPTHS: f64 = 1.5;
 /// Peaks above this part of the largest are examined more closely.
 const NEARLY: f64 = 0.98;
 /// Blocks across the loaded square that suffice for a smooth pressure.
@@ -137,21 +137,17 @@ pub fn scan(
         }
     }
     let least = smooth_doublings(field);
-    let mut groups = BTreeMap::<(u32, u32), Vec<_>>::new();
+    let mut groups = BTreeMap::<u32, Vec<_>>::new();
     for plane in &planes {
         let m = doublings(plane.0.z, element).max(least);
-        let side = element * 2_f64.powi(m.cast_signed());
-        groups
-            .entry((m, margin_class(plane.0.z / side)))
-            .or_default()
-            .push(plane);
+        groups.entry(m).or_default().push(plane);
     }
     let (mut found, mut scanned) = (Vec::new(), Vec::new());
     let mut largest: Vec<Vec<f64>> = targets
         .iter()
         .map(|target| vec![f64::NEG_INFINITY; target.quantities.len()])
         .collect();
-    for ((m, _), group) in groups {
+    for (m, group) in groups {
         let deepest = group.iter().map(|(depth, _)| depth.z).fold(0.0, f64::max);
         let mut blocks = BlockPlanes::new(field, m, deepest);
         for (depth, of) in group {
@@ -189,14 +185,6 @@ pub fn scan(
         planes,
         starting_points: found,
     })
-}
-
-/// Planes of one class share their margin: their depths in blocks are up to 4, 8, 16, …
-fn margin_class(depth: f64) -> u32 {
-    let least = 4.0;
-    (0..u32::BITS)
-        .find(|class| depth <= least * 2_f64.powi(class.cast_signed()))
-        .unwrap_or(u32::BITS)
 }
 
 /// How often elements are doubled to the largest blocks that are small beside the contact and on whose scale the

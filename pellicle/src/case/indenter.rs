@@ -205,8 +205,8 @@ impl IndenterShape {
         };
         let shape = <Self as Kinds>::read(table, &elastic, &scope)?;
         // A map is checked as it is read.
-        if let (Err(error), Some(kind)) = (shape.build(), kind) {
-            return Err(kind.refused(&error));
+        if let (Some(kind), None) = (kind, shape.map()) {
+            shape.build().map_err(|error| kind.refused(&error))?;
         }
         Ok(shape)
     }

@@ -115,11 +115,11 @@ fn planes_under_blocks_have_the_stresses_of_the_field_at_the_block_centres() {
         let point =
             |k: usize| [0, 1].map(|axis| blocks.first[axis] + place(k)[axis] as f64 * blocks.side);
         let points: Vec<_> = (0..states.len()).map(point).collect();
-        // On either side of the loaded square, from −0.25 to 0.25, at least 0.3 of its side plus one depth.
+        // On either side of the loaded square, from −0.25 to 0.25, at least 0.3 of its side plus one and a half depths.
         let [low, high] = [points[0], points[states.len() - 1]];
         for axis in 0..2 {
             let edges = [-low[axis], high[axis]].map(|middle| middle + blocks.side / 2.0);
-            let reach = 0.25 + 0.3 * 0.5 + z;
+            let reach = 0.25 + 0.3 * 0.5 + 1.5 * z;
             let most = reach + 3.0 * blocks.side;
             assert!(
                 edges.iter().all(|edge| (reach..most).contains(edge)),
