@@ -8,15 +8,16 @@
 pub mod codec;
 mod combinators;
 pub mod keys;
+mod lists;
 pub(crate) mod macros;
 pub mod schema;
 pub mod shape;
 
 pub use codec::{
-    Codec, angle, compliance, count, force, fraction, length, list, literal, number, pair,
-    pressure, series, switch, table, tables, text, word,
+    Codec, angle, compliance, count, force, fraction, length, literal, number, pressure, switch, text, word,
 };
 pub use combinators::{either, part, together};
+pub use lists::{list, pair, series, tables};
 pub use shape::{Field, KindsShape, Presence, Shape, TableShape};
 
 use crate::case::foundation::FoundationCase;

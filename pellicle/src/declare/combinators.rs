@@ -9,6 +9,19 @@ use crate::input::diagnosis::Diagnosis;
 use crate::input::table_reader::TableReader;
 use crate::input::value_reader::ValueReader;
 
+/// The shape of the inner codec, and what it wants.
+macro_rules! as_inner {
+    () => {
+        fn shape(&self) -> Shape {
+            self.codec.shape()
+        }
+
+        fn wanted(&self) -> String {
+            self.codec.wanted()
+        }
+    };
+}
+
 /// A value, or a default.
 #[derive(Debug, Clone, Copy)]
 pub struct Or<C: Codec> {
@@ -23,13 +36,7 @@ where
 {
     type Out = C::Out;
 
-    fn shape(&self) -> Shape {
-        self.codec.shape()
-    }
-
-    fn wanted(&self) -> String {
-        self.codec.wanted()
-    }
+    as_inner!();
 
     fn read(&self, value: &ValueReader<'_>, scope: &Scope<'_>) -> Result<C::Out, Diagnosis> {
         self.codec.read(value, scope)
@@ -63,13 +70,7 @@ pub struct OrElse<C: Codec> {
 impl<C: Codec> Codec for OrElse<C> {
     type Out = C::Out;
 
-    fn shape(&self) -> Shape {
-        self.codec.shape()
-    }
-
-    fn wanted(&self) -> String {
-        self.codec.wanted()
-    }
+    as_inner!();
 
     fn read(&self, value: &ValueReader<'_>, scope: &Scope<'_>) -> Result<C::Out, Diagnosis> {
         self.codec.read(value, scope)
@@ -102,13 +103,7 @@ pub struct Optional<C> {
 impl<C: Codec> Codec for Optional<C> {
     type Out = Option<C::Out>;
 
-    fn shape(&self) -> Shape {
-        self.codec.shape()
-    }
-
-    fn wanted(&self) -> String {
-        self.codec.wanted()
-    }
+    as_inner!();
 
     fn read(&self, value: &ValueReader<'_>, scope: &Scope<'_>) -> Result<Self::Out, Diagnosis> {
         self.codec.read(value, scope).map(Some)
@@ -141,13 +136,7 @@ pub struct Checked<C: Codec> {
 impl<C: Codec> Codec for Checked<C> {
     type Out = C::Out;
 
-    fn shape(&self) -> Shape {
-        self.codec.shape()
-    }
-
-    fn wanted(&self) -> String {
-        self.codec.wanted()
-    }
+    as_inner!();
 
     fn read(&self, value: &ValueReader<'_>, scope: &Scope<'_>) -> Result<C::Out, Diagnosis> {
         (self.check)(value, self.codec.read(value, scope)?, scope)
@@ -164,13 +153,7 @@ pub struct Mapped<C: Codec> {
 impl<C: Codec> Codec for Mapped<C> {
     type Out = C::Out;
 
-    fn shape(&self) -> Shape {
-        self.codec.shape()
-    }
-
-    fn wanted(&self) -> String {
-        self.codec.wanted()
-    }
+    as_inner!();
 
     fn read(&self, value: &ValueReader<'_>, scope: &Scope<'_>) -> Result<C::Out, Diagnosis> {
         self.codec.read(value, scope).map(self.change)
