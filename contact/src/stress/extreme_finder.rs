@@ -23,6 +23,10 @@ use crate::{ContactError, LoadingPath, Step};
 
 /// Stresses under blocks of elements differ by up to this part from those under elements.
 const BLOCK_ERROR: f64 = 0.01;
+/// Part of the depth by which a peak found under blocks is tried above and below, and by which it may be moved. It was
+/// found up to 0.06 too deep, a loss of up to 1 %.
+const DEPTH_STEP: f64 = 0.06;
+const FARTHEST_STEP: f64 = 0.12;
 /// Part of an element within which a place counts as on an axis.
 const ON_AXIS: f64 = 1e-3;
 
@@ -230,11 +234,35 @@ impl<'a> ExtremeFinder<'a> {
                 along
             }
         });
-        let state = shared
-            .fine
-            .state(shared.rough, point, depth_in(depths, z))?;
-        let value = quantity.of(&state);
-        Ok(StressPeak { value, ..peak })
+        let mut at = |z: f64| {
+            let depth = depth_in(depths, z);
+            let state = shared.fine.state(shared.rough, point, depth)?;
+            Ok::<_, ContactError>(quantity.of(&state))
+        };
+        let value = at(z)?;
+        if doublings(z, element) == 0 {
+            return Ok(StressPeak { value, ..peak });
+        }
+        // The depth is one between planes under blocks: it is moved to the vertex of a parabola through values under
+        // elements, or to the best of these.
+        let [top, bottom] =
+            [depths.first(), depths.last()].map(|end| end.map_or(z, |depth| depth.z));
+        let above = (z * (1.0 - DEPTH_STEP)).max(top);
+        let below = (z * (1.0 + DEPTH_STEP)).min(bottom);
+        let (mut best, others) = ((value, z), [(at(above)?, above), (at(below)?, below)]);
+        if let Some(vertex) = vertex((value, z), others) {
+            let vertex = vertex.clamp(
+                top.max(z * (1.0 - FARTHEST_STEP)),
+                bottom.min(z * (1.0 + FARTHEST_STEP)),
+            );
+            best = larger(best, (at(vertex)?, vertex));
+        }
+        best = others.into_iter().fold(best, larger);
+        let [x, y, _] = peak.at;
+        Ok(StressPeak {
+            value: best.0,
+            at: [x, y, best.1],
+        })
     }
 
     /// The values of a peak on all grids: pairs of elements per side and value.
@@ -253,6 +281,20 @@ impl<'a> ExtremeFinder<'a> {
         values.push((self.field.grid().size(), peak.value));
         Ok(values)
     }
+}
+
+/// The larger of two values with their depths.
+fn larger(one: (f64, f64), other: (f64, f64)) -> (f64, f64) {
+    if other.0 > one.0 { other } else { one }
+}
+
+/// The place of the maximum of the parabola through a value at a place and two others; none if it has a minimum.
+fn vertex((value, z): (f64, f64), others: [(f64, f64); 2]) -> Option<f64> {
+    // With d = z − zᵢ and f = value − vᵢ: z − ½ (d₁² f₂ − d₂² f₁) / (d₁ f₂ − d₂ f₁)
+    let [(d, f), (d_2, f_2)] = others.map(|(other, at)| (z - at, value - other));
+    let is_maximum = (f / d - f_2 / d_2) / (d - d_2) > 0.0;
+    let shift = 0.5 * (d * d * f_2 - d_2 * d_2 * f) / (d * f_2 - d_2 * f);
+    (is_maximum && shift.is_finite()).then_some(z - shift)
 }
 
 /// A depth in the body of these depths.

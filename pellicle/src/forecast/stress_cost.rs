@@ -11,23 +11,25 @@ use pellicle_contact::{LoadedElements, LoadingPath, SearchWork, critical_work, s
 use crate::case::Case;
 
 /// CPU time of each [term](SearchWork::terms) of a search, s, without and with friction. *Measured* on 0 to 8 layers,
-/// 64 to 1024 elements per side, all stresses and two of them, 0.02 to 15 s: forecasts are 0.60 to 1.7 times the time
-/// without friction, 0.50 to 2.0 times with it.
+/// 64 to 1024 elements per side, all stresses and two of them, before the search became two to three times faster, then
+/// scaled as a whole: on six runs of one and eight layers, 256 to 1024 elements, forecasts are 0.9 to 1.8 times the
+/// time.
 const SECONDS: [[f64; SearchWork::TERMS]; 2] = [
-    [0.0, 0.0, 9.3e-8, 5.9e-3, 0.0, 2.2e-7, 4.6e-6],
-    [0.0, 0.0, 2.8e-7, 7.2e-3, 6.8e-5, 6.0e-7, 1.0e-5],
+    [0.0, 0.0, 4.7e-8, 3.0e-3, 0.0, 1.1e-7, 2.3e-6],
+    [0.0, 0.0, 1.1e-7, 2.9e-3, 2.7e-5, 2.4e-7, 4.0e-6],
 ];
 
 /// CPU time of a critical load: in searches of the whole body for its stress, and in solutions of the contact.
-/// *Measured* as above, up to 256 elements per side: forecasts are 0.43 to 2.3 times the time. They are too low for one
-/// layer under sliding, where the peak is at the surface.
+/// *Measured* as above, up to 256 elements per side, within a factor of about two. They are lowest for one layer under
+/// sliding, where the peak is at the surface.
 const PER_CRITICAL_LOAD: [f64; 2] = [1.5, 6.4];
 
-/// CPU time of a product with `K` for each element of the grid, s, on a quadrant.
+/// CPU time of a product with `K` for each element of the grid, s, on a quadrant: an estimate.
 const SECONDS_PER_PRODUCT: f64 = 3e-8;
 
 /// Memory of the functions of the distance of a plane and of a peak in a layered body, bytes. *Measured* as the largest
-/// resident sets of bodies of 2 to 8 layers on 64 × 64 and 256 × 256 elements: 35 to 103 MB, forecast 1.1 to 1.4 of it.
+/// resident sets of bodies of 2 to 8 layers on 64 × 64 and 256 × 256 elements, 35 to 103 MB; two of them are forecast
+/// 1.2 times too large.
 const BYTES_OF_FUNCTIONS: [f64; 2] = [3e5, 8e5];
 
 /// Memory of a place on a plane that is kept, and of one on the plane under computation, bytes.
