@@ -78,7 +78,6 @@ pub mod fitted {
 
 /// The files of a run, and the way they are written: whole or not at all.
 pub mod results {
-    pub use crate::output::fields::Fields;
     pub use crate::output::file::write_whole;
     pub use crate::output::npz::{StoredFields, file as fields_file};
     pub use crate::output::results::read_summary;

@@ -2,7 +2,6 @@
 
 pub mod curve;
 pub mod disk_space;
-pub mod fields;
 pub mod file;
 pub mod folder;
 pub mod gsf;

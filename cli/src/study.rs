@@ -146,7 +146,7 @@ pub enum KeptField {
 }
 
 impl KeptField {
-    /// The words of `study.keep`, in the order of [`Fields::numbers`](crate::output::fields::Fields::numbers).
+    /// The words of `study.keep`, in the order of [`NUMBERS`](pellicle::result::fields::NUMBERS).
     pub const CHOICES: [(&'static str, Self); 5] = [
         ("pressure", Self::Pressure),
         ("displacement", Self::Displacement),

@@ -1,6 +1,10 @@
 //! The commented cases of `pellicle init`; each runs as it is.
 
+use std::borrow::Cow;
+
 use clap::ValueEnum;
+use pellicle::declare::schema;
+use pellicle::summary::schema::of_summary;
 
 /// A case to start from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -32,13 +36,17 @@ pub enum Template {
     Study,
     /// The JSON schema of a case, with which editors complete and check it while it is typed
     Schema,
+    /// The JSON schema of summary.json
+    SummarySchema,
 }
 
 impl Template {
     /// Returns the text of the template.
     #[must_use]
-    pub fn text(self) -> &'static str {
-        match self {
+    pub fn text(self) -> Cow<'static, str> {
+        Cow::Borrowed(match self {
+            Self::Schema => return schema::text(&schema::of_case()).into(),
+            Self::SummarySchema => return schema::text(&of_summary()).into(),
             Self::Cylinders => include_str!("templates/cylinders.toml"),
             Self::Film => include_str!("templates/film.toml"),
             Self::Coating => include_str!("templates/coating.toml"),
@@ -51,8 +59,7 @@ impl Template {
             Self::Rough => include_str!("templates/rough.toml"),
             Self::RoughMap => include_str!("templates/rough-surface.csv"),
             Self::Study => include_str!("templates/study.toml"),
-            Self::Schema => include_str!("../../docs/case.schema.json"),
-        }
+        })
     }
 
     /// Returns the command to run next, for a template written to the file `path`.
@@ -64,6 +71,7 @@ impl Template {
                 "pellicle init rough-map --out rough-surface.csv beside it, and pellicle run {path}"
             ),
             Self::RoughMap => "pellicle init rough".into(),
+            Self::SummarySchema => "check the output of pellicle run --json".into(),
             Self::Schema => format!("write #:schema {path} as the first line of a case"),
             _ => format!("pellicle run {path}"),
         }
@@ -103,16 +111,16 @@ mod tests {
         for template in Template::value_variants() {
             if matches!(
                 template,
-                Template::Study | Template::RoughMap | Template::Schema
+                Template::Study | Template::RoughMap | Template::Schema | Template::SummarySchema
             ) {
                 continue;
             }
             let folder = tempfile::tempdir().unwrap();
             let map = folder.path().join("rough-surface.csv");
-            std::fs::write(map, Template::RoughMap.text()).unwrap();
+            std::fs::write(map, &*Template::RoughMap.text()).unwrap();
             let source = Arc::new(Source::new(
                 format!("{template:?}"),
-                template.text().to_owned(),
+                template.text().into_owned(),
             ));
             let case =
                 Case::parse(&source, "", folder.path(), &[]).unwrap_or_else(|e| panic!("{e}"));

@@ -22,7 +22,18 @@ pub enum Unit {
 }
 
 impl Unit {
-    fn symbol(self) -> &'static str {
+    /// Its name in ASCII, as in the headers of tables.
+    #[must_use]
+    pub fn ascii(self) -> &'static str {
+        match self {
+            Self::SquareMetre => "m^2",
+            _ => self.symbol(),
+        }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
         match self {
             Self::Metre => "m",
             Self::SquareMetre => "m²",

@@ -37,6 +37,7 @@ pub mod input;
 pub mod map;
 pub mod memory;
 mod monitor;
+pub mod result;
 pub mod run;
 pub mod summary;
 

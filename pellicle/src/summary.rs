@@ -1,6 +1,7 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
 pub mod roughness;
+pub mod schema;
 mod step;
 mod warning;
 

@@ -4,7 +4,6 @@ pub mod coarse_field;
 mod column_view;
 pub mod crop;
 pub mod field_map;
-pub mod fields;
 pub mod histograms;
 mod outline;
 pub mod panel_3d;

@@ -1,11 +1,11 @@
 //! The pictures of a solution can be drawn for any finite numbers.
 
 use pellicle::input::units::Units;
+use pellicle::result::fields::Fields;
 use pellicle_plot::run::curve::{self, CurveStep, NamedCurve};
 use pellicle_plot::sheet::render;
 use pellicle_plot::sheet::style::{Cut, Heading, Style};
 use pellicle_plot::step::field_map::FieldMap;
-use pellicle_plot::step::fields::Fields;
 use pellicle_plot::step::histograms::{self, Distribution, RoughContact};
 use pellicle_plot::step::subject::Subject;
 use pellicle_plot::step::{pressure_map, pressure_view, section};

@@ -13,6 +13,7 @@ from . import show, toml
 from .errors import ArgumentError
 from .fields import Field, Fields, StoredFields
 from .judgement import Certificate, GridError, Sensitivity, Work, number
+from .numbers import FIELDS, StepNumbers
 from .options import Depths, Stress
 from .quantity import Quantity
 from .stresses import StressFields
@@ -20,19 +21,7 @@ from .stresses import StressFields
 if TYPE_CHECKING:
     import xarray
 
-FIELDS = {
-    "pressure": ("Pa", "pressure p, compression positive"),
-    "displacement": ("m", "displacement u of the body's surface, positive into the body"),
-    "gap": ("m", "gap g between the indenter and the surface"),
-    "shortening": ("m", "shortening w* of the relief"),
-    "profile": ("m", "profile f* of the relief: 0 on the tops, negative between them"),
-    "mask": (None, "whether the element belongs to the relief"),
-    "contact": (None, "whether the element carries pressure"),
-}
-"""Unit and meaning of each field of a step."""
-
-
-class Step:
+class Step(StepNumbers):
     """A loading step. Numbers are in SI units or the case's own, fields are N × N arrays, first index along x."""
 
     def __init__(
@@ -52,58 +41,6 @@ class Step:
         return self._summary
 
     @property
-    def force(self) -> float:
-        """Force Q, N."""
-        return number(self._summary["force"])
-
-    @property
-    def penetration(self) -> float:
-        """Penetration D, m."""
-        return number(self._summary["penetration"])
-
-    @property
-    def max_pressure(self) -> float:
-        """Largest pressure, Pa."""
-        return number(self._summary["max_pressure"])
-
-    @property
-    def max_pressure_at(self) -> tuple[float, float]:
-        """Centre of the element with the largest pressure, m."""
-        x, y = self._summary["max_pressure_at"]
-        return number(x), number(y)
-
-    @property
-    def mean_pressure(self) -> float:
-        """Force over contact area, Pa; never above the largest pressure."""
-        return number(self._summary["mean_pressure"])
-
-    @property
-    def nominal_pressure(self) -> float | None:
-        """Force over a periodic cell, or over the nominal area of a measured surface, Pa; None for others."""
-        nominal = self._summary.get("nominal_pressure")
-        return None if nominal is None else number(nominal)
-
-    @property
-    def contact_area(self) -> float:
-        """Contact area, m²."""
-        return number(self._summary["contact_area"])
-
-    @property
-    def contact_area_on_relief(self) -> float:
-        """Contact area on the tops of the relief, m²."""
-        return number(self._summary["contact_area_on_relief"])
-
-    @property
-    def contact_area_between(self) -> float:
-        """Contact area between the tops of the relief, m²."""
-        return number(self._summary["contact_area_between"])
-
-    @property
-    def contact_elements(self) -> int:
-        """Elements in contact."""
-        return int(self._summary["contact_elements"])
-
-    @property
     def area_at_limit(self) -> float:
         """Area of the elements at the hardness, m²; 0 without a hardness."""
         return number(self._summary.get("area_at_limit", 0.0))
@@ -112,17 +49,6 @@ class Step:
     def fraction_at_limit(self) -> float:
         """Area of the elements at the hardness over the contact area."""
         return number(self._summary.get("fraction_at_limit", 0.0))
-
-    @property
-    def contact_radius(self) -> float:
-        """Distance of the farthest element in contact from the axis, m."""
-        return number(self._summary["contact_radius"])
-
-    @property
-    def contact_stiffness(self) -> float | None:
-        """Contact stiffness dQ/dD, N/m; None without contact."""
-        stiffness: float | None = self._summary["contact_stiffness"]
-        return stiffness
 
     @property
     def rough_contact(self) -> Mapping[str, Any] | None:
@@ -251,7 +177,9 @@ class Step:
         def attributes(unit: str | None, meaning: str) -> dict[str, str]:
             return {"long_name": meaning} | ({} if unit is None else {"units": unit if self.is_si else "case units"})
 
-        fields = {name: (("x", "y"), getattr(self, name), attributes(*about)) for name, about in FIELDS.items()}
+        has_hardness = self._summary.get("area_at_limit") is not None
+        given = {name: about for name, about in FIELDS.items() if has_hardness or name != "plastic_depth"}
+        fields = {name: (("x", "y"), getattr(self, name), attributes(*about)) for name, about in given.items()}
         axes = {axis: (axis, self.x, attributes("m", f"{axis} of the element's centre")) for axis in ("x", "y")}
         values = {"force": self.force, "penetration": self.penetration, "status": self.status}
         return xarray.Dataset(fields, axes, values)

@@ -17,17 +17,17 @@ use crate::terminal;
 pub fn init(arguments: &InitArguments) -> Result<Outcome, Failure> {
     match &arguments.out {
         Some(path) => write(path, arguments.kind, arguments.force)?,
-        None => terminal::print(arguments.kind.text())?,
+        None => terminal::print(&arguments.kind.text())?,
     }
     Ok(Outcome::Done)
 }
 
 fn write(path: &Path, kind: Template, force: bool) -> Result<(), Failure> {
-    let text = kind.text().as_bytes();
+    let text = kind.text();
     if force {
-        file::write_bytes(path, text)?;
+        file::write_bytes(path, text.as_bytes())?;
     } else {
-        file::write_new(path, text)?;
+        file::write_new(path, text.as_bytes())?;
     }
     let path = path.display().to_string();
     let next = kind.next(&path);

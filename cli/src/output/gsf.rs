@@ -9,9 +9,9 @@ use std::path::Path;
 
 use pellicle::input::units::Units;
 
-use super::fields::Fields;
 use super::file::write_stoppable;
 use crate::failure::Failure;
+use pellicle::result::fields::Fields;
 
 /// Name of the file of a step in a results folder.
 #[must_use]

@@ -15,9 +15,9 @@ use std::path::Path;
 use pellicle::summary::RunSummary;
 
 use self::header::{Attribute, Header, Kind, Variable};
-use super::fields::{Fields, TruthField};
 use super::file::write_stoppable;
 use crate::failure::Failure;
+use pellicle::result::fields::{Fields, TRUTHS};
 
 /// Name of the file of a step in a results folder.
 #[must_use]
@@ -76,26 +76,27 @@ fn variables<'a>(fields: &Fields<'a>, summary: &RunSummary) -> Vec<FilledVariabl
         values: VariableValues::Centres(dimension),
     };
     let mut variables = vec![coordinate("x", 0), coordinate("y", 1)];
-    variables.extend(fields.numbers().into_iter().map(|field| FilledVariable {
+    variables.extend(fields.numbers().map(|(field, values)| FilledVariable {
         name: field.name,
         attributes: described(field.unit, field.meaning),
-        values: VariableValues::Numbers(field.values),
+        values: VariableValues::Numbers(values),
     }));
-    let [mask, contact] = fields.truths();
-    let contacting_points = TruthField {
-        name: "contacting_points",
-        ..contact.clone()
-    };
+    // The contact under the name that it has there, too.
+    let contacting_points = TRUTHS.iter().filter(|truth| truth.name == "contact");
+    let contacting_points = contacting_points.map(|contact| ("contacting_points", contact));
+    let truths = TRUTHS.iter().map(|truth| (truth.name, truth));
     variables.extend(
-        [contacting_points, mask, contact].map(|truth| FilledVariable {
-            name: truth.name,
-            // xarray recognises a truth value, for which the format has no type, by this attribute.
-            attributes: vec![
-                Attribute::Text("dtype", "bool".into()),
-                Attribute::Text("long_name", truth.meaning.to_owned()),
-            ],
-            values: VariableValues::Truths(truth.values),
-        }),
+        contacting_points
+            .chain(truths)
+            .map(|(name, truth)| FilledVariable {
+                name,
+                // xarray recognises a truth value, for which the format has no type, by this attribute.
+                attributes: vec![
+                    Attribute::Text("dtype", "bool".into()),
+                    Attribute::Text("long_name", truth.meaning.to_owned()),
+                ],
+                values: VariableValues::Truths(truth.of(fields)),
+            }),
     );
     variables
 }

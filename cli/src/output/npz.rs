@@ -4,15 +4,15 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use ndarray::{Array1, Array2, ArrayView2, ShapeError};
+use ndarray::{Array1, Array2, ArrayView2, Ix2, OwnedRepr, ShapeError};
 use ndarray_npy::{NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
 use pellicle::map::npy_header::NpyHeader;
 use zip::ZipArchive;
 
-use super::fields::Fields;
 use super::file::write_stoppable;
 use super::npz_archive::NpzArchive;
 use crate::failure::Failure;
+use pellicle::result::fields::{Fields, NUMBERS, NumberField, TRUTHS};
 
 /// Largest size of an array, bytes: 16,384² numbers, the largest grid of a case, and a header.
 const MAX_ARRAY_BYTES: u64 = (8 << 28) + (1 << 16);
@@ -39,11 +39,11 @@ fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), Write
     let mut npz = NpzArchive::new(file);
     npz.add("x", &centres)?;
     npz.add("y", &centres)?;
-    for field in fields.numbers() {
-        npz.add(field.name, &square(size, field.values)?)?;
+    for (field, values) in fields.numbers() {
+        npz.add(field.name, &square(size, values)?)?;
     }
-    for truth in fields.truths() {
-        npz.add(truth.name, &square(size, &truth.values)?)?;
+    for truth in TRUTHS {
+        npz.add(truth.name, &square(size, &truth.of(fields))?)?;
     }
     npz.finish()
 }
@@ -86,10 +86,8 @@ pub(super) fn check(path: &Path) -> Result<(), String> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoredFields {
     size: usize,
-    /// Empty without a hardness.
-    plastic_depth: Vec<f64>,
-    /// Pressure, displacement, gap, shortening, profile.
-    numbers: [Vec<f64>; 5],
+    /// In the order of [`NUMBERS`]; empty if the step does not have it.
+    numbers: [Vec<f64>; NUMBERS.len()],
     mask: Vec<bool>,
 }
 
@@ -103,11 +101,12 @@ impl StoredFields {
         check(path).map_err(|reason| Failure::damaged(path, &reason))?;
         let fields = Self::try_read(path).map_err(|cause| Failure::damaged(path, &cause))?;
         let count = fields.size * fields.size;
-        let is_square = |length: usize| length == count;
+        let is_whole = |(field, values): (&NumberField, &Vec<f64>)| {
+            values.len() == count || (field.of_hardness && values.is_empty())
+        };
         if count > 0
-            && is_square(fields.mask.len())
-            && fields.numbers.iter().all(|field| is_square(field.len()))
-            && (fields.plastic_depth.is_empty() || is_square(fields.plastic_depth.len()))
+            && fields.mask.len() == count
+            && NUMBERS.iter().zip(&fields.numbers).all(is_whole)
         {
             return Ok(fields);
         }
@@ -117,20 +116,17 @@ impl StoredFields {
     fn try_read(path: &Path) -> Result<Self, ReadNpzError> {
         let mut npz = NpzReader::new(File::open(path).map_err(ReadNpyError::Io)?)?;
         let mask: Array2<bool> = npz.by_name("mask")?;
-        let mut numbers = |name: &str| -> Result<Vec<f64>, ReadNpzError> {
-            let field: Array2<f64> = npz.by_name(name)?;
-            Ok(field.into_iter().collect())
-        };
+        let mut numbers: [Vec<f64>; NUMBERS.len()] = std::array::from_fn(|_| Vec::new());
+        for (field, values) in NUMBERS.iter().zip(&mut numbers) {
+            match npz.by_name::<OwnedRepr<f64>, Ix2>(field.name) {
+                Ok(read) => *values = read.into_iter().collect(),
+                Err(_) if field.of_hardness => {}
+                Err(error) => return Err(error),
+            }
+        }
         Ok(Self {
             size: mask.nrows(),
-            plastic_depth: numbers("plastic_depth").unwrap_or_default(),
-            numbers: [
-                numbers("pressure")?,
-                numbers("displacement")?,
-                numbers("gap")?,
-                numbers("shortening")?,
-                numbers("profile")?,
-            ],
+            numbers,
             mask: mask.into_iter().collect(),
         })
     }
@@ -138,7 +134,14 @@ impl StoredFields {
     /// The fields, on a domain of this side.
     #[must_use]
     pub fn fields(&self, side: f64) -> Fields<'_> {
-        let [pressure, displacement, gap, shortening, profile] = &self.numbers;
+        let [
+            pressure,
+            displacement,
+            gap,
+            shortening,
+            profile,
+            plastic_depth,
+        ] = &self.numbers;
         Fields {
             side,
             size: self.size,
@@ -146,7 +149,7 @@ impl StoredFields {
             displacement,
             gap,
             shortening,
-            plastic_depth: &self.plastic_depth,
+            plastic_depth,
             profile,
             mask: &self.mask,
         }

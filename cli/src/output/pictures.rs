@@ -13,11 +13,11 @@ use pellicle_plot::stress::extremes::Extremes;
 use pellicle_plot::stress::view::StressView;
 use rayon::prelude::*;
 
-use super::fields::Fields;
 use super::report::surface::SurfaceFigure;
 use super::write_progress::WriteProgress;
 use crate::failure::Failure;
 use crate::picture::{convergence, curve, extremes, histograms, spectrum, subject};
+use pellicle::result::fields::Fields;
 
 /// The pictures of a run as a whole.
 const CURVE: &str = "curve";

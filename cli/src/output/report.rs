@@ -9,6 +9,8 @@ pub mod surface;
 
 use askama::Template;
 use pellicle::display::{Unit, quantity, significant};
+use pellicle::result::quantities::{OF_A_CURVE, of_key};
+use pellicle::result::quantity::Quantity;
 use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_contact::Status;
 
@@ -30,6 +32,8 @@ struct RunPage<'a> {
     element_side: String,
     /// The worst status of a step.
     worst: Status,
+    /// The names of the numbers in the table of the curve.
+    columns: [String; OF_A_CURVE.len()],
     curve: Vec<CurveRow>,
     steps: Vec<StepSection<'a>>,
     /// Sentences on the critical loads, the smallest load first.
@@ -66,6 +70,7 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
         side: metres(summary.grid.side),
         element_side: metres(summary.grid.element_side),
         worst: (summary.steps.iter().map(StepSummary::verdict).max()).unwrap_or_default(),
+        columns: OF_A_CURVE.map(|key| of_key(key).map_or_else(String::new, Quantity::title)),
         curve: summary
             .steps
             .iter()
@@ -83,14 +88,9 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
 }
 
 fn row(summary: &RunSummary, step: &StepSummary) -> CurveRow {
-    let quantity = |value, unit| quantity(value, unit, summary.units);
+    let words = |key| of_key(key).and_then(|of| of.words(step, summary));
     CurveRow {
-        cells: [
-            quantity(step.force, Unit::Newton),
-            quantity(step.penetration, Unit::Metre),
-            quantity(step.summary.max_pressure, Unit::Pascal),
-            quantity(step.summary.contact_area, Unit::SquareMetre),
-        ],
+        cells: OF_A_CURVE.map(|key| words(key).unwrap_or_default()),
         status: step.verdict(),
     }
 }

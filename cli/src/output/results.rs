@@ -14,13 +14,13 @@ use pellicle_contact::LoadingPath;
 use pellicle_plot::sheet::style::Style;
 use rayon::prelude::*;
 
-use super::fields::Fields;
 use super::pictures::{self, StepDrawings};
 use super::report;
 use super::write_progress::{OnProgress, WriteProgress};
 use super::{curve, file, gsf, json, netcdf, npz, stress, vti};
 use crate::failure::Failure;
 use crate::interrupt;
+use pellicle::result::fields::Fields;
 
 /// Largest number of loading steps in the report, at some 100 kB each.
 pub(super) const STEPS_IN_REPORT: usize = 24;

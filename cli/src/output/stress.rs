@@ -22,10 +22,10 @@ pub use self::plane_values::{FIELDS, FieldName};
 use self::plane_values::{PlaneValues, StressFile, StressHead};
 use self::planes::{PlaneUses, block_radius};
 use self::view::{SectionDepths, ViewCollector};
-use super::fields::Fields;
 use super::pictures::{self, StressDrawings};
 use super::write_progress::WriteProgress;
 use crate::failure::Failure;
+use pellicle::result::fields::Fields;
 use pellicle_plot::sheet::style::Style;
 use pellicle_plot::stress::view::{StressView, SurfaceLine};
 

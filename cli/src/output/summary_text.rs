@@ -5,9 +5,10 @@ pub mod stress;
 
 use pellicle::case::grid::BoundaryCase;
 use pellicle::display::{Unit, quantity, significant};
-use pellicle::input::units::Units;
+use pellicle::result::quantities::{OF_A_CURVE, QUANTITIES, of_key};
+use pellicle::result::quantity::Part;
 use pellicle::summary::{RunSummary, StepSummary, WarningSummary};
-use pellicle_contact::{RoughContact, Status};
+use pellicle_contact::Status;
 
 use self::columns::TextColumns;
 
@@ -20,7 +21,7 @@ pub fn text(summary: &RunSummary) -> String {
     let mut text = format!("{}\n{}", summary.title, grid(summary));
     match &summary.steps[..] {
         [step] => text.push_str(&single(step, summary)),
-        steps => text.push_str(&table(steps, summary.units)),
+        _ => text.push_str(&table(summary)),
     }
     text + &stress::critical(summary)
 }
@@ -68,69 +69,17 @@ fn grid(summary: &RunSummary) -> String {
     }
 }
 
-impl TextColumns {
-    fn rough(&mut self, rough: &RoughContact) {
-        let nominal = quantity(rough.nominal_area, Unit::SquareMetre, self.units);
-        let fraction = significant(rough.contact_fraction, 4);
-        self.push("contact fraction", &fraction, &format!("of {nominal}"));
-        let largest = quantity(rough.islands.largest_area, Unit::SquareMetre, self.units);
-        let islands = rough.islands.count.to_string();
-        self.push("islands", &islands, &format!("largest {largest}"));
-        self.quantity("mean gap", rough.mean_gap, Unit::Metre);
-    }
-}
-
 fn single(step: &StepSummary, run: &RunSummary) -> String {
     let mut lines = TextColumns {
         units: run.units,
         element_side: run.grid.element_side,
         text: String::new(),
     };
-    let (numbers, error) = (&step.summary, &step.grid_error);
-    lines.estimated("force Q", step.force, Unit::Newton, error.force);
-    lines.estimated(
-        "penetration D",
-        step.penetration,
-        Unit::Metre,
-        error.penetration,
-    );
-    lines.estimated(
-        "largest pressure",
-        numbers.max_pressure,
-        Unit::Pascal,
-        error.max_pressure,
-    );
-    lines.position("  at x, y", numbers.max_pressure_at);
-    lines.quantity("mean pressure", numbers.mean_pressure, Unit::Pascal);
-    if let Some(nominal) = numbers.nominal_pressure {
-        lines.quantity("nominal pressure", nominal, Unit::Pascal);
+    let told = QUANTITIES.iter().filter(|of| of.part != Part::Solution);
+    for quantity in told {
+        lines.number(quantity, step, run);
     }
-    lines.estimated(
-        "contact area",
-        numbers.contact_area,
-        Unit::SquareMetre,
-        error.contact_area,
-    );
-    if run.has_relief() {
-        lines.quantity(
-            "  on the relief",
-            numbers.contact_area_on_relief,
-            Unit::SquareMetre,
-        );
-        lines.quantity("  between", numbers.contact_area_between, Unit::SquareMetre);
-    }
-    lines.quantity("contact radius", numbers.contact_radius, Unit::Metre);
-    if let (Some(fraction), Some(depth)) = (numbers.fraction_at_limit, numbers.plastic_depth) {
-        let percent = format!("{:.1} % of the contact area", 100.0 * fraction);
-        lines.push("at the hardness", &percent, "");
-        lines.quantity("plastic depth", depth, Unit::Metre);
-    }
-    let stiffness = step.contact_stiffness.unwrap_or(0.0);
-    lines.quantity("contact stiffness", stiffness, Unit::NewtonPerMetre);
     let worst = format!("worst line {:.1e}", step.certificate.worst);
-    if let Some(rough) = &step.rough_contact {
-        lines.rough(rough);
-    }
     lines.push("certificate", &certificate(step), &worst);
     lines.push("work", &work(step), "");
     if let Some(stress) = &step.stress {
@@ -154,26 +103,17 @@ fn work(step: &StepSummary) -> String {
     format!("{products} products with K, {} s", significant(seconds, 3))
 }
 
-fn table(steps: &[StepSummary], units: Units) -> String {
-    const HEAD: [&str; 6] = [
-        "step",
-        "force",
-        "penetration",
-        "largest p",
-        "contact area",
-        "certificate",
-    ];
-    let of = |value, unit| quantity(value, unit, units);
-    let mut text = row(HEAD.map(str::to_owned));
-    for (i, step) in steps.iter().enumerate() {
-        text.push_str(&row([
-            i.to_string(),
-            of(step.force, Unit::Newton),
-            of(step.penetration, Unit::Metre),
-            of(step.summary.max_pressure, Unit::Pascal),
-            of(step.summary.contact_area, Unit::SquareMetre),
-            certificate(step),
-        ]));
+fn table(run: &RunSummary) -> String {
+    let quantities = OF_A_CURVE.map(of_key);
+    let cells = |name: String, of: [String; 4], last: String| {
+        let [force, penetration, pressure, area] = of;
+        row([name, force, penetration, pressure, area, last])
+    };
+    let names = quantities.map(|of| of.map_or_else(String::new, |of| of.name.to_owned()));
+    let mut text = cells("step".into(), names, "certificate".into());
+    for (i, step) in run.steps.iter().enumerate() {
+        let words = quantities.map(|of| of.and_then(|of| of.words(step, run)).unwrap_or_default());
+        text.push_str(&cells(i.to_string(), words, certificate(step)));
     }
     text
 }

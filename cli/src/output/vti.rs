@@ -9,9 +9,9 @@ use std::path::Path;
 
 use pellicle::input::units::Units;
 
-use super::fields::Fields;
 use super::file::write_stoppable;
 use crate::failure::Failure;
+use pellicle::result::fields::{Fields, TRUTHS};
 
 /// Size in bytes of the length of an array, which precedes its values.
 pub const LENGTH: usize = size_of::<u64>();
@@ -30,11 +30,11 @@ pub fn file(step: usize) -> String {
 pub fn write(path: &Path, fields: &Fields<'_>, units: Units) -> Result<(), Failure> {
     write_stoppable(path, |file| {
         file.write_all(head(fields, units).as_bytes())?;
-        for field in fields.numbers() {
-            write_numbers(file, fields, field.values)?;
+        for (_, values) in fields.numbers() {
+            write_numbers(file, fields, values)?;
         }
-        for truth in fields.truths() {
-            write_truths(file, fields.size, &truth.values)?;
+        for truth in TRUTHS {
+            write_truths(file, fields.size, &truth.of(fields))?;
         }
         file.write_all(b"\n  </AppendedData>\n</VTKFile>\n")
     })
@@ -45,15 +45,15 @@ fn head(fields: &Fields<'_>, units: Units) -> String {
     let size = fields.size;
     let extent = format!("0 {size} 0 {size} 0 0");
     let (low, side) = (fields.edge(0), fields.element_side());
-    let arrays = fields.numbers();
+    let arrays: Vec<_> = fields.numbers().collect();
     let each = LENGTH + size_of::<f32>() * size * size;
     let numbers = arrays.iter().enumerate();
     let numbers: String = numbers
-        .map(|(i, field)| number_array(field.name, units.name(field.unit), i * each))
+        .map(|(i, (field, _))| number_array(field.name, units.name(field.unit), i * each))
         .collect();
     let first = arrays.len() * each;
     let length = LENGTH + size * size;
-    let truths = fields.truths().into_iter().enumerate();
+    let truths = TRUTHS.iter().enumerate();
     let truths: String = truths
         .map(|(i, truth)| byte_array(truth.name, first + i * length))
         .collect();

@@ -6,7 +6,7 @@ use pellicle_plot::sheet::style::Style;
 use pellicle_plot::step::subject::Subject;
 
 use super::accuracy;
-use crate::output::fields::Fields;
+use pellicle::result::fields::Fields;
 
 /// A step of a run with its fields.
 #[must_use]
@@ -30,7 +30,7 @@ pub fn of_step<'a>(
         accuracy: accuracy::of_step(fields.size, step),
         units: run.units,
         relief_height: run.relief_height(),
-        fields: fields.plotted(),
+        fields: *fields,
         style,
     }
 }

@@ -9,6 +9,7 @@ use std::io;
 use pellicle::case::Case;
 use pellicle::case::output::Steps;
 use pellicle::input::units::Units;
+use pellicle::result::fields::NUMBERS;
 use serde::{Deserialize, Serialize};
 
 use super::case_counts::CaseCounts;
@@ -17,7 +18,6 @@ use super::numbering::CaseNumbering;
 use super::shard::Shard;
 use super::{KeptField, Study};
 use crate::failure::Failure;
-use crate::output::fields::Fields;
 use crate::output::netcdf::header::{Attribute, Header, Kind, RECORDS, Variable};
 
 /// Most bytes of a variable in one case: the format has 32 bits for its size.
@@ -159,9 +159,8 @@ impl KeptLayout {
                 "side of the square domain",
             ),
         ];
-        let known = Fields::EMPTY.numbers();
         for field in &self.fields {
-            let field = known[*field as usize];
+            let field = &NUMBERS[*field as usize];
             let unit = self.units.name(field.unit);
             let over = over.clone();
             variables.push(variable(

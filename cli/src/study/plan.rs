@@ -8,7 +8,7 @@ use super::fingerprint;
 use super::identity::StudyIdentity;
 use super::kept_layout::KeptLayout;
 use super::shard::Shard;
-use super::table_columns::{FurtherColumns, TableColumns};
+use super::table_columns::{ResultColumns, TableColumns};
 use super::varied_key::VariedKey;
 use crate::failure::Failure;
 
@@ -49,15 +49,15 @@ impl StudyPlan {
         let (reference, valid) = first_valid(study)?;
         let units = valid.units;
         let mut refused = RefusedCases::default();
-        let mut further = FurtherColumns::default();
+        let mut results = ResultColumns::default();
         for case in cases_to_try(study, reference) {
             refused.tried += 1;
             match study.case(case) {
-                Ok(case) => further.add(&case),
+                Ok(case) => results.add(&case),
                 Err(diagnosis) => refused.add(case, diagnosis),
             }
         }
-        let columns = TableColumns::new(study, units, further);
+        let columns = TableColumns::new(study, units, results);
         let fingerprint = fingerprint::of(study, (reference, &valid), &columns.header())?;
         let mut identity = StudyIdentity::new(study, fingerprint, columns.header(), shard);
         identity.kept = KeptLayout::new(study, &valid, &identity.rows)?;

@@ -1,7 +1,7 @@
 //! The columns of a study's table: case, status, the varied keys, and those of a curve.
 //!
-//! They are the same for all cases. Columns of a hardness, of stresses and of rough contact are present if any of the
-//! cases tried before the study begins has them; they are empty in the rows of the other cases.
+//! They are the same for all cases. Columns that not every case has, as those of a hardness, of stresses and of rough
+//! contact, are present if any of the cases tried before the study begins has them, and empty in the rows of the others.
 
 use pellicle::case::Case;
 use pellicle::input::units::Units;
@@ -10,8 +10,7 @@ use pellicle_contact::CriticalLoad;
 
 use super::Study;
 use super::case_status::CaseStatus;
-use crate::output::curve;
-use crate::output::curve::columns::{CurveColumn, OF_HARDNESS, OF_ROUGH_CONTACT, cells, names};
+use crate::output::curve::numbers::NumberColumns;
 use crate::output::curve::stress::StressColumns;
 use crate::output::text_cell::made_plain;
 
@@ -19,47 +18,48 @@ use crate::output::text_cell::made_plain;
 #[derive(Debug, Clone)]
 pub struct TableColumns {
     names: Vec<String>,
-    /// Number of columns of a curve, including those that not every case has.
-    curve: usize,
-    further: FurtherColumns,
+    /// Number of columns of results.
+    of_results: usize,
+    results: ResultColumns,
 }
 
-/// The columns that not every case has.
-#[derive(Debug, Clone, Default)]
-pub struct FurtherColumns {
-    hardness: &'static [CurveColumn],
+/// The columns of the results.
+#[derive(Debug, Clone)]
+pub struct ResultColumns {
+    numbers: NumberColumns,
     stress: StressColumns,
-    rough: &'static [CurveColumn],
 }
 
-impl FurtherColumns {
+impl Default for ResultColumns {
+    fn default() -> Self {
+        Self {
+            numbers: NumberColumns::of_every_case(),
+            stress: StressColumns::default(),
+        }
+    }
+}
+
+impl ResultColumns {
     /// Adds the columns of a case that are not there yet.
     pub fn add(&mut self, case: &Case) {
-        if case.hardness().is_some() {
-            self.hardness = OF_HARDNESS;
-        }
+        self.numbers.add(case);
         self.stress.add(case);
-        if case.surface.map().is_some() || case.indenter.map().is_some() {
-            self.rough = OF_ROUGH_CONTACT;
-        }
     }
 
     fn header(&self, units: Units) -> Vec<String> {
-        let (hardness, rough) = (names(self.hardness, units), names(self.rough, units));
-        [hardness, self.stress.header(units), rough].concat()
+        [self.numbers.header(units), self.stress.header(units)].concat()
     }
 
-    fn row(&self, step: &StepSummary, critical: &[CriticalLoad]) -> Vec<String> {
-        let (hardness, rough) = (cells(self.hardness, step), cells(self.rough, step));
-        [hardness, self.stress.row(step, critical), rough].concat()
+    fn row(&self, i: usize, step: &StepSummary, critical: &[CriticalLoad]) -> Vec<String> {
+        [self.numbers.row(i, step), self.stress.row(step, critical)].concat()
     }
 }
 
 impl TableColumns {
-    /// Returns the columns of a study whose cases have these units and further columns.
+    /// Returns the columns of a study whose cases have these units and results.
     #[must_use]
-    pub fn new(study: &Study, units: Units, further: FurtherColumns) -> Self {
-        let curve = [curve::header(units), further.header(units)].concat();
+    pub fn new(study: &Study, units: Units, results: ResultColumns) -> Self {
+        let of_results = results.header(units);
         let keys = study
             .varied_keys()
             .iter()
@@ -71,11 +71,11 @@ impl TableColumns {
             names: first
                 .into_iter()
                 .chain(keys)
-                .chain(curve.iter().cloned())
+                .chain(of_results.iter().cloned())
                 .chain(last)
                 .collect(),
-            curve: curve.len(),
-            further,
+            of_results: of_results.len(),
+            results,
         }
     }
 
@@ -98,8 +98,8 @@ impl TableColumns {
         let last = [side, codes.join(" "), String::new()];
         let critical = summary.critical.as_deref().unwrap_or_default();
         let row = |(i, step)| {
-            let (curve, further) = (curve::row(i, step), self.further.row(step, critical));
-            let cells = [&first[..], &curve, &further, &last];
+            let results = self.results.row(i, step, critical);
+            let cells = [&first[..], &results, &last];
             line(&cells.concat())
         };
         summary.steps.iter().enumerate().map(row).collect()
@@ -108,7 +108,7 @@ impl TableColumns {
     /// Returns the one row of a case without a result.
     #[must_use]
     pub fn failed(&self, study: &Study, case: usize, message: &str) -> String {
-        let empty = vec![String::new(); self.curve + 2];
+        let empty = vec![String::new(); self.of_results + 2];
         // A row is one line: a message with line ends would be cut when it is read back.
         let message = message.split_whitespace().collect::<Vec<_>>().join(" ");
         let message = made_plain(&message);

@@ -150,7 +150,7 @@ fn the_curve_has_units_in_its_header_and_one_row_per_step() {
     let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();
     let lines: Vec<_> = curve.lines().collect();
     assert!(
-        lines[0].starts_with("step,force [N],penetration [m],max pressure [Pa]"),
+        lines[0].starts_with("step,force [N],force error [N],force resolved,penetration [m],"),
         "{curve}"
     );
     assert_eq!(lines.len(), 4);

@@ -263,8 +263,7 @@ fn every_summary_conforms_to_its_schema() {
             "load.sensitivities=true",
         ],
     ];
-    let schema = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/summary.schema.json");
-    let mut arguments = vec![schema];
+    let mut arguments = vec![schema(&folder, "summary-schema")];
     for (i, run) in runs.iter().enumerate() {
         let ran = folder.run(&[&["run", "--json"], &run[..]].concat());
         assert_ne!(ran.stdout, "", "{run:?}: {}", ran.stderr);
@@ -272,6 +271,13 @@ fn every_summary_conforms_to_its_schema() {
         fs::write(arguments.last().unwrap(), ran.stdout).unwrap();
     }
     read_back("schema.py", &arguments);
+}
+
+/// Writes a schema into the folder.
+fn schema(folder: &TestFolder, kind: &str) -> PathBuf {
+    let ran = folder.run(&["init", kind, "--out", "schema.json"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    folder.path("schema.json")
 }
 
 /// Mistakes that an editor can see, each with a table that replaces one of [`CASE`].
@@ -319,10 +325,7 @@ fn editors_accept_every_case_and_template_and_see_mistakes() {
         fs::write(&path, case.to_string()).unwrap();
         wrong.push(path);
     }
-    let mut arguments = vec![
-        root.join("docs/case.schema.json"),
-        right.len().to_string().into(),
-    ];
+    let mut arguments = vec![schema(&folder, "schema"), right.len().to_string().into()];
     arguments.extend(right);
     arguments.extend(wrong);
     read_back("case_schema.py", &arguments);

@@ -101,7 +101,7 @@ fn a_failed_case_is_recorded_and_does_not_stop_the_others() {
     let table = table(&folder, "results.csv");
     let lines: Vec<_> = table.lines().collect();
     assert!(lines[0].starts_with(
-        "case,status,load.force [N],surface.radius [m],step,force [N],penetration [m]"
+        "case,status,load.force [N],surface.radius [m],step,force [N],force error [N],"
     ));
     assert_eq!(lines.len(), 1 + CASES);
     let first = lines[1].strip_prefix("1,certified,5e-7,1e-8,0,");

@@ -1,15 +1,15 @@
-"""Checks every given summary against the schema of docs/, and that the schema rejects a summary with a mistake."""
+"""Checks every given summary against the schema, and that the schema rejects a summary with a mistake."""
 
 import copy
 import json
 import sys
 from pathlib import Path
 
-from jsonschema import Draft202012Validator
+from jsonschema import Draft7Validator
 
 schema = json.loads(Path(sys.argv[1]).read_text())
-Draft202012Validator.check_schema(schema)
-validator = Draft202012Validator(schema)
+Draft7Validator.check_schema(schema)
+validator = Draft7Validator(schema)
 for path in sys.argv[2:]:
     summary = json.loads(Path(path).read_text())
     for error in validator.iter_errors(summary):

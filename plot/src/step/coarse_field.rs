@@ -1,7 +1,7 @@
 //! The part of a field that a picture shows, coarsened to its resolution.
 
 use crate::step::crop::Crop;
-use crate::step::fields::Fields;
+use pellicle::result::fields::Fields;
 
 /// Pressure and relief within a crop, on cells that are blocks of elements if the field is finer than the picture.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,9 +7,9 @@ use crate::sheet::colours;
 use crate::sheet::raster::Raster;
 use crate::sheet::svg::Stroke;
 use crate::step::crop::Crop;
-use crate::step::fields::Fields;
 use crate::step::pressure_map;
 use crate::step::subject::Subject;
+use pellicle::result::fields::Fields;
 
 /// A field of lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use crate::sheet::colour_map::ColourScale;
 use crate::sheet::heading;
 use crate::sheet::style::{Heading, Style};
 use crate::sheet::svg::Svg;
-use crate::step::fields::Fields;
+use pellicle::result::fields::Fields;
 
 /// One loading step: its fields, and what the heading says of it.
 #[derive(Debug, Clone)]

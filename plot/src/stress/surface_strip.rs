@@ -2,8 +2,8 @@
 
 use crate::sheet::colours::{self, Colour};
 use crate::sheet::svg::{Rect, Svg};
-use crate::step::fields::Fields;
 use crate::stress::view::StressSection;
+use pellicle::result::fields::Fields;
 
 /// Heights of the relief and of the bar, in pixels.
 pub const ON_SURFACE: f64 = 22.0;

@@ -275,7 +275,7 @@ fn templates() -> Vec<Benchmark> {
     all.map(|template| {
         let source = Arc::new(Source::new(
             format!("{template:?}"),
-            template.text().to_owned(),
+            template.text().into_owned(),
         ));
         let case = Case::parse(&source, "", Path::new(""), &[]).expect("a case");
         let model = case.model(&Cache::none()).expect("tables").value;

@@ -4,11 +4,11 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use pellicle::result::fields::Fields;
 use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_cli::drawing::{accuracy, subject};
 use pellicle_cli::results::{StoredFields, fields_file, read_summary};
 use pellicle_plot::sheet::style::Style;
-use pellicle_plot::step::fields::Fields;
 use pellicle_plot::step::subject::Subject;
 
 use crate::XtaskError;
@@ -136,7 +136,7 @@ fn name(case: &str) -> &str {
 impl SolvedStep {
     /// Its fields, N × N values each, first index along x.
     pub(super) fn fields(&self) -> Fields<'_> {
-        self.stored.fields(self.run.grid.side).plotted()
+        self.stored.fields(self.run.grid.side)
     }
 
     /// A note on its data: grid, certificate, grid error.

@@ -5,7 +5,7 @@ use pellicle::input::dimension::Dimension;
 use pellicle::input::units::Units;
 use pellicle::summary::{RunSummary, StepSummary};
 
-use super::columns::number;
+use pellicle::result::quantity::cell;
 
 /// The parameters of the case whose derivatives are columns.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -45,7 +45,6 @@ impl SensitivityColumns {
     /// The values of a step; cells without a value are empty.
     #[must_use]
     pub fn row(&self, step: &StepSummary) -> Vec<String> {
-        let cell = |value: Option<f64>| value.map_or_else(String::new, number);
         let of_key = |key: &String| {
             let mut found = step.sensitivities.iter().flatten();
             let found = found.find(|of| of.parameter == *key);

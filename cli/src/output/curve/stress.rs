@@ -2,12 +2,10 @@
 
 use pellicle::case::Case;
 use pellicle::input::units::Units;
+use pellicle::result::extremes::{OF_BODIES, OF_INTERFACES};
+use pellicle::result::quantity::cell;
 use pellicle::summary::{RunSummary, StepSummary};
-use pellicle_contact::{
-    BodyStress, Criterion, CriticalLoad, CriticalStatus, Extreme, InterfaceStress, StressQuantity,
-};
-
-use super::columns::optional;
+use pellicle_contact::{Criterion, CriticalLoad, CriticalStatus, Extreme, StressQuantity};
 
 /// The stresses in the columns of a table.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -47,11 +45,7 @@ impl Estimated {
             return <[String; 3]>::default();
         };
         let error = found.estimate.filter(|_| found.resolved);
-        [
-            optional(found.value),
-            optional(error),
-            found.resolved.to_string(),
-        ]
+        [cell(found.value), cell(error), found.resolved.to_string()]
     }
 }
 
@@ -75,49 +69,6 @@ impl From<&CriticalLoad> for Estimated {
     }
 }
 
-/// The name of a number, its quantity and its value for a body.
-type BodyColumn = (
-    &'static str,
-    StressQuantity,
-    fn(&BodyStress) -> Option<Extreme<3>>,
-);
-
-const OF_BODIES: [BodyColumn; 4] = [
-    ("max von Mises", StressQuantity::VonMises, |body| {
-        body.max_von_mises
-    }),
-    ("max principal", StressQuantity::MaxPrincipal, |body| {
-        body.max_principal
-    }),
-    ("min principal", StressQuantity::MinPrincipal, |body| {
-        body.min_principal
-    }),
-    ("max shear", StressQuantity::MaxShear, |body| body.max_shear),
-];
-
-/// The name of a number, its quantity and its value for an interface.
-type InterfaceColumn = (
-    &'static str,
-    StressQuantity,
-    fn(&InterfaceStress) -> Option<Extreme<2>>,
-);
-
-const OF_INTERFACES: [InterfaceColumn; 3] = [
-    (
-        "max shear traction",
-        StressQuantity::ShearTraction,
-        |interface| interface.max_shear_traction,
-    ),
-    ("max tension", StressQuantity::Tension, |interface| {
-        interface.max_tension
-    }),
-    (
-        "max compression",
-        StressQuantity::Compression,
-        |interface| interface.max_compression,
-    ),
-];
-
 impl StressColumns {
     /// The columns of a summary.
     #[must_use]
@@ -127,16 +78,16 @@ impl StressColumns {
             return Self::default();
         };
         let interfaces = stress.extremes.interfaces.iter();
-        let of_bodies = OF_BODIES.iter().filter_map(|(_, quantity, extreme)| {
-            let mut bodies = stress.extremes.bodies.iter();
-            bodies
-                .any(|body| extreme(body).is_some())
-                .then_some(*quantity)
+        let extremes = &stress.extremes;
+        let of_bodies = OF_BODIES.iter().filter_map(|of| {
+            let mut bodies = extremes.bodies.iter();
+            let has_it = bodies.any(|body| (of.value)(body).is_some());
+            has_it.then_some(of.quantity)
         });
-        let of_interfaces = OF_INTERFACES.iter().filter_map(|(_, quantity, extreme)| {
-            let mut interfaces = stress.extremes.interfaces.iter();
-            let has_it = interfaces.any(|interface| extreme(interface).is_some());
-            has_it.then_some(*quantity)
+        let of_interfaces = OF_INTERFACES.iter().filter_map(|of| {
+            let mut interfaces = extremes.interfaces.iter();
+            let has_it = interfaces.any(|interface| (of.value)(interface).is_some());
+            has_it.then_some(of.quantity)
         });
         Self {
             quantities: of_bodies.chain(of_interfaces).collect(),
@@ -180,18 +131,8 @@ impl StressColumns {
         }
     }
 
-    /// The columns of the wanted quantities of a body.
-    fn of_bodies(&self) -> impl Iterator<Item = &'static BodyColumn> {
-        OF_BODIES
-            .iter()
-            .filter(|(_, quantity, _)| self.quantities.contains(quantity))
-    }
-
-    /// The columns of the wanted quantities of an interface.
-    fn of_interfaces(&self) -> impl Iterator<Item = &'static InterfaceColumn> {
-        OF_INTERFACES
-            .iter()
-            .filter(|(_, quantity, _)| self.quantities.contains(quantity))
+    fn wants(&self, quantity: StressQuantity) -> bool {
+        self.quantities.contains(&quantity)
     }
 
     /// Names of the columns, with units: those of a step, then the critical loads.
@@ -199,14 +140,13 @@ impl StressColumns {
     pub fn header(&self, units: Units) -> Vec<String> {
         let (pascal, newton) = (units.name("Pa"), units.name("N"));
         let of_bodies = self.bodies.iter().flat_map(|body| {
-            let names = self.of_bodies();
-            let names = names.map(move |(name, ..)| format!("{name} {body}"));
-            names.map(|name| Estimated::header(&name, pascal))
+            let wanted = OF_BODIES.iter().filter(|of| self.wants(of.quantity));
+            wanted.map(move |of| Estimated::header(&format!("{} {body}", of.name), pascal))
         });
         let of_interfaces = self.interfaces.iter().flat_map(|index| {
-            let names = self.of_interfaces();
-            let names = names.map(move |(name, ..)| format!("{name} interface[{index}]"));
-            names.map(|name| Estimated::header(&name, pascal))
+            let wanted = OF_INTERFACES.iter().filter(|of| self.wants(of.quantity));
+            let name = move |name| format!("{name} interface[{index}]");
+            wanted.map(move |of| Estimated::header(&name(of.name), pascal))
         });
         let critical = self.critical.iter().flat_map(|(name, criterion)| {
             let name = format!("critical force {} {name}", word(*criterion));
@@ -226,14 +166,15 @@ impl StressColumns {
         let of_bodies = self.bodies.iter().flat_map(|name| {
             let body =
                 extremes.and_then(|found| found.bodies.iter().find(|body| body.name == *name));
-            let found = self.of_bodies().map(move |(.., extreme)| extreme(body?));
+            let wanted = OF_BODIES.iter().filter(|of| self.wants(of.quantity));
+            let found = wanted.map(move |of| (of.value)(body?));
             found.map(|extreme| Estimated::cells(extreme.map(Estimated::from)))
         });
         let of_interfaces = self.interfaces.iter().flat_map(|index| {
             let mut interfaces = extremes.into_iter().flat_map(|found| &found.interfaces);
             let interface = interfaces.find(|interface| interface.index == *index);
-            let found = self.of_interfaces();
-            let found = found.map(move |(.., extreme)| extreme(interface?));
+            let wanted = OF_INTERFACES.iter().filter(|of| self.wants(of.quantity));
+            let found = wanted.map(move |of| (of.value)(interface?));
             found.map(|extreme| Estimated::cells(extreme.map(Estimated::from)))
         });
         let critical = self.critical.iter().flat_map(|(name, criterion)| {

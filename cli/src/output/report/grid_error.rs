@@ -23,6 +23,10 @@ impl GridErrorNote {
         let Some(error) = error else {
             return Self::OneGrid;
         };
+        // A prescribed number.
+        if error.estimate == 0.0 {
+            return Self::NotEstimated;
+        }
         if !error.resolved {
             return Self::NotResolved;
         }

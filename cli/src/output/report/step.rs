@@ -1,6 +1,8 @@
 //! One loading step in the report: its numbers with their errors, and its certificate.
 
-use pellicle::display::{Unit, position, quantity, significant};
+use pellicle::display::{Unit, quantity, significant};
+use pellicle::result::quantities::QUANTITIES;
+use pellicle::result::quantity::{Measure, Part, Value};
 use pellicle::summary::{CertificateSummary, RunSummary, StepSummary};
 
 use super::grid_error::GridErrorNote;
@@ -24,7 +26,7 @@ pub struct StepSection<'a> {
 
 /// A number of a step.
 pub struct NumberRow {
-    pub name: &'static str,
+    pub name: String,
     pub value: String,
     pub error: GridErrorNote,
 }
@@ -60,88 +62,21 @@ impl<'a> StepSection<'a> {
 }
 
 fn rows(summary: &RunSummary, step: &StepSummary) -> Vec<NumberRow> {
-    let units = summary.units;
-    let (numbers, errors) = (&step.summary, &step.grid_error);
-    let plain = |name, value| NumberRow {
-        name,
-        value,
-        error: GridErrorNote::NotEstimated,
-    };
-    let number = |name, value, unit| plain(name, quantity(value, unit, units));
-    let estimated = |name, value, unit, error| NumberRow {
-        error: GridErrorNote::new(value, unit, error, units),
-        ..number(name, value, unit)
-    };
-    let element_side = summary.grid.element_side;
-    let at = position(numbers.max_pressure_at, element_side, units);
-    let stiffness = step.contact_stiffness.unwrap_or(0.0);
-    let mut rows = vec![
-        number("force Q", step.force, Unit::Newton),
-        estimated(
-            "penetration D",
-            step.penetration,
-            Unit::Metre,
-            errors.penetration,
-        ),
-        estimated(
-            "largest pressure",
-            numbers.max_pressure,
-            Unit::Pascal,
-            errors.max_pressure,
-        ),
-        plain("at x, y", at),
-        number("mean pressure", numbers.mean_pressure, Unit::Pascal),
-        estimated(
-            "contact area",
-            numbers.contact_area,
-            Unit::SquareMetre,
-            errors.contact_area,
-        ),
-        number("contact radius", numbers.contact_radius, Unit::Metre),
-        number("contact stiffness", stiffness, Unit::NewtonPerMetre),
-        plain("elements in contact", numbers.contact_elements.to_string()),
-    ];
-    if let (Some(fraction), Some(depth)) = (numbers.fraction_at_limit, numbers.plastic_depth) {
-        rows.push(plain("fraction at the hardness", significant(fraction, 4)));
-        rows.push(number("plastic depth", depth, Unit::Metre));
-    }
-    if let Some(nominal) = numbers.nominal_pressure {
-        rows.push(number("nominal pressure", nominal, Unit::Pascal));
-    }
-    if summary.has_relief() {
-        let (on, between) = (numbers.contact_area_on_relief, numbers.contact_area_between);
-        rows.push(number("contact area on the relief", on, Unit::SquareMetre));
-        rows.push(number(
-            "contact area beside the relief",
-            between,
-            Unit::SquareMetre,
-        ));
-    }
-    if let Some(rough) = &step.rough_contact {
-        let islands = rough.islands.count.to_string();
-        rows.extend([
-            number("nominal area", rough.nominal_area, Unit::SquareMetre),
-            plain("contact fraction", significant(rough.contact_fraction, 4)),
-            number(
-                "contact area by counting elements",
-                rough.counted_area,
-                Unit::SquareMetre,
-            ),
-            number(
-                "… with perimeter correction",
-                rough.corrected_area,
-                Unit::SquareMetre,
-            ),
-            number("mean gap", rough.mean_gap, Unit::Metre),
-            plain("islands", islands),
-            number(
-                "largest island",
-                rough.islands.largest_area,
-                Unit::SquareMetre,
-            ),
-        ]);
-    }
-    rows
+    let told = QUANTITIES.iter().filter(|of| of.part != Part::Solution);
+    let rows = told.filter_map(|of| {
+        let error = match ((of.value)(step)?, of.measure) {
+            (Value::Number(value), Measure::Of(unit)) if of.error.is_some() => {
+                GridErrorNote::new(value, unit, of.error_in(step), summary.units)
+            }
+            _ => GridErrorNote::NotEstimated,
+        };
+        Some(NumberRow {
+            name: of.title(),
+            value: of.words(step, summary)?,
+            error,
+        })
+    });
+    rows.collect()
 }
 
 impl CertificateText {

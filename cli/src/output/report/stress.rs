@@ -2,6 +2,7 @@
 
 use pellicle::display::{Unit, error_of, position, quantity, significant};
 use pellicle::input::units::Units;
+use pellicle::result::extremes::{Limit, OF_BODIES, OF_INTERFACES};
 use pellicle::summary::{RunSummary, StressSummary};
 use pellicle_contact::{BodyStress, Extreme, InterfaceStress};
 
@@ -61,16 +62,10 @@ struct StressRows {
 impl StressRows {
     /// The rows of the stresses wanted in a body, the first with its name.
     fn of_body(&self, body: &BodyStress) -> Vec<StressRow> {
-        let utilisation = body.utilisation;
-        let yielding = used(utilisation.yielding, "yield");
-        let tension = used(utilisation.tension, "tensile");
-        let none = String::new;
-        let rows = [
-            ("largest von Mises stress", body.max_von_mises, yielding),
-            ("largest principal stress", body.max_principal, tension),
-            ("least principal stress", body.min_principal, none()),
-            ("largest shear", body.max_shear, none()),
-        ];
+        let rows = OF_BODIES.iter().filter_map(|of| {
+            let used = used(of.limit, &body.utilisation);
+            Some((of.name, (of.value)(body)?, used))
+        });
         self.of_place(&body.name, rows)
     }
 
@@ -78,31 +73,18 @@ impl StressRows {
     fn of_interface(&self, interface: &InterfaceStress) -> Vec<StressRow> {
         let depth = quantity(interface.depth, Unit::Metre, self.units);
         let place = format!("interface {}, {depth} deep", interface.index);
-        let utilisation = interface.utilisation;
-        let (shear, tension) = (
-            used(utilisation.shear, "shear"),
-            used(utilisation.tension, "tensile"),
-        );
-        let traction = interface.max_shear_traction;
-        let rows = [
-            ("largest shear traction", traction, shear),
-            ("largest tension", interface.max_tension, tension),
-            (
-                "largest compression",
-                interface.max_compression,
-                String::new(),
-            ),
-        ];
+        let rows = OF_INTERFACES.iter().filter_map(|of| {
+            let used = used(of.limit, &interface.utilisation);
+            Some((of.name, (of.value)(interface)?, used))
+        });
         self.of_place(&place, rows)
     }
 
-    fn of_place<const AXES: usize, const ROWS: usize>(
+    fn of_place<const AXES: usize>(
         &self,
         place: &str,
-        rows: [(&'static str, Option<Extreme<AXES>>, String); ROWS],
+        wanted: impl Iterator<Item = (&'static str, Extreme<AXES>, String)>,
     ) -> Vec<StressRow> {
-        let wanted = rows.into_iter();
-        let wanted = wanted.filter_map(|(name, extreme, used)| Some((name, extreme?, used)));
         let rows = wanted
             .enumerate()
             .map(|(i, (name, extreme, used))| StressRow {
@@ -141,14 +123,17 @@ impl StressRows {
     }
 }
 
-/// `0.34 of the yield strength`
-fn used(ratio: Option<f64>, strength: &str) -> String {
-    let words = |ratio| format!("{} of the {strength} strength", significant(ratio, 3));
-    ratio.map_or_else(String::new, words)
+/// `0.34 of the yield strength`; nothing if no strength limits it, or none is given.
+fn used<U>(limit: Option<Limit<U>>, utilisation: &U) -> String {
+    let used = |limit: Limit<U>| Some((limit.strength, (limit.used)(utilisation)?));
+    let words = |(strength, ratio)| format!("{} of the {strength} strength", significant(ratio, 3));
+    limit.and_then(used).map_or_else(String::new, words)
 }
 
 #[cfg(test)]
 mod tests {
+    use pellicle_contact::BodyUtilisation;
+
     use super::*;
 
     #[test]
@@ -186,7 +171,13 @@ mod tests {
 
     #[test]
     fn a_strength_is_reported_by_its_utilisation() {
-        assert_eq!(used(Some(0.3371), "yield"), "0.337 of the yield strength");
-        assert_eq!(used(None, "yield"), "");
+        let limit = OF_BODIES[0].limit;
+        let given = BodyUtilisation {
+            yielding: Some(0.3371),
+            ..BodyUtilisation::default()
+        };
+        assert_eq!(used(limit, &given), "0.337 of the yield strength");
+        assert_eq!(used(limit, &BodyUtilisation::default()), "");
+        assert_eq!(used(None, &given), "");
     }
 }

@@ -2,8 +2,8 @@
 
 use pellicle::display::{Unit, error_of, position, quantity, settled, significant};
 use pellicle::input::units::Units;
-use pellicle::summary::RunSummary;
-use pellicle::summary::StressSummary;
+use pellicle::result::extremes::{OF_BODIES, OF_INTERFACES};
+use pellicle::summary::{RunSummary, StressSummary};
 use pellicle_contact::{Criterion, CriticalLoad, CriticalStatus, Extreme};
 
 use super::columns::TextColumns;
@@ -12,33 +12,39 @@ impl TextColumns {
     /// Adds the largest stresses in each body and on each interface: of those wanted, the ones that strengths limit.
     pub(super) fn stresses(&mut self, stress: &StressSummary) {
         for body in &stress.extremes.bodies {
-            if body.max_von_mises.is_none() && body.max_principal.is_none() {
-                continue;
-            }
-            self.push(&format!("stress in {}", body.name), "", "");
-            self.extreme("  von Mises", body.max_von_mises);
-            self.used("yield", body.utilisation.yielding);
-            self.extreme("  tension", body.max_principal);
-            self.used("tensile", body.utilisation.tension);
+            let limited = OF_BODIES.iter().filter_map(|of| {
+                let limit = of.limit?;
+                let used = (limit.used)(&body.utilisation);
+                Some((of.name, (of.value)(body)?, limit.strength, used))
+            });
+            self.limited(&format!("stress in {}", body.name), limited);
         }
         for interface in &stress.extremes.interfaces {
-            let tension = interface.max_tension;
-            if interface.max_shear_traction.is_none() && tension.is_none() {
-                continue;
-            }
-            self.push(&format!("stress on interface {}", interface.index), "", "");
-            self.extreme("  shear", interface.max_shear_traction);
-            self.used("shear", interface.utilisation.shear);
-            self.extreme("  tension", tension.filter(|tension| tension.value > 0.0));
-            self.used("tensile", interface.utilisation.tension);
+            let limited = OF_INTERFACES.iter().filter_map(|of| {
+                let limit = of.limit?;
+                let used = (limit.used)(&interface.utilisation);
+                Some((of.name, (of.value)(interface)?, limit.strength, used))
+            });
+            self.limited(&format!("stress on interface {}", interface.index), limited);
         }
     }
 
-    /// Adds an extreme, if it is wanted.
-    fn extreme<const AXES: usize>(&mut self, name: &str, extreme: Option<Extreme<AXES>>) {
-        let Some(extreme) = extreme else {
-            return;
-        };
+    /// Adds the extremes of a body or an interface, each with a strength and the part of it that is used.
+    fn limited<'a, const AXES: usize>(
+        &mut self,
+        place: &str,
+        extremes: impl Iterator<Item = (&'a str, Extreme<AXES>, &'a str, Option<f64>)>,
+    ) {
+        for (i, (name, extreme, strength, used)) in extremes.enumerate() {
+            if i == 0 {
+                self.push(place, "", "");
+            }
+            self.extreme(&format!("  {name}"), extreme);
+            self.used(strength, used);
+        }
+    }
+
+    fn extreme<const AXES: usize>(&mut self, name: &str, extreme: Extreme<AXES>) {
         let (value, at) = (extreme.value, extreme.at);
         let note = match extreme.estimate {
             _ if !extreme.resolved => "not resolved by the grid".into(),
