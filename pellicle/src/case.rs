@@ -12,6 +12,7 @@ pub mod map;
 pub mod map_sources;
 pub mod output;
 pub mod parameter;
+pub mod parts;
 pub mod periodic;
 pub mod solver;
 pub mod spring_law;

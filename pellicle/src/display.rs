@@ -22,6 +22,15 @@ pub enum Unit {
 }
 
 impl Unit {
+    /// All units.
+    pub const ALL: [Self; 5] = [
+        Self::Metre,
+        Self::SquareMetre,
+        Self::Pascal,
+        Self::Newton,
+        Self::NewtonPerMetre,
+    ];
+
     /// Its name in ASCII, as in the headers of tables.
     #[must_use]
     pub fn ascii(self) -> &'static str {

@@ -20,6 +20,7 @@ class Grading(Table):
     """
 
     _names: ClassVar[Mapping[str, str]] = {"top": "from", "bottom": "to"}
+    _part: ClassVar[str] = "grading"
 
     top: Quantity
     bottom: Quantity
@@ -41,12 +42,18 @@ class Material(Table):
     tensile_strength: Quantity | None = None
     hardness: Quantity | None = None
 
+    def __post_init__(self) -> None:
+        is_graded = isinstance(self.young_modulus, Grading)
+        table = self.as_table() | ({"thickness": 1} if is_graded else {})
+        self._check("layer" if is_graded else "material", table)
+
 
 @dataclass(frozen=True)
 class Spring(Table):
     """An imperfect bond: the bodies separate and slide in proportion to the traction, with these compliances in
     m/Pa."""
 
+    _part: ClassVar[str] = "spring"
     normal_compliance: Quantity
     shear_compliance: Quantity
 
@@ -58,6 +65,7 @@ class Layer(Table):
     Only the material of a layer may have a `Grading` as its Young's modulus. Interface strengths are in Pa.
     """
 
+    _part: ClassVar[str] = "layer"
     thickness: Quantity
     material: Material
     interface: Literal["bonded", "frictionless"] | Spring | None = None
@@ -79,6 +87,7 @@ class Foundation(Table):
     The substrate is a material or `"rigid"`, a base that does not deform.
     """
 
+    _part: ClassVar[str] = "foundation"
     substrate: Material | Literal["rigid"]
     layers: Sequence[Layer] = ()
 

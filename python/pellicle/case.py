@@ -90,7 +90,7 @@ class Case:
                 arrays |= {} if array is None else {file: array}
         document = {name: table for name, table in tables.items() if table is not None}
         text = toml.text(_given({"title": title}) | document)
-        self._read(text, "case", "case", os.getcwd(), arrays, functions)
+        self._read(text, "Case(…)", "case", os.getcwd(), arrays, functions)
 
     def _read(
         self,

@@ -14,6 +14,7 @@ from .table import Table
 class Indenter(Table):
     """An indenter, rigid unless it has a Young's modulus (Pa) and a Poisson's ratio."""
 
+    _part: ClassVar[str | None] = "indenter"
     young_modulus: Quantity | None = field(default=None, kw_only=True)
     poisson_ratio: float | None = field(default=None, kw_only=True)
 

@@ -61,6 +61,7 @@ class Stress(Table):
 class Output(Table):
     """The fields, pictures and formats that `pellicle run` writes for this case; without effect in Python."""
 
+    _part: ClassVar[str] = "output"
     fields: Literal["all", "last", "none"] | None = None
     pictures: Literal["all", "last", "none"] | None = None
     formats: Sequence[Literal["npz", "vti", "nc", "gsf"]] | None = None

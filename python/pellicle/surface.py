@@ -17,6 +17,8 @@ Law: TypeAlias = Literal["linear", "logarithmic"]
 class Surface(Table):
     """The surface of the body: bare, or with springs or roughness."""
 
+    _part: ClassVar[str | None] = "surface"
+
 
 @dataclass(frozen=True)
 class Bare(Surface):

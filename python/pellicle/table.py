@@ -6,7 +6,7 @@ import dataclasses
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from . import toml
+from . import _pellicle, toml
 from .quantity import SI_UNITS, written
 
 
@@ -19,6 +19,16 @@ class Table:
     """Keys of fields that go by another name in Python, where the key is a word of the language."""
     _hidden: ClassVar[frozenset[str]] = frozenset()
     """Fields that are no keys."""
+    _part: ClassVar[str | None] = None
+    """The part of a case that the table is, by which it is checked as soon as it is made; None for others."""
+
+    def __post_init__(self) -> None:
+        if self._part is not None:
+            self._check(self._part, self.as_table())
+
+    def _check(self, part: str, table: Mapping[str, toml.Value]) -> None:
+        """Checks the table as this part of a case; a `CaseError` names the class and the key."""
+        _pellicle.check_part(part, type(self).__name__, toml.text(table))
 
     def as_table(self) -> dict[str, toml.Value]:
         """The keys and values of the table as in the file."""

@@ -6,8 +6,11 @@ use std::sync::Arc;
 
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pellicle::case::map_sources::MapSources;
+use pellicle::case::parts::Part;
+use pellicle::display::{self, Unit};
 use pellicle::input::source_file::read as read_source;
-use pellicle::input::span::Source;
+use pellicle::input::span::{CALL, Source};
+use pellicle::input::units::Units;
 use pyo3::prelude::*;
 
 use crate::error::Refusal;
@@ -40,6 +43,27 @@ pub fn map_sources(
         maps = maps.with_array(&name, shape, heights);
     }
     with_functions(maps, functions)
+}
+
+/// Checks the text of the table of a part of a case, made by a call named `call`.
+#[pyfunction]
+pub fn check_part(part: &str, call: &str, text: String) -> Result<(), Refusal> {
+    let mut names = Part::NAMES.iter();
+    if let Some((_, part)) = names.find(|(name, _)| *name == part) {
+        part.check(&Arc::new(Source::new(format!("{call}{CALL}"), text)))?;
+    }
+    Ok(())
+}
+
+/// A number with its unit, rounded for reading.
+#[pyfunction]
+pub fn number_text(value: f64, unit: &str, is_si: bool) -> String {
+    let units = if is_si { Units::Si } else { Units::Consistent };
+    let unit = Unit::ALL.iter().find(|of| of.ascii() == unit);
+    match unit {
+        Some(unit) => display::quantity(value, *unit, units),
+        None => display::significant(value, 5),
+    }
 }
 
 /// A case, read and checked.

@@ -25,7 +25,7 @@ use pyo3::pymodule;
 #[pymodule(gil_used = false)]
 mod _pellicle {
     #[pymodule_export]
-    use crate::case::{Case, read_text};
+    use crate::case::{Case, check_part, number_text, read_text};
     #[pymodule_export]
     use crate::discrete_problem::DiscreteProblem;
     #[pymodule_export]
@@ -47,4 +47,9 @@ mod _pellicle {
     use crate::solution::Solution;
     #[pymodule_export]
     use crate::study::{Study, StudyRun, Table};
+
+    /// The version of the package, which is that of the program.
+    #[pymodule_export]
+    #[allow(non_upper_case_globals, reason = "Python's name")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
 }

@@ -14,6 +14,9 @@ pub const COMMAND_LINE: &str = "--set";
 /// The name of the text that `solve --stream` reads; the line number follows.
 pub const STREAM: &str = "standard input";
 
+/// The end of the name of a text that a program wrote for a call: its lines mean nothing to the user.
+pub const CALL: &str = "(…)";
+
 /// A range of bytes of a [`Source`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Span {
@@ -45,12 +48,12 @@ impl Span {
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
-    /// Source and line in words, `case.toml, line 3`. For the command line, which has a single line, and for standard
-    /// input, whose name contains the line, only the name.
+    /// Source and line in words, `case.toml, line 3`. For the command line, which has a single line, for standard
+    /// input, whose name contains the line, and for a [`CALL`], only the name.
     #[must_use]
     pub fn words(&self) -> String {
         let name = self.source.name();
-        if name == COMMAND_LINE || name.starts_with(STREAM) {
+        if name == COMMAND_LINE || name.starts_with(STREAM) || name.ends_with(CALL) {
             return name.to_owned();
         }
         format!("{name}, line {}", self.line())
