@@ -1,11 +1,11 @@
-//! Peaks on grids finer than the paper could afford: the tables of `docs/claims.md`, line by line.
+//! Peaks on grids finer than the paper could afford: the tables of `docs/paper.md`, line by line.
 
 use super::cases::{Coating, PaperCase, only_step, path, spring_length};
 use super::layer_between::share_between;
 use super::numbers::{assert_reads, exponent, fitted_exponent};
 
 /// The page with the tables.
-const PAGE: &str = include_str!("../../../docs/claims.md");
+const PAGE: &str = include_str!("../../../docs/paper.md");
 /// N^0.1 grows by 7 % with every doubling; singular pressures grow as N^(1/2) or faster.
 const SETTLED: f64 = 0.1;
 

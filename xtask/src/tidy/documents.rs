@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// Pages that name tests, in a table's last column headed `test` or on a separate line.
-const PAGES: [&str; 2] = ["docs/evidence.md", "docs/claims.md"];
+const PAGES: [&str; 2] = ["docs/evidence.md", "docs/paper.md"];
 
 /// Every relative link in a `.md` file without a target file or heading. Links to other sites are not followed.
 pub(super) fn links_resolve(tree: &Tree) -> Vec<Violation> {
@@ -218,7 +218,7 @@ mod tests {
         ];
         let wanted = [
             "docs/evidence.md:4: there is no test `helper`",
-            "docs/claims.md:3: there is no test `two_is_one`",
+            "docs/paper.md:3: there is no test `two_is_one`",
         ];
         assert_eq!(broken(named_tests_exist, &files), wanted);
     }
