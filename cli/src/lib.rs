@@ -45,6 +45,7 @@ pub mod solved {
     pub use crate::cache::open as open_cache;
     pub use crate::output::curve::csv as curve;
     pub use crate::output::json;
+    pub use crate::output::report::of_run as report;
     pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
 }
 

@@ -6,7 +6,9 @@ import copy
 import dataclasses
 import math
 import pickle
+import re
 import tomllib
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, get_args
 
@@ -62,6 +64,35 @@ EVERYTHING = pl.Case(
     output=pl.Output(fields="all", pictures="none", formats=["npz"]),
     title='a "quoted" title',
 )
+
+
+@pytest.mark.parametrize(
+    ("make", "key"),
+    [
+        (lambda: pl.Material(-1, 0.3), "young_modulus"),
+        (lambda: pl.Material("70 GPa", 0.6), "poisson_ratio"),
+        (lambda: pl.Material(pl.Grading("7 GPa", "5 GPa"), -0.1), "poisson_ratio"),
+        (lambda: pl.Grading("7 GPa", "5 nm"), "to"),
+        (lambda: pl.Spring("-1 nm/GPa", 0), "normal_compliance"),
+        (lambda: pl.Layer("0 nm", pl.Material(1, 0.3)), "thickness"),
+        (lambda: pl.Sphere("0.5 N"), "radius"),
+        (lambda: pl.Sphere(1.0, young_modulus=1.0), "poisson_ratio"),
+        (lambda: pl.Cone("91 deg"), "half_angle"),
+        (lambda: pl.Film("1 nm", "hard"), "young_modulus"),
+        (lambda: pl.Cylinders(2.0, 1.0, 3.0), "radius"),
+        (lambda: pl.Output(formats=["hdf5"]), "formats[0]"),  # type: ignore[list-item]
+    ],
+)
+def test_a_part_is_refused_where_it_is_made(make: Callable[[], object], key: str) -> None:
+    with pytest.raises(pl.CaseError) as refused:
+        make()
+    assert refused.value.key == key
+    assert re.match(r"[A-Z][A-Za-z]+\(…\), key `", str(refused.value)), refused.value
+
+
+def test_an_error_of_a_case_names_no_line_of_a_text_that_nobody_wrote() -> None:
+    with pytest.raises(pl.CaseError, match=r"^Case\(…\), key `load.force`: found"):
+        pl.Case(pl.Foundation(pl.Material(1, 0.3)), pl.Sphere(1), force="1 nm")
 
 
 def test_every_key_can_be_written_and_read_back() -> None:

@@ -1,7 +1,8 @@
 //! The columns of a study's table: case, status, the varied keys, and those of a curve.
 //!
 //! They are the same for all cases. Columns that not every case has, as those of a hardness, of stresses and of rough
-//! contact, are present if any of the cases tried before the study begins has them, and empty in the rows of the others.
+//! contact, are present if any of the cases tried before the study begins has them, and empty in the rows of the
+//! others.
 
 use pellicle::case::Case;
 use pellicle::input::units::Units;
