@@ -252,13 +252,13 @@ def test_numpy_numbers_are_accepted(body: pl.Foundation) -> None:
 def test_a_fault_is_reported_with_its_key(body: pl.Foundation) -> None:
     with pytest.raises(pl.CaseError) as error:
         pl.Case(body, pl.Sphere("5 mN"), force="1 N")
-    assert error.value.key == "indenter.radius"
+    assert error.value.key == "radius"
     assert error.value.found == '"5 mN" (a force)'
     assert "a positive length" in (error.value.wanted or "")
     with pytest.raises(pl.CaseError, match="wanted exactly one of force, forces, penetration, penetrations"):
         pl.Case(body, pl.Sphere(1.0))
     with pytest.raises(pl.CaseError, match="found 0.6 for Poisson's ratio, wanted a number in"):
-        pl.Case(pl.Foundation(pl.Material(1.0, 0.6)), pl.Sphere(1.0), force=1.0)
+        pl.Material(1.0, 0.6)
 
 
 @pytest.mark.parametrize("value", [None, object(), True, [1.0], math.nan, math.inf, "", "five nm"])
@@ -269,9 +269,10 @@ def test_a_value_that_is_not_a_quantity_is_refused(body: pl.Foundation, value: A
 
 def test_a_value_that_cannot_be_written_to_a_case_file_is_refused(body: pl.Foundation) -> None:
     interface: Any = object()
-    for part in (pl.Layer(1.0, pl.Material(1.0, 0.3), interface), pl.Layer(1.0, pl.Material(1.0, interface))):
-        with pytest.raises(pl.ArgumentError, match="found object, wanted a"):
-            pl.Case(pl.Foundation("rigid", [part]), pl.Sphere(1.0), force=1.0)
+    with pytest.raises(pl.ArgumentError, match="found object, wanted a"):
+        pl.Layer(1.0, pl.Material(1.0, 0.3), interface)
+    with pytest.raises(pl.ArgumentError, match="found object, wanted a"):
+        pl.Material(1.0, interface)
 
 
 @pytest.mark.parametrize("part", ["foundation", "indenter", "surface", "stress"])
