@@ -22,6 +22,7 @@ mod stress;
 mod vector;
 
 pub use error::ContactError;
+pub use grid::region::Boundary;
 pub use indenter::{
     Cone, CustomProfile, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity,
     Paraboloid, Profile, Pyramid, Sphere,
@@ -44,7 +45,6 @@ pub use problem::{
     discrete_problem::{DiscreteProblem, Identity},
     load::Load,
     model::{Model, SampledModel},
-    operator_source::Boundary,
 };
 pub use result::{
     certificate::{Certificate, Solution},

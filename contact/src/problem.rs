@@ -4,6 +4,6 @@ pub mod discrete_problem;
 pub mod gap_scale;
 pub mod load;
 pub mod model;
-pub mod operator_source;
 pub mod scale;
+pub mod support;
 pub mod tangents;

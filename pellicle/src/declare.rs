@@ -14,7 +14,8 @@ pub mod schema;
 pub mod shape;
 
 pub use codec::{
-    Codec, angle, compliance, count, force, fraction, length, literal, number, pressure, switch, text, word,
+    Codec, angle, compliance, count, force, fraction, length, literal, number, pressure, switch,
+    text, word,
 };
 pub use combinators::{either, part, together};
 pub use lists::{list, pair, series, tables};

@@ -20,9 +20,12 @@ use self::fields::{check_length, check_values, is_rough};
 use self::hardness::HeldPressure;
 use crate::{
     Boundary, ContactError,
-    grid::{candidates::Candidates, window::Window},
+    grid::region::Region,
     problem::{
-        gap_scale::GapScale, operator_source::OperatorSource, scale::Scale, tangents::Tangents,
+        gap_scale::GapScale,
+        scale::Scale,
+        support::{self, Support},
+        tangents::Tangents,
     },
     vector::update_with,
 };
@@ -39,8 +42,7 @@ impl PartialEq for Identity {
 
 /// The problem on one grid. Fields hold N² values with index `i N + j`, the first index along x.
 pub struct DiscreteProblem {
-    operators: OperatorSource,
-    grid: SectorGrid,
+    support: Box<dyn Support>,
     relief_compliance: Vec<f64>,
     /// The compliance (m/Pa) of linear springs added to all elements, and that sum; none without.
     softened: Option<(f64, Vec<f64>)>,
@@ -54,10 +56,6 @@ pub struct DiscreteProblem {
     /// The elements at the limit, while they are part of the load.
     held: Option<HeldPressure>,
     scale: Scale,
-    /// Elements per side of the whole grid of which this one is a part.
-    grid_size: usize,
-    /// The elements of the fields, if not all.
-    candidates: Option<Arc<Candidates>>,
     identity: Identity,
 }
 
@@ -74,12 +72,12 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let grid = SectorGrid::whole(operator.size());
-        let source = OperatorSource::Operator(operator);
-        Self::on(grid, source, relief_compliance, initial_gap, element_area)
+        let region = Region::whole(operator.size());
+        let support = support::given(operator, region);
+        Self::on(support, relief_compliance, initial_gap, element_area)
     }
 
-    /// Creates a problem on a grid of `size` elements per side with known elasticity, which lets solvers use windows
+    /// Creates a problem on a grid of `size` elements per side with known elasticity, which lets solvers use regions
     /// and preconditioners; the other arguments as for [`Self::new`].
     ///
     /// # Errors
@@ -95,9 +93,8 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         assert!(size <= elasticity.size(), "a grid within the coefficients");
-        let grid = SectorGrid::whole(size);
-        let source = OperatorSource::of(elasticity, Boundary::Free);
-        Self::on(grid, source, relief_compliance, initial_gap, element_area)
+        let support = support::under(elasticity, Region::whole(size));
+        Self::on(support, relief_compliance, initial_gap, element_area)
     }
 
     /// Creates a problem on a periodic cell, which is the largest grid that the elasticity allows; the other arguments
@@ -116,20 +113,18 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         let grid = SectorGrid::whole(elasticity.size());
-        let source = OperatorSource::of(elasticity, Boundary::Periodic);
-        Self::on(grid, source, relief_compliance, initial_gap, element_area)
+        let support = support::under(elasticity, Region::bounded(grid, Boundary::Periodic));
+        Self::on(support, relief_compliance, initial_gap, element_area)
     }
 
-    /// Creates the problem of a body under a grid or a sector of one, with fields of its elements and the area of one
-    /// element.
+    /// Creates the problem on all elements of a support's region, with their fields and the area of one element.
     pub(crate) fn on(
-        grid: SectorGrid,
-        mut source: OperatorSource,
+        mut support: Box<dyn Support>,
         relief_compliance: Vec<f64>,
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let elements = grid.elements();
+        let elements = support.region().elements();
         check_length("relief compliance", relief_compliance.len(), elements)?;
         check_length("initial gap", initial_gap.len(), elements)?;
         check_values(
@@ -147,13 +142,10 @@ impl DiscreteProblem {
         if initial_gap.iter().all(|gap| gap.is_infinite()) {
             return Err(ContactError::NothingCanTouch { elements });
         }
+        let loaded_area = support.weight() as f64 * element_area;
         Ok(Self {
-            scale: Scale::new(
-                grid.loaded_area(element_area).sqrt(),
-                source.own_coefficient(grid.size()),
-            ),
-            operators: source,
-            grid,
+            scale: Scale::new(loaded_area.sqrt(), support.own_coefficient()),
+            support,
             relief_compliance,
             softened: None,
             spring_law: SpringLaw::LINEAR,
@@ -162,8 +154,6 @@ impl DiscreteProblem {
             element_area,
             hardness: f64::INFINITY,
             held: None,
-            grid_size: grid.whole_size(),
-            candidates: None,
             identity: Identity::default(),
         })
     }
@@ -182,7 +172,7 @@ impl DiscreteProblem {
     /// The elasticity from which the operator is built, if known.
     #[must_use]
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
-        self.operators.elasticity()
+        self.support.elasticity()
     }
 
     /// Replaces the initial gap, in m.
@@ -213,26 +203,30 @@ impl DiscreteProblem {
         &self.identity
     }
 
-    /// The boundary condition of the grid.
-    pub(crate) fn boundary(&self) -> Boundary {
-        self.operators.boundary()
+    /// Where its pressures live.
+    pub(crate) fn support(&self) -> &dyn Support {
+        &*self.support
+    }
+
+    /// The same, for products.
+    pub(crate) fn support_mut(&mut self) -> &mut dyn Support {
+        &mut *self.support
+    }
+
+    /// All of the region that holds its elements.
+    pub(crate) fn region(&self) -> Region {
+        *self.support.region()
     }
 
     /// The scale of gaps, in SI units.
     pub(crate) fn gap_scale(&self) -> GapScale {
-        match (self.boundary(), self.elasticity()) {
-            (Boundary::Periodic, Some(elasticity)) => GapScale::Cell {
-                mean: elasticity.mean_compliance(),
-                longest: elasticity.cell_response(self.size()),
-            },
-            _ => GapScale::Penetration,
-        }
+        self.support.gap_scale()
     }
 
     /// Elements per row, N.
     #[must_use]
     pub fn size(&self) -> usize {
-        self.grid.size()
+        self.support.region().size()
     }
 
     /// Number of elements; N² for a square.
@@ -308,38 +302,23 @@ impl DiscreteProblem {
     /// The area on which one value of the pressure acts, in m²: an element and its mirror images. `Q = area Σ p`.
     #[must_use]
     pub fn loaded_area(&self) -> f64 {
-        self.grid.loaded_area(self.element_area)
+        self.support.weight() as f64 * self.element_area
     }
 
     /// The operator `K`; exclusive, because a product uses the operator's own buffers.
     pub fn operator_mut(&mut self) -> &mut dyn ElasticOperator {
-        self.operators.operator_on(self.grid)
-    }
-
-    /// Frees the memory of operators that can be rebuilt.
-    pub(crate) fn release_operator(&mut self) {
-        self.operators.release();
+        &mut *self.support
     }
 
     /// Writes `K p` (m) of a pressure (Pa) on the problem's elements.
     pub(crate) fn displace(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        self.operators.displace(self.grid, pressure, displacement);
-    }
-
-    /// Writes `K p` (m) on a `reach` around a window, for a pressure on the window that is 0 outside.
-    pub(crate) fn displace_into(
-        &mut self,
-        window_and_reach: [&Window; 2],
-        pressure: &[f64],
-        displacement: &mut [f64],
-    ) {
-        (self.operators).displace_into(window_and_reach, pressure, displacement);
+        self.support.apply_into(pressure, displacement);
     }
 
     /// Lower bound (m) of the displacement at this distance in elements or more from pressures ≥ 0 with this sum:
     /// `min(0, min k) Σ p` over all images; −∞ if the elasticity is unknown.
     pub(crate) fn least_displacement(&self, total: f64, distance: usize) -> f64 {
-        let images = self.grid.images() as f64;
+        let images = self.support.weight() as f64;
         self.elasticity().map_or(f64::NEG_INFINITY, |elasticity| {
             images * total * elasticity.least_coefficient_from(distance).min(0.0)
         })

@@ -7,8 +7,8 @@ use pellicle_texture::{Grid, Relief, SampledRelief};
 use rayon::prelude::*;
 
 use crate::{
-    Boundary, ContactError, DiscreteProblem, Indenter, Profile,
-    problem::operator_source::OperatorSource, vector::update,
+    Boundary, ContactError, DiscreteProblem, Indenter, Profile, grid::region::Region,
+    problem::support::under, vector::update,
 };
 
 /// An indenter above a relief on an elastic foundation, without a grid or load.
@@ -127,9 +127,9 @@ impl Model {
         let Cached { value, origin } = self.elasticity(&sampled.grid)?;
         let initial_gap = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
         let (compliance, area) = (sampled.relief.compliance(), sampled.grid.element_area());
-        let whole = SectorGrid::whole(value.size());
-        let source = OperatorSource::of(value, boundary);
-        let value = DiscreteProblem::on(whole, source, compliance.to_vec(), initial_gap, area)?;
+        let region = Region::bounded(SectorGrid::whole(value.size()), boundary);
+        let support = under(value, region);
+        let value = DiscreteProblem::on(support, compliance.to_vec(), initial_gap, area)?;
         let value = value.with_spring_law(sampled.relief.spring_law());
         Ok(Cached { value, origin })
     }

@@ -57,7 +57,7 @@ struct EdgePoint {
 }
 
 fn at_edge(field: &ContactField<'_>) -> Option<f64> {
-    let lines = (field.window).by_lines(field.pressure, |line, row| edge_points(field, line, row));
+    let lines = (field.region).by_lines(field.pressure, |line, row| edge_points(field, line, row));
     let points: Vec<EdgePoint> = lines.into_iter().flatten().collect();
     let apart = match field.model.indenter {
         Indenter::Custom(_) => points.len().div_ceil(POINTS_OF_A_FUNCTION).max(1),
@@ -172,7 +172,7 @@ fn root_mean_square(field: &ContactField<'_>) -> Option<f64> {
         }
         (sum, count)
     };
-    let lines = field.window.by_lines(field.pressure, of_line);
+    let lines = field.region.by_lines(field.pressure, of_line);
     let (sum, count) =
         (lines.into_iter()).fold((0.0, 0), |all, line| (all.0 + line.0, all.1 + line.1));
     (count > 0).then(|| (sum / count as f64).sqrt())

@@ -26,7 +26,7 @@
 //! on the quadrant x, y > 0: `K` is the sum over an element's four images, applied by cosine transforms of half the
 //! length. All sums are a quarter of those on the whole grid. Where they are symmetric in y alone, as under a pyramid
 //! of three faces, it solves on the half y > 0. Only operators that reach across the axes depend on the sector: filter,
-//! band and sparse factor include the images beyond, and an axis is not a border of a window.
+//! band and sparse factor include the images beyond, and an axis is not a border of a region.
 //!
 //! **Both kinds of load.** Every step preserves the total pressure. Under a prescribed penetration the pressure is then
 //! scaled until the mean of `v` weighted by it is `D`, which takes no product, and the conjugate directions are

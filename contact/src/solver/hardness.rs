@@ -9,7 +9,7 @@
 //! Elements of the third kind are held at the limit as a part of the load (`HeldPressure`), and a contact problem
 //! without a limit is solved for the others, by any method. Those that then exceed the limit are held as well, and held
 //! elements with a gap are released. This is the semismooth Newton method around the whole solver rather than inside
-//! its loop, so springs, windows, quadrants, cells and all preconditioners stay unchanged. The accuracy of each problem
+//! its loop, so springs, regions, quadrants, cells and all preconditioners stay unchanged. The accuracy of each problem
 //! is set by the error of the previous exchange. An exchange takes two products in addition to those of the problem:
 //! `K p` of the held elements, and of the others at the start.
 //!
@@ -62,8 +62,8 @@ pub fn solve(
         return (solver.solve_elastic(problem, load, start, watch)).map(|(iterate, _)| iterate);
     }
     match problem.check_capacity(load) {
-        // A larger window may carry it.
-        Err(_) if problem.is_window() => {
+        // A larger support may carry it.
+        Err(_) if problem.support().border().next().is_some() => {
             return Ok(Iterate {
                 reached_border: true,
                 ..Iterate::of(start.to_vec())

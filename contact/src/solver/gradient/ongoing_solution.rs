@@ -210,15 +210,15 @@ impl<'a> OngoingSolution<'a> {
         residual: f64,
     ) -> Result<(), ContactError> {
         let set = &mut self.workspace.set;
-        let grid = self.problem.grid();
-        let working_set = [set.len(), set.take_moves()].map(|elements| grid.with_images(elements));
-        watch.tell(self.problem.grid_size(), iteration, residual, working_set)
+        let (weight, grid) = (self.problem.support().weight(), self.problem.region());
+        let working_set = [set.len(), set.take_moves()].map(|elements| weight * elements);
+        watch.tell(grid.grid_size(), iteration, residual, working_set)
     }
 
-    /// Whether the contact reaches the border of a window.
+    /// Whether the contact reaches the border of its support.
     pub fn reaches_border(&self) -> bool {
-        let set = &self.workspace.set;
-        self.problem.is_window() && set.touches_border(&self.problem.everywhere())
+        let border = self.problem.support().border();
+        self.workspace.set.holds_any(border)
     }
 
     /// Products with `K` so far.

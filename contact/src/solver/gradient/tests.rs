@@ -13,7 +13,7 @@ use crate::solver::gradient::steps::segment::{Part, Segment};
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem, Load,
-    grid::window::Window,
+    grid::region::Region,
     solver::tests::{RIGID, SIZE, paraboloid, pillars, problem},
     vector::{add_scaled, dot, sum},
 };
@@ -258,19 +258,20 @@ fn a_set_touches_the_border_if_any_of_its_elements_does() {
         let (_, set) = begun(&mut problem, control, &pressure);
         assert_eq!(set.len(), 1);
         let found = [Sector::Whole, Sector::Quadrant]
-            .map(|sector| set.touches_border(&Window::all_of(SectorGrid::new(sector, SIZE))));
+            .map(|sector| set.holds_any(Region::all_of(SectorGrid::new(sector, SIZE)).rim()));
         assert_eq!(found, touches, "{i} {j}");
     }
 }
 
 #[test]
-fn a_part_of_the_grid_is_a_window_and_the_whole_grid_is_not() {
+fn the_contact_may_continue_beyond_a_part_of_the_grid_and_not_beyond_all_of_it() {
     let problem = problem([1.0, 0.1], paraboloid, RIGID);
-    assert!(!problem.is_window());
-    let whole = Window::whole(SIZE);
-    let window = whole.around(|place| place == [16, 16]);
-    assert!(problem.window(&window).unwrap().is_window());
-    assert!(!problem.window(&whole).unwrap().is_window());
+    let may_continue = |problem: &DiscreteProblem| problem.support().border().next().is_some();
+    assert!(!may_continue(&problem));
+    let whole = Region::whole(SIZE);
+    let region = whole.around(|place| place == [16, 16]);
+    assert!(may_continue(&problem.part(&region).unwrap()));
+    assert!(!may_continue(&problem.part(&whole).unwrap()));
 }
 
 #[test]

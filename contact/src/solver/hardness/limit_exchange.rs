@@ -159,7 +159,7 @@ impl LimitExchange {
         }
     }
 
-    /// Adds the work to the total and takes the result; returns whether the contact reached the border of a window.
+    /// Adds the work to the total and takes the result; returns whether the contact reached the border of a region.
     pub fn take(&mut self, found: Iterate) -> bool {
         let total = &mut self.total;
         total.iterations += found.iterations;

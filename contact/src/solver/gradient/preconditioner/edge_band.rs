@@ -12,10 +12,10 @@
 //! `F` decays so quickly that a band a few elements wide can represent all of `E`, and a few coefficients all of `F`.
 //! Without the band the filter is wrong at the edge of the contact, which alone doubles the iterations.
 
-use pellicle_influence::SectorGrid;
 use rayon::prelude::*;
 
 use crate::{
+    grid::region::Region,
     solver::gradient::working_set::WorkingSet,
     vector::{add_scaled, dot, update},
 };
@@ -44,7 +44,7 @@ pub struct EdgeBand {
     elements: Vec<usize>,
     /// Their places in the field to which the stencil is applied.
     places: Vec<usize>,
-    /// Mirror images across a sector's axes: their place, and the index of the mirrored element of the band.
+    /// Mirror images across axes of symmetry: their place, and the index of the mirrored element of the band.
     images: Vec<(usize, usize)>,
     residual: Vec<f64>,
     direction: Vec<f64>,
@@ -55,11 +55,11 @@ pub struct EdgeBand {
 }
 
 impl EdgeBand {
-    /// An empty band on a grid or a sector of one.
-    pub fn new(grid: SectorGrid) -> Self {
+    /// An empty band on a region.
+    pub fn new(region: &Region) -> Self {
         let layout = Layout {
-            lengths: grid.lengths(),
-            beyond: grid.mirrored_lines(REACH),
+            lengths: region.lengths(),
+            beyond: region.mirrored_lines(REACH),
         };
         Self {
             layout,
@@ -199,7 +199,7 @@ fn stencil(field: &[f64], width: usize, coefficients: &Stencil) -> f64 {
 }
 
 /// The places of the band's elements on the grid and in the field to which its stencil is applied, which also covers
-/// elements beyond a sector's axes.
+/// elements beyond axes of symmetry.
 #[derive(Clone, Copy)]
 struct Layout {
     /// Rows, and elements per row.
@@ -269,7 +269,8 @@ mod tests {
     use super::{ACCURACY, EdgeBand, Stencil};
     use crate::{
         DiscreteProblem,
-        problem::operator_source::OperatorSource,
+        grid::region::Region,
+        problem::support::given,
         solver::gradient::{load_control::LoadControl, tests::begun, working_set::WorkingSet},
     };
 
@@ -299,8 +300,8 @@ mod tests {
         let presses = |e: usize| f64::from(u8::from(inside([e / SIZE, e % SIZE + moved])));
         let pressure: Vec<f64> = (0..grid.elements()).map(presses).collect();
         let field = |value: f64| vec![value; grid.elements()];
-        let source = OperatorSource::Operator(Box::new(Rigid));
-        let problem = DiscreteProblem::on(grid, source, field(0.0), field(1.0), 1.0);
+        let support = given(Box::new(Rigid), Region::all_of(grid));
+        let problem = DiscreteProblem::on(support, field(0.0), field(1.0), 1.0);
         begun(
             &mut problem.unwrap(),
             LoadControl::Penetration(0.0),
@@ -335,7 +336,7 @@ mod tests {
             let grid = SectorGrid::new(sector, SIZE);
             let elements = grid.elements();
             let filtered: Vec<f64> = (0..elements).map(waves).collect();
-            let mut band = EdgeBand::new(grid);
+            let mut band = EdgeBand::new(&Region::all_of(grid));
             band.take_coefficients(&coefficients);
             band.surround(&set(grid, 0));
             let mut written = vec![0.0; elements];
