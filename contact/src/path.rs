@@ -19,9 +19,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
-use pellicle_influence::{
-    CoefficientTable, Origin, RadialTables, SectorGrid, SurfaceElasticity, love,
-};
+use pellicle_influence::{CoefficientTable, Origin, RadialTables, SurfaceElasticity, love};
 use pellicle_texture::{Grid, Relief};
 use rayon::prelude::*;
 
@@ -99,7 +97,7 @@ impl LoadingPath {
             penetration,
             ..
         } = &self.steps.get(step)?.solution;
-        let all = Region::bounded(SectorGrid::whole(self.grid.size()), self.boundary);
+        let all = Region::domain(self.grid.size(), self.boundary);
         let displacement = displacement(elasticity.clone(), &all, pressure);
         let mut surface = DeformedSurface::new(
             displacement,

@@ -1,6 +1,7 @@
 //! Solvers for the complementarity problem on one grid, behind one interface.
 
 pub mod active_set;
+mod exchange;
 pub mod gradient;
 mod hardness;
 pub mod observer;

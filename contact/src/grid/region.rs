@@ -1,5 +1,5 @@
-//! The elements on which a field is given: all of a grid, of its half or quadrant or of a cell that repeats, or a square
-//! in it that holds the whole contact, on which products cost proportionally less.
+//! The elements on which a field is given: all of a grid, of its half or quadrant or of a cell that repeats, or a
+//! square in it that holds the whole contact, on which products cost proportionally less.
 //!
 //! Only elements with pressure or overlap take part in an iteration; the rest, as far as it may overlap, is checked
 //! once, by the certificate.
@@ -57,7 +57,12 @@ impl Region {
         Self::bounded(grid, Boundary::Free)
     }
 
-    /// The same with a boundary condition of the grid; a cell has no sectors.
+    /// The region that is all of a grid of `size` × `size` elements with this boundary condition.
+    pub fn domain(size: usize, boundary: Boundary) -> Self {
+        Self::bounded(SectorGrid::whole(size), boundary)
+    }
+
+    /// The same for a sector of a grid; a cell has none.
     pub fn bounded(grid: SectorGrid, boundary: Boundary) -> Self {
         Self {
             origin: [0, 0],
@@ -239,8 +244,8 @@ impl Region {
         self.grid.with_size(self.size)
     }
 
-    /// Number of lines before the first element along each axis, out of `reach`, that are mirror images of those on this
-    /// side.
+    /// Number of lines before the first element along each axis, out of `reach`, that are mirror images of those on
+    /// this side.
     pub fn mirrored_lines(&self, reach: usize) -> [usize; 2] {
         self.grid.mirrored_lines(reach)
     }
@@ -283,6 +288,11 @@ impl Region {
     /// The grid, or sector of one, of which this is a region.
     pub fn grid(&self) -> SectorGrid {
         self.grid
+    }
+
+    /// Index of the grid's first element along each axis of the whole grid.
+    pub fn first_index(&self) -> [usize; 2] {
+        self.grid.first_index()
     }
 
     /// Index of the first element along both axes.

@@ -11,7 +11,7 @@ use crate::{
     path::domain::Guess,
     path::effort::Effort,
     path::start::{CoarserSolution, FineGrid, RoughSurface},
-    problem::{model::SampledSector, support::under},
+    problem::{model::SampledRegion, support::under},
     result::certificate::{JudgedFields, Trial},
     result::contact_field::ContactField,
     solver::Watch,
@@ -99,11 +99,11 @@ impl Level {
         keeps: bool,
     ) -> Result<Self, ContactError> {
         let grid = Grid::new(side, region.grid_size())?;
-        let SampledSector {
+        let SampledRegion {
             mask,
             compliance,
             initial_gap,
-        } = model.sample_sector(grid, region.grid());
+        } = model.sample_on(grid, &region);
         let elasticity = model.elasticity(&grid)?;
         let support = under(elasticity.value.clone(), region);
         let area = grid.element_area();

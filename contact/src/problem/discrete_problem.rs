@@ -13,7 +13,7 @@ mod part;
 
 use std::sync::Arc;
 
-use pellicle_influence::{ElasticOperator, SectorGrid, SurfaceElasticity};
+use pellicle_influence::{ElasticOperator, SurfaceElasticity};
 use pellicle_texture::SpringLaw;
 
 use self::fields::{check_length, check_values, is_rough};
@@ -112,8 +112,8 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let grid = SectorGrid::whole(elasticity.size());
-        let support = support::under(elasticity, Region::bounded(grid, Boundary::Periodic));
+        let region = Region::domain(elasticity.size(), Boundary::Periodic);
+        let support = support::under(elasticity, region);
         Self::on(support, relief_compliance, initial_gap, element_area)
     }
 

@@ -123,7 +123,7 @@ impl ContactField<'_> {
 mod tests {
     use std::sync::Arc;
 
-    use pellicle_influence::{Cache, RadialTables, SectorGrid};
+    use pellicle_influence::{Cache, RadialTables};
     use pellicle_kernel::{Foundation, Material};
     use pellicle_texture::{Film, Relief};
 
@@ -145,8 +145,10 @@ mod tests {
             indenter: Paraboloid::new(1.0).unwrap().into(),
             cache: Cache::none(),
         };
-        let (grid, region) = (Grid::new(6.0, SIZE).unwrap(), SectorGrid::whole(SIZE));
-        let region = Region::bounded(region, boundary);
+        let (grid, region) = (
+            Grid::new(6.0, SIZE).unwrap(),
+            Region::domain(SIZE, boundary),
+        );
         let elements = 0..SIZE * SIZE;
         let mask: Vec<bool> = elements.clone().map(|e| e / SIZE >= 3).collect();
         let compliance: Vec<f64> = elements.map(|e| 0.25 + 0.01 * (e as f64)).collect();

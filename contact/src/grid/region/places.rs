@@ -62,8 +62,8 @@ impl Region {
         }
     }
 
-    /// The elements up to `reach` rows and columns from a place within the region, from its mirror images and from their
-    /// images in the nearest cells, row by row.
+    /// The elements up to `reach` rows and columns from a place within the region, from its mirror images and from
+    /// their images in the nearest cells, row by row.
     pub fn lines_near(&self, place: [usize; 2], reach: usize) -> Vec<NearLine> {
         let [along_x, along_y] = self.images(place);
         let mut lines = Vec::new();

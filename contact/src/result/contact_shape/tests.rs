@@ -2,7 +2,7 @@
 
 use std::{f64::consts::PI, sync::Arc};
 
-use pellicle_influence::{Cache, ElasticOperator, RadialTables, SectorGrid};
+use pellicle_influence::{Cache, ElasticOperator, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{Film, Grid, Relief};
 
@@ -61,7 +61,7 @@ fn shape(
     let mask: Vec<bool> = (0..SIZE * SIZE)
         .map(|e| (fields.is_on_relief)(e / SIZE))
         .collect();
-    let region = Region::bounded(SectorGrid::whole(SIZE), boundary);
+    let region = Region::domain(SIZE, boundary);
     let initial_gap = sample(fields.gap);
     let problem = DiscreteProblem::new(
         Box::new(Rigid),

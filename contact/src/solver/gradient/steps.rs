@@ -9,7 +9,7 @@ pub mod segment;
 pub mod spectral;
 pub mod stiffness;
 
-use self::segment::{Part, Segment};
+use self::segment::Segment;
 use crate::{
     DiscreteProblem,
     solver::gradient::{
@@ -18,6 +18,22 @@ use crate::{
         working_set::WorkingSet,
     },
 };
+
+/// What a step came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StepOutcome {
+    /// The whole step was taken without a bound: the set stays.
+    Free,
+    /// The whole step was taken, with pressures held at zero that would have become negative: the set may have changed,
+    /// and the next step must not be conjugate.
+    Clipped,
+    /// The step ends at the minimum of the energy on its segment.
+    Cut,
+    /// Elements were exchanged.
+    Exchanged,
+    /// The linear system does not converge.
+    Failed,
+}
 
 /// The problem, a pressure, the elements whose pressures are free, and the approximate inverse of the system on them.
 pub struct Context<'a> {
@@ -37,7 +53,7 @@ impl Context<'_> {
     }
 
     /// Takes the [segment](Segment::take), or cuts it if the energy would rise above `ceiling`: one product.
-    pub fn take_segment(&mut self, ceiling: f64) -> Part {
+    pub fn take_segment(&mut self, ceiling: f64) -> StepOutcome {
         self.segment.take(self.problem, self.state, ceiling)
     }
 }

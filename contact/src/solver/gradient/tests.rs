@@ -6,10 +6,10 @@ use crate::solver::gradient::best_pressure::BestPressure;
 use crate::solver::gradient::load_control::LoadControl;
 use crate::solver::gradient::preconditioner::Preconditioner;
 use crate::solver::gradient::state::State;
-use crate::solver::gradient::steps::Context;
 use crate::solver::gradient::steps::face::FaceDescent;
-use crate::solver::gradient::steps::newton::{Newton, Turn};
-use crate::solver::gradient::steps::segment::{Part, Segment};
+use crate::solver::gradient::steps::newton::Newton;
+use crate::solver::gradient::steps::segment::Segment;
+use crate::solver::gradient::steps::{Context, StepOutcome};
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem, Load,
@@ -64,9 +64,9 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
                 preconditioner: &mut preconditioner,
                 segment: &mut segment,
             };
-            let turn = newton.step(&mut context, 1e-9);
-            assert_ne!(turn, Turn::Failed);
-            exchanges += usize::from(turn == Turn::Exchanged);
+            let outcome = newton.step(&mut context, 1e-9);
+            assert_ne!(outcome, StepOutcome::Failed);
+            exchanges += usize::from(outcome == StepOutcome::Exchanged);
             assert!(state.applications() <= most, "{exchanges} exchanges");
         }
     }
@@ -144,7 +144,7 @@ fn the_energy_along_a_step_is_the_parabola_of_its_slope_and_curvature() {
         // With an unreachable ceiling the whole step is taken.
         assert_eq!(
             segment.take(&mut problem, &mut state, f64::INFINITY),
-            Part::Whole
+            StepOutcome::Clipped
         );
         let wanted = before + slope + segment.curvature() / 2.0;
         assert!((state.energy() / wanted - 1.0).abs() < 1e-10);
@@ -174,7 +174,10 @@ fn a_step_that_would_raise_the_energy_is_cut_at_its_minimum() {
     problem.deform_to_scale(&segment.step, &mut image);
     // E − s·∂E²/(2 s·y)
     let wanted = before - slope * slope / (2.0 * dot(&segment.step, &image));
-    assert_eq!(segment.take(&mut problem, &mut state, before), Part::Cut);
+    assert_eq!(
+        segment.take(&mut problem, &mut state, before),
+        StepOutcome::Cut
+    );
     assert!((state.energy() - wanted).abs() < 1e-10 * wanted.abs());
 }
 

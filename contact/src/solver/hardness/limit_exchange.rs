@@ -8,7 +8,7 @@ use super::{continuation::Continuation, descent::Descent};
 use crate::{
     ContactError, DiscreteProblem, Iterate, Load, SolverOptions,
     problem::discrete_problem::hardness::HeldPressure,
-    solver::{ElasticSolver, Watch},
+    solver::{ElasticSolver, Watch, exchange::Milestone},
     vector::add_scaled,
 };
 
@@ -29,6 +29,8 @@ const TIGHTENING: f64 = 0.1;
 /// could pass for one on stiffer springs: rough contacts under a coating 3000 times as stiff took up to five times the
 /// products.
 const FINER_ON_SPRINGS: f64 = 0.5;
+/// The next milestone of the error, as a fraction of the last.
+const HALVED: f64 = 0.5;
 /// Exchanges without halving the error after which springs are added, or after that the descent begins.
 const PATIENCE: usize = 4;
 /// Exchanges of a stage that hold others with those above the limit after elements have been released. With none, rough
@@ -56,9 +58,7 @@ pub struct LimitExchange {
     coarsest: f64,
     /// The total work of all problems, and the result of the last one.
     pub total: Iterate,
-    /// The error to be halved next, and the exchanges since it was reached.
-    milestone: f64,
-    since: usize,
+    milestone: Milestone,
     /// Whether the present stage has released elements, and how often it has held others with those above the limit
     /// since.
     has_released: bool,
@@ -109,8 +109,7 @@ impl LimitExchange {
             accuracy: coarsest,
             coarsest,
             total,
-            milestone: f64::INFINITY,
-            since: 0,
+            milestone: Milestone::new(HALVED),
             has_released: false,
             refills: 0,
             descent: None,
@@ -255,7 +254,7 @@ impl LimitExchange {
         } else {
             self.coarsest
         };
-        (self.milestone, self.since) = (f64::INFINITY, 0);
+        self.milestone.restart();
         (self.has_released, self.refills) = (false, 0);
         true
     }
@@ -263,12 +262,8 @@ impl LimitExchange {
     /// Whether the error of the exchanges has not been halved for too long. Exchanges that release no element always
     /// end.
     fn has_stalled(&mut self, wrong: &WrongSide) -> bool {
-        if wrong.by < self.milestone / 2.0 {
-            (self.milestone, self.since) = (wrong.by, 0);
-        } else if !wrong.open.is_empty() {
-            self.since += 1;
-        }
-        self.since >= PATIENCE
+        let releases = !wrong.open.is_empty();
+        self.milestone.count_if(releases, wrong.by) >= PATIENCE
     }
 
     /// Holds the elements at the limit of the descent's pressure, and continues from that pressure.

@@ -16,7 +16,10 @@ use rayon::prelude::*;
 
 use crate::{
     grid::region::Region,
-    solver::gradient::working_set::WorkingSet,
+    solver::gradient::{
+        conjugate_gradients::{Directions, LinearSystem, SystemFields, solve},
+        working_set::WorkingSet,
+    },
     vector::{add_scaled, dot, update},
 };
 
@@ -39,19 +42,28 @@ const ELEMENTS: usize = 1 << 12;
 /// The band around one working set. Its fields hold one value for each of its elements.
 pub struct EdgeBand {
     layout: Layout,
-    coefficients: Stencil,
     /// The band's elements on the grid, ascending.
     elements: Vec<usize>,
-    /// Their places in the field to which the stencil is applied.
+    system: BandSystem,
+    residual: Vec<f64>,
+    directions: Directions,
+    image: Vec<f64>,
+}
+
+/// The system `F_EE s = −(F r)_E`, as it is solved.
+struct BandSystem {
+    /// Places in a row of the field to which the stencil is applied.
+    width: usize,
+    coefficients: Stencil,
+    /// The places of the band's elements in that field.
     places: Vec<usize>,
     /// Mirror images across axes of symmetry: their place, and the index of the mirrored element of the band.
     images: Vec<(usize, usize)>,
-    residual: Vec<f64>,
-    direction: Vec<f64>,
-    solution: Vec<f64>,
-    image: Vec<f64>,
     /// The field to which the stencil is applied: 0 except on the band and its mirror images.
     spread: Vec<f64>,
+    solution: Vec<f64>,
+    /// `r·r` at the start; none before.
+    start: Option<f64>,
 }
 
 impl EdgeBand {
@@ -63,27 +75,29 @@ impl EdgeBand {
         };
         Self {
             layout,
-            coefficients: [[0.0; QUARTER_SIDE]; QUARTER_SIDE],
             elements: Vec::new(),
-            places: Vec::new(),
-            images: Vec::new(),
+            system: BandSystem {
+                width: layout.width(),
+                coefficients: [[0.0; QUARTER_SIDE]; QUARTER_SIDE],
+                places: Vec::new(),
+                images: Vec::new(),
+                spread: vec![0.0; layout.places()],
+                solution: Vec::new(),
+                start: None,
+            },
             residual: Vec::new(),
-            direction: Vec::new(),
-            solution: Vec::new(),
+            directions: Directions::new(0),
             image: Vec::new(),
-            spread: vec![0.0; layout.places()],
         }
     }
 
     /// Sets the coefficients of `F`, by offset along the axes.
     pub fn take_coefficients(&mut self, coefficients: &Stencil) {
-        self.coefficients = *coefficients;
+        self.system.coefficients = *coefficients;
     }
 
     /// Sets up the band around a set.
     pub fn surround(&mut self, set: &WorkingSet) {
-        self.direction.fill(0.0);
-        self.spread_direction();
         let layout = self.layout;
         let [_, size] = layout.lengths;
         let rows = layout.lines(0).into_par_iter();
@@ -95,20 +109,9 @@ impl EdgeBand {
         let rows: Vec<Vec<usize>> = rows.collect();
         self.elements.clear();
         self.elements.extend(rows.into_iter().flatten());
-        self.places.clear();
-        self.images.clear();
-        for (index, element) in self.elements.iter().enumerate() {
-            let at = [element / size, element % size];
-            self.places.push(layout.place(at));
-            let images = layout.images(at).map(|place| (place, index));
-            self.images.extend(images);
-        }
-        for field in [
-            &mut self.residual,
-            &mut self.direction,
-            &mut self.solution,
-            &mut self.image,
-        ] {
+        self.system.take_places(layout, &self.elements);
+        self.directions.resize(self.elements.len());
+        for field in [&mut self.residual, &mut self.image] {
             field.clear();
             field.resize(self.elements.len(), 0.0);
         }
@@ -118,61 +121,95 @@ impl EdgeBand {
         self.elements.is_empty()
     }
 
-    /// Computes `s` for `filtered`, `F r`, and writes it into the band's elements of `field`: conjugate gradients on
-    /// `F_EE s = −(F r)_E`.
+    /// Computes `s` for `filtered`, `F r`, and writes it into the band's elements of `field`.
     pub fn balance(&mut self, filtered: &[f64], field: &mut [f64]) {
         update(&mut self.residual, &self.elements, |r, e| {
             *r = -filtered[*e];
         });
-        self.solution.fill(0.0);
-        self.direction.fill(0.0);
-        let start = dot(&self.residual, &self.residual);
-        if !(start > 0.0 && start.is_finite()) {
-            return;
-        }
-        let (mut product, mut beta) = (start, 0.0);
-        for _ in 0..MOST_STEPS {
-            // d ← r + β d,  y = F_EE d,  α = r·r / d·y
-            update(&mut self.direction, &self.residual, |d, r| {
-                *d = r + beta * *d;
-            });
-            self.multiply();
-            let alpha = product / dot(&self.direction, &self.image);
-            // Truncated at the reach, F_EE may be indefinite under a stiff coating.
-            if !(alpha > 0.0 && alpha.is_finite()) {
-                break;
+        self.system.solution.fill(0.0);
+        self.system.start = None;
+        let fields = SystemFields {
+            residual: &mut self.residual,
+            directions: &mut self.directions,
+            image: &mut self.image,
+        };
+        solve(&mut self.system, fields, MOST_STEPS);
+        if self.system.has_start() {
+            for (element, s) in self.elements.iter().zip(&self.system.solution) {
+                field[*element] = *s;
             }
-            add_scaled(&mut self.solution, alpha, &self.direction);
-            add_scaled(&mut self.residual, -alpha, &self.image);
-            let after = dot(&self.residual, &self.residual);
-            if after <= ACCURACY * ACCURACY * start {
-                break;
-            }
-            beta = after / std::mem::replace(&mut product, after);
         }
-        for (element, s) in self.elements.iter().zip(&self.solution) {
-            field[*element] = *s;
+    }
+}
+
+impl BandSystem {
+    /// Sets the band's elements.
+    fn take_places(&mut self, layout: Layout, elements: &[usize]) {
+        let images = self.images.drain(..).map(|(place, _)| place);
+        for place in self.places.drain(..).chain(images) {
+            self.spread[place] = 0.0;
+        }
+        let [_, size] = layout.lengths;
+        for (index, element) in elements.iter().enumerate() {
+            let at = [element / size, element % size];
+            self.places.push(layout.place(at));
+            let images = layout.images(at).map(|place| (place, index));
+            self.images.extend(images);
+        }
+        self.solution.resize(elements.len(), 0.0);
+    }
+
+    /// Whether the residual at the start is one to be balanced.
+    fn has_start(&self) -> bool {
+        (self.start).is_some_and(|start| start > 0.0 && start.is_finite())
+    }
+
+    /// Copies a direction into the field to which the stencil is applied.
+    fn spread(&mut self, direction: &[f64]) {
+        for (place, d) in self.places.iter().zip(direction) {
+            self.spread[*place] = *d;
+        }
+        for (place, index) in &self.images {
+            self.spread[*place] = direction[*index];
+        }
+    }
+}
+
+impl LinearSystem for BandSystem {
+    fn precondition(&mut self, residual: &[f64]) -> f64 {
+        dot(residual, residual)
+    }
+
+    fn is_solved(&mut self, product: f64) -> bool {
+        match self.start {
+            None => {
+                self.start = Some(product);
+                !self.has_start()
+            }
+            Some(start) => product <= ACCURACY * ACCURACY * start,
         }
     }
 
-    /// Writes `F_EE d` into the image.
-    fn multiply(&mut self) {
-        self.spread_direction();
-        let (spread, coefficients) = (&self.spread, &self.coefficients);
-        let width = self.layout.width();
-        update(&mut self.image, &self.places, |y, place| {
+    fn correction<'a>(&'a mut self, residual: &'a [f64]) -> &'a [f64] {
+        residual
+    }
+
+    /// Writes `F_EE d`.
+    fn apply_into(&mut self, direction: &[f64], image: &mut [f64]) {
+        self.spread(direction);
+        let (spread, coefficients, width) = (&self.spread, &self.coefficients, self.width);
+        update(image, &self.places, |y, place| {
             *y = stencil(&spread[place - REACH * (width + 1)..], width, coefficients);
         });
     }
 
-    /// Copies the direction into the field to which the stencil is applied.
-    fn spread_direction(&mut self) {
-        for (place, d) in self.places.iter().zip(&self.direction) {
-            self.spread[*place] = *d;
+    /// Truncated at the reach, `F_EE` may be indefinite under a stiff coating.
+    fn take(&mut self, alpha: f64, direction: &[f64], _: f64) -> bool {
+        let is_step = alpha > 0.0 && alpha.is_finite();
+        if is_step {
+            add_scaled(&mut self.solution, alpha, direction);
         }
-        for (place, index) in &self.images {
-            self.spread[*place] = self.direction[*index];
-        }
+        is_step
     }
 }
 

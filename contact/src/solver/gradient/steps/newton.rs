@@ -14,8 +14,8 @@
 //! switching. If many keep changing, they are noise however small the error: with exchanges at a hundredth of the
 //! initial error, rough surfaces took 130 products instead of 25.
 
-use crate::solver::gradient::steps::Context;
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;
+use crate::solver::gradient::steps::{Context, StepOutcome};
 
 /// Fraction of the elements on the wrong side that may still change from step to step when they are exchanged.
 const UNSETTLED: f64 = 0.3;
@@ -38,17 +38,6 @@ pub struct Newton {
     steps: usize,
 }
 
-/// The result of a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Turn {
-    /// The linear system is not solved accurately enough yet, or the set is unchanged.
-    Inner,
-    /// Elements were exchanged.
-    Exchanged,
-    /// The linear system does not converge.
-    Failed,
-}
-
 impl Newton {
     pub fn new(elements: usize) -> Self {
         Self {
@@ -63,9 +52,9 @@ impl Newton {
         (self.first, self.steps) = (None, 0);
     }
 
-    /// Takes one step of the current linear system (one product), or exchanges elements if it is solved accurately
-    /// enough for `tolerance` (one product if elements pull).
-    pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> Turn {
+    /// Takes one step of the current linear system (one product), whose solution leaves the set as it is; or exchanges
+    /// elements if it is solved accurately enough for `tolerance` (one product if elements pull).
+    pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> StepOutcome {
         if self.first.is_none() {
             self.conjugate.restart();
             self.steps = 0;
@@ -86,13 +75,13 @@ impl Newton {
         let (step, image) = (self.conjugate.direction(), &context.segment.image);
         context.preconditioner.note(context.set, step, image);
         if moved && self.steps <= MOST_STEPS {
-            Turn::Inner
+            StepOutcome::Free
         } else {
-            Turn::Failed
+            StepOutcome::Failed
         }
     }
 
-    fn exchange(&mut self, context: &mut Context<'_>) -> Turn {
+    fn exchange(&mut self, context: &mut Context<'_>) -> StepOutcome {
         let Context {
             problem,
             state,
@@ -108,6 +97,6 @@ impl Newton {
             state.press_somewhere(set.mask());
             state.clip(problem);
         }
-        Turn::Exchanged
+        StepOutcome::Exchanged
     }
 }
