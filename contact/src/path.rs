@@ -28,7 +28,7 @@ use crate::{
     SampledModel, Signal, Solution, SolverOptions, Step, Warning, choose_side_at,
     grid::region::Region,
     path::hierarchy::Hierarchy,
-    problem::{model::initial_gap, support::under},
+    problem::{model::initial_gap, support::choice::under},
     result::{
         cut_off::{CutOff, Surroundings},
         map_resolution::MapResolution,

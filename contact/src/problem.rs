@@ -2,6 +2,7 @@
 
 pub mod discrete_problem;
 pub mod gap_scale;
+pub mod held_pressure;
 pub mod load;
 pub mod model;
 pub mod scale;

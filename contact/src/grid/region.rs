@@ -7,8 +7,6 @@
 mod fields;
 mod places;
 
-pub use self::places::Place;
-
 use pellicle_influence::{SectorGrid, SurfaceElasticity};
 use rayon::prelude::*;
 
@@ -24,6 +22,9 @@ const MARGIN_PART: usize = 24;
 
 /// Fewest elements per thread.
 const ELEMENTS_PER_THREAD: usize = 1 << 14;
+
+/// Row and column relative to a region; negative values denote mirror images, or nothing.
+pub type Place = [isize; 2];
 
 /// The boundary condition of a square domain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -11,7 +11,7 @@ use crate::{
     path::domain::Guess,
     path::effort::Effort,
     path::start::{CoarserSolution, FineGrid, RoughSurface},
-    problem::{model::SampledRegion, support::under},
+    problem::{model::SampledRegion, support::choice::under},
     result::certificate::{JudgedFields, Trial},
     result::contact_field::ContactField,
     solver::Watch,

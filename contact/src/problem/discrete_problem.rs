@@ -17,14 +17,14 @@ use pellicle_influence::{ElasticOperator, SurfaceElasticity};
 use pellicle_texture::SpringLaw;
 
 use self::fields::{check_length, check_values, is_rough};
-use self::hardness::HeldPressure;
 use crate::{
     Boundary, ContactError,
     grid::region::Region,
     problem::{
         gap_scale::GapScale,
+        held_pressure::HeldPressure,
         scale::Scale,
-        support::{self, Support},
+        support::{Support, choice},
         tangents::Tangents,
     },
     vector::update_with,
@@ -73,7 +73,7 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         let region = Region::whole(operator.size());
-        let support = support::given(operator, region);
+        let support = choice::given(operator, region);
         Self::on(support, relief_compliance, initial_gap, element_area)
     }
 
@@ -93,7 +93,7 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         assert!(size <= elasticity.size(), "a grid within the coefficients");
-        let support = support::under(elasticity, Region::whole(size));
+        let support = choice::under(elasticity, Region::whole(size));
         Self::on(support, relief_compliance, initial_gap, element_area)
     }
 
@@ -113,7 +113,7 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         let region = Region::domain(elasticity.size(), Boundary::Periodic);
-        let support = support::under(elasticity, region);
+        let support = choice::under(elasticity, region);
         Self::on(support, relief_compliance, initial_gap, element_area)
     }
 

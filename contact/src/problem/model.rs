@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::{
     Boundary, ContactError, DiscreteProblem, Indenter, Profile, grid::region::Region,
-    problem::support::under, vector::update,
+    problem::support::choice::under, vector::update,
 };
 
 /// An indenter above a relief on an elastic foundation, without a grid or load.

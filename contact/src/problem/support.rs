@@ -12,6 +12,7 @@
 //! is one file here.
 
 mod cell;
+pub mod choice;
 mod given;
 mod grid;
 pub mod scattered;
@@ -20,9 +21,7 @@ use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, PeriodicSymbol, SurfaceElasticity};
 
-use self::{cell::Cell, given::Given, grid::BodyUnderGrid};
 use crate::{
-    Boundary,
     grid::{candidates::Candidates, region::Region},
     problem::gap_scale::GapScale,
 };
@@ -163,17 +162,4 @@ pub struct Run {
     pub count: usize,
     /// Rows and columns from the element, or its image, to the first of them.
     pub offset: [isize; 2],
-}
-
-/// An elastic body under all elements of a region.
-pub fn under(elasticity: Arc<SurfaceElasticity>, region: Region) -> Box<dyn Support> {
-    match region.boundary() {
-        Boundary::Free => Box::new(BodyUnderGrid::new(elasticity, region)),
-        Boundary::Periodic => Box::new(Cell::new(elasticity, region)),
-    }
-}
-
-/// A given operator, without known coefficients, under all elements of a region.
-pub fn given(operator: Box<dyn ElasticOperator>, region: Region) -> Box<dyn Support> {
-    Box::new(Given::new(operator, region))
 }

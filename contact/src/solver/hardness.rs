@@ -41,6 +41,7 @@
 mod continuation;
 mod descent;
 mod limit_exchange;
+mod wrong_side;
 
 use self::limit_exchange::LimitExchange;
 use super::{ElasticSolver, Iterate, SolverOptions, Watch};

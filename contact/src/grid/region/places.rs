@@ -2,10 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Boundary, Region};
-
-/// Row and column relative to a region; negative values denote mirror images, or nothing.
-pub type Place = [isize; 2];
+use super::{Boundary, Place, Region};
 
 /// Neighbouring elements in one row of a region.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -77,7 +77,7 @@ mod tests {
             candidates::{Candidates, elements_where},
             region::{Boundary, Region},
         },
-        problem::support::{scattered::SHORTER_REACH, under},
+        problem::support::{choice::under, scattered::SHORTER_REACH},
     };
 
     /// A flat surface of side 1 on a part of a whole grid of `size` elements per side.

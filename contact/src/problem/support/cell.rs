@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, PeriodicOperator, PeriodicSymbol, SurfaceElasticity};
 
-use super::{Support, under};
+use super::Support;
 use crate::{grid::region::Region, problem::gap_scale::GapScale};
 
 /// The body, and its operator once it is needed.
@@ -59,7 +59,9 @@ impl Support for Cell {
 
     /// None for less than the cell: a part of it does not repeat.
     fn part(&self, region: &Region) -> Option<Box<dyn Support>> {
-        (region.is_whole()).then(|| under(self.elasticity.clone(), *region))
+        let whole =
+            || -> Box<dyn Support> { Box::new(Self::new(self.elasticity.clone(), *region)) };
+        region.is_whole().then(whole)
     }
 
     fn release(&mut self) {

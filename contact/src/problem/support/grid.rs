@@ -6,7 +6,7 @@ use pellicle_influence::{
     ConvolutionOperator, ElasticOperator, PeriodicSymbol, SurfaceElasticity, WindowOperator,
 };
 
-use super::{Support, scattered::Scattered, under};
+use super::{Support, scattered::Scattered};
 use crate::grid::{candidates::Candidates, region::Region};
 
 /// The body, and the operators built so far.
@@ -68,7 +68,7 @@ impl Support for BodyUnderGrid {
     }
 
     fn part(&self, region: &Region) -> Option<Box<dyn Support>> {
-        Some(under(self.elasticity.clone(), *region))
+        Some(Box::new(Self::new(self.elasticity.clone(), *region)))
     }
 
     /// Products among candidates include no mirror images.

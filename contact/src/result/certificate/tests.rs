@@ -10,7 +10,7 @@ use pellicle_texture::SpringLaw;
 
 use super::{Certificate, JudgedFields, Solution, Surface, Trial};
 use crate::{
-    DeformedSurface, DiscreteProblem, Load, grid::region::Region, problem::support::under,
+    DeformedSurface, DiscreteProblem, Load, grid::region::Region, problem::support::choice::under,
 };
 
 /// Independent springs of 0.5 m/Pa.

@@ -11,10 +11,11 @@ use crate::{
             springs::Springs,
             state::State,
             steps::{
-                Context, StepOutcome,
+                Context,
                 conjugate::ConjugateDirections,
                 face::FaceDescent,
                 newton::Newton,
+                outcome::StepOutcome,
                 segment::Segment,
                 spectral::SpectralSteps,
                 stiffness::{Wanted, pressure_sum_per_penetration},

@@ -4,12 +4,13 @@
 pub mod conjugate;
 pub mod face;
 pub mod newton;
+pub mod outcome;
 pub mod projection;
 pub mod segment;
 pub mod spectral;
 pub mod stiffness;
 
-use self::segment::Segment;
+use self::{outcome::StepOutcome, segment::Segment};
 use crate::{
     DiscreteProblem,
     solver::gradient::{
@@ -18,22 +19,6 @@ use crate::{
         working_set::WorkingSet,
     },
 };
-
-/// What a step came to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StepOutcome {
-    /// The whole step was taken without a bound: the set stays.
-    Free,
-    /// The whole step was taken, with pressures held at zero that would have become negative: the set may have changed,
-    /// and the next step must not be conjugate.
-    Clipped,
-    /// The step ends at the minimum of the energy on its segment.
-    Cut,
-    /// Elements were exchanged.
-    Exchanged,
-    /// The linear system does not converge.
-    Failed,
-}
 
 /// The problem, a pressure, the elements whose pressures are free, and the approximate inverse of the system on them.
 pub struct Context<'a> {

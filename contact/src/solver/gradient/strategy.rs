@@ -2,7 +2,7 @@
 //! a stiff coating, descent from face to face where Newton's method fails.
 
 use crate::solver::exchange::Milestone;
-use crate::solver::gradient::steps::StepOutcome;
+use crate::solver::gradient::steps::outcome::StepOutcome;
 
 /// The next milestone of the residual, as a fraction of the last.
 const HALVED: f64 = 0.5;

@@ -9,7 +9,7 @@ use crate::solver::gradient::state::State;
 use crate::solver::gradient::steps::face::FaceDescent;
 use crate::solver::gradient::steps::newton::Newton;
 use crate::solver::gradient::steps::segment::Segment;
-use crate::solver::gradient::steps::{Context, StepOutcome};
+use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem, Load,

@@ -15,7 +15,7 @@
 //!
 //! A contact found ring by ring in 2200 products takes 220.
 
-use super::limit_exchange::WrongSide;
+use super::wrong_side::WrongSide;
 
 /// Largest excess over the limit, in units of the limit, beyond which springs are added at once if no others may be
 /// held with those above it. At 5 as many products; at 20 rough cells take up to twice as many.

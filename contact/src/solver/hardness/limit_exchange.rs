@@ -1,13 +1,12 @@
 //! Successive exchanges of elements: which are held at the limit, and how accurately the problem of the others is
 //! solved.
 
-mod wrong_side;
+mod search;
 
-pub use self::wrong_side::WrongSide;
-use super::{continuation::Continuation, descent::Descent};
+use super::{continuation::Continuation, descent::Descent, wrong_side::WrongSide};
 use crate::{
     ContactError, DiscreteProblem, Iterate, Load, SolverOptions,
-    problem::discrete_problem::hardness::HeldPressure,
+    problem::held_pressure::HeldPressure,
     solver::{ElasticSolver, Watch, exchange::Milestone},
     vector::add_scaled,
 };

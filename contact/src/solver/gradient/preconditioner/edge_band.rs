@@ -307,7 +307,7 @@ mod tests {
     use crate::{
         DiscreteProblem,
         grid::region::Region,
-        problem::support::given,
+        problem::support::choice::given,
         solver::gradient::{load_control::LoadControl, tests::begun, working_set::WorkingSet},
     };
 

@@ -162,7 +162,7 @@ mod tests {
     use crate::{
         DiscreteProblem,
         grid::region::Region,
-        problem::support::under,
+        problem::support::choice::under,
         solver::gradient::{tests::begun, working_set::WorkingSet},
         vector::{add_scaled, dot},
     };

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::solver::gradient::conjugate_gradients::{Directions, SystemFields};
 use crate::solver::gradient::preconditioner::{UniformAccuracy, residual_into};
 use crate::solver::gradient::steps::segment::Segment;
-use crate::solver::gradient::steps::{Context, StepOutcome};
+use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
 use crate::vector::dot;
 
 /// Fewest elements per thread.

@@ -15,7 +15,7 @@
 //! initial error, rough surfaces took 130 products instead of 25.
 
 use crate::solver::gradient::steps::conjugate::ConjugateDirections;
-use crate::solver::gradient::steps::{Context, StepOutcome};
+use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
 
 /// Fraction of the elements on the wrong side that may still change from step to step when they are exchanged.
 const UNSETTLED: f64 = 0.3;

@@ -1,6 +1,7 @@
 //! A step from one admissible pressure towards another, and the fraction of it to take.
 
-use crate::solver::gradient::{state::State, steps::StepOutcome};
+use crate::solver::gradient::state::State;
+use crate::solver::gradient::steps::outcome::StepOutcome;
 use crate::{
     DiscreteProblem,
     vector::{add_scaled, dot, each, update, update_with},

@@ -8,7 +8,7 @@
 use crate::solver::gradient::preconditioner::{UniformAccuracy, residual_into};
 use crate::solver::gradient::steps::projection::project;
 use crate::solver::gradient::steps::segment::Segment;
-use crate::solver::gradient::steps::{Context, StepOutcome};
+use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
 use crate::vector::dot;
 
 /// Bounds of the step length `α`; 1 is the preconditioner's own step. Steps in practice lie between 0.02 and 3.

@@ -1,6 +1,6 @@
-//! The elements on the wrong side of a solution with held elements.
+//! The search for the elements on the wrong side of a solution with held elements.
 
-use super::LimitExchange;
+use super::{LimitExchange, WrongSide};
 use crate::{DiscreteProblem, Load};
 
 /// Relative excess over the limit that is cut off as rounding; without this an element was held and released in turn.
@@ -9,19 +9,6 @@ const ABOVE: f64 = 1e-13;
 const SLACK: f64 = 0.5;
 /// Elements released at most under a force, per element that carries pressure below the limit.
 const MOST_RELEASED: usize = 4;
-
-/// The elements on the wrong side.
-#[derive(Default)]
-pub struct WrongSide {
-    /// Free elements above the limit.
-    pub above: Vec<usize>,
-    /// Held elements to be released: with a gap, under a force those with the largest.
-    pub open: Vec<usize>,
-    /// The largest excess over the limit, in units of the limit.
-    pub excess: f64,
-    /// The largest error: that excess, or a gap relative to the penetration.
-    pub by: f64,
-}
 
 impl LimitExchange {
     /// Finds the elements on the wrong side of the solution with the held elements, from its `v = K p + w* + g0` (m).
