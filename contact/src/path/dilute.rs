@@ -39,7 +39,7 @@ const WHOLE_STEP: usize = 100;
 /// Least ratio of the cost of a step on the whole grid to one on candidates.
 const LEAST_GAIN: usize = 4;
 /// Elements per side below which the cost of a level is negligible.
-const SMALLEST: usize = 256;
+const SMALLEST_REGION: usize = 256;
 /// Tolerance of the first pass, which finds the set among the candidates.
 const FIRST_TOLERANCE: f64 = 1e-5;
 /// Passes after which the whole grid is solved.
@@ -69,7 +69,7 @@ impl Dilute {
         let is_for_candidates = !whole.has_hardness()
             && options.method == Method::Gradient
             && whole.support().takes_candidates()
-            && region.size() >= SMALLEST
+            && region.size() >= SMALLEST_REGION
             && whole.stiffness_contrast() <= LARGEST_CONTRAST;
         if !is_for_candidates {
             return None;

@@ -8,7 +8,7 @@ use crate::result::certificate::Trial;
 
 const SIZE: usize = 320;
 /// Range of elements that the region must hold, along either axis.
-const WINDOW: [usize; 2] = [40, 280];
+const HELD: [usize; 2] = [40, 280];
 const DEPTH: f64 = 4e-4;
 /// The needle's element, which is not in the start.
 const NEEDLE: [usize; 2] = [150, 90];
@@ -43,9 +43,9 @@ fn whole(elasticity: &Arc<SurfaceElasticity>) -> DiscreteProblem {
 }
 
 fn region(problem: &DiscreteProblem) -> Region {
-    let belongs = |i: usize| (WINDOW[0]..WINDOW[1]).contains(&i);
+    let belongs = |i: usize| (HELD[0]..HELD[1]).contains(&i);
     let region = problem.region().around(|[i, j]| belongs(i) && belongs(j));
-    assert!(region.size() >= SMALLEST && !region.is_whole());
+    assert!(region.size() >= SMALLEST_REGION && !region.is_whole());
     region
 }
 
@@ -186,7 +186,7 @@ fn only_a_dilute_contact_on_a_large_free_grid_is_solved_among_candidates() {
     let cell = DiscreteProblem::periodic(elasticity.clone(), rigid, gap, 1e-5).unwrap();
     assert!(!is_solved(&cell, &region, &options));
     let small = problem.region().around(|[i, j]| i.max(j) < 200);
-    assert!(small.size() < SMALLEST && !is_solved(&problem, &small, &options));
+    assert!(small.size() < SMALLEST_REGION && !is_solved(&problem, &small, &options));
     // No element presses, and all do.
     for value in [0.0, 1.0] {
         let even = vec![value; region.elements()];

@@ -36,7 +36,7 @@ const PATIENCE: usize = 4;
 /// cells take a quarter more products in the mean; without a bound, one of 1000 random problems is not solved.
 const MOST_REFILLS: usize = 1;
 /// Fraction of the limit above which an element of a start is held.
-const NEAR: f64 = 0.95;
+const LEAST_HELD_AT_START: f64 = 0.95;
 /// Largest fraction of a force carried by the elements held at a start.
 const LARGEST_SHARE: f64 = 0.97;
 /// Fraction of a force that is rounding error of the held elements' force.
@@ -75,7 +75,7 @@ impl LimitExchange {
         let mut held = problem.none_held();
         let gaps = problem.initial_gap().iter();
         held.mask = (start.iter().zip(gaps))
-            .map(|(p, g0)| *p >= NEAR * limit && g0.is_finite())
+            .map(|(p, g0)| *p >= LEAST_HELD_AT_START * limit && g0.is_finite())
             .collect();
         let most = match load {
             Load::Force(force) => {

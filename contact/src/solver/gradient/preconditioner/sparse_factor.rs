@@ -56,7 +56,7 @@ const PLACES: usize = 4000;
 /// included in a block: with 8 a bare coating 1000 times as stiff takes a third more products at N = 512.
 const NEAR_AXIS: u32 = 24;
 /// Length of a pattern's header.
-const HEAD: usize = 4;
+const HEADER_LENGTH: usize = 4;
 /// Numbers in all blocks together beyond which all blocks are discarded, about 0.5 GB: a path of many loads keeps
 /// adding blocks.
 const MOST_ENTRIES: usize = 1 << 27;
@@ -112,7 +112,7 @@ static EARLIER: LazyLock<[Vec<[i32; 2]>; 4]> =
 /// Offsets of a tile's own elements.
 static OWN: LazyLock<Vec<[i32; 2]>> = LazyLock::new(own_offsets);
 /// The same for the only tile of the coarsest level.
-const FIRST: [[i32; 2]; 1] = [[0, 0]];
+const TOP_OFFSETS: [[i32; 2]; 1] = [[0, 0]];
 
 /// The key of a block: level and colour, the tile's distance from nearby axes of a quadrant, the number of its own
 /// elements, and for each of them and each neighbour the index of its offset and its class.
@@ -222,7 +222,7 @@ impl SparseFactor {
             return None;
         }
         let (near, colour) = (self.near_axis(level), colour(tile[0], tile[1]));
-        let mut pattern = Vec::with_capacity(HEAD + own.len() + self.neighbours);
+        let mut pattern = Vec::with_capacity(HEADER_LENGTH + own.len() + self.neighbours);
         pattern.push(COLOURS * level + colour);
         pattern.extend([0, 1].map(|axis: usize| first[axis].unsigned_abs().min(near[axis])));
         pattern.push(index(own.len()).unsigned_abs());
@@ -256,7 +256,11 @@ impl SparseFactor {
 
     /// Offsets of the own elements of a level's tiles.
     fn own(&self, level: u32) -> &'static [[i32; 2]] {
-        if level == self.top { &FIRST } else { &OWN }
+        if level == self.top {
+            &TOP_OFFSETS
+        } else {
+            &OWN
+        }
     }
 
     /// Offsets of earlier elements; none for the coarsest level.
@@ -290,7 +294,7 @@ impl SparseFactor {
     /// Computes the block of a pattern.
     fn compute(&self, pattern: &Pattern, workspace: &mut Workspace, room: Room<'_>) {
         let (level, colour) = (pattern[0] / COLOURS, pattern[0] % COLOURS);
-        let (own, neighbours) = pattern[HEAD..].split_at(own_of(pattern));
+        let (own, neighbours) = pattern[HEADER_LENGTH..].split_at(own_of(pattern));
         let place = |offsets: &[[i32; 2]], entry: &u32| offsets[(entry >> 16) as usize];
         let earlier = neighbours
             .iter()
@@ -348,11 +352,11 @@ impl SparseFactor {
 
 /// The numbers of a pattern's unknowns and of the tile's own elements among them.
 fn size_of(pattern: &Pattern) -> [usize; 2] {
-    [pattern.len() - HEAD, own_of(pattern)]
+    [pattern.len() - HEADER_LENGTH, own_of(pattern)]
 }
 
 fn own_of(pattern: &Pattern) -> usize {
-    pattern[HEAD - 1] as usize
+    pattern[HEADER_LENGTH - 1] as usize
 }
 
 /// The class of every element's compliance (m/Pa).

@@ -23,7 +23,7 @@ use crate::vector::{add_scaled, update, update_with};
 
 /// Largest error of the energy of the solution on a face, relative to the initial one, as the preconditioner estimates
 /// it: `r·z`.
-const SETTLED: f64 = 1e-2;
+const LARGEST_ENERGY_ERROR: f64 = 1e-2;
 /// Most steps for one linear system; its approximate solution is then used, since each conjugate gradient step has
 /// lowered the energy.
 const MOST_STEPS: usize = 60;
@@ -88,7 +88,8 @@ impl FaceDescent {
         self.steps += 1;
         // Never at the first step: each face costs at least one product, so the bound on products ends an iteration
         // that rounding would keep going.
-        let is_settled = self.steps > 1 && (missing <= SETTLED * first || self.steps > MOST_STEPS);
+        let is_settled =
+            self.steps > 1 && (missing <= LARGEST_ENERGY_ERROR * first || self.steps > MOST_STEPS);
         let moves = !is_settled && self.conjugate.step_freely(context);
         if !moves {
             self.leave_face(context);

@@ -18,15 +18,15 @@ use crate::solver::gradient::steps::conjugate::ConjugateDirections;
 use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
 
 /// Fraction of the elements on the wrong side that may still change from step to step when they are exchanged.
-const UNSETTLED: f64 = 0.3;
+const MOST_STILL_CHANGING: f64 = 0.3;
 /// Elements on the wrong side, as a fraction of the set, up to which they count as few.
-const FEW: f64 = 1e-3;
+const MOST_CALLED_FEW: f64 = 1e-3;
 /// Largest error at which few elements are exchanged, relative to the initial one, in the metric of the preconditioner.
-const SETTLED: f64 = 0.01;
+const LARGEST_ERROR_FOR_FEW: f64 = 0.01;
 /// The same at which the system counts as solved and all elements on the wrong side are exchanged.
-const SOLVED: f64 = 1e-10;
+const LARGEST_ERROR_IF_SOLVED: f64 = 1e-10;
 /// Overlap that is ignored, as a fraction of the tolerance.
-const SLACK: f64 = 0.5;
+const IGNORED_OVERLAP: f64 = 0.5;
 /// Steps of one linear system after which its preconditioner counts as failed.
 const MOST_STEPS: usize = 60;
 
@@ -62,11 +62,12 @@ impl Newton {
         let missing = self.conjugate.aim(context);
         let first = *self.first.get_or_insert(missing);
         let Context { state, set, .. } = context;
-        let predicted = set.predict_wrong_side(state, self.conjugate.missing(), SLACK * tolerance);
-        let are_many = predicted.wrong as f64 > (FEW * set.len() as f64).max(2.0);
-        let are_steady = predicted.changed as f64 <= UNSETTLED * predicted.wrong as f64;
-        let are_clear = are_steady && (are_many || missing <= SETTLED * first);
-        let is_solved = missing <= SOLVED * first;
+        let predicted =
+            set.predict_wrong_side(state, self.conjugate.missing(), IGNORED_OVERLAP * tolerance);
+        let are_many = predicted.wrong as f64 > (MOST_CALLED_FEW * set.len() as f64).max(2.0);
+        let are_steady = predicted.changed as f64 <= MOST_STILL_CHANGING * predicted.wrong as f64;
+        let are_clear = are_steady && (are_many || missing <= LARGEST_ERROR_FOR_FEW * first);
+        let is_solved = missing <= LARGEST_ERROR_IF_SOLVED * first;
         if predicted.wrong > 0 && (are_clear || is_solved) {
             return self.exchange(context);
         }
