@@ -68,7 +68,7 @@ impl Dilute {
         // Elements held at a hardness would need a separate operator.
         let is_for_candidates = !whole.has_hardness()
             && options.method == Method::Gradient
-            && whole.support().takes_candidates()
+            && whole.takes_candidates()
             && region.size() >= SMALLEST_REGION
             && whole.stiffness_contrast() <= LARGEST_CONTRAST;
         if !is_for_candidates {

@@ -24,7 +24,7 @@ use crate::{
         gap_scale::GapScale,
         held_pressure::HeldPressure,
         scale::Scale,
-        support::{Support, choice},
+        support::{Support, choice, divisible::Divisible},
         tangents::Tangents,
     },
     vector::update_with,
@@ -42,7 +42,7 @@ impl PartialEq for Identity {
 
 /// The problem on one grid. Fields hold N² values with index `i N + j`, the first index along x.
 pub struct DiscreteProblem {
-    support: Box<dyn Support>,
+    support: Box<dyn Divisible>,
     relief_compliance: Vec<f64>,
     /// The compliance (m/Pa) of linear springs added to all elements, and that sum; none without.
     softened: Option<(f64, Vec<f64>)>,
@@ -119,7 +119,7 @@ impl DiscreteProblem {
 
     /// Creates the problem on all elements of a support's region, with their fields and the area of one element.
     pub(crate) fn on(
-        mut support: Box<dyn Support>,
+        mut support: Box<dyn Divisible>,
         relief_compliance: Vec<f64>,
         initial_gap: Vec<f64>,
         element_area: f64,
@@ -208,8 +208,8 @@ impl DiscreteProblem {
         &*self.support
     }
 
-    /// The same, for products.
-    pub(crate) fn support_mut(&mut self) -> &mut dyn Support {
+    /// The same, for products on parts of it.
+    pub(crate) fn support_mut(&mut self) -> &mut dyn Divisible {
         &mut *self.support
     }
 

@@ -8,11 +8,13 @@
 //! | [scattered](scattered) | a few of a square | none | found by the certificate |
 //! | [given](given) | all of a square, under any operator | none | nothing presses |
 //!
-//! Solvers, preconditioners and the certificate use the verbs of [`Support`] and never ask which kind it is. A new kind
-//! is one file here.
+//! Solvers and preconditioners use the verbs of [`Support`] and never ask which kind it is; a path and the certificate,
+//! which solve on a part and judge on all of it, also those of [`Divisible`](divisible::Divisible). A new kind is one
+//! file here.
 
 mod cell;
 pub mod choice;
+pub mod divisible;
 mod given;
 mod grid;
 pub mod scattered;
@@ -112,46 +114,6 @@ pub trait Support: ElasticOperator {
     fn symbol(&self) -> Option<PeriodicSymbol> {
         None
     }
-
-    /// The same body under a region of the grid; none if there is no operator for it.
-    fn part(&self, _: &Region) -> Option<Box<dyn Support>> {
-        None
-    }
-
-    /// Whether it can be restricted to candidates.
-    fn takes_candidates(&self) -> bool {
-        false
-    }
-
-    /// The same body under the candidates of a region, with products accurate to about 1e-9; none if there is no
-    /// operator for them or the region too small.
-    fn among(&self, _: &Region, _: &Arc<Candidates>) -> Option<Box<dyn Support>> {
-        None
-    }
-
-    /// Writes `K p` on a `reach` around a part of the region, for a pressure on that part that is 0 outside.
-    fn apply_around(
-        &mut self,
-        _part_and_reach: [&Region; 2],
-        pressure: &[f64],
-        displacement: &mut [f64],
-    ) {
-        self.apply_into(pressure, displacement);
-    }
-
-    /// Writes `K p` among other elements of the region, given by ascending indices; returns false if only its own
-    /// elements can press.
-    fn apply_among(&mut self, _: &[u32], _pressure: &[f64], _displacement: &mut [f64]) -> bool {
-        false
-    }
-
-    /// Exchanges its candidates for others of the same region; returns false if it has none.
-    fn list(&mut self, _: &Arc<Candidates>) -> bool {
-        false
-    }
-
-    /// Frees the memory of operators that can be rebuilt.
-    fn release(&mut self) {}
 }
 
 /// Elements in succession in one row.
@@ -163,3 +125,6 @@ pub struct Run {
     /// Rows and columns from the element, or its image, to the first of them.
     pub offset: [isize; 2],
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,13 +5,18 @@ use std::sync::Arc;
 use super::{DiscreteProblem, Identity};
 use crate::{
     grid::{candidates::Candidates, region::Region},
-    problem::support::Support,
+    problem::support::divisible::Divisible,
 };
 
 impl DiscreteProblem {
     /// The same problem on a region of the grid; none if there is no operator for it. The pressure outside is zero.
     pub(crate) fn part(&self, region: &Region) -> Option<Self> {
         Some(self.on_part(self.support.part(region)?))
+    }
+
+    /// Whether it can be restricted to candidates.
+    pub(crate) fn takes_candidates(&self) -> bool {
+        self.support.takes_candidates()
     }
 
     /// The same problem restricted to the candidates of a region, with products accurate to about 1e-9; none if there
@@ -33,7 +38,7 @@ impl DiscreteProblem {
     }
 
     /// The same problem on some of its elements.
-    fn on_part(&self, support: Box<dyn Support>) -> Self {
+    fn on_part(&self, support: Box<dyn Divisible>) -> Self {
         Self {
             relief_compliance: support.gather(&self.relief_compliance),
             softened: None,

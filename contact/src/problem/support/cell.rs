@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, PeriodicOperator, PeriodicSymbol, SurfaceElasticity};
 
-use super::Support;
+use super::{Support, divisible::Divisible};
 use crate::{grid::region::Region, problem::gap_scale::GapScale};
 
 /// The body, and its operator once it is needed.
@@ -56,11 +56,13 @@ impl Support for Cell {
     fn symbol(&self) -> Option<PeriodicSymbol> {
         Some(self.elasticity.cell_symbol(self.region.size()))
     }
+}
 
+impl Divisible for Cell {
     /// None for less than the cell: a part of it does not repeat.
-    fn part(&self, region: &Region) -> Option<Box<dyn Support>> {
+    fn part(&self, region: &Region) -> Option<Box<dyn Divisible>> {
         let whole =
-            || -> Box<dyn Support> { Box::new(Self::new(self.elasticity.clone(), *region)) };
+            || -> Box<dyn Divisible> { Box::new(Self::new(self.elasticity.clone(), *region)) };
         region.is_whole().then(whole)
     }
 

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, SurfaceElasticity};
 
-use super::{Support, cell::Cell, given::Given, grid::BodyUnderGrid};
+use super::{cell::Cell, divisible::Divisible, given::Given, grid::BodyUnderGrid};
 use crate::grid::region::{Boundary, Region};
 
 /// An elastic body under all elements of a region.
-pub fn under(elasticity: Arc<SurfaceElasticity>, region: Region) -> Box<dyn Support> {
+pub fn under(elasticity: Arc<SurfaceElasticity>, region: Region) -> Box<dyn Divisible> {
     match region.boundary() {
         Boundary::Free => Box::new(BodyUnderGrid::new(elasticity, region)),
         Boundary::Periodic => Box::new(Cell::new(elasticity, region)),
@@ -16,6 +16,6 @@ pub fn under(elasticity: Arc<SurfaceElasticity>, region: Region) -> Box<dyn Supp
 }
 
 /// A given operator, without known coefficients, under all elements of a region.
-pub fn given(operator: Box<dyn ElasticOperator>, region: Region) -> Box<dyn Support> {
+pub fn given(operator: Box<dyn ElasticOperator>, region: Region) -> Box<dyn Divisible> {
     Box::new(Given::new(operator, region))
 }

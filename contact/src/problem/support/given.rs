@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, SurfaceElasticity};
 
-use super::Support;
+use super::{Support, divisible::Divisible};
 use crate::grid::region::Region;
 
 /// An operator and its square.
@@ -38,6 +38,8 @@ impl Support for Given {
         None
     }
 }
+
+impl Divisible for Given {}
 
 #[cfg(test)]
 mod tests {

@@ -6,7 +6,7 @@ use pellicle_influence::{
     ConvolutionOperator, ElasticOperator, PeriodicSymbol, SurfaceElasticity, WindowOperator,
 };
 
-use super::{Support, scattered::Scattered};
+use super::{Support, divisible::Divisible, scattered::Scattered};
 use crate::grid::{candidates::Candidates, region::Region};
 
 /// The body, and the operators built so far.
@@ -66,8 +66,10 @@ impl Support for BodyUnderGrid {
     fn symbol(&self) -> Option<PeriodicSymbol> {
         Some(self.elasticity.symbol(self.region.shape().whole_size()))
     }
+}
 
-    fn part(&self, region: &Region) -> Option<Box<dyn Support>> {
+impl Divisible for BodyUnderGrid {
+    fn part(&self, region: &Region) -> Option<Box<dyn Divisible>> {
         Some(Box::new(Self::new(self.elasticity.clone(), *region)))
     }
 
@@ -76,7 +78,7 @@ impl Support for BodyUnderGrid {
         self.region.weight() == 1
     }
 
-    fn among(&self, region: &Region, candidates: &Arc<Candidates>) -> Option<Box<dyn Support>> {
+    fn among(&self, region: &Region, candidates: &Arc<Candidates>) -> Option<Box<dyn Divisible>> {
         if !self.takes_candidates() {
             return None;
         }

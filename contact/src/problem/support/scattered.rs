@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, ScatteredOperator, SurfaceElasticity};
 
-use super::{Run, Support};
+use super::{Run, Support, divisible::Divisible};
 use crate::grid::{candidates::Candidates, region::Region};
 
 /// Most places of a square are empty, and each is looked up, so neighbours this many times nearer cost the same.
@@ -99,7 +99,9 @@ impl Support for Scattered {
         let value = |candidate| field[region.index_on_grid(self.candidates.place(candidate))];
         (0..self.candidates.len()).map(value).collect()
     }
+}
 
+impl Divisible for Scattered {
     fn apply_among(
         &mut self,
         elements: &[u32],
