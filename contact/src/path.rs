@@ -12,6 +12,7 @@ mod effort;
 mod hierarchy;
 mod level;
 pub mod levels;
+mod part;
 mod start;
 pub mod warnings;
 

@@ -1,15 +1,15 @@
 //! One grid of a loading path: its problem, and the solution of successive, independent loads on it.
 
-use std::sync::Arc;
+use std::{ops::ControlFlow, sync::Arc};
 
 use crate::{
     ActiveSetSolver, ContactError, ContactSlope, DiscreteProblem, GradientSolver, Iterate,
     LevelValues, LevelWork, Load, Method, Model, RoughContact, Solution, Solver, SolverOptions,
     Summary,
     grid::region::Region,
-    path::dilute::Dilute,
     path::domain::Guess,
     path::effort::Effort,
+    path::part::LevelPart,
     path::start::{CoarserSolution, FineGrid, RoughSurface},
     problem::{model::SampledRegion, support::choice::under},
     result::certificate::{JudgedFields, Trial},
@@ -248,8 +248,7 @@ impl Level {
         self.elasticity
     }
 
-    /// Solves on a region, enlarged until it holds the contact; for a dilute contact only on candidates in the region.
-    /// Also returns the region.
+    /// Solves on a part of the level, enlarged until it holds the contact. Also returns the region of the pressure.
     fn solve_from(
         &mut self,
         start: (Region, Vec<f64>),
@@ -257,61 +256,40 @@ impl Level {
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<(Solution, Region, Effort), ContactError> {
-        let everywhere = self.whole.problem.region();
-        let (mut region, mut pressure) = start;
+        let (region, mut pressure) = start;
         let mut effort = Effort::default();
-        let mut dilute = Dilute::around(&self.whole.problem, &region, &pressure, &options);
+        let mut part = LevelPart::around(&self.whole.problem, region, &pressure, &options);
         loop {
-            let iterate = match &mut dilute {
+            let iterate = match &mut part.dilute {
                 Some(dilute) => {
                     let whole = &self.whole.problem;
                     effort.among(dilute.solve(whole, &pressure, load, options, watch)?)
                 }
-                None => self.solve_in(&mut region, &pressure, load, options, watch)?,
+                None => self.solve_in(&mut part.region, &pressure, load, options, watch)?,
             };
             let (reached_border, expected) = (iterate.reached_border, iterate.penetration);
             pressure = effort.take(iterate);
             if reached_border {
-                pressure = region.grown().take_over(&region, &pressure);
-                region = region.grown();
+                pressure = part.grow(&pressure);
                 continue;
             }
             if !self.keeps {
                 self.part = None;
                 self.whole.solver.release();
             }
-            let tolerance = options.tolerance;
             let trial = Trial {
-                region: &region,
+                region: &part.region,
                 load,
                 expected,
-                tolerance,
+                tolerance: options.tolerance,
             };
             let (problem, judged) = (&mut self.whole.problem, &mut self.judged);
             let solution = Solution::judge_within(problem, trial, pressure, judged);
             effort.operator_applications += judged.take_products();
-            if let Some(candidates) = &mut dilute {
-                if candidates.is_done(&solution, &options) {
-                    return Ok((solution, region, effort));
-                }
-                let continues = candidates.correct(problem, judged, &solution.pressure);
-                dilute = dilute.filter(|_| continues);
-                pressure = solution.pressure;
-                continue;
+            match part.take_in(problem, judged, solution, &options) {
+                ControlFlow::Break(solution) => return Ok((solution, part.region, effort)),
+                ControlFlow::Continue(start) => pressure = start,
             }
-            if region.is_whole() || solution.certificate.overlap <= tolerance {
-                return Ok((solution, region, effort));
-            }
-            let wider = {
-                let presses = |element| region.presses(&solution.pressure, element);
-                let (initial_gap, size) = (problem.initial_gap(), problem.size());
-                let judged = &self.judged;
-                let overlaps =
-                    |[i, j]: [usize; 2]| judged.gap_of([i, j], initial_gap[i * size + j]) < 0.0;
-                region.wider(everywhere.around(|e| presses(e) || overlaps(e)))
-            };
-            pressure = wider.take_over(&region, &solution.pressure);
-            region = wider;
         }
     }
 

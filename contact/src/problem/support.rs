@@ -100,6 +100,11 @@ pub trait Support: ElasticOperator {
         Box::new(self.region().border())
     }
 
+    /// Whether the contact may continue beyond the support.
+    fn may_grow(&self) -> bool {
+        self.border().next().is_some()
+    }
+
     /// The elements' values of a field on all of the region's grid.
     fn gather(&self, field: &[f64]) -> Vec<f64> {
         self.region().cut(field)

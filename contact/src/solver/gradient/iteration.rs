@@ -12,7 +12,7 @@ use crate::{
             state::State,
             steps::{
                 Context,
-                conjugate::ConjugateDirections,
+                conjugate::ConjugateSteps,
                 face::FaceDescent,
                 newton::Newton,
                 outcome::StepOutcome,
@@ -42,7 +42,7 @@ pub struct Fields {
 /// The memory of each kind of step.
 struct Steps {
     spectral: SpectralSteps,
-    conjugate: ConjugateDirections,
+    conjugate: ConjugateSteps,
     newton: Option<Newton>,
     faces: Option<FaceDescent>,
 }
@@ -57,7 +57,7 @@ impl Fields {
             segment: Segment::new(problem.elements()),
             steps: Steps {
                 spectral: SpectralSteps::new(problem.elements()),
-                conjugate: ConjugateDirections::new(problem.elements()),
+                conjugate: ConjugateSteps::new(problem.elements()),
                 newton: None,
                 faces: None,
             },

@@ -269,12 +269,11 @@ fn a_set_touches_the_border_if_any_of_its_elements_does() {
 #[test]
 fn the_contact_may_continue_beyond_a_part_of_the_grid_and_not_beyond_all_of_it() {
     let problem = problem([1.0, 0.1], paraboloid, RIGID);
-    let may_continue = |problem: &DiscreteProblem| problem.support().border().next().is_some();
-    assert!(!may_continue(&problem));
+    assert!(!problem.support().may_grow());
     let whole = Region::whole(SIZE);
     let region = whole.around(|place| place == [16, 16]);
-    assert!(may_continue(&problem.part(&region).unwrap()));
-    assert!(!may_continue(&problem.part(&whole).unwrap()));
+    assert!(problem.part(&region).unwrap().support().may_grow());
+    assert!(!problem.part(&whole).unwrap().support().may_grow());
 }
 
 #[test]

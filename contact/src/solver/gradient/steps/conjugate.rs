@@ -15,7 +15,7 @@ use crate::vector::dot;
 const MIN_PART: usize = 1 << 12;
 
 /// The memory and buffers of the conjugate directions.
-pub struct ConjugateDirections {
+pub struct ConjugateSteps {
     directions: Directions,
     preconditioned: Vec<f64>,
     residual_before: Vec<f64>,
@@ -24,7 +24,7 @@ pub struct ConjugateDirections {
 /// The fields of a linear system, and two more for its preconditioner and for a direction taken beforehand.
 pub type LentFields<'a> = (SystemFields<'a>, [&'a mut [f64]; 2]);
 
-impl ConjugateDirections {
+impl ConjugateSteps {
     pub fn new(elements: usize) -> Self {
         let field = || vec![0.0; elements];
         Self {

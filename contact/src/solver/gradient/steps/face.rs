@@ -17,7 +17,7 @@
 use crate::solver::exchange::{Bound, Caution, ends};
 use crate::solver::gradient::state::State;
 use crate::solver::gradient::steps::Context;
-use crate::solver::gradient::steps::conjugate::ConjugateDirections;
+use crate::solver::gradient::steps::conjugate::ConjugateSteps;
 use crate::solver::gradient::steps::segment::Segment;
 use crate::vector::{add_scaled, update, update_with};
 
@@ -32,7 +32,7 @@ const ROUNDING: f64 = 1e-13;
 
 /// The state of the descent.
 pub struct FaceDescent {
-    conjugate: ConjugateDirections,
+    conjugate: ConjugateSteps,
     /// The admissible pressure at which the current face was entered, with its `v` and energy.
     pressure: Vec<f64>,
     v: Vec<f64>,
@@ -57,7 +57,7 @@ fn cut_off(pressure: &mut [f64], step: &[f64]) {
 impl FaceDescent {
     pub fn new(elements: usize) -> Self {
         Self {
-            conjugate: ConjugateDirections::new(elements),
+            conjugate: ConjugateSteps::new(elements),
             pressure: vec![0.0; elements],
             v: vec![0.0; elements],
             penetration: 0.0,

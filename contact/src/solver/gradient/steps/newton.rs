@@ -14,7 +14,7 @@
 //! switching. If many keep changing, they are noise however small the error: with exchanges at a hundredth of the
 //! initial error, rough surfaces took 130 products instead of 25.
 
-use crate::solver::gradient::steps::conjugate::ConjugateDirections;
+use crate::solver::gradient::steps::conjugate::ConjugateSteps;
 use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
 
 /// Fraction of the elements on the wrong side that may still change from step to step when they are exchanged.
@@ -32,7 +32,7 @@ const MOST_STEPS: usize = 60;
 
 /// The state of Newton's method.
 pub struct Newton {
-    conjugate: ConjugateDirections,
+    conjugate: ConjugateSteps,
     /// `r·z` at the first step on the current set; none before it.
     first: Option<f64>,
     steps: usize,
@@ -41,7 +41,7 @@ pub struct Newton {
 impl Newton {
     pub fn new(elements: usize) -> Self {
         Self {
-            conjugate: ConjugateDirections::new(elements),
+            conjugate: ConjugateSteps::new(elements),
             first: None,
             steps: 0,
         }

@@ -12,7 +12,7 @@
 use crate::DiscreteProblem;
 use crate::solver::gradient::conjugate_gradients::{LinearSystem, solve};
 use crate::solver::gradient::preconditioner::Preconditioner;
-use crate::solver::gradient::steps::{Context, conjugate::ConjugateDirections};
+use crate::solver::gradient::steps::{Context, conjugate::ConjugateSteps};
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::vector::{add_scaled, dot, sum, update, update_with};
 
@@ -38,7 +38,7 @@ pub enum Wanted<'a> {
 /// empty), and the products taken. The sum is none if the system does not converge.
 pub fn pressure_sum_per_penetration(
     context: &mut Context<'_>,
-    conjugate: &mut ConjugateDirections,
+    conjugate: &mut ConjugateSteps,
     mut wanted: Wanted<'_>,
 ) -> (Option<f64>, usize) {
     let smallest_gain = match wanted {
