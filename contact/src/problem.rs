@@ -5,6 +5,7 @@ pub mod gap_scale;
 pub mod held_pressure;
 pub mod load;
 pub mod model;
+pub mod relief_springs;
 pub mod scale;
 pub mod support;
 pub mod tangents;

@@ -23,9 +23,9 @@ use crate::{
     problem::{
         gap_scale::GapScale,
         held_pressure::HeldPressure,
+        relief_springs::ReliefSprings,
         scale::Scale,
         support::{Support, choice, divisible::Divisible},
-        tangents::Tangents,
     },
     vector::update_with,
 };
@@ -43,12 +43,7 @@ impl PartialEq for Identity {
 /// The problem on one grid. Fields hold N² values with index `i N + j`, the first index along x.
 pub struct DiscreteProblem {
     support: Box<dyn Divisible>,
-    relief_compliance: Vec<f64>,
-    /// The compliance (m/Pa) of linear springs added to all elements, and that sum; none without.
-    softened: Option<(f64, Vec<f64>)>,
-    spring_law: SpringLaw,
-    /// The tangents of nonlinear springs, once they have been linearised.
-    tangents: Option<Tangents>,
+    springs: ReliefSprings,
     initial_gap: Vec<f64>,
     element_area: f64,
     /// `p_max`, in Pa; infinite without a limit.
@@ -146,10 +141,7 @@ impl DiscreteProblem {
         Ok(Self {
             scale: Scale::new(loaded_area.sqrt(), support.own_coefficient()),
             support,
-            relief_compliance,
-            softened: None,
-            spring_law: SpringLaw::LINEAR,
-            tangents: None,
+            springs: ReliefSprings::new(SpringLaw::LINEAR, relief_compliance),
             initial_gap,
             element_area,
             hardness: f64::INFINITY,
@@ -160,13 +152,10 @@ impl DiscreteProblem {
 
     /// The same problem with another spring law; the relief's compliance is that at rest.
     #[must_use]
-    pub fn with_spring_law(self, spring_law: SpringLaw) -> Self {
-        Self {
-            spring_law,
-            tangents: None,
-            identity: Identity::default(),
-            ..self
-        }
+    pub fn with_spring_law(mut self, spring_law: SpringLaw) -> Self {
+        self.springs.take_law(spring_law);
+        self.identity = Identity::default();
+        self
     }
 
     /// The elasticity from which the operator is built, if known.
@@ -238,34 +227,25 @@ impl DiscreteProblem {
     /// The law of the relief's springs.
     #[must_use]
     pub fn spring_law(&self) -> SpringLaw {
-        self.spring_law
+        self.springs.law()
+    }
+
+    /// The springs under its elements.
+    pub(crate) fn springs(&self) -> &ReliefSprings {
+        &self.springs
     }
 
     /// The relief's compliance at rest `η`, in m/Pa.
     #[must_use]
     pub fn relief_compliance(&self) -> &[f64] {
-        &self.relief_compliance
+        self.springs.relief()
     }
 
     /// Adds linear springs of this compliance (m/Pa) to all elements, or removes them if it is 0.
     pub(crate) fn soften(&mut self, compliance: f64) {
-        if compliance == 0.0 && self.softened.is_none() {
-            return;
+        if self.springs.soften(compliance) {
+            self.identity = Identity::default();
         }
-        let relief = self.relief_compliance.iter();
-        let sum = || relief.map(|eta| eta + compliance).collect();
-        self.softened = (compliance > 0.0).then(|| (compliance, sum()));
-        (self.tangents, self.identity) = (None, Identity::default());
-    }
-
-    /// The compliance (m/Pa) of the springs added to all elements; 0 without.
-    pub(crate) fn added_compliance(&self) -> f64 {
-        self.softened.as_ref().map_or(0.0, |(added, _)| *added)
-    }
-
-    /// The compliance (m/Pa) at rest of the relief and of the springs added to it.
-    pub(crate) fn compliance_at_rest(&self) -> &[f64] {
-        (self.softened.as_ref()).map_or(&self.relief_compliance, |(_, sum)| sum)
     }
 
     /// `κ` (m/Pa), the displacement of an element by opposite pressures on it and on a neighbour; by a pressure on it
@@ -324,44 +304,16 @@ impl DiscreteProblem {
         })
     }
 
-    /// The tangents of the springs; none if they are linear or not yet linearised.
-    pub(crate) fn tangents(&self) -> Option<&Tangents> {
-        self.tangents.as_ref()
-    }
-
     /// Linearises nonlinear springs at a pressure ≥ 0, in the units of the problem's scale.
     pub(crate) fn linearise_springs(&mut self, pressure: &[f64]) {
-        let (law, added) = (self.spring_law, self.added_compliance());
-        let rest = &self.relief_compliance;
-        if self.tangents.is_none() {
-            self.tangents = Tangents::at_rest(law, self.scale, rest, added);
-        }
-        if let Some(tangents) = &mut self.tangents {
-            tangents.take(rest, pressure);
-        }
-    }
-
-    /// The compliance (m/Pa) of the linear problem: `η`, or that of the linearised springs.
-    pub(crate) fn tangent_compliance(&self) -> &[f64] {
-        (self.tangents.as_ref()).map_or(self.compliance_at_rest(), Tangents::compliance)
+        self.springs.linearise(self.scale, pressure);
     }
 
     /// Writes `K p + w*(p)` (m) of the pressure `p` (Pa) into `deformation`, `(K + η) p` on linear springs: one product
     /// with `K`.
     pub fn deform_into(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         self.displace(pressure, deformation);
-        self.shorten_into(pressure, deformation);
-    }
-
-    /// Adds `w*(p)` (m) of the pressure `p` (Pa) to a deformation, with that of added springs.
-    pub(crate) fn shorten_into(&self, pressure: &[f64], deformation: &mut [f64]) {
-        let (law, added) = (self.spring_law, self.added_compliance());
-        update_with(
-            deformation,
-            &self.relief_compliance,
-            pressure,
-            |v, eta, p| *v += law.shortening(*eta, *p) + added * p,
-        );
+        self.springs.shorten_into(pressure, deformation);
     }
 
     /// Writes `(K + η) p` of the linear problem into `deformation`, both in the units of the problem's
@@ -369,7 +321,7 @@ impl DiscreteProblem {
     pub(crate) fn deform_to_scale(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         let per_unit = 1.0 / self.scale.compliance;
         self.displace(pressure, deformation);
-        let compliance = self.tangent_compliance();
+        let compliance = self.springs.compliance();
         update_with(deformation, compliance, pressure, |v, eta, p| {
             *v = (*v + eta * p) * per_unit;
         });

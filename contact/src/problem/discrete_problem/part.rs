@@ -30,20 +30,16 @@ impl DiscreteProblem {
         if !self.support.list(candidates) {
             return false;
         }
-        self.relief_compliance = self.support.gather(&whole.relief_compliance);
+        self.springs = whole.springs.on_part(|field| self.support.gather(field));
         self.initial_gap = self.support.gather(&whole.initial_gap);
-        (self.softened, self.tangents, self.held) = (None, None, None);
-        self.identity = Identity::default();
+        (self.held, self.identity) = (None, Identity::default());
         true
     }
 
     /// The same problem on some of its elements.
     fn on_part(&self, support: Box<dyn Divisible>) -> Self {
         Self {
-            relief_compliance: support.gather(&self.relief_compliance),
-            softened: None,
-            spring_law: self.spring_law,
-            tangents: None,
+            springs: self.springs.on_part(|field| support.gather(field)),
             initial_gap: support.gather(&self.initial_gap),
             element_area: self.element_area,
             hardness: self.hardness,

@@ -375,7 +375,7 @@ impl<'a> Iteration<'a> {
             add_scaled(&mut displacement, -1.0, &state.initial_gap);
             each(&mut displacement, |u| *u *= scale.length);
             let unit = scale.pressure();
-            let compliance = self.problem.tangent_compliance();
+            let compliance = self.problem.springs().compliance();
             update_with(
                 &mut displacement,
                 &state.pressure,

@@ -129,7 +129,7 @@ impl Preconditioner {
         let symbol = problem.support().symbol();
         let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
         let is_stiff = contrast > stiff(problem);
-        let has_springs = problem.tangent_compliance().iter().any(|c| *c > 0.0);
+        let has_springs = problem.springs().compliance().iter().any(|c| *c > 0.0);
         let neighbours = match symbol {
             Some(_) => neighbours(problem.region().grid_size(), contrast),
             None => NEIGHBOURS_OF_CANDIDATE,
@@ -230,9 +230,9 @@ impl Preconditioner {
             match inverse {
                 Inverse::Identity => (),
                 Inverse::Filter(filter) => filter.forget_compliance(),
-                Inverse::Factor(factor) => factor.take_compliance(problem.tangent_compliance()),
+                Inverse::Factor(factor) => factor.take_compliance(problem.springs().compliance()),
                 Inverse::Scattered(factor) => {
-                    factor.take_compliance(problem.tangent_compliance());
+                    factor.take_compliance(problem.springs().compliance());
                 }
             }
         }
@@ -246,7 +246,7 @@ impl Preconditioner {
         }
         match &mut self.inverse {
             Inverse::Identity => (),
-            Inverse::Filter(filter) => filter.update(set, problem.tangent_compliance()),
+            Inverse::Filter(filter) => filter.update(set, problem.springs().compliance()),
             Inverse::Factor(factor) => factor.update(problem.support(), set),
             Inverse::Scattered(factor) => factor.update(set),
         }
@@ -363,13 +363,13 @@ fn is_springy(problem: &DiscreteProblem) -> bool {
     let Some(elasticity) = problem.elasticity() else {
         return false;
     };
-    let mean = sum(problem.tangent_compliance()) / problem.elements() as f64;
+    let mean = sum(problem.springs().compliance()) / problem.elements() as f64;
     mean > SPRINGY * elasticity.coefficient([0, 0])
 }
 
 fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     let elasticity = problem.elasticity()?.clone();
-    let compliance = problem.tangent_compliance();
+    let compliance = problem.springs().compliance();
     if let Some(candidates) = problem.support().candidates() {
         let factor = ScatteredFactor::new(elasticity, candidates.clone(), compliance, neighbours);
         return Some(Inverse::Scattered(Box::new(factor)));

@@ -117,7 +117,7 @@ impl Descent {
     /// `s·∂E` of the step from a pressure to its own: the slope of the energy at its end.
     fn slope_from(&self, problem: &DiscreteProblem, pressure: &[f64]) -> f64 {
         let mut v = self.displacement.clone();
-        problem.shorten_into(&self.pressure, &mut v);
+        problem.springs().shorten_into(&self.pressure, &mut v);
         let penetration = match self.load {
             // The step preserves the force.
             Load::Force(_) => 0.0,

@@ -193,7 +193,7 @@ impl LimitExchange {
         let pressure = self.pressure(limit);
         // v = K p + w* + g0
         let mut v = displacement.to_vec();
-        problem.shorten_into(&pressure, &mut v);
+        problem.springs().shorten_into(&pressure, &mut v);
         add_scaled(&mut v, 1.0, problem.initial_gap());
         let wrong = self.wrong(problem, &v);
         let has_stalled = self.has_stalled(&wrong);
