@@ -16,7 +16,7 @@ pub fn with_other_keys(text: &str, root: &TableShape) -> String {
             _ => String::new(),
         };
         if !rows.is_empty() {
-            others += &format!("#  [{}]\n{rows}", field.key);
+            others = format!("{others}#  [{}]\n{rows}", field.key);
         }
         // Of a list of tables, the keys of one.
         let inner = field.shape.tables().into_iter().flat_map(|of| &of.fields);
@@ -24,7 +24,7 @@ pub fn with_other_keys(text: &str, root: &TableShape) -> String {
             let path = format!("{}.{key}", field.key);
             let rows = Section::of(text, &path).others(&table.fields);
             if !rows.is_empty() {
-                others += &format!("#  [[{path}]]\n{rows}");
+                others = format!("{others}#  [[{path}]]\n{rows}");
             }
         }
     }
@@ -97,13 +97,16 @@ impl<'a> Section<'a> {
             let words: Vec<_> = kinds.kinds.iter().map(|(word, ..)| *word).collect();
             let (key, words) = (kinds.key, words.join("\", \""));
             let without = kinds.default.map_or("", |word| word);
-            rows += &format!("#   {key}: \"{words}\"; without it \"{without}\"\n");
+            rows = format!("{rows}#   {key}: \"{words}\"; without it \"{without}\"\n");
         }
         for key in &kinds.shared.together {
             let field = kinds.shared.fields.iter().find(|field| field.key == *key);
             if let (None, Some(field)) = (self.value(key), field) {
                 let value = value(&field.shape);
-                rows += &format!("#   {key}: {value}; {}; without it rigid\n", field.meaning);
+                rows = format!(
+                    "{rows}#   {key}: {value}; {}; without it rigid\n",
+                    field.meaning
+                );
             }
         }
         rows
