@@ -6,28 +6,18 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_contact::{Cone, FlatPunch, Load, Paraboloid, Pyramid, Sphere};
-use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
-use pellicle_texture::{Cylinders, Film, Lattice, SpringLaw};
-
+use pellicle_kernel::Material;
 use serde::ser::Error as _;
 
 use super::Case;
 use super::foundation::FoundationCase;
-use super::foundation::layer::{InterfaceCase, LayerCase, NamedInterface, SpringCase};
-use super::foundation::modulus::ModulusCase;
-use super::foundation::strength::{BodyStrengthCase, InterfaceStrengthCase};
-use super::foundation::substrate::{MaterialCase, SubstrateCase};
 use super::grid::{BoundaryCase, GridCase};
-use super::indenter::{
-    BerkovichCase, ConeCase, ElasticConstants, IndenterCase, IndenterShape, RoundCase, VickersCase,
-};
-use super::load::{LoadCase, LoadValues};
+use super::indenter::{ElasticConstants, IndenterCase};
+use super::load::LoadCase;
 use super::output::OutputCase;
 use super::solver::SolverCase;
-use super::spring_law::LawCase;
 use super::stress::StressCase;
-use super::surface::{CylindersCase, FilmCase, LatticeCase, SurfaceCase};
+use super::surface::SurfaceCase;
 use super::with_units::with_units;
 use crate::error::Error;
 use crate::input::document::Document;
@@ -157,175 +147,12 @@ impl CaseBuilder {
     }
 }
 
-impl From<Material> for MaterialCase {
-    fn from(material: Material) -> Self {
-        Self {
-            young_modulus: material.young_modulus(),
-            poisson_ratio: material.poisson_ratio(),
-            strength: BodyStrengthCase::default(),
-        }
-    }
-}
-
-impl From<Layer> for LayerCase {
-    fn from(layer: Layer) -> Self {
-        let material = MaterialCase::from(layer.material());
-        Self {
-            thickness: layer.thickness(),
-            young_modulus: ModulusCase::Uniform(material.young_modulus),
-            poisson_ratio: material.poisson_ratio,
-            interface: layer.interface().into(),
-            strength: material.strength,
-            interface_strength: InterfaceStrengthCase::default(),
-        }
-    }
-}
-
-impl From<Interface> for InterfaceCase {
-    fn from(interface: Interface) -> Self {
-        match interface {
-            Interface::Bonded => Self::Named(NamedInterface::Bonded),
-            Interface::Frictionless => Self::Named(NamedInterface::Frictionless),
-            spring @ Interface::Spring(_) => Self::Spring(SpringCase {
-                normal_compliance: spring.normal_compliance(),
-                shear_compliance: spring.shear_compliance(),
-            }),
-        }
-    }
-}
-
-impl From<Foundation> for FoundationCase {
-    fn from(foundation: Foundation) -> Self {
-        Self {
-            substrate: match foundation.base() {
-                Base::Rigid => SubstrateCase::Rigid,
-                Base::HalfSpace(material) => SubstrateCase::Elastic(material.into()),
-            },
-            layer: foundation
-                .layers()
-                .iter()
-                .map(|layer| (*layer).into())
-                .collect(),
-        }
-    }
-}
-
-impl From<IndenterShape> for IndenterCase {
-    fn from(shape: IndenterShape) -> Self {
-        Self {
-            shape,
-            material: None,
-        }
-    }
-}
-
-impl From<Paraboloid> for IndenterCase {
-    fn from(of: Paraboloid) -> Self {
-        let radius = of.radius();
-        IndenterShape::Paraboloid(RoundCase { radius }).into()
-    }
-}
-
-impl From<Sphere> for IndenterCase {
-    fn from(of: Sphere) -> Self {
-        let radius = of.radius();
-        IndenterShape::Sphere(RoundCase { radius }).into()
-    }
-}
-
-impl From<FlatPunch> for IndenterCase {
-    fn from(of: FlatPunch) -> Self {
-        let radius = of.radius();
-        IndenterShape::FlatPunch(RoundCase { radius }).into()
-    }
-}
-
-impl From<Cone> for IndenterCase {
-    fn from(of: Cone) -> Self {
-        IndenterShape::Cone(ConeCase {
-            half_angle: of.half_angle(),
-            tip_radius: of.tip_radius(),
-        })
-        .into()
-    }
-}
-
-impl From<Pyramid> for IndenterCase {
-    fn from(of: Pyramid) -> Self {
-        let (tip_radius, face_angle) = (of.tip_radius(), of.face_angle());
-        if of.faces() == 4 {
-            return IndenterShape::Vickers(VickersCase {
-                tip_radius,
-                face_angle,
-            })
-            .into();
-        }
-        IndenterShape::Berkovich(BerkovichCase {
-            tip_radius,
-            face_angle,
-        })
-        .into()
-    }
-}
-
-impl From<Load> for LoadCase {
-    fn from(load: Load) -> Self {
-        let values = match load {
-            Load::Force(force) => LoadValues::Force(force),
-            Load::Penetration(depth) => LoadValues::Penetration(depth),
-        };
-        values.into()
-    }
-}
-
-impl From<LoadValues> for LoadCase {
-    fn from(values: LoadValues) -> Self {
-        Self {
-            values,
-            sensitivities: false,
-        }
-    }
-}
-
-impl From<SpringLaw> for LawCase {
-    fn from(law: SpringLaw) -> Self {
-        if law == SpringLaw::LINEAR {
-            Self::Linear
-        } else {
-            Self::Logarithmic
-        }
-    }
-}
-
-impl From<Film> for SurfaceCase {
-    fn from(film: Film) -> Self {
-        Self::Film(FilmCase {
-            thickness: film.thickness(),
-            young_modulus: film.young_modulus(),
-            law: film.spring_law().into(),
-        })
-    }
-}
-
-impl From<Cylinders> for SurfaceCase {
-    fn from(of: Cylinders) -> Self {
-        Self::Cylinders(CylindersCase {
-            radius: of.radius(),
-            height: of.height(),
-            period: of.period(),
-            lattice: match of.lattice() {
-                Lattice::Square => LatticeCase::Square,
-                Lattice::Hexagonal => LatticeCase::Hexagonal,
-            },
-            offset: of.offset(),
-            young_modulus: of.young_modulus(),
-            law: of.spring_law().into(),
-        })
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use pellicle_contact::{Cone, FlatPunch, Load, Paraboloid, Pyramid, Sphere};
+    use pellicle_kernel::Foundation;
+    use pellicle_texture::Film;
+
     use super::*;
     use crate::case::foundation::strength::BodyStrengthCase;
 
