@@ -38,6 +38,7 @@ __all__ = [
     "TextureError",
     "__version__",
     "check_part",
+    "key_units",
     "number_text",
     "read_text",
 ]
@@ -173,6 +174,7 @@ class InternalError(Error):
 __version__: str
 
 def check_part(part: str, call: str, text: str) -> None: ...
+def key_units() -> dict[str, str]: ...
 def number_text(value: float, unit: str, is_si: bool) -> str: ...
 def read_text(path: str | os.PathLike[str]) -> str: ...
 @final

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numbers
 from typing import Any, Protocol, TypeAlias
 
+from ._pellicle import key_units
 from .errors import ArgumentError
 
 
@@ -19,37 +20,7 @@ class UnitQuantity(Protocol):
 Quantity: TypeAlias = float | str | UnitQuantity
 """A number in SI units, a string such as `"5 nm"`, or a quantity of a units library."""
 
-SI_UNITS = {
-    "thickness": "m",
-    "young_modulus": "Pa",
-    "poisson_ratio": "dimensionless",
-    "yield_strength": "Pa",
-    "tensile_strength": "Pa",
-    "hardness": "Pa",
-    "interface_shear_strength": "Pa",
-    "interface_tensile_strength": "Pa",
-    "normal_compliance": "m/Pa",
-    "shear_compliance": "m/Pa",
-    "radius": "m",
-    "tip_radius": "m",
-    "half_angle": "rad",
-    "face_angle": "rad",
-    "height": "m",
-    "period": "m",
-    "offset": "m",
-    "compliance": "m/Pa",
-    "side": "m",
-    "sides": "m",
-    "height_unit": "m",
-    "force": "N",
-    "forces": "N",
-    "penetration": "m",
-    "penetrations": "m",
-    "depths": "m",
-    "extent": "m",
-    "friction": "dimensionless",
-    "direction": "rad",
-    "tolerance": "dimensionless",
+SI_UNITS = key_units() | {
     "depth": "m",
     "radii": "m",
     "spring_constant": "N/m",

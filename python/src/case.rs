@@ -7,6 +7,7 @@ use std::sync::Arc;
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pellicle::case::map_sources::MapSources;
 use pellicle::case::parts::Part;
+use pellicle::declare::keys;
 use pellicle::display::{self, Unit};
 use pellicle::input::source_file::read as read_source;
 use pellicle::input::span::{CALL, Source};
@@ -53,6 +54,12 @@ pub fn check_part(part: &str, call: &str, text: String) -> Result<(), Refusal> {
         part.check(&Arc::new(Source::new(format!("{call}{CALL}"), text)))?;
     }
     Ok(())
+}
+
+/// The SI unit of each key of a case that is a quantity.
+#[pyfunction]
+pub fn key_units() -> BTreeMap<&'static str, &'static str> {
+    keys::si_units(&pellicle::Case::shape())
 }
 
 /// A number with its unit, rounded for reading.

@@ -25,7 +25,7 @@ use pyo3::pymodule;
 #[pymodule(gil_used = false)]
 mod _pellicle {
     #[pymodule_export]
-    use crate::case::{Case, check_part, number_text, read_text};
+    use crate::case::{Case, check_part, key_units, number_text, read_text};
     #[pymodule_export]
     use crate::discrete_problem::DiscreteProblem;
     #[pymodule_export]

@@ -31,6 +31,25 @@ pub fn dimensions(root: &TableShape) -> BTreeMap<&'static str, Dimension> {
     fields(root).into_iter().filter_map(dimension).collect()
 }
 
+/// The SI unit of each key whose value is a number or several, as in messages: `dimensionless` for one without.
+#[must_use]
+pub fn si_units(root: &TableShape) -> BTreeMap<&'static str, &'static str> {
+    let is_number = |shape: &Shape| match shape {
+        Shape::Number => true,
+        Shape::Either(shapes) => shapes.contains(&Shape::Number),
+        _ => false,
+    };
+    let of_key = |(key, shape): (&'static str, &Shape)| {
+        let unit = match shape.dimension() {
+            Some(dimension) => dimension.si_unit(),
+            None if is_number(shape) => "dimensionless",
+            None => return None,
+        };
+        Some((key, unit))
+    };
+    fields(root).into_iter().filter_map(of_key).collect()
+}
+
 /// The list of keys in Markdown: a table for each table of the file and for each of its kinds.
 #[must_use]
 pub fn markdown(root: &TableShape) -> String {
@@ -132,6 +151,32 @@ pub fn value(shape: &Shape) -> String {
         Shape::Either(shapes) => {
             let values: Vec<_> = shapes.iter().map(value).collect();
             values.join(" or ")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::Case;
+
+    #[test]
+    fn every_quantity_has_its_unit() {
+        let units = si_units(&Case::shape());
+        for (key, unit) in [
+            ("thickness", "m"),
+            ("young_modulus", "Pa"),
+            ("poisson_ratio", "dimensionless"),
+            ("shear_compliance", "m/Pa"),
+            ("half_angle", "rad"),
+            ("offset", "m"),
+            ("height_unit", "m"),
+            ("forces", "N"),
+            ("depths", "m"),
+            ("friction", "dimensionless"),
+            ("tolerance", "dimensionless"),
+        ] {
+            assert_eq!(units.get(key), Some(&unit), "{key}");
         }
     }
 }
