@@ -33,7 +33,6 @@ mod templates;
 mod terminal;
 mod threads;
 mod unfinished;
-mod validation;
 mod withdrawn;
 
 pub use failure::Failure;
@@ -113,13 +112,6 @@ pub mod measurements {
 /// Rough surfaces made of waves.
 pub mod surfaces {
     pub use crate::self_affine::SelfAffine;
-}
-
-/// The rows of the validation, and the published numbers behind them.
-pub mod evidence {
-    pub use crate::validation::{
-        SECTIONS, ValidationError, ValidationRun, data, film_formulas, independent, run, stress,
-    };
 }
 
 /// The guide; its Rust example is a documentation test of this crate.

@@ -3,14 +3,14 @@
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use pellicle_validation::{
+    SECTIONS, SectionResult, ValidationReport, ValidationRun, ValidationSection, heading,
+    section_text,
+};
 
 use crate::arguments::ValidateArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::validation::{
-    SECTIONS, SectionResult, ValidationReport, ValidationRun, ValidationSection, heading,
-    section_text,
-};
 use crate::{output, terminal, threads};
 
 /// Computes every section and prints its rows as they come, or JSON at the end.

@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use the packages that these may use.
-const ALLOWED: [(&str, &[&str]); 9] = [
+const ALLOWED: [(&str, &[&str]); 10] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-kernel"]),
     ("pellicle-texture", &[]),
@@ -26,6 +26,16 @@ const ALLOWED: [(&str, &[&str]); 9] = [
     ("pellicle-identify", &["pellicle-contact"]),
     ("pellicle-plot", &["pellicle"]),
     (
+        "pellicle-validation",
+        &[
+            "pellicle",
+            "pellicle-contact",
+            "pellicle-influence",
+            "pellicle-kernel",
+            "pellicle-texture",
+        ],
+    ),
+    (
         "pellicle-cli",
         &[
             "pellicle",
@@ -35,6 +45,7 @@ const ALLOWED: [(&str, &[&str]); 9] = [
             "pellicle-kernel",
             "pellicle-plot",
             "pellicle-texture",
+            "pellicle-validation",
         ],
     ),
     (

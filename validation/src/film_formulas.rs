@@ -8,9 +8,9 @@ use std::f64::consts::{FRAC_2_PI, PI};
 use pellicle_contact::Load;
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
-use super::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
-use super::independent::{composite, graded};
-use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
+use crate::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
+use crate::independent::{composite, graded};
+use crate::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
 
 /// Secant steps that find a contact radius to rounding, and two more.
 const SECANTS: usize = 8;

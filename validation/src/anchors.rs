@@ -3,10 +3,10 @@
 use pellicle_contact::{FlatPunch, Indenter, Load, Profile};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
-use super::comparison::Comparison;
-use super::independent::fredholm::{self, AxisymmetricSolution};
-use super::run::{ContactSetup, ValidationError, ValidationRun, unit_material};
-use super::section::ValidationSection;
+use crate::comparison::Comparison;
+use crate::independent::fredholm::{self, AxisymmetricSolution};
+use crate::run::{ContactSetup, ValidationError, ValidationRun, unit_material};
+use crate::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -155,7 +155,7 @@ pub struct StackValue {
 /// # Errors
 /// Errors if the file does not have this layout.
 pub fn one_layer() -> serde_json::Result<Vec<OneLayerResponse>> {
-    let text = include_str!("../../../../tests/data/compliance_two_layer.json");
+    let text = include_str!("../../../tests/data/compliance_two_layer.json");
     Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }
 
@@ -164,7 +164,5 @@ pub fn one_layer() -> serde_json::Result<Vec<OneLayerResponse>> {
 /// # Errors
 /// Errors if the file does not have this layout.
 pub fn stacks() -> serde_json::Result<LayerStacks> {
-    serde_json::from_str(include_str!(
-        "../../../../tests/data/compliance_n_layers.json"
-    ))
+    serde_json::from_str(include_str!("../../../tests/data/compliance_n_layers.json"))
 }

@@ -3,9 +3,9 @@
 use pellicle_contact::{FlatPunch, Indenter, Load, Step};
 use pellicle_kernel::Foundation;
 
-use super::comparison::Comparison;
-use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
-use super::section::ValidationSection;
+use crate::comparison::Comparison;
+use crate::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
+use crate::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

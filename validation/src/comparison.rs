@@ -3,7 +3,7 @@
 use pellicle_contact::Certificate;
 use serde::Serialize;
 
-use super::run::ValidationError;
+use crate::run::ValidationError;
 
 /// One line of the table.
 #[derive(Debug, Clone, PartialEq, Serialize)]

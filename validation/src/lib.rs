@@ -4,6 +4,14 @@
 //! its tolerances. Each of its rows is a [`Comparison`](comparison::Comparison). Everything goes through the same
 //! crates as `pellicle run`.
 
+#![cfg_attr(
+    test,
+    allow(
+        clippy::float_cmp,
+        reason = "the largest of some numbers is one of them, to the last bit"
+    )
+)]
+
 mod anchors;
 mod axisymmetric;
 mod certificate;
@@ -23,9 +31,9 @@ pub mod run;
 mod section;
 pub mod stress;
 
-pub use self::report::ValidationReport;
-pub use self::run::{ValidationError, ValidationRun};
-pub use self::section::{SectionResult, ValidationSection, heading, section_text};
+pub use report::ValidationReport;
+pub use run::{ValidationError, ValidationRun};
+pub use section::{SectionResult, ValidationSection, heading, section_text};
 
 /// All sections, from the kernel up.
 pub static SECTIONS: [ValidationSection; 14] = [
@@ -44,3 +52,8 @@ pub static SECTIONS: [ValidationSection; 14] = [
     stress::limits::SECTION,
     stress::balance::SECTION,
 ];
+
+/// The README of the crate; its example is a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}

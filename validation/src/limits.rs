@@ -4,9 +4,9 @@ use pellicle_contact::{Load, Method, SolverOptions};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
-use super::comparison::Comparison;
-use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
-use super::section::ValidationSection;
+use crate::comparison::Comparison;
+use crate::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
+use crate::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

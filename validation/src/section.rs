@@ -2,8 +2,8 @@
 
 use pellicle::display::significant;
 
-use super::comparison::{ComparedValue, Comparison, RowVerdict};
-use super::run::{ValidationError, ValidationRun};
+use crate::comparison::{ComparedValue, Comparison, RowVerdict};
+use crate::run::{ValidationError, ValidationRun};
 
 /// Digits of a number in the table; JSON has all.
 const DIGITS: usize = 9;

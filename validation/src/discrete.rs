@@ -9,10 +9,10 @@ use pellicle_influence::{CoefficientTable, SurfaceElasticity};
 use pellicle_kernel::{Foundation, Material};
 use rayon::prelude::*;
 
-use super::comparison::Comparison;
-use super::data::contact::{DiscreteContact, DiscreteProfile, Given, discrete};
-use super::run::{ValidationError, ValidationRun};
-use super::section::ValidationSection;
+use crate::comparison::Comparison;
+use crate::data::contact::{DiscreteContact, DiscreteProfile, Given, discrete};
+use crate::run::{ValidationError, ValidationRun};
+use crate::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

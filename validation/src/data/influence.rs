@@ -83,7 +83,7 @@ impl ReferenceCoefficient {
 /// # Errors
 /// Errors if the file does not have this layout.
 pub fn two_layer() -> serde_json::Result<Coefficients> {
-    let text = include_str!("../../../../tests/data/influence_two_layer.json");
+    let text = include_str!("../../../tests/data/influence_two_layer.json");
     serde_json::from_str(text)
 }
 
@@ -92,6 +92,6 @@ pub fn two_layer() -> serde_json::Result<Coefficients> {
 /// # Errors
 /// Errors if the file does not have this layout.
 pub fn extreme() -> serde_json::Result<Coefficients> {
-    let text = include_str!("../../../../tests/data/influence_extreme.json");
+    let text = include_str!("../../../tests/data/influence_extreme.json");
     serde_json::from_str(text)
 }

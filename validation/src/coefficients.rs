@@ -3,10 +3,10 @@
 use pellicle_influence::direct;
 use pellicle_kernel::{Foundation, Material};
 
-use super::comparison::Comparison;
-use super::data::influence::{Coefficients, ReferenceCoefficient, extreme, two_layer};
-use super::run::{ValidationError, ValidationRun};
-use super::section::ValidationSection;
+use crate::comparison::Comparison;
+use crate::data::influence::{Coefficients, ReferenceCoefficient, extreme, two_layer};
+use crate::run::{ValidationError, ValidationRun};
+use crate::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use super::comparison::Comparison;
-use super::run::ValidationRun;
-use super::section::SectionResult;
+use crate::comparison::Comparison;
+use crate::run::ValidationRun;
+use crate::section::SectionResult;
 
 /// All comparisons.
 #[derive(Debug, Serialize)]

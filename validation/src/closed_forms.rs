@@ -7,9 +7,9 @@ use pellicle_contact::{Cone, FlatPunch, Indenter, Load, Sphere};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{Film, Relief};
 
-use super::comparison::Comparison;
-use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
-use super::section::ValidationSection;
+use crate::comparison::Comparison;
+use crate::run::{ContactSetup, ValidationError, ValidationRun, paraboloid, unit_material};
+use crate::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

@@ -3,9 +3,9 @@
 use pellicle_influence::{CoefficientTable, ConvolutionOperator, DenseOperator, ElasticOperator};
 use pellicle_kernel::{Foundation, Material};
 
-use super::comparison::Comparison;
-use super::run::{ValidationError, ValidationRun};
-use super::section::ValidationSection;
+use crate::comparison::Comparison;
+use crate::run::{ValidationError, ValidationRun};
+use crate::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

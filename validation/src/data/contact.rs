@@ -131,7 +131,7 @@ pub enum Given {
 /// # Errors
 /// Errors if the file does not have this layout.
 pub fn axisymmetric() -> serde_json::Result<Vec<AxisymmetricContact>> {
-    let text = include_str!("../../../../tests/data/axisymmetric_contact.json");
+    let text = include_str!("../../../tests/data/axisymmetric_contact.json");
     Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }
 
@@ -140,6 +140,6 @@ pub fn axisymmetric() -> serde_json::Result<Vec<AxisymmetricContact>> {
 /// # Errors
 /// Errors if the file does not have this layout.
 pub fn discrete() -> serde_json::Result<Vec<DiscreteContact>> {
-    let text = include_str!("../../../../tests/data/discrete_contact.json");
+    let text = include_str!("../../../tests/data/discrete_contact.json");
     Ok(serde_json::from_str::<ValueList<_>>(text)?.values)
 }

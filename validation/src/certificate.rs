@@ -4,9 +4,9 @@ use pellicle_contact::{Certificate, DiscreteProblem, Load, Solution, SolverOptio
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Lattice, Relief};
 
-use super::comparison::Comparison;
-use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
-use super::section::ValidationSection;
+use crate::comparison::Comparison;
+use crate::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
+use crate::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

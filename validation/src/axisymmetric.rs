@@ -6,10 +6,10 @@ use pellicle_contact::{Cone, Indenter, Load};
 use pellicle_kernel::{Foundation, Material};
 use rayon::prelude::*;
 
-use super::comparison::Comparison;
-use super::data::contact::{AxisymmetricContact, AxisymmetricIndenter, axisymmetric};
-use super::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
-use super::section::ValidationSection;
+use crate::comparison::Comparison;
+use crate::data::contact::{AxisymmetricContact, AxisymmetricIndenter, axisymmetric};
+use crate::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
+use crate::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {

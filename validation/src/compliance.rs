@@ -3,10 +3,10 @@
 use pellicle_kernel::Interface::{Bonded, Frictionless};
 use pellicle_kernel::{Foundation, Interface};
 
-use super::comparison::Comparison;
-use super::data::compliance::{OneLayerResponse, one_layer, stacks};
-use super::run::{ValidationError, ValidationRun};
-use super::section::ValidationSection;
+use crate::comparison::Comparison;
+use crate::data::compliance::{OneLayerResponse, one_layer, stacks};
+use crate::run::{ValidationError, ValidationRun};
+use crate::section::ValidationSection;
 
 /// The section.
 pub const SECTION: ValidationSection = ValidationSection {
