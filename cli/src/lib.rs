@@ -15,6 +15,7 @@
 mod arena;
 mod arguments;
 mod cache;
+mod case_folders;
 mod command;
 mod failure;
 mod fit_and_plan;
@@ -27,12 +28,11 @@ mod picture;
 mod planning;
 mod program;
 mod progress;
+mod results_folder;
 mod self_affine;
-mod study;
 mod templates;
 mod terminal;
 mod threads;
-mod unfinished;
 mod withdrawn;
 
 pub use failure::Failure;
@@ -42,26 +42,13 @@ pub use templates::Template;
 /// Cases solved as the program solves them.
 pub mod solved {
     pub use crate::cache::open as open_cache;
-    pub use crate::output::curve::csv as curve;
-    pub use crate::output::json;
     pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
 }
 
 /// Studies planned, solved case by case, and kept in a table, as the program does.
 pub mod studied {
     pub use crate::cache::open_for_many as open_cache;
-    pub use crate::study::Study;
-    pub use crate::study::case_solver::{CaseResult, CaseSolver};
-    pub use crate::study::case_status::{CaseStatus, Tally};
-    pub use crate::study::folder::StudyFolder;
-    pub use crate::study::identity::StudyIdentity;
-    pub use crate::study::kept_file::KeptFields;
-    pub use crate::study::kept_record::{FieldKeeper, RecordInMemory};
-    pub use crate::study::plan::StudyPlan;
-    pub use crate::study::report::write as write_report;
-    pub use crate::study::results_table::ResultsTable;
-    pub use crate::study::shard::Shard;
-    pub use crate::study::study_file::read;
+    pub use crate::case_folders::discard_cases;
 }
 
 /// Fits made as the program makes them.
@@ -77,7 +64,6 @@ pub mod fitted {
 
 /// The files of a run, and the way they are written: whole or not at all.
 pub mod results {
-    pub use crate::output::file::write_whole;
     pub use crate::output::npz::{StoredFields, file as fields_file};
     pub use crate::output::results::read_summary;
     pub use crate::output::stress::npz::{file as stresses_file, read as read_stresses};

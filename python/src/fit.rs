@@ -12,7 +12,7 @@ use pellicle_cli::fitted::{
     FitFile, FitSources, FittedFile, FittedLikelihood, MeasurementSources, Measurements,
     PlanResult, Stage, fit, likelihood, plan, plan_table,
 };
-use pellicle_cli::solved::json;
+use pellicle_files::json;
 use pellicle_identify::IdentifyError;
 use pyo3::prelude::*;
 

@@ -7,7 +7,7 @@ use pellicle::Completeness;
 use pellicle::Run as SolvedCase;
 use pellicle::case::stress::StressCase;
 use pellicle::input::span::Source;
-use pellicle_cli::solved::{self, StressFields};
+use pellicle_cli::solved::StressFields;
 use pellicle_contact::SampledModel;
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
@@ -71,12 +71,12 @@ impl Solution {
 impl Solution {
     /// The text of `summary.json`.
     fn summary(&self) -> Result<String, Refusal> {
-        Ok(solved::json(&self.solved.summary)?)
+        Ok(pellicle_files::json(&self.solved.summary)?)
     }
 
     /// The text of `curve.csv`.
     fn curve(&self) -> String {
-        solved::curve(&self.solved.summary)
+        pellicle::result::table::csv(&self.solved.summary)
     }
 
     /// Whether everything that the case requests is there.

@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use the packages that these may use.
-const ALLOWED: [(&str, &[&str]); 10] = [
+const ALLOWED: [(&str, &[&str]); 12] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-kernel"]),
     ("pellicle-texture", &[]),
@@ -25,6 +25,16 @@ const ALLOWED: [(&str, &[&str]); 10] = [
     ),
     ("pellicle-identify", &["pellicle-contact"]),
     ("pellicle-plot", &["pellicle"]),
+    ("pellicle-files", &[]),
+    (
+        "pellicle-study",
+        &[
+            "pellicle",
+            "pellicle-contact",
+            "pellicle-files",
+            "pellicle-influence",
+        ],
+    ),
     (
         "pellicle-validation",
         &[
@@ -40,10 +50,12 @@ const ALLOWED: [(&str, &[&str]); 10] = [
         &[
             "pellicle",
             "pellicle-contact",
+            "pellicle-files",
             "pellicle-identify",
             "pellicle-influence",
             "pellicle-kernel",
             "pellicle-plot",
+            "pellicle-study",
             "pellicle-texture",
             "pellicle-validation",
         ],
@@ -54,9 +66,11 @@ const ALLOWED: [(&str, &[&str]); 10] = [
             "pellicle",
             "pellicle-cli",
             "pellicle-contact",
+            "pellicle-files",
             "pellicle-identify",
             "pellicle-influence",
             "pellicle-kernel",
+            "pellicle-study",
             "pellicle-texture",
         ],
     ),
