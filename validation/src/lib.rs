@@ -1,7 +1,7 @@
 //! `pellicle validate`: comparison of the program's results with known values.
 //!
 //! A [`ValidationSection`] is one kind of evidence, in its own file, with the source of its references and the cause of
-//! its tolerances. Each of its rows is a [`Comparison`](comparison::Comparison). Everything goes through the same
+//! its tolerances. Each of its rows is a [`Comparison`]. Everything goes through the same
 //! crates as `pellicle run`.
 
 #![cfg_attr(
@@ -31,6 +31,7 @@ pub mod run;
 mod section;
 pub mod stress;
 
+pub use comparison::{ComparedValue, Comparison, RowVerdict};
 pub use report::ValidationReport;
 pub use run::{ValidationError, ValidationRun};
 pub use section::{SectionResult, ValidationSection, heading, section_text};

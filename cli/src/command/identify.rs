@@ -10,13 +10,13 @@ use pellicle::input::source_file;
 use pellicle::run::Completeness;
 use pellicle_files::json;
 use pellicle_files::whole::{self, Existing};
+use pellicle_identify::fit_file::{FitFile, Measurements};
 use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 
 use crate::arguments::IdentifyArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::fit_and_plan::{self, Stage};
-use crate::fit_file::{FitFile, Measurements};
 use crate::identification::fitted_file::FittedFile;
 use crate::identification::{files, simulation, text};
 use crate::results_folder::ResultsFolder;

@@ -23,7 +23,10 @@ const ALLOWED: [(&str, &[&str]); 12] = [
             "pellicle-texture",
         ],
     ),
-    ("pellicle-identify", &["pellicle-contact"]),
+    (
+        "pellicle-identify",
+        &["pellicle", "pellicle-contact", "pellicle-influence"],
+    ),
     ("pellicle-plot", &["pellicle"]),
     ("pellicle-files", &[]),
     (

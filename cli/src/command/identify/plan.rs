@@ -5,13 +5,13 @@ use std::time::Instant;
 use pellicle::run::Completeness;
 use pellicle_files::json;
 use pellicle_identify::IdentifyError;
+use pellicle_identify::fit_file::{FitFile, Measurements};
 
 use super::{claim, progress};
 use crate::arguments::IdentifyArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::fit_and_plan::{self, Stage};
-use crate::fit_file::{FitFile, Measurements};
 use crate::planning::{files, text};
 use crate::results_folder::ResultsFolder;
 use crate::{interrupt, terminal, threads};

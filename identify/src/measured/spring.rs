@@ -13,6 +13,9 @@ use super::channel::Channel;
 use super::error::CurveError;
 use super::raw_curve::RawCurve;
 
+/// SI unit of a spring constant.
+pub const UNIT: &str = "N/m";
+
 /// The spring constant of a cantilever, N/m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpringConstant {
@@ -88,7 +91,7 @@ impl HeightDirection {
 /// zero at the first point.
 ///
 /// ```
-/// use pellicle_cli::measurements::penetration;
+/// use pellicle_identify::measured::spring::penetration;
 /// // 10 nm of approach, 2 nN on 1 N/m: 8 nm are left.
 /// let found = penetration(&[0.0, 10e-9], &[1e-9, 3e-9], 1.0);
 /// assert_eq!(found[0], 0.0);

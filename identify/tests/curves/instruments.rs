@@ -1,6 +1,6 @@
 //! Files of nanoindenters: `FischerScope`, Hysitron, Agilent.
 
-use pellicle_cli::measurements::ExclusionReason;
+use pellicle_identify::measured::exclusion::ExclusionReason;
 
 use super::{check_ends, codes, excluded, one, refused};
 

@@ -5,11 +5,11 @@ use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::Dimension;
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::value_reader::ValueReader;
-use pellicle_identify::{IdentifyError, LinearNuisance, Prior};
 
 use super::model::ModelParameters;
 use super::prior;
 use super::unknown::{UnknownCase, flattened, read_unknown};
+use crate::{IdentifyError, LinearNuisance, Prior};
 
 /// The nuisances of a fit.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pellicle::input::span::Source;
-use pellicle_cli::measurements::{CurveError, DataTable, ExclusionReason, MeasuredCurve};
+use pellicle_identify::measured::curve::MeasuredCurve;
+use pellicle_identify::measured::data_table::DataTable;
+use pellicle_identify::measured::error::CurveError;
+use pellicle_identify::measured::exclusion::ExclusionReason;
 use proptest::prelude::*;
 
 use super::{codes, excluded};

@@ -1,6 +1,6 @@
 //! Files of force microscopes and cantilever indenters: AFM Workshop, JPK, Optics11.
 
-use pellicle_cli::measurements::ExclusionReason;
+use pellicle_identify::measured::exclusion::ExclusionReason;
 
 use super::{check_ends, codes, excluded, one, refused};
 

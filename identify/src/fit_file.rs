@@ -21,9 +21,9 @@ use self::model::FitModel;
 use self::nuisance::NuisanceTable;
 use self::report::ReportTable;
 use self::unknown::{UnknownCase, read_unknowns};
-use crate::failure::Failure;
 use crate::measured::data_table::DataTable;
 use crate::measured::sources::MeasurementSources;
+use crate::measured::spring;
 
 /// A fit file.
 #[derive(Debug)]
@@ -78,8 +78,8 @@ impl FitFile {
     ///
     /// # Errors
     ///
-    /// [`Failure::Case`] if the file or its case cannot be read, or one of them is not valid.
-    pub fn read(path: &Path, measurements: Measurements) -> Result<Self, Failure> {
+    /// An [`Error`](pellicle::Error) if the file or its case cannot be read, or one of them is not valid.
+    pub fn read(path: &Path, measurements: Measurements) -> Result<Self, pellicle::Error> {
         let source = Arc::new(source_file::read(path)?);
         let stem = source_file::stem(path);
         let folder = path.parent().unwrap_or(Path::new(""));
@@ -96,7 +96,7 @@ impl FitFile {
         name: &str,
         sources: &FitSources,
         measurements: Measurements,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, pellicle::Error> {
         const TABLES: [&str; 6] = ["title", "model", "data", "unknown", "nuisance", "report"];
         let root = toml_tree::parse(source)?;
         let table = TableReader::root(&root)?;
@@ -129,5 +129,19 @@ impl FitFile {
             report: report.transpose()?.unwrap_or_default(),
             document: Document::new(&root),
         })
+    }
+
+    /// The unknowns, then the parameters of the model that are not known exactly.
+    #[must_use]
+    pub fn all_unknowns(&self) -> Vec<UnknownCase> {
+        let nuisances = self.nuisances.parameters.iter();
+        self.unknowns.iter().chain(nuisances).cloned().collect()
+    }
+
+    /// The SI unit of an estimate of a fit; `index` counts all unknowns, then the spring constants.
+    #[must_use]
+    pub fn unit(&self, index: usize) -> &'static str {
+        let all = self.all_unknowns();
+        all.get(index).map_or(spring::UNIT, UnknownCase::unit)
     }
 }

@@ -11,7 +11,9 @@ use std::sync::Arc;
 
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::span::Source;
-use pellicle_cli::measurements::{DataTable, ExclusionReason, MeasuredCurve};
+use pellicle_identify::measured::curve::MeasuredCurve;
+use pellicle_identify::measured::data_table::DataTable;
+use pellicle_identify::measured::exclusion::ExclusionReason;
 
 mod cantilevers;
 mod instruments;

@@ -15,8 +15,6 @@ use pellicle::input::value_reader::ValueReader;
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use pellicle_influence::Cache;
 
-use crate::failure::Failure;
-
 /// The model of a fit: the tree of a case, and its radial tables by shape.
 #[derive(Debug)]
 pub struct FitModel {
@@ -41,8 +39,8 @@ impl FitModel {
     ///
     /// # Errors
     ///
-    /// [`Failure`] if the case does not exist or is invalid.
-    pub fn read(field: &ValueReader<'_>, maps: &MapSources) -> Result<Self, Failure> {
+    /// An [`Error`](pellicle::Error) if the case does not exist or is invalid.
+    pub fn read(field: &ValueReader<'_>, maps: &MapSources) -> Result<Self, pellicle::Error> {
         let table = field.clone().table()?;
         let cache = Cache::of_shapes();
         let (mut root, maps, name) = if let Some(case) = table.optional("case") {
@@ -71,8 +69,8 @@ impl FitModel {
     ///
     /// # Errors
     ///
-    /// [`Failure`] if the resulting case is invalid.
-    pub fn with(&self, set: &TomlTable) -> Result<ModelParameters, Failure> {
+    /// An [`Error`](pellicle::Error) if the resulting case is invalid.
+    pub fn with(&self, set: &TomlTable) -> Result<ModelParameters, pellicle::Error> {
         let mut root = self.root.clone();
         for TomlEntry {
             key,
@@ -84,9 +82,7 @@ impl FitModel {
         }
         let case = Case::resolve_with(&root, &self.name, &self.maps)?;
         if case.hardness().is_some() {
-            return Err(case
-                .blame(ContactError::WithHardness { what: "fits" })
-                .into());
+            return Err(case.blame(ContactError::WithHardness { what: "fits" }));
         }
         let model = case.model(&self.cache)?.value;
         let parameters = case.parameters(&model)?;
@@ -98,7 +94,7 @@ impl FitModel {
     /// # Errors
     ///
     /// As [`Self::with`].
-    pub fn parameters(&self) -> Result<ModelParameters, Failure> {
+    pub fn parameters(&self) -> Result<ModelParameters, pellicle::Error> {
         self.with(&TomlTable::default())
     }
 }

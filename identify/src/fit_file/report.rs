@@ -5,9 +5,9 @@ use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::quantity_list::QuantityList;
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::value_reader::ValueReader;
-use pellicle_identify::{FitOptions, Intervals};
 
 use super::model::ModelParameters;
+use crate::{FitOptions, Intervals};
 
 /// The largest number of curves of a design: maximum forces times radii.
 const MOST_OF_DESIGN: usize = 100;

@@ -8,10 +8,10 @@ use pellicle::input::table_reader::TableReader;
 use pellicle::input::toml_tree::{TomlEntry, TomlTable, TomlValue};
 use pellicle::input::value_reader::ValueReader;
 use pellicle_contact::ModelParameter;
-use pellicle_identify::{IdentifyError, Prior, Unknown};
 
 use super::model::ModelParameters;
 use super::prior;
+use crate::{IdentifyError, Prior, Unknown};
 
 /// Without bounds, a parameter is sought within this many standard deviations of its prior.
 const DEVIATIONS: f64 = 8.0;

@@ -1,6 +1,6 @@
 //! Eight indentations of tungsten with a rounded tip: elastic up to a pop-in, with markers.
 
-use pellicle_cli::measurements::ExclusionReason;
+use pellicle_identify::measured::exclusion::ExclusionReason;
 
 use super::{check_ends, codes, excluded, one, read, refused};
 

@@ -3,7 +3,8 @@
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::table_reader::TableReader;
-use pellicle_identify::Prior;
+
+use crate::Prior;
 
 /// The keys of a prior.
 pub const KEYS: [&str; 5] = ["prior", "median", "factor", "mean", "sd"];
