@@ -40,6 +40,7 @@ pub use templates::Template;
 /// Cases solved as the program solves them.
 pub mod solved {
     pub use crate::cache::open as open_cache;
+    pub use crate::output::report::of_run as report;
     pub use crate::output::stress::{FIELDS, FieldName, fields::StressFields};
 }
 

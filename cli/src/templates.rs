@@ -3,7 +3,9 @@
 use std::borrow::Cow;
 
 use clap::ValueEnum;
+use pellicle::case::Case;
 use pellicle::declare::schema;
+use pellicle::declare::template::with_other_keys;
 use pellicle::summary::schema::of_summary;
 
 /// A case to start from.
@@ -40,13 +42,20 @@ pub enum Template {
     SummarySchema,
 }
 
+/// The first line of a case: editors complete and check it by the schema of this name beside it, which `pellicle init
+/// schema --out case.schema.json` writes.
+const SCHEMA_LINE: &str = "#:schema case.schema.json\n";
+
 impl Template {
-    /// Returns the text of the template.
+    /// Returns the text of the template: of a case, with the line by which editors find its schema, and a list of the
+    /// keys that it leaves out.
     #[must_use]
     pub fn text(self) -> Cow<'static, str> {
-        Cow::Borrowed(match self {
+        let case = match self {
             Self::Schema => return schema::text(&schema::of_case()).into(),
             Self::SummarySchema => return schema::text(&of_summary()).into(),
+            Self::RoughMap => return include_str!("templates/rough-surface.csv").into(),
+            Self::Study => return include_str!("templates/study.toml").into(),
             Self::Cylinders => include_str!("templates/cylinders.toml"),
             Self::Film => include_str!("templates/film.toml"),
             Self::Coating => include_str!("templates/coating.toml"),
@@ -57,9 +66,9 @@ impl Template {
             Self::FlatPunch => include_str!("templates/flat-punch.toml"),
             Self::Hertz => include_str!("templates/hertz.toml"),
             Self::Rough => include_str!("templates/rough.toml"),
-            Self::RoughMap => include_str!("templates/rough-surface.csv"),
-            Self::Study => include_str!("templates/study.toml"),
-        })
+        };
+        let case = with_other_keys(case, &Case::shape());
+        format!("{SCHEMA_LINE}{case}").into()
     }
 
     /// Returns the command to run next, for a template written to the file `path`.
@@ -84,7 +93,6 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use pellicle::case::Case;
     use pellicle::input::span::Source;
     use pellicle::input::units::Units;
 
@@ -125,7 +133,10 @@ mod tests {
             let case =
                 Case::parse(&source, "", folder.path(), &[]).unwrap_or_else(|e| panic!("{e}"));
             assert_eq!(case.units, Units::Si, "{template:?}");
-            assert!(template.text().starts_with("# "), "{template:?}");
+            assert!(
+                template.text().starts_with("#:schema case.schema.json\n# "),
+                "{template:?}"
+            );
         }
     }
 }

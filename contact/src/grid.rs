@@ -2,4 +2,4 @@
 
 pub mod candidates;
 pub mod prolongation;
-pub mod window;
+pub mod region;

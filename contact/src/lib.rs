@@ -12,6 +12,7 @@
 mod error;
 mod grid;
 mod indenter;
+mod model_parameter;
 mod path;
 mod problem;
 pub mod reference;
@@ -22,10 +23,12 @@ mod stress;
 mod vector;
 
 pub use error::ContactError;
+pub use grid::region::Boundary;
 pub use indenter::{
     Cone, CustomProfile, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity,
     Paraboloid, Profile, Pyramid, Sphere,
 };
+pub use model_parameter::ModelParameter;
 pub use path::{
     LoadingPath,
     domain::{
@@ -44,7 +47,6 @@ pub use problem::{
     discrete_problem::{DiscreteProblem, Identity},
     load::Load,
     model::{Model, SampledModel},
-    operator_source::Boundary,
 };
 pub use result::{
     certificate::{Certificate, Solution},
@@ -52,8 +54,8 @@ pub use result::{
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
     grid_error::{ErrorEstimate, GridError, LevelValues},
+    limit_ratio::{LimitRatio, ModelLimit},
     map_resolution::FEWEST_ELEMENTS_PER_WAVE,
-    model_limits::{LimitRatio, ModelLimit},
     peak::PeakPlace,
     rough_contact::{Histogram, Islands, RoughContact},
     step::{CoarsePressure, Status, Step},
@@ -61,9 +63,7 @@ pub use result::{
     warning::Warning,
     work::{LevelWork, Work},
 };
-pub use sensitivity::{
-    ForceCurve, ModelDerivatives, ModelDirection, ModelParameter, Sensitivities, Sensitivity,
-};
+pub use sensitivity::{ForceCurve, ModelDerivatives, ModelDirection, Sensitivities, Sensitivity};
 pub use solver::{
     Iterate, Method, Solver, SolverOptions, Watch,
     active_set::ActiveSetSolver,

@@ -12,6 +12,7 @@ mod effort;
 mod hierarchy;
 mod level;
 pub mod levels;
+mod part;
 mod start;
 pub mod warnings;
 
@@ -19,18 +20,16 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
-use pellicle_influence::{
-    CoefficientTable, ElasticOperator as _, Origin, RadialTables, SurfaceElasticity, love,
-};
+use pellicle_influence::{CoefficientTable, Origin, RadialTables, SurfaceElasticity, love};
 use pellicle_texture::{Grid, Relief};
 use rayon::prelude::*;
 
 use crate::{
     Boundary, ContactError, DeformedSurface, Domain, Indenter, Load, Model, Observer, Progress,
     SampledModel, Signal, Solution, SolverOptions, Step, Warning, choose_side_at,
-    grid::window::Window,
+    grid::region::Region,
     path::hierarchy::Hierarchy,
-    problem::model::initial_gap,
+    problem::{model::initial_gap, support::choice::under},
     result::{
         cut_off::{CutOff, Surroundings},
         map_resolution::MapResolution,
@@ -99,8 +98,8 @@ impl LoadingPath {
             penetration,
             ..
         } = &self.steps.get(step)?.solution;
-        let size = self.grid.size();
-        let displacement = displacement(elasticity, self.boundary, size, pressure);
+        let all = Region::domain(self.grid.size(), self.boundary);
+        let displacement = displacement(elasticity.clone(), &all, pressure);
         let mut surface = DeformedSurface::new(
             displacement,
             (pressure, self.hardness),
@@ -109,7 +108,7 @@ impl LoadingPath {
             *penetration,
         );
         if let Some(counterbody) = self.counterbody() {
-            let own = self::displacement(&counterbody, self.boundary, size, pressure);
+            let own = self::displacement(Arc::new(counterbody), &all, pressure);
             add_scaled(&mut surface.displacement, -1.0, &own);
         }
         Some(surface)
@@ -126,28 +125,12 @@ impl LoadingPath {
     }
 }
 
-/// Computes `K p` (m) of a pressure (Pa) on a grid of `size` × `size` elements.
-fn displacement(
-    elasticity: &SurfaceElasticity,
-    boundary: Boundary,
-    size: usize,
-    pressure: &[f64],
-) -> Vec<f64> {
+/// Computes `K p` (m) of a pressure (Pa) on all of a region.
+fn displacement(elasticity: Arc<SurfaceElasticity>, all: &Region, pressure: &[f64]) -> Vec<f64> {
     let mut displacement = vec![0.0; pressure.len()];
-    match boundary {
-        Boundary::Free => {
-            let whole = Window::whole(size);
-            let window = whole.around_pressing(pressure).unwrap_or(whole);
-            let (shown, origin) = (whole.grid(), window.origin());
-            let mut operator = elasticity.under_window(shown, origin, window.size());
-            operator.apply_into(&window.cut(pressure), &mut displacement);
-        }
-        Boundary::Periodic => {
-            elasticity
-                .periodic_operator(size)
-                .apply_into(pressure, &mut displacement);
-        }
-    }
+    let part = all.around_pressing(pressure).unwrap_or(*all);
+    let mut body = under(elasticity, *all);
+    body.apply_around([&part, all], &part.cut(pressure), &mut displacement);
     displacement
 }
 

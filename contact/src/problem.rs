@@ -2,8 +2,10 @@
 
 pub mod discrete_problem;
 pub mod gap_scale;
+pub mod held_pressure;
 pub mod load;
 pub mod model;
-pub mod operator_source;
+pub mod relief_springs;
 pub mod scale;
+pub mod support;
 pub mod tangents;

@@ -7,6 +7,7 @@ pub mod contact_slope;
 pub mod cut_off;
 pub mod deformed_surface;
 pub mod grid_error;
+pub mod limit_ratio;
 pub mod map_resolution;
 pub mod model_limits;
 mod not_stored;

@@ -34,7 +34,6 @@ mod step;
 pub use change::ModelDerivatives;
 pub use force_curve::ForceCurve;
 pub use null_directions::ModelDirection;
-pub use parameter::ModelParameter;
 pub use step::{Sensitivities, Sensitivity};
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Solvers for the complementarity problem on one grid, behind one interface.
 
 pub mod active_set;
+mod exchange;
 pub mod gradient;
 mod hardness;
 pub mod observer;
@@ -110,7 +111,7 @@ pub struct Iterate {
     /// The penetration according to the solver, in m; infinite if the solver gives none. It decides how far around the
     /// contact the certificate checks first.
     pub penetration: f64,
-    /// Whether the solver stopped because the contact reached the border of a window.
+    /// Whether the solver stopped because the contact reached the border of a region.
     pub reached_border: bool,
 }
 

@@ -1,5 +1,6 @@
 //! The case file: one problem in TOML, read into numbers and checked, every default filled in.
 
+pub mod builder;
 pub mod caller_shape;
 pub mod foundation;
 pub mod grid;

@@ -12,6 +12,7 @@ mod lists;
 pub(crate) mod macros;
 pub mod schema;
 pub mod shape;
+pub mod template;
 
 pub use codec::{
     Codec, angle, compliance, count, force, fraction, length, literal, number, pressure, switch,

@@ -42,9 +42,15 @@ pub mod run;
 pub mod summary;
 
 pub use case::Case;
+pub use case::builder::CaseBuilder;
 pub use error::Error;
 pub use monitor::{Event, Monitor, Watching};
 pub use run::{Completeness, Run};
+
+/// The types from which a case is built in code.
+pub use pellicle_contact::{Cone, FlatPunch, Load, Paraboloid, Pyramid, Sphere};
+pub use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+pub use pellicle_texture::{CylinderSpec, Cylinders, Film};
 
 /// The README of the crate; its example is a documentation test.
 #[cfg(doctest)]

@@ -10,6 +10,7 @@
 (64, 64)
 """
 
+from ._pellicle import __version__
 from .body import Foundation, Grading, Layer, Material, Spring
 from .case import Case, Path
 from .curve import Curve
@@ -140,6 +141,7 @@ __all__ = [
     "Unknown",
     "Vickers",
     "Work",
+    "__version__",
     "compliance",
     "identify",
     "influence_coefficients",

@@ -8,7 +8,7 @@ import tomllib
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Any, ClassVar, Literal, TypeAlias, overload
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypeAlias, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -29,6 +29,9 @@ from .step import Step, main_numbers
 from .surface import Surface
 from .table import Table, value_of
 from .waiting import finished
+
+if TYPE_CHECKING:
+    import pandas
 
 Loads: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
 """Several loads: a list, an array or a range."""
@@ -235,6 +238,37 @@ class Path(Sequence[Step]):
         """Warnings about the numbers."""
         return [ResultWarning(**warning) for warning in self.summary["warnings"]]
 
+    def report(self, path: str | os.PathLike[str] | None = None) -> str:
+        """The page of the run, as `report.html` of `pellicle run`, with the pictures of the last step; also written to
+        `path` if given."""
+        page = self._fields.report()
+        if path is not None:
+            with open(path, "w", encoding="utf-8", newline="\n") as to:
+                to.write(page)
+        return page
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The columns of `curve.csv` as a table with a row per step; needs pandas."""
+        return self.curve.to_pandas()
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draws force over penetration with matplotlib on `ax` or on new axes, and returns the axes; of a single step
+        its pressure."""
+        import matplotlib.pyplot as plt
+
+        if len(self) == 1:
+            return self[0].plot(ax)
+        ax = plt.subplots()[1] if ax is None else ax
+        force, penetration = self.curve["force"], self.curve["penetration"]
+        ax.errorbar(penetration, force, xerr=np.nan_to_num(self.curve["penetration error"]), marker="o", capsize=2)
+        ax.set(xlabel="penetration D", ylabel="force Q", title=self.case.title)
+        if "force [N]" in self.curve:
+            from matplotlib.ticker import EngFormatter
+
+            ax.xaxis.set_major_formatter(EngFormatter("m"))
+            ax.yaxis.set_major_formatter(EngFormatter("N"))
+        return ax
+
     def __len__(self) -> int:
         return len(self.summary["steps"])
 
@@ -288,7 +322,7 @@ def _path(case: Case, solution: _pellicle.Solution) -> Path:
     if path.status != "certified":
         reasons = [str(warning) for warning in path.warnings if warning.code == path.status]
         message = "; ".join([f"the solution is {path.status}, do not use these numbers", *reasons])
-        warnings.warn(message, NotCertifiedWarning, stacklevel=3)
+        warnings.warn(NotCertifiedWarning(message, path.status), stacklevel=3)
     return path
 
 

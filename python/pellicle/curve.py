@@ -5,10 +5,13 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
+
+if TYPE_CHECKING:
+    import pandas
 
 
 class Curve(dict[str, npt.NDArray[Any]]):
@@ -22,6 +25,12 @@ class Curve(dict[str, npt.NDArray[Any]]):
         if len(found) != 1:
             raise KeyError(name)
         return self[found[0]]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The columns as a table; needs pandas."""
+        import pandas
+
+        return pandas.DataFrame(self)
 
     @classmethod
     def of_csv(cls, text: str) -> Curve:

@@ -37,13 +37,28 @@ class ArgumentError(Error, ValueError):
     """An argument has the wrong type, shape or value; the message begins with its name."""
 
 
-class FitWarning(UserWarning):
-    """A fit should not be used: its model does not fit the measurements, or it has not converged."""
+class _CodedWarning(UserWarning):
+    """A warning with a code for programs."""
+
+    def __init__(self, message: str, code: str) -> None:
+        super().__init__(message)
+        self.code = code
+        """A word for programs."""
+
+    def __reduce__(self) -> tuple[type[UserWarning], tuple[str, str]]:
+        return type(self), (str(self), self.code)
 
 
-class StudyWarning(UserWarning):
-    """Cases of a study are invalid, have failed, or are not certified."""
+class FitWarning(_CodedWarning):
+    """A fit should not be used: its model does not fit the measurements, or it has not converged. Its `code` is the
+    status of the fit, or that of the warning."""
 
 
-class NotCertifiedWarning(UserWarning):
-    """A solution is not certified: not converged, or cut off by the domain or the end of a map."""
+class StudyWarning(_CodedWarning):
+    """Cases of a study are invalid, have failed, or are not certified. Its `code` is `invalid`, `not-certified` or that
+    of a warning of a case."""
+
+
+class NotCertifiedWarning(_CodedWarning):
+    """A solution is not certified: not converged, beyond the model, or cut off by the domain or the end of a map. Its
+    `code` is the status of the path."""

@@ -9,6 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from ._pellicle import Foundation, Planes, Solution
+from .errors import ArgumentError
+from .judgement import ResultWarning
 
 Field: TypeAlias = npt.NDArray[np.float64]
 """N × N numbers, first index along x."""
@@ -34,8 +36,12 @@ class Fields(Protocol):
         """Profile of the relief, m, and whether an element belongs to it."""
         ...
 
-    def warnings_of(self, step: int) -> list[str]:
-        """The messages of the warnings about this step."""
+    def warnings_of(self, step: int) -> list[ResultWarning]:
+        """The warnings about this step."""
+        ...
+
+    def report(self) -> str:
+        """The page of the run as HTML."""
         ...
 
     def stress(self, step: int, text: str) -> Planes:
@@ -64,9 +70,13 @@ class SolvedFields:
         """Profile of the relief, m, and whether an element belongs to it."""
         return self.solution.geometry()
 
-    def warnings_of(self, step: int) -> list[str]:
-        """The messages of the warnings about this step."""
-        return self.solution.warnings_of(step)
+    def warnings_of(self, step: int) -> list[ResultWarning]:
+        """The warnings about this step."""
+        return [ResultWarning(*warning) for warning in self.solution.warnings_of(step)]
+
+    def report(self) -> str:
+        """The page of the run as HTML."""
+        return self.solution.report()
 
     def stress(self, step: int, text: str) -> Planes:
         """Displacements and stresses on the planes requested by a table `[stress]`."""
@@ -86,7 +96,7 @@ class StoredFields:
     pressures: dict[int, Field]
     surfaces: dict[int, tuple[Field, Field, Field]]
     relief: tuple[Field, npt.NDArray[np.bool_]]
-    warnings: dict[int, list[str]]
+    warnings: dict[int, list[ResultWarning]]
 
     @classmethod
     def of(cls, fields: Fields, steps: range, side: float, radii: dict[int, float]) -> StoredFields:
@@ -115,9 +125,13 @@ class StoredFields:
         """Profile of the relief, m, and whether an element belongs to it."""
         return self.relief
 
-    def warnings_of(self, step: int) -> list[str]:
-        """The messages of the warnings about this step."""
+    def warnings_of(self, step: int) -> list[ResultWarning]:
+        """The warnings about this step."""
         return self.warnings[step]
+
+    def report(self) -> str:
+        """Refused: the solution itself is needed."""
+        raise ArgumentError("report: found a path from a pickle, wanted one that was solved here")
 
     def stress(self, step: int, text: str) -> Planes:
         """Displacements and stresses on the planes requested by a table `[stress]`."""

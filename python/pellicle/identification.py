@@ -235,9 +235,10 @@ def _identification(fit: Fit, found: Files) -> Identification:
         return made
     if made.verdict == "misfit":
         message = "misfit: the model does not fit the measurements; do not use these numbers"
-        warnings.warn(message, FitWarning, stacklevel=4)
+        warnings.warn(FitWarning(message, made.verdict), stacklevel=4)
     elif made.verdict != "fitted":
-        warnings.warn(f"{made.verdict}: do not use these numbers", FitWarning, stacklevel=4)
+        message = f"{made.verdict}: do not use these numbers"
+        warnings.warn(FitWarning(message, made.verdict), stacklevel=4)
     return made
 
 

@@ -37,7 +37,7 @@ class StepNumbers:
 
     @property
     def max_pressure(self) -> float:
-        """Largest pressure: interpolated between elements inside a smooth contact, at an edge that of the element, Pa."""
+        """Largest pressure, interpolated between elements where it is smooth, at an edge that of the element, Pa."""
         return number(self._summary["max_pressure"])
 
     @property
@@ -52,7 +52,7 @@ class StepNumbers:
 
     @property
     def nominal_pressure(self) -> float | None:
-        """Force over a periodic cell, or over the nominal area of a measured surface that ends, Pa; None but in a periodic cell or with a measured map."""
+        """Force over a periodic cell, or over the nominal area of a measured surface, Pa; None if not given."""
         return None if self._summary.get("nominal_pressure") is None else number(self._summary["nominal_pressure"])
 
     @property
@@ -82,15 +82,15 @@ class StepNumbers:
 
     @property
     def contact_stiffness(self) -> float | None:
-        """Change of the force with the penetration, for the elements in contact, N/m; None but with contact."""
+        """Change of the force with the penetration, for the elements in contact, N/m; None if not given."""
         return None if self._summary.get("contact_stiffness") is None else number(self._summary["contact_stiffness"])
 
     @property
     def area_at_limit(self) -> float | None:
-        """Area of the elements whose pressure is cut at the hardness, m²; None but with a hardness."""
+        """Area of the elements whose pressure is cut at the hardness, m²; None if not given."""
         return None if self._summary.get("area_at_limit") is None else number(self._summary["area_at_limit"])
 
     @property
     def fraction_at_limit(self) -> float | None:
-        """This area over the contact area; 0 without contact; None but with a hardness."""
+        """This area over the contact area; 0 without contact; None if not given."""
         return None if self._summary.get("fraction_at_limit") is None else number(self._summary["fraction_at_limit"])

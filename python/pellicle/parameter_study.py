@@ -10,7 +10,7 @@ import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _pellicle
 from .case import checked_threads
@@ -19,6 +19,9 @@ from .engines import Engine, outcomes
 from .errors import ArgumentError, RunError, StudyWarning
 from .progress import StudyProgress, StudyReport, reporting
 from .waiting import TURN
+
+if TYPE_CHECKING:
+    import pandas
 
 FORCE_EVERY = 1.0
 """Seconds after which results are forced to the disk."""
@@ -89,18 +92,19 @@ class Study:
         table = self._study.table(os.path.join("results", self.name) if out is None else out, fresh)
         try:
             if self._study.refused is not None:
-                warnings.warn(self._study.refused, StudyWarning, stacklevel=2)
+                warnings.warn(StudyWarning(self._study.refused, "invalid"), stacklevel=2)
             chunks = _chunks(table.remaining(), chunk, self._study.record_bytes)
             solve = _Solver(self, self.path, self._study.fingerprint, checked_threads(threads) or 1)
             with reporting(progress, self, StudyProgress) as report:
                 said = self._gather(table, outcomes(executor, solve, chunks), solve, report)
             for message in sorted(said):
-                warnings.warn(message, StudyWarning, stacklevel=2)
+                warnings.warn(StudyWarning(message, "invalid"), stacklevel=2)
             found = StudyTable(os.fspath(table.path()), len(self), *table.tally())
         finally:
             table.close()
         if found.certified < found.cases:
-            warnings.warn(f"not every case is certified: {found}; see the column message", StudyWarning, stacklevel=2)
+            message = f"not every case is certified: {found}; see the column message"
+            warnings.warn(StudyWarning(message, "not-certified"), stacklevel=2)
         return found
 
     def _gather(self, table: _pellicle.Table, ended: Any, solve: _Solver, report: Any) -> set[str]:
@@ -164,6 +168,10 @@ class StudyTable:
         """The columns as arrays; `pandas.DataFrame(table.columns)` is a table of them."""
         with open(self.path, encoding="utf-8", newline="") as file:
             return Curve.of_csv(file.read())
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The columns as a table with a row per loading step; needs pandas."""
+        return self.columns.to_pandas()
 
     def __str__(self) -> str:
         words = {

@@ -10,9 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import show, toml
+from ._pellicle import number_text
 from .errors import ArgumentError
 from .fields import Field, Fields, StoredFields
-from .judgement import Certificate, GridError, Sensitivity, Work, number
+from .judgement import Certificate, GridError, ResultWarning, Sensitivity, Work, number
 from .numbers import FIELDS, StepNumbers
 from .options import Depths, Stress
 from .quantity import Quantity
@@ -20,6 +21,7 @@ from .stresses import StressFields
 
 if TYPE_CHECKING:
     import xarray
+
 
 class Step(StepNumbers):
     """A loading step. Numbers are in SI units or the case's own, fields are N × N arrays, first index along x."""
@@ -78,7 +80,7 @@ class Step(StepNumbers):
         return Work.of(self._summary["work"])
 
     @cached_property
-    def warnings(self) -> list[str]:
+    def warnings(self) -> list[ResultWarning]:
         """The warnings about this step; those about the whole path are in `path.warnings`."""
         return self._fields.warnings_of(self.index)
 
@@ -204,9 +206,7 @@ class Step(StepNumbers):
 
     def _quantity(self, value: float, unit: str) -> str:
         """A number with a prefix and its unit, if the step is in SI units."""
-        from matplotlib.ticker import EngFormatter
-
-        return str(EngFormatter(unit, places=2).format_data(value)) if self.is_si else f"{value:.4g}"
+        return number_text(value, unit, self.is_si)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Step):
@@ -228,7 +228,8 @@ class Step(StepNumbers):
         return Step, (self._summary, self._grid, self.index, stored, self.is_si)
 
     def __repr__(self) -> str:
-        return f"<Step {self.index}: Q = {self.force:.6g}, D = {self.penetration:.6g}, {self.status}>"
+        force, penetration = self._quantity(self.force, "N"), self._quantity(self.penetration, "m")
+        return f"<Step {self.index}: Q = {force}, D = {penetration}, {self.status}>"
 
     def _repr_html_(self) -> str:
         return show.table([f"step {self.index}", ""], main_numbers(self))
@@ -237,10 +238,10 @@ class Step(StepNumbers):
 def main_numbers(step: Step) -> list[tuple[str, str]]:
     """The main numbers of a step, as rows of a table."""
     return [
-        ("force", f"{step.force:.6g}"),
-        ("penetration", f"{step.penetration:.6g}"),
-        ("max pressure", f"{step.max_pressure:.6g}"),
-        ("contact area", f"{step.contact_area:.6g}"),
+        ("force", step._quantity(step.force, "N")),
+        ("penetration", step._quantity(step.penetration, "m")),
+        ("max pressure", step._quantity(step.max_pressure, "Pa")),
+        ("contact area", step._quantity(step.contact_area, "m^2")),
         ("certificate", f"{step.certificate.worst:.1e}"),
         ("status", step.status),
     ]

@@ -7,7 +7,8 @@ use pellicle::Completeness;
 use pellicle::Run as SolvedCase;
 use pellicle::case::stress::StressCase;
 use pellicle::input::span::Source;
-use pellicle_cli::solved::StressFields;
+use pellicle::summary::WarningSummary;
+use pellicle_cli::solved::{self, StressFields};
 use pellicle_contact::SampledModel;
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
@@ -85,11 +86,17 @@ impl Solution {
         self.solved.completeness == Completeness::Whole
     }
 
-    /// The messages of the path's warnings about this step.
-    fn warnings_of(&self, step: usize) -> Vec<String> {
+    /// The page of the run as HTML, with the pictures of its last step.
+    fn report(&self, py: Python<'_>) -> PyResult<String> {
+        Threads::work(py, || solved::report(&self.solved))
+    }
+
+    /// The codes and messages of the path's warnings about this step.
+    fn warnings_of(&self, step: usize) -> Vec<(String, String)> {
         let warnings = self.solved.path.warnings.iter();
         let of_step = warnings.filter(|warning| warning.step() == Some(step));
-        of_step.map(ToString::to_string).collect()
+        let told = of_step.map(|warning| WarningSummary::of(&self.case, warning));
+        told.map(|told| (told.code, told.message)).collect()
     }
 
     /// The pressure of a step, in the solution's own memory.

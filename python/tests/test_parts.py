@@ -84,5 +84,3 @@ def test_an_invalid_grid_is_refused() -> None:
     with pytest.raises(pl.InfluenceError) as error:
         pl.ElasticOperator(GLASS, -1e-6, 4)
     assert error.value.found == -1e-6
-    with pytest.raises(pl.CaseError, match="foundation, line 2, key `foundation.substrate.young_modulus`"):
-        pl.compliance(pl.Foundation(pl.Material(-1, 0.3)), 1.0)

@@ -5,7 +5,9 @@ from __future__ import annotations
 import copy
 import gc
 import pickle
+import re
 import weakref
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -130,10 +132,12 @@ def test_paths_and_steps_survive_a_pickle(path: pl.Path) -> None:
 
 def test_an_uncertified_path_is_returned_with_a_warning(body: pl.Foundation) -> None:
     case = pl.Case(body, pl.Sphere("0.5 mm"), force="50 mN", side="10 um", elements=32)
-    with pytest.warns(pl.NotCertifiedWarning, match="cut-off, do not use these numbers"):
+    with pytest.warns(pl.NotCertifiedWarning, match="cut-off, do not use these numbers") as told:
         path = case.solve()
+    assert [warning.message.code for warning in told] == ["cut-off"]  # type: ignore[union-attr]
     assert path.status == path[0].status == "cut-off"
-    assert path[0].warnings and "cut-off" in [warning.code for warning in path.warnings]
+    assert "cut-off" in [warning.code for warning in path[0].warnings]
+    assert "cut-off" in [warning.code for warning in path.warnings]
 
 
 def test_a_path_beyond_the_model_is_returned_with_the_impossible_number(body: pl.Foundation) -> None:
@@ -146,6 +150,21 @@ def test_a_path_beyond_the_model_is_returned_with_the_impossible_number(body: pl
 
 def test_results_have_readable_representations(path: pl.Path) -> None:
     assert repr(path) == "<Path 'two loads': 2 steps, certified>"
-    assert repr(path[0]).startswith("<Step 0: Q = 0.005, D = 1.")
+    assert re.match(r"<Step 0: Q = 5\.0000 mN, D = [0-9.]+ nm, certified>", repr(path[0])), repr(path[0])
     assert path._repr_html_().count("<tr>") == 3
     assert "<td>certified</td>" in path[0]._repr_html_()
+
+
+def test_a_path_is_a_page_a_table_and_a_picture(path: pl.Path, tmp_path: Path) -> None:
+    page = path.report(tmp_path / "page.html")
+    assert "two loads" in page and page.count("<svg") >= 3
+    assert (tmp_path / "page.html").read_text(encoding="utf-8") == page
+    with pytest.raises(pl.ArgumentError, match="report: found a path from a pickle"):
+        pickle.loads(pickle.dumps(path)).report()
+    table = path.to_pandas()
+    assert list(table["force [N]"]) == [step.force for step in path]
+    errors = [step.grid_error.penetration for step in path]
+    assert list(table["penetration resolved"]) == [error is not None and error.resolved for error in errors]
+    axes = path.plot()
+    assert axes.get_xlabel() == "penetration D" and axes.get_title() == "two loads"
+    assert path[:1][0].plot().get_xlabel() == "x"

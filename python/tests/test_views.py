@@ -30,7 +30,7 @@ def test_the_pressure_is_drawn(case: pl.Case) -> None:
     assert np.array_equal(image.get_array(), step.pressure.T)
     assert image.get_extent()[1] == pytest.approx(case.solve().summary["grid"]["side"] / 2)
     assert step.plot(ax) is ax
-    assert ax.get_title() == f"Q = 50.00 mN, D = {step.penetration * 1e9:.2f} nm"
+    assert ax.get_title() == f"Q = 50.000 mN, D = {step.penetration * 1e9:.2f} nm"
     assert ax.xaxis.get_major_formatter()(1e-6) == "1 µm"
 
 
@@ -39,7 +39,7 @@ def test_a_case_in_its_own_units_is_not_labelled_si() -> None:
     pytest.importorskip("xarray")
     step = pl.Case(pl.Foundation(pl.Material(1.0, 0.3)), pl.Paraboloid(1.0), force=0.01, elements=32).solve()[0]
     assert step.to_xarray().pressure.units == "case units" and not step.is_si
-    assert step.plot().get_title().startswith("Q = 0.01, D = 0.03")
+    assert step.plot().get_title().startswith("Q = 0.010000, D = 0.03")
     assert not pickle.loads(pickle.dumps(step)).is_si
 
 

@@ -192,6 +192,50 @@ pub fn stresses(
     })
 }
 
+/// Draws the pictures of one loading step for the report, without writing them.
+#[must_use]
+pub fn drawn_step(summary: &RunSummary, step: usize, fields: Fields<'_>) -> StepDrawings {
+    let numbers = &summary.steps[step];
+    let subject = subject::of_step(summary, numbers, &fields, Style::default());
+    let pictures = of_a_step(summary).into_par_iter();
+    StepDrawings {
+        step,
+        drawings: pictures
+            .map(|picture| (picture, picture.draw(&subject, numbers)))
+            .collect(),
+        stresses: Vec::new(),
+        surface: Some(SurfaceFigure::new(&subject)),
+    }
+}
+
+/// Draws the pictures of the run as a whole for the report, without writing them.
+#[must_use]
+pub fn drawn_run(summary: &RunSummary) -> RunDrawings {
+    RunDrawings {
+        curve: draw_curve(summary, &Style::default()),
+        convergence: draw_convergence(summary, &Style::default()),
+        spectrum: draw_spectrum(summary, &Style::default()),
+    }
+}
+
+/// Force over penetration and pressure over force; none of a single step.
+fn draw_curve(summary: &RunSummary, style: &Style) -> Option<String> {
+    let of_run = curve::of_run(summary, summary.title.clone());
+    let worst = curve::worst(summary.steps.iter());
+    let has_several = summary.steps.len() > 1;
+    has_several.then(|| plot::run::curve::draw(of_run, worst, summary.units, style))
+}
+
+fn draw_convergence(summary: &RunSummary, style: &Style) -> Option<String> {
+    let (title, grids) = (&summary.title, convergence::of_run(summary));
+    plot::run::convergence::draw(title, &grids, summary.units, style)
+}
+
+fn draw_spectrum(summary: &RunSummary, style: &Style) -> Option<String> {
+    let (title, maps) = (&summary.title, spectrum::of_run(summary));
+    plot::run::spectrum::draw(title, &maps, summary.units, style)
+}
+
 /// Writes the pictures of one loading step, and returns the drawings for the report.
 ///
 /// # Errors
@@ -245,37 +289,13 @@ pub fn run(
             .map(|_| Some(svg)),
         svg => Ok(svg),
     };
-    let of_curve = || {
-        let of_run = curve::of_run(summary, summary.title.clone());
-        let worst = curve::worst(summary.steps.iter());
-        let has_several = summary.steps.len() > 1;
-        Ok(has_several.then(|| plot::run::curve::draw(of_run, worst, summary.units, style)))
+    let drawn = |name, draw: fn(&RunSummary, &Style) -> Option<String>| {
+        writer.drawn(name, || Ok(draw(summary, style))).flatten()
     };
-    let of_convergence = || {
-        let (title, numbers) = (&summary.title, convergence::of_run(summary));
-        Ok(plot::run::convergence::draw(
-            title,
-            &numbers,
-            summary.units,
-            style,
-        ))
-    };
-    let of_spectrum = || {
-        let (title, maps) = (&summary.title, spectrum::of_run(summary));
-        Ok(plot::run::spectrum::draw(
-            title,
-            &maps,
-            summary.units,
-            style,
-        ))
-    };
-    let curve = writer.drawn(CURVE, of_curve);
-    let convergence = writer.drawn(CONVERGENCE, of_convergence);
-    let spectrum = writer.drawn(SPECTRUM, of_spectrum);
     Ok(RunDrawings {
-        curve: one(CURVE, curve.flatten())?,
-        convergence: one(CONVERGENCE, convergence.flatten())?,
-        spectrum: one(SPECTRUM, spectrum.flatten())?,
+        curve: one(CURVE, drawn(CURVE, draw_curve))?,
+        convergence: one(CONVERGENCE, drawn(CONVERGENCE, draw_convergence))?,
+        spectrum: one(SPECTRUM, drawn(SPECTRUM, draw_spectrum))?,
     })
 }
 

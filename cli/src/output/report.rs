@@ -7,7 +7,9 @@ mod step;
 mod stress;
 
 use askama::Template;
+use pellicle::Run;
 use pellicle::display::{Unit, quantity, significant};
+use pellicle::result::fields::Fields;
 use pellicle::result::quantities::{OF_A_CURVE, of_key};
 use pellicle::result::quantity::Quantity;
 use pellicle::summary::{RunSummary, StepSummary};
@@ -15,7 +17,8 @@ use pellicle_contact::Status;
 
 use self::grid_error::GridErrorNote;
 use self::step::StepSection;
-use super::pictures::{RunDrawings, StepDrawings, StepPicture, StressPicture};
+
+use super::pictures::{self, RunDrawings, StepDrawings, StepPicture, StressPicture};
 use super::summary_text;
 
 /// Name of the file in a results folder.
@@ -84,6 +87,20 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
         solve_seconds: seconds(summary.timing.solve_seconds),
     };
     page.to_string()
+}
+
+/// Renders the page of a run whose files are not written, with the pictures of its last step.
+#[must_use]
+pub fn of_run(run: &Run) -> String {
+    let (summary, path) = (&run.summary, &run.path);
+    let geometry = path.geometry();
+    let drawn = |step| {
+        let surface = path.surface(&geometry, step)?;
+        let fields = Fields::of(path, &geometry, step, &surface);
+        Some(pictures::drawn_step(summary, step, fields))
+    };
+    let last = path.steps.len().checked_sub(1).and_then(drawn);
+    html(summary, last.as_slice(), &pictures::drawn_run(summary))
 }
 
 fn row(summary: &RunSummary, step: &StepSummary) -> CurveRow {

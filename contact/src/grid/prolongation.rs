@@ -1,18 +1,18 @@
-//! The position of a fine window's elements among those of a coarser grid over the same square.
+//! The position of a fine region's elements among those of a coarser grid over the same square.
 
-use crate::grid::window::Window;
+use crate::grid::region::Region;
 
-/// The lines of a fine window among those of a coarse one, along both axes.
+/// The lines of a fine region among those of a coarse one, along both axes.
 pub struct Prolongation {
     lines: [Vec<FineLine>; 2],
 }
 
-/// A line of fine centres among lines of coarse ones, all by their index in the coarse window.
+/// A line of fine centres among lines of coarse ones, all by their index in the coarse region.
 #[derive(Debug, Clone, Copy)]
 pub struct FineLine {
-    /// The coarse line that contains it; may lie outside the window.
+    /// The coarse line that contains it; may lie outside the region.
     pub within: isize,
-    /// The two lines around it, none outside the window, and their linear weights.
+    /// The two lines around it, none outside the region, and their linear weights.
     pub around: [(Option<usize>, f64); 2],
     /// The four lines around it, and the weights of the cubic through their values. Across an axis of a sector they are
     /// mirror images; elsewhere the outermost line is repeated.
@@ -20,9 +20,9 @@ pub struct FineLine {
 }
 
 impl Prolongation {
-    /// From the elements of a window of a coarse grid to those of a window of a finer one.
+    /// From the elements of a region of a coarse grid to those of a region of a finer one.
     #[must_use]
-    pub fn new(from: &Window, onto: &Window) -> Self {
+    pub fn new(from: &Region, onto: &Region) -> Self {
         Self {
             lines: [0, 1].map(|axis: usize| {
                 let first = onto.origin()[axis];
@@ -48,7 +48,7 @@ impl Prolongation {
 
 impl FineLine {
     /// The `i`-th of `fine` lines of a grid.
-    fn of(i: usize, fine: usize, from: &Window, axis: usize) -> Self {
+    fn of(i: usize, fine: usize, from: &Region, axis: usize) -> Self {
         let (first, coarse) = (from.origin()[axis].cast_signed(), from.grid().size());
         let last = from.lengths()[axis].cast_signed() - 1;
         let lines = from.grid().lengths()[axis].cast_signed();
@@ -99,7 +99,7 @@ mod tests {
     #[test]
     fn linear_functions_are_prolonged_exactly_and_cubics_from_four_lines() {
         let (from, to) = (8, 15);
-        let prolongation = Prolongation::new(&Window::whole(from), &Window::whole(to));
+        let prolongation = Prolongation::new(&Region::whole(from), &Region::whole(to));
         for i in 3_u8..12 {
             let place = (f64::from(i) + 0.5) * 8.0 / 15.0 - 0.5;
             let line = &prolongation.rows()[usize::from(i)];
@@ -111,10 +111,10 @@ mod tests {
     }
 
     #[test]
-    fn a_coarse_window_counts_lines_from_its_own_first_line() {
+    fn a_coarse_region_counts_lines_from_its_own_first_line() {
         let belongs = |[i, j]: [usize; 2]| (20..24).contains(&i) && (30..34).contains(&j);
-        let from = Window::whole(64).around(belongs);
-        let prolongation = Prolongation::new(&from, &Window::whole(128));
+        let from = Region::whole(64).around(belongs);
+        let prolongation = Prolongation::new(&from, &Region::whole(128));
         let both = [prolongation.rows(), prolongation.columns()];
         for (lines, origin) in both.into_iter().zip(from.origin()) {
             assert!(origin > 0);
@@ -125,11 +125,11 @@ mod tests {
     }
 
     #[test]
-    fn lines_beyond_a_window_are_left_out_or_replaced_by_its_outermost() {
+    fn lines_beyond_a_region_are_left_out_or_replaced_by_its_outermost() {
         let belongs = |[i, j]: [usize; 2]| (20..24).contains(&i) && (30..34).contains(&j);
-        let from = Window::whole(64).around(belongs);
+        let from = Region::whole(64).around(belongs);
         let last = from.size() - 1;
-        let prolongation = Prolongation::new(&from, &Window::whole(128));
+        let prolongation = Prolongation::new(&from, &Region::whole(128));
         for (i, line) in prolongation.rows().iter().enumerate() {
             // The centres of a coarse line's fine lines lie a quarter before and a quarter after its own.
             let place = (i as f64 - 0.5) / 2.0 - from.origin()[0] as f64;
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn the_coarse_line_that_holds_a_fine_one_is_the_nearest() {
-        let prolongation = Prolongation::new(&Window::whole(8), &Window::whole(16));
+        let prolongation = Prolongation::new(&Region::whole(8), &Region::whole(16));
         let within: Vec<_> = prolongation
             .columns()
             .iter()
@@ -163,7 +163,7 @@ mod tests {
     fn across_an_axis_of_a_sector_lies_the_mirror_image() {
         let even = |x: f64| (x + 0.5).powi(2);
         for sector in [Sector::Half, Sector::Quadrant] {
-            let [from, to] = [8, 16].map(|size| Window::all_of(SectorGrid::new(sector, size)));
+            let [from, to] = [8, 16].map(|size| Region::all_of(SectorGrid::new(sector, size)));
             let prolongation = Prolongation::new(&from, &to);
             let [rows, _] = to.lengths();
             assert_eq!(

@@ -24,11 +24,11 @@ use std::sync::Arc;
 use pellicle_influence::scattered_work;
 
 use crate::{
-    Boundary, ContactError, DiscreteProblem, GradientSolver, Iterate, Load, Method, Solution,
-    Solver, SolverOptions,
+    ContactError, DiscreteProblem, GradientSolver, Iterate, Load, Method, Solution, Solver,
+    SolverOptions,
     grid::{
         candidates::{Candidates, elements_where},
-        window::Window,
+        region::Region,
     },
     result::certificate::JudgedFields,
     solver::Watch,
@@ -39,7 +39,7 @@ const WHOLE_STEP: usize = 100;
 /// Least ratio of the cost of a step on the whole grid to one on candidates.
 const LEAST_GAIN: usize = 4;
 /// Elements per side below which the cost of a level is negligible.
-const SMALLEST: usize = 256;
+const SMALLEST_REGION: usize = 256;
 /// Tolerance of the first pass, which finds the set among the candidates.
 const FIRST_TOLERANCE: f64 = 1e-5;
 /// Passes after which the whole grid is solved.
@@ -48,9 +48,9 @@ const MOST_PASSES: usize = 8;
 /// stiff coatings systems are so ill-conditioned that products must be accurate to all digits.
 const LARGEST_CONTRAST: f64 = 4.0;
 
-/// A level's candidates on a window.
+/// A level's candidates on a region.
 pub struct Dilute {
-    window: Window,
+    region: Region,
     candidates: Arc<Candidates>,
     /// The problem on the candidates; its initial gap includes the error of its product for the last judged pressure.
     problem: DiscreteProblem,
@@ -58,24 +58,23 @@ pub struct Dilute {
 }
 
 impl Dilute {
-    /// Chooses the candidates around a start on a window; none if this does not pay.
+    /// Chooses the candidates around a start on a region; none if this does not pay.
     pub fn around(
         whole: &DiscreteProblem,
-        window: &Window,
+        region: &Region,
         start: &[f64],
         options: &SolverOptions,
     ) -> Option<Self> {
         // Elements held at a hardness would need a separate operator.
         let is_for_candidates = !whole.has_hardness()
             && options.method == Method::Gradient
-            && !window.grid().has_images()
-            && whole.boundary() == Boundary::Free
-            && window.size() >= SMALLEST
+            && whole.takes_candidates()
+            && region.size() >= SMALLEST_REGION
             && whole.stiffness_contrast() <= LARGEST_CONTRAST;
         if !is_for_candidates {
             return None;
         }
-        let size = window.size();
+        let size = region.size();
         let pressing = elements_where(size, |[row, column]| start[row * size + column] > 0.0);
         let candidates = Candidates::around(size, &pressing);
         if candidates.len() == 0 || !is_worth_it(size, candidates.elements()) {
@@ -83,15 +82,15 @@ impl Dilute {
         }
         let candidates = Arc::new(candidates);
         Some(Self {
-            window: *window,
-            problem: whole.among(window, &candidates)?,
+            region: *region,
+            problem: whole.among(region, &candidates)?,
             candidates,
             passes: 0,
         })
     }
 
-    /// Solves on the candidates from a pressure on the window, adding candidates until no other element overlaps
-    /// according to the products among scattered elements. The iterate's pressure covers the window; its products are
+    /// Solves on the candidates from a pressure on the region, adding candidates until no other element overlaps
+    /// according to the products among scattered elements. The iterate's pressure covers the region; its products are
     /// those among scattered elements.
     pub fn solve(
         &mut self,
@@ -132,7 +131,7 @@ impl Dilute {
         }
     }
 
-    /// Finds elements of the window that are not candidates and overlap by more than half the tolerance, by one product
+    /// Finds elements of the region that are not candidates and overlap by more than half the tolerance, by one product
     /// among all elements whose initial gap is less than the penetration; returns none if these are too many.
     fn overlapping(
         &mut self,
@@ -140,9 +139,9 @@ impl Dilute {
         iterate: &mut Iterate,
         tolerance: f64,
     ) -> Vec<u32> {
-        let (size, penetration) = (self.window.size(), iterate.penetration);
-        let (window, known) = (self.window, self.candidates.clone());
-        let initial_gap = initial_gaps(whole, &window);
+        let (size, penetration) = (self.region.size(), iterate.penetration);
+        let (region, known) = (self.region, self.candidates.clone());
+        let initial_gap = initial_gaps(whole, &region);
         let unlisted = elements_where(size, |place| {
             initial_gap(place) < penetration && known.at(place).is_none()
         });
@@ -159,14 +158,11 @@ impl Dilute {
         };
         let pressures: Vec<f64> = elements.iter().map(pressure).collect();
         let mut displacements = vec![0.0; elements.len()];
-        let Some(mut operator) = self.problem.take_scattered() else {
+        let support = self.problem.support_mut();
+        if !support.apply_among(&elements, &pressures, &mut displacements) {
             return Vec::new();
-        };
-        operator.list(&elements);
-        operator.apply_into(&pressures, &mut displacements);
+        }
         iterate.operator_applications += 1;
-        operator.list(known.elements());
-        self.problem.give_scattered(operator);
         let overlap = |element, displacement| {
             let gap = displacement + initial_gap(place(element)) - penetration;
             known.at(place(element)).is_none() && gap < -0.5 * tolerance * penetration
@@ -182,26 +178,23 @@ impl Dilute {
         if elements.is_empty() {
             return true;
         }
-        let (window, known) = (self.window, self.candidates.clone());
+        let (region, known) = (self.region, self.candidates.clone());
         let candidates = Arc::new(known.with(elements));
         if !is_worth_it(candidates.size(), candidates.elements()) {
             return false;
         }
-        let Some(mut operator) = self.problem.take_scattered() else {
+        let gaps = self.problem.initial_gap().to_vec();
+        if !self.problem.move_to(&candidates, whole) {
             return false;
-        };
-        operator.list(candidates.elements());
-        let Some(mut problem) = whole.among_by(operator, &window, &candidates) else {
-            return false;
-        };
-        let (gaps, initial_gap) = (self.problem.initial_gap(), initial_gaps(whole, &window));
+        }
+        let initial_gap = initial_gaps(whole, &region);
         let places = (0..candidates.len()).map(|candidate| candidates.place(candidate));
         let gap = |place| match known.at(place) {
             Some(candidate) => gaps[candidate],
             None => initial_gap(place),
         };
-        problem.take_initial_gap(places.map(gap).collect());
-        (self.problem, self.candidates) = (problem, candidates);
+        self.problem.take_initial_gap(places.map(gap).collect());
+        self.candidates = candidates;
         true
     }
 
@@ -219,10 +212,10 @@ impl Dilute {
         judged: &JudgedFields,
         pressure: &[f64],
     ) -> bool {
-        let (window, known) = (self.window, self.candidates.clone());
-        let initial_gap = initial_gaps(whole, &window);
-        let overlapping = elements_where(window.size(), |place| {
-            judged.gap_of(on_grid(&window, place), initial_gap(place)) < 0.0
+        let (region, known) = (self.region, self.candidates.clone());
+        let initial_gap = initial_gaps(whole, &region);
+        let overlapping = elements_where(region.size(), |place| {
+            judged.gap_of(region.on_grid(place), initial_gap(place)) < 0.0
                 && known.at(place).is_none()
         });
         if self.passes >= MOST_PASSES || !self.include(whole, &overlapping) {
@@ -234,7 +227,7 @@ impl Dilute {
         self.problem.displace(&pressure, &mut gaps);
         for (candidate, gap) in gaps.iter_mut().enumerate() {
             let place = self.candidates.place(candidate);
-            let displacement = judged.displacement_of(on_grid(&window, place));
+            let displacement = judged.displacement_of(region.on_grid(place));
             *gap = initial_gap(place) + (displacement - *gap);
         }
         self.problem.take_initial_gap(gaps);
@@ -242,22 +235,13 @@ impl Dilute {
     }
 }
 
-/// The grid's element at a place in the window.
-fn on_grid(window: &Window, [row, column]: [usize; 2]) -> [usize; 2] {
-    let [above, left] = window.origin();
-    [above + row, left + column]
-}
-
-/// Returns `g0` (m) by place in a window.
+/// Returns `g0` (m) by place in a region.
 fn initial_gaps<'a>(
     whole: &'a DiscreteProblem,
-    window: &Window,
+    region: &Region,
 ) -> impl Fn([usize; 2]) -> f64 + use<'a> {
-    let (gaps, size, window) = (whole.initial_gap(), whole.size(), *window);
-    move |place| {
-        let [row, column] = on_grid(&window, place);
-        gaps[row * size + column]
-    }
+    let (gaps, region) = (whole.initial_gap(), *region);
+    move |place| gaps[region.index_on_grid(place)]
 }
 
 /// Adds to an iterate the work of the one from which it started.

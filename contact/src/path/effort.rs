@@ -2,7 +2,7 @@
 
 use crate::Iterate;
 
-/// The work of several windows together.
+/// The work of several regions together.
 #[derive(Default)]
 pub struct Effort {
     pub iterations: usize,

@@ -4,12 +4,13 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use pellicle_influence::{Origin, SectorGrid, SurfaceElasticity};
+use pellicle_influence::{Origin, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 use crate::{
     Boundary, CoarsePressure, ContactError, ContactSlope, Load, Model, RoughContact, SolverOptions,
     Step,
+    grid::region::Region,
     path::ascent::Ascent,
     path::capacity,
     path::domain::Guess,
@@ -30,11 +31,10 @@ const COARSE_PRESSURES: usize = 3;
 pub struct Hierarchy<'a> {
     model: &'a Model,
     side: f64,
-    boundary: Boundary,
     /// In Pa.
     hardness: f64,
-    /// The solved sector of each grid, coarsest first.
-    grids: Vec<SectorGrid>,
+    /// The elements solved for on each grid, coarsest first.
+    grids: Vec<Region>,
     /// The grids in memory. For a single load only the current one and the finest are kept; the finest takes most of
     /// the memory.
     levels: Vec<Option<Level>>,
@@ -60,13 +60,12 @@ impl<'a> Hierarchy<'a> {
                     && capacity::check(model, &grid, loads, options.hardness).is_ok()
             })
         });
-        let finest = solved_grid(model, elements, boundary, options);
-        let coarser = sizes.into_iter().map(|size| finest.for_square(size));
+        let finest = Region::bounded(solved_grid(model, elements, boundary, options), boundary);
+        let coarser = sizes.into_iter().map(|size| finest.with_side(size));
         let grids: Vec<_> = coarser.chain([finest]).collect();
         Self {
             model,
             side,
-            boundary,
             levels: grids.iter().map(|_| None).collect(),
             grids,
             hardness: options.hardness,
@@ -98,7 +97,6 @@ impl<'a> Hierarchy<'a> {
         Some(Self {
             model: self.model,
             side: self.side,
-            boundary: self.boundary,
             hardness: self.hardness,
             grids: self.grids.clone(),
             levels: copies?.into_iter().map(Some).collect(),
@@ -120,7 +118,7 @@ impl<'a> Hierarchy<'a> {
 
     /// Returns the finest grid, and the elasticity of its elements if a load has reached it.
     pub fn into_finest(mut self) -> Result<(Grid, Option<Arc<SurfaceElasticity>>), ContactError> {
-        let grid = Grid::new(self.side, self.grids[self.grids.len() - 1].whole_size())?;
+        let grid = Grid::new(self.side, self.grids[self.grids.len() - 1].grid_size())?;
         let level = self.levels.pop().flatten();
         Ok((grid, level.map(Level::into_elasticity)))
     }
@@ -169,7 +167,7 @@ impl<'a> Hierarchy<'a> {
         let start = match &ascent.coarser_solution {
             Some(coarser) => LevelStart::Coarser(coarser),
             // A guess is for a single contact.
-            None if self.boundary == Boundary::Periodic => LevelStart::Nothing,
+            None if self.grids[0].repeats() => LevelStart::Nothing,
             None => Guess::new(self.model, load).map_or(LevelStart::Nothing, LevelStart::Guess),
         };
         let index = ascent.levels.len();
@@ -177,8 +175,8 @@ impl<'a> Hierarchy<'a> {
         let finest = self.grids.len() - 1;
         if options.coarse_pressures && index < finest && index + COARSE_PRESSURES >= finest {
             ascent.coarser.push(CoarsePressure {
-                grid: Grid::new(self.side, self.grids[index].whole_size())?,
-                pressure: result.window.scatter(result.solution.pressure.clone()),
+                grid: Grid::new(self.side, self.grids[index].grid_size())?,
+                pressure: result.region.scatter(result.solution.pressure.clone()),
             });
         }
         ascent.levels.push(result.work);
@@ -192,7 +190,7 @@ impl<'a> Hierarchy<'a> {
         let finest = self.grids.len() - 1;
         rayon::current_num_threads() > 1
             && self.levels[finest].is_none()
-            && self.grids[finest].whole_size() >= BUILT_AHEAD
+            && self.grids[finest].grid_size() >= BUILT_AHEAD
     }
 
     /// Solves on all grids except the finest, which is set up at the same time.
@@ -203,11 +201,11 @@ impl<'a> Hierarchy<'a> {
     ) -> Result<(), ContactError> {
         let finest = self.grids.len() - 1;
         let (model, square) = (self.model, (self.side, self.grids[finest]));
-        let (boundary, hardness, keeps) = (self.boundary, self.hardness, self.keep);
+        let (hardness, keeps) = (self.hardness, self.keep);
         let clock = Instant::now();
         let ((coarser, ascended), level) = rayon::join(
             || (self.ascend(ascent, finest, watch), clock.elapsed()),
-            || Level::new(model, square, boundary, hardness, keeps),
+            || Level::new(model, square, hardness, keeps),
         );
         // Time spent while the solution ran is not counted.
         let waited = clock.elapsed().saturating_sub(ascended);
@@ -242,7 +240,7 @@ impl<'a> Hierarchy<'a> {
         let coarser = match &mut result {
             Ok(result) if is_finest => {
                 let pressure = std::mem::take(&mut result.solution.pressure);
-                let field = level.field(self.model, &result.window, &pressure);
+                let field = level.field(self.model, &result.region, &pressure);
                 let (force, summary) = (result.solution.force, &mut result.summary);
                 *summary = summary.with_least_area(force);
                 result.rough = RoughContact::of(&field, summary.contact_area);
@@ -250,7 +248,7 @@ impl<'a> Hierarchy<'a> {
                 let nominal = result.rough.as_ref().map(of_nominal);
                 summary.nominal_pressure = summary.nominal_pressure.or(nominal);
                 result.slope = ContactSlope::of(&field, result.rough.as_ref());
-                result.solution.pressure = result.window.scatter(pressure);
+                result.solution.pressure = result.region.scatter(pressure);
                 None
             }
             Ok(result) => Some(level.as_coarser(result)),
@@ -266,7 +264,7 @@ impl<'a> Hierarchy<'a> {
     fn make(&mut self, index: usize) -> Result<Level, ContactError> {
         let clock = Instant::now();
         let square = (self.side, self.grids[index]);
-        let level = Level::new(self.model, square, self.boundary, self.hardness, self.keep)?;
+        let level = Level::new(self.model, square, self.hardness, self.keep)?;
         self.coefficients_seconds += clock.elapsed().as_secs_f64();
         self.note_origin(&level);
         Ok(level)
@@ -297,7 +295,7 @@ mod tests {
     use pellicle_influence::{Sector, SectorGrid};
     use pellicle_texture::Relief;
 
-    use super::{Hierarchy, coarser_sizes};
+    use super::{Hierarchy, Region, coarser_sizes};
     use crate::{Boundary, Indenter, Load, Method, Model, Paraboloid, Pyramid, SolverOptions};
 
     fn model(indenter: Indenter) -> Model {
@@ -329,10 +327,10 @@ mod tests {
         ] {
             let (square, load) = ((1.0, Boundary::Free), [Load::Force(1.0)]);
             let hierarchy = Hierarchy::new(model, square, elements, &load, &options);
-            let grids = hierarchy.grids.iter();
+            let grids = hierarchy.grids.iter().map(Region::grid);
             let sizes = coarser_sizes(elements).into_iter().chain([elements]);
             let expected = sizes.map(|size| SectorGrid::of_square(sector, size));
-            assert!(grids.copied().eq(expected), "{elements} {options:?}");
+            assert!(grids.eq(expected), "{elements} {options:?}");
         }
     }
 

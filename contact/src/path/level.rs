@@ -1,22 +1,22 @@
 //! One grid of a loading path: its problem, and the solution of successive, independent loads on it.
 
-use std::sync::Arc;
+use std::{ops::ControlFlow, sync::Arc};
 
 use crate::{
-    ActiveSetSolver, Boundary, ContactError, ContactSlope, DiscreteProblem, GradientSolver,
-    Iterate, LevelValues, LevelWork, Load, Method, Model, RoughContact, Solution, Solver,
-    SolverOptions, Summary,
-    grid::window::Window,
-    path::dilute::Dilute,
+    ActiveSetSolver, ContactError, ContactSlope, DiscreteProblem, GradientSolver, Iterate,
+    LevelValues, LevelWork, Load, Method, Model, RoughContact, Solution, Solver, SolverOptions,
+    Summary,
+    grid::region::Region,
     path::domain::Guess,
     path::effort::Effort,
+    path::part::LevelPart,
     path::start::{CoarserSolution, FineGrid, RoughSurface},
-    problem::{model::SampledSector, operator_source::OperatorSource},
+    problem::{model::SampledRegion, support::choice::under},
     result::certificate::{JudgedFields, Trial},
     result::contact_field::ContactField,
     solver::Watch,
 };
-use pellicle_influence::{Origin, SectorGrid, SurfaceElasticity};
+use pellicle_influence::{Origin, SurfaceElasticity};
 use pellicle_texture::Grid;
 
 /// A grid of a path.
@@ -27,10 +27,10 @@ pub struct Level {
     /// Whether more loads may follow on this grid, so that memory is kept.
     keeps: bool,
     whole: SolvableProblem,
-    /// Outline of the relief on the problem's sector.
+    /// Outline of the relief on the problem's elements.
     outline: Arc<Vec<bool>>,
-    /// The window of the last load, and the problem on it.
-    part: Option<(Window, SolvableProblem)>,
+    /// The region of the last load, and the problem on it.
+    part: Option<(Region, SolvableProblem)>,
     /// Fields of the last load's certificate.
     judged: JudgedFields,
 }
@@ -78,10 +78,10 @@ pub enum LevelStart<'a> {
 
 /// The result of one level.
 pub struct LevelResult {
-    /// Its pressures cover the window.
+    /// Its pressures cover the region.
     pub solution: Solution,
-    /// The window of the pressures.
-    pub window: Window,
+    /// The region of the pressures.
+    pub region: Region,
     pub summary: Summary,
     /// For the finest grid only, as the next.
     pub rough: Option<RoughContact>,
@@ -94,28 +94,26 @@ pub struct LevelResult {
 impl Level {
     pub fn new(
         model: &Model,
-        (side, sector): (f64, SectorGrid),
-        boundary: Boundary,
+        (side, region): (f64, Region),
         hardness: f64,
         keeps: bool,
     ) -> Result<Self, ContactError> {
-        let grid = Grid::new(side, sector.whole_size())?;
-        let SampledSector {
+        let grid = Grid::new(side, region.grid_size())?;
+        let SampledRegion {
             mask,
             compliance,
             initial_gap,
-        } = model.sample_sector(grid, sector);
+        } = model.sample_on(grid, &region);
         let elasticity = model.elasticity(&grid)?;
-        let source = OperatorSource::of(elasticity.value.clone(), boundary);
+        let support = under(elasticity.value.clone(), region);
         let area = grid.element_area();
-        let problem = DiscreteProblem::on(sector, source, compliance, initial_gap, area)?
+        let problem = DiscreteProblem::on(support, compliance, initial_gap, area)?
             .with_spring_law(model.relief.spring_law());
         let problem = if hardness.is_finite() {
             problem.with_hardness(hardness)?
         } else {
             problem
         };
-        let everywhere = problem.everywhere();
         Ok(Self {
             keeps,
             whole: SolvableProblem::new(problem),
@@ -124,19 +122,19 @@ impl Level {
             elasticity: elasticity.value,
             coefficients_origin: elasticity.origin,
             part: None,
-            judged: JudgedFields::on(everywhere),
+            judged: JudgedFields::on(region),
         })
     }
 
     /// The same grid without the memory of any load; none if the problem cannot be recreated.
     pub fn fresh_copy(&self) -> Option<Self> {
-        let everywhere = self.whole.problem.everywhere();
+        let everywhere = self.whole.problem.region();
         Some(Self {
             grid: self.grid,
             outline: self.outline.clone(),
             elasticity: self.elasticity.clone(),
             keeps: self.keeps,
-            whole: SolvableProblem::new(self.whole.problem.window(&everywhere)?),
+            whole: SolvableProblem::new(self.whole.problem.part(&everywhere)?),
             coefficients_origin: self.coefficients_origin,
             part: None,
             judged: JudgedFields::on(everywhere),
@@ -145,7 +143,7 @@ impl Level {
 
     /// Elements per side of the grid.
     pub fn size(&self) -> usize {
-        self.whole.problem.grid_size()
+        self.whole.problem.region().grid_size()
     }
 
     /// Solves from a coarser level's field or a guess, and judges the result with a new product.
@@ -159,7 +157,7 @@ impl Level {
     ) -> Result<LevelResult, ContactError> {
         let nothing = || {
             (
-                self.whole.problem.everywhere(),
+                self.whole.problem.region(),
                 vec![0.0; self.whole.problem.elements()],
             )
         };
@@ -169,14 +167,14 @@ impl Level {
             LevelStart::Coarser(coarser) => self.prolonged(coarser),
         };
         let start = start.unwrap_or_else(nothing);
-        let (solution, window, effort) = self.solve_from(start, load, options, watch)?;
-        let field = self.field(model, &window, &solution.pressure);
+        let (solution, region, effort) = self.solve_from(start, load, options, watch)?;
+        let field = self.field(model, &region, &solution.pressure);
         Ok(LevelResult {
             summary: Summary::of(&field, solution.force),
             rough: None,
             slope: None,
             solution,
-            window,
+            region,
             work: LevelWork {
                 elements: self.size(),
                 iterations: effort.iterations,
@@ -189,18 +187,17 @@ impl Level {
         })
     }
 
-    /// The last load's solution, given its pressure on a window.
+    /// The last load's solution, given its pressure on a region.
     pub fn field<'a>(
         &'a self,
         model: &'a Model,
-        window: &'a Window,
+        region: &'a Region,
         pressure: &'a [f64],
     ) -> ContactField<'a> {
         ContactField {
             model,
             grid: &self.grid,
-            boundary: self.whole.problem.boundary(),
-            window,
+            region,
             pressure,
             hardness: self.whole.problem.hardness(),
             initial_gap: self.whole.problem.initial_gap(),
@@ -211,19 +208,19 @@ impl Level {
         }
     }
 
-    /// A guessed pressure on a window around it; none if it presses on no element.
-    fn guessed(&self, guess: Guess) -> Option<(Window, Vec<f64>)> {
-        let (grid, everywhere) = (&self.grid, self.whole.problem.everywhere());
+    /// A guessed pressure on a region around it; none if it presses on no element.
+    fn guessed(&self, guess: Guess) -> Option<(Region, Vec<f64>)> {
+        let (grid, everywhere) = (&self.grid, self.whole.problem.region());
         let pressure: Vec<f64> = grid.centres().map(|place| guess.pressure(place)).collect();
         let pressure = everywhere.grid().cut(&pressure);
-        let window = everywhere.around_pressing(&pressure)?;
-        Some((window, window.cut(&pressure)))
+        let region = everywhere.around_pressing(&pressure)?;
+        Some((region, region.cut(&pressure)))
     }
 
-    /// A coarser level's pressure on a window around it; none if no element presses.
-    fn prolonged(&self, coarser: &CoarserSolution) -> Option<(Window, Vec<f64>)> {
+    /// A coarser level's pressure on a region around it; none if no element presses.
+    fn prolonged(&self, coarser: &CoarserSolution) -> Option<(Region, Vec<f64>)> {
         let reach = coarser
-            .window
+            .region
             .on_finer(|_| true, self.whole.problem.size())?;
         let problem = &self.whole.problem;
         let fine = FineGrid {
@@ -237,13 +234,13 @@ impl Level {
             }),
         };
         let pressure = coarser.start_on(&reach, &fine);
-        let window = reach.around_pressing(&pressure)?;
-        let start = if window == reach {
+        let region = reach.around_pressing(&pressure)?;
+        let start = if region == reach {
             pressure
         } else {
-            window.take_over(&reach, &pressure)
+            region.take_over(&reach, &pressure)
         };
-        Some((window, start))
+        Some((region, start))
     }
 
     /// The elasticity of the elements.
@@ -251,113 +248,91 @@ impl Level {
         self.elasticity
     }
 
-    /// Solves on a window, enlarged until it holds the contact; for a dilute contact only on candidates in the window.
-    /// Also returns the window.
+    /// Solves on a part of the level, enlarged until it holds the contact. Also returns the region of the pressure.
     fn solve_from(
         &mut self,
-        start: (Window, Vec<f64>),
+        start: (Region, Vec<f64>),
         load: Load,
         options: SolverOptions,
         watch: &mut Watch<'_>,
-    ) -> Result<(Solution, Window, Effort), ContactError> {
-        let everywhere = self.whole.problem.everywhere();
-        let (mut window, mut pressure) = start;
+    ) -> Result<(Solution, Region, Effort), ContactError> {
+        let (region, mut pressure) = start;
         let mut effort = Effort::default();
-        let mut dilute = Dilute::around(&self.whole.problem, &window, &pressure, &options);
+        let mut part = LevelPart::around(&self.whole.problem, region, &pressure, &options);
         loop {
-            let iterate = match &mut dilute {
+            let iterate = match &mut part.dilute {
                 Some(dilute) => {
                     let whole = &self.whole.problem;
                     effort.among(dilute.solve(whole, &pressure, load, options, watch)?)
                 }
-                None => self.solve_in(&mut window, &pressure, load, options, watch)?,
+                None => self.solve_in(&mut part.region, &pressure, load, options, watch)?,
             };
             let (reached_border, expected) = (iterate.reached_border, iterate.penetration);
             pressure = effort.take(iterate);
             if reached_border {
-                pressure = window.grown().take_over(&window, &pressure);
-                window = window.grown();
+                pressure = part.grow(&pressure);
                 continue;
             }
             if !self.keeps {
                 self.part = None;
                 self.whole.solver.release();
             }
-            let tolerance = options.tolerance;
             let trial = Trial {
-                window: &window,
+                region: &part.region,
                 load,
                 expected,
-                tolerance,
+                tolerance: options.tolerance,
             };
             let (problem, judged) = (&mut self.whole.problem, &mut self.judged);
             let solution = Solution::judge_within(problem, trial, pressure, judged);
             effort.operator_applications += judged.take_products();
-            if let Some(candidates) = &mut dilute {
-                if candidates.is_done(&solution, &options) {
-                    return Ok((solution, window, effort));
-                }
-                let continues = candidates.correct(problem, judged, &solution.pressure);
-                dilute = dilute.filter(|_| continues);
-                pressure = solution.pressure;
-                continue;
+            match part.take_in(problem, judged, solution, &options) {
+                ControlFlow::Break(solution) => return Ok((solution, part.region, effort)),
+                ControlFlow::Continue(start) => pressure = start,
             }
-            if window.is_whole() || solution.certificate.overlap <= tolerance {
-                return Ok((solution, window, effort));
-            }
-            let wider = {
-                let presses = |element| window.presses(&solution.pressure, element);
-                let (initial_gap, size) = (problem.initial_gap(), problem.size());
-                let judged = &self.judged;
-                let overlaps =
-                    |[i, j]: [usize; 2]| judged.gap_of([i, j], initial_gap[i * size + j]) < 0.0;
-                window.wider(everywhere.around(|e| presses(e) || overlaps(e)))
-            };
-            pressure = wider.take_over(&window, &solution.pressure);
-            window = wider;
         }
     }
 
-    /// Solves on a window, which becomes the whole grid if there is no operator of its size.
+    /// Solves on a region, which becomes the whole grid if there is no operator of its size.
     fn solve_in(
         &mut self,
-        window: &mut Window,
+        region: &mut Region,
         start: &[f64],
         load: Load,
         options: SolverOptions,
         watch: &mut Watch<'_>,
     ) -> Result<Iterate, ContactError> {
-        let known = self.part.take_if(|(known, _)| known == window);
+        let known = self.part.take_if(|(known, _)| known == region);
         let part = match known {
             Some((_, part)) => Some(part),
-            None if window.is_whole() || options.method == Method::ActiveSet => None,
-            None => self.whole.problem.window(window).map(SolvableProblem::new),
+            None if region.is_whole() || options.method == Method::ActiveSet => None,
+            None => self.whole.problem.part(region).map(SolvableProblem::new),
         };
         if let Some(mut part) = part {
             let iterate = part.solve(load, start, options, watch);
-            self.part = Some((*window, part));
+            self.part = Some((*region, part));
             return iterate;
         }
-        let everywhere = self.whole.problem.everywhere();
-        let start = everywhere.take_over(window, start);
-        *window = everywhere;
+        let everywhere = self.whole.problem.region();
+        let start = everywhere.take_over(region, start);
+        *region = everywhere;
         self.whole.solve(load, &start, options, watch)
     }
 
     /// Frees the memory needed only for further loads, if there are none.
     pub fn release(&mut self) {
         if !self.keeps {
-            self.whole.problem.release_operator();
-            self.judged = JudgedFields::on(self.whole.problem.everywhere());
+            self.whole.problem.support_mut().release();
+            self.judged = JudgedFields::on(self.whole.problem.region());
         }
     }
 
     /// The solution that the next finer level starts from.
     pub fn as_coarser(&mut self, result: &LevelResult) -> CoarserSolution {
-        let window = *self.judged.reach();
+        let region = *self.judged.reach();
         CoarserSolution {
-            window,
-            pressure: window.take_over(&result.window, &result.solution.pressure),
+            region,
+            pressure: region.take_over(&result.region, &result.solution.pressure),
             displacement: if self.keeps {
                 self.judged.displacement().to_vec()
             } else {

@@ -33,7 +33,7 @@ use rayon::prelude::*;
 use crate::{
     grid::{
         prolongation::{FineLine, Prolongation},
-        window::Window,
+        region::Region,
     },
     vector::smallest,
 };
@@ -45,8 +45,8 @@ const ROWS_PER_SAMPLE: usize = 8;
 
 /// A level's solution, as needed by the next finer level.
 pub struct CoarserSolution {
-    /// The window on which the displacement is known; it holds all pressures.
-    pub window: Window,
+    /// The region on which the displacement is known; it holds all pressures.
+    pub region: Region,
     /// `p`, in Pa.
     pub pressure: Vec<f64>,
     /// `K p`, in m.
@@ -79,9 +79,9 @@ pub struct RoughSurface<'a> {
 }
 
 impl CoarserSolution {
-    /// Returns the starting pressure (Pa) on a window `onto` of a finer grid.
-    pub fn start_on(&self, onto: &Window, fine: &FineGrid<'_>) -> Vec<f64> {
-        let prolongation = Prolongation::new(&self.window, onto);
+    /// Returns the starting pressure (Pa) on a region `onto` of a finer grid.
+    pub fn start_on(&self, onto: &Region, fine: &FineGrid<'_>) -> Vec<f64> {
+        let prolongation = Prolongation::new(&self.region, onto);
         let highest = self.pressure.iter().copied().fold(0.0, f64::max);
         let lowest = smallest(&self.displacement);
         let mut start = Start {
@@ -126,7 +126,7 @@ fn blocks(rows: &[FineLine]) -> Vec<Range<usize>> {
 /// The data for the computation of a start.
 struct Start<'a> {
     coarser: &'a CoarserSolution,
-    onto: &'a Window,
+    onto: &'a Region,
     fine: &'a FineGrid<'a>,
     prolongation: &'a Prolongation,
     smallest: f64,
@@ -161,7 +161,7 @@ struct Share {
 impl Start<'_> {
     /// Writes the pressures on the fine rows of one coarse row.
     fn on_rows(&self, rows: Range<usize>, pressure: &mut [f64]) {
-        let (size, from) = (self.onto.size(), &self.coarser.window);
+        let (size, from) = (self.onto.size(), &self.coarser.region);
         let lines = pressure.chunks_mut(size).zip(rows.clone());
         let presses = lines.fold(false, |any, (line, row)| self.on_row(row, line) || any);
         if !presses {
@@ -196,9 +196,9 @@ impl Start<'_> {
         }
     }
 
-    /// The line (row or column) of the coarse window that holds a fine line.
+    /// The line (row or column) of the coarse region that holds a fine line.
     fn coarse_line(&self, axis: usize, line: FineLine) -> Option<usize> {
-        let lines = self.coarser.window.lengths()[axis];
+        let lines = self.coarser.region.lengths()[axis];
         usize::try_from(line.within)
             .ok()
             .filter(|line| *line < lines)
@@ -206,9 +206,9 @@ impl Start<'_> {
 
     /// Whether a coarse element lies on the relief.
     fn side(&self, element: usize) -> bool {
-        let window = &self.coarser.window;
-        let (row, column) = (element / window.size(), element % window.size());
-        window.line(&self.coarser.outline, row)[column]
+        let region = &self.coarser.region;
+        let (row, column) = (element / region.size(), element % region.size());
+        region.line(&self.coarser.outline, row)[column]
     }
 
     /// Writes the pressures of one row; returns whether any element presses there.
@@ -256,7 +256,7 @@ impl Start<'_> {
             return;
         }
         let sides = self.onto.line(self.fine.outline, row);
-        let (across, size) = (self.prolongation.rows()[row], self.coarser.window.size());
+        let (across, size) = (self.prolongation.rows()[row], self.coarser.region.size());
         let mut displacement = vec![0.0; size];
         for (line, weight) in across.among {
             let values = &self.coarser.displacement[line * size..][..size];
@@ -291,7 +291,7 @@ impl Start<'_> {
                 let (Some(row), Some(column)) = (row, column) else {
                     continue;
                 };
-                let element = row * self.coarser.window.size() + column;
+                let element = row * self.coarser.region.size() + column;
                 if self.side(element) == side {
                     let p = self.coarser.pressure[element];
                     let weight = weight * other;

@@ -264,7 +264,7 @@ impl crate::Profile for Needle {
 }
 
 #[test]
-fn contact_outside_the_window_is_found_and_included() {
+fn contact_outside_the_region_is_found_and_included() {
     let model = model(Relief::Bare, Indenter::custom(Needle));
     for load in [Load::Penetration(3e-3), Load::Force(1e-4)] {
         let (domain, options) = (Domain::Side(1.0), SolverOptions::default());

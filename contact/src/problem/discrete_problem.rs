@@ -13,16 +13,19 @@ mod part;
 
 use std::sync::Arc;
 
-use pellicle_influence::{ElasticOperator, SectorGrid, SurfaceElasticity};
+use pellicle_influence::{ElasticOperator, SurfaceElasticity};
 use pellicle_texture::SpringLaw;
 
 use self::fields::{check_length, check_values, is_rough};
-use self::hardness::HeldPressure;
 use crate::{
     Boundary, ContactError,
-    grid::{candidates::Candidates, window::Window},
+    grid::region::Region,
     problem::{
-        gap_scale::GapScale, operator_source::OperatorSource, scale::Scale, tangents::Tangents,
+        gap_scale::GapScale,
+        held_pressure::HeldPressure,
+        relief_springs::ReliefSprings,
+        scale::Scale,
+        support::{Support, choice, divisible::Divisible},
     },
     vector::update_with,
 };
@@ -39,14 +42,8 @@ impl PartialEq for Identity {
 
 /// The problem on one grid. Fields hold N² values with index `i N + j`, the first index along x.
 pub struct DiscreteProblem {
-    operators: OperatorSource,
-    grid: SectorGrid,
-    relief_compliance: Vec<f64>,
-    /// The compliance (m/Pa) of linear springs added to all elements, and that sum; none without.
-    softened: Option<(f64, Vec<f64>)>,
-    spring_law: SpringLaw,
-    /// The tangents of nonlinear springs, once they have been linearised.
-    tangents: Option<Tangents>,
+    support: Box<dyn Divisible>,
+    springs: ReliefSprings,
     initial_gap: Vec<f64>,
     element_area: f64,
     /// `p_max`, in Pa; infinite without a limit.
@@ -54,10 +51,6 @@ pub struct DiscreteProblem {
     /// The elements at the limit, while they are part of the load.
     held: Option<HeldPressure>,
     scale: Scale,
-    /// Elements per side of the whole grid of which this one is a part.
-    grid_size: usize,
-    /// The elements of the fields, if not all.
-    candidates: Option<Arc<Candidates>>,
     identity: Identity,
 }
 
@@ -74,12 +67,12 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let grid = SectorGrid::whole(operator.size());
-        let source = OperatorSource::Operator(operator);
-        Self::on(grid, source, relief_compliance, initial_gap, element_area)
+        let region = Region::whole(operator.size());
+        let support = choice::given(operator, region);
+        Self::on(support, relief_compliance, initial_gap, element_area)
     }
 
-    /// Creates a problem on a grid of `size` elements per side with known elasticity, which lets solvers use windows
+    /// Creates a problem on a grid of `size` elements per side with known elasticity, which lets solvers use regions
     /// and preconditioners; the other arguments as for [`Self::new`].
     ///
     /// # Errors
@@ -95,9 +88,8 @@ impl DiscreteProblem {
         element_area: f64,
     ) -> Result<Self, ContactError> {
         assert!(size <= elasticity.size(), "a grid within the coefficients");
-        let grid = SectorGrid::whole(size);
-        let source = OperatorSource::of(elasticity, Boundary::Free);
-        Self::on(grid, source, relief_compliance, initial_gap, element_area)
+        let support = choice::under(elasticity, Region::whole(size));
+        Self::on(support, relief_compliance, initial_gap, element_area)
     }
 
     /// Creates a problem on a periodic cell, which is the largest grid that the elasticity allows; the other arguments
@@ -115,21 +107,19 @@ impl DiscreteProblem {
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let grid = SectorGrid::whole(elasticity.size());
-        let source = OperatorSource::of(elasticity, Boundary::Periodic);
-        Self::on(grid, source, relief_compliance, initial_gap, element_area)
+        let region = Region::domain(elasticity.size(), Boundary::Periodic);
+        let support = choice::under(elasticity, region);
+        Self::on(support, relief_compliance, initial_gap, element_area)
     }
 
-    /// Creates the problem of a body under a grid or a sector of one, with fields of its elements and the area of one
-    /// element.
+    /// Creates the problem on all elements of a support's region, with their fields and the area of one element.
     pub(crate) fn on(
-        grid: SectorGrid,
-        mut source: OperatorSource,
+        mut support: Box<dyn Divisible>,
         relief_compliance: Vec<f64>,
         initial_gap: Vec<f64>,
         element_area: f64,
     ) -> Result<Self, ContactError> {
-        let elements = grid.elements();
+        let elements = support.region().elements();
         check_length("relief compliance", relief_compliance.len(), elements)?;
         check_length("initial gap", initial_gap.len(), elements)?;
         check_values(
@@ -147,42 +137,31 @@ impl DiscreteProblem {
         if initial_gap.iter().all(|gap| gap.is_infinite()) {
             return Err(ContactError::NothingCanTouch { elements });
         }
+        let loaded_area = support.weight() as f64 * element_area;
         Ok(Self {
-            scale: Scale::new(
-                grid.loaded_area(element_area).sqrt(),
-                source.own_coefficient(grid.size()),
-            ),
-            operators: source,
-            grid,
-            relief_compliance,
-            softened: None,
-            spring_law: SpringLaw::LINEAR,
-            tangents: None,
+            scale: Scale::new(loaded_area.sqrt(), support.own_coefficient()),
+            support,
+            springs: ReliefSprings::new(SpringLaw::LINEAR, relief_compliance),
             initial_gap,
             element_area,
             hardness: f64::INFINITY,
             held: None,
-            grid_size: grid.whole_size(),
-            candidates: None,
             identity: Identity::default(),
         })
     }
 
     /// The same problem with another spring law; the relief's compliance is that at rest.
     #[must_use]
-    pub fn with_spring_law(self, spring_law: SpringLaw) -> Self {
-        Self {
-            spring_law,
-            tangents: None,
-            identity: Identity::default(),
-            ..self
-        }
+    pub fn with_spring_law(mut self, spring_law: SpringLaw) -> Self {
+        self.springs.take_law(spring_law);
+        self.identity = Identity::default();
+        self
     }
 
     /// The elasticity from which the operator is built, if known.
     #[must_use]
     pub fn elasticity(&self) -> Option<&Arc<SurfaceElasticity>> {
-        self.operators.elasticity()
+        self.support.elasticity()
     }
 
     /// Replaces the initial gap, in m.
@@ -213,26 +192,30 @@ impl DiscreteProblem {
         &self.identity
     }
 
-    /// The boundary condition of the grid.
-    pub(crate) fn boundary(&self) -> Boundary {
-        self.operators.boundary()
+    /// Where its pressures live.
+    pub(crate) fn support(&self) -> &dyn Support {
+        &*self.support
+    }
+
+    /// The same, for products on parts of it.
+    pub(crate) fn support_mut(&mut self) -> &mut dyn Divisible {
+        &mut *self.support
+    }
+
+    /// All of the region that holds its elements.
+    pub(crate) fn region(&self) -> Region {
+        *self.support.region()
     }
 
     /// The scale of gaps, in SI units.
     pub(crate) fn gap_scale(&self) -> GapScale {
-        match (self.boundary(), self.elasticity()) {
-            (Boundary::Periodic, Some(elasticity)) => GapScale::Cell {
-                mean: elasticity.mean_compliance(),
-                longest: elasticity.cell_response(self.size()),
-            },
-            _ => GapScale::Penetration,
-        }
+        self.support.gap_scale()
     }
 
     /// Elements per row, N.
     #[must_use]
     pub fn size(&self) -> usize {
-        self.grid.size()
+        self.support.region().size()
     }
 
     /// Number of elements; N² for a square.
@@ -244,34 +227,25 @@ impl DiscreteProblem {
     /// The law of the relief's springs.
     #[must_use]
     pub fn spring_law(&self) -> SpringLaw {
-        self.spring_law
+        self.springs.law()
+    }
+
+    /// The springs under its elements.
+    pub(crate) fn springs(&self) -> &ReliefSprings {
+        &self.springs
     }
 
     /// The relief's compliance at rest `η`, in m/Pa.
     #[must_use]
     pub fn relief_compliance(&self) -> &[f64] {
-        &self.relief_compliance
+        self.springs.relief()
     }
 
     /// Adds linear springs of this compliance (m/Pa) to all elements, or removes them if it is 0.
     pub(crate) fn soften(&mut self, compliance: f64) {
-        if compliance == 0.0 && self.softened.is_none() {
-            return;
+        if self.springs.soften(compliance) {
+            self.identity = Identity::default();
         }
-        let relief = self.relief_compliance.iter();
-        let sum = || relief.map(|eta| eta + compliance).collect();
-        self.softened = (compliance > 0.0).then(|| (compliance, sum()));
-        (self.tangents, self.identity) = (None, Identity::default());
-    }
-
-    /// The compliance (m/Pa) of the springs added to all elements; 0 without.
-    pub(crate) fn added_compliance(&self) -> f64 {
-        self.softened.as_ref().map_or(0.0, |(added, _)| *added)
-    }
-
-    /// The compliance (m/Pa) at rest of the relief and of the springs added to it.
-    pub(crate) fn compliance_at_rest(&self) -> &[f64] {
-        (self.softened.as_ref()).map_or(&self.relief_compliance, |(_, sum)| sum)
     }
 
     /// `κ` (m/Pa), the displacement of an element by opposite pressures on it and on a neighbour; by a pressure on it
@@ -308,81 +282,38 @@ impl DiscreteProblem {
     /// The area on which one value of the pressure acts, in m²: an element and its mirror images. `Q = area Σ p`.
     #[must_use]
     pub fn loaded_area(&self) -> f64 {
-        self.grid.loaded_area(self.element_area)
+        self.support.weight() as f64 * self.element_area
     }
 
     /// The operator `K`; exclusive, because a product uses the operator's own buffers.
     pub fn operator_mut(&mut self) -> &mut dyn ElasticOperator {
-        self.operators.operator_on(self.grid)
-    }
-
-    /// Frees the memory of operators that can be rebuilt.
-    pub(crate) fn release_operator(&mut self) {
-        self.operators.release();
+        &mut *self.support
     }
 
     /// Writes `K p` (m) of a pressure (Pa) on the problem's elements.
     pub(crate) fn displace(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        self.operators.displace(self.grid, pressure, displacement);
-    }
-
-    /// Writes `K p` (m) on a `reach` around a window, for a pressure on the window that is 0 outside.
-    pub(crate) fn displace_into(
-        &mut self,
-        window_and_reach: [&Window; 2],
-        pressure: &[f64],
-        displacement: &mut [f64],
-    ) {
-        (self.operators).displace_into(window_and_reach, pressure, displacement);
+        self.support.apply_into(pressure, displacement);
     }
 
     /// Lower bound (m) of the displacement at this distance in elements or more from pressures ≥ 0 with this sum:
     /// `min(0, min k) Σ p` over all images; −∞ if the elasticity is unknown.
     pub(crate) fn least_displacement(&self, total: f64, distance: usize) -> f64 {
-        let images = self.grid.images() as f64;
+        let images = self.support.weight() as f64;
         self.elasticity().map_or(f64::NEG_INFINITY, |elasticity| {
             images * total * elasticity.least_coefficient_from(distance).min(0.0)
         })
     }
 
-    /// The tangents of the springs; none if they are linear or not yet linearised.
-    pub(crate) fn tangents(&self) -> Option<&Tangents> {
-        self.tangents.as_ref()
-    }
-
     /// Linearises nonlinear springs at a pressure ≥ 0, in the units of the problem's scale.
     pub(crate) fn linearise_springs(&mut self, pressure: &[f64]) {
-        let (law, added) = (self.spring_law, self.added_compliance());
-        let rest = &self.relief_compliance;
-        if self.tangents.is_none() {
-            self.tangents = Tangents::at_rest(law, self.scale, rest, added);
-        }
-        if let Some(tangents) = &mut self.tangents {
-            tangents.take(rest, pressure);
-        }
-    }
-
-    /// The compliance (m/Pa) of the linear problem: `η`, or that of the linearised springs.
-    pub(crate) fn tangent_compliance(&self) -> &[f64] {
-        (self.tangents.as_ref()).map_or(self.compliance_at_rest(), Tangents::compliance)
+        self.springs.linearise(self.scale, pressure);
     }
 
     /// Writes `K p + w*(p)` (m) of the pressure `p` (Pa) into `deformation`, `(K + η) p` on linear springs: one product
     /// with `K`.
     pub fn deform_into(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         self.displace(pressure, deformation);
-        self.shorten_into(pressure, deformation);
-    }
-
-    /// Adds `w*(p)` (m) of the pressure `p` (Pa) to a deformation, with that of added springs.
-    pub(crate) fn shorten_into(&self, pressure: &[f64], deformation: &mut [f64]) {
-        let (law, added) = (self.spring_law, self.added_compliance());
-        update_with(
-            deformation,
-            &self.relief_compliance,
-            pressure,
-            |v, eta, p| *v += law.shortening(*eta, *p) + added * p,
-        );
+        self.springs.shorten_into(pressure, deformation);
     }
 
     /// Writes `(K + η) p` of the linear problem into `deformation`, both in the units of the problem's
@@ -390,7 +321,7 @@ impl DiscreteProblem {
     pub(crate) fn deform_to_scale(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         let per_unit = 1.0 / self.scale.compliance;
         self.displace(pressure, deformation);
-        let compliance = self.tangent_compliance();
+        let compliance = self.springs.compliance();
         update_with(deformation, compliance, pressure, |v, eta, p| {
             *v = (*v + eta * p) * per_unit;
         });

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{Cache, Cached, RadialTables, Sector, SectorGrid, SurfaceElasticity};
+use pellicle_influence::{Cache, Cached, RadialTables, Sector, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief, SampledRelief};
 use rayon::prelude::*;
 
 use crate::{
-    Boundary, ContactError, DiscreteProblem, Indenter, Profile,
-    problem::operator_source::OperatorSource, vector::update,
+    Boundary, ContactError, DiscreteProblem, Indenter, Profile, grid::region::Region,
+    problem::support::choice::under, vector::update,
 };
 
 /// An indenter above a relief on an elastic foundation, without a grid or load.
@@ -36,8 +36,8 @@ pub struct SampledModel {
     pub indenter_profile: Vec<f64>,
 }
 
-/// The geometry of a [`Model`] at the elements of a sector of a grid.
-pub(crate) struct SampledSector {
+/// The geometry of a [`Model`] at the elements of a region.
+pub(crate) struct SampledRegion {
     /// Whether an element lies on the relief.
     pub mask: Vec<bool>,
     /// `η` of the relief, in m/Pa.
@@ -56,17 +56,18 @@ impl Model {
         Ok(SampledModel::on(grid, &self.relief, &self.indenter))
     }
 
-    /// Samples the geometry at the elements of a grid in a sector.
-    pub(crate) fn sample_sector(&self, grid: Grid, sector: SectorGrid) -> SampledSector {
-        let relief = if sector.has_images() {
-            self.relief.sample_from(&grid, sector.first_index())
+    /// Samples the geometry at the elements of a grid in a region that is all of it or of its half or quadrant.
+    pub(crate) fn sample_on(&self, grid: Grid, region: &Region) -> SampledRegion {
+        let has_images = region.weight() > 1;
+        let relief = if has_images {
+            self.relief.sample_from(&grid, region.first_index())
         } else {
             self.relief.sample(&grid)
         };
         let (mask, mut gap, compliance) = relief.into_parts();
         // g0 = f − f*, stored in the profile's memory.
         let rule = |gap: &mut f64, f: &f64| *gap = f - *gap;
-        if self.indenter.is_mirrored() && !sector.has_images() {
+        if self.indenter.is_mirrored() && !has_images {
             let first = grid.size() / 2;
             let quadrant = grid.sample_from([first; 2], |[x, y]| self.indenter.height(x, y));
             let image = |i: usize| (2 * i).abs_diff(grid.size() - 1) / 2;
@@ -86,10 +87,10 @@ impl Model {
                     .for_each(|(gap, f)| rule(gap, f));
             });
         } else {
-            let points = grid.sample_from(sector.first_index(), |point| point);
+            let points = grid.sample_from(region.first_index(), |point| point);
             update(&mut gap, &self.indenter.heights(&points), rule);
         }
-        SampledSector {
+        SampledRegion {
             mask,
             compliance,
             initial_gap: gap,
@@ -127,9 +128,9 @@ impl Model {
         let Cached { value, origin } = self.elasticity(&sampled.grid)?;
         let initial_gap = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
         let (compliance, area) = (sampled.relief.compliance(), sampled.grid.element_area());
-        let whole = SectorGrid::whole(value.size());
-        let source = OperatorSource::of(value, boundary);
-        let value = DiscreteProblem::on(whole, source, compliance.to_vec(), initial_gap, area)?;
+        let region = Region::domain(value.size(), boundary);
+        let support = under(value, region);
+        let value = DiscreteProblem::on(support, compliance.to_vec(), initial_gap, area)?;
         let value = value.with_spring_law(sampled.relief.spring_law());
         Ok(Cached { value, origin })
     }
@@ -230,7 +231,7 @@ mod tests {
             let grid = Grid::new(1.2, size).unwrap();
             let sampled = SampledModel::on(grid, &model.relief, &model.indenter);
             let expected = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
-            let found = model.sample_sector(grid, SectorGrid::whole(size));
+            let found = model.sample_on(grid, &Region::whole(size));
             assert_eq!(found.initial_gap, expected);
             assert_eq!(found.compliance, sampled.relief.compliance());
         }

@@ -33,7 +33,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     DeformedSurface, DiscreteProblem, Load,
-    grid::window::Window,
+    grid::region::Region,
     result::not_stored,
     vector::{smallest, sum},
 };
@@ -126,10 +126,10 @@ impl Solution {
         pressure: Vec<f64>,
         tolerance: f64,
     ) -> (Self, DeformedSurface) {
-        let everywhere = problem.everywhere();
+        let everywhere = problem.region();
         let mut fields = JudgedFields::on(everywhere);
         let on_all = Trial {
-            window: &everywhere,
+            region: &everywhere,
             load,
             expected: f64::INFINITY,
             tolerance,
@@ -145,10 +145,10 @@ impl Solution {
         (solution, surface)
     }
 
-    /// Judges a pressure that is zero outside a window of the grid, which makes the product cheaper. The solution's
-    /// pressure covers only the window. A reach of the same size reuses the memory of the displacement.
+    /// Judges a pressure that is zero outside a region of the grid, which makes the product cheaper. The solution's
+    /// pressure covers only the region. A reach of the same size reuses the memory of the displacement.
     ///
-    /// Displacements are computed on a [reach] around the window, chosen from the expected penetration, or everywhere
+    /// Displacements are computed on a [reach] around the region, chosen from the expected penetration, or everywhere
     /// if the true penetration is larger.
     pub(crate) fn judge_within(
         problem: &mut DiscreteProblem,
@@ -157,23 +157,23 @@ impl Solution {
         fields: &mut JudgedFields,
     ) -> Self {
         let Trial {
-            window,
+            region,
             load,
             expected,
             tolerance,
         } = trial;
         let total = sum(&pressure);
         let highest = judged_fields::highest(expected);
-        let reach = judged_fields::around(problem, window, highest, total);
+        let reach = judged_fields::around(problem, region, highest, total);
         fields.take(reach);
-        problem.displace_into([window, &reach], &pressure, &mut fields.displacement);
+        (problem.support_mut()).apply_around([region, &reach], &pressure, &mut fields.displacement);
         fields.products += 1;
         let surface = Surface {
             initial_gap: problem.initial_gap(),
             compliance: problem.relief_compliance(),
             spring_law: problem.spring_law(),
             limit: problem.hardness(),
-            window: window.within(&reach),
+            region: region.within(&reach),
             reach,
             pressure: &pressure,
             displacement: &fields.displacement,
@@ -212,7 +212,7 @@ impl Solution {
             gap_in_contact,
             overlap,
             load,
-            min_pressure: if window.is_whole() {
+            min_pressure: if region.is_whole() {
                 smallest(&pressure)
             } else {
                 smallest(&[smallest(&pressure), 0.0])
@@ -233,8 +233,8 @@ impl Solution {
 /// The conditions under which a pressure is judged.
 #[derive(Clone, Copy)]
 pub struct Trial<'a> {
-    /// The window that holds all pressures.
-    pub window: &'a Window,
+    /// The region that holds all pressures.
+    pub region: &'a Region,
     pub load: Load,
     /// The penetration according to the solver, in m; infinite if it gives none.
     pub expected: f64,

@@ -3,108 +3,88 @@
 use pellicle_texture::Grid;
 
 use crate::{
-    Boundary, Model,
-    grid::window::{Place, Window},
+    Model,
+    grid::region::{Place, Region},
     result::certificate::JudgedFields,
 };
 
-/// A solved contact on the window that holds all pressures.
+/// A solved contact on the region that holds all pressures.
 pub struct ContactField<'a> {
     pub model: &'a Model,
     pub grid: &'a Grid,
-    pub boundary: Boundary,
-    pub window: &'a Window,
-    /// Pressure on the window, in Pa.
+    pub region: &'a Region,
+    /// Pressure on the region, in Pa.
     pub pressure: &'a [f64],
     /// Hardness at which the pressure is cut, in Pa; infinite without one.
     pub hardness: f64,
-    /// `g0` on the window's sector, in m.
+    /// `g0` on the region's grid, in m.
     pub initial_gap: &'a [f64],
-    /// Displacements on the window and beyond.
+    /// Displacements on the region and beyond.
     pub judged: &'a JudgedFields,
-    /// Whether an element lies on the relief, on the window's sector.
+    /// Whether an element lies on the relief, on the region's grid.
     pub mask: &'a [bool],
-    /// Compliance at rest `η` of the relief on the window's sector, in m/Pa.
+    /// Compliance at rest `η` of the relief on the region's grid, in m/Pa.
     pub compliance: &'a [f64],
     /// Influence coefficient of an element on itself, in m/Pa.
     pub coefficient: f64,
 }
 
 impl ContactField<'_> {
-    /// Returns the element of the window at a place, itself, its mirror image or its periodic image; none elsewhere.
+    /// Returns the element of the region at a place, itself, its mirror image or its periodic image; none elsewhere.
     pub fn element(&self, place: Place) -> Option<usize> {
-        match self.boundary {
-            Boundary::Free => self.window.element(place),
-            Boundary::Periodic => {
-                let size = self.window.size().cast_signed();
-                self.window.element(place.map(|i| i.rem_euclid(size)))
-            }
-        }
+        self.region.element(place)
     }
 
-    /// Returns the first line of places next to an element of the window: the line before it, or 0 in a periodic cell,
-    /// whose last line is next to its first.
-    pub fn first_line(&self) -> isize {
-        match self.boundary {
-            Boundary::Free => -1,
-            Boundary::Periodic => 0,
-        }
-    }
-
-    /// The pressure at a place, in Pa; 0 outside the window.
+    /// The pressure at a place, in Pa; 0 outside the region.
     pub fn pressure_at(&self, place: Place) -> f64 {
         self.element(place).map_or(0.0, |e| self.pressure[e])
     }
 
-    /// Row and column of a window's element on its sector.
-    fn on_sector(&self, element: usize) -> [usize; 2] {
-        let size = self.window.size();
-        let [above, left] = self.window.origin();
-        [above + element / size, left + element % size]
+    /// Row and column of a region's element.
+    fn place(&self, element: usize) -> [usize; 2] {
+        let size = self.region.size();
+        [element / size, element % size]
     }
 
-    /// Whether the pressure of an element of the window is cut.
+    /// Whether the pressure of an element of the region is cut.
     pub fn is_at_limit(&self, element: usize) -> bool {
         self.pressure[element] >= self.hardness
     }
 
-    /// Whether an element of the window lies on the relief.
+    /// Whether an element of the region lies on the relief.
     pub fn is_on_relief(&self, element: usize) -> bool {
-        let [i, j] = self.on_sector(element);
-        self.mask[i * self.window.grid().size() + j]
+        self.mask[self.region.index_on_grid(self.place(element))]
     }
 
-    /// `w*/p` of an element of the window, in m/Pa: `η` for linear springs.
+    /// `w*/p` of an element of the region, in m/Pa: `η` for linear springs.
     pub fn secant_of(&self, element: usize) -> f64 {
-        let [i, j] = self.on_sector(element);
-        let compliance = self.compliance[i * self.window.grid().size() + j];
+        let compliance = self.compliance[self.region.index_on_grid(self.place(element))];
         let law = self.model.relief.spring_law();
         law.secant(compliance, self.pressure[element])
     }
 
-    /// `g0` of an element of the window, in m.
+    /// `g0` of an element of the region, in m.
     pub fn initial_gap_of(&self, element: usize) -> f64 {
-        let [i, j] = self.on_sector(element);
-        self.initial_gap[i * self.window.grid().size() + j]
+        self.initial_gap[self.region.index_on_grid(self.place(element))]
     }
 
-    /// The gap of an element of the window, in m; infinite where the indenter has no surface.
+    /// The gap of an element of the region, in m; infinite where the indenter has no surface.
     pub fn gap_of(&self, element: usize) -> f64 {
-        let [i, j] = self.on_sector(element);
         let initial_gap = self.initial_gap_of(element);
         let shortening = self.secant_of(element) * self.pressure[element];
-        self.judged.gap_of([i, j], initial_gap) + shortening
+        let on_grid = self.region.on_grid(self.place(element));
+        self.judged.gap_of(on_grid, initial_gap) + shortening
     }
 
-    /// The gaps of the elements without pressure in a row of the window, in m, by column.
+    /// The gaps of the elements without pressure in a row of the region, in m, by column.
     pub fn gaps_of_line(&self, line: usize) -> impl Fn(usize) -> f64 {
-        let initial_gap = self.window.line(self.initial_gap, line);
-        self.judged.gaps_of_line(self.window, line, initial_gap)
+        let initial_gap = self.region.line(self.initial_gap, line);
+        self.judged.gaps_of_line(self.region, line, initial_gap)
     }
 
     /// Counts the elements in contact among the four of the cell at a place.
     pub fn in_contact_around(&self, [i, j]: Place) -> usize {
-        let [rows, size] = self.window.lengths();
+        let [rows, size] = self.region.lengths();
         let inside = |i: isize, lines| usize::try_from(i).ok().filter(|i| i + 1 < lines);
         if let (Some(i), Some(j)) = (inside(i, rows), inside(j, size)) {
             let pair = |line: usize| &self.pressure[line * size + j..][..2];
@@ -128,7 +108,7 @@ impl ContactField<'_> {
     /// Coordinates of a place, which need not be a centre, in m.
     pub fn point(&self, place: [f64; 2]) -> [f64; 2] {
         let (size, half) = (self.grid.size() as f64, 0.5 * self.grid.element_side());
-        let first = self.window.index_on_whole([0, 0]);
+        let first = self.region.index_on_whole([0, 0]);
         // x = (2i + 1 − N) h/2
         [0, 1].map(|axis: usize| (2.0 * (place[axis] + first[axis] as f64) + 1.0 - size) * half)
     }
@@ -148,7 +128,7 @@ mod tests {
     use pellicle_texture::{Film, Relief};
 
     use super::*;
-    use crate::Paraboloid;
+    use crate::{Boundary, Paraboloid};
 
     const SIZE: usize = 6;
 
@@ -165,7 +145,10 @@ mod tests {
             indenter: Paraboloid::new(1.0).unwrap().into(),
             cache: Cache::none(),
         };
-        let (grid, window) = (Grid::new(6.0, SIZE).unwrap(), Window::whole(SIZE));
+        let (grid, region) = (
+            Grid::new(6.0, SIZE).unwrap(),
+            Region::domain(SIZE, boundary),
+        );
         let elements = 0..SIZE * SIZE;
         let mask: Vec<bool> = elements.clone().map(|e| e / SIZE >= 3).collect();
         let compliance: Vec<f64> = elements.map(|e| 0.25 + 0.01 * (e as f64)).collect();
@@ -173,12 +156,11 @@ mod tests {
         evaluate(&ContactField {
             model: &model,
             grid: &grid,
-            boundary,
-            window: &window,
+            region: &region,
             pressure,
             hardness: 3.0,
             initial_gap: &nothing,
-            judged: &JudgedFields::on(window),
+            judged: &JudgedFields::on(region),
             mask: &mask,
             compliance: &compliance,
             coefficient: 1.0,

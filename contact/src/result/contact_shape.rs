@@ -18,7 +18,7 @@
 //! The zero line is drawn by marching squares over the centres. Where the contact ends at the indenter's rim or the
 //! outline of a relief, the edge follows from geometry. Checked against closed forms in `tests/tests/convergence`.
 
-use crate::{grid::window::Place, result::contact_field::ContactField};
+use crate::{grid::region::Place, result::contact_field::ContactField};
 
 /// `κ`.
 pub const OWN_PRESSURE: f64 = 1.2;
@@ -80,16 +80,16 @@ const TURN: [[isize; 2]; 4] = [[0, 0], [1, 0], [1, 1], [0, 1]];
 impl ContactShape {
     /// The shape of the contact in a solved field.
     pub fn of(field: &ContactField<'_>) -> Self {
-        let (window, grid) = (field.window, field.grid);
-        // Cells from one before the window, if it has a border, to its last element.
-        let size = window.size().cast_signed();
-        let lines = window.by_lines(field.pressure, |line, _| {
+        let (region, grid) = (field.region, field.grid);
+        // Cells from one before the region, if it has a border, to its last element.
+        let size = region.size().cast_signed();
+        let lines = region.by_lines(field.pressure, |line, _| {
             CellSum::of_line(field, line.cast_signed(), size)
         });
-        let before = field.first_line()..0;
+        let before = region.first_line()..0;
         let before = before.map(|line| CellSum::of_line(field, line, size));
         let all = before.chain(lines).fold(CellSum::default(), CellSum::and);
-        let whole = window.grid().loaded_area(grid.element_area());
+        let whole = region.weight() as f64 * grid.element_area();
         let without = |area: f64, cut: f64| whole * (area - cut.min(LARGEST_CUT * area));
         Self {
             area: without(all.area, all.cut),
@@ -105,7 +105,7 @@ impl CellSum {
     /// Sums over the cells whose first corner lies in a line.
     fn of_line(field: &ContactField<'_>, line: isize, size: isize) -> Self {
         let mut part = Self::default();
-        for column in field.first_line()..size {
+        for column in field.region.first_line()..size {
             match field.in_contact_around([line, column]) {
                 0 => {}
                 4 if field.is_one_side([line, column]) => part.add_whole(field, [line, column]),
@@ -120,7 +120,7 @@ impl CellSum {
 
     /// Adds a cell whose corners are all in contact, and all on one side of an outline.
     fn add_whole(&mut self, field: &ContactField<'_>, place: Place) {
-        let share = field.window.share_of_cell(place);
+        let share = field.region.share_of_cell(place);
         self.area += share;
         if field.element(place).is_some_and(|e| field.is_on_relief(e)) {
             self.area_on_relief += share;
@@ -132,7 +132,7 @@ impl CellSum {
             |is: fn(&CellCorner) -> bool| corners.iter().filter(|corner| is(corner)).count();
         let in_contact = count(|corner| corner.is_in_contact);
         let on_relief = count(|corner| corner.is_in_contact && corner.is_on_relief);
-        let share = field.window.share_of_cell(corners[0].place);
+        let share = field.region.share_of_cell(corners[0].place);
         let polygon = Polygon::of(field, &corners, |corner| corner.is_in_contact);
         self.area += share * polygon.area;
         self.cut += share * polygon.cut;

@@ -11,8 +11,8 @@ use crate::Indenter;
 
 /// Half the distance over which a slope is taken, in elements: for shapes given by formulas, and for maps, whose
 /// samples may be steps.
-const NEAR: f64 = 0.05;
-const NEAR_OF_MAPS: f64 = 0.5;
+const HALF_STEP: f64 = 0.05;
+const HALF_STEP_ON_MAPS: f64 = 0.5;
 /// Part of the edge on which a measured indenter is steeper than its slope: single points show noise.
 const STEEPER_PART: f64 = 0.1;
 /// Largest number of points of the edge at which a user's function, which may be slow, is evaluated: eight times each.
@@ -57,7 +57,7 @@ struct EdgePoint {
 }
 
 fn at_edge(field: &ContactField<'_>) -> Option<f64> {
-    let lines = (field.window).by_lines(field.pressure, |line, row| edge_points(field, line, row));
+    let lines = (field.region).by_lines(field.pressure, |line, row| edge_points(field, line, row));
     let points: Vec<EdgePoint> = lines.into_iter().flatten().collect();
     let apart = match field.model.indenter {
         Indenter::Custom(_) => points.len().div_ceil(POINTS_OF_A_FUNCTION).max(1),
@@ -118,8 +118,8 @@ fn slope_at(field: &ContactField<'_>, point: &EdgePoint) -> f64 {
         return f64::INFINITY;
     }
     let near = match indenter {
-        Indenter::Map(_) => NEAR_OF_MAPS,
-        _ => NEAR,
+        Indenter::Map(_) => HALF_STEP_ON_MAPS,
+        _ => HALF_STEP,
     };
     let step = near * field.grid.element_side();
     let [x, y] = point.at;
@@ -172,7 +172,7 @@ fn root_mean_square(field: &ContactField<'_>) -> Option<f64> {
         }
         (sum, count)
     };
-    let lines = field.window.by_lines(field.pressure, of_line);
+    let lines = field.region.by_lines(field.pressure, of_line);
     let (sum, count) =
         (lines.into_iter()).fold((0.0, 0), |all, line| (all.0 + line.0, all.1 + line.1));
     (count > 0).then(|| (sum / count as f64).sqrt())

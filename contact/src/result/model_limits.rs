@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 use pellicle_influence::{LayerColumn, LayerCompression};
 use pellicle_texture::{Grid, Relief};
 
-use crate::{Boundary, Indenter, Model, PeakPlace, Step};
+use crate::{Boundary, Indenter, LimitRatio, Model, ModelLimit, PeakPlace, Step};
 
 /// Below this ratio of largest pressure to smallest Young's modulus no strain comes near a tenth, and layers are not
 /// examined.
@@ -32,42 +32,6 @@ const NARROW: f64 = 0.5;
 /// A mean pressure below this part of the modulus is small under a punch. On a half-space one sunk by its radius has
 /// 0.64 E*; below it on the axis, half of that.
 const SMALL_PRESSURE: f64 = 0.25;
-
-/// What a contact cannot exceed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ModelLimit {
-    /// A layer cannot be shortened by its whole thickness.
-    LayerThickness {
-        /// Layer, counted from the surface, from 0.
-        layer: usize,
-    },
-    /// The indenter cannot be below the top of a rigid base.
-    RigidBase,
-    /// An indenter cannot be sunk by more than its own radius where linear elasticity holds.
-    IndenterRadius,
-    /// A body cannot carry a mean pressure above its Young's modulus.
-    Modulus {
-        /// Layer, counted from the surface, from 0; the number of layers for the base.
-        body: usize,
-    },
-}
-
-/// A number of a contact over its limit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LimitRatio {
-    /// The limit.
-    pub limit: ModelLimit,
-    /// The number over the limit; the model cannot hold from 1 on.
-    pub ratio: f64,
-}
-
-impl LimitRatio {
-    /// Whether the model cannot hold.
-    #[must_use]
-    pub fn is_beyond(&self) -> bool {
-        self.ratio >= 1.0
-    }
-}
 
 /// The limits of a model on a grid, with the tables that they need.
 pub(crate) struct ModelLimits<'a> {

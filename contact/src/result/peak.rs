@@ -7,7 +7,7 @@
 use pellicle_texture::Relief;
 
 use crate::{Indenter, Profile};
-use crate::{grid::window::Place, result::contact_field::ContactField};
+use crate::{grid::region::Place, result::contact_field::ContactField};
 
 /// A peak within this many elements of an edge belongs to the edge.
 const ELEMENTS_FROM_EDGE: f64 = 2.0;
@@ -40,7 +40,7 @@ pub struct Peak {
 }
 
 impl Peak {
-    /// The peak of a field whose largest pressure is that of an element of the window.
+    /// The peak of a field whose largest pressure is that of an element of the region.
     pub fn of(field: &ContactField<'_>, largest: Place) -> Self {
         let (model, side) = (field.model, field.grid.element_side());
         if let Some(element) = field.element(largest).filter(|e| field.is_at_limit(*e)) {
@@ -121,8 +121,7 @@ mod tests {
 
     use super::*;
     use crate::{
-        Boundary, FlatPunch, Model, Paraboloid, grid::window::Window,
-        result::certificate::JudgedFields,
+        FlatPunch, Model, Paraboloid, grid::region::Region, result::certificate::JudgedFields,
     };
 
     const SIZE: usize = 20;
@@ -136,7 +135,7 @@ mod tests {
             indenter,
             cache: Cache::none(),
         };
-        let (grid, window) = (Grid::new(4.0, SIZE).unwrap(), Window::whole(SIZE));
+        let (grid, region) = (Grid::new(4.0, SIZE).unwrap(), Region::whole(SIZE));
         let pressure = grid.centres().map(|place| {
             let [x, y] = [place[0] - vertex[0], place[1] - vertex[1]];
             (9.0 - 4.0 * x * x - 2.0 * x * y - 3.0 * y * y).clamp(0.0, hardness)
@@ -148,12 +147,11 @@ mod tests {
         let field = ContactField {
             model: &model,
             grid: &grid,
-            boundary: Boundary::Free,
-            window: &window,
+            region: &region,
             pressure: &pressure,
             hardness,
             initial_gap: &nothing,
-            judged: &JudgedFields::on(window),
+            judged: &JudgedFields::on(region),
             mask: &[false; SIZE * SIZE],
             compliance: &nothing,
             coefficient: 1.0,

@@ -76,7 +76,7 @@ impl RoughContact {
         let nominal_area = nominal.elements * area;
         let perimeter = pattern.sides() as f64 * side;
         let gaps = nominal.gaps(field);
-        let (pressures, _) = Histogram::of(field.window, field.pressure, |_, pressures| {
+        let (pressures, _) = Histogram::of(field.region, field.pressure, |_, pressures| {
             pressures.iter().copied().filter(|p| *p > 0.0)
         });
         Some(Self {

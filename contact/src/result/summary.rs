@@ -6,7 +6,6 @@ use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    Boundary,
     result::contact_field::ContactField,
     result::contact_shape::ContactShape,
     result::not_stored,
@@ -80,18 +79,18 @@ pub struct Summary {
 impl Summary {
     /// Summarises a solved contact under the force `force` (N).
     pub(crate) fn of(field: &ContactField<'_>, force: f64) -> Self {
-        let (window, grid) = (field.window, field.grid);
+        let (region, grid) = (field.region, field.grid);
         let size = grid.size();
         let law = field.model.relief.spring_law();
         let of_line = |line: usize, pressure: &[f64]| {
-            let compliance = window.line(field.compliance, line);
+            let compliance = region.line(field.compliance, line);
             let mut found = Contact::default();
-            let image = |column| window.first_image([line, column]);
+            let image = |column| region.first_image([line, column]);
             let mut columns = pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
             for (column, p) in columns.clone() {
                 let [i, j] = image(column);
                 found.add(i * size + j, *p);
-                let element = line * window.size() + column;
+                let element = line * region.size() + column;
                 if field.is_at_limit(element) {
                     found.at_limit += 1;
                     found.depth = found.depth.max(-field.gap_of(element));
@@ -104,7 +103,7 @@ impl Summary {
             }
             found
         };
-        let lines = window.by_lines(field.pressure, of_line);
+        let lines = region.by_lines(field.pressure, of_line);
         let Contact {
             largest: (max_pressure, largest),
             elements,
@@ -119,10 +118,7 @@ impl Summary {
             max_pressure_at: [grid.centre(0); 2],
             peak_place: PeakPlace::Inside,
             mean_pressure: 0.0,
-            nominal_pressure: match field.boundary {
-                Boundary::Periodic => Some(force / grid.side().powi(2)),
-                Boundary::Free => None,
-            },
+            nominal_pressure: (region.repeats()).then(|| force / grid.side().powi(2)),
             contact_area: 0.0,
             edge_uncertainty: 0.0,
             meets_outline: false,
@@ -140,18 +136,18 @@ impl Summary {
             return nothing;
         }
         let shape = ContactShape::of(field);
-        let largest = window.place_of_image([largest / size, largest % size]);
-        let (peak, sector) = (Peak::of(field, largest), window.grid());
-        let area_at_limit = at_limit as f64 * sector.loaded_area(grid.element_area());
+        let largest = region.place_of_image([largest / size, largest % size]);
+        let (peak, weight) = (Peak::of(field, largest), region.weight());
+        let area_at_limit = at_limit as f64 * (weight as f64 * grid.element_area());
         Self {
             max_pressure: peak.pressure,
-            max_pressure_at: sector.first_image_of_point(peak.at),
+            max_pressure_at: region.first_image_of_point(peak.at),
             peak_place: peak.place,
             mean_pressure: (force / shape.area).min(peak.pressure),
             contact_area: shape.area,
             edge_uncertainty: shape.uncertainty,
             meets_outline: shape.meets_outline,
-            contact_elements: sector.with_images(elements),
+            contact_elements: weight * elements,
             contact_area_on_relief: shape.area_on_relief,
             contact_area_between: (shape.area - shape.area_on_relief).max(0.0),
             contact_radius: shape.radius,

@@ -10,7 +10,7 @@ pub struct Work {
     pub iterations: usize,
     /// Products with `K` on the finest grid, including those of the certificate.
     ///
-    /// A product on a window that holds the contact counts as one.
+    /// A product on a region that holds the contact counts as one.
     pub operator_applications: usize,
     /// Products on the finest grid for the contact stiffness, in addition to those for the solution; not stored.
     #[serde(skip)]

@@ -9,7 +9,7 @@ use pellicle_texture::Grid;
 
 use super::springs::{SpringChange, difference};
 use crate::{
-    ContactError, Model, ModelParameter, SampledModel, grid::window::Window,
+    ContactError, Model, ModelParameter, SampledModel, grid::region::Region,
     problem::model::initial_gap, vector::dot,
 };
 
@@ -77,7 +77,7 @@ impl ModelDerivatives {
     }
 }
 
-/// Derivatives under a pressure `p`, on its window.
+/// Derivatives under a pressure `p`, on its region.
 pub struct Changed {
     /// `K_θ p + w*_θ(p)`.
     pub image: Vec<f64>,
@@ -136,13 +136,13 @@ impl Change {
         })
     }
 
-    /// The derivatives of displacement, energy and gap on a window of the grid, under a pressure `p` on it.
-    pub fn under(&self, window: &Window, pressure: &[f64]) -> Changed {
+    /// The derivatives of displacement, energy and gap on a region of the grid, under a pressure `p` on it.
+    pub fn under(&self, region: &Region, pressure: &[f64]) -> Changed {
         match self {
             Self::Coefficients(elasticity) => {
                 let mut image = vec![0.0; pressure.len()];
                 elasticity
-                    .operator(window.size())
+                    .operator(region.size())
                     .apply_into(pressure, &mut image);
                 Changed {
                     energy: 0.5 * dot(pressure, &image),
@@ -154,11 +154,11 @@ impl Change {
                 springs,
                 initial_gap,
             } => {
-                let (image, energy) = springs.under(window, pressure);
+                let (image, energy) = springs.under(region, pressure);
                 Changed {
                     image,
                     energy,
-                    gap: window.cut(initial_gap),
+                    gap: region.cut(initial_gap),
                 }
             }
         }

@@ -2,21 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::ElasticParameter;
-use pellicle_texture::ReliefParameter;
-
-use crate::{ContactError, IndenterQuantity, Model};
-
-/// One parameter of a [`Model`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ModelParameter {
-    /// A parameter of the foundation, or of an elastic indenter's material.
-    Elastic(ElasticParameter),
-    /// A parameter of the relief's springs.
-    Relief(ReliefParameter),
-    /// A parameter of the indenter's shape.
-    Indenter(IndenterQuantity),
-}
+use crate::{ContactError, Model, ModelParameter};
 
 impl Model {
     /// All numbers of the model on which a solution depends smoothly. The outline of a relief and the radius of a flat

@@ -2,7 +2,7 @@
 
 use pellicle_texture::SpringLaw;
 
-use crate::{grid::window::Window, vector::dot};
+use crate::{grid::region::Region, vector::dot};
 
 /// Derivatives of springs by one number θ, per unit of θ.
 pub enum SpringChange {
@@ -22,11 +22,11 @@ impl SpringChange {
         }
     }
 
-    /// `w*_θ(p)` and `Σ ∂/∂θ ∫ w* dp` under a pressure on a window.
-    pub fn under(&self, window: &Window, pressure: &[f64]) -> (Vec<f64>, f64) {
+    /// `w*_θ(p)` and `Σ ∂/∂θ ∫ w* dp` under a pressure on a region.
+    pub fn under(&self, region: &Region, pressure: &[f64]) -> (Vec<f64>, f64) {
         match self {
             Self::Linear(compliance) => {
-                let springs = window.cut(compliance);
+                let springs = region.cut(compliance);
                 let image = springs.iter().zip(pressure).map(|(eta, p)| eta * p);
                 let image: Vec<f64> = image.collect();
                 let energy = 0.5 * dot(pressure, &image);
@@ -34,7 +34,7 @@ impl SpringChange {
             }
             Self::Stiffening(both, step) => {
                 let [more, less] = both.each_ref().map(|(law, compliance)| {
-                    let springs = window.cut(compliance);
+                    let springs = region.cut(compliance);
                     let pairs = springs.iter().zip(pressure);
                     let shortening = pairs.clone().map(|(eta, p)| law.shortening(*eta, *p));
                     let energy: f64 = pairs.map(|(eta, p)| law.energy(*eta, *p)).sum();

@@ -7,7 +7,7 @@ use super::ForceCurve;
 use super::change::{Change, Changed, ModelDerivatives};
 use crate::{
     Boundary, ContactError, DiscreteProblem, Load, LoadingPath, Solution,
-    grid::window::Window,
+    grid::region::Region,
     solver::gradient::pressure_per_penetration,
     vector::{dot, sum},
 };
@@ -101,12 +101,12 @@ impl Sensitivities<'_> {
     /// If there is no such step.
     #[must_use]
     pub fn at(&self, step: usize) -> Vec<Sensitivity> {
-        let (window, pressure) = self.pressed(step);
-        let part = self.problem.window(&window);
+        let (region, pressure) = self.pressed(step);
+        let part = self.problem.part(&region);
         let rates = part.and_then(|mut part| pressure_per_penetration(&mut part, &pressure));
         let area = self.path.grid.element_area();
         let of_change = |(value, change): &(f64, Change)| {
-            let changed = change.under(&window, &pressure);
+            let changed = change.under(&region, &pressure);
             let energy = area * change_of_energy(&pressure, &changed);
             let Changed { image, gap, .. } = changed;
             // s·((K_θ + η_θ) p + g0_θ) / Σ s
@@ -164,10 +164,10 @@ impl Sensitivities<'_> {
     /// If there is no such step.
     #[must_use]
     pub fn energies(&self, step: usize) -> Vec<f64> {
-        let (window, pressure) = self.pressed(step);
+        let (region, pressure) = self.pressed(step);
         let area = self.path.grid.element_area();
         let of_change = |(_, change): &(f64, Change)| {
-            area * change_of_energy(&pressure, &change.under(&window, &pressure))
+            area * change_of_energy(&pressure, &change.under(&region, &pressure))
         };
         self.changes.iter().map(of_change).collect()
     }
@@ -179,11 +179,11 @@ impl Sensitivities<'_> {
     /// If there is no such step.
     #[must_use]
     pub fn energy(&self, step: usize) -> f64 {
-        let (window, pressure) = self.pressed(step);
-        let gap = window.cut(self.problem.initial_gap());
+        let (region, pressure) = self.pressed(step);
+        let gap = region.cut(self.problem.initial_gap());
         let pairs = pressure.iter().zip(gap).filter(|(p, _)| **p > 0.0);
         let weighted: f64 = pairs.map(|(p, gap)| p * gap).sum();
-        let springs = window.cut(self.problem.relief_compliance());
+        let springs = region.cut(self.problem.relief_compliance());
         let law = self.problem.spring_law();
         let nonlinear = springs.iter().zip(&pressure);
         let nonlinear =
@@ -194,13 +194,13 @@ impl Sensitivities<'_> {
         0.5 * area * (penetration * sum(&pressure) + weighted) + area * nonlinear
     }
 
-    /// The window that holds a step's pressure, and the pressure on it.
-    fn pressed(&self, step: usize) -> (Window, Vec<f64>) {
+    /// The region that holds a step's pressure, and the pressure on it.
+    fn pressed(&self, step: usize) -> (Region, Vec<f64>) {
         let Solution { pressure, .. } = &self.path.steps[step].solution;
-        let whole = Window::whole(self.path.grid.size());
-        let window = whole.around_pressing(pressure).unwrap_or(whole);
-        let part = window.cut(pressure);
-        (window, part)
+        let whole = Region::whole(self.path.grid.size());
+        let region = whole.around_pressing(pressure).unwrap_or(whole);
+        let part = region.cut(pressure);
+        (region, part)
     }
 }
 

@@ -26,7 +26,7 @@
 //! on the quadrant x, y > 0: `K` is the sum over an element's four images, applied by cosine transforms of half the
 //! length. All sums are a quarter of those on the whole grid. Where they are symmetric in y alone, as under a pyramid
 //! of three faces, it solves on the half y > 0. Only operators that reach across the axes depend on the sector: filter,
-//! band and sparse factor include the images beyond, and an axis is not a border of a window.
+//! band and sparse factor include the images beyond, and an axis is not a border of a region.
 //!
 //! **Both kinds of load.** Every step preserves the total pressure. Under a prescribed penetration the pressure is then
 //! scaled until the mean of `v` weighted by it is `D`, which takes no product, and the conjugate directions are
@@ -53,8 +53,9 @@
 //! user's units. Elements beyond the edge of the indenter are excluded from all sets and sums.
 
 mod best_pressure;
+mod conjugate_gradients;
+mod iteration;
 mod load_control;
-mod ongoing_solution;
 mod preconditioner;
 mod springs;
 mod state;
@@ -63,7 +64,7 @@ mod strategy;
 mod working_set;
 
 use self::{
-    ongoing_solution::{Judgement, OngoingSolution, Workspace},
+    iteration::{Fields, Iteration, Judgement},
     strategy::{Phase, Strategy},
 };
 use super::{ElasticSolver, Iterate, Solver, SolverOptions, Watch, hardness};
@@ -79,7 +80,7 @@ pub struct GradientSolver {
     /// The solver's options.
     pub options: SolverOptions,
     /// Fields of the last completed solution.
-    memory: Option<(Identity, Box<Workspace>)>,
+    memory: Option<(Identity, Box<Fields>)>,
 }
 
 impl Solver for GradientSolver {
@@ -106,57 +107,52 @@ impl ElasticSolver for GradientSolver {
         start: &[f64],
         watch: &mut Watch<'_>,
     ) -> Result<(Iterate, Option<Vec<f64>>), ContactError> {
-        let workspace = self.workspace_for(problem);
-        let mut solution = OngoingSolution::begin(problem, workspace, load, start);
-        let mut strategy = Strategy::new(solution.begins_with_newton());
+        let fields = self.fields_for(problem);
+        let mut iteration = Iteration::begin(problem, fields, load, start);
+        let mut strategy = Strategy::new(iteration.begins_with_newton());
         let mut residuals = Vec::new();
         let ending = loop {
-            let judgement = solution.judge();
-            solution.report(watch, residuals.len(), judgement.residual)?;
+            let judgement = iteration.judge();
+            iteration.report(watch, residuals.len(), judgement.residual)?;
             residuals.push(judgement.residual);
-            if let Some(ending) = self.ending(&solution, &strategy, judgement) {
+            if let Some(ending) = self.ending(&iteration, &strategy, judgement) {
                 break ending;
             }
-            if solution.linearise(&judgement, strategy.phase()) {
+            if iteration.linearise(&judgement, strategy.phase()) {
                 strategy.restart();
             }
             let residual = judgement.linear;
             if !residual.is_finite() {
                 // No pressure is left, or only rounding: return to the best pressure.
                 strategy.descend();
-                solution.begin_descent();
+                iteration.begin_descent();
                 continue;
             }
-            let begins_phase = match strategy.phase() {
-                Phase::Newton(_) => {
-                    strategy.after_newton(residual, solution.newton_step(self.options.tolerance))
-                }
-                Phase::Descent if solution.knows_operator() => {
-                    solution.face_step();
-                    false
-                }
-                Phase::Fast | Phase::Descent => strategy.after_fast(residual, solution.fast_step()),
+            let outcome = match strategy.phase() {
+                Phase::Newton(_) => iteration.newton_step(self.options.tolerance),
+                Phase::Descent if iteration.knows_operator() => iteration.face_step(),
+                Phase::Fast | Phase::Descent => iteration.fast_step(),
             };
-            if begins_phase {
-                solution.begin_phase(&mut strategy);
+            if strategy.changes_phase(residual, outcome) {
+                iteration.begin_phase(&mut strategy);
             }
         };
-        let displacement = solution.displacement();
+        let displacement = iteration.displacement();
         let stiffness = (ending == Ending::Solved && self.options.contact_stiffness)
-            .then(|| solution.contact_stiffness());
+            .then(|| iteration.contact_stiffness());
         let (contact_stiffness, stiffness_applications) = stiffness.unwrap_or((None, 0));
         let iterate = Iterate {
             iterations: residuals.len() - 1,
-            operator_applications: solution.applications(),
-            penetration: solution.penetration(),
+            operator_applications: iteration.applications(),
+            penetration: iteration.penetration(),
             residuals,
             contact_stiffness,
             stiffness_applications,
             reached_border: ending == Ending::ReachedBorder,
-            ..Iterate::of(solution.best_pressure())
+            ..Iterate::of(iteration.best_pressure())
         };
-        let workspace = solution.into_workspace();
-        self.memory = Some((problem.identity().clone(), workspace));
+        let fields = iteration.into_fields();
+        self.memory = Some((problem.identity().clone(), fields));
         Ok((iterate, displacement))
     }
 }
@@ -168,8 +164,8 @@ pub(crate) fn pressure_per_penetration(
     pressure: &[f64],
 ) -> Option<Vec<f64>> {
     let force = Load::Force(problem.loaded_area() * sum(pressure));
-    let workspace = Box::new(Workspace::new(problem));
-    OngoingSolution::begin(problem, workspace, force, pressure).pressure_per_penetration()
+    let fields = Box::new(Fields::new(problem));
+    Iteration::begin(problem, fields, force, pressure).pressure_per_penetration()
 }
 
 /// Why an iteration stops.
@@ -196,16 +192,16 @@ impl GradientSolver {
     }
 
     /// The fields of the previous load on the same problem, or new ones.
-    fn workspace_for(&mut self, problem: &DiscreteProblem) -> Box<Workspace> {
+    fn fields_for(&mut self, problem: &DiscreteProblem) -> Box<Fields> {
         match self.memory.take() {
-            Some((of, workspace)) if of == *problem.identity() => workspace,
-            _ => Box::new(Workspace::new(problem)),
+            Some((of, fields)) if of == *problem.identity() => fields,
+            _ => Box::new(Fields::new(problem)),
         }
     }
 
     fn ending(
         &self,
-        solution: &OngoingSolution<'_>,
+        iteration: &Iteration<'_>,
         strategy: &Strategy,
         judgement: Judgement,
     ) -> Option<Ending> {
@@ -217,12 +213,12 @@ impl GradientSolver {
         let options = &self.options;
         // A descent with a non-finite residual would only start again.
         let cannot_descend = residual.is_infinite() && strategy.phase() == Phase::Descent;
-        if solution.reaches_border() {
+        if iteration.reaches_border() {
             Some(Ending::ReachedBorder)
         } else if is_admissible && residual <= TOLERANCE_MARGIN * options.tolerance {
             Some(Ending::Solved)
         } else {
-            (cannot_descend || solution.applications() >= options.max_applications)
+            (cannot_descend || iteration.applications() >= options.max_applications)
                 .then_some(Ending::GivenUp)
         }
     }

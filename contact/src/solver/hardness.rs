@@ -9,9 +9,9 @@
 //! Elements of the third kind are held at the limit as a part of the load (`HeldPressure`), and a contact problem
 //! without a limit is solved for the others, by any method. Those that then exceed the limit are held as well, and held
 //! elements with a gap are released. This is the semismooth Newton method around the whole solver rather than inside
-//! its loop, so springs, windows, quadrants, cells and all preconditioners stay unchanged. The accuracy of each problem
-//! is set by the error of the previous exchange. An exchange takes two products in addition to those of the problem:
-//! `K p` of the held elements, and of the others at the start.
+//! its loop, so springs, all kinds of supports and all preconditioners stay unchanged. The accuracy of each problem is
+//! set by the error of the previous exchange. An exchange takes two products in addition to those of the problem: `K p`
+//! of the held elements, and of the others at the start.
 //!
 //! As many others are held with those above the limit as are needed to carry the excess at the limit: those with the
 //! largest pressure, then those with the smallest gap. Held ring by ring, random problems take two to three times the
@@ -41,6 +41,7 @@
 mod continuation;
 mod descent;
 mod limit_exchange;
+mod wrong_side;
 
 use self::limit_exchange::LimitExchange;
 use super::{ElasticSolver, Iterate, SolverOptions, Watch};
@@ -62,8 +63,8 @@ pub fn solve(
         return (solver.solve_elastic(problem, load, start, watch)).map(|(iterate, _)| iterate);
     }
     match problem.check_capacity(load) {
-        // A larger window may carry it.
-        Err(_) if problem.is_window() => {
+        // A larger support may carry it.
+        Err(_) if problem.support().may_grow() => {
             return Ok(Iterate {
                 reached_border: true,
                 ..Iterate::of(start.to_vec())

@@ -79,6 +79,18 @@ impl<'a> PeakSearch<'a> {
         rough.sum_over(&self.loaded, side, friction, (point, depth))
     }
 
+    /// The same by a sum over blocks of elements.
+    pub fn state_under_blocks(
+        &mut self,
+        rough: &mut RoughDepths,
+        (point, depth): ([f64; 2], Depth),
+        doublings: u32,
+    ) -> Result<SubsurfaceState, InfluenceError> {
+        let blocks = self.blocks(doublings);
+        let friction = self.field.tractions();
+        rough.sum_over(&blocks.loaded(), blocks.side, friction, (point, depth))
+    }
+
     /// The value under the centre nearest to (x, y).
     pub fn under_nearest(
         &mut self,

@@ -119,6 +119,13 @@ impl PressureBlocks {
         std::array::from_fn(|axis| super::nearest((point[axis] - self.first[axis]) / self.side))
     }
 
+    /// The centres (m) and pressures (Pa) of the blocks that carry pressure.
+    pub fn loaded(&self) -> Vec<([f64; 2], f64)> {
+        let place = |k: usize| [k / self.size, k % self.size].map(usize::cast_signed);
+        let blocks = self.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0);
+        blocks.map(|(k, p)| (self.point(place(k)), *p)).collect()
+    }
+
     /// The centre (x, y; m) of a block.
     pub fn point(&self, place: [isize; 2]) -> [f64; 2] {
         std::array::from_fn(|axis| self.first[axis] + place[axis] as f64 * self.side)

@@ -9,7 +9,7 @@ pub mod substrate;
 use std::sync::Arc;
 
 use pellicle_contact::Criterion;
-use pellicle_kernel::{Foundation, KernelError};
+use pellicle_kernel::{Base, Foundation, KernelError};
 
 use self::layer::LayerCase;
 use self::strength::BodyStrengthCase;
@@ -216,6 +216,22 @@ fn faulty_field<'a>(
         KernelError::ModulusRatio { .. } | KernelError::Grading { .. } => in_layer("young_modulus"),
         KernelError::TotalThickness { .. } | KernelError::Thickness { .. } => in_layer("thickness"),
         _ => table.required("substrate", ""),
+    }
+}
+
+impl From<Foundation> for FoundationCase {
+    fn from(foundation: Foundation) -> Self {
+        Self {
+            substrate: match foundation.base() {
+                Base::Rigid => SubstrateCase::Rigid,
+                Base::HalfSpace(material) => SubstrateCase::Elastic(material.into()),
+            },
+            layer: foundation
+                .layers()
+                .iter()
+                .map(|layer| (*layer).into())
+                .collect(),
+        }
     }
 }
 

@@ -49,6 +49,25 @@ fn is_false(value: &bool) -> bool {
     !value
 }
 
+impl From<Load> for LoadCase {
+    fn from(load: Load) -> Self {
+        let values = match load {
+            Load::Force(force) => LoadValues::Force(force),
+            Load::Penetration(depth) => LoadValues::Penetration(depth),
+        };
+        values.into()
+    }
+}
+
+impl From<LoadValues> for LoadCase {
+    fn from(values: LoadValues) -> Self {
+        Self {
+            values,
+            sensitivities: false,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

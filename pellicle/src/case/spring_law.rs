@@ -1,5 +1,6 @@
 //! `surface.law`: how the springs of a relief shorten.
 
+use pellicle_texture::SpringLaw;
 use serde::Serialize;
 
 /// The law of the springs.
@@ -20,4 +21,14 @@ impl LawCase {
     /// The words of the laws.
     pub const WORDS: &'static [(&'static str, Self)] =
         &[("linear", Self::Linear), ("logarithmic", Self::Logarithmic)];
+}
+
+impl From<SpringLaw> for LawCase {
+    fn from(law: SpringLaw) -> Self {
+        if law == SpringLaw::LINEAR {
+            Self::Linear
+        } else {
+            Self::Logarithmic
+        }
+    }
 }

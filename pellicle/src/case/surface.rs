@@ -293,5 +293,32 @@ fn springs_need_a_map(table: &TableReader<'_>, diagnosis: Diagnosis) -> Diagnosi
     )
 }
 
+impl From<Film> for SurfaceCase {
+    fn from(film: Film) -> Self {
+        Self::Film(FilmCase {
+            thickness: film.thickness(),
+            young_modulus: film.young_modulus(),
+            law: film.spring_law().into(),
+        })
+    }
+}
+
+impl From<Cylinders> for SurfaceCase {
+    fn from(of: Cylinders) -> Self {
+        Self::Cylinders(CylindersCase {
+            radius: of.radius(),
+            height: of.height(),
+            period: of.period(),
+            lattice: match of.lattice() {
+                Lattice::Square => LatticeCase::Square,
+                Lattice::Hexagonal => LatticeCase::Hexagonal,
+            },
+            offset: of.offset(),
+            young_modulus: of.young_modulus(),
+            law: of.spring_law().into(),
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests;

@@ -114,7 +114,8 @@ fn row(field: &Field, table: &TableShape) -> String {
 }
 
 /// What a value may be, in words.
-fn value(shape: &Shape) -> String {
+#[must_use]
+pub fn value(shape: &Shape) -> String {
     match shape {
         Shape::Quantity(dimension, _) => dimension.noun().into(),
         Shape::Number => "a number".into(),

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::diagnosis::{Diagnosis, Fault};
 use super::key_path;
-use super::toml_tree::{TomlNode, TomlValue};
+use super::span::{Source, Span};
+use super::toml_tree::{TomlNode, TomlTable, TomlValue};
 use super::value_reader::ValueReader;
 
 /// The tree from which a case was read, for diagnoses and warnings after reading. It is ignored when cases are
@@ -15,6 +16,17 @@ pub struct Document(Arc<TomlNode>);
 impl PartialEq for Document {
     fn eq(&self, _: &Self) -> bool {
         true
+    }
+}
+
+impl Default for Document {
+    /// The document of an empty text.
+    fn default() -> Self {
+        let source = Arc::new(Source::new("", String::new()));
+        Self(Arc::new(TomlNode {
+            value: TomlValue::Table(TomlTable::default()),
+            span: Span::end_of(&source),
+        }))
     }
 }
 

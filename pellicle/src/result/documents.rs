@@ -105,7 +105,7 @@ fn property(of: &Quantity) -> String {
     };
     let given = match of.part.words() {
         "always" => String::new(),
-        when => format!("; None but {when}"),
+        _ => "; None if not given".into(),
     };
     let mut letters = meaning.chars();
     let first = letters.next().map(char::to_uppercase).into_iter().flatten();

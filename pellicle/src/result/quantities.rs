@@ -50,7 +50,7 @@ quantities! {
         "approach of the indenter from its first touch of the undeformed surface"
         = |step| Some(step.penetration), within |error| error.penetration;
     "max_pressure" "max pressure" "" PASCAL, Contact
-        "largest pressure: interpolated between elements inside a smooth contact, at an edge that of the element"
+        "largest pressure, interpolated between elements where it is smooth, at an edge that of the element"
         = |step| Some(step.summary.max_pressure), within |error| error.max_pressure;
     "max_pressure_at" "max pressure at" "x, y" PLACE, Contact
         "where the pressure is largest, the first of several equal places"
@@ -59,7 +59,7 @@ quantities! {
         "force over contact area, never above the largest pressure; 0 without contact"
         = |step| Some(step.summary.mean_pressure);
     "nominal_pressure" "nominal pressure" "" PASCAL, Nominal
-        "force over a periodic cell, or over the nominal area of a measured surface that ends"
+        "force over a periodic cell, or over the nominal area of a measured surface"
         = |step| step.summary.nominal_pressure;
     "contact_area" "contact area" "" AREA, Contact
         "true contact area, its edge located within an element by pressure and gap"

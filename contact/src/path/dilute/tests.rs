@@ -1,4 +1,4 @@
-//! Three blunt tips and a needle on a window of a grid, solved on few elements.
+//! Three blunt tips and a needle on a region of a grid, solved on few elements.
 
 use pellicle_influence::{CoefficientTable, RadialTables, SurfaceElasticity};
 use pellicle_kernel::{Foundation, Material};
@@ -7,8 +7,8 @@ use super::*;
 use crate::result::certificate::Trial;
 
 const SIZE: usize = 320;
-/// Range of elements that the window must hold, along either axis.
-const WINDOW: [usize; 2] = [40, 280];
+/// Range of elements that the region must hold, along either axis.
+const HELD: [usize; 2] = [40, 280];
 const DEPTH: f64 = 4e-4;
 /// The needle's element, which is not in the start.
 const NEEDLE: [usize; 2] = [150, 90];
@@ -42,19 +42,17 @@ fn whole(elasticity: &Arc<SurfaceElasticity>) -> DiscreteProblem {
     DiscreteProblem::elastic(elasticity.clone(), SIZE, rigid, gap, area).unwrap()
 }
 
-fn window(problem: &DiscreteProblem) -> Window {
-    let belongs = |i: usize| (WINDOW[0]..WINDOW[1]).contains(&i);
-    let window = problem
-        .everywhere()
-        .around(|[i, j]| belongs(i) && belongs(j));
-    assert!(window.size() >= SMALLEST && !window.is_whole());
-    window
+fn region(problem: &DiscreteProblem) -> Region {
+    let belongs = |i: usize| (HELD[0]..HELD[1]).contains(&i);
+    let region = problem.region().around(|[i, j]| belongs(i) && belongs(j));
+    assert!(region.size() >= SMALLEST_REGION && !region.is_whole());
+    region
 }
 
-/// A pressure on the window under each tip, but not under the needle.
-fn start(window: &Window) -> Vec<f64> {
-    let [above, left] = window.origin();
-    let size = window.size();
+/// A pressure on the region under each tip, but not under the needle.
+fn start(region: &Region) -> Vec<f64> {
+    let [above, left] = region.origin();
+    let size = region.size();
     let presses = |e: usize| {
         let place = [above + e / size, left + e % size];
         let is_low = gap(place) < DEPTH / 2.0;
@@ -75,12 +73,12 @@ fn few_elements_give_the_solution_of_the_whole_grid_from_an_incomplete_start() {
     let options = SolverOptions::default();
     for load in [Load::Penetration(DEPTH), Load::Force(3e-6)] {
         let mut problem = whole(&elasticity);
-        let window = window(&problem);
-        let mut pressure = start(&window);
-        let mut dilute = Dilute::around(&problem, &window, &pressure, &options).unwrap();
+        let region = region(&problem);
+        let mut pressure = start(&region);
+        let mut dilute = Dilute::around(&problem, &region, &pressure, &options).unwrap();
         let known = dilute.candidates.len();
         assert!(known < 1000);
-        let mut judged = JudgedFields::on(problem.everywhere());
+        let mut judged = JudgedFields::on(problem.region());
         let mut judgements = 0;
         let (iterate, solution) = loop {
             let watch = &mut ();
@@ -89,7 +87,7 @@ fn few_elements_give_the_solution_of_the_whole_grid_from_an_incomplete_start() {
                 .solve(&problem, &pressure, load, options, &mut watch)
                 .unwrap();
             let trial = Trial {
-                window: &window,
+                region: &region,
                 load,
                 expected: iterate.penetration,
                 tolerance: options.tolerance,
@@ -106,11 +104,11 @@ fn few_elements_give_the_solution_of_the_whole_grid_from_an_incomplete_start() {
         };
         assert!(solution.certificate.is_satisfied());
         // Elements that are not candidates have no pressure; the needle has become a candidate.
-        let [above, left] = window.origin();
+        let [above, left] = region.origin();
         let needle = [NEEDLE[0] - above, NEEDLE[1] - left];
         assert!(dilute.candidates.at(needle).is_some());
-        assert!(solution.pressure[needle[0] * window.size() + needle[1]] > 0.0);
-        assert_eq!(solution.pressure.len(), window.elements());
+        assert!(solution.pressure[needle[0] * region.size() + needle[1]] > 0.0);
+        assert_eq!(solution.pressure.len(), region.elements());
         assert!(dilute.candidates.len() >= known + 9);
         // The work of all passes of the last solution: one residual more than steps in each.
         assert!(iterate.contact_stiffness.is_some() && iterate.stiffness_applications > 0);
@@ -127,17 +125,17 @@ fn few_elements_give_the_solution_of_the_whole_grid_from_an_incomplete_start() {
 fn products_among_candidates_are_corrected_from_a_judged_pressure() {
     let elasticity = elasticity();
     let mut problem = whole(&elasticity);
-    let (window, options) = (window(&problem), SolverOptions::default());
+    let (region, options) = (region(&problem), SolverOptions::default());
     // A pressure that is not a solution, also on elements that were not candidates.
-    let mut pressure = start(&window);
-    let mut dilute = Dilute::around(&problem, &window, &pressure, &options).unwrap();
-    let [above, left] = window.origin();
+    let mut pressure = start(&region);
+    let mut dilute = Dilute::around(&problem, &region, &pressure, &options).unwrap();
+    let [above, left] = region.origin();
     let needle = [NEEDLE[0] - above, NEEDLE[1] - left];
-    pressure[needle[0] * window.size() + needle[1]] = 0.5;
+    pressure[needle[0] * region.size() + needle[1]] = 0.5;
     pressure.iter_mut().for_each(|p| *p *= 1e-3);
-    let mut judged = JudgedFields::on(problem.everywhere());
+    let mut judged = JudgedFields::on(problem.region());
     let trial = Trial {
-        window: &window,
+        region: &region,
         load: Load::Penetration(DEPTH),
         expected: f64::INFINITY,
         tolerance: options.tolerance,
@@ -148,7 +146,7 @@ fn products_among_candidates_are_corrected_from_a_judged_pressure() {
     // With their own products the candidates now have the gaps of the whole grid's product.
     let mut displacement = vec![0.0; SIZE * SIZE];
     problem.displace(
-        &window.scatter(solution.pressure.clone()),
+        &region.scatter(solution.pressure.clone()),
         &mut displacement,
     );
     let among = dilute.candidates.gather(&solution.pressure);
@@ -156,7 +154,7 @@ fn products_among_candidates_are_corrected_from_a_judged_pressure() {
     dilute.problem.displace(&among, &mut own);
     let gaps = dilute.problem.initial_gap();
     for (candidate, (u, g0)) in own.iter().zip(gaps).enumerate() {
-        let [i, j] = on_grid(&window, dilute.candidates.place(candidate));
+        let [i, j] = region.on_grid(dilute.candidates.place(candidate));
         let wanted = displacement[i * SIZE + j] + gap([i, j]);
         assert!((u + g0 - wanted).abs() < 1e-12, "{u} {g0} {wanted}");
     }
@@ -171,28 +169,28 @@ fn products_among_candidates_are_corrected_from_a_judged_pressure() {
 fn only_a_dilute_contact_on_a_large_free_grid_is_solved_among_candidates() {
     let elasticity = elasticity();
     let problem = whole(&elasticity);
-    let window = window(&problem);
-    let (pressure, options) = (start(&window), SolverOptions::default());
-    let is_solved = |problem: &DiscreteProblem, window: &Window, options: &SolverOptions| {
-        Dilute::around(problem, window, &pressure, options).is_some()
+    let region = region(&problem);
+    let (pressure, options) = (start(&region), SolverOptions::default());
+    let is_solved = |problem: &DiscreteProblem, region: &Region, options: &SolverOptions| {
+        Dilute::around(problem, region, &pressure, options).is_some()
     };
-    assert!(is_solved(&problem, &window, &options));
+    assert!(is_solved(&problem, &region, &options));
     let dense = SolverOptions {
         method: Method::ActiveSet,
         ..options
     };
-    assert!(!is_solved(&problem, &window, &dense));
+    assert!(!is_solved(&problem, &region, &dense));
     let limited = whole(&elasticity).with_hardness(1.0).unwrap();
-    assert!(!is_solved(&limited, &window, &options));
+    assert!(!is_solved(&limited, &region, &options));
     let (rigid, gap) = (field(|_| 0.0), field(gap));
     let cell = DiscreteProblem::periodic(elasticity.clone(), rigid, gap, 1e-5).unwrap();
-    assert!(!is_solved(&cell, &window, &options));
-    let small = problem.everywhere().around(|[i, j]| i.max(j) < 200);
-    assert!(small.size() < SMALLEST && !is_solved(&problem, &small, &options));
+    assert!(!is_solved(&cell, &region, &options));
+    let small = problem.region().around(|[i, j]| i.max(j) < 200);
+    assert!(small.size() < SMALLEST_REGION && !is_solved(&problem, &small, &options));
     // No element presses, and all do.
     for value in [0.0, 1.0] {
-        let even = vec![value; window.elements()];
-        assert!(Dilute::around(&problem, &window, &even, &options).is_none());
+        let even = vec![value; region.elements()];
+        assert!(Dilute::around(&problem, &region, &even, &options).is_none());
     }
 }
 

@@ -17,7 +17,7 @@ fn coarser(
     outline: impl Fn([usize; 2]) -> bool,
 ) -> CoarserSolution {
     CoarserSolution {
-        window: Window::whole(COARSE),
+        region: Region::whole(COARSE),
         pressure: field(COARSE, pressure),
         displacement: field(COARSE, displacement),
         penetration: 1.0,
@@ -31,7 +31,7 @@ fn start(from: &CoarserSolution, gap: f64, outline: impl Fn([usize; 2]) -> bool)
         outline: &field(FINE, outline),
         rough: None,
     };
-    from.start_on(&Window::whole(FINE), &fine)
+    from.start_on(&Region::whole(FINE), &fine)
 }
 
 /// The sum over the fine elements of a coarse one.
@@ -118,7 +118,7 @@ fn on_a_rough_surface_gaps_smaller_than_their_error_belong_to_the_contact() {
             outline: &field(FINE, |_| false),
             rough,
         };
-        from.start_on(&Window::whole(FINE), &fine)
+        from.start_on(&Region::whole(FINE), &fine)
     };
     let with_springs = |eta: f64| {
         let relief_compliance = [eta; FINE * FINE];

@@ -1,20 +1,15 @@
 //! The columns of `K`, cut off at a distance from the diagonal.
 
-use std::ops::Range;
-
 use super::DiscreteProblem;
-use crate::Boundary;
-use crate::vector::single;
+use crate::{problem::support::Support, vector::single};
 
 /// Largest reach, which bounds the table to 134 MB.
 const LARGEST_REACH: usize = 4095;
-/// Among candidates, most places of a column are empty and each is looked up, so the reach is this many times shorter.
-const SHORTER_AMONG_CANDIDATES: usize = 8;
 
 /// `K` between elements at most some rows and columns apart, mirror images and the nearest periodic ones included; in
 /// single precision and in units of the problem's scale.
 pub struct NearColumns<'a> {
-    problem: &'a DiscreteProblem,
+    support: &'a dyn Support,
     reach: usize,
     /// For offsets of 0 to `reach` along x, the coefficients at offsets of −`reach` to `reach` along y.
     rows: Vec<f32>,
@@ -30,12 +25,10 @@ pub struct Stretch<'a> {
 impl<'a> NearColumns<'a> {
     /// Columns up to a distance, or less where they would cost too much; none if the elasticity is unknown.
     pub fn new(problem: &'a DiscreteProblem, reach: usize) -> Option<Self> {
-        let elasticity = problem.elasticity()?;
-        let reach = match problem.candidates() {
-            Some(_) => reach / SHORTER_AMONG_CANDIDATES,
-            None => reach,
-        };
-        let size = elasticity.size().min(problem.grid().whole_size());
+        let support = problem.support();
+        let elasticity = support.elasticity()?;
+        let size = (elasticity.size()).min(support.region().shape().whole_size());
+        let reach = support.equally_dear_reach(reach);
         let reach = reach.min(size - 1).min(LARGEST_REACH);
         let unit = problem.scale().compliance;
         let mut rows = Vec::with_capacity((reach + 1) * (2 * reach + 1));
@@ -46,7 +39,7 @@ impl<'a> NearColumns<'a> {
             rows[begin + reach + 1..].reverse();
         }
         Some(Self {
-            problem,
+            support,
             reach,
             rows,
         })
@@ -54,82 +47,18 @@ impl<'a> NearColumns<'a> {
 
     /// The column of an element.
     pub fn of(&self, element: usize) -> Vec<Stretch<'_>> {
-        let [along_x, along_y] = self.images(element);
-        let mut stretches = Vec::new();
-        for x in along_x {
-            for row in self.within(0, x) {
-                for y in &along_y {
-                    self.add_stretches([x, *y], row, &mut stretches);
-                }
-            }
-        }
-        stretches
-    }
-
-    /// Adds the stretches of one row that an element or an image at a place contributes.
-    fn add_stretches<'b>(
-        &'b self,
-        [x, y]: [isize; 2],
-        row: usize,
-        stretches: &mut Vec<Stretch<'b>>,
-    ) {
         let width = 2 * self.reach + 1;
-        let columns = self.within(1, y);
-        if columns.is_empty() {
-            return;
-        }
-        let entries = &self.rows[row.cast_signed().abs_diff(x) * width..][..width];
-        let entry = |column: usize| (column + self.reach).wrapping_add_signed(-y);
-        let Some(candidates) = self.problem.candidates() else {
+        let mut stretches = Vec::new();
+        self.support.neighbours(element, self.reach, &mut |run| {
+            let [x, y] = run.offset;
+            let row = &self.rows[x.unsigned_abs() * width..][..width];
+            let entries = &row[self.reach.wrapping_add_signed(y)..][..run.count];
             stretches.push(Stretch {
-                first: row * self.problem.size() + columns.start,
-                entries: &entries[entry(columns.start)..][..columns.len()],
+                first: run.first,
+                entries,
             });
-            return;
-        };
-        // Candidates in neighbouring columns have successive indices.
-        let mut column = columns.start;
-        while column < columns.end {
-            let there = (column..columns.end).map_while(|column| candidates.at([row, column]));
-            if let Some(first) = candidates.at([row, column]) {
-                let count = there.count();
-                let entries = &entries[entry(column)..][..count];
-                stretches.push(Stretch { first, entries });
-                column += count;
-            }
-            column += 1;
-        }
-    }
-
-    /// The rows (axis 0) or columns (axis 1) of the grid within reach of a place.
-    fn within(&self, axis: usize, place: isize) -> Range<usize> {
-        let reach = self.reach.cast_signed();
-        let on_grid = |place: isize| usize::try_from(place).unwrap_or(0);
-        let end = on_grid(place + reach + 1).min(self.problem.grid().lengths()[axis]);
-        on_grid(place - reach).min(end)..end
-    }
-
-    /// The rows and columns of an element and of its images.
-    fn images(&self, element: usize) -> [Vec<isize>; 2] {
-        let (grid, size) = (self.problem.grid(), self.problem.size());
-        let place = match self.problem.candidates() {
-            Some(candidates) => candidates.place(element),
-            None => [element / size, element % size],
-        };
-        let periods: &[isize] = match self.problem.boundary() {
-            Boundary::Free => &[0],
-            Boundary::Periodic => &[-1, 0, 1],
-        };
-        [0, 1].map(|axis: usize| {
-            let own = place[axis].cast_signed();
-            let mirrored = grid.mirrored()[axis].then_some(-1 - own);
-            let cell = grid.whole_size().cast_signed();
-            let copies = |own: isize| periods.iter().map(move |period| own + period * cell);
-            std::iter::once(own)
-                .chain(mirrored)
-                .flat_map(copies)
-                .collect()
-        })
+        });
+        stretches
     }
 }
 
@@ -146,9 +75,9 @@ mod tests {
     use crate::{
         grid::{
             candidates::{Candidates, elements_where},
-            window::Window,
+            region::{Boundary, Region},
         },
-        problem::operator_source::OperatorSource,
+        problem::support::{choice::under, scattered::SHORTER_REACH},
     };
 
     /// A flat surface of side 1 on a part of a whole grid of `size` elements per side.
@@ -159,9 +88,9 @@ mod tests {
         let table = CoefficientTable::assemble(&tables, 1.0 / size as f64, size).unwrap();
         let elasticity = Arc::new(SurfaceElasticity::new(Arc::new(table), body));
         let grid = SectorGrid::of_square(sector, size);
-        let source = OperatorSource::of(elasticity, boundary);
+        let support = under(elasticity, Region::bounded(grid, boundary));
         let field = vec![0.0; grid.elements()];
-        DiscreteProblem::on(grid, source, field.clone(), field, 1.0).unwrap()
+        DiscreteProblem::on(support, field.clone(), field, 1.0).unwrap()
     }
 
     /// A column as a field, and how often each element occurs.
@@ -229,10 +158,10 @@ mod tests {
         let problem = problem(Sector::Whole, size, Boundary::Free);
         let members = elements_where(size, |[i, j]| i == 20 && [30, 34, 60].contains(&j));
         let candidates = Arc::new(Candidates::around(size, &members));
-        let part = problem.among(&Window::whole(size), &candidates).unwrap();
+        let part = problem.among(&Region::whole(size), &candidates).unwrap();
         // Three squares of 3 × 3; the third is out of reach.
         let own = candidates.at([20, 30]).unwrap();
-        let (field, times) = column(&part, 6 * SHORTER_AMONG_CANDIDATES, own);
+        let (field, times) = column(&part, 6 * SHORTER_REACH, own);
         let unit = part.scale().compliance;
         for candidate in 0..candidates.len() {
             let [row, column] = candidates.place(candidate);

@@ -40,7 +40,7 @@ fn a_problem_returns_its_data() {
     assert_eq!(problem.relief_compliance(), eta);
     assert_eq!(problem.initial_gap(), gap);
     assert_eq!(problem.element_area().to_bits(), 0.25_f64.to_bits());
-    assert!(problem.elasticity().is_none() && !problem.is_window());
+    assert!(problem.elasticity().is_none() && !problem.support().may_grow());
     // (K + η) p, with powers of two.
     let mut deformation = [0.0; 4];
     problem.deform_into(&[1.0, 2.0, 4.0, 0.5], &mut deformation);
@@ -59,7 +59,7 @@ fn added_springs_are_linear_whatever_the_law_of_the_relief_and_can_be_removed() 
             let mut deformation = [0.0; 4];
             problem.deform_into(&pressure, &mut deformation);
             problem.linearise_springs(&pressure);
-            (deformation, problem.tangent_compliance().to_vec())
+            (deformation, problem.springs().compliance().to_vec())
         };
         let without = state(0.0);
         let (deformation, tangents) = state(0.25);
@@ -188,20 +188,20 @@ fn among_candidates_the_fields_are_those_of_their_elements_on_the_grid() {
     let eta: Vec<f64> = (0..size * size).map(|e| e as f64).collect();
     let gap: Vec<f64> = eta.iter().map(|e| 1.0 + 3.0 * e).collect();
     let problem = DiscreteProblem::elastic(elasticity, size, eta, gap, 1.0).unwrap();
-    // One element and its neighbours in each of rows 20 and 70 of a window away from the corner.
-    let window = problem
-        .everywhere()
+    // One element and its neighbours in each of rows 20 and 70 of a region away from the corner.
+    let region = problem
+        .region()
         .around(|[i, j]| (20..240).contains(&i) && (30..250).contains(&j));
-    let [above, left] = window.origin();
+    let [above, left] = region.origin();
     assert!(above != left && above > 0);
-    let members = elements_where(window.size(), |element| {
+    let members = elements_where(region.size(), |element| {
         [[20, 31], [70, 12]].contains(&element)
     });
-    let candidates = Candidates::around(window.size(), &members);
+    let candidates = Candidates::around(region.size(), &members);
     let candidates = Arc::new(candidates);
-    let part = problem.among(&window, &candidates).unwrap();
+    let part = problem.among(&region, &candidates).unwrap();
     assert_eq!(
-        (part.elements(), part.candidates().unwrap().len()),
+        (part.elements(), part.support().candidates().unwrap().len()),
         (18, 18)
     );
     for candidate in 0..18 {

@@ -7,11 +7,11 @@
 //! g = K p + η p + g0 − D ≥ min(0, min k) Σ p + g0 − D,    min k over the offsets from there to the pressures
 //! ```
 
-use crate::{DiscreteProblem, grid::window::Window};
+use crate::{DiscreteProblem, grid::region::Region};
 
 /// Margin for the true penetration above the expected one, relative to the latter.
 const LEEWAY: f64 = 1e-6;
-/// A reach extends beyond the window by at least the window's side over this number: bulges are near the load and do
+/// A reach extends beyond the region by at least the region's side over this number: bulges are near the load and do
 /// not matter farther away.
 const RIM_PART: usize = 4;
 
@@ -20,28 +20,28 @@ pub fn highest(expected: f64) -> f64 {
     expected + LEEWAY * expected.abs()
 }
 
-/// Returns the window that holds `window` with a rim, and all elements that may overlap under a penetration of at most
+/// Returns the region that holds `region` with a rim, and all elements that may overlap under a penetration of at most
 /// `highest` (m): those whose initial gap is less than `highest` plus the largest rise under pressures of this `total`.
-pub fn around(problem: &DiscreteProblem, window: &Window, highest: f64, total: f64) -> Window {
-    let everywhere = problem.everywhere();
-    let rim = window.size() / RIM_PART;
+pub fn around(problem: &DiscreteProblem, region: &Region, highest: f64, total: f64) -> Region {
+    let everywhere = problem.region();
+    let rim = region.size() / RIM_PART;
     let width = highest - problem.least_displacement(total, rim + 1);
     // False for NaN.
     let is_bounded = width < f64::INFINITY;
-    if window.is_whole() || !is_bounded {
+    if region.is_whole() || !is_bounded {
         return everywhere;
     }
     let (gap, size, around) = (
         problem.initial_gap(),
         everywhere.size(),
-        window.with_rim(rim),
+        region.with_rim(rim),
     );
     everywhere.around(|[i, j]| gap[i * size + j] < width || around.place([i, j]).is_some())
 }
 
 /// The displacement by which a pressure is judged, on the reach, the examined part of the grid.
 pub struct JudgedFields {
-    pub(super) reach: Window,
+    pub(super) reach: Region,
     pub(super) displacement: Vec<f64>,
     /// `D`, in m.
     pub(super) penetration: f64,
@@ -50,7 +50,7 @@ pub struct JudgedFields {
 
 impl JudgedFields {
     /// Empty fields on a grid.
-    pub fn on(everywhere: Window) -> Self {
+    pub fn on(everywhere: Region) -> Self {
         Self {
             reach: everywhere,
             displacement: Vec::new(),
@@ -65,7 +65,7 @@ impl JudgedFields {
     }
 
     /// Makes room for a reach.
-    pub(super) fn take(&mut self, reach: Window) {
+    pub(super) fn take(&mut self, reach: Region) {
         self.reach = reach;
         let elements = reach.elements();
         if self.displacement.len() != elements {
@@ -75,7 +75,7 @@ impl JudgedFields {
     }
 
     /// The examined part of the grid.
-    pub fn reach(&self) -> &Window {
+    pub fn reach(&self) -> &Region {
         &self.reach
     }
 
@@ -96,14 +96,14 @@ impl JudgedFields {
         })
     }
 
-    /// The gaps (m), by column, of a row of a window within the reach, given their initial gaps.
+    /// The gaps (m), by column, of a row of a region within the reach, given their initial gaps.
     pub fn gaps_of_line<'a>(
         &'a self,
-        window: &Window,
+        region: &Region,
         line: usize,
         initial_gap: &'a [f64],
     ) -> impl Fn(usize) -> f64 + use<'a> {
-        let displacement = window.within(&self.reach).line(&self.displacement, line);
+        let displacement = region.within(&self.reach).line(&self.displacement, line);
         let penetration = self.penetration;
         move |column| displacement[column] + initial_gap[column] - penetration
     }

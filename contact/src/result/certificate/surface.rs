@@ -1,6 +1,6 @@
 //! The surface under a pressure, row by row; gaps are computed on demand and never stored.
 
-use crate::{grid::window::Window, vector::smallest};
+use crate::{grid::region::Region, vector::smallest};
 use pellicle_texture::SpringLaw;
 
 /// The surface under a pressure, on the examined part of the grid.
@@ -11,11 +11,11 @@ pub struct Surface<'a> {
     pub spring_law: SpringLaw,
     /// Hardness, in Pa; infinite without one.
     pub limit: f64,
-    /// The window of the pressure, within the reach.
-    pub window: Window,
+    /// The region of the pressure, within the reach.
+    pub region: Region,
     /// The examined part of the grid.
-    pub reach: Window,
-    /// Pressure on the window, in Pa.
+    pub reach: Region,
+    /// Pressure on the region, in Pa.
     pub pressure: &'a [f64],
     /// `K p` on the reach, in m.
     pub displacement: &'a [f64],
@@ -57,7 +57,7 @@ impl Surface<'_> {
         if at_limit == 0.0 {
             return sum / total;
         }
-        let free = self.window.by_lines(self.pressure, |_, pressure| {
+        let free = self.region.by_lines(self.pressure, |_, pressure| {
             pressure.iter().filter(|p| **p < limit).sum::<f64>()
         });
         let free: f64 = free.into_iter().sum();
@@ -144,8 +144,8 @@ impl Surface<'_> {
 
     /// The elements with pressure in a row of the reach, with the shortening `w*(p)` of their springs.
     fn pressed(&self, line: usize) -> impl Iterator<Item = Pressed> {
-        let [above, left] = self.window.origin();
-        let [rows, size] = self.window.lengths();
+        let [above, left] = self.region.origin();
+        let [rows, size] = self.region.lengths();
         let row = line.checked_sub(above).filter(|row| *row < rows);
         let pressure = row.map_or(&[][..], |row| &self.pressure[row * size..][..size]);
         let compliance = self.reach.line(self.compliance, line);

@@ -10,8 +10,7 @@ use pellicle_texture::SpringLaw;
 
 use super::{Certificate, JudgedFields, Solution, Surface, Trial};
 use crate::{
-    Boundary, DeformedSurface, DiscreteProblem, Load, grid::window::Window,
-    problem::operator_source::OperatorSource,
+    DeformedSurface, DiscreteProblem, Load, grid::region::Region, problem::support::choice::under,
 };
 
 /// Independent springs of 0.5 m/Pa.
@@ -211,37 +210,37 @@ fn pressed_layer(grid: SectorGrid, poisson_ratio: f64) -> DiscreteProblem {
         let [x, y] = [along(first[0] + e / SIZE), along(first[1] + e % SIZE)];
         f64::midpoint(x * x, y * y)
     });
-    let (eta, source) = (
+    let (eta, support) = (
         vec![0.0; grid.elements()],
-        OperatorSource::of(elasticity, Boundary::Free),
+        under(elasticity, Region::all_of(grid)),
     );
-    DiscreteProblem::on(grid, source, eta, gap.collect(), side * side).unwrap()
+    DiscreteProblem::on(support, eta, gap.collect(), side * side).unwrap()
 }
 
 /// The part of the grid around the contact has the certificate of the whole grid, and the rest does not overlap.
 #[test]
-fn no_overlap_is_missed_outside_the_judged_window() {
+fn no_overlap_is_missed_outside_the_judged_region() {
     for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
         for poisson_ratio in [0.3, 0.5] {
             let mut problem = pressed_layer(SectorGrid::new(sector, SIZE), poisson_ratio);
-            let everywhere = problem.everywhere();
+            let everywhere = problem.region();
             let depth = 0.01;
             let overlapping: Vec<f64> = (problem.initial_gap().iter())
                 .map(|g0| (depth - g0).max(0.0))
                 .collect();
             let presses = |[i, j]: [usize; 2]| overlapping[i * SIZE + j] > 0.0;
-            let window = everywhere.around(presses);
-            assert!(!window.is_whole());
+            let region = everywhere.around(presses);
+            assert!(!region.is_whole());
             let mut judged = |expected: f64, factor: f64| {
                 let (load, tolerance) = (Load::Force(1e-3), 1e-8);
                 let mut fields = JudgedFields::on(everywhere);
                 let trial = Trial {
-                    window: &window,
+                    region: &region,
                     load,
                     expected,
                     tolerance,
                 };
-                let pressure = window.cut(&overlapping).into_iter().map(|p| factor * p);
+                let pressure = region.cut(&overlapping).into_iter().map(|p| factor * p);
                 let solution =
                     Solution::judge_within(&mut problem, trial, pressure.collect(), &mut fields);
                 (solution, fields)
@@ -296,15 +295,15 @@ fn no_overlap_is_missed_outside_the_judged_window() {
 
 #[test]
 fn the_penetration_under_a_force_is_the_mean_of_v_weighted_by_the_pressure_below_the_limit() {
-    let window = Window::whole(2);
+    let region = Region::whole(2);
     let of = |pressure: [f64; 4], limit: f64| {
         let surface = Surface {
             initial_gap: &[0.5, 0.25, 0.5, f64::INFINITY],
             compliance: &[0.5, 0.25, 0.0, 0.0],
             spring_law: SpringLaw::LINEAR,
             limit,
-            window,
-            reach: window,
+            region,
+            reach: region,
             pressure: &pressure,
             displacement: &[1.0, 2.0, 3.0, 4.0],
         };

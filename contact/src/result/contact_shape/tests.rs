@@ -9,7 +9,7 @@ use pellicle_texture::{Film, Grid, Relief};
 use super::*;
 use crate::{
     Boundary, DiscreteProblem, FlatPunch, Indenter, Load, Model, Paraboloid, Solution,
-    grid::window::Window,
+    grid::region::Region,
     result::certificate::{JudgedFields, Trial},
 };
 
@@ -61,7 +61,7 @@ fn shape(
     let mask: Vec<bool> = (0..SIZE * SIZE)
         .map(|e| (fields.is_on_relief)(e / SIZE))
         .collect();
-    let window = Window::whole(SIZE);
+    let region = Region::domain(SIZE, boundary);
     let initial_gap = sample(fields.gap);
     let problem = DiscreteProblem::new(
         Box::new(Rigid),
@@ -70,19 +70,18 @@ fn shape(
         SIDE * SIDE,
     );
     let trial = Trial {
-        window: &window,
+        region: &region,
         load: Load::Penetration(0.0),
         expected: f64::INFINITY,
         tolerance: 1e-8,
     };
-    let mut judged = JudgedFields::on(window);
+    let mut judged = JudgedFields::on(region);
     let pressure = sample(fields.pressure);
     Solution::judge_within(&mut problem.unwrap(), trial, pressure.clone(), &mut judged);
     ContactShape::of(&ContactField {
         model: &model,
         grid: &grid,
-        boundary,
-        window: &window,
+        region: &region,
         pressure: &pressure,
         hardness: f64::INFINITY,
         initial_gap: &initial_gap,

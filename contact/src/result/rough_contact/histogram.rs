@@ -3,7 +3,7 @@
 use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 
-use crate::grid::window::Window;
+use crate::grid::region::Region;
 
 /// Classes of a histogram: with this many, the tail of the pressures of some hundred islands is still smooth.
 const CLASSES: usize = 64;
@@ -19,15 +19,15 @@ pub struct Histogram {
 }
 
 impl Histogram {
-    /// Counts the numbers that `of_line` gives for each row of the pressure on a window, and adds them; all must be
+    /// Counts the numbers that `of_line` gives for each row of the pressure on a region, and adds them; all must be
     /// finite and not negative.
     pub(super) fn of<'a, I: Iterator<Item = f64>>(
-        window: &Window,
+        region: &Region,
         pressure: &'a [f64],
         of_line: impl Fn(usize, &'a [f64]) -> I + Sync,
     ) -> (Self, f64) {
-        let row = |line: usize| of_line(line, &pressure[line * window.size()..][..window.size()]);
-        let ranges = window.by_lines(pressure, |line, _| {
+        let row = |line: usize| of_line(line, &pressure[line * region.size()..][..region.size()]);
+        let ranges = region.by_lines(pressure, |line, _| {
             row(line).fold((0.0, 0.0, 0_usize), |(largest, sum, count), x| {
                 (f64::max(largest, x), sum + x, count + 1)
             })
@@ -44,7 +44,7 @@ impl Histogram {
             reason = "from 0 to the number of classes"
         )]
         let class = |x: f64| (((x / largest) * CLASSES as f64) as usize).min(CLASSES - 1);
-        let lines = window.by_lines(pressure, |line, _| {
+        let lines = region.by_lines(pressure, |line, _| {
             let mut counts = [0_usize; CLASSES];
             row(line).for_each(|x| counts[class(x)] += 1);
             counts
@@ -71,8 +71,8 @@ mod tests {
     fn values_are_counted_in_equal_classes_up_to_the_largest() {
         // The largest is 64, so each number lies in the class of its integer part, except for the largest itself.
         let field = [0.5, 64.0, 7.9, 8.0, 63.5, 32.0, 32.9, 0.0, 16.0];
-        let window = Window::whole(3);
-        let (found, sum) = Histogram::of(&window, &field, |_, row| {
+        let region = Region::whole(3);
+        let (found, sum) = Histogram::of(&region, &field, |_, row| {
             row.iter().copied().filter(|x| *x > 0.0)
         });
         let mut counts = vec![0; CLASSES];
@@ -83,11 +83,11 @@ mod tests {
         assert!((sum - (0.5 + 64.0 + 7.9 + 8.0 + 63.5 + 32.0 + 32.9 + 16.0)).abs() < 1e-12);
         assert_eq!(found.counts, counts);
         let other = field.map(|x| x / 1e3);
-        let (same, _) = Histogram::of(&window, &other, |_, row| {
+        let (same, _) = Histogram::of(&region, &other, |_, row| {
             row.iter().copied().filter(|x| *x > 0.0)
         });
         assert_eq!(same.counts, counts);
-        let (none, sum) = Histogram::of(&window, &field, |_, _| std::iter::empty());
+        let (none, sum) = Histogram::of(&region, &field, |_, _| std::iter::empty());
         assert_eq!((none.total(), none.largest, sum), (0, 0.0, 0.0));
     }
 }

@@ -9,7 +9,7 @@ use std::ops::Range;
 use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 
-use crate::{Boundary, result::contact_field::ContactField};
+use crate::result::contact_field::ContactField;
 
 /// Elements in contact as runs along the rows.
 pub(super) struct ContactPattern {
@@ -55,9 +55,9 @@ impl Islands {
 impl ContactPattern {
     pub fn of(field: &ContactField<'_>) -> Self {
         Self {
-            rows: field.window.by_lines(field.pressure, |_, row| runs(row)),
-            size: field.window.size(),
-            repeats: field.boundary == Boundary::Periodic,
+            rows: field.region.by_lines(field.pressure, |_, row| runs(row)),
+            size: field.region.size(),
+            repeats: field.region.repeats(),
         }
     }
 

@@ -4,11 +4,11 @@ use std::ops::Range;
 
 use super::histogram::Histogram;
 use super::islands::ContactPattern;
-use crate::{Boundary, result::contact_field::ContactField};
+use crate::result::contact_field::ContactField;
 
 /// The elements in nominal contact.
 pub(super) struct Nominal {
-    /// Columns of each row of the window.
+    /// Columns of each row of the region.
     spans: Vec<Range<usize>>,
     /// Area in elements, which need not be a whole number.
     pub elements: f64,
@@ -25,9 +25,9 @@ pub(super) struct Gaps {
 impl Nominal {
     /// The whole cell, or the convex hull of the contact; none without contact.
     pub fn of(field: &ContactField<'_>, pattern: &ContactPattern) -> Option<Self> {
-        let size = field.window.size();
+        let size = field.region.size();
         let (first, _) = pattern.extents().next()?;
-        if field.boundary == Boundary::Periodic {
+        if field.region.repeats() {
             return Some(Self {
                 spans: vec![0..size; size],
                 elements: (size * size) as f64,
@@ -55,7 +55,7 @@ impl Nominal {
     }
 
     pub fn gaps(&self, field: &ContactField<'_>) -> Gaps {
-        let (histogram, sum) = Histogram::of(field.window, field.pressure, |line, pressures| {
+        let (histogram, sum) = Histogram::of(field.region, field.pressure, |line, pressures| {
             let columns = self.spans[line].clone();
             let open = columns.filter(move |j| pressures[*j] <= 0.0);
             let gaps = field.gaps_of_line(line);

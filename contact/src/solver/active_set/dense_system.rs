@@ -52,7 +52,7 @@ impl DenseSystem {
             load,
             loaded_area: problem.loaded_area(),
             coefficients,
-            relief_compliance: problem.compliance_at_rest().to_vec(),
+            relief_compliance: problem.springs().at_rest().to_vec(),
             initial_gap: problem.initial_gap().to_vec(),
         }
     }

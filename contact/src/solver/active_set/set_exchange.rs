@@ -1,16 +1,21 @@
 //! The choice of the next working set.
 
 use super::dense_system::{DenseSystem, SetSolution};
-use crate::Load;
+use crate::{
+    Load,
+    solver::exchange::{Bound, Milestone, crossings},
+};
 
 /// Full exchanges allowed without a new smallest number of infeasible elements before the method descends.
 const GRACE: usize = 6;
+/// The next smallest number, as a fraction of the last: any lower number.
+const FEWER: f64 = 1.0;
 
 /// The working set and the state that prevents cycling.
 pub struct SetExchange {
     members: Vec<usize>,
-    fewest_infeasible: usize,
-    grace: usize,
+    /// The fewest infeasible elements.
+    fewest: Milestone,
     /// The admissible pressure of the descending phase; empty before it.
     descent: Option<Vec<f64>>,
 }
@@ -32,8 +37,7 @@ impl SetExchange {
         };
         Self {
             members,
-            fewest_infeasible: usize::MAX,
-            grace: GRACE,
+            fewest: Milestone::new(FEWER),
             descent: None,
         }
     }
@@ -45,12 +49,8 @@ impl SetExchange {
 
     /// Chooses the next working set from the solution on the current one.
     pub fn advance(&mut self, system: &DenseSystem, trial: &SetSolution) {
-        if trial.infeasible.len() < self.fewest_infeasible {
-            (self.fewest_infeasible, self.grace) = (trial.infeasible.len(), GRACE);
-        } else {
-            self.grace = self.grace.saturating_sub(1);
-        }
-        if self.grace > 0 && self.descent.is_none() {
+        let since = self.fewest.count(trial.infeasible.len() as f64);
+        if since < GRACE && self.descent.is_none() {
             self.exchange_all(system, trial);
         } else {
             self.descend(system, trial);
@@ -85,20 +85,13 @@ impl SetExchange {
             return;
         };
         // The longest step towards the trial without tension, t = min p/(p − p_trial), and the element that limits it.
-        let stops = |m: usize| (pressure[m] / (pressure[m] - trial.pressure[m]), m);
-        let pulling = self
-            .members
-            .iter()
-            .copied()
-            .filter(|m| trial.pressure[*m] < 0.0);
-        let blocking = pulling
-            .map(stops)
-            .min_by(|one, other| one.0.total_cmp(&other.0));
-        let t = blocking.map_or(1.0, |(t, _)| t);
+        let stops = crossings([&pressure, &trial.pressure], Bound::Zero);
+        let blocking = stops.min_by(|one, other| one.1.total_cmp(&other.1));
+        let t = blocking.map_or(1.0, |(_, t)| t);
         self.members
             .iter()
             .for_each(|m| pressure[*m] += t * (trial.pressure[*m] - pressure[*m]));
-        if let Some((_, blocking)) = blocking {
+        if let Some((blocking, _)) = blocking {
             pressure[blocking] = 0.0;
             self.members.retain(|m| *m != blocking);
         } else if let Some(lowest) =

@@ -33,7 +33,7 @@ impl DenseSprings {
                 problem.spring_law(),
                 Scale::SI,
                 rest,
-                problem.added_compliance(),
+                problem.springs().added(),
             )?,
             rest: rest.to_vec(),
             initial_gap: problem.initial_gap().to_vec(),

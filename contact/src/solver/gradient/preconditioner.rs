@@ -29,7 +29,7 @@ use crate::solver::gradient::preconditioner::sparse_factor::{
 use crate::solver::gradient::state::State;
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
-    Boundary, DiscreteProblem,
+    DiscreteProblem,
     problem::discrete_problem::near_columns::NearColumns,
     vector::{sum, update, update_with},
 };
@@ -126,19 +126,12 @@ pub enum UniformAccuracy {
 
 impl Preconditioner {
     pub fn new(problem: &DiscreteProblem) -> Self {
-        let of_all = problem
-            .elasticity()
-            .filter(|_| problem.candidates().is_none());
-        let size = problem.grid().whole_size();
-        let symbol = of_all.map(|elasticity| match problem.boundary() {
-            Boundary::Free => elasticity.symbol(size),
-            Boundary::Periodic => elasticity.cell_symbol(size),
-        });
+        let symbol = problem.support().symbol();
         let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
         let is_stiff = contrast > stiff(problem);
-        let has_springs = problem.tangent_compliance().iter().any(|c| *c > 0.0);
+        let has_springs = problem.springs().compliance().iter().any(|c| *c > 0.0);
         let neighbours = match symbol {
-            Some(_) => neighbours(problem.grid_size(), contrast),
+            Some(_) => neighbours(problem.region().grid_size(), contrast),
             None => NEIGHBOURS_OF_CANDIDATE,
         };
         let inverse = match symbol {
@@ -147,7 +140,7 @@ impl Preconditioner {
                 factor(problem, neighbours).unwrap_or(Inverse::Identity)
             }
             Some(symbol) => {
-                Inverse::Filter(Box::new(RestrictedFilter::new(symbol, problem.grid())))
+                Inverse::Filter(Box::new(RestrictedFilter::new(symbol, &problem.region())))
             }
         };
         let unit = match inverse {
@@ -237,9 +230,9 @@ impl Preconditioner {
             match inverse {
                 Inverse::Identity => (),
                 Inverse::Filter(filter) => filter.forget_compliance(),
-                Inverse::Factor(factor) => factor.take_compliance(problem.tangent_compliance()),
+                Inverse::Factor(factor) => factor.take_compliance(problem.springs().compliance()),
                 Inverse::Scattered(factor) => {
-                    factor.take_compliance(problem.tangent_compliance());
+                    factor.take_compliance(problem.springs().compliance());
                 }
             }
         }
@@ -253,8 +246,8 @@ impl Preconditioner {
         }
         match &mut self.inverse {
             Inverse::Identity => (),
-            Inverse::Filter(filter) => filter.update(set, problem.tangent_compliance()),
-            Inverse::Factor(factor) => factor.update(set),
+            Inverse::Filter(filter) => filter.update(set, problem.springs().compliance()),
+            Inverse::Factor(factor) => factor.update(problem.support(), set),
             Inverse::Scattered(factor) => factor.update(set),
         }
         (self.secants).follow(set, |reach| NearColumns::new(problem, reach));
@@ -370,18 +363,18 @@ fn is_springy(problem: &DiscreteProblem) -> bool {
     let Some(elasticity) = problem.elasticity() else {
         return false;
     };
-    let mean = sum(problem.tangent_compliance()) / problem.elements() as f64;
+    let mean = sum(problem.springs().compliance()) / problem.elements() as f64;
     mean > SPRINGY * elasticity.coefficient([0, 0])
 }
 
 fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
     let elasticity = problem.elasticity()?.clone();
-    let (grid, compliance) = (problem.grid(), problem.tangent_compliance());
-    if let Some(candidates) = problem.candidates() {
+    let compliance = problem.springs().compliance();
+    if let Some(candidates) = problem.support().candidates() {
         let factor = ScatteredFactor::new(elasticity, candidates.clone(), compliance, neighbours);
         return Some(Inverse::Scattered(Box::new(factor)));
     }
-    let factor = SparseFactor::new(elasticity, grid, compliance, neighbours);
+    let factor = SparseFactor::new(elasticity, &problem.region(), compliance, neighbours);
     Some(Inverse::Factor(Box::new(factor)))
 }
 

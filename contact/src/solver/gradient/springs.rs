@@ -52,7 +52,7 @@ impl Springs {
 
     /// Linearises the springs again at the current pressure, or at the minimum of the energy on the segment to it.
     pub fn linearise(&mut self, problem: &mut DiscreteProblem, state: &mut State) {
-        if let Some(tangents) = problem.tangents() {
+        if let Some(tangents) = problem.springs().tangents() {
             let part = self.part(problem, tangents, state);
             if part < 1.0 {
                 update(&mut state.pressure, tangents.at(), |p, at| {
@@ -78,7 +78,7 @@ impl Springs {
     /// Computes `v` by the law.
     fn follow_law(&mut self, problem: &DiscreteProblem, state: &State) {
         self.v_by_law.copy_from_slice(&state.v);
-        if let Some(tangents) = problem.tangents() {
+        if let Some(tangents) = problem.springs().tangents() {
             let (rest, pressure) = (problem.relief_compliance(), &state.pressure);
             tangents.add_beyond(rest, pressure, &mut self.beyond, &mut self.v_by_law);
         }
@@ -178,7 +178,7 @@ mod tests {
         let mut image = vec![0.0; ELEMENTS];
         let in_pascal: Vec<f64> = step.iter().map(|s| s / per_unit).collect();
         problem.displace(&in_pascal, &mut image);
-        let tangents = problem.tangent_compliance().to_vec();
+        let tangents = problem.springs().compliance().to_vec();
         for e in 0..ELEMENTS {
             let y = (image[e] + tangents[e] * in_pascal[e]) / scale.length;
             state.v[e] = v_before[e] + y;
@@ -186,7 +186,7 @@ mod tests {
         state.pressure.copy_from_slice(&to);
 
         springs.linearise(&mut problem, &mut state);
-        let reached = problem.tangents().unwrap().at().to_vec();
+        let reached = problem.springs().tangents().unwrap().at().to_vec();
         let part = (reached[0] - from[0]) / step[0];
         assert!(part > 0.1 && part < 0.9, "{part}");
         for e in 0..ELEMENTS {
@@ -227,7 +227,7 @@ mod tests {
         assert!(by_law < 1e-6, "{by_law:e}");
         // A tenth more pressure shortens the springs by h (e^−p − e^−1.1p), relative to the depth.
         state.pressure.iter_mut().for_each(|p| *p *= 1.1);
-        let own = problem.tangent_compliance()[0] / problem.scale().compliance;
+        let own = problem.springs().compliance()[0] / problem.scale().compliance;
         let at = state.pressure[0];
         state.v.iter_mut().for_each(|v| *v += own * (at - at / 1.1));
         let wanted = height * ((-pressure).exp() - (-1.1 * pressure).exp()) / depth;

@@ -137,7 +137,7 @@ impl State {
 
     /// Reads the initial gap of the linear problem, which includes the offset of linearised springs.
     fn take_gap(&mut self, problem: &DiscreteProblem) {
-        let Some(tangents) = problem.tangents() else {
+        let Some(tangents) = problem.springs().tangents() else {
             return;
         };
         self.read_gap(problem);

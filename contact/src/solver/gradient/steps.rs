@@ -4,12 +4,13 @@
 pub mod conjugate;
 pub mod face;
 pub mod newton;
+pub mod outcome;
 pub mod projection;
 pub mod segment;
 pub mod spectral;
 pub mod stiffness;
 
-use self::segment::{Part, Segment};
+use self::{outcome::StepOutcome, segment::Segment};
 use crate::{
     DiscreteProblem,
     solver::gradient::{
@@ -37,7 +38,7 @@ impl Context<'_> {
     }
 
     /// Takes the [segment](Segment::take), or cuts it if the energy would rise above `ceiling`: one product.
-    pub fn take_segment(&mut self, ceiling: f64) -> Part {
+    pub fn take_segment(&mut self, ceiling: f64) -> StepOutcome {
         self.segment.take(self.problem, self.state, ceiling)
     }
 }

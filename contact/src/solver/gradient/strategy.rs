@@ -1,13 +1,16 @@
 //! The choice of the next kind of step: fast steps while they make progress, Newton's method where they do not or under
 //! a stiff coating, descent from face to face where Newton's method fails.
 
-use crate::solver::gradient::steps::newton::Turn;
-use crate::solver::gradient::steps::segment::Part;
+use crate::solver::exchange::Milestone;
+use crate::solver::gradient::steps::outcome::StepOutcome;
 
+/// The next milestone of the residual, as a fraction of the last.
+const HALVED: f64 = 0.5;
 /// Steps without halving the residual after which a phase counts as stalled.
 const FAST_PATIENCE: usize = 10;
 /// Exchanges without halving the residual after which Newton's method counts as cycling.
 const NEWTON_PATIENCE: usize = 16;
+
 /// The current kind of step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
@@ -22,9 +25,7 @@ pub enum Phase {
 /// The phase and its progress.
 pub struct Strategy {
     phase: Phase,
-    /// The residual to be halved next.
-    milestone: f64,
-    since: usize,
+    milestone: Milestone,
 }
 
 impl Strategy {
@@ -36,8 +37,7 @@ impl Strategy {
             } else {
                 Phase::Fast
             },
-            milestone: f64::INFINITY,
-            since: 0,
+            milestone: Milestone::new(HALVED),
         }
     }
 
@@ -45,21 +45,25 @@ impl Strategy {
         self.phase
     }
 
-    /// Records the residual after a fast step, and whether the step was cut at a minimum of the energy, as happens
-    /// where steps creep along an edge of the contact. Returns true if the phase changes.
-    pub fn after_fast(&mut self, residual: f64, part: Part) -> bool {
-        let stalled = self.has_stalled(residual, FAST_PATIENCE) || part == Part::Cut;
-        self.phase == Phase::Fast && stalled && self.enter(Phase::Newton(0))
-    }
-
-    /// Records the result of a step of Newton's method; returns true if the phase changes.
-    pub fn after_newton(&mut self, residual: f64, turn: Turn) -> bool {
-        match (turn, self.phase) {
-            (Turn::Inner, _) => false,
-            (Turn::Exchanged, _) if !self.has_stalled(residual, NEWTON_PATIENCE) => false,
-            // The preconditioner failed, not the method.
-            (Turn::Failed, Phase::Newton(0)) => self.enter(Phase::Newton(1)),
-            _ => self.enter(Phase::Descent),
+    /// Records the residual before a step and what the step came to; returns true if the phase changes. Fast steps are
+    /// cut where they creep along an edge of the contact.
+    pub fn changes_phase(&mut self, residual: f64, outcome: StepOutcome) -> bool {
+        match self.phase {
+            Phase::Descent => false,
+            Phase::Fast => {
+                let has_stalled = self.milestone.count(residual) >= FAST_PATIENCE;
+                (has_stalled || outcome == StepOutcome::Cut) && self.enter(Phase::Newton(0))
+            }
+            Phase::Newton(failures) => match outcome {
+                StepOutcome::Exchanged => {
+                    let cycles = self.milestone.count(residual) >= NEWTON_PATIENCE;
+                    cycles && self.enter(Phase::Descent)
+                }
+                // The preconditioner failed, not the method.
+                StepOutcome::Failed if failures == 0 => self.enter(Phase::Newton(1)),
+                StepOutcome::Failed => self.enter(Phase::Descent),
+                StepOutcome::Free | StepOutcome::Clipped | StepOutcome::Cut => false,
+            },
         }
     }
 
@@ -73,40 +77,31 @@ impl Strategy {
         self.enter(Phase::Descent);
     }
 
-    fn has_stalled(&mut self, residual: f64, patience: usize) -> bool {
-        if residual < self.milestone / 2.0 {
-            (self.milestone, self.since) = (residual, 0);
-        } else {
-            self.since += 1;
-        }
-        self.since >= patience
-    }
-
     fn enter(&mut self, phase: Phase) -> bool {
         self.phase = phase;
-        (self.milestone, self.since) = (f64::INFINITY, 0);
+        self.milestone.restart();
         true
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Part, Phase, Strategy, Turn};
+    use super::{Phase, StepOutcome, Strategy};
 
     #[test]
     fn fast_steps_continue_while_they_gain_and_give_way_when_cut() {
         let mut strategy = Strategy::new(false);
         for step in 0..100 {
-            assert!(!strategy.after_fast(0.5_f64.powi(step), Part::Whole));
+            assert!(!strategy.changes_phase(0.5_f64.powi(step), StepOutcome::Clipped));
         }
-        assert!(strategy.after_fast(1e-40, Part::Cut));
+        assert!(strategy.changes_phase(1e-40, StepOutcome::Cut));
         assert_eq!(strategy.phase(), Phase::Newton(0));
     }
 
     fn at_newton() -> Strategy {
         let mut strategy = Strategy::new(false);
         while strategy.phase() == Phase::Fast {
-            strategy.after_fast(1.0, Part::Whole);
+            strategy.changes_phase(1.0, StepOutcome::Clipped);
         }
         strategy
     }
@@ -120,16 +115,16 @@ mod tests {
     #[test]
     fn newtons_method_gives_way_to_descent_for_good_when_it_cycles() {
         let mut strategy = at_newton();
-        while !strategy.after_newton(1.0, Turn::Exchanged) {}
+        while !strategy.changes_phase(1.0, StepOutcome::Exchanged) {}
         assert_eq!(strategy.phase(), Phase::Descent);
-        assert!((0..100).all(|_| !strategy.after_fast(1.0, Part::Cut)));
+        assert!((0..100).all(|_| !strategy.changes_phase(1.0, StepOutcome::Cut)));
     }
 
     #[test]
     fn newtons_method_tries_another_preconditioner_once_if_its_systems_are_not_solved() {
         let mut strategy = at_newton();
         for phase in [Phase::Newton(1), Phase::Descent] {
-            assert!(strategy.after_newton(1.0, Turn::Failed));
+            assert!(strategy.changes_phase(1.0, StepOutcome::Failed));
             assert_eq!(strategy.phase(), phase);
         }
     }

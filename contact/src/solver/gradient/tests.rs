@@ -6,14 +6,14 @@ use crate::solver::gradient::best_pressure::BestPressure;
 use crate::solver::gradient::load_control::LoadControl;
 use crate::solver::gradient::preconditioner::Preconditioner;
 use crate::solver::gradient::state::State;
-use crate::solver::gradient::steps::Context;
 use crate::solver::gradient::steps::face::FaceDescent;
-use crate::solver::gradient::steps::newton::{Newton, Turn};
-use crate::solver::gradient::steps::segment::{Part, Segment};
+use crate::solver::gradient::steps::newton::Newton;
+use crate::solver::gradient::steps::segment::Segment;
+use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem, Load,
-    grid::window::Window,
+    grid::region::Region,
     solver::tests::{RIGID, SIZE, paraboloid, pillars, problem},
     vector::{add_scaled, dot, sum},
 };
@@ -64,9 +64,9 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
                 preconditioner: &mut preconditioner,
                 segment: &mut segment,
             };
-            let turn = newton.step(&mut context, 1e-9);
-            assert_ne!(turn, Turn::Failed);
-            exchanges += usize::from(turn == Turn::Exchanged);
+            let outcome = newton.step(&mut context, 1e-9);
+            assert_ne!(outcome, StepOutcome::Failed);
+            exchanges += usize::from(outcome == StepOutcome::Exchanged);
             assert!(state.applications() <= most, "{exchanges} exchanges");
         }
     }
@@ -144,7 +144,7 @@ fn the_energy_along_a_step_is_the_parabola_of_its_slope_and_curvature() {
         // With an unreachable ceiling the whole step is taken.
         assert_eq!(
             segment.take(&mut problem, &mut state, f64::INFINITY),
-            Part::Whole
+            StepOutcome::Clipped
         );
         let wanted = before + slope + segment.curvature() / 2.0;
         assert!((state.energy() / wanted - 1.0).abs() < 1e-10);
@@ -174,7 +174,10 @@ fn a_step_that_would_raise_the_energy_is_cut_at_its_minimum() {
     problem.deform_to_scale(&segment.step, &mut image);
     // E − s·∂E²/(2 s·y)
     let wanted = before - slope * slope / (2.0 * dot(&segment.step, &image));
-    assert_eq!(segment.take(&mut problem, &mut state, before), Part::Cut);
+    assert_eq!(
+        segment.take(&mut problem, &mut state, before),
+        StepOutcome::Cut
+    );
     assert!((state.energy() - wanted).abs() < 1e-10 * wanted.abs());
 }
 
@@ -258,19 +261,19 @@ fn a_set_touches_the_border_if_any_of_its_elements_does() {
         let (_, set) = begun(&mut problem, control, &pressure);
         assert_eq!(set.len(), 1);
         let found = [Sector::Whole, Sector::Quadrant]
-            .map(|sector| set.touches_border(&Window::all_of(SectorGrid::new(sector, SIZE))));
+            .map(|sector| set.holds_any(Region::all_of(SectorGrid::new(sector, SIZE)).rim()));
         assert_eq!(found, touches, "{i} {j}");
     }
 }
 
 #[test]
-fn a_part_of_the_grid_is_a_window_and_the_whole_grid_is_not() {
+fn the_contact_may_continue_beyond_a_part_of_the_grid_and_not_beyond_all_of_it() {
     let problem = problem([1.0, 0.1], paraboloid, RIGID);
-    assert!(!problem.is_window());
-    let whole = Window::whole(SIZE);
-    let window = whole.around(|place| place == [16, 16]);
-    assert!(problem.window(&window).unwrap().is_window());
-    assert!(!problem.window(&whole).unwrap().is_window());
+    assert!(!problem.support().may_grow());
+    let whole = Region::whole(SIZE);
+    let region = whole.around(|place| place == [16, 16]);
+    assert!(problem.part(&region).unwrap().support().may_grow());
+    assert!(!problem.part(&whole).unwrap().support().may_grow());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::solver::gradient::state::State;
-use crate::{grid::window::Window, vector::update};
+use crate::vector::update;
 
 /// Elements per parallel chunk.
 const PART: usize = 1 << 12;
@@ -198,9 +198,9 @@ impl WorkingSet {
         });
     }
 
-    /// Whether an element of the set lies on the border of the grid.
-    pub fn touches_border(&self, grid: &Window) -> bool {
-        grid.border().any(|element| self.mask[element])
+    /// Whether one of these elements is in the set.
+    pub fn holds_any(&self, mut elements: impl Iterator<Item = usize>) -> bool {
+        elements.any(|element| self.mask[element])
     }
 }
 

@@ -15,21 +15,21 @@
 //!
 //! A contact found ring by ring in 2200 products takes 220.
 
-use super::limit_exchange::WrongSide;
+use super::wrong_side::WrongSide;
 
 /// Largest excess over the limit, in units of the limit, beyond which springs are added at once if no others may be
 /// held with those above it. At 5 as many products; at 20 rough cells take up to twice as many.
-const FAR_ABOVE: f64 = 10.0;
+const LARGEST_EXCESS_WITHOUT_SPRINGS: f64 = 10.0;
 /// `c₀` over `e κ`. At 1 as many products; at 4 the hardest random problem takes twice as many.
-const FIRST: f64 = 2.0;
+const COMPLIANCE_PER_EXCESS: f64 = 2.0;
 /// `r`. At 2 and at 8 as many products.
 const HARDENING: f64 = 4.0;
 /// Largest excess, in units of the limit, at which a stage ends. At 1 the hardest random problem takes twice the
 /// products; at 4 one of 1000 is not solved.
-const ENDED: f64 = 2.0;
+const LARGEST_EXCESS_AT_STAGE_END: f64 = 2.0;
 /// Elements to be released, as a fraction of those held, up to which a stage may end. Without this rule stages ended
 /// on sets that were filled and released in turn: some random problems took four times the products.
-const FEW: f64 = 0.1;
+const MOST_OPEN_AT_STAGE_END: f64 = 0.1;
 
 /// The springs added to all elements.
 pub struct Continuation {
@@ -73,14 +73,17 @@ impl Continuation {
         has_stalled: bool,
         fills: bool,
     ) -> Option<f64> {
-        let is_open = wrong.open.len() as f64 > FEW * held as f64;
-        if self.is_soft() && wrong.excess < ENDED && !is_open {
+        let is_open = wrong.open.len() as f64 > MOST_OPEN_AT_STAGE_END * held as f64;
+        if self.is_soft() && wrong.excess < LARGEST_EXCESS_AT_STAGE_END && !is_open {
             self.compliance /= HARDENING;
             if self.compliance < self.shortest_compliance {
                 self.compliance = 0.0;
             }
-        } else if !self.has_begun && (has_stalled || wrong.excess > FAR_ABOVE && !fills) {
-            self.compliance = FIRST * wrong.excess.max(1.0) * self.shortest_compliance;
+        } else if !self.has_begun
+            && (has_stalled || wrong.excess > LARGEST_EXCESS_WITHOUT_SPRINGS && !fills)
+        {
+            self.compliance =
+                COMPLIANCE_PER_EXCESS * wrong.excess.max(1.0) * self.shortest_compliance;
             self.has_begun = true;
         } else {
             return None;
@@ -143,7 +146,7 @@ mod tests {
             continuation.next_stage(&wrong(excess, 0), 100, has_stalled, true)
         };
         // At least those for an excess of 1.
-        assert_eq!(stage(0.1, true), Some(FIRST * KAPPA));
+        assert_eq!(stage(0.1, true), Some(COMPLIANCE_PER_EXCESS * KAPPA));
         assert_eq!(stage(3.0, true), None);
     }
 }

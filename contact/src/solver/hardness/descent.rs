@@ -19,11 +19,10 @@
 
 use crate::{
     DiscreteProblem, Load,
+    solver::exchange::{Bound, Caution, ends},
     vector::{add_scaled, each, sum},
 };
 
-/// Halvings after which single elements reach the limit, on any grid.
-const MOST_CAUTION: u32 = 31;
 /// Rounding error, relative to the limit, of a pressure that reaches it, and relative to a force.
 const ROUNDING: f64 = 1e-14;
 
@@ -34,8 +33,8 @@ pub struct Descent {
     pressure: Vec<f64>,
     /// `K p`, in m.
     displacement: Vec<f64>,
-    /// Halvings of the number of elements that reach the limit at once.
-    caution: u32,
+    /// Of elements that reach the limit at once.
+    caution: Caution,
     /// Largest residual to which problems are solved until elements are released again.
     pub accuracy: f64,
 }
@@ -50,7 +49,7 @@ impl Descent {
             load,
             pressure,
             displacement,
-            caution: 0,
+            caution: Caution::default(),
             accuracy: f64::INFINITY,
         }
     }
@@ -76,14 +75,9 @@ impl Descent {
         displacement: &[f64],
     ) -> usize {
         let limit = problem.hardness();
-        let both = self.pressure.iter().zip(pressure);
-        let above = both.filter(|(_, to)| **to > limit);
-        let mut ends: Vec<f64> = above
-            .map(|(from, to)| (limit - from) / (to - from))
-            .collect();
-        ends.sort_unstable_by(f64::total_cmp);
-        let at_once = ends.len() >> self.caution.min(MOST_CAUTION);
-        if at_once > 1 {
+        let ends = ends([&self.pressure, pressure], Bound::Limit(limit));
+        let (mut products, mut caution) = (0, self.caution);
+        let leaps = caution.leaps(ends.len(), 2, |at_once| {
             let part = if at_once == ends.len() {
                 1.0
             } else {
@@ -91,15 +85,17 @@ impl Descent {
             };
             let both = self.pressure.iter().zip(pressure);
             let ahead: Vec<f64> = both.map(|(from, to)| from + part * (to - from)).collect();
+            products += 1;
             let cut = Self::begin(problem, self.load, &ahead);
-            if cut.slope_from(problem, &self.pressure) <= 0.0 {
+            let is_lower = cut.slope_from(problem, &self.pressure) <= 0.0;
+            if is_lower {
                 (self.pressure, self.displacement) = (cut.pressure, cut.displacement);
-                self.caution = self.caution.saturating_sub(1);
-                return 1;
             }
-            self.caution += 2;
-        } else {
-            self.caution = self.caution.saturating_sub(1);
+            is_lower
+        });
+        self.caution = caution;
+        if leaps {
+            return products;
         }
         let part = ends.first().copied().unwrap_or(1.0);
         for (from, to) in [
@@ -115,13 +111,13 @@ impl Descent {
                 *p = limit;
             }
         });
-        usize::from(at_once > 1)
+        products
     }
 
     /// `s·∂E` of the step from a pressure to its own: the slope of the energy at its end.
     fn slope_from(&self, problem: &DiscreteProblem, pressure: &[f64]) -> f64 {
         let mut v = self.displacement.clone();
-        problem.shorten_into(&self.pressure, &mut v);
+        problem.springs().shorten_into(&self.pressure, &mut v);
         let penetration = match self.load {
             // The step preserves the force.
             Load::Force(_) => 0.0,

@@ -1,14 +1,13 @@
 //! Successive exchanges of elements: which are held at the limit, and how accurately the problem of the others is
 //! solved.
 
-mod wrong_side;
+mod search;
 
-pub use self::wrong_side::WrongSide;
-use super::{continuation::Continuation, descent::Descent};
+use super::{continuation::Continuation, descent::Descent, wrong_side::WrongSide};
 use crate::{
     ContactError, DiscreteProblem, Iterate, Load, SolverOptions,
-    problem::discrete_problem::hardness::HeldPressure,
-    solver::{ElasticSolver, Watch},
+    problem::held_pressure::HeldPressure,
+    solver::{ElasticSolver, Watch, exchange::Milestone},
     vector::add_scaled,
 };
 
@@ -29,13 +28,15 @@ const TIGHTENING: f64 = 0.1;
 /// could pass for one on stiffer springs: rough contacts under a coating 3000 times as stiff took up to five times the
 /// products.
 const FINER_ON_SPRINGS: f64 = 0.5;
+/// The next milestone of the error, as a fraction of the last.
+const HALVED: f64 = 0.5;
 /// Exchanges without halving the error after which springs are added, or after that the descent begins.
 const PATIENCE: usize = 4;
 /// Exchanges of a stage that hold others with those above the limit after elements have been released. With none, rough
 /// cells take a quarter more products in the mean; without a bound, one of 1000 random problems is not solved.
 const MOST_REFILLS: usize = 1;
 /// Fraction of the limit above which an element of a start is held.
-const NEAR: f64 = 0.95;
+const LEAST_HELD_AT_START: f64 = 0.95;
 /// Largest fraction of a force carried by the elements held at a start.
 const LARGEST_SHARE: f64 = 0.97;
 /// Fraction of a force that is rounding error of the held elements' force.
@@ -56,9 +57,7 @@ pub struct LimitExchange {
     coarsest: f64,
     /// The total work of all problems, and the result of the last one.
     pub total: Iterate,
-    /// The error to be halved next, and the exchanges since it was reached.
-    milestone: f64,
-    since: usize,
+    milestone: Milestone,
     /// Whether the present stage has released elements, and how often it has held others with those above the limit
     /// since.
     has_released: bool,
@@ -76,7 +75,7 @@ impl LimitExchange {
         let mut held = problem.none_held();
         let gaps = problem.initial_gap().iter();
         held.mask = (start.iter().zip(gaps))
-            .map(|(p, g0)| *p >= NEAR * limit && g0.is_finite())
+            .map(|(p, g0)| *p >= LEAST_HELD_AT_START * limit && g0.is_finite())
             .collect();
         let most = match load {
             Load::Force(force) => {
@@ -109,8 +108,7 @@ impl LimitExchange {
             accuracy: coarsest,
             coarsest,
             total,
-            milestone: f64::INFINITY,
-            since: 0,
+            milestone: Milestone::new(HALVED),
             has_released: false,
             refills: 0,
             descent: None,
@@ -159,7 +157,7 @@ impl LimitExchange {
         }
     }
 
-    /// Adds the work to the total and takes the result; returns whether the contact reached the border of a window.
+    /// Adds the work to the total and takes the result; returns whether the contact reached the border of a region.
     pub fn take(&mut self, found: Iterate) -> bool {
         let total = &mut self.total;
         total.iterations += found.iterations;
@@ -195,7 +193,7 @@ impl LimitExchange {
         let pressure = self.pressure(limit);
         // v = K p + w* + g0
         let mut v = displacement.to_vec();
-        problem.shorten_into(&pressure, &mut v);
+        problem.springs().shorten_into(&pressure, &mut v);
         add_scaled(&mut v, 1.0, problem.initial_gap());
         let wrong = self.wrong(problem, &v);
         let has_stalled = self.has_stalled(&wrong);
@@ -255,7 +253,7 @@ impl LimitExchange {
         } else {
             self.coarsest
         };
-        (self.milestone, self.since) = (f64::INFINITY, 0);
+        self.milestone.restart();
         (self.has_released, self.refills) = (false, 0);
         true
     }
@@ -263,12 +261,8 @@ impl LimitExchange {
     /// Whether the error of the exchanges has not been halved for too long. Exchanges that release no element always
     /// end.
     fn has_stalled(&mut self, wrong: &WrongSide) -> bool {
-        if wrong.by < self.milestone / 2.0 {
-            (self.milestone, self.since) = (wrong.by, 0);
-        } else if !wrong.open.is_empty() {
-            self.since += 1;
-        }
-        self.since >= PATIENCE
+        let releases = !wrong.open.is_empty();
+        self.milestone.count_if(releases, wrong.by) >= PATIENCE
     }
 
     /// Holds the elements at the limit of the descent's pressure, and continues from that pressure.

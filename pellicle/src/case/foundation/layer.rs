@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::modulus::ModulusCase;
 use super::strength::{BodyStrengthCase, InterfaceStrengthCase};
-use super::substrate::POISSON_RATIO;
+use super::substrate::{MaterialCase, POISSON_RATIO};
 use crate::declare::macros::record;
 use crate::declare::{Codec, Scope, compliance, either, length, number, part, pressure, word};
 use crate::input::table_reader::TableReader;
@@ -119,5 +119,32 @@ impl LayerCase {
 
     fn material(&self, young_modulus: f64) -> Result<Material, KernelError> {
         Material::new(young_modulus, self.poisson_ratio)
+    }
+}
+
+impl From<Layer> for LayerCase {
+    fn from(layer: Layer) -> Self {
+        let material = MaterialCase::from(layer.material());
+        Self {
+            thickness: layer.thickness(),
+            young_modulus: ModulusCase::Uniform(material.young_modulus),
+            poisson_ratio: material.poisson_ratio,
+            interface: layer.interface().into(),
+            strength: material.strength,
+            interface_strength: InterfaceStrengthCase::default(),
+        }
+    }
+}
+
+impl From<Interface> for InterfaceCase {
+    fn from(interface: Interface) -> Self {
+        match interface {
+            Interface::Bonded => Self::Named(NamedInterface::Bonded),
+            Interface::Frictionless => Self::Named(NamedInterface::Frictionless),
+            spring @ Interface::Spring(_) => Self::Spring(SpringCase {
+                normal_compliance: spring.normal_compliance(),
+                shear_compliance: spring.shear_compliance(),
+            }),
+        }
     }
 }

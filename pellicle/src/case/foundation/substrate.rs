@@ -63,3 +63,13 @@ impl MaterialCase {
         Material::new(self.young_modulus, self.poisson_ratio)
     }
 }
+
+impl From<Material> for MaterialCase {
+    fn from(material: Material) -> Self {
+        Self {
+            young_modulus: material.young_modulus(),
+            poisson_ratio: material.poisson_ratio(),
+            strength: BodyStrengthCase::default(),
+        }
+    }
+}

@@ -12,11 +12,14 @@
 //! `F` decays so quickly that a band a few elements wide can represent all of `E`, and a few coefficients all of `F`.
 //! Without the band the filter is wrong at the edge of the contact, which alone doubles the iterations.
 
-use pellicle_influence::SectorGrid;
 use rayon::prelude::*;
 
 use crate::{
-    solver::gradient::working_set::WorkingSet,
+    grid::region::Region,
+    solver::gradient::{
+        conjugate_gradients::{Directions, LinearSystem, SystemFields, solve},
+        working_set::WorkingSet,
+    },
     vector::{add_scaled, dot, update},
 };
 
@@ -39,51 +42,62 @@ const ELEMENTS: usize = 1 << 12;
 /// The band around one working set. Its fields hold one value for each of its elements.
 pub struct EdgeBand {
     layout: Layout,
-    coefficients: Stencil,
     /// The band's elements on the grid, ascending.
     elements: Vec<usize>,
-    /// Their places in the field to which the stencil is applied.
-    places: Vec<usize>,
-    /// Mirror images across a sector's axes: their place, and the index of the mirrored element of the band.
-    images: Vec<(usize, usize)>,
+    system: BandSystem,
     residual: Vec<f64>,
-    direction: Vec<f64>,
-    solution: Vec<f64>,
+    directions: Directions,
     image: Vec<f64>,
+}
+
+/// The system `F_EE s = −(F r)_E`, as it is solved.
+struct BandSystem {
+    /// Places in a row of the field to which the stencil is applied.
+    width: usize,
+    coefficients: Stencil,
+    /// The places of the band's elements in that field.
+    places: Vec<usize>,
+    /// Mirror images across axes of symmetry: their place, and the index of the mirrored element of the band.
+    images: Vec<(usize, usize)>,
     /// The field to which the stencil is applied: 0 except on the band and its mirror images.
     spread: Vec<f64>,
+    solution: Vec<f64>,
+    /// `r·r` at the start; none before.
+    start: Option<f64>,
 }
 
 impl EdgeBand {
-    /// An empty band on a grid or a sector of one.
-    pub fn new(grid: SectorGrid) -> Self {
+    /// An empty band on a region.
+    pub fn new(region: &Region) -> Self {
         let layout = Layout {
-            lengths: grid.lengths(),
-            beyond: grid.mirrored_lines(REACH),
+            lengths: region.lengths(),
+            beyond: region.mirrored_lines(REACH),
         };
         Self {
             layout,
-            coefficients: [[0.0; QUARTER_SIDE]; QUARTER_SIDE],
             elements: Vec::new(),
-            places: Vec::new(),
-            images: Vec::new(),
+            system: BandSystem {
+                width: layout.width(),
+                coefficients: [[0.0; QUARTER_SIDE]; QUARTER_SIDE],
+                places: Vec::new(),
+                images: Vec::new(),
+                spread: vec![0.0; layout.places()],
+                solution: Vec::new(),
+                start: None,
+            },
             residual: Vec::new(),
-            direction: Vec::new(),
-            solution: Vec::new(),
+            directions: Directions::new(0),
             image: Vec::new(),
-            spread: vec![0.0; layout.places()],
         }
     }
 
     /// Sets the coefficients of `F`, by offset along the axes.
     pub fn take_coefficients(&mut self, coefficients: &Stencil) {
-        self.coefficients = *coefficients;
+        self.system.coefficients = *coefficients;
     }
 
     /// Sets up the band around a set.
     pub fn surround(&mut self, set: &WorkingSet) {
-        self.direction.fill(0.0);
-        self.spread_direction();
         let layout = self.layout;
         let [_, size] = layout.lengths;
         let rows = layout.lines(0).into_par_iter();
@@ -95,20 +109,9 @@ impl EdgeBand {
         let rows: Vec<Vec<usize>> = rows.collect();
         self.elements.clear();
         self.elements.extend(rows.into_iter().flatten());
-        self.places.clear();
-        self.images.clear();
-        for (index, element) in self.elements.iter().enumerate() {
-            let at = [element / size, element % size];
-            self.places.push(layout.place(at));
-            let images = layout.images(at).map(|place| (place, index));
-            self.images.extend(images);
-        }
-        for field in [
-            &mut self.residual,
-            &mut self.direction,
-            &mut self.solution,
-            &mut self.image,
-        ] {
+        self.system.take_places(layout, &self.elements);
+        self.directions.resize(self.elements.len());
+        for field in [&mut self.residual, &mut self.image] {
             field.clear();
             field.resize(self.elements.len(), 0.0);
         }
@@ -118,61 +121,95 @@ impl EdgeBand {
         self.elements.is_empty()
     }
 
-    /// Computes `s` for `filtered`, `F r`, and writes it into the band's elements of `field`: conjugate gradients on
-    /// `F_EE s = −(F r)_E`.
+    /// Computes `s` for `filtered`, `F r`, and writes it into the band's elements of `field`.
     pub fn balance(&mut self, filtered: &[f64], field: &mut [f64]) {
         update(&mut self.residual, &self.elements, |r, e| {
             *r = -filtered[*e];
         });
-        self.solution.fill(0.0);
-        self.direction.fill(0.0);
-        let start = dot(&self.residual, &self.residual);
-        if !(start > 0.0 && start.is_finite()) {
-            return;
-        }
-        let (mut product, mut beta) = (start, 0.0);
-        for _ in 0..MOST_STEPS {
-            // d ← r + β d,  y = F_EE d,  α = r·r / d·y
-            update(&mut self.direction, &self.residual, |d, r| {
-                *d = r + beta * *d;
-            });
-            self.multiply();
-            let alpha = product / dot(&self.direction, &self.image);
-            // Truncated at the reach, F_EE may be indefinite under a stiff coating.
-            if !(alpha > 0.0 && alpha.is_finite()) {
-                break;
+        self.system.solution.fill(0.0);
+        self.system.start = None;
+        let fields = SystemFields {
+            residual: &mut self.residual,
+            directions: &mut self.directions,
+            image: &mut self.image,
+        };
+        solve(&mut self.system, fields, MOST_STEPS);
+        if self.system.has_start() {
+            for (element, s) in self.elements.iter().zip(&self.system.solution) {
+                field[*element] = *s;
             }
-            add_scaled(&mut self.solution, alpha, &self.direction);
-            add_scaled(&mut self.residual, -alpha, &self.image);
-            let after = dot(&self.residual, &self.residual);
-            if after <= ACCURACY * ACCURACY * start {
-                break;
-            }
-            beta = after / std::mem::replace(&mut product, after);
         }
-        for (element, s) in self.elements.iter().zip(&self.solution) {
-            field[*element] = *s;
+    }
+}
+
+impl BandSystem {
+    /// Sets the band's elements.
+    fn take_places(&mut self, layout: Layout, elements: &[usize]) {
+        let images = self.images.drain(..).map(|(place, _)| place);
+        for place in self.places.drain(..).chain(images) {
+            self.spread[place] = 0.0;
+        }
+        let [_, size] = layout.lengths;
+        for (index, element) in elements.iter().enumerate() {
+            let at = [element / size, element % size];
+            self.places.push(layout.place(at));
+            let images = layout.images(at).map(|place| (place, index));
+            self.images.extend(images);
+        }
+        self.solution.resize(elements.len(), 0.0);
+    }
+
+    /// Whether the residual at the start is one to be balanced.
+    fn has_start(&self) -> bool {
+        (self.start).is_some_and(|start| start > 0.0 && start.is_finite())
+    }
+
+    /// Copies a direction into the field to which the stencil is applied.
+    fn spread(&mut self, direction: &[f64]) {
+        for (place, d) in self.places.iter().zip(direction) {
+            self.spread[*place] = *d;
+        }
+        for (place, index) in &self.images {
+            self.spread[*place] = direction[*index];
+        }
+    }
+}
+
+impl LinearSystem for BandSystem {
+    fn precondition(&mut self, residual: &[f64]) -> f64 {
+        dot(residual, residual)
+    }
+
+    fn is_solved(&mut self, product: f64) -> bool {
+        match self.start {
+            None => {
+                self.start = Some(product);
+                !self.has_start()
+            }
+            Some(start) => product <= ACCURACY * ACCURACY * start,
         }
     }
 
-    /// Writes `F_EE d` into the image.
-    fn multiply(&mut self) {
-        self.spread_direction();
-        let (spread, coefficients) = (&self.spread, &self.coefficients);
-        let width = self.layout.width();
-        update(&mut self.image, &self.places, |y, place| {
+    fn correction<'a>(&'a mut self, residual: &'a [f64]) -> &'a [f64] {
+        residual
+    }
+
+    /// Writes `F_EE d`.
+    fn apply_into(&mut self, direction: &[f64], image: &mut [f64]) {
+        self.spread(direction);
+        let (spread, coefficients, width) = (&self.spread, &self.coefficients, self.width);
+        update(image, &self.places, |y, place| {
             *y = stencil(&spread[place - REACH * (width + 1)..], width, coefficients);
         });
     }
 
-    /// Copies the direction into the field to which the stencil is applied.
-    fn spread_direction(&mut self) {
-        for (place, d) in self.places.iter().zip(&self.direction) {
-            self.spread[*place] = *d;
+    /// Truncated at the reach, `F_EE` may be indefinite under a stiff coating.
+    fn take(&mut self, alpha: f64, direction: &[f64], _: f64) -> bool {
+        let is_step = alpha > 0.0 && alpha.is_finite();
+        if is_step {
+            add_scaled(&mut self.solution, alpha, direction);
         }
-        for (place, index) in &self.images {
-            self.spread[*place] = self.direction[*index];
-        }
+        is_step
     }
 }
 
@@ -199,7 +236,7 @@ fn stencil(field: &[f64], width: usize, coefficients: &Stencil) -> f64 {
 }
 
 /// The places of the band's elements on the grid and in the field to which its stencil is applied, which also covers
-/// elements beyond a sector's axes.
+/// elements beyond axes of symmetry.
 #[derive(Clone, Copy)]
 struct Layout {
     /// Rows, and elements per row.
@@ -263,121 +300,4 @@ impl Layout {
 }
 
 #[cfg(test)]
-mod tests {
-    use pellicle_influence::{ElasticOperator, Sector, SectorGrid};
-
-    use super::{ACCURACY, EdgeBand, Stencil};
-    use crate::{
-        DiscreteProblem,
-        problem::operator_source::OperatorSource,
-        solver::gradient::{load_control::LoadControl, tests::begun, working_set::WorkingSet},
-    };
-
-    const SIZE: usize = 41;
-
-    /// A rigid body.
-    struct Rigid;
-
-    impl ElasticOperator for Rigid {
-        fn size(&self) -> usize {
-            SIZE
-        }
-
-        fn apply_into(&mut self, _: &[f64], displacement: &mut [f64]) {
-            displacement.fill(0.0);
-        }
-    }
-
-    fn inside([i, j]: [usize; 2]) -> bool {
-        let [x, y] = [i, j].map(|along| along as f64);
-        let island = |at: [f64; 2], radius: f64| (x - at[0]).hypot(y - at[1]) < radius;
-        island([0.0, 7.0], 5.2) || island([17.0, 2.0], 3.4) || island([24.0, 25.0], 10.3)
-    }
-
-    /// The set of the inner elements, shifted by some columns.
-    fn set(grid: SectorGrid, moved: usize) -> WorkingSet {
-        let presses = |e: usize| f64::from(u8::from(inside([e / SIZE, e % SIZE + moved])));
-        let pressure: Vec<f64> = (0..grid.elements()).map(presses).collect();
-        let field = |value: f64| vec![value; grid.elements()];
-        let source = OperatorSource::Operator(Box::new(Rigid));
-        let problem = DiscreteProblem::on(grid, source, field(0.0), field(1.0), 1.0);
-        begun(
-            &mut problem.unwrap(),
-            LoadControl::Penetration(0.0),
-            &pressure,
-        )
-        .1
-    }
-
-    /// Whether an element lies outside the set, at most three elements from it and at least three from the border; the
-    /// axes of a sector are not a border.
-    fn is_of_band([i, j]: [usize; 2], grid: SectorGrid) -> bool {
-        let around = |k: usize| k.saturating_sub(3)..=k + 3;
-        let near = around(i).any(|i| around(j).any(|j| inside([i, j])));
-        let lies_within = |axis: usize, k: usize| {
-            let first = if grid.mirrored()[axis] { 0 } else { 3 };
-            (first..grid.lengths()[axis] - 3).contains(&k)
-        };
-        near && !inside([i, j]) && lies_within(0, i) && lies_within(1, j)
-    }
-
-    #[test]
-    fn the_filtered_residual_vanishes_on_the_band() {
-        let coefficients: Stencil = std::array::from_fn(|i| {
-            std::array::from_fn(|j| match i * i + j * j {
-                0 => 2.5,
-                square => -0.25 / (square as f64).powf(1.5),
-            })
-        });
-        let waves =
-            |e: usize| 1.0 + 0.5 * (0.2 * (e / SIZE) as f64 + 0.3 * (e % SIZE) as f64).sin();
-        for sector in [Sector::Whole, Sector::Half, Sector::Quadrant] {
-            let grid = SectorGrid::new(sector, SIZE);
-            let elements = grid.elements();
-            let filtered: Vec<f64> = (0..elements).map(waves).collect();
-            let mut band = EdgeBand::new(grid);
-            band.take_coefficients(&coefficients);
-            band.surround(&set(grid, 0));
-            let mut written = vec![0.0; elements];
-            band.balance(&filtered, &mut written);
-            // No values of the earlier set remain.
-            let mut again = vec![0.0; elements];
-            band.surround(&set(grid, 4));
-            band.balance(&filtered, &mut vec![0.0; elements]);
-            band.surround(&set(grid, 0));
-            band.balance(&filtered, &mut again);
-            assert!(written == again, "{sector:?}");
-            let mirrored = |k: i64| usize::try_from(if k < 0 { -1 - k } else { k }).unwrap();
-            // All of the band, and the elements next to an axis.
-            let (mut missed, mut whole) = ([0.0; 2], [0.0; 2]);
-            for e in 0..elements {
-                let place = [e / SIZE, e % SIZE];
-                if !is_of_band(place, grid) {
-                    assert!(written[e] == 0.0, "{place:?}");
-                    continue;
-                }
-                let [i, j] = place.map(|k| i64::try_from(k).unwrap());
-                let mut sum = filtered[e];
-                for (m, n) in (-3..=3_i64).flat_map(|m| (-3..=3_i64).map(move |n| (m, n))) {
-                    let [m_abs, n_abs] = [m, n].map(|k| usize::try_from(k.abs()).unwrap());
-                    sum += coefficients[m_abs][n_abs]
-                        * written[mirrored(i + m) * SIZE + mirrored(j + n)];
-                }
-                for part in 0..=usize::from(place.contains(&0)) {
-                    missed[part] += sum * sum;
-                    whole[part] += filtered[e] * filtered[e];
-                }
-            }
-            assert!(whole[0] > 100.0 && missed[0] > 0.0, "{sector:?}: a band");
-            // The margin is for rounding.
-            assert!(
-                missed[0] < (1.0 + 1e-9) * ACCURACY.powi(2) * whole[0],
-                "{sector:?}: {missed:?}"
-            );
-            assert!(
-                missed[1] <= 0.04 * whole[1],
-                "{sector:?}: {missed:?} of {whole:?}"
-            );
-        }
-    }
-}
+mod tests;

@@ -26,8 +26,9 @@
 //! The exponent ½ would be right for short waves but is wrong for long ones; half of it takes a fifth fewer products
 //! than none.
 
-use pellicle_influence::{PeriodicFilter, PeriodicSymbol, SectorGrid};
+use pellicle_influence::{PeriodicFilter, PeriodicSymbol};
 
+use crate::grid::region::Region;
 use crate::solver::gradient::preconditioner::edge_band::{EdgeBand, Stencil};
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::vector::{add_scaled, by_parts, update};
@@ -55,15 +56,15 @@ pub struct RestrictedFilter {
 }
 
 impl RestrictedFilter {
-    /// Creates a filter for the symbol's grid or a sector of it.
-    pub fn new(symbol: PeriodicSymbol, grid: SectorGrid) -> Self {
-        let elements = grid.elements();
+    /// Creates a filter for a region that the symbol's grid covers.
+    pub fn new(symbol: PeriodicSymbol, region: &Region) -> Self {
+        let elements = region.elements();
         Self {
             shortest: symbol.value([symbol.size() / 2; 2]),
-            filter: PeriodicFilter::new(symbol, grid),
+            filter: PeriodicFilter::new(symbol, region.shape()),
             mean_compliance: f64::NAN,
             flank: vec![0.0; elements],
-            band: EdgeBand::new(grid),
+            band: EdgeBand::new(region),
             is_plate: false,
             filtered: vec![0.0; elements],
         }
@@ -159,8 +160,9 @@ mod tests {
     use super::{EdgeBand, RestrictedFilter};
     use crate::solver::gradient::load_control::LoadControl;
     use crate::{
-        Boundary, DiscreteProblem,
-        problem::operator_source::OperatorSource,
+        DiscreteProblem,
+        grid::region::Region,
+        problem::support::choice::under,
         solver::gradient::{tests::begun, working_set::WorkingSet},
         vector::{add_scaled, dot},
     };
@@ -194,7 +196,7 @@ mod tests {
 
     /// The filter on the whole grid without springs, adapted to a set.
     fn filter_on(surface: &SurfaceElasticity, set: &WorkingSet) -> RestrictedFilter {
-        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), SectorGrid::whole(SIZE));
+        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), &Region::whole(SIZE));
         filter.update(set, &vec![0.0; SIZE * SIZE]);
         filter
     }
@@ -226,15 +228,15 @@ mod tests {
         let mut field = mirrored(&|x, y| (0.3 * x).cos() + (0.9 * y).sin());
         let zeros = vec![0.0; pillars.len()];
         let gap = vec![1.0; pillars.len()];
-        let source = OperatorSource::of(surface.clone(), Boundary::Free);
-        let problem = DiscreteProblem::on(sector, source, zeros.clone(), gap, 1e-12);
+        let support = under(surface.clone(), Region::all_of(sector));
+        let problem = DiscreteProblem::on(support, zeros.clone(), gap, 1e-12);
         let set = begun(
             &mut problem.unwrap(),
             LoadControl::Penetration(0.0),
             &pillars,
         )
         .1;
-        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), sector);
+        let mut filter = RestrictedFilter::new(surface.symbol(SIZE), &Region::all_of(sector));
         filter.update(&set, &zeros);
         assert!(!filter.band.is_empty());
         set.clear_outside(&mut field);
@@ -293,7 +295,7 @@ mod tests {
         let set = set_of_pillars(&surface, 9.0, 3.5);
         let mut filter = filter_on(&surface, &set);
         let with_band = miss(&mut filter, &surface, &set);
-        filter.band = EdgeBand::new(SectorGrid::whole(SIZE));
+        filter.band = EdgeBand::new(&Region::whole(SIZE));
         let without = miss(&mut filter, &surface, &set);
         assert!(
             with_band < 0.03 && without > 0.08,

@@ -30,7 +30,7 @@ use std::{
     sync::{Arc, LazyLock},
 };
 
-use pellicle_influence::{SectorGrid, SurfaceElasticity};
+use pellicle_influence::SurfaceElasticity;
 use rayon::prelude::*;
 
 use self::{
@@ -39,6 +39,8 @@ use self::{
     local_system::{LocalSystem, NearCoefficients, Workspace, class},
     order::{COLOURS, TILE, colour, earlier_offsets, own_offsets},
 };
+use crate::grid::region::Region;
+use crate::problem::support::Support;
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::vector::single;
 
@@ -50,11 +52,11 @@ const MOST_DIRECT_CUBED: f64 = 2000.0;
 /// Places searched for a tile's neighbours, nearest first. In a contact of a few summits most are empty: 160 places
 /// take twice the products.
 const PLACES: usize = 4000;
-/// Distance from the axis of a sector, in units of the spacing of a tile's level, within which mirror images are
+/// Distance from an axis of symmetry, in units of the spacing of a tile's level, within which mirror images are
 /// included in a block: with 8 a bare coating 1000 times as stiff takes a third more products at N = 512.
 const NEAR_AXIS: u32 = 24;
 /// Length of a pattern's header.
-const HEAD: usize = 4;
+const HEADER_LENGTH: usize = 4;
 /// Numbers in all blocks together beyond which all blocks are discarded, about 0.5 GB: a path of many loads keeps
 /// adding blocks.
 const MOST_ENTRIES: usize = 1 << 27;
@@ -66,11 +68,11 @@ const AT_LEAST: usize = TOGETHER / 8;
 /// Tiles per parallel chunk; the same for every number of threads.
 const PART: usize = 1 << 9;
 
-/// The factor `G` on one grid's working set.
+/// The factor `G` on the working set of one region.
 pub struct SparseFactor {
-    /// Rows, and elements per row.
+    region: Region,
+    /// Its rows, and elements per row.
     lengths: [usize; 2],
-    grid: SectorGrid,
     /// The coarsest level, which has one element.
     top: u32,
     neighbours: usize,
@@ -110,26 +112,26 @@ static EARLIER: LazyLock<[Vec<[i32; 2]>; 4]> =
 /// Offsets of a tile's own elements.
 static OWN: LazyLock<Vec<[i32; 2]>> = LazyLock::new(own_offsets);
 /// The same for the only tile of the coarsest level.
-const FIRST: [[i32; 2]; 1] = [[0, 0]];
+const TOP_OFFSETS: [[i32; 2]; 1] = [[0, 0]];
 
 /// The key of a block: level and colour, the tile's distance from nearby axes of a quadrant, the number of its own
 /// elements, and for each of them and each neighbour the index of its offset and its class.
 type Pattern = Box<[u32]>;
 
 impl SparseFactor {
-    /// Creates a factor for a grid, with `neighbours` entries per block in addition to the tile's own elements.
+    /// Creates a factor for a region, with `neighbours` entries per block in addition to the tile's own elements.
     pub fn new(
         elasticity: Arc<SurfaceElasticity>,
-        grid: SectorGrid,
+        region: &Region,
         relief_compliance: &[f64],
         neighbours: usize,
     ) -> Self {
-        let lengths = grid.lengths();
+        let lengths = region.lengths();
         let side = lengths.into_iter().max().unwrap_or(0);
         let top = side.next_power_of_two().trailing_zeros();
         Self {
+            region: *region,
             lengths,
-            grid,
             top,
             neighbours,
             classes: classes(&elasticity, relief_compliance),
@@ -155,12 +157,11 @@ impl SparseFactor {
     }
 
     /// Finds the block of every tile that holds elements of the set, and computes new ones.
-    pub fn update(&mut self, set: &WorkingSet) {
+    pub fn update(&mut self, support: &dyn Support, set: &WorkingSet) {
         self.direct = None;
         let most_direct = (MOST_DIRECT_CUBED * set.mask().len() as f64).cbrt();
         if set.len() as f64 <= MOST_DIRECT.max(most_direct) {
-            let (grid, eta) = (self.grid, &self.compliance);
-            self.direct = DirectFactor::new(&self.elasticity, grid, eta, set.mask());
+            self.direct = DirectFactor::new(support, &self.compliance, set.mask());
             if self.direct.is_some() {
                 return;
             }
@@ -221,7 +222,7 @@ impl SparseFactor {
             return None;
         }
         let (near, colour) = (self.near_axis(level), colour(tile[0], tile[1]));
-        let mut pattern = Vec::with_capacity(HEAD + own.len() + self.neighbours);
+        let mut pattern = Vec::with_capacity(HEADER_LENGTH + own.len() + self.neighbours);
         pattern.push(COLOURS * level + colour);
         pattern.extend([0, 1].map(|axis: usize| first[axis].unsigned_abs().min(near[axis])));
         pattern.push(index(own.len()).unsigned_abs());
@@ -255,7 +256,11 @@ impl SparseFactor {
 
     /// Offsets of the own elements of a level's tiles.
     fn own(&self, level: u32) -> &'static [[i32; 2]] {
-        if level == self.top { &FIRST } else { &OWN }
+        if level == self.top {
+            &TOP_OFFSETS
+        } else {
+            &OWN
+        }
     }
 
     /// Offsets of earlier elements; none for the coarsest level.
@@ -268,9 +273,9 @@ impl SparseFactor {
     }
 
     /// Distance in elements from each axis within which mirror images are included in a block of this level; 0 for an
-    /// axis that is not one of a sector.
+    /// axis without symmetry.
     fn near_axis(&self, level: u32) -> [u32; 2] {
-        let lines = self.grid.mirrored_lines((NEAR_AXIS << level) as usize);
+        let lines = self.region.mirrored_lines((NEAR_AXIS << level) as usize);
         lines.map(|lines| index(lines).unsigned_abs())
     }
 
@@ -289,7 +294,7 @@ impl SparseFactor {
     /// Computes the block of a pattern.
     fn compute(&self, pattern: &Pattern, workspace: &mut Workspace, room: Room<'_>) {
         let (level, colour) = (pattern[0] / COLOURS, pattern[0] % COLOURS);
-        let (own, neighbours) = pattern[HEAD..].split_at(own_of(pattern));
+        let (own, neighbours) = pattern[HEADER_LENGTH..].split_at(own_of(pattern));
         let place = |offsets: &[[i32; 2]], entry: &u32| offsets[(entry >> 16) as usize];
         let earlier = neighbours
             .iter()
@@ -347,11 +352,11 @@ impl SparseFactor {
 
 /// The numbers of a pattern's unknowns and of the tile's own elements among them.
 fn size_of(pattern: &Pattern) -> [usize; 2] {
-    [pattern.len() - HEAD, own_of(pattern)]
+    [pattern.len() - HEADER_LENGTH, own_of(pattern)]
 }
 
 fn own_of(pattern: &Pattern) -> usize {
-    pattern[HEAD - 1] as usize
+    pattern[HEADER_LENGTH - 1] as usize
 }
 
 /// The class of every element's compliance (m/Pa).

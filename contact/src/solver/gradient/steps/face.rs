@@ -14,15 +14,16 @@
 //! plate consists of a few elements among many with small overlaps, Newton's method jumps between disjoint sets; this
 //! method does not.
 
+use crate::solver::exchange::{Bound, Caution, ends};
 use crate::solver::gradient::state::State;
 use crate::solver::gradient::steps::Context;
-use crate::solver::gradient::steps::conjugate::ConjugateDirections;
+use crate::solver::gradient::steps::conjugate::ConjugateSteps;
 use crate::solver::gradient::steps::segment::Segment;
 use crate::vector::{add_scaled, update, update_with};
 
 /// Largest error of the energy of the solution on a face, relative to the initial one, as the preconditioner estimates
 /// it: `r·z`.
-const SETTLED: f64 = 1e-2;
+const LARGEST_ENERGY_ERROR: f64 = 1e-2;
 /// Most steps for one linear system; its approximate solution is then used, since each conjugate gradient step has
 /// lowered the energy.
 const MOST_STEPS: usize = 60;
@@ -31,7 +32,7 @@ const ROUNDING: f64 = 1e-13;
 
 /// The state of the descent.
 pub struct FaceDescent {
-    conjugate: ConjugateDirections,
+    conjugate: ConjugateSteps,
     /// The admissible pressure at which the current face was entered, with its `v` and energy.
     pressure: Vec<f64>,
     v: Vec<f64>,
@@ -40,8 +41,8 @@ pub struct FaceDescent {
     /// `r·z` at the first step on the face; none before it.
     first: Option<f64>,
     steps: usize,
-    /// Halvings of the number of elements that lose their pressure at once.
-    caution: u32,
+    /// Of elements that lose their pressure at once.
+    caution: Caution,
 }
 
 /// Sets pressures to 0 that a step has made negative, or positive by rounding only.
@@ -56,14 +57,14 @@ fn cut_off(pressure: &mut [f64], step: &[f64]) {
 impl FaceDescent {
     pub fn new(elements: usize) -> Self {
         Self {
-            conjugate: ConjugateDirections::new(elements),
+            conjugate: ConjugateSteps::new(elements),
             pressure: vec![0.0; elements],
             v: vec![0.0; elements],
             penetration: 0.0,
             energy: f64::INFINITY,
             first: None,
             steps: 0,
-            caution: 0,
+            caution: Caution::default(),
         }
     }
 
@@ -87,7 +88,8 @@ impl FaceDescent {
         self.steps += 1;
         // Never at the first step: each face costs at least one product, so the bound on products ends an iteration
         // that rounding would keep going.
-        let is_settled = self.steps > 1 && (missing <= SETTLED * first || self.steps > MOST_STEPS);
+        let is_settled =
+            self.steps > 1 && (missing <= LARGEST_ENERGY_ERROR * first || self.steps > MOST_STEPS);
         let moves = !is_settled && self.conjugate.step_freely(context);
         if !moves {
             self.leave_face(context);
@@ -96,7 +98,7 @@ impl FaceDescent {
 
     /// Goes from the solution on the face, or its approximation, to the next face.
     fn leave_face(&mut self, context: &mut Context<'_>) {
-        let ends = self.ends(&context.state.pressure);
+        let ends = ends([&self.pressure, &context.state.pressure], Bound::Zero);
         if ends.first().is_some_and(|first| *first > 0.0) {
             self.cut_segment(context, &ends);
         }
@@ -111,17 +113,6 @@ impl FaceDescent {
             }
         }
         self.begin(state);
-    }
-
-    /// The fractions of the step from the entry pressure to `pressure` at which an element begins to pull, ascending.
-    fn ends(&self, pressure: &[f64]) -> Vec<f64> {
-        let both = self.pressure.iter().zip(pressure);
-        let pulling = both.filter(|(_, after)| **after < 0.0);
-        let mut ends: Vec<f64> = pulling
-            .map(|(before, after)| before / (before - after))
-            .collect();
-        ends.sort_unstable_by(f64::total_cmp);
-        ends
     }
 
     /// Advances until some of the pulling elements have no pressure, as many as recently lowered the energy more than
@@ -142,19 +133,17 @@ impl FaceDescent {
         let slope = state.control.slope(&segment.step, &self.v);
         let curvature = segment.curvature();
         let straight = self.energy + ends[0] * (slope + ends[0] * curvature / 2.0);
-        let at_once = ends.len() >> self.caution;
-        if at_once > 0 {
+        let mut caution = self.caution;
+        let leaps = caution.leaps(ends.len(), 1, |at_once| {
             self.go_back(state);
             add_scaled(&mut state.pressure, ends[at_once - 1], &segment.step);
             cut_off(&mut state.pressure, &segment.step);
             state.clip(problem);
-            if state.energy() <= straight {
-                self.caution = self.caution.saturating_sub(1);
-                return;
-            }
-            self.caution += 2;
-        } else {
-            self.caution = self.caution.saturating_sub(1);
+            state.energy() <= straight
+        });
+        self.caution = caution;
+        if leaps {
+            return;
         }
         self.go_back(state);
         state.advance(problem, ends[0], &segment.step, &segment.image);
@@ -202,8 +191,5 @@ mod tests {
         faces.go_back(&mut state);
         assert_eq!((&state.pressure, &state.v), (&pressure, &v));
         assert!((state.energy() - energy).abs() <= 1e-12 * energy.abs());
-        // Elements begin to pull at these fractions of the step: 1/(1 + 1), and 2/(2 + 6) for the other.
-        faces.pressure = vec![1.0, 2.0, 3.0, 0.0];
-        assert_eq!(faces.ends(&[-1.0, -6.0, 4.0, 0.0]), [0.25, 0.5]);
     }
 }

@@ -14,45 +14,34 @@
 //! switching. If many keep changing, they are noise however small the error: with exchanges at a hundredth of the
 //! initial error, rough surfaces took 130 products instead of 25.
 
-use crate::solver::gradient::steps::Context;
-use crate::solver::gradient::steps::conjugate::ConjugateDirections;
+use crate::solver::gradient::steps::conjugate::ConjugateSteps;
+use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
 
 /// Fraction of the elements on the wrong side that may still change from step to step when they are exchanged.
-const UNSETTLED: f64 = 0.3;
+const MOST_STILL_CHANGING: f64 = 0.3;
 /// Elements on the wrong side, as a fraction of the set, up to which they count as few.
-const FEW: f64 = 1e-3;
+const MOST_CALLED_FEW: f64 = 1e-3;
 /// Largest error at which few elements are exchanged, relative to the initial one, in the metric of the preconditioner.
-const SETTLED: f64 = 0.01;
+const LARGEST_ERROR_FOR_FEW: f64 = 0.01;
 /// The same at which the system counts as solved and all elements on the wrong side are exchanged.
-const SOLVED: f64 = 1e-10;
+const LARGEST_ERROR_IF_SOLVED: f64 = 1e-10;
 /// Overlap that is ignored, as a fraction of the tolerance.
-const SLACK: f64 = 0.5;
+const IGNORED_OVERLAP: f64 = 0.5;
 /// Steps of one linear system after which its preconditioner counts as failed.
 const MOST_STEPS: usize = 60;
 
 /// The state of Newton's method.
 pub struct Newton {
-    conjugate: ConjugateDirections,
+    conjugate: ConjugateSteps,
     /// `r·z` at the first step on the current set; none before it.
     first: Option<f64>,
     steps: usize,
 }
 
-/// The result of a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Turn {
-    /// The linear system is not solved accurately enough yet, or the set is unchanged.
-    Inner,
-    /// Elements were exchanged.
-    Exchanged,
-    /// The linear system does not converge.
-    Failed,
-}
-
 impl Newton {
     pub fn new(elements: usize) -> Self {
         Self {
-            conjugate: ConjugateDirections::new(elements),
+            conjugate: ConjugateSteps::new(elements),
             first: None,
             steps: 0,
         }
@@ -63,9 +52,9 @@ impl Newton {
         (self.first, self.steps) = (None, 0);
     }
 
-    /// Takes one step of the current linear system (one product), or exchanges elements if it is solved accurately
-    /// enough for `tolerance` (one product if elements pull).
-    pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> Turn {
+    /// Takes one step of the current linear system (one product), whose solution leaves the set as it is; or exchanges
+    /// elements if it is solved accurately enough for `tolerance` (one product if elements pull).
+    pub fn step(&mut self, context: &mut Context<'_>, tolerance: f64) -> StepOutcome {
         if self.first.is_none() {
             self.conjugate.restart();
             self.steps = 0;
@@ -73,11 +62,12 @@ impl Newton {
         let missing = self.conjugate.aim(context);
         let first = *self.first.get_or_insert(missing);
         let Context { state, set, .. } = context;
-        let predicted = set.predict_wrong_side(state, self.conjugate.missing(), SLACK * tolerance);
-        let are_many = predicted.wrong as f64 > (FEW * set.len() as f64).max(2.0);
-        let are_steady = predicted.changed as f64 <= UNSETTLED * predicted.wrong as f64;
-        let are_clear = are_steady && (are_many || missing <= SETTLED * first);
-        let is_solved = missing <= SOLVED * first;
+        let predicted =
+            set.predict_wrong_side(state, self.conjugate.missing(), IGNORED_OVERLAP * tolerance);
+        let are_many = predicted.wrong as f64 > (MOST_CALLED_FEW * set.len() as f64).max(2.0);
+        let are_steady = predicted.changed as f64 <= MOST_STILL_CHANGING * predicted.wrong as f64;
+        let are_clear = are_steady && (are_many || missing <= LARGEST_ERROR_FOR_FEW * first);
+        let is_solved = missing <= LARGEST_ERROR_IF_SOLVED * first;
         if predicted.wrong > 0 && (are_clear || is_solved) {
             return self.exchange(context);
         }
@@ -86,13 +76,13 @@ impl Newton {
         let (step, image) = (self.conjugate.direction(), &context.segment.image);
         context.preconditioner.note(context.set, step, image);
         if moved && self.steps <= MOST_STEPS {
-            Turn::Inner
+            StepOutcome::Free
         } else {
-            Turn::Failed
+            StepOutcome::Failed
         }
     }
 
-    fn exchange(&mut self, context: &mut Context<'_>) -> Turn {
+    fn exchange(&mut self, context: &mut Context<'_>) -> StepOutcome {
         let Context {
             problem,
             state,
@@ -108,6 +98,6 @@ impl Newton {
             state.press_somewhere(set.mask());
             state.clip(problem);
         }
-        Turn::Exchanged
+        StepOutcome::Exchanged
     }
 }

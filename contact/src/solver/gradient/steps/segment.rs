@@ -1,6 +1,7 @@
 //! A step from one admissible pressure towards another, and the fraction of it to take.
 
 use crate::solver::gradient::state::State;
+use crate::solver::gradient::steps::outcome::StepOutcome;
 use crate::{
     DiscreteProblem,
     vector::{add_scaled, dot, each, update, update_with},
@@ -12,14 +13,6 @@ use crate::{
 pub struct Segment {
     pub step: Vec<f64>,
     pub image: Vec<f64>,
-}
-
-/// The part of a step that was taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
-    Whole,
-    /// Up to the minimum of the energy on the segment.
-    Cut,
 }
 
 impl Segment {
@@ -51,7 +44,12 @@ impl Segment {
 
     /// Takes the whole step, or only up to the minimum of the energy on the segment if the energy would rise above
     /// `ceiling`. One product.
-    pub fn take(&mut self, problem: &mut DiscreteProblem, state: &mut State, ceiling: f64) -> Part {
+    pub fn take(
+        &mut self,
+        problem: &mut DiscreteProblem,
+        state: &mut State,
+        ceiling: f64,
+    ) -> StepOutcome {
         state.image_into(problem, &self.step, &mut self.image);
         let (slope, curvature) = (self.slope(state), self.curvature());
         let whole = state.energy() + slope + curvature / 2.0 <= ceiling;
@@ -68,7 +66,11 @@ impl Segment {
             self.count_growth(state, part, growth);
         }
         each(&mut state.pressure, |p| *p = p.max(0.0));
-        if whole { Part::Whole } else { Part::Cut }
+        if whole {
+            StepOutcome::Clipped
+        } else {
+            StepOutcome::Cut
+        }
     }
 
     /// Replaces the step and its image by the part taken, including the growth by balancing: `s ← t s + μ/(1 + μ) p`,
@@ -100,7 +102,7 @@ mod tests {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let direction: Vec<f64> = (0..SIZE * SIZE).map(|e| (e as f64).cos()).collect();
         for load in [Load::Force(1e-2), Load::Penetration(0.02)] {
-            for (above, wanted) in [(1e-9, Part::Whole), (-1e-9, Part::Cut)] {
+            for (above, wanted) in [(1e-9, StepOutcome::Clipped), (-1e-9, StepOutcome::Cut)] {
                 let control = LoadControl::of(&problem, load);
                 let start: Vec<f64> = direction.iter().map(|d| 1.0 + d).collect();
                 let (mut state, _) = begun(&mut problem, control, &start);

@@ -6,9 +6,9 @@
 //! single precision of the sparse factor if the set is the same.
 
 use crate::solver::gradient::preconditioner::{UniformAccuracy, residual_into};
-use crate::solver::gradient::steps::Context;
 use crate::solver::gradient::steps::projection::project;
-use crate::solver::gradient::steps::segment::{Part, Segment};
+use crate::solver::gradient::steps::segment::Segment;
+use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
 use crate::vector::dot;
 
 /// Bounds of the step length `α`; 1 is the preconditioner's own step. Steps in practice lie between 0.02 and 3.
@@ -49,7 +49,7 @@ impl SpectralSteps {
 
     /// Takes one step along the context's segment, which holds the previous step: one product, two if it falls back to
     /// the plain gradient.
-    pub fn step(&mut self, context: &mut Context<'_>) -> Part {
+    pub fn step(&mut self, context: &mut Context<'_>) -> StepOutcome {
         self.remember_energy(context.state.energy());
         std::mem::swap(&mut self.direction, &mut self.direction_before);
         let level = context.direction_into(UniformAccuracy::Restricted, &mut self.direction);
@@ -65,8 +65,8 @@ impl SpectralSteps {
             .iter()
             .copied()
             .fold(f64::NEG_INFINITY, f64::max);
-        let part = context.take_segment(ceiling);
-        if downhill { part } else { Part::Cut }
+        let outcome = context.take_segment(ceiling);
+        if downhill { outcome } else { StepOutcome::Cut }
     }
 
     fn remember_energy(&mut self, energy: f64) {

@@ -9,10 +9,11 @@
 //! `p`. (Deflation; Nicolaides 1987.) This saves one product of four on a homogeneous body, and two of seven under a
 //! stiff coating.
 
-use crate::solver::gradient::steps::{
-    Context,
-    conjugate::{ConjugateDirections, SystemFields},
-};
+use crate::DiscreteProblem;
+use crate::solver::gradient::conjugate_gradients::{LinearSystem, solve};
+use crate::solver::gradient::preconditioner::Preconditioner;
+use crate::solver::gradient::steps::{Context, conjugate::ConjugateSteps};
+use crate::solver::gradient::working_set::WorkingSet;
 use crate::vector::{add_scaled, dot, sum, update, update_with};
 
 /// Relative gain of the sum by the next step, predicted with the last `α`, below which that step is replaced by its
@@ -37,7 +38,7 @@ pub enum Wanted<'a> {
 /// empty), and the products taken. The sum is none if the system does not converge.
 pub fn pressure_sum_per_penetration(
     context: &mut Context<'_>,
-    conjugate: &mut ConjugateDirections,
+    conjugate: &mut ConjugateSteps,
     mut wanted: Wanted<'_>,
 ) -> (Option<f64>, usize) {
     let smallest_gain = match wanted {
@@ -51,13 +52,7 @@ pub fn pressure_sum_per_penetration(
         preconditioner,
         segment,
     } = context;
-    let SystemFields {
-        residual,
-        direction,
-        image,
-        preconditioned: z,
-        step: image_of_pressure,
-    } = conjugate.system_fields(segment);
+    let (fields, [preconditioned, image_of_pressure]) = conjugate.lend(segment);
     preconditioner.follow(problem, set);
     let pressure = &state.pressure;
     let (v, initial_gap) = (&state.v, &state.initial_gap);
@@ -66,45 +61,98 @@ pub fn pressure_sum_per_penetration(
     // c = Σp / p·(K + η)p, which adds c Σp;  r = 1 − c (K + η)p
     let (pressure_sum, curvature) = (sum(pressure), dot(pressure, image_of_pressure));
     let part = pressure_sum / curvature;
-    update_with(residual, image_of_pressure, set.mask(), |r, y, member| {
-        *r = if *member { 1.0 - part * y } else { 0.0 };
-    });
+    update_with(
+        fields.residual,
+        image_of_pressure,
+        set.mask(),
+        |r, y, member| {
+            *r = if *member { 1.0 - part * y } else { 0.0 };
+        },
+    );
     if let Wanted::Field(field) = &mut wanted {
         update(field, pressure, |q, p| *q = part * p);
     }
-    direction.fill(0.0);
-    let (mut total, mut product_before) = (part * pressure_sum, f64::INFINITY);
-    let mut alpha = f64::INFINITY;
-    for steps in 0..MOST_STEPS {
-        z.copy_from_slice(residual);
-        preconditioner.apply(set, z);
-        let product = dot(residual, z);
+    let mut system = RateSystem {
+        problem,
+        set,
+        preconditioner,
+        preconditioned,
+        pressure,
+        image_of_pressure,
+        curvature,
+        smallest_gain,
+        total: part * pressure_sum,
+        alpha: f64::INFINITY,
+        wanted,
+        is_found: false,
+    };
+    let steps = solve(&mut system, fields, MOST_STEPS);
+    let found = (steps.is_some() && system.is_found).then_some(system.total);
+    (found, steps.unwrap_or(MOST_STEPS))
+}
+
+/// The system `(K + η)_II q = 1` from `q = c p`, and the sum of its solution.
+struct RateSystem<'a> {
+    problem: &'a mut DiscreteProblem,
+    set: &'a WorkingSet,
+    preconditioner: &'a mut Preconditioner,
+    preconditioned: &'a mut [f64],
+    pressure: &'a [f64],
+    image_of_pressure: &'a [f64],
+    /// `p·(K + η) p`.
+    curvature: f64,
+    smallest_gain: f64,
+    /// `Σ q`.
+    total: f64,
+    /// The length of the last step.
+    alpha: f64,
+    wanted: Wanted<'a>,
+    is_found: bool,
+}
+
+impl LinearSystem for RateSystem<'_> {
+    fn precondition(&mut self, residual: &[f64]) -> f64 {
+        self.preconditioned.copy_from_slice(residual);
+        self.preconditioner.apply(self.set, self.preconditioned);
+        dot(residual, self.preconditioned)
+    }
+
+    fn is_solved(&mut self, product: f64) -> bool {
         if !product.is_finite() {
-            return (None, steps);
+            return true;
         }
-        if product.abs() <= ROUNDING * total {
-            return (Some(total), steps);
+        let is_rounding = product.abs() <= ROUNDING * self.total;
+        let expected = if is_rounding {
+            0.0
+        } else {
+            self.alpha * product
+        };
+        self.is_found = expected.abs() <= self.smallest_gain * self.total;
+        if self.is_found {
+            self.total += expected;
         }
-        let expected = alpha * product;
-        if expected.abs() <= smallest_gain * total {
-            return (Some(total + expected), steps);
-        }
-        // d = z + β d, conjugate to p
-        let beta = product / product_before;
-        let along = dot(z, image_of_pressure) / curvature;
-        update_with(direction, z, pressure, |d, z, p| {
-            *d = z - along * p + beta * *d;
-        });
-        problem.deform_to_scale(direction, image);
-        set.clear_outside(image);
-        // α = r·z / d·(K + η)d;  Σq grows by α r·d = α r·z
-        alpha = product / dot(direction, image);
-        total += alpha * product;
-        if let Wanted::Field(field) = &mut wanted {
+        self.is_found
+    }
+
+    /// `z` conjugate to `p`.
+    fn correction<'a>(&'a mut self, _: &'a [f64]) -> &'a [f64] {
+        let along = dot(self.preconditioned, self.image_of_pressure) / self.curvature;
+        add_scaled(self.preconditioned, -along, self.pressure);
+        self.preconditioned
+    }
+
+    fn apply_into(&mut self, direction: &[f64], image: &mut [f64]) {
+        self.problem.deform_to_scale(direction, image);
+        self.set.clear_outside(image);
+    }
+
+    /// `Σ q` grows by `α r·d = α r·z`.
+    fn take(&mut self, alpha: f64, direction: &[f64], product: f64) -> bool {
+        self.alpha = alpha;
+        self.total += alpha * product;
+        if let Wanted::Field(field) = &mut self.wanted {
             add_scaled(field, alpha, direction);
         }
-        add_scaled(residual, -alpha, image);
-        product_before = product;
+        true
     }
-    (None, MOST_STEPS)
 }

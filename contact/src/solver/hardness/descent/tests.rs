@@ -171,13 +171,13 @@ fn assert_at(descent: &Descent, problem: &mut DiscreteProblem, to: &[f64], part:
 fn a_step_with_one_element_above_the_limit_ends_where_it_reaches_the_limit() {
     let (mut problem, load) = (with_hardness(2.0), Load::Penetration(1.0));
     let (mut descent, to, u) = at_half(&mut problem, load, &[1.9, 5.0]);
-    descent.caution = 3;
+    descent.caution = Caution::after(3);
     assert_eq!(descent.step(&mut problem, &to, &u), 0);
     // (2 − 0.5)/(5 − 0.5)
     assert_at(&descent, &mut problem, &to, 1.0 / 3.0);
     assert_eq!(descent.pressure()[1], 2.0);
     assert!(descent.pressure()[0] < 1.0);
-    assert_eq!(descent.caution, 2);
+    assert_eq!(descent.caution, Caution::after(2));
 }
 
 #[test]
@@ -188,11 +188,11 @@ fn a_downhill_step_continues_until_a_fraction_of_the_elements_is_at_the_limit() 
     let above = [3.5, 5.0, 6.5, 9.5];
     for (caution, part, next) in [(0, 1.0, 0), (1, 0.25, 0), (2, 1.0 / 6.0, 1)] {
         let (mut descent, to, u) = at_half(&mut problem, load, &above);
-        descent.caution = caution;
+        descent.caution = Caution::after(caution);
         let products = descent.step(&mut problem, &to, &u);
         assert_eq!(
             (products, descent.caution),
-            (usize::from(caution < 2), next)
+            (usize::from(caution < 2), Caution::after(next))
         );
         assert_at(&descent, &mut problem, &to, part);
         let at_limit = descent.pressure().iter().filter(|p| **p == 2.0).count();
@@ -207,5 +207,5 @@ fn a_step_uphill_at_its_end_stops_at_the_first_limit_and_the_next_is_more_cautio
     let (mut descent, to, u) = at_half(&mut problem, load, &[3.5, 5.0, 6.5, 9.5]);
     assert_eq!(descent.step(&mut problem, &to, &u), 1);
     assert_at(&descent, &mut problem, &to, 1.0 / 6.0);
-    assert_eq!(descent.caution, 2);
+    assert_eq!(descent.caution, Caution::after(2));
 }

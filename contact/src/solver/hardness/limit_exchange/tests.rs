@@ -253,7 +253,7 @@ fn exchanges_stall_after_four_that_release_elements_without_halving_the_violatio
     };
     let mut exchange = begun(&mut problem, Load::Penetration(1.0), &[]);
     let mut stalls = |steps: &[(f64, &[usize])]| -> Vec<bool> {
-        (exchange.milestone, exchange.since) = (f64::INFINITY, 0);
+        exchange.milestone.restart();
         let steps = steps.iter();
         steps
             .map(|(by, open)| exchange.has_stalled(&wrong(*by, open)))
@@ -326,21 +326,21 @@ fn stalled_exchanges_continue_on_springs_that_harden_until_they_are_gone() {
     let mut problem = problem(1.0, |_| 0.0);
     let kappa = problem.shortest_compliance();
     let mut exchange = begun(&mut problem, Load::Penetration(4.0), &[LIMIT, 1.0]);
-    exchange.since = PATIENCE - 1;
-    exchange.milestone = 1e-9;
+    exchange.milestone = Milestone::after(HALVED, 1e-9, PATIENCE - 1);
     exchange.free[1] = 1.5 * LIMIT;
     // The held element has a gap, v = u + w* > D, and the other exceeds the limit: they change sides.
     let u = vec![3.0; 16];
     assert!(exchange.advance(&mut problem, &u));
     assert_eq!(held(&exchange), [1]);
     assert_eq!(exchange.free, field(&[LIMIT]));
-    assert_eq!(problem.tangent_compliance(), [1.0 + 2.0 * kappa; 16]);
+    assert_eq!(problem.springs().compliance(), [1.0 + 2.0 * kappa; 16]);
     assert_eq!(exchange.accuracy, FINER_ON_SPRINGS * COARSEST);
-    assert_eq!((exchange.since, exchange.is_pressed), (0, false));
+    assert_eq!(exchange.milestone, Milestone::new(HALVED));
+    assert!(!exchange.is_pressed);
     // Nothing is wrong on the springs, at v = 2 (1 + 2 κ) ≤ D: they are removed, though the solution is coarse.
     let u = vec![-4.0 * kappa; 16];
     assert!(exchange.advance(&mut problem, &u));
-    assert_eq!(problem.tangent_compliance(), [1.0; 16]);
+    assert_eq!(problem.springs().compliance(), [1.0; 16]);
     assert_eq!(exchange.accuracy, COARSEST);
     assert_eq!(held(&exchange), [1]);
     assert_eq!(exchange.total.operator_applications, 0);
@@ -352,8 +352,7 @@ fn exchanges_that_stall_again_give_way_to_a_descent_from_an_admissible_pressure(
     let load = Load::Penetration(4.0);
     let mut exchange = begun(&mut problem, load, &[LIMIT, 1.0]);
     exchange.continuation = Continuation::ended();
-    exchange.since = PATIENCE - 1;
-    exchange.milestone = 1e-9;
+    exchange.milestone = Milestone::after(HALVED, 1e-9, PATIENCE - 1);
     exchange.free[1] = 1.5 * LIMIT;
     let u = vec![3.0; 16];
     assert!(exchange.advance(&mut problem, &u));

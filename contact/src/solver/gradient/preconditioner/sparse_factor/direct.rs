@@ -4,7 +4,8 @@ use faer::{
     Mat, Side,
     linalg::solvers::{Llt, Solve as _},
 };
-use pellicle_influence::{SectorGrid, SurfaceElasticity};
+
+use crate::problem::support::Support;
 
 /// The Cholesky factor of `(K + η)_II`.
 pub struct DirectFactor {
@@ -14,22 +15,15 @@ pub struct DirectFactor {
 }
 
 impl DirectFactor {
-    /// Factorises the system of the elements of `mask` on a grid; none if rounding makes it indefinite.
-    pub fn new(
-        elasticity: &SurfaceElasticity,
-        grid: SectorGrid,
-        relief_compliance: &[f64],
-        mask: &[bool],
-    ) -> Option<Self> {
+    /// Factorises the system of the elements of `mask`; none if rounding makes it indefinite.
+    pub fn new(support: &dyn Support, relief_compliance: &[f64], mask: &[bool]) -> Option<Self> {
         let members: Vec<usize> = (0..mask.len()).filter(|element| mask[*element]).collect();
-        let size = grid.size();
-        let place = |member: usize| [members[member] / size, members[member] % size];
         let matrix = Mat::from_fn(members.len(), members.len(), |a, b| {
             if a < b {
                 // The factorisation uses only the lower triangle.
                 return 0.0;
             }
-            let elastic = elasticity.coefficient_on(grid, place(a), place(b));
+            let elastic = support.coefficient([members[a], members[b]]);
             let spring = if a == b {
                 relief_compliance[members[a]]
             } else {

@@ -36,9 +36,9 @@ pub fn compliance_of(class: u16) -> f64 {
 }
 
 /// Distance, in the spacing of a level, below which coefficients are taken from a separate table.
-const NEAR: i32 = 32;
+const TABLE_REACH: i32 = 32;
 /// Entries of a row of that table, for distances of either sign.
-const WIDTH: i32 = 2 * NEAR;
+const WIDTH: i32 = 2 * TABLE_REACH;
 /// The coefficients of elements few places apart, in the spacing of one level.
 pub struct NearCoefficients(Vec<f32>);
 
@@ -56,7 +56,8 @@ impl NearCoefficients {
             (Some(x), Some(y)) => elasticity.coefficient([x, y]),
             _ => 0.0,
         };
-        let offsets = (-NEAR..NEAR).flat_map(|x| (-NEAR..NEAR).map(move |y| (x, y)));
+        let offsets = (-TABLE_REACH..TABLE_REACH)
+            .flat_map(|x| (-TABLE_REACH..TABLE_REACH).map(move |y| (x, y)));
         Self(offsets.map(|offset| single(value(offset))).collect())
     }
 
@@ -66,7 +67,7 @@ impl NearCoefficients {
         let are_near = [0, 1].into_iter().all(|axis: usize| {
             let along = || places.iter().map(|place| place[axis]);
             let ends = along().min().zip(along().max());
-            ends.is_none_or(|(least, most)| most - least < NEAR)
+            ends.is_none_or(|(least, most)| most - least < TABLE_REACH)
         });
         keys.clear();
         keys.extend(places.iter().map(|[x, y]| x * WIDTH + y));
@@ -76,7 +77,7 @@ impl NearCoefficients {
     /// The coefficient between places whose keys differ by `apart`.
     #[inline]
     fn at(&self, apart: i32) -> f32 {
-        let zero = NEAR * WIDTH + NEAR;
+        let zero = TABLE_REACH * WIDTH + TABLE_REACH;
         self.0[(zero + apart).unsigned_abs() as usize]
     }
 }

@@ -1,4 +1,4 @@
-//! A solution in progress: its fields, and the steps of each phase.
+//! The iteration: its fields, which outlive it, and the steps of each phase.
 
 use crate::{
     ContactError, DiscreteProblem, Load,
@@ -12,10 +12,11 @@ use crate::{
             state::State,
             steps::{
                 Context,
-                conjugate::{ConjugateDirections, Course},
+                conjugate::ConjugateSteps,
                 face::FaceDescent,
-                newton::{Newton, Turn},
-                segment::{Part, Segment},
+                newton::Newton,
+                outcome::StepOutcome,
+                segment::Segment,
                 spectral::SpectralSteps,
                 stiffness::{Wanted, pressure_sum_per_penetration},
             },
@@ -26,27 +27,27 @@ use crate::{
     vector::{add_scaled, each, update_with},
 };
 
-/// All fields of a solution, allocated once for all loads on one problem.
-pub struct Workspace {
+/// All fields of an iteration, allocated once for all loads on one problem.
+pub struct Fields {
     state: State,
     set: WorkingSet,
     best: BestPressure,
     preconditioner: Preconditioner,
     segment: Segment,
-    methods: Methods,
+    steps: Steps,
     /// None for linear springs.
     springs: Option<Springs>,
 }
 
 /// The memory of each kind of step.
-struct Methods {
+struct Steps {
     spectral: SpectralSteps,
-    conjugate: ConjugateDirections,
+    conjugate: ConjugateSteps,
     newton: Option<Newton>,
     faces: Option<FaceDescent>,
 }
 
-impl Workspace {
+impl Fields {
     pub fn new(problem: &DiscreteProblem) -> Self {
         Self {
             state: State::new(problem),
@@ -54,9 +55,9 @@ impl Workspace {
             best: BestPressure::new(),
             preconditioner: Preconditioner::new(problem),
             segment: Segment::new(problem.elements()),
-            methods: Methods {
+            steps: Steps {
                 spectral: SpectralSteps::new(problem.elements()),
-                conjugate: ConjugateDirections::new(problem.elements()),
+                conjugate: ConjugateSteps::new(problem.elements()),
                 newton: None,
                 faces: None,
             },
@@ -65,7 +66,7 @@ impl Workspace {
     }
 
     /// The context of the steps, and their memory.
-    fn on<'a>(&'a mut self, problem: &'a mut DiscreteProblem) -> (Context<'a>, &'a mut Methods) {
+    fn on<'a>(&'a mut self, problem: &'a mut DiscreteProblem) -> (Context<'a>, &'a mut Steps) {
         let context = Context {
             problem,
             state: &mut self.state,
@@ -73,15 +74,15 @@ impl Workspace {
             preconditioner: &mut self.preconditioner,
             segment: &mut self.segment,
         };
-        (context, &mut self.methods)
+        (context, &mut self.steps)
     }
 
     /// Discards the memory of all steps so far.
     fn restart(&mut self) {
         self.preconditioner.restart();
-        self.methods.spectral.restart();
-        self.methods.conjugate.restart();
-        if let Some(newton) = &mut self.methods.newton {
+        self.steps.spectral.restart();
+        self.steps.conjugate.restart();
+        if let Some(newton) = &mut self.steps.newton {
             newton.restart();
         }
     }
@@ -98,45 +99,46 @@ pub struct Judgement {
     pub is_admissible: bool,
 }
 
-/// The state that a solution carries from step to step.
-pub struct OngoingSolution<'a> {
+/// The iteration for one load.
+pub struct Iteration<'a> {
     problem: &'a mut DiscreteProblem,
-    workspace: Box<Workspace>,
-    course: Course,
+    fields: Box<Fields>,
+    /// Whether the last step kept the set, so that the next may be conjugate to it.
+    keeps_set: bool,
     /// The residual of the current pressure.
     residual: f64,
     begins_with_newton: bool,
 }
 
-impl<'a> OngoingSolution<'a> {
+impl<'a> Iteration<'a> {
     /// Begins a load from a pressure (Pa), independently of the previous load: one product.
     pub fn begin(
         problem: &'a mut DiscreteProblem,
-        mut workspace: Box<Workspace>,
+        mut fields: Box<Fields>,
         load: Load,
         start: &[f64],
     ) -> Self {
         let control = LoadControl::of(problem, load);
-        workspace.preconditioner.begin();
-        workspace.restart();
-        workspace.best.restart();
-        workspace.state.start(problem, control, start);
-        if let Some(springs) = &mut workspace.springs {
-            springs.linearise_here(problem, &mut workspace.state);
-            workspace.preconditioner.follow_springs(problem);
+        fields.preconditioner.begin();
+        fields.restart();
+        fields.best.restart();
+        fields.state.start(problem, control, start);
+        if let Some(springs) = &mut fields.springs {
+            springs.linearise_here(problem, &mut fields.state);
+            fields.preconditioner.follow_springs(problem);
         }
-        workspace.set.start(&workspace.state);
+        fields.set.start(&fields.state);
         // A zero start presses everywhere; from there the fast steps find the contact sooner.
         let has_contact = start.iter().any(|p| *p > 0.0);
-        let begins_with_newton = has_contact && workspace.preconditioner.is_for_newton();
+        let begins_with_newton = has_contact && fields.preconditioner.is_for_newton();
         if begins_with_newton {
             // Overlaps outside the start's contact are as uncertain as its pressures.
-            workspace.set.keep_pressing(&workspace.state);
+            fields.set.keep_pressing(&fields.state);
         }
         Self {
             problem,
-            workspace,
-            course: Course::Left(Part::Whole),
+            fields,
+            keeps_set: false,
             residual: f64::INFINITY,
             begins_with_newton,
         }
@@ -144,12 +146,12 @@ impl<'a> OngoingSolution<'a> {
 
     /// Assesses the current pressure by the running residual, and keeps it if it is admissible and the best so far.
     pub fn judge(&mut self) -> Judgement {
-        let Workspace {
+        let Fields {
             state,
             best,
             springs,
             ..
-        } = &mut *self.workspace;
+        } = &mut *self.fields;
         let (linear, is_admissible) = state.residual();
         let residual = match springs {
             Some(springs) if is_admissible => springs.residual(self.problem, state),
@@ -169,7 +171,7 @@ impl<'a> OngoingSolution<'a> {
     /// Linearises nonlinear springs again if the residual by their law clearly exceeds that of the linear problem.
     /// Returns whether it did. No product.
     pub fn linearise(&mut self, judgement: &Judgement, phase: Phase) -> bool {
-        let Workspace { state, springs, .. } = &mut *self.workspace;
+        let Fields { state, springs, .. } = &mut *self.fields;
         let Some(springs) = springs else {
             return false;
         };
@@ -180,13 +182,10 @@ impl<'a> OngoingSolution<'a> {
         }
         springs.linearise(self.problem, state);
         self.begin_on_tangents();
-        let Workspace {
-            state,
-            set,
-            methods,
-            ..
-        } = &mut *self.workspace;
-        match (phase, &mut methods.faces) {
+        let Fields {
+            state, set, steps, ..
+        } = &mut *self.fields;
+        match (phase, &mut steps.faces) {
             (Phase::Fast, _) => set.update(state),
             (Phase::Descent, Some(faces)) => faces.begin(state),
             _ => (),
@@ -196,9 +195,9 @@ impl<'a> OngoingSolution<'a> {
 
     /// Discards everything that depends on the previous linearisation of the springs.
     fn begin_on_tangents(&mut self) {
-        self.course = Course::Left(Part::Whole);
-        self.workspace.restart();
-        let preconditioner = &mut self.workspace.preconditioner;
+        self.keeps_set = false;
+        self.fields.restart();
+        let preconditioner = &mut self.fields.preconditioner;
         preconditioner.follow_springs(self.problem);
     }
 
@@ -209,26 +208,26 @@ impl<'a> OngoingSolution<'a> {
         iteration: usize,
         residual: f64,
     ) -> Result<(), ContactError> {
-        let set = &mut self.workspace.set;
-        let grid = self.problem.grid();
-        let working_set = [set.len(), set.take_moves()].map(|elements| grid.with_images(elements));
-        watch.tell(self.problem.grid_size(), iteration, residual, working_set)
+        let set = &mut self.fields.set;
+        let (weight, grid) = (self.problem.support().weight(), self.problem.region());
+        let working_set = [set.len(), set.take_moves()].map(|elements| weight * elements);
+        watch.tell(grid.grid_size(), iteration, residual, working_set)
     }
 
-    /// Whether the contact reaches the border of a window.
+    /// Whether the contact reaches the border of its support.
     pub fn reaches_border(&self) -> bool {
-        let set = &self.workspace.set;
-        self.problem.is_window() && set.touches_border(&self.problem.everywhere())
+        let border = self.problem.support().border();
+        self.fields.set.holds_any(border)
     }
 
     /// Products with `K` so far.
     pub fn applications(&self) -> usize {
-        self.workspace.state.applications()
+        self.fields.state.applications()
     }
 
     /// Whether the preconditioner knows the operator.
     pub fn knows_operator(&self) -> bool {
-        self.workspace.preconditioner.knows_operator()
+        self.fields.preconditioner.knows_operator()
     }
 
     /// Whether the load begins with Newton's method.
@@ -237,43 +236,42 @@ impl<'a> OngoingSolution<'a> {
     }
 
     /// Takes a conjugate step if the set has not changed, else a spectral one.
-    pub fn fast_step(&mut self) -> Part {
-        let (mut context, methods) = self.workspace.on(self.problem);
-        let Methods {
+    pub fn fast_step(&mut self) -> StepOutcome {
+        let (mut context, steps) = self.fields.on(self.problem);
+        let Steps {
             spectral,
             conjugate,
             ..
-        } = methods;
-        let part = if context.set.is_unchanged() && self.course == Course::Kept {
+        } = steps;
+        let outcome = if context.set.is_unchanged() && self.keeps_set {
             spectral.forget_direction();
-            self.course = conjugate.step_within(&mut context);
-            match self.course {
-                Course::Kept => Part::Whole,
-                Course::Left(part) => part,
-            }
+            let outcome = conjugate.step_within(&mut context);
+            self.keeps_set = outcome == StepOutcome::Free;
+            outcome
         } else {
             conjugate.restart();
-            self.course = Course::Kept;
+            self.keeps_set = true;
             spectral.step(&mut context)
         };
         context.set.update(context.state);
-        part
+        outcome
     }
 
     /// Takes a step of the linear system on the set, or exchanges elements.
-    pub fn newton_step(&mut self, tolerance: f64) -> Turn {
-        let (mut context, methods) = self.workspace.on(self.problem);
+    pub fn newton_step(&mut self, tolerance: f64) -> StepOutcome {
+        let (mut context, steps) = self.fields.on(self.problem);
         let elements = context.state.elements();
-        let newton = methods.newton.get_or_insert_with(|| Newton::new(elements));
+        let newton = steps.newton.get_or_insert_with(|| Newton::new(elements));
         newton.step(&mut context, tolerance)
     }
 
     /// Takes a step of the linear system on the face, or goes to the next face.
-    pub fn face_step(&mut self) {
-        let (mut context, methods) = self.workspace.on(self.problem);
-        if let Some(faces) = &mut methods.faces {
+    pub fn face_step(&mut self) -> StepOutcome {
+        let (mut context, steps) = self.fields.on(self.problem);
+        if let Some(faces) = &mut steps.faces {
             faces.step(&mut context);
         }
+        StepOutcome::Free
     }
 
     /// Prepares the new phase.
@@ -282,31 +280,31 @@ impl<'a> OngoingSolution<'a> {
             Phase::Fast | Phase::Newton(0) => 0,
             Phase::Newton(_) | Phase::Descent => 1,
         };
-        let (context, methods) = self.workspace.on(self.problem);
+        let (context, steps) = self.fields.on(self.problem);
         let is_known = (context.preconditioner).prepare_for_newton(context.problem, failures);
         if !is_known {
             strategy.descend();
         }
         if strategy.phase() == Phase::Descent {
             self.begin_descent();
-        } else if let Some(newton) = &mut methods.newton {
+        } else if let Some(newton) = &mut steps.newton {
             newton.restart();
         }
     }
 
     /// Returns to the best admissible pressure and discards the memory of all steps: one product.
     pub fn begin_descent(&mut self) {
-        self.course = Course::Left(Part::Whole);
-        self.workspace.restart();
-        let (residual, _) = self.workspace.state.residual();
-        let Workspace { best, state, .. } = &mut *self.workspace;
+        self.keeps_set = false;
+        self.fields.restart();
+        let (residual, _) = self.fields.state.residual();
+        let Fields { best, state, .. } = &mut *self.fields;
         let pressure = best.or(state, residual).to_vec();
-        let (context, methods) = self.workspace.on(self.problem);
+        let (context, steps) = self.fields.on(self.problem);
         context.state.pressure.copy_from_slice(&pressure);
         context.state.clip(context.problem);
         context.set.update(context.state);
         let elements = context.state.elements();
-        let faces = methods
+        let faces = steps
             .faces
             .get_or_insert_with(|| FaceDescent::new(elements));
         faces.begin(context.state);
@@ -314,18 +312,18 @@ impl<'a> OngoingSolution<'a> {
 
     /// `dQ/dD` (N/m) on the elements that press, and the products taken; none if no element presses.
     pub fn contact_stiffness(&mut self) -> (Option<f64>, usize) {
-        let Workspace { state, springs, .. } = &mut *self.workspace;
+        let Fields { state, springs, .. } = &mut *self.fields;
         if let Some(springs) = springs {
             springs.linearise_here(self.problem, state);
             self.begin_on_tangents();
         }
-        let (mut context, methods) = self.workspace.on(self.problem);
+        let (mut context, steps) = self.fields.on(self.problem);
         context.set.keep_pressing(context.state);
         if context.set.len() == 0 {
             return (None, 0);
         }
         let (sum, applications) =
-            pressure_sum_per_penetration(&mut context, &mut methods.conjugate, Wanted::Sum);
+            pressure_sum_per_penetration(&mut context, &mut steps.conjugate, Wanted::Sum);
         let per_sum = self.problem.loaded_area() / self.problem.scale().compliance;
         (sum.map(|sum| sum * per_sum), applications)
     }
@@ -334,14 +332,14 @@ impl<'a> OngoingSolution<'a> {
     /// converge even with the sparse factor.
     pub fn pressure_per_penetration(&mut self) -> Option<Vec<f64>> {
         let unit = self.problem.scale().compliance;
-        let (mut context, methods) = self.workspace.on(self.problem);
+        let (mut context, steps) = self.fields.on(self.problem);
         context.set.keep_pressing(context.state);
         if context.set.len() == 0 {
             return None;
         }
         let mut field = vec![0.0; context.state.elements()];
         for failures in 0..=1 {
-            let conjugate = &mut methods.conjugate;
+            let conjugate = &mut steps.conjugate;
             let wanted = Wanted::Field(&mut field);
             if let (Some(_), _) = pressure_sum_per_penetration(&mut context, conjugate, wanted) {
                 each(&mut field, |q| *q /= unit);
@@ -354,12 +352,12 @@ impl<'a> OngoingSolution<'a> {
 
     /// The running penetration, in m.
     pub fn penetration(&self) -> f64 {
-        self.problem.scale().length * self.workspace.state.penetration
+        self.problem.scale().length * self.fields.state.penetration
     }
 
     /// The best pressure found, in Pa.
     pub fn best_pressure(&self) -> Vec<f64> {
-        let Workspace { state, best, .. } = &*self.workspace;
+        let Fields { state, best, .. } = &*self.fields;
         let mut pressure = best.or(state, self.residual).to_vec();
         let unit = self.problem.scale().pressure();
         each(&mut pressure, |p| *p *= unit);
@@ -369,7 +367,7 @@ impl<'a> OngoingSolution<'a> {
     /// `K p` of the [best pressure](Self::best_pressure), in m, everywhere: `v − g0 − η p`. Only for a problem with a
     /// hardness, and if it is known without a product.
     pub fn displacement(&self) -> Option<Vec<f64>> {
-        let Workspace { state, best, .. } = &*self.workspace;
+        let Fields { state, best, .. } = &*self.fields;
         let is_at_best = std::ptr::eq(best.or(state, self.residual), state.pressure.as_slice());
         (self.problem.has_hardness() && is_at_best).then(|| {
             let scale = self.problem.scale();
@@ -377,7 +375,7 @@ impl<'a> OngoingSolution<'a> {
             add_scaled(&mut displacement, -1.0, &state.initial_gap);
             each(&mut displacement, |u| *u *= scale.length);
             let unit = scale.pressure();
-            let compliance = self.problem.tangent_compliance();
+            let compliance = self.problem.springs().compliance();
             update_with(
                 &mut displacement,
                 &state.pressure,
@@ -391,7 +389,7 @@ impl<'a> OngoingSolution<'a> {
     }
 
     /// Returns the fields, for the next load on the same problem.
-    pub fn into_workspace(self) -> Box<Workspace> {
-        self.workspace
+    pub fn into_fields(self) -> Box<Fields> {
+        self.fields
     }
 }

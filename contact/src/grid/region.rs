@@ -1,17 +1,19 @@
-//! A square part of a grid that holds the whole contact, on which products cost proportionally less.
+//! The elements on which a field is given: all of a grid, of its half or quadrant or of a cell that repeats, or a
+//! square in it that holds the whole contact, on which products cost proportionally less.
 //!
 //! Only elements with pressure or overlap take part in an iteration; the rest, as far as it may overlap, is checked
 //! once, by the certificate.
 
 mod fields;
+mod places;
 
 use pellicle_influence::{SectorGrid, SurfaceElasticity};
 use rayon::prelude::*;
 
-/// Fewest elements between the expected contact and the window's border.
+/// Fewest elements between the expected contact and the region's border.
 const MARGIN: usize = 3;
 
-/// Largest side of a window, relative to the grid: beyond this it saves less than it costs.
+/// Largest side of a region, relative to the grid: beyond this it saves less than it costs.
 const LARGEST_PART: f64 = 0.9;
 
 /// The margin around the expected contact is at least its extent divided by this: the contact is known to an element or
@@ -21,42 +23,75 @@ const MARGIN_PART: usize = 24;
 /// Fewest elements per thread.
 const ELEMENTS_PER_THREAD: usize = 1 << 14;
 
-/// Row and column relative to a window; negative values denote mirror images, or nothing.
+/// Row and column relative to a region; negative values denote mirror images, or nothing.
 pub type Place = [isize; 2];
 
-/// A square window of a grid of N × N elements, or the part of one within a sector, which begins at the sector's axes.
+/// The boundary condition of a square domain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Boundary {
+    /// The surface continues without load.
+    #[default]
+    Free,
+    /// The square repeats periodically.
+    Periodic,
+}
+
+/// A square of a grid of N × N elements, or the part of one within a sector, which begins at the sector's axes; all of
+/// the grid if it repeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Window {
+pub struct Region {
     origin: [usize; 2],
     /// Elements per row.
     size: usize,
     grid: SectorGrid,
+    boundary: Boundary,
 }
 
-impl Window {
-    /// The window that is all of the grid.
-    pub fn whole(grid: usize) -> Self {
-        Self::all_of(SectorGrid::whole(grid))
+impl Region {
+    /// The region that is all of a grid of `size` × `size` elements.
+    pub fn whole(size: usize) -> Self {
+        Self::all_of(SectorGrid::whole(size))
     }
 
-    /// The window that is all of a grid or a sector of one.
+    /// The region that is all of a grid or a sector of one.
     pub fn all_of(grid: SectorGrid) -> Self {
+        Self::bounded(grid, Boundary::Free)
+    }
+
+    /// The region that is all of a grid of `size` × `size` elements with this boundary condition.
+    pub fn domain(size: usize, boundary: Boundary) -> Self {
+        Self::bounded(SectorGrid::whole(size), boundary)
+    }
+
+    /// The same for a sector of a grid; a cell has none.
+    pub fn bounded(grid: SectorGrid, boundary: Boundary) -> Self {
         Self {
             origin: [0, 0],
             size: grid.size(),
             grid,
+            boundary,
         }
     }
 
-    /// The window that is all of this one's grid.
+    /// The region that is all of this one's grid.
     pub fn everywhere(&self) -> Self {
-        Self::all_of(self.grid)
+        Self::bounded(self.grid, self.boundary)
     }
 
-    /// The smallest window of a fast size around the elements of this window for which `belongs` holds; the whole grid
-    /// if there are none.
+    /// All of the same domain with another number of elements per side.
+    pub fn with_side(&self, side: usize) -> Self {
+        Self::bounded(self.grid.for_square(side), self.boundary)
+    }
+
+    /// The smallest region of a fast size around the elements of this region for which `belongs` holds; the whole grid
+    /// if there are none, or if it repeats.
     pub fn around(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Self {
-        let Some(extent) = self.extent(belongs) else {
+        let extent = if self.repeats() {
+            None
+        } else {
+            self.extent(belongs)
+        };
+        let Some(extent) = extent else {
             return self.everywhere();
         };
         let side = extent.side_of_square(self.grid);
@@ -68,18 +103,18 @@ impl Window {
         self.everywhere().centred(&extent, size)
     }
 
-    /// The same for elements that press, according to the pressure on this window; none if no element presses.
+    /// The same for elements that press, according to the pressure on this region; none if no element presses.
     pub fn around_pressing(&self, pressure: &[f64]) -> Option<Self> {
         let is_pressed = pressure.iter().any(|p| *p > 0.0);
         is_pressed.then(|| self.around(|element| self.presses(pressure, element)))
     }
 
-    /// Whether an element of the grid presses, according to the pressure on this window, which must hold all that do.
+    /// Whether an element of the grid presses, according to the pressure on this region, which must hold all that do.
     pub fn presses(&self, pressure: &[f64], element: [usize; 2]) -> bool {
         self.place(element).is_some_and(|at| pressure[at] > 0.0)
     }
 
-    /// The smallest window of a finer grid over the same square that covers the elements of this window for which
+    /// The smallest region of a finer grid over the same square that covers the elements of this region for which
     /// `belongs` holds, and one more around them; none if there are none.
     pub fn on_finer(
         &self,
@@ -87,7 +122,7 @@ impl Window {
         finer: usize,
     ) -> Option<Self> {
         let IndexRange { first, last } = self.extent(belongs)?;
-        let everywhere = Self::all_of(self.grid.with_size(finer));
+        let everywhere = Self::bounded(self.grid.with_size(finer), self.boundary);
         let (lines, coarse) = (everywhere.lengths(), self.grid.size());
         let low = |i: usize| i.saturating_sub(1) * finer / coarse;
         let high = |axis: usize| {
@@ -102,7 +137,7 @@ impl Window {
         Some(everywhere.centred(&extent, square.size()))
     }
 
-    /// The extent of the elements of this window for which `belongs` holds, extended to the axes of the sector.
+    /// The extent of the elements of this region for which `belongs` holds, extended to the axes of the sector.
     fn extent(&self, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Option<IndexRange> {
         let [above, left] = self.origin;
         let [rows, columns] = self.lengths();
@@ -133,7 +168,7 @@ impl Window {
         })
     }
 
-    /// The window of `size` elements per row around the centre of an extent, moved into the grid; it begins at an axis
+    /// The region of `size` elements per row around the centre of an extent, moved into the grid; it begins at an axis
     /// if the extent does.
     fn centred(&self, extent: &IndexRange, size: usize) -> Self {
         let (lengths, all) = (self.grid.with_size(size).lengths(), self.lengths());
@@ -148,7 +183,7 @@ impl Window {
         }
     }
 
-    /// The window of twice the side around the same centre.
+    /// The region of twice the side around the same centre.
     pub fn grown(&self) -> Self {
         let size = SurfaceElasticity::fast_size(2 * self.size);
         if size as f64 > LARGEST_PART * self.grid.size() as f64 {
@@ -157,12 +192,12 @@ impl Window {
         self.resized(size)
     }
 
-    /// The window with `rim` more elements on every side, limited to the grid.
+    /// The region with `rim` more elements on every side, limited to the grid.
     pub fn with_rim(&self, rim: usize) -> Self {
         self.resized((self.size + 2 * rim).min(self.grid.size()))
     }
 
-    /// The window of another, larger size around the same centre, moved into the grid.
+    /// The region of another, larger size around the same centre, moved into the grid.
     fn resized(&self, size: usize) -> Self {
         let (before, after) = (self.lengths(), self.grid.with_size(size).lengths());
         let all = self.grid.lengths();
@@ -178,7 +213,7 @@ impl Window {
         }
     }
 
-    /// The other window if it is larger, else the whole grid.
+    /// The other region if it is larger, else the whole grid.
     pub fn wider(&self, other: Self) -> Self {
         if other.size > self.size {
             other
@@ -187,7 +222,7 @@ impl Window {
         }
     }
 
-    /// This window relative to another that holds it, which replaces the grid.
+    /// This region relative to another that holds it, which replaces the grid.
     pub fn within(&self, other: &Self) -> Self {
         Self {
             origin: [0, 1].map(|axis: usize| self.origin[axis] - other.origin[axis]),
@@ -205,9 +240,15 @@ impl Window {
         self.size
     }
 
-    /// The window's elements as a separate grid.
+    /// The region's elements as a separate grid.
     pub fn shape(&self) -> SectorGrid {
         self.grid.with_size(self.size)
+    }
+
+    /// Number of lines before the first element along each axis, out of `reach`, that are mirror images of those on
+    /// this side.
+    pub fn mirrored_lines(&self, reach: usize) -> [usize; 2] {
+        self.grid.mirrored_lines(reach)
     }
 
     /// Rows, and elements per row.
@@ -225,77 +266,39 @@ impl Window {
         self.shape().elements()
     }
 
-    /// The grid, or sector of one, of which this is a window.
+    /// The boundary condition of the grid.
+    pub fn boundary(&self) -> Boundary {
+        self.boundary
+    }
+
+    /// Whether the region repeats in both directions.
+    pub fn repeats(&self) -> bool {
+        self.boundary == Boundary::Periodic
+    }
+
+    /// Elements per side of the whole grid of which this is a part.
+    pub fn grid_size(&self) -> usize {
+        self.grid.whole_size()
+    }
+
+    /// Elements of the whole grid for which one stands, itself included.
+    pub fn weight(&self) -> usize {
+        self.grid.images()
+    }
+
+    /// The grid, or sector of one, of which this is a region.
     pub fn grid(&self) -> SectorGrid {
         self.grid
+    }
+
+    /// Index of the grid's first element along each axis of the whole grid.
+    pub fn first_index(&self) -> [usize; 2] {
+        self.grid.first_index()
     }
 
     /// Index of the first element along both axes.
     pub fn origin(&self) -> [usize; 2] {
         self.origin
-    }
-
-    /// Indices on the whole grid of the element at a place in the window.
-    pub fn index_on_whole(&self, [i, j]: Place) -> [isize; 2] {
-        let [above, left] = self.grid.first_index();
-        let [row, column] = self.origin;
-        [
-            (above + row).cast_signed() + i,
-            (left + column).cast_signed() + j,
-        ]
-    }
-
-    /// The element of the window at a place, or the one mirrored there; none outside the window.
-    pub fn element(&self, place: Place) -> Option<usize> {
-        let along = |axis: usize| {
-            let image = self.grid.on_this_side(axis, place[axis]);
-            let lines = self.lengths()[axis];
-            usize::try_from(image).ok().filter(|image| *image < lines)
-        };
-        Some(along(0)? * self.size + along(1)?)
-    }
-
-    /// The first, by index, of the elements of the whole grid represented by the element in a row and column.
-    pub fn first_image(&self, [row, column]: [usize; 2]) -> [usize; 2] {
-        let [above, left] = self.origin;
-        self.grid.first_image([above + row, left + column])
-    }
-
-    /// The place of the element whose first image is this element of the whole grid.
-    pub fn place_of_image(&self, image: [usize; 2]) -> Place {
-        // An element is the first image of its own first image.
-        let element = self.grid.first_image(image);
-        [0, 1].map(|axis: usize| element[axis].cast_signed() - self.origin[axis].cast_signed())
-    }
-
-    /// The fraction of the cell between four places starting at this one that belongs to the sector: a cell across an
-    /// axis of symmetry belongs to several sectors.
-    pub fn share_of_cell(&self, place: Place) -> f64 {
-        let parts = self.grid.parts().into_iter().zip(place);
-        let across = parts.filter(|(_, i)| *i < 0).map(|(parts, _)| parts);
-        1.0 / across.product::<usize>() as f64
-    }
-
-    /// The elements on the window's border; the axes of a sector are not part of it.
-    pub fn border(&self) -> impl Iterator<Item = usize> + use<> {
-        let [rows, size] = self.lengths();
-        let ends = |axis: usize, last: usize| {
-            let first = (!self.grid.mirrored()[axis]).then_some(0);
-            first.into_iter().chain([last])
-        };
-        let of_rows = ends(0, rows - 1).flat_map(move |i| (0..size).map(move |j| i * size + j));
-        let of_columns = ends(1, size - 1).flat_map(move |j| (0..rows).map(move |i| i * size + j));
-        of_rows.chain(of_columns)
-    }
-
-    /// The index in the window of the element in a row and column of the grid; none if it is outside.
-    pub fn place(&self, [row, column]: [usize; 2]) -> Option<usize> {
-        let [line, column] = [
-            row.checked_sub(self.origin[0])?,
-            column.checked_sub(self.origin[1])?,
-        ];
-        let [rows, columns] = self.lengths();
-        (line < rows && column < columns).then(|| line * self.size + column)
     }
 }
 

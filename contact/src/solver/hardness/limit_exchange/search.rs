@@ -1,33 +1,20 @@
-//! The elements on the wrong side of a solution with held elements.
+//! The search for the elements on the wrong side of a solution with held elements.
 
-use super::LimitExchange;
+use super::{LimitExchange, WrongSide};
 use crate::{DiscreteProblem, Load};
 
 /// Relative excess over the limit that is cut off as rounding; without this an element was held and released in turn.
-const ABOVE: f64 = 1e-13;
+const ROUNDING_ABOVE_LIMIT: f64 = 1e-13;
 /// Gap of a held element that is ignored, as a fraction of the residual of the solution.
-const SLACK: f64 = 0.5;
+const IGNORED_GAP: f64 = 0.5;
 /// Elements released at most under a force, per element that carries pressure below the limit.
 const MOST_RELEASED: usize = 4;
-
-/// The elements on the wrong side.
-#[derive(Default)]
-pub struct WrongSide {
-    /// Free elements above the limit.
-    pub above: Vec<usize>,
-    /// Held elements to be released: with a gap, under a force those with the largest.
-    pub open: Vec<usize>,
-    /// The largest excess over the limit, in units of the limit.
-    pub excess: f64,
-    /// The largest error: that excess, or a gap relative to the penetration.
-    pub by: f64,
-}
 
 impl LimitExchange {
     /// Finds the elements on the wrong side of the solution with the held elements, from its `v = K p + w* + g0` (m).
     pub(super) fn wrong(&mut self, problem: &DiscreteProblem, v: &[f64]) -> WrongSide {
         let limit = problem.hardness();
-        let highest = limit * (1.0 + ABOVE);
+        let highest = limit * (1.0 + ROUNDING_ABOVE_LIMIT);
         let mut wrong = WrongSide::default();
         for (element, p) in self.free.iter().enumerate().filter(|(_, p)| **p > highest) {
             wrong.above.push(element);
@@ -50,7 +37,7 @@ impl LimitExchange {
                     .filter(|(_, g0)| g0.is_finite());
                 gaps.fold(0.0, |most, (v, g0)| (v - g0 - mean).abs().max(most))
             });
-        let lowest = penetration + SLACK * self.accuracy * reference;
+        let lowest = penetration + IGNORED_GAP * self.accuracy * reference;
         let held = self.held.mask.iter().enumerate();
         let open = held.filter(|(element, held)| **held && v[*element] > lowest);
         wrong.open = open.map(|(element, _)| element).collect();

@@ -1,18 +1,18 @@
-//! Transfer of fields between a window and its grid.
+//! Transfer of fields between a region and its grid.
 
 use rayon::prelude::*;
 
-use super::Window;
+use super::Region;
 
-impl Window {
-    /// The part of a field of the grid that lies in the window's `line`-th row.
+impl Region {
+    /// The part of a field of the grid that lies in the region's `line`-th row.
     pub fn line<'a, T>(&self, field: &'a [T], line: usize) -> &'a [T] {
         let [above, left] = self.origin;
         let first = (above + line) * self.grid.size() + left;
         &field[first..first + self.size]
     }
 
-    /// Returns the results of `of_line` for each row of a field on the window, in order.
+    /// Returns the results of `of_line` for each row of a field on the region, in order.
     pub fn by_lines<T: Send>(
         &self,
         part: &[f64],
@@ -23,12 +23,12 @@ impl Window {
         lines.map(|(line, values)| of_line(line, values)).collect()
     }
 
-    /// The part of a field of the grid that lies in the window.
+    /// The part of a field of the grid that lies in the region.
     pub fn cut<T: Copy + Default + Send + Sync>(&self, field: &[T]) -> Vec<T> {
         self.take_over(&self.everywhere(), field)
     }
 
-    /// Returns the field of the whole grid that is `part` in the window and its mirror images, and 0 outside, where the
+    /// Returns the field of the whole grid that is `part` in the region and its mirror images, and 0 outside, where the
     /// zeroed memory is not touched.
     pub fn scatter(&self, part: Vec<f64>) -> Vec<f64> {
         if self.grid.has_images() {
@@ -40,7 +40,7 @@ impl Window {
         }
     }
 
-    /// The same for a window whose rows begin at an axis.
+    /// The same for a region whose rows begin at an axis.
     fn unfold(&self, part: &[f64]) -> Vec<f64> {
         let (axis, width) = (self.grid.size(), self.grid.whole_size());
         let [lines, _] = self.lengths();
@@ -68,7 +68,7 @@ impl Window {
         field
     }
 
-    /// Returns the field on this window that is `part` on the elements shared with the other window and 0 elsewhere.
+    /// Returns the field on this region that is `part` on the elements shared with the other region and 0 elsewhere.
     pub fn take_over<T: Copy + Default + Send + Sync>(&self, other: &Self, part: &[T]) -> Vec<T> {
         let mut field = vec![T::default(); self.elements()];
         let (own, others) = (self.lengths(), other.lengths());

@@ -1,0 +1,37 @@
+//! The limits of linear elasticity, and a number of a contact over one of them.
+
+/// What a contact cannot exceed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ModelLimit {
+    /// A layer cannot be shortened by its whole thickness.
+    LayerThickness {
+        /// Layer, counted from the surface, from 0.
+        layer: usize,
+    },
+    /// The indenter cannot be below the top of a rigid base.
+    RigidBase,
+    /// An indenter cannot be sunk by more than its own radius where linear elasticity holds.
+    IndenterRadius,
+    /// A body cannot carry a mean pressure above its Young's modulus.
+    Modulus {
+        /// Layer, counted from the surface, from 0; the number of layers for the base.
+        body: usize,
+    },
+}
+
+/// A number of a contact over its limit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LimitRatio {
+    /// The limit.
+    pub limit: ModelLimit,
+    /// The number over the limit; the model cannot hold from 1 on.
+    pub ratio: f64,
+}
+
+impl LimitRatio {
+    /// Whether the model cannot hold.
+    #[must_use]
+    pub fn is_beyond(&self) -> bool {
+        self.ratio >= 1.0
+    }
+}
