@@ -3,6 +3,7 @@
 mod identify;
 mod study;
 mod values;
+mod wanted_shard;
 
 use std::path::PathBuf;
 

@@ -1,19 +1,19 @@
 //! The reasons why a command ends early, and their exit codes.
 
-use std::error::Error;
+use std::fmt::Display;
 use std::io;
-use std::iter;
 use std::path::{Path, PathBuf};
 
 use pellicle::input::clean::clean;
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle_contact::{ContactError, IndenterError};
+use pellicle_files::FileError;
 use pellicle_identify::IdentifyError;
 use pellicle_influence::InfluenceError;
 use pellicle_kernel::KernelError;
+use pellicle_study::StudyError;
 use pellicle_texture::TextureError;
 
-use crate::output::folder;
 use crate::terminal::NoOutput;
 
 /// The reason why a command ends early.
@@ -22,6 +22,12 @@ pub enum Failure {
     /// The case cannot be read or solved.
     #[error(transparent)]
     Case(#[from] pellicle::Error),
+    /// A file or folder of results cannot be written or read.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A study cannot be read, continued or merged.
+    #[error(transparent)]
+    Study(StudyError),
     /// The fields inside the body cannot be computed, at all or at that depth.
     #[error("fields inside the body: {0}")]
     Inside(InfluenceError),
@@ -41,35 +47,11 @@ pub enum Failure {
         /// The last step of the case.
         last: usize,
     },
-    /// A file or folder of that name exists.
-    #[error("{}: found a file or folder of that name: give --force to replace it, or another --out", path.display())]
-    Exists {
-        /// The existing file or folder.
-        path: PathBuf,
-    },
-    /// Something other than a results folder exists there; it is not touched.
-    #[error("{}: found something other than a results folder: give another --out", path.display())]
-    NoResults {
-        /// The existing file or folder.
-        path: PathBuf,
-    },
-    /// A file beside a run's summary has the name of one of the run's files but was not written by the run.
-    #[error("{}: found a file that the run of the summary beside it did not write: move it away, or give another --out", path.display())]
-    NotWritten {
-        /// The file.
-        path: PathBuf,
-    },
     /// An option of `plot` that applies to a single results folder was given with several.
     #[error(
         "found several results, which are drawn as curves in one picture: --step, --section, --range and --colour-map are for a single one"
     )]
     OneResult,
-    /// The folder holds no parts of a study.
-    #[error("{}: found no parts of a study, wanted at least one", path.display())]
-    NoParts {
-        /// The folder.
-        path: PathBuf,
-    },
     /// The fields of a loading step were not written.
     #[error("{}: found no fields of step {step} to draw: run the case with --fields all", path.display())]
     NoFields {
@@ -84,66 +66,11 @@ pub enum Failure {
         /// The value found and the values allowed.
         message: String,
     },
-    /// The file of a study's samples cannot be read, or a value in it is wrong.
-    #[error("{}{place}: found {found}, wanted {wanted}", path.display())]
-    Samples {
-        /// The file.
-        path: PathBuf,
-        /// The position in the file, in words.
-        place: String,
-        /// The fault.
-        found: String,
-        /// The values allowed.
-        wanted: String,
-    },
     /// The environment names no task of a batch system.
     #[error("--shard auto: found {}, wanted the variables of a Slurm task, SLURM_ARRAY_TASK_ID, _COUNT and _MIN or SLURM_PROCID and SLURM_NTASKS", found.as_deref().unwrap_or("none"))]
     NoTask {
         /// The fault, if a variable is wrong.
         found: Option<String>,
-    },
-    /// A study has no cases.
-    #[error("found no cases in the study, wanted at least one")]
-    NoCases,
-    /// The table belongs to a study with other values, or was written by another version of the program.
-    #[error("{}: found results of another study or of another version: give --fresh to begin again, or another --out", path.display())]
-    OtherStudy {
-        /// The table.
-        path: PathBuf,
-    },
-    /// The table of another study is where the merged one should be.
-    #[error("{}: found the table of another study: give --force to replace it", path.display())]
-    OtherTable {
-        /// The table.
-        path: PathBuf,
-    },
-    /// The results of another case are where those of a study's case should be.
-    #[error("{}: found results of another case: give --fresh to begin again, or another --out", path.display())]
-    OtherCase {
-        /// The folder.
-        path: PathBuf,
-    },
-    /// Something else is where the kept fields of a study should be.
-    #[error("{}: found other fields than this study keeps: give --fresh to begin again, or move the file away", path.display())]
-    NotKept {
-        /// The file.
-        path: PathBuf,
-    },
-    /// A field of one case is too large for the format.
-    #[error(
-        "study.keep: found {steps} loading steps of {elements} x {elements} elements, wanted at most 4 GiB of a field in a case: set output.fields = \"last\" to keep the last step alone"
-    )]
-    KeptTooLarge {
-        /// Elements per side.
-        elements: usize,
-        /// Loading steps kept.
-        steps: usize,
-    },
-    /// Another process is writing to a table or folder.
-    #[error("{}: found another process writing to it: wait until it has ended", path.display())]
-    Busy {
-        /// The table or folder.
-        path: PathBuf,
     },
     /// The model of a fit file has no curve.
     #[error("the measurement cannot be simulated: {0}")]
@@ -154,14 +81,6 @@ pub enum Failure {
     /// A fit cannot be posed, or has no start.
     #[error(transparent)]
     Identify(#[from] IdentifyError),
-    /// A file or folder cannot be written.
-    #[error("{}: cannot be written: {cause}", path.display())]
-    Write {
-        /// The file or folder.
-        path: PathBuf,
-        /// The system's error.
-        cause: io::Error,
-    },
     /// The cache's folder cannot be listed, or a file in it cannot be removed.
     #[error("{}: cannot be listed or cleared: {cause}", path.display())]
     Cache {
@@ -169,14 +88,6 @@ pub enum Failure {
         path: PathBuf,
         /// The system's error.
         cause: io::Error,
-    },
-    /// A file of a results folder is missing or was not written by a run.
-    #[error("{}: cannot be read as results: {reason}", path.display())]
-    Damaged {
-        /// The file.
-        path: PathBuf,
-        /// The fault.
-        reason: String,
     },
     /// Standard input cannot be read.
     #[error("standard input: cannot be read: {cause}")]
@@ -227,23 +138,27 @@ of_a_case!(
     serde_json::Error
 );
 
+/// The failure of a case or a file in a study is that of the case or file.
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::Case(error) => Self::Case(error),
+            StudyError::File(error) => Self::File(error),
+            other => Self::Study(other),
+        }
+    }
+}
+
 impl Failure {
     /// Returns the failure to write a file or folder: where the user will look for it, and of its causes the system's.
     #[must_use]
     pub fn write(path: &Path, cause: io::Error) -> Self {
-        let path = folder::visible(path);
-        let of_system =
-            causes(&cause).find_map(|cause| cause.downcast_ref::<io::Error>()?.raw_os_error());
-        let cause = of_system.map_or(cause, io::Error::from_raw_os_error);
-        Self::Write { path, cause }
+        Self::File(FileError::write(path, cause))
     }
 
     /// Returns the failure of a results folder's file that is missing or was not written by a run.
-    pub fn damaged(path: &Path, reason: &dyn std::fmt::Display) -> Self {
-        Self::Damaged {
-            path: path.to_owned(),
-            reason: reason.to_string(),
-        }
+    pub fn damaged(path: &Path, reason: &dyn Display) -> Self {
+        Self::File(FileError::damaged(path, reason))
     }
 
     /// The exit code: 1 if a valid case could not be solved, 2 if something must be corrected first.
@@ -263,34 +178,5 @@ impl Failure {
             Self::Case(error) => error.render(),
             other => clean(&format!("Error: {other}")),
         }
-    }
-}
-
-/// The errors in an error, from the outermost on.
-pub fn causes(error: &io::Error) -> impl Iterator<Item = &(dyn Error + 'static)> {
-    iter::successors(Some(error as &(dyn Error + 'static)), cause_of)
-}
-
-/// The error within an error.
-fn cause_of<'a>(error: &&'a (dyn Error + 'static)) -> Option<&'a (dyn Error + 'static)> {
-    match error.downcast_ref::<io::Error>() {
-        Some(error) => error.get_ref().map(|inner| inner as &(dyn Error + 'static)),
-        None => (*error).source(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_failure_to_write_names_the_file_and_the_cause_of_the_system_alone() {
-        let full = io::Error::from_raw_os_error(28);
-        let words = full.to_string();
-        let packed = zip::result::ZipError::Io(io::Error::other(full));
-        let path = Path::new("results/a/.pellicle-run-x1/fields-000.npz");
-        let failure = Failure::write(path, io::Error::other(packed));
-        let wanted = format!("results/a/fields-000.npz: cannot be written: {words}");
-        assert_eq!(failure.to_string(), wanted);
     }
 }

@@ -3,9 +3,9 @@
 use std::time::Instant;
 
 use pellicle_identify::StopFlag;
+use pellicle_identify::fit_file::FitFile;
 
 use crate::failure::Failure;
-use crate::fit_file::FitFile;
 use crate::identification::Identification;
 use crate::identification::fitted_file::FittedFile;
 use crate::identification::likelihood::FittedLikelihood;

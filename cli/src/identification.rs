@@ -25,6 +25,8 @@ pub mod validity;
 
 use std::sync::Arc;
 
+use pellicle_identify::fit_file::FitFile;
+use pellicle_identify::fit_file::unknown::UnknownCase;
 use pellicle_identify::{
     ContactCurve, ContactCurves, CurveOptions, IdentifyError, NullDirections, Problem, Scatter,
     StopFlag, Unknown,
@@ -33,8 +35,6 @@ use pellicle_identify::{
 use self::curve_source::CurveSource;
 use self::outside::Outside;
 use crate::failure::Failure;
-use crate::fit_file::FitFile;
-use crate::fit_file::unknown::UnknownCase;
 
 /// The fewest repeats that determine the scatter between curves.
 const FEWEST_REPEATS: usize = 3;
@@ -138,23 +138,6 @@ impl Identification {
             spent: Spent::default(),
             stop,
         })
-    }
-}
-
-impl FitFile {
-    /// The unknowns, then the parameters of the model that are not known exactly.
-    #[must_use]
-    pub fn all_unknowns(&self) -> Vec<UnknownCase> {
-        let nuisances = self.nuisances.parameters.iter();
-        self.unknowns.iter().chain(nuisances).cloned().collect()
-    }
-
-    /// The SI unit of an estimate of a fit; `index` counts all unknowns, then the spring constants.
-    #[must_use]
-    pub fn unit(&self, index: usize) -> &'static str {
-        let all = self.all_unknowns();
-        all.get(index)
-            .map_or(spring_constants::UNIT, UnknownCase::unit)
     }
 }
 

@@ -14,9 +14,10 @@ use std::thread;
 use std::time::Duration;
 
 use pellicle_contact::Signal;
+use pellicle_files::unfinished;
 use pellicle_identify::StopFlag;
 
-use crate::{terminal, unfinished};
+use crate::terminal;
 
 /// The exit code that a shell reports for a program ended by SIGINT: 128 + 2.
 pub const EXIT_CODE: u8 = 130;

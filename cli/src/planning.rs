@@ -10,6 +10,7 @@ pub mod result;
 pub mod text;
 
 use pellicle_contact::{Domain, Load, Model, SolverOptions, Warning, solve_path};
+use pellicle_identify::measured::data_table::Observe;
 use pellicle_identify::{
     ContactCurve, ContactCurves, Curve, CurveOptions, ForwardError, ForwardModel, IdentifyError,
     Information, NullDirections, Observable, Prediction, StopFlag,
@@ -20,7 +21,6 @@ use self::premises::Premises;
 use crate::failure::Failure;
 use crate::identification::findings::WarningResult;
 use crate::identification::null_directions;
-use crate::measured::data_table::Observe;
 
 /// Time between two points of a curve, s; for a drift only the shape matters.
 const INTERVAL: f64 = 0.1;

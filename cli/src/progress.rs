@@ -1,5 +1,7 @@
 //! One line on the terminal while a case is being solved.
 
+pub mod study;
+
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};

@@ -1,4 +1,3 @@
-//! Tests of the program on its command line, and of the reader of measured curves.
+//! Tests of the program on its command line.
 
-mod curves;
 mod program;

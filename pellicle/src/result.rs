@@ -6,3 +6,4 @@ pub mod extremes;
 pub mod fields;
 pub mod quantities;
 pub mod quantity;
+pub mod table;

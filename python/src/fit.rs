@@ -9,11 +9,12 @@ use numpy::PyReadonlyArray2;
 use pellicle::input::span::Source;
 use pellicle_cli::Failure;
 use pellicle_cli::fitted::{
-    FitFile, FitSources, FittedFile, FittedLikelihood, MeasurementSources, Measurements,
-    PlanResult, Stage, fit, likelihood, plan, plan_table,
+    FittedFile, FittedLikelihood, PlanResult, Stage, fit, likelihood, plan, plan_table,
 };
-use pellicle_cli::solved::json;
+use pellicle_files::json;
 use pellicle_identify::IdentifyError;
+use pellicle_identify::fit_file::{FitFile, FitSources, Measurements};
+use pellicle_identify::measured::sources::MeasurementSources;
 use pyo3::prelude::*;
 
 use crate::case::map_sources;

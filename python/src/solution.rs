@@ -72,12 +72,12 @@ impl Solution {
 impl Solution {
     /// The text of `summary.json`.
     fn summary(&self) -> Result<String, Refusal> {
-        Ok(solved::json(&self.solved.summary)?)
+        Ok(pellicle_files::json(&self.solved.summary)?)
     }
 
     /// The text of `curve.csv`.
     fn curve(&self) -> String {
-        solved::curve(&self.solved.summary)
+        pellicle::result::table::csv(&self.solved.summary)
     }
 
     /// Whether everything that the case requests is there.

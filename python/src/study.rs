@@ -5,11 +5,18 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use pellicle::{Event, Monitor};
 use pellicle_cli::Failure;
-use pellicle_cli::studied::{
-    CaseSolver, CaseStatus, FieldKeeper, KeptFields, RecordInMemory, ResultsTable, Shard,
-    StudyFolder, StudyIdentity, StudyPlan, Tally, read, write_report,
-};
+use pellicle_cli::studied::discard_cases;
 use pellicle_contact::Signal;
+use pellicle_study::case_solver::CaseSolver;
+use pellicle_study::case_status::{CaseStatus, Tally};
+use pellicle_study::folder::StudyFolder;
+use pellicle_study::identity::StudyIdentity;
+use pellicle_study::kept_file::KeptFields;
+use pellicle_study::kept_record::{FieldKeeper, RecordInMemory};
+use pellicle_study::plan::StudyPlan;
+use pellicle_study::results_table::ResultsTable;
+use pellicle_study::shard::Shard;
+use pellicle_study::{StudyError, report, study_file};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -31,7 +38,7 @@ type WatchedChunk = Watched<usize, SolvedChunk>;
 pub struct Study(Arc<Planned>);
 
 struct Planned {
-    study: pellicle_cli::studied::Study,
+    study: pellicle_study::Study,
     plan: StudyPlan,
 }
 
@@ -45,9 +52,9 @@ impl Study {
     )]
     fn new(py: Python<'_>, path: PathBuf, sets: Vec<String>) -> PyResult<Self> {
         let planned = Threads::work(py, || {
-            let study = read(&path, &sets)?;
+            let study = study_file::read(&path, &sets)?;
             let plan = StudyPlan::new(&study, Shard::WHOLE)?;
-            Ok::<_, Failure>(Planned { study, plan })
+            Ok::<_, StudyError>(Planned { study, plan })
         })?;
         Ok(Self(Arc::new(planned.map_err(Refusal::from)?)))
     }
@@ -103,10 +110,10 @@ impl Study {
     fn table(&self, py: Python<'_>, folder: PathBuf, fresh: bool) -> Result<Table, Refusal> {
         let identity = self.0.plan.identity.clone();
         let open = |folder: &Path| {
-            let place = StudyFolder::claim(folder, &identity, fresh)?;
+            let place = StudyFolder::claim(folder, &identity, fresh, &discard_cases)?;
             let table = ResultsTable::open(place, &identity)?;
             let kept = KeptFields::open(folder, &identity, table.tally().done())?;
-            Ok::<_, Failure>(OpenTable {
+            Ok::<_, StudyError>(OpenTable {
                 table,
                 kept,
                 waiting: Vec::new(),
@@ -224,7 +231,7 @@ impl OpenTable {
     fn add(
         &mut self,
         (case, status, rows, record): (usize, CaseStatus, String, &[u8]),
-    ) -> Result<(), Failure> {
+    ) -> Result<(), StudyError> {
         let Some(kept) = &self.kept else {
             return self.table.add(case, status, &rows);
         };
@@ -234,7 +241,7 @@ impl OpenTable {
     }
 
     /// Flushes the fields to disk, then adds the rows of their cases and flushes these.
-    fn force(&mut self) -> Result<(), Failure> {
+    fn force(&mut self) -> Result<(), StudyError> {
         self.kept.as_ref().map_or(Ok(()), FieldKeeper::force)?;
         for (case, status, rows) in self.waiting.drain(..) {
             self.table.add(case, status, &rows)?;
@@ -251,7 +258,7 @@ impl OpenTable {
     }
 
     /// Sorts the table and writes its report page, if every case is done.
-    fn close(mut self, identity: &StudyIdentity) -> Result<(), Failure> {
+    fn close(mut self, identity: &StudyIdentity) -> Result<(), StudyError> {
         self.force()?;
         if self.table.tally().done() < identity.case_count() {
             return Ok(());
@@ -259,7 +266,7 @@ impl OpenTable {
         self.kept.as_ref().map_or(Ok(()), KeptFields::finish)?;
         let folder = self.table.place().folder.clone();
         self.table.finish(identity)?;
-        write_report(&folder, std::slice::from_ref(identity)).map(drop)
+        report::write(&folder, std::slice::from_ref(identity)).map(drop)
     }
 }
 
@@ -280,7 +287,7 @@ impl Table {
     fn with<T: Send>(
         &self,
         py: Python<'_>,
-        action: impl FnOnce(&mut OpenTable) -> Result<T, Failure> + Send,
+        action: impl FnOnce(&mut OpenTable) -> Result<T, StudyError> + Send,
     ) -> PyResult<T> {
         let done = py.detach(|| self.lock().as_mut().map(action));
         let closed = || InternalError::new_err("the table is closed");

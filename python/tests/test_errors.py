@@ -24,7 +24,7 @@ ENUMS = {
     "IndenterError": ["IndenterError"],
     "ContactError": ["ContactError", "TextureError", "IndenterError", "InfluenceError", "KernelError"],
     "IdentifyError": ["IdentifyError"],
-    "RunError": ["Failure", "Error"],
+    "RunError": ["Failure", "FileError", "Error"],
 }
 
 

@@ -1,11 +1,11 @@
 //! Layers beyond the rows of `pellicle validate`: limits of a coating, and the response of stacks to 40 digits.
 
-use pellicle_cli::evidence::data::compliance::{one_layer, stacks};
 use pellicle_contact::Load;
 use pellicle_kernel::Interface::Bonded;
 use pellicle_kernel::{Foundation, Material};
 use pellicle_tests::scene::{coated, material, model, paraboloid, relative, solve};
 use pellicle_texture::Relief;
+use pellicle_validation::data::compliance::{one_layer, stacks};
 
 /// A dozen roundings without cancellation: measured 9e-16 with one layer.
 const LAST_DIGITS: f64 = 2e-15;

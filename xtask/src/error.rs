@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use pellicle_cli::Failure;
-use pellicle_cli::evidence::ValidationError;
+use pellicle_validation::ValidationError;
 use thiserror::Error;
 
 /// The reason why a chore could not be done.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::study::shard::WantedShard;
+use super::wanted_shard::WantedShard;
 
 /// Arguments of `study`.
 #[derive(Debug, Args)]

@@ -3,13 +3,14 @@
 use std::path::Path;
 
 use pellicle::display::significant;
+use pellicle_files::json;
 use pellicle_influence::Usage;
 use serde::Serialize;
 
 use crate::arguments::CacheArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::{cache, output, terminal};
+use crate::{cache, terminal};
 
 /// The contents of the cache, after clearing.
 #[derive(Debug, Serialize)]
@@ -44,7 +45,7 @@ pub fn cache(arguments: &CacheArguments) -> Result<Outcome, Failure> {
         bytes: usage.bytes,
     };
     let text = if arguments.json {
-        output::json(&contents)?
+        json(&contents)?
     } else {
         table(&contents, usage)
     };

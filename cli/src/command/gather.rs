@@ -1,9 +1,10 @@
 //! `pellicle gather`: merges the parts of a study.
 
+use pellicle_study::gather::{self, OtherTable};
+
 use crate::arguments::GatherArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::study::gather::{self, OtherTable};
 use crate::terminal;
 
 /// The largest number of missing cases that are named.

@@ -8,18 +8,18 @@ use std::time::Instant;
 use indicatif::ProgressBar;
 use pellicle::input::source_file;
 use pellicle::run::Completeness;
+use pellicle_files::json;
+use pellicle_files::whole::{self, Existing};
+use pellicle_identify::fit_file::{FitFile, Measurements};
 use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 
 use crate::arguments::IdentifyArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::fit_and_plan::{self, Stage};
-use crate::fit_file::{FitFile, Measurements};
 use crate::identification::fitted_file::FittedFile;
 use crate::identification::{files, simulation, text};
-use crate::output::file::{self, Existing};
-use crate::output::folder::ResultsFolder;
-use crate::output::json;
+use crate::results_folder::ResultsFolder;
 use crate::{interrupt, terminal, threads};
 
 /// Fits the model, writes the results and reports them.
@@ -94,9 +94,9 @@ fn simulate(arguments: &IdentifyArguments, file: &FitFile, out: &Path) -> Result
         }
         let path = simulation::path(out, table, file.data.len());
         let write = if arguments.force {
-            file::write_bytes
+            whole::write_bytes
         } else {
-            file::write_new
+            whole::write_new
         };
         write(&path, found.text.as_bytes())?;
         if !arguments.quiet {

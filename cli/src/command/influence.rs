@@ -5,13 +5,14 @@ mod inside;
 use pellicle::case::Case;
 use pellicle::input::units::Units;
 use pellicle_contact::Model;
+use pellicle_files::json;
 use pellicle_influence::direct;
 use serde::Serialize;
 
 use crate::arguments::InfluenceArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::{cache, output, terminal};
+use crate::{cache, terminal};
 
 /// The coefficient at one offset.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -37,7 +38,7 @@ pub fn influence(arguments: &InfluenceArguments) -> Result<Outcome, Failure> {
     let text = if arguments.depths.is_empty() {
         let rows = coefficients(&model, element_side, arguments)?;
         if arguments.json {
-            output::json(&rows)?
+            json(&rows)?
         } else {
             table(&rows, element_side, case.units)
         }
@@ -45,7 +46,7 @@ pub fn influence(arguments: &InfluenceArguments) -> Result<Outcome, Failure> {
         let foundation = model.tables.foundation();
         let rows = inside::rows(foundation, &case.foundation, element_side, arguments)?;
         if arguments.json {
-            output::json(&rows)?
+            json(&rows)?
         } else {
             inside::table(&rows, case.units)
         }

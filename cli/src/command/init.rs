@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
+use pellicle_files::whole;
+
 use crate::arguments::InitArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::output::file;
 use crate::templates::Template;
 use crate::terminal;
 
@@ -25,9 +26,9 @@ pub fn init(arguments: &InitArguments) -> Result<Outcome, Failure> {
 fn write(path: &Path, kind: Template, force: bool) -> Result<(), Failure> {
     let text = kind.text();
     if force {
-        file::write_bytes(path, text.as_bytes())?;
+        whole::write_bytes(path, text.as_bytes())?;
     } else {
-        file::write_new(path, text.as_bytes())?;
+        whole::write_new(path, text.as_bytes())?;
     }
     let path = path.display().to_string();
     let next = kind.next(&path);

@@ -2,12 +2,13 @@
 
 use pellicle::case::Case;
 use pellicle::input::units::Units;
+use pellicle_files::json;
 use serde::Serialize;
 
 use crate::arguments::KernelArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::{output, terminal};
+use crate::terminal;
 
 /// Compliance and response at one wavenumber.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -35,7 +36,7 @@ pub fn kernel(arguments: &KernelArguments) -> Result<Outcome, Failure> {
     };
     let rows: Vec<_> = arguments.wavenumbers.iter().map(row).collect();
     let text = if arguments.json {
-        output::json(&rows)?
+        json(&rows)?
     } else {
         table(&rows, case.units)
     };

@@ -15,15 +15,16 @@ use pellicle::memory::MemoryBudget;
 use pellicle::run::{self, Stresses, stress_search};
 use pellicle::summary::{Clock, RunSummary};
 use pellicle_contact::{ContactError, Domain, LoadingPath, Model};
+use pellicle_files::json;
+use pellicle_files::whole::Existing;
 use rayon::ThreadPool;
 
 use crate::arguments::RunArguments;
 use crate::command::{Outcome, complaint};
 use crate::failure::Failure;
-use crate::output::file::Existing;
-use crate::output::folder::{self, ResultsFolder};
-use crate::output::{json, report, results, summary_text};
+use crate::output::{report, results, summary_text};
 use crate::progress::{ProgressLine, SearchLine};
+use crate::results_folder::{self, ResultsFolder};
 use crate::{cache, interrupt, terminal, threads};
 
 /// Interval at which a request to stop is checked during the search for stresses.
@@ -141,7 +142,7 @@ fn claim(arguments: &RunArguments) -> Result<Option<ResultsFolder>, Failure> {
         None if arguments.json => return Ok(None),
         None => ResultsFolder::claim_default(&name, existing)?,
     };
-    folder::sweep_beside(folder.path());
+    results_folder::sweep_beside(folder.path());
     Ok(Some(folder))
 }
 

@@ -8,6 +8,7 @@ use pellicle::forecast::need::Need;
 use pellicle::input::units::Units;
 use pellicle::memory::MemoryBudget;
 use pellicle_contact::{Model, Status, StressField, solve_path};
+use pellicle_files::json;
 use pellicle_influence::{Depth, SubsurfaceState};
 use serde::Serialize;
 
@@ -16,7 +17,7 @@ use crate::command::{Outcome, complaint};
 use crate::failure::Failure;
 use crate::output::stress::FIELDS;
 use crate::progress::ProgressLine;
-use crate::{cache, output, terminal, threads};
+use crate::{cache, terminal, threads};
 
 /// Distance, in elements, within which a point counts as on the border of an element.
 const ON_BORDER: f64 = 1e-6;
@@ -71,7 +72,7 @@ pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
         }
     }
     let text = if arguments.json {
-        output::json(&rows)?
+        json(&rows)?
     } else {
         table(&rows, step, case.units)
     };

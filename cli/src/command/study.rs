@@ -5,27 +5,30 @@ use std::time::Duration;
 
 use pellicle::forecast::Forecast;
 use pellicle::memory::MemoryBudget;
+use pellicle_files::{FileError, json};
+use pellicle_study::case_folder::CaseFolders;
+use pellicle_study::case_solver::CaseSolver;
+use pellicle_study::case_status::Tally;
+use pellicle_study::folder::{self as study_folder, StudyFolder};
+use pellicle_study::identity::StudyIdentity;
+use pellicle_study::kept_file::KeptFields;
+use pellicle_study::kept_record::FieldKeeper;
+use pellicle_study::plan::StudyPlan;
+use pellicle_study::report as study_report;
+use pellicle_study::results_table::ResultsTable;
+use pellicle_study::shard::Shard;
+use pellicle_study::status::StudyStatus;
+use pellicle_study::{Study, StudyError};
+use pellicle_study::{runner, study_file};
 use serde::Serialize;
 
 use crate::arguments::StudyArguments;
+use crate::case_folders::{ResultsFolders, discard_cases};
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::progress::in_words;
-use crate::study::Study;
-use crate::study::case_solver::CaseSolver;
-use crate::study::case_status::Tally;
-use crate::study::folder::{self as study_folder, StudyFolder};
-use crate::study::identity::StudyIdentity;
-use crate::study::kept_file::KeptFields;
-use crate::study::kept_record::FieldKeeper;
-use crate::study::plan::StudyPlan;
-use crate::study::progress::{StudyProgress, rate_in_words};
-use crate::study::report as study_report;
-use crate::study::results_table::ResultsTable;
-use crate::study::shard::Shard;
-use crate::study::status::StudyStatus;
-use crate::study::{runner, study_file};
-use crate::{cache, interrupt, output, terminal};
+use crate::progress::study::{StudyProgress, rate_in_words};
+use crate::{cache, interrupt, terminal};
 
 /// Number of bytes of the list of cases printed at once.
 const LISTED_AT_ONCE: usize = 1 << 16;
@@ -56,7 +59,7 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     if arguments.report {
         return write_report(&folder, &plan.identity);
     }
-    let place = StudyFolder::claim(&folder, &plan.identity, arguments.fresh)?;
+    let place = StudyFolder::claim(&folder, &plan.identity, arguments.fresh, &discard_cases)?;
     if let Some(before) = place.before.as_ref().filter(|_| prints_text(arguments)) {
         terminal::report(&format!(
             "the old table is kept until the new one is complete: {}",
@@ -75,7 +78,8 @@ pub fn study(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         columns: &plan.columns,
         cache: cache::open_for_many(),
         memory: &memory,
-        folders: arguments.folders.then(|| table.place().cases()),
+        folders: (arguments.folders)
+            .then(|| (table.place().cases(), &ResultsFolders as &dyn CaseFolders)),
         kept: kept.as_ref().map(|kept| kept as &dyn FieldKeeper),
     };
     let threads = arguments
@@ -125,7 +129,7 @@ fn print_status(
             cases_per_second: status.rate,
             seconds_left: status.time_left().map(|left| left.as_secs_f64()),
         };
-        terminal::print(&output::json(&report)?)?;
+        terminal::print(&json(&report)?)?;
         return Ok(Outcome::Done);
     }
     let parts = match status.parts_at_work {
@@ -157,12 +161,13 @@ fn write_report(folder: &Path, identity: &StudyIdentity) -> Result<Outcome, Fail
     }
     let path = folder.join(study_report::FILE);
     if parts.is_empty() {
-        return Err(Failure::NoParts {
+        return Err(StudyError::NoParts {
             path: folder.to_owned(),
-        });
+        }
+        .into());
     }
     if !study_report::write(folder, &parts)? {
-        return Err(Failure::NotWritten { path });
+        return Err(FileError::NotWritten { path }.into());
     }
     terminal::print(&format!("{}\n", path.display()))?;
     Ok(Outcome::Done)
@@ -195,7 +200,7 @@ fn report(
         table: table.display().to_string(),
     };
     if arguments.json {
-        terminal::print(&output::json(&report)?)?;
+        terminal::print(&json(&report)?)?;
     }
     if prints_text(arguments) {
         terminal::report(&format!("{}; {}", tally.words(cases), report.table));

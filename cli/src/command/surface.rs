@@ -4,11 +4,12 @@ use std::path::Path;
 
 use ndarray::ArrayView2;
 use ndarray_npy::WriteNpyExt;
+use pellicle_files::whole;
 
 use crate::arguments::SurfaceArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::output::{file, gsf};
+use crate::output::gsf;
 use crate::self_affine::SelfAffine;
 use crate::terminal;
 
@@ -37,9 +38,9 @@ pub fn surface(arguments: &SurfaceArguments) -> Result<Outcome, Failure> {
         MapFormat::Gsf => gsf::height_map(&heights, surface.size, arguments.side),
     };
     if arguments.force {
-        file::write_bytes(path, &bytes)?;
+        whole::write_bytes(path, &bytes)?;
     } else {
-        file::write_new(path, &bytes)?;
+        whole::write_new(path, &bytes)?;
     }
     let shown = path.display();
     let side = arguments.side;

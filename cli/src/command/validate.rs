@@ -3,15 +3,16 @@
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use pellicle_files::json;
+use pellicle_validation::{
+    SECTIONS, SectionResult, ValidationReport, ValidationRun, ValidationSection, heading,
+    section_text,
+};
 
 use crate::arguments::ValidateArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
-use crate::validation::{
-    SECTIONS, SectionResult, ValidationReport, ValidationRun, ValidationSection, heading,
-    section_text,
-};
-use crate::{output, terminal, threads};
+use crate::{terminal, threads};
 
 /// Computes every section and prints its rows as they come, or JSON at the end.
 ///
@@ -38,7 +39,7 @@ pub fn validate(arguments: &ValidateArguments) -> Result<Outcome, Failure> {
     }
     let report = ValidationReport::new(run, &sections, start.elapsed().as_secs_f64());
     terminal::print(&if arguments.json {
-        output::json(&report)?
+        json(&report)?
     } else {
         report.conclusion()
     })?;

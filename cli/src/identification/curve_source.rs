@@ -1,15 +1,15 @@
 //! A measured curve as used in a fit: abscissae, observed values and noise.
 
 use pellicle::input::diagnosis::Diagnosis;
+use pellicle_identify::fit_file::FitFile;
+use pellicle_identify::measured::channel::Channel;
+use pellicle_identify::measured::curve::MeasuredCurve;
+use pellicle_identify::measured::data_table::{DataTable, Observe};
+use pellicle_identify::measured::error::CurveError;
+use pellicle_identify::measured::noise::{MeasuredNoise, NoiseCorrelation};
 use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable};
 
 use crate::failure::Failure;
-use crate::fit_file::FitFile;
-use crate::measured::channel::Channel;
-use crate::measured::curve::MeasuredCurve;
-use crate::measured::data_table::{DataTable, Observe};
-use crate::measured::error::CurveError;
-use crate::measured::noise::{MeasuredNoise, NoiseCorrelation};
 
 /// The smallest number of points of a curve.
 pub const FEWEST_POINTS: usize = 3;

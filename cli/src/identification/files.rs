@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use pellicle_files::json;
+use pellicle_files::whole;
 use pellicle_plot::sheet::style::Style;
 
 use super::findings::WarningResult;
@@ -9,8 +11,6 @@ use super::fitted_file::FittedFile;
 use super::pictures::{self, FitPicture};
 use super::{report, result, tables};
 use crate::failure::Failure;
-use crate::output::file;
-use crate::output::json;
 use crate::output::write_progress::WriteProgress;
 use crate::withdrawn;
 
@@ -34,7 +34,7 @@ pub fn is_name(name: &str) -> bool {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if a file cannot be written.
+/// [`Failure::File`] if a file cannot be written.
 pub fn write(folder: &Path, fitted: &mut FittedFile) -> Result<(), Failure> {
     let writer = WriteProgress::new(FitPicture::ALL.len(), &|_, _| ());
     let (of, fit, found) = (&fitted.identification, &fitted.fit, &fitted.found);
@@ -48,7 +48,7 @@ pub fn write(folder: &Path, fitted: &mut FittedFile) -> Result<(), Failure> {
             message: warning.message,
         }));
     for (name, table) in fitted.tables() {
-        file::write_bytes(&folder.join(name), table.as_bytes())?;
+        whole::write_bytes(&folder.join(name), table.as_bytes())?;
     }
     let FittedFile {
         identification,
@@ -56,8 +56,12 @@ pub fn write(folder: &Path, fitted: &mut FittedFile) -> Result<(), Failure> {
         found,
     } = fitted;
     let page = report::html(identification, fit, found, &drawings);
-    file::write_bytes(&folder.join(crate::output::report::FILE), page.as_bytes())?;
-    file::write_bytes(&folder.join(result::FILE), json(found)?.as_bytes())
+    whole::write_bytes(&folder.join(crate::output::report::FILE), page.as_bytes())?;
+    let text = json(found)?;
+    Ok(whole::write_bytes(
+        &folder.join(result::FILE),
+        text.as_bytes(),
+    )?)
 }
 
 #[cfg(test)]

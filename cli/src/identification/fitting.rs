@@ -10,6 +10,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use pellicle_identify::fit_file::report::OutsidePoints;
 use pellicle_identify::{Fit, FitOptions, FitVerdict, IdentifyError, Intervals, identify};
 
 use super::curve_source::FEWEST_POINTS;
@@ -17,7 +18,6 @@ use super::outside::{Handling, Outside};
 use super::remembered::Remembered;
 use super::{Identification, Spent, validity};
 use crate::failure::Failure;
-use crate::fit_file::report::OutsidePoints;
 
 /// Largest number of fits after the first. Each leaves out the points at which the model does not hold according to the
 /// previous fit.

@@ -2,9 +2,8 @@
 
 use pellicle::case::parameter::CaseParameter;
 use pellicle_contact::ModelParameter;
+use pellicle_identify::fit_file::model::ModelParameters;
 use pellicle_identify::{IdentifyError, NullDirections};
-
-use crate::fit_file::model::ModelParameters;
 
 /// Returns the null directions of the model of one table, in logarithms of its parameters; parameters specific to the
 /// table have their own names.

@@ -51,7 +51,7 @@ pub type FitDrawings = Vec<(FitPicture, String)>;
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if a picture cannot be written.
+/// [`Failure::File`] if a picture cannot be written.
 pub fn write(
     folder: &Path,
     of: &Identification,

@@ -4,6 +4,12 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use pellicle::display::significant;
+use pellicle_identify::fit_file::FitFile;
+use pellicle_identify::fit_file::report::OutsidePoints;
+use pellicle_identify::measured::channel::Channel;
+use pellicle_identify::measured::columns::{ColumnName, ColumnUnit};
+use pellicle_identify::measured::curve_segment::SegmentEnd;
+use pellicle_identify::measured::data_table::{DataTable, Observe};
 use pellicle_identify::{
     ContactCurve, ContactCurves, CurveOptions, ForwardError, ForwardModel, Invalidity, Observable,
 };
@@ -14,12 +20,6 @@ use rand_distr::{Distribution, StandardNormal};
 use super::curve_source::observable;
 use super::units;
 use crate::failure::Failure;
-use crate::fit_file::FitFile;
-use crate::fit_file::report::OutsidePoints;
-use crate::measured::channel::Channel;
-use crate::measured::columns::{ColumnName, ColumnUnit};
-use crate::measured::curve_segment::SegmentEnd;
-use crate::measured::data_table::{DataTable, Observe};
 
 /// Number of points of a measurement, evenly spaced in the logarithm of the force.
 const POINTS: u32 = 100;

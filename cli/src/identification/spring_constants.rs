@@ -5,17 +5,13 @@
 //! constant k₀. An error of k therefore multiplies all forces of a table, `F = (k/k₀) F₀`, and nothing else. It is a
 //! parameter with a normal prior that no curve can separate from the moduli, as penetrations depend on `F/E`.
 
+use pellicle_identify::fit_file::FitFile;
+use pellicle_identify::measured::spring::SpringConstant;
 use pellicle_identify::{ForceScale, IdentifyError, Prior, Unknown};
-
-use crate::fit_file::FitFile;
-use crate::measured::spring::SpringConstant;
 
 /// A spring constant is sought within this many standard deviations of its mean, and above this fraction of the mean.
 const DEVIATIONS: f64 = 8.0;
 const LEAST_PART: f64 = 0.1;
-
-/// SI unit of a spring constant.
-pub const UNIT: &str = "N/m";
 
 /// For each table whose spring constant is not known exactly, the dependence of its forces on it.
 #[must_use]

@@ -1,10 +1,10 @@
 //! The tables of a fit: data with model and residuals, covariance, profiles.
 
+use pellicle_files::cell::text_cell;
 use pellicle_identify::{Estimate, Fit, Observable};
 
 use super::Identification;
 use super::curve_source::OutsidePoint;
-use crate::output::text_cell::text_cell;
 
 /// The table of the points at which the model does not hold.
 pub const EXCLUDED: &str = "excluded.csv";

@@ -2,13 +2,13 @@
 
 use pellicle::display::significant;
 use pellicle_contact::ContactError;
+use pellicle_identify::fit_file::model::ModelParameters;
 use pellicle_identify::{Fit, FitVerdict, FixedNumber, Role, exponents};
 use serde::Serialize;
 
 use super::findings::{EstimateResult, WarningResult};
 use super::{Identification, names};
 use crate::failure::Failure;
-use crate::fit_file::model::ModelParameters;
 
 /// A parameter that a fit takes as exact.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -85,7 +85,7 @@ impl Identification {
         // Only parameters with keys, not those of the sublayers of a graded layer.
         let tables = self.file.data.iter();
         let tables = tables.map(|table| self.file.model.with(&table.set));
-        let tables = tables.collect::<Result<Vec<_>, Failure>>()?;
+        let tables = tables.collect::<Result<Vec<_>, pellicle::Error>>()?;
         let numbers =
             |table: &ModelParameters| table.parameters.iter().map(|of| of.parameter).collect();
         let keyed: Vec<_> = tables.iter().map(numbers).collect();

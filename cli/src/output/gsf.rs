@@ -8,10 +8,10 @@ use std::io::Write;
 use std::path::Path;
 
 use pellicle::input::units::Units;
-
-use super::file::write_stoppable;
-use crate::failure::Failure;
 use pellicle::result::fields::Fields;
+
+use super::large_file::write_stoppable;
+use crate::failure::Failure;
 
 /// Name of the file of a step in a results folder.
 #[must_use]
@@ -23,7 +23,7 @@ pub fn file(step: usize) -> String {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if the file cannot be written.
+/// [`Failure::File`] if the file cannot be written.
 pub fn write(folder: &Path, fields: &Fields<'_>, units: Units, step: usize) -> Result<(), Failure> {
     write_stoppable(&folder.join(file(step)), |file| {
         file.write_all(&head(fields, units))?;

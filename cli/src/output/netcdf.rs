@@ -4,20 +4,19 @@
 //! the coordinates, `shortening`, `profile`, `mask` and `contact`, which are the same in every format; global
 //! attributes `total_contact_area`, the part of the domain in contact, and `type` with the meaning they have there.
 //! `mean_pressure` is that of the summary, force over contact area; its meaning there, force over the whole domain, is
-//! here `nominal_pressure`. The file has the classic format with 64-bit offsets, described in its [header](mod@header).
-
-pub mod header;
+//! here `nominal_pressure`. The file has the classic format with 64-bit offsets, described in its
+//! [header](pellicle_files::netcdf).
 
 use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::Path;
 
-use pellicle::summary::RunSummary;
-
-use self::header::{Attribute, Header, Kind, Variable};
-use super::file::write_stoppable;
-use crate::failure::Failure;
 use pellicle::result::fields::{Fields, TRUTHS};
+use pellicle::summary::RunSummary;
+use pellicle_files::netcdf::{Attribute, Header, Kind, Variable};
+
+use super::large_file::write_stoppable;
+use crate::failure::Failure;
 
 /// Name of the file of a step in a results folder.
 #[must_use]
@@ -47,7 +46,7 @@ struct FilledVariable<'a> {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if the file cannot be written.
+/// [`Failure::File`] if the file cannot be written.
 pub fn write(
     path: &Path,
     fields: &Fields<'_>,

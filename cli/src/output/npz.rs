@@ -7,12 +7,12 @@ use std::path::Path;
 use ndarray::{Array1, Array2, ArrayView2, Ix2, OwnedRepr, ShapeError};
 use ndarray_npy::{NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
 use pellicle::map::npy_header::NpyHeader;
+use pellicle::result::fields::{Fields, NUMBERS, NumberField, TRUTHS};
 use zip::ZipArchive;
 
-use super::file::write_stoppable;
+use super::large_file::write_stoppable;
 use super::npz_archive::NpzArchive;
 use crate::failure::Failure;
-use pellicle::result::fields::{Fields, NUMBERS, NumberField, TRUTHS};
 
 /// Largest size of an array, bytes: 16,384² numbers, the largest grid of a case, and a header.
 const MAX_ARRAY_BYTES: u64 = (8 << 28) + (1 << 16);
@@ -28,7 +28,7 @@ pub fn file(step: usize) -> String {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if the file cannot be written.
+/// [`Failure::File`] if the file cannot be written.
 pub fn write(file: &Path, fields: &Fields<'_>) -> Result<(), Failure> {
     write_stoppable(file, |file| npz(file, fields).map_err(io::Error::other))
 }
@@ -96,7 +96,7 @@ impl StoredFields {
     ///
     /// # Errors
     ///
-    /// [`Failure::Damaged`] if the file is not one that a run wrote.
+    /// [`Failure::File`] if the file is not one that a run wrote.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         check(path).map_err(|reason| Failure::damaged(path, &reason))?;
         let fields = Self::try_read(path).map_err(|cause| Failure::damaged(path, &cause))?;

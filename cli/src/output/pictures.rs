@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use pellicle::case::output::Steps;
+use pellicle::result::fields::Fields;
 use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_plot as plot;
 use pellicle_plot::sheet::style::Style;
@@ -13,11 +14,10 @@ use pellicle_plot::stress::extremes::Extremes;
 use pellicle_plot::stress::view::StressView;
 use rayon::prelude::*;
 
-use super::report::surface::SurfaceFigure;
+use super::surface_figure::SurfaceFigure;
 use super::write_progress::WriteProgress;
 use crate::failure::Failure;
 use crate::picture::{convergence, curve, extremes, histograms, spectrum, subject};
-use pellicle::result::fields::Fields;
 
 /// The pictures of a run as a whole.
 const CURVE: &str = "curve";
@@ -167,7 +167,7 @@ pub fn names_of_stresses(summary: &RunSummary, step: usize) -> Vec<String> {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if a picture cannot be written.
+/// [`Failure::File`] if a picture cannot be written.
 pub fn stresses(
     folder: &Path,
     summary: &RunSummary,
@@ -240,7 +240,7 @@ fn draw_spectrum(summary: &RunSummary, style: &Style) -> Option<String> {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if a picture cannot be written.
+/// [`Failure::File`] if a picture cannot be written.
 pub fn step(
     folder: &Path,
     summary: &RunSummary,
@@ -275,7 +275,7 @@ pub fn step(
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if a picture cannot be written.
+/// [`Failure::File`] if a picture cannot be written.
 pub fn run(
     folder: &Path,
     summary: &RunSummary,

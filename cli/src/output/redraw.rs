@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use pellicle::case::output::Steps;
 use pellicle::summary::{RunSummary, WarningSummary};
+use pellicle_files::FileError;
 use pellicle_plot::run::curve::draw_several;
 use pellicle_plot::sheet::style::Style;
 use rayon::prelude::*;
@@ -165,7 +166,7 @@ fn keep(folder: &Path, name: &str) -> Result<(), Failure> {
     let taken = files
         .into_iter()
         .find(|path| path.symlink_metadata().is_ok());
-    taken.map_or(Ok(()), |path| Err(Failure::Exists { path }))
+    taken.map_or(Ok(()), |path| Err(FileError::Exists { path }.into()))
 }
 
 /// The names of results: their titles, with their folders if titles are not unique.

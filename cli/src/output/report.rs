@@ -5,7 +5,6 @@ mod case_table;
 mod grid_error;
 mod step;
 mod stress;
-pub mod surface;
 
 use askama::Template;
 use pellicle::Run;

@@ -8,19 +8,21 @@ use std::time::Instant;
 use pellicle::Completeness;
 use pellicle::case::Case;
 use pellicle::case::output::{Format, OutputCase};
+use pellicle::result::fields::Fields;
+use pellicle::result::table;
 use pellicle::summary;
 use pellicle::summary::RunSummary;
 use pellicle_contact::LoadingPath;
+use pellicle_files::{json, whole};
 use pellicle_plot::sheet::style::Style;
 use rayon::prelude::*;
 
 use super::pictures::{self, StepDrawings};
 use super::report;
 use super::write_progress::{OnProgress, WriteProgress};
-use super::{curve, file, gsf, json, netcdf, npz, stress, vti};
+use super::{gsf, netcdf, npz, stress, vti};
 use crate::failure::Failure;
 use crate::interrupt;
-use pellicle::result::fields::Fields;
 
 /// Largest number of loading steps in the report, at some 100 kB each.
 pub(super) const STEPS_IN_REPORT: usize = 24;
@@ -55,7 +57,7 @@ pub fn write(
     summary.warnings.extend(writer.warnings());
     summary.timing.total_seconds = start.elapsed().as_secs_f64();
     write_page(folder, &report::html(summary, &parts, &run))?;
-    write_text(&folder.join(curve::FILE), &curve::csv(summary))?;
+    write_text(&folder.join(table::FILE), &table::csv(summary))?;
     write_text(&folder.join(summary::FILE), &json(summary)?)?;
     Ok(if writer.is_whole() {
         Completeness::Whole
@@ -68,11 +70,11 @@ pub fn write(
 ///
 /// # Errors
 ///
-/// [`Failure::Damaged`] if its files are missing or were not written by a run.
+/// [`Failure::File`] if its files are missing or were not written by a run.
 pub fn read_summary(folder: &Path) -> Result<RunSummary, Failure> {
     let path = folder.join(summary::FILE);
     let text = read_text(&path)?;
-    let units = curve::units(&read_text(&folder.join(curve::FILE))?);
+    let units = table::units(&read_text(&folder.join(table::FILE))?);
     RunSummary::parse(&text, units).map_err(|cause| Failure::damaged(&path, &cause))
 }
 
@@ -176,13 +178,18 @@ pub fn in_report(pictured: &[usize]) -> Vec<usize> {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if it cannot be written.
+/// [`Failure::File`] if it cannot be written.
 pub fn write_page(folder: &Path, page: &str) -> Result<(), Failure> {
-    file::write_bytes(&folder.join(report::FILE), page.as_bytes())
+    Ok(whole::write_bytes(
+        &folder.join(report::FILE),
+        page.as_bytes(),
+    )?)
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
-    file::write_whole(path, |file| file.write_all(text.as_bytes()))
+    Ok(whole::write_whole(path, |file| {
+        file.write_all(text.as_bytes())
+    })?)
 }
 
 #[cfg(test)]

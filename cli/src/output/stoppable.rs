@@ -3,8 +3,11 @@
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use super::partial_file::PartialFile;
-use crate::failure::{Failure, causes};
+use pellicle_files::FileError;
+use pellicle_files::causes;
+use pellicle_files::partial::PartialFile;
+
+use crate::failure::Failure;
 use crate::interrupt;
 
 /// Bytes after which data are forced onto the disk: otherwise the end of a large file would wait for all of them and
@@ -22,7 +25,7 @@ struct WriteStopped;
 /// Whether the writing of a file was stopped, which is not a failure.
 #[must_use]
 pub fn was_stopped(failure: &Failure) -> bool {
-    let Failure::Write { cause, .. } = failure else {
+    let Failure::File(FileError::Write { cause, .. }) = failure else {
         return false;
     };
     causes(cause).any(<dyn std::error::Error>::is::<WriteStopped>)
@@ -32,7 +35,7 @@ pub fn was_stopped(failure: &Failure) -> bool {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if [`interrupt::GRACE`] has passed since the user asked to stop.
+/// [`FileError::Write`] if [`interrupt::GRACE`] has passed since the user asked to stop.
 pub fn check(path: &Path) -> Result<(), Failure> {
     if !interrupt::is_overdue() {
         return Ok(());
@@ -116,9 +119,9 @@ mod tests {
 
     #[test]
     fn a_stop_is_distinguished_from_a_disk_error_even_when_wrapped() {
-        let failure = |cause| Failure::Write {
-            path: PathBuf::new(),
-            cause,
+        let failure = |cause| {
+            let path = PathBuf::new();
+            Failure::File(FileError::Write { path, cause })
         };
         let stopped = || io::Error::other(WriteStopped);
         assert!(was_stopped(&failure(stopped())));

@@ -8,10 +8,10 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use pellicle::input::units::Units;
-
-use super::file::write_stoppable;
-use crate::failure::Failure;
 use pellicle::result::fields::{Fields, TRUTHS};
+
+use super::large_file::write_stoppable;
+use crate::failure::Failure;
 
 /// Size in bytes of the length of an array, which precedes its values.
 pub const LENGTH: usize = size_of::<u64>();
@@ -26,7 +26,7 @@ pub fn file(step: usize) -> String {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if the file cannot be written.
+/// [`Failure::File`] if the file cannot be written.
 pub fn write(path: &Path, fields: &Fields<'_>, units: Units) -> Result<(), Failure> {
     write_stoppable(path, |file| {
         file.write_all(head(fields, units).as_bytes())?;

@@ -7,9 +7,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use pellicle::summary::WarningSummary;
+use pellicle_files::whole::write_bytes;
 use pellicle_plot::sheet::render;
 
-use super::file::write_bytes;
 use super::stoppable;
 use crate::failure::Failure;
 use crate::interrupt;
@@ -84,7 +84,7 @@ impl<'a> WriteProgress<'a> {
     ///
     /// # Errors
     ///
-    /// [`Failure::Write`] if a file cannot be written.
+    /// [`Failure::File`] if a file cannot be written.
     pub fn picture(
         &self,
         folder: &Path,

@@ -2,13 +2,13 @@
 
 use pellicle::display::{short, span};
 use pellicle::input::diagnosis::Diagnosis;
+use pellicle_identify::fit_file::FitFile;
+use pellicle_identify::fit_file::model::ModelParameters;
+use pellicle_identify::measured::curve_segment::SegmentEnd;
 use serde::Serialize;
 
 use crate::failure::Failure;
-use crate::fit_file::FitFile;
-use crate::fit_file::model::ModelParameters;
 use crate::identification::units;
-use crate::measured::curve_segment::SegmentEnd;
 
 /// Default number of points of a curve.
 const POINTS: usize = 24;

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use pellicle_files::{json, whole};
 use pellicle_plot::sheet::style::Style;
 
 use super::result::{self, PlanResult};
@@ -9,7 +10,6 @@ use super::{picture, text};
 use crate::failure::Failure;
 use crate::identification::findings::WarningResult;
 use crate::output::write_progress::WriteProgress;
-use crate::output::{file, json};
 
 /// File name of the picture, without extension.
 const PICTURE: &str = "plan-intervals";
@@ -29,7 +29,7 @@ pub fn is_name(name: &str) -> bool {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if a file cannot be written.
+/// [`Failure::File`] if a file cannot be written.
 pub fn write(folder: &Path, plan: &mut PlanResult) -> Result<(), Failure> {
     let writer = WriteProgress::new(1, &|_, _| ());
     let conditions = text::conditions(plan);
@@ -43,8 +43,12 @@ pub fn write(folder: &Path, plan: &mut PlanResult) -> Result<(), Failure> {
         code: warning.code,
         message: warning.message,
     }));
-    file::write_bytes(&folder.join(TABLE), table(plan).as_bytes())?;
-    file::write_bytes(&folder.join(result::FILE), json(plan)?.as_bytes())
+    whole::write_bytes(&folder.join(TABLE), table(plan).as_bytes())?;
+    let text = json(plan)?;
+    Ok(whole::write_bytes(
+        &folder.join(result::FILE),
+        text.as_bytes(),
+    )?)
 }
 
 /// Returns the table, as CSV: a row for each design and parameter, best design first.

@@ -3,15 +3,15 @@
 mod radius;
 
 use pellicle_contact::ModelParameter;
+use pellicle_identify::fit_file::FitFile;
+use pellicle_identify::fit_file::model::ModelParameters;
+use pellicle_identify::fit_file::unknown::UnknownCase;
+use pellicle_identify::measured::data_table::Observe;
 use pellicle_identify::{Amount, NoiseLevels, Plan, Prediction, Unknown};
 
 use super::candidate::CandidateCurve;
 use crate::failure::Failure;
-use crate::fit_file::FitFile;
-use crate::fit_file::model::ModelParameters;
-use crate::fit_file::unknown::UnknownCase;
 use crate::identification::curve_source;
-use crate::measured::data_table::Observe;
 
 /// Relative noise of the observable assumed if the fit file gives no noise.
 const RELATIVE: f64 = 0.01;

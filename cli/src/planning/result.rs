@@ -1,6 +1,7 @@
 //! `plan.json`: the expected results of designs, in SI units.
 
 use pellicle::summary::PROGRAM;
+use pellicle_identify::measured::data_table::Observe;
 use serde::Serialize;
 
 use super::Planning;
@@ -9,7 +10,6 @@ use super::design::DesignResult;
 use super::premises::{NoiseSource, Premises};
 use crate::failure::Failure;
 use crate::identification::findings::{NoiseResult, WarningResult};
-use crate::measured::data_table::Observe;
 
 /// Name of the file in a folder of results.
 pub const FILE: &str = "plan.json";

@@ -47,8 +47,8 @@ noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
 
 /// A fit of the radius of a diamond ball to repeats on tungsten.
 pub fn tungsten() -> String {
-    let curves =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/curves/tungsten_sphere_test0*.csv");
+    let curves = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../identify/tests/curves/tungsten_sphere_test0*.csv");
     format!(
         r#"
 [model]

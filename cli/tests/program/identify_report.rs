@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::runner::{TestFolder, names};
 
 /// The folder of the recorded curves.
-const CURVES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/curves");
+const CURVES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../identify/tests/curves");
 
 /// The files of every fit.
 const ALWAYS: [&str; 9] = [

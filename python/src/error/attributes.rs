@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use pellicle_cli::Failure;
 use pellicle_contact::{ContactError, IndenterError, IndenterQuantity};
+use pellicle_files::FileError;
 use pellicle_identify::IdentifyError;
 use pellicle_influence::InfluenceError;
 use pellicle_kernel::KernelError;
@@ -64,13 +65,15 @@ macro_rules! fields {
 pub fn set(py: Python<'_>, value: &Bound<'_, PyAny>, failure: &Failure) -> PyResult<()> {
     match failure {
         Failure::Case(error) => of_case(py, value, error)?,
+        Failure::File(error) => fields!(py, value, error, FileError {
+            Write { path },
+            Damaged { path, reason },
+        }),
         Failure::Inside(error) => of_influence(py, value, error)?,
         Failure::Identify(error) => of_identify(py, value, error)?,
         other => fields!(py, value, other, Failure {
             InRigidBase { found, bottom },
             NoStep { found, last },
-            Write { path },
-            Damaged { path, reason },
         }),
     }
     Ok(())

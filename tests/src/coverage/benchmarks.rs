@@ -7,13 +7,11 @@ use std::sync::Arc;
 use pellicle::Case;
 use pellicle::input::span::Source;
 use pellicle_cli::Template;
-use pellicle_cli::evidence::data::contact::{
-    AxisymmetricContact, AxisymmetricIndenter, axisymmetric,
-};
 use pellicle_contact::{Cone, FlatPunch, Indenter, Load, Pyramid, Sphere, default_side, reference};
 use pellicle_influence::Cache;
 use pellicle_kernel::Foundation;
 use pellicle_texture::{Film, HeightMap, MapCompliance, Relief, ReliefMap};
+use pellicle_validation::data::contact::{AxisymmetricContact, AxisymmetricIndenter, axisymmetric};
 
 use super::{Benchmark, GridQuantity};
 use crate::scene::{coated, cylinders, figure_2, material, model, paraboloid, unit_half_space};

@@ -2,13 +2,11 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use pellicle_cli::evidence::data::contact::{
-    AxisymmetricContact, AxisymmetricIndenter, axisymmetric,
-};
 use pellicle_contact::{Cone, Indenter, Load};
 use pellicle_tests::convergence::{GRIDS, demand};
 use pellicle_tests::scene::{coated, material, model, paraboloid, penetration, relative};
 use pellicle_texture::Relief;
+use pellicle_validation::data::contact::{AxisymmetricContact, AxisymmetricIndenter, axisymmetric};
 
 /// Side of the domain, in contact radii.
 const SIDE: f64 = 2.4;

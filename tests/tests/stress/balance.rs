@@ -1,7 +1,7 @@
 //! Forces and tractions in random stacks.
 
-use pellicle_cli::evidence::stress::balance::{box_forces, random_stacks, traction_jumps};
 use pellicle_kernel::{Base, Foundation, Interface};
+use pellicle_validation::stress::balance::{box_forces, random_stacks, traction_jumps};
 use rayon::prelude::*;
 
 #[test]

@@ -1,10 +1,10 @@
 //! A loaded circle composed of square elements.
 
-use pellicle_cli::evidence::independent::hankel::{circle, fields};
-use pellicle_cli::evidence::stress::squares::LoadedCircle;
 use pellicle_influence::Depth;
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side};
 use pellicle_tests::convergence::demand;
+use pellicle_validation::independent::hankel::{circle, fields};
+use pellicle_validation::stress::squares::LoadedCircle;
 
 /// ELLEA1's three layers in units of the circle's radius, bonded or not.
 fn layers(first: Interface) -> Foundation {

@@ -2,11 +2,6 @@
 
 use std::sync::Arc;
 
-use pellicle_cli::evidence::data::contact::{
-    AxisymmetricContact, AxisymmetricIndenter, axisymmetric,
-};
-use pellicle_cli::evidence::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
-use pellicle_cli::evidence::independent::hankel::fields;
 use pellicle_contact::{
     BodyPart, BodyStrengths, CriticalLoad, Domain, Load, LoadingPath, Model, Paraboloid, Sliding,
     SolverOptions, StressExtremes, StressModel, critical_loads, solve_path, stress_extremes,
@@ -14,6 +9,9 @@ use pellicle_contact::{
 use pellicle_influence::{Cache, Depth, RadialTables};
 use pellicle_kernel::{Foundation, Material, Side};
 use pellicle_texture::Relief;
+use pellicle_validation::data::contact::{AxisymmetricContact, AxisymmetricIndenter, axisymmetric};
+use pellicle_validation::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
+use pellicle_validation::independent::hankel::fields;
 use rayon::prelude::*;
 
 /// The body of a case.

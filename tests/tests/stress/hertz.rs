@@ -1,15 +1,15 @@
 //! The stress below a Hertzian contact on grids.
 
-use pellicle_cli::evidence::{
-    ValidationRun,
-    run::{ContactSetup, paraboloid},
-};
 use pellicle_contact::reference::hertz::from_contact_radius;
 use pellicle_contact::reference::hertz_stress::{HalfSpace, under_pressure, under_traction};
 use pellicle_contact::{Load, Sliding, StressField};
 use pellicle_influence::Depth;
 use pellicle_kernel::{Foundation, Material, Side};
 use pellicle_tests::convergence::demand;
+use pellicle_validation::{
+    ValidationRun,
+    run::{ContactSetup, paraboloid},
+};
 
 const GRIDS: [usize; 7] = [64, 80, 104, 128, 160, 208, 256];
 

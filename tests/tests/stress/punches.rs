@@ -1,7 +1,7 @@
 //! Flat punches on layers bonded to a rigid base, by the integral equation.
 
-use pellicle_cli::evidence::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+use pellicle_validation::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
 
 /// Force on a layer of thickness 1 over that on a half-space.
 fn kappa(radius: f64, nu: f64) -> f64 {

@@ -1,8 +1,8 @@
 //! Formulas for paraboloids on thin layers, compared with the integral equation: the numbers of
 //! docs/thin-film-formulas.md.
 
-use pellicle_cli::evidence::film_formulas::{ThinLayer, polynomial};
 use pellicle_kernel::Interface::{Bonded, Frictionless};
+use pellicle_validation::film_formulas::{ThinLayer, polynomial};
 
 fn film(interface: pellicle_kernel::Interface, poisson_ratio: f64) -> ThinLayer {
     ThinLayer {

@@ -5,7 +5,8 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use pellicle_cli::Failure;
-use pellicle_cli::results::write_whole;
+use pellicle_files::FileError;
+use pellicle_files::whole::write_whole;
 use pellicle_plot::sheet::svg::{Anchor, Svg};
 use pellicle_plot::sheet::{heading, render};
 
@@ -101,9 +102,9 @@ impl Picture {
         ending: &str,
         bytes: io::Result<impl AsRef<[u8]>>,
     ) -> Result<(), Failure> {
-        fs::create_dir_all(folder).map_err(|cause| Failure::write(folder, cause))?;
+        fs::create_dir_all(folder).map_err(|cause| FileError::write(folder, cause))?;
         let path = folder.join(self.name).with_extension(ending);
-        write_whole(&path, |file| file.write_all(bytes?.as_ref()))
+        Ok(write_whole(&path, |file| file.write_all(bytes?.as_ref()))?)
     }
 }
 

@@ -1,11 +1,11 @@
 //! Formulas for a paraboloid on a thin layer over the exact force: the picture of docs/thin-film-formulas.md.
 
-use pellicle_cli::evidence::ValidationError;
-use pellicle_cli::evidence::film_formulas::{ThinLayer, polynomial};
 use pellicle_kernel::Interface;
 use pellicle_plot::axes::panel::Axis;
 use pellicle_plot::sheet::colours::{BLUE, GREEN, INK, ORANGE, PURPLE};
 use pellicle_plot::sheet::svg::Dash::{Dashed, Solid};
+use pellicle_validation::ValidationError;
+use pellicle_validation::film_formulas::{ThinLayer, polynomial};
 use rayon::prelude::*;
 
 use super::chart::{Chart, ChartLine, CurvePanel, Pen};

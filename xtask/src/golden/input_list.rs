@@ -14,7 +14,7 @@ use crate::XtaskError;
 const FOLDER: &str = "xtask/golden";
 const LIST: &str = "runs.toml";
 /// The measured curves of the fit to tungsten.
-const CURVES: &str = "cli/tests/curves";
+const CURVES: &str = "identify/tests/curves";
 const TUNGSTEN: &str = "tungsten";
 
 /// The list with the files that its runs read.

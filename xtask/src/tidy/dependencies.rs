@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use the packages that these may use.
-const ALLOWED: [(&str, &[&str]); 9] = [
+const ALLOWED: [(&str, &[&str]); 12] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-kernel"]),
     ("pellicle-texture", &[]),
@@ -23,18 +23,44 @@ const ALLOWED: [(&str, &[&str]); 9] = [
             "pellicle-texture",
         ],
     ),
-    ("pellicle-identify", &["pellicle-contact"]),
+    (
+        "pellicle-identify",
+        &["pellicle", "pellicle-contact", "pellicle-influence"],
+    ),
     ("pellicle-plot", &["pellicle"]),
+    ("pellicle-files", &[]),
+    (
+        "pellicle-study",
+        &[
+            "pellicle",
+            "pellicle-contact",
+            "pellicle-files",
+            "pellicle-influence",
+        ],
+    ),
+    (
+        "pellicle-validation",
+        &[
+            "pellicle",
+            "pellicle-contact",
+            "pellicle-influence",
+            "pellicle-kernel",
+            "pellicle-texture",
+        ],
+    ),
     (
         "pellicle-cli",
         &[
             "pellicle",
             "pellicle-contact",
+            "pellicle-files",
             "pellicle-identify",
             "pellicle-influence",
             "pellicle-kernel",
             "pellicle-plot",
+            "pellicle-study",
             "pellicle-texture",
+            "pellicle-validation",
         ],
     ),
     (
@@ -43,9 +69,11 @@ const ALLOWED: [(&str, &[&str]); 9] = [
             "pellicle",
             "pellicle-cli",
             "pellicle-contact",
+            "pellicle-files",
             "pellicle-identify",
             "pellicle-influence",
             "pellicle-kernel",
+            "pellicle-study",
             "pellicle-texture",
         ],
     ),

@@ -3,17 +3,17 @@
 use std::time::Instant;
 
 use pellicle::run::Completeness;
+use pellicle_files::json;
 use pellicle_identify::IdentifyError;
+use pellicle_identify::fit_file::{FitFile, Measurements};
 
 use super::{claim, progress};
 use crate::arguments::IdentifyArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::fit_and_plan::{self, Stage};
-use crate::fit_file::{FitFile, Measurements};
-use crate::output::folder::ResultsFolder;
-use crate::output::json;
 use crate::planning::{files, text};
+use crate::results_folder::ResultsFolder;
 use crate::{interrupt, terminal, threads};
 
 /// Suffix of the folder of a plan, after the name of the fit file, so that the fit keeps its own folder.

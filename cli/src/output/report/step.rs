@@ -7,8 +7,8 @@ use pellicle::summary::{CertificateSummary, RunSummary, StepSummary};
 
 use super::grid_error::GridErrorNote;
 use super::stress::StressTable;
-use super::surface::SurfaceFigure;
 use crate::output::pictures::{StepDrawings, StepPicture, StressPicture};
+use crate::output::surface_figure::SurfaceFigure;
 
 /// The section of a step.
 pub struct StepSection<'a> {

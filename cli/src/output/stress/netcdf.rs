@@ -6,8 +6,9 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::super::file::LongFile;
-use super::super::netcdf::header::{Attribute, Header, Kind, RECORDS, Variable};
+use pellicle_files::netcdf::{Attribute, Header, Kind, RECORDS, Variable};
+
+use super::super::large_file::LongFile;
 use super::plane_values::{FIELDS, PlaneValues, StressFile, StressHead};
 use crate::failure::Failure;
 

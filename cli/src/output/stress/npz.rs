@@ -8,7 +8,7 @@ use ndarray::{Array1, Array2, Array3, ArrayView, Dimension, ShapeError};
 use ndarray_npy::{NpzReader, ReadNpyError, ReadNpzError, WriteNpyError, WriteNpzError};
 use pellicle_plot::stress::view::{InterfaceTractions, StressSection, StressView, SurfaceLine};
 
-use super::super::file::write_stoppable;
+use super::super::large_file::write_stoppable;
 use super::super::npz::check;
 use super::super::npz_archive::NpzArchive;
 use crate::failure::Failure;
@@ -26,7 +26,7 @@ pub fn file(step: usize) -> String {
 ///
 /// # Errors
 ///
-/// [`Failure::Write`] if the file cannot be written.
+/// [`Failure::File`] if the file cannot be written.
 pub fn write(path: &Path, view: &StressView) -> Result<(), Failure> {
     write_stoppable(path, |file| npz(file, view).map_err(io::Error::other))
 }
@@ -72,7 +72,7 @@ fn shaped<D: Dimension>(
 ///
 /// # Errors
 ///
-/// [`Failure::Damaged`] if the file is not one that a run wrote.
+/// [`Failure::File`] if the file is not one that a run wrote.
 pub fn read(path: &Path) -> Result<StressView, Failure> {
     check(path).map_err(|reason| Failure::damaged(path, &reason))?;
     let view = try_read(path).map_err(|cause| Failure::damaged(path, &cause))?;

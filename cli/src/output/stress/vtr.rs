@@ -6,7 +6,7 @@
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use super::super::file::LongFile;
+use super::super::large_file::LongFile;
 use super::super::vti::{self, LENGTH};
 use super::plane_values::{FIELDS, PlaneValues, StressFile, StressHead};
 use crate::failure::Failure;

@@ -1,12 +1,12 @@
 //! The indenter radii of a plan: which ones are unknown, and the model with another radius.
 
 use pellicle_contact::ModelParameter;
+use pellicle_identify::fit_file::model::ModelParameters;
+use pellicle_identify::fit_file::unknown::UnknownCase;
 use pellicle_identify::{IdentifyError, Prior, Unknown};
 
 use super::{IndenterRadius, Premises};
 use crate::failure::Failure;
-use crate::fit_file::model::ModelParameters;
-use crate::fit_file::unknown::UnknownCase;
 use crate::planning::candidate::{CandidateCurve, radius_words};
 
 /// Relative difference below which two radii are the same.

@@ -1,0 +1,147 @@
+//! The fit file: the measurements, the unknowns with their priors, and the nuisances.
+
+pub mod model;
+pub mod nuisance;
+pub mod prior;
+pub mod report;
+pub mod unknown;
+
+use std::path::Path;
+use std::sync::Arc;
+
+use pellicle::case::map_sources::MapSources;
+use pellicle::input::document::Document;
+use pellicle::input::source_file;
+use pellicle::input::span::Source;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::toml_tree;
+use pellicle::input::value_reader::ValueReader;
+
+use self::model::FitModel;
+use self::nuisance::NuisanceTable;
+use self::report::ReportTable;
+use self::unknown::{UnknownCase, read_unknowns};
+use crate::measured::data_table::DataTable;
+use crate::measured::sources::MeasurementSources;
+use crate::measured::spring;
+
+/// A fit file.
+#[derive(Debug)]
+pub struct FitFile {
+    /// Title; by default the name of the file.
+    pub title: String,
+    /// The model.
+    pub model: FitModel,
+    /// The measurements.
+    pub data: Vec<DataTable>,
+    /// The unknowns.
+    pub unknowns: Vec<UnknownCase>,
+    /// Frame compliance, drift and zero of the curves, and parameters of the model that are not known exactly.
+    pub nuisances: NuisanceTable,
+    /// The table `[report]`.
+    pub report: ReportTable,
+    /// The tree of the file, for diagnoses.
+    pub document: Document,
+}
+
+/// The sources of the maps and measurements of a fit file.
+#[derive(Debug, Clone, Default)]
+pub struct FitSources {
+    /// The maps of the model.
+    pub maps: MapSources,
+    /// The measurements.
+    pub measurements: MeasurementSources,
+}
+
+impl FitSources {
+    /// The files of a folder.
+    #[must_use]
+    pub fn in_folder(folder: &Path) -> Self {
+        Self {
+            maps: MapSources::in_folder(folder),
+            measurements: MeasurementSources::in_folder(folder),
+        }
+    }
+}
+
+/// Whether a fit file must name measurements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measurements {
+    /// Measurements are required.
+    Required,
+    /// Measurements are optional: they are to be planned.
+    Optional,
+}
+
+impl FitFile {
+    /// Reads the file.
+    ///
+    /// # Errors
+    ///
+    /// An [`Error`](pellicle::Error) if the file or its case cannot be read, or one of them is not valid.
+    pub fn read(path: &Path, measurements: Measurements) -> Result<Self, pellicle::Error> {
+        let source = Arc::new(source_file::read(path)?);
+        let stem = source_file::stem(path);
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Self::parse(&source, &stem, &FitSources::in_folder(folder), measurements)
+    }
+
+    /// Reads the text of a fit file; `sources` supplies its files and arrays.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::read`].
+    pub fn parse(
+        source: &Arc<Source>,
+        name: &str,
+        sources: &FitSources,
+        measurements: Measurements,
+    ) -> Result<Self, pellicle::Error> {
+        const TABLES: [&str; 6] = ["title", "model", "data", "unknown", "nuisance", "report"];
+        let root = toml_tree::parse(source)?;
+        let table = TableReader::root(&root)?;
+        table.only(&TABLES)?;
+        let title = match table.optional("title") {
+            Some(field) => field.text()?,
+            None => name,
+        };
+        let model = table.required("model", "a table [model]")?;
+        let model = FitModel::read(&model, &sources.maps)?;
+        let parameters = model.parameters()?;
+        let unknown = table.required("unknown", "a table [unknown] of the keys that are sought")?;
+        let unknowns = read_unknowns(&unknown, &parameters)?;
+        let optional = |key| table.optional(key).map(ValueReader::table).transpose();
+        let nuisances = match table.optional("nuisance") {
+            Some(field) => NuisanceTable::read(&field, &parameters)?,
+            None => NuisanceTable::default(),
+        };
+        let report = optional("report")?.map(|table| ReportTable::read(&table, &parameters));
+        let data = match (table.optional("data"), measurements) {
+            (None, Measurements::Optional) => Vec::new(),
+            _ => DataTable::read_all(&root, &sources.measurements)?,
+        };
+        Ok(Self {
+            title: title.replace(char::is_control, " "),
+            data,
+            model,
+            unknowns,
+            nuisances,
+            report: report.transpose()?.unwrap_or_default(),
+            document: Document::new(&root),
+        })
+    }
+
+    /// The unknowns, then the parameters of the model that are not known exactly.
+    #[must_use]
+    pub fn all_unknowns(&self) -> Vec<UnknownCase> {
+        let nuisances = self.nuisances.parameters.iter();
+        self.unknowns.iter().chain(nuisances).cloned().collect()
+    }
+
+    /// The SI unit of an estimate of a fit; `index` counts all unknowns, then the spring constants.
+    #[must_use]
+    pub fn unit(&self, index: usize) -> &'static str {
+        let all = self.all_unknowns();
+        all.get(index).map_or(spring::UNIT, UnknownCase::unit)
+    }
+}

@@ -1,0 +1,170 @@
+//! `[model]` of a fit file: a case, which supplies the fixed values and the starts.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use pellicle::case::Case;
+use pellicle::case::map_sources::MapSources;
+use pellicle::case::parameter::CaseParameter;
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::key_path;
+use pellicle::input::overrides;
+use pellicle::input::source_file;
+use pellicle::input::toml_tree::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
+use pellicle::input::value_reader::ValueReader;
+use pellicle_contact::{ContactError, Model, ModelParameter};
+use pellicle_influence::Cache;
+
+/// The model of a fit: the tree of a case, and its radial tables by shape.
+#[derive(Debug)]
+pub struct FitModel {
+    root: TomlNode,
+    maps: MapSources,
+    name: String,
+    cache: Cache,
+}
+
+/// The model of a case, and the parameters that can be fitted.
+#[derive(Debug)]
+pub struct ModelParameters {
+    /// The model.
+    pub model: Model,
+    /// The parameters.
+    pub parameters: Vec<CaseParameter>,
+}
+
+impl FitModel {
+    /// Reads the table: the path of a case, relative to the folder of the fit file, or the tables of a case, whose maps
+    /// come from `maps`.
+    ///
+    /// # Errors
+    ///
+    /// An [`Error`](pellicle::Error) if the case does not exist or is invalid.
+    pub fn read(field: &ValueReader<'_>, maps: &MapSources) -> Result<Self, pellicle::Error> {
+        let table = field.clone().table()?;
+        let cache = Cache::of_shapes();
+        let (mut root, maps, name) = if let Some(case) = table.optional("case") {
+            table.only(&["case"])?;
+            let path = maps.folder().join(case.text()?);
+            let root = toml_tree::parse(&Arc::new(source_file::read(&path)?))?;
+            let folder = path.parent().unwrap_or(Path::new(""));
+            (
+                root,
+                MapSources::in_folder(folder),
+                source_file::stem(&path),
+            )
+        } else {
+            (field.node().clone(), maps.clone(), "model".to_owned())
+        };
+        give_load(&mut root);
+        Ok(Self {
+            root,
+            maps,
+            name,
+            cache,
+        })
+    }
+
+    /// Returns the model of the case with the values of some keys replaced.
+    ///
+    /// # Errors
+    ///
+    /// An [`Error`](pellicle::Error) if the resulting case is invalid.
+    pub fn with(&self, set: &TomlTable) -> Result<ModelParameters, pellicle::Error> {
+        let mut root = self.root.clone();
+        for TomlEntry {
+            key,
+            key_span,
+            node,
+        } in &set.entries
+        {
+            overrides::replace(&mut root, key, key_span, node.clone())?;
+        }
+        let case = Case::resolve_with(&root, &self.name, &self.maps)?;
+        if case.hardness().is_some() {
+            return Err(case.blame(ContactError::WithHardness { what: "fits" }));
+        }
+        let model = case.model(&self.cache)?.value;
+        let parameters = case.parameters(&model)?;
+        Ok(ModelParameters { model, parameters })
+    }
+
+    /// Returns the model of the unchanged case.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::with`].
+    pub fn parameters(&self) -> Result<ModelParameters, pellicle::Error> {
+        self.with(&TomlTable::default())
+    }
+}
+
+impl ModelParameters {
+    /// Finds the parameter of a key, in any spelling.
+    #[must_use]
+    pub fn find(&self, key: &str) -> Option<&CaseParameter> {
+        let path = key_path::parts(key)?;
+        let is_wanted = |of: &&CaseParameter| key_path::parts(&of.key).as_ref() == Some(&path);
+        self.parameters.iter().find(is_wanted)
+    }
+
+    /// The parameters of these keys.
+    #[must_use]
+    pub fn given_in(&self, set: &TomlTable) -> Vec<ModelParameter> {
+        let found = set.entries.iter().filter_map(|entry| self.find(&entry.key));
+        found.map(|of| of.parameter).collect()
+    }
+
+    /// Finds the parameter of a key that a fit file names.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] that lists the available parameters.
+    pub fn required(
+        &self,
+        field: &ValueReader<'_>,
+        key: &str,
+    ) -> Result<&CaseParameter, Diagnosis> {
+        self.find(key).ok_or_else(|| {
+            let keys: Vec<&str> = self.parameters.iter().map(|of| of.key.as_str()).collect();
+            field.unknown_key(key, &keys)
+        })
+    }
+
+    /// The radius of the indenter, if it has one.
+    #[must_use]
+    pub fn radius(&self) -> Option<&CaseParameter> {
+        let keys = ["indenter.radius", "indenter.tip_radius"];
+        keys.iter().find_map(|key| self.find(key))
+    }
+
+    /// The value of a parameter in the case.
+    #[must_use]
+    pub fn value(&self, of: &CaseParameter) -> Option<f64> {
+        self.model.parameter(of.parameter)
+    }
+}
+
+/// Adds a load to a case that has none; a fit does not use it.
+fn give_load(root: &mut TomlNode) {
+    let span = root.span.clone();
+    let TomlValue::Table(table) = &mut root.value else {
+        return;
+    };
+    if table.entry("load").is_some() {
+        return;
+    }
+    let entry = |key: &str, value: TomlValue| TomlEntry {
+        key: key.to_owned(),
+        key_span: span.clone(),
+        node: TomlNode {
+            value,
+            span: span.clone(),
+        },
+    };
+    let force = entry("force", TomlValue::Float(1.0));
+    let load = TomlValue::Table(TomlTable {
+        entries: vec![force],
+    });
+    table.entries.push(entry("load", load));
+}
