@@ -11,7 +11,6 @@ pub mod columns;
 pub mod curve;
 pub mod curve_segment;
 pub mod data_table;
-pub mod decode;
 pub mod depth_step;
 pub mod error;
 pub mod exclusion;

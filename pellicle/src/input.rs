@@ -2,6 +2,7 @@
 //! readers of tables and values that diagnose the first fault.
 
 pub mod clean;
+pub mod decode;
 pub mod diagnosis;
 pub mod dimension;
 pub mod document;

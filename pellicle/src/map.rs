@@ -4,10 +4,12 @@
 //! index along x, second along y, both increasing. NumPy arrays have that layout already, as do the arrays in a results
 //! folder. Text and `.gsf` are pictures: a line is a row of pixels from left to right, x increasing, and the first line
 //! is the top, where y is largest. Lines of three numbers that are the points x, y, z of a grid are read as points.
+//! Heights that are missing are NaN.
 
 mod error;
 mod grid_points;
 mod gsf;
+mod header;
 mod map_file;
 mod npy;
 pub mod npy_header;
@@ -36,7 +38,7 @@ impl MapFile {
         let ending = path.extension().unwrap_or_default().to_string_lossy();
         let parse: Parser = match ending.to_lowercase().as_str() {
             "npy" => npy::parse,
-            "csv" | "txt" | "dat" => text::parse,
+            "csv" | "txt" | "dat" | "asc" => text::parse,
             "gsf" => gsf::parse,
             _ => {
                 return Err(MapError::Ending {

@@ -29,7 +29,9 @@ class HeightMap(Table):
 
     `heights` is an array, first index along x and second along y, or the path of a file (.npy, .csv, .txt, .gsf).
     `side` is the length of the map along x in m, for square pixels; `sides` are its lengths along x and y. A file may
-    contain them. `height_unit` is the length represented by 1 in the array, in m unless it has a unit.
+    contain them. `height_unit` is the length represented by 1 in the array, in m unless it has a unit, and
+    `lateral_unit` that of x and y in a file of points x, y, z. Where heights are missing in a file, the map is refused, or
+    with `holes="interpolate"` each is the mean of its neighbours.
     """
 
     heights: Heights
@@ -37,6 +39,8 @@ class HeightMap(Table):
     sides: tuple[Quantity, Quantity] | None = field(default=None, kw_only=True)
     height_unit: Quantity | None = field(default=None, kw_only=True)
     interpolation: Literal["bicubic", "linear"] | None = field(default=None, kw_only=True)
+    holes: Literal["refuse", "interpolate"] | None = field(default=None, kw_only=True)
+    lateral_unit: Quantity | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
         if not isinstance(self.heights, (str, os.PathLike)):

@@ -1,5 +1,7 @@
 //! The reasons why a file does not give a measured curve, each with a stable code.
 
+use pellicle::input::decode::NotInEncoding;
+
 /// The reason why a file does not give a measured curve.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CurveError {
@@ -190,6 +192,12 @@ pub enum CurveError {
         "found a height that does not change with the force, wanted height_direction = \"toward\" or \"away\""
     )]
     HeightDirection,
+}
+
+impl From<NotInEncoding> for CurveError {
+    fn from(NotInEncoding { encoding, line }: NotInEncoding) -> Self {
+        Self::Encoding { encoding, line }
+    }
 }
 
 impl CurveError {

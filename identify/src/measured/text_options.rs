@@ -1,9 +1,9 @@
 //! The table `text` of a fit file: the format of the text of a measurement.
 
+use pellicle::input::decode::TextEncoding;
 use pellicle::input::diagnosis::{Diagnosis, Fault};
 use pellicle::input::table_reader::TableReader;
 
-use super::decode::TextEncoding;
 use super::separator::{DecimalMark, Separator};
 
 /// The format of the text of a measurement.

@@ -66,13 +66,26 @@ impl HeightLimits {
         found.slope * times <= self.slope && found.range * times <= self.range * found.side
     }
 
+    /// Describes the limits for points x, y, z in one unit: another unit of the heights would not change the slope.
+    #[must_use]
+    pub fn wanted_of_points(self) -> String {
+        format!(
+            "{}: x, y and z are in this unit; lateral_unit = \"um\" or sides = [x, y] sets that of x and y",
+            self.words()
+        )
+    }
+
+    fn words(self) -> String {
+        format!(
+            "an rms slope of at most {} and a range of at most {} times the shorter side",
+            self.slope, self.range
+        )
+    }
+
     /// Describes the limits, with the likely unit of the heights: the largest that brings them within the limits.
     #[must_use]
     pub fn wanted(self, map: &HeightMap, height_unit: f64, has_unit: bool) -> String {
-        let most = format!(
-            "an rms slope of at most {} and a range of at most {} times the shorter side",
-            self.slope, self.range
-        );
+        let most = self.words();
         let Err(found) = self.check(map) else {
             return most;
         };

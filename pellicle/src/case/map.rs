@@ -6,6 +6,7 @@
 //! names, or in metres, or in the case's own unit of length. `interpolation` sets how heights between the samples are
 //! found.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use pellicle_texture::{HeightMap, Interpolation, TextureError};
@@ -14,6 +15,7 @@ use serde::Serialize;
 use super::map_sources::MapSources;
 use crate::declare::macros::record;
 use crate::declare::{Codec, Record, Scope, Shape, TableShape, length, pair, text, word};
+use crate::display::{self, Unit};
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
@@ -24,15 +26,18 @@ use crate::input::value_reader::ValueReader;
 use crate::map::MapFile;
 
 const FILE: &str =
-    "a height map (.npy, .csv, .txt or .gsf) by its path from the folder of the case file";
+    "a height map (.npy, .csv, .txt, .asc or .gsf) by its path from the folder of the case file";
 
 const LENGTHS: &str = "a list of two positive lengths, [x, y]";
 
 const HEIGHT_UNIT: &str =
     "the length of a 1 in the file, such as \"nm\" or \"0.5 um\", or a bare number other than 0";
 
-/// At least this many lines of three numbers are taken for points x, y, z rather than a strip of a surface.
-const MANY_LINES: usize = 30;
+/// Part by which a side or unit may differ from that in the head of the file, which is printed with few digits.
+const SAME: f64 = 0.01;
+
+/// The largest part of the heights that may be missing.
+const MISSING: f64 = 0.1;
 
 /// A height map of a case. It is written as the keys from which it was read; the heights stay in the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -45,6 +50,12 @@ pub struct MapCase {
     pub height_unit: f64,
     /// The interpolation between the samples.
     pub interpolation: InterpolationCase,
+    /// What is done where heights are missing.
+    #[serde(skip_serializing_if = "HolesCase::is_refuse")]
+    pub holes: HolesCase,
+    /// Number of heights that were missing.
+    #[serde(skip)]
+    pub missing: usize,
     /// The units; SI if the file names one.
     #[serde(skip)]
     pub units: Units,
@@ -74,6 +85,28 @@ pub enum InterpolationCase {
     Linear,
 }
 
+/// What is done where heights are missing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum HolesCase {
+    /// The map is refused.
+    Refuse,
+    /// Each is the mean of its neighbours.
+    Interpolate,
+}
+
+impl HolesCase {
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde's signature")]
+    fn is_refuse(&self) -> bool {
+        *self == Self::Refuse
+    }
+}
+
+const HOLES: &[(&str, HolesCase)] = &[
+    ("refuse", HolesCase::Refuse),
+    ("interpolate", HolesCase::Interpolate),
+];
+
 const INTERPOLATIONS: &[(&str, InterpolationCase)] = &[
     ("bicubic", InterpolationCase::Bicubic),
     ("linear", InterpolationCase::Linear),
@@ -82,7 +115,7 @@ const INTERPOLATIONS: &[(&str, InterpolationCase)] = &[
 record! {
     /// The keys of a map, as far as each can be read by itself.
     struct MapKeys {
-        file: String = text(FILE), "the heights: path of a .npy, .csv, .txt or .gsf file from the folder of the case";
+        file: String = text(FILE), "the heights: path of a .npy, .csv, .txt, .asc or .gsf file from the folder of the case";
         side: Option<f64> = length().positive().optional("that of the file"),
             "length of the map along x, its pixels being square";
         sides: Option<[f64; 2]> = pair(length().positive(), LENGTHS).optional("those of the file"),
@@ -91,6 +124,10 @@ record! {
             "length that a 1 in the file stands for; negative for depths";
         interpolation: InterpolationCase = word(INTERPOLATIONS).or(InterpolationCase::Bicubic, "\"bicubic\""),
             "heights between the samples";
+        holes: HolesCase = word(HOLES).or(HolesCase::Refuse, "\"refuse\""),
+            "where heights are missing: the map is refused, or each is the mean of its neighbours";
+        lateral_unit: Option<f64> = HeightUnit.optional("that of the heights"),
+            "length that a 1 of x and y stands for, of points x, y, z";
     }
 }
 
@@ -153,21 +190,23 @@ impl MapCase {
         let name = field.text()?;
         let read = maps.read(name);
         let file = read.map_err(|error| field.unusable(&error, FILE))?;
-        refuse_points(table, &field, &file)?;
         let keys = MapKeys::read_part(table, scope)?;
-        let height_unit = match keys.height_unit {
-            Some(unit) => unit,
-            None => unit(&field, "height", file.height_unit.as_deref())?,
-        };
+        let height_unit = height_unit(table, &field, &keys, &file)?;
         let sides = sides(table, &field, &keys, &file, height_unit.abs())?;
-        let heights = file.heights.iter().map(|height| height * height_unit);
+        let (filled, missing) = without_holes(&field, &file, keys.holes)?;
+        let heights = filled.iter().map(|height| height * height_unit);
         let heights = HeightMap::new(heights.collect(), file.shape, sides);
         let heights = heights.map_err(|error| field.refused(&error))?;
         scope.limits.check(&heights).map_err(|too_steep| {
             let at_fault = table.optional("height_unit").unwrap_or(field);
             let has_unit =
                 matches!(at_fault.value(), TomlValue::Text(_)) || names_a_unit(table, &file);
-            let wanted = scope.limits.wanted(&heights, height_unit, has_unit);
+            let has_own_sides = file.has_one_unit && keys.sides.is_none();
+            let wanted = if has_own_sides && keys.lateral_unit.is_none() {
+                scope.limits.wanted_of_points()
+            } else {
+                scope.limits.wanted(&heights, height_unit, has_unit)
+            };
             at_fault.unusable(&too_steep, wanted)
         })?;
         Ok(Self {
@@ -175,6 +214,8 @@ impl MapCase {
             sides,
             height_unit,
             interpolation: keys.interpolation,
+            holes: keys.holes,
+            missing,
             units: units(&file),
             heights: Arc::new(heights.with_interpolation(keys.interpolation.into())),
             repeats: None,
@@ -253,25 +294,92 @@ fn names_a_unit(table: &TableReader<'_>, file: &MapFile) -> bool {
     sides.any(has_unit) || units(file) == Units::Si
 }
 
-/// Rejects many lines of three numbers that are not the points of a grid, unless the sides of a strip are given.
-fn refuse_points(
+/// The heights with the mean of the neighbours where they are missing, and how many are: of points on a grid, or as the
+/// case asks.
+fn without_holes<'a>(
+    field: &ValueReader<'_>,
+    file: &'a MapFile,
+    holes: HolesCase,
+) -> Result<(Cow<'a, [f64]>, usize), Diagnosis> {
+    let all = file.heights.len();
+    let missing = file.heights.iter().filter(|height| !height.is_finite());
+    let missing = missing.count();
+    if missing == 0 {
+        return Ok((Cow::Borrowed(&file.heights), 0));
+    }
+    let is_filled = holes == HolesCase::Interpolate || missing == file.missing_points;
+    if is_filled && missing as f64 <= MISSING * all as f64 {
+        return Ok((Cow::Owned(filled(&file.heights, file.shape)), missing));
+    }
+    let reason = format!("of whose {all} heights {missing} are missing or infinite");
+    let wanted = if is_filled {
+        "at most a tenth of them missing"
+    } else {
+        "every height, or holes = \"interpolate\", which takes the mean of the neighbours"
+    };
+    Err(field.unusable(&reason, wanted))
+}
+
+/// Puts the mean of the neighbours, diagonal ones included, where heights are not finite, from the rims of the holes
+/// inwards.
+fn filled(heights: &[f64], [rows, columns]: [usize; 2]) -> Vec<f64> {
+    let mut filled = heights.to_vec();
+    loop {
+        let known = filled.clone();
+        let is_known = |k: usize| known[k].is_finite();
+        let mut is_whole = true;
+        for k in (0..known.len()).filter(|k| !is_known(*k)) {
+            let (i, j) = (k / columns, k % columns);
+            let around = (i.saturating_sub(1)..rows.min(i + 2))
+                .flat_map(|i| {
+                    (j.saturating_sub(1)..columns.min(j + 2)).map(move |j| i * columns + j)
+                })
+                .filter(|near| is_known(*near));
+            let (sum, count) = around.fold((0.0, 0_usize), |(sum, count), near| {
+                (sum + known[near], count + 1)
+            });
+            if count > 0 {
+                filled[k] = sum / count as f64;
+            } else {
+                is_whole = false;
+            }
+        }
+        // Without a known height nothing can be filled.
+        if is_whole || !known.iter().any(|height| height.is_finite()) {
+            return filled;
+        }
+    }
+}
+
+/// The length of a 1 in the file, from the case or else from the file; they must not contradict each other.
+fn height_unit(
     table: &TableReader<'_>,
     field: &ValueReader<'_>,
+    keys: &MapKeys,
     file: &MapFile,
-) -> Result<(), Diagnosis> {
-    let [x, y] = file.shape;
-    let is_slender = x.min(y) == 3 && x.max(y) >= MANY_LINES;
-    if !is_slender || file.sides.is_some() || table.optional("sides").is_some() {
-        return Ok(());
+) -> Result<f64, Diagnosis> {
+    let name = file.height_unit.as_deref();
+    let Some(given) = keys.height_unit else {
+        return unit(field, "height", name);
+    };
+    // A unit that is no length, such as volts, needs the key.
+    let own = name.and_then(|name| quantity::one(name, Dimension::Length).ok());
+    match (own, name) {
+        (Some(own), Some(name)) if !is_same(given.abs(), own) => {
+            let field = table.required("height_unit", HEIGHT_UNIT)?;
+            let reason = format!("which contradicts the unit {name} in the head of the file");
+            Err(field.unusable(
+                &reason,
+                "the unit of the file, negative for depths, or none",
+            ))
+        }
+        _ => Ok(given),
     }
-    let reason = format!(
-        "which holds {} lines of three numbers, apparently points x, y, z that form no rectangular grid",
-        x.max(y)
-    );
-    Err(field.unusable(
-        &reason,
-        "rows of heights, or every point x, y, z of a regular grid; for a strip three samples wide, sides = [x, y]",
-    ))
+}
+
+/// Whether a length of the case is that of the file.
+fn is_same(given: f64, own: f64) -> bool {
+    (given / own - 1.0).abs() <= SAME
 }
 
 fn units(file: &MapFile) -> Units {
@@ -292,26 +400,44 @@ fn sides(
 ) -> Result<[f64; 2], Diagnosis> {
     const WANTED: &str =
         "side, the length of the map along x, or sides = [x, y], since the file does not give it";
-    match (keys.side, keys.sides) {
-        (Some(_), Some(_)) => Err(table.required("sides", "")?.diagnosis(Fault::Wrong {
+    if let (Some(_), Some(_)) = (keys.side, keys.sides) {
+        return Err(table.required("sides", "")?.diagnosis(Fault::Wrong {
             found: "side and sides".into(),
             wanted: "one of them".into(),
-        })),
-        (Some(side), None) => {
-            let [along_x, along_y] = file.shape.map(|samples| samples as f64);
-            // Square pixels.
-            Ok([side, side * along_y / along_x])
-        }
-        (None, Some(sides)) => Ok(sides),
-        (None, None) => match file.sides {
-            Some(sides) if file.has_one_unit => Ok(sides.map(|side| side * height_unit)),
-            Some(sides) => {
-                let unit = unit(field, "lateral", file.lateral_unit.as_deref())?;
-                Ok(sides.map(|side| side * unit))
-            }
-            None => Err(table.missing("side", WANTED.into())),
-        },
+        }));
     }
+    let [along_x, along_y] = file.shape.map(|samples| samples as f64);
+    let own = match file.sides {
+        Some(sides) if file.has_one_unit => {
+            let unit = keys.lateral_unit.unwrap_or(height_unit);
+            Some(sides.map(|side| side * unit.abs()))
+        }
+        Some(sides) => {
+            let unit = unit(field, "lateral", file.lateral_unit.as_deref())?;
+            Some(sides.map(|side| side * unit))
+        }
+        None => None,
+    };
+    // Points may have other units along x and y, so their sides are no contradiction.
+    let of_head = own.filter(|_| !file.has_one_unit);
+    let given = match (keys.side, keys.sides, of_head) {
+        (Some(side), _, Some([x, y])) => Some([side, side * y / x]),
+        // Square pixels.
+        (Some(side), _, None) => Some([side, side * along_y / along_x]),
+        (None, sides, _) => sides,
+    };
+    let Some(given) = given else {
+        return own.ok_or_else(|| table.missing("side", WANTED.into()));
+    };
+    if let Some(own) = of_head.filter(|own| !(0..2).all(|axis| is_same(given[axis], own[axis]))) {
+        let key = if keys.side.is_some() { "side" } else { "sides" };
+        let [x, y] = own.map(|side| display::quantity(side, Unit::Metre, units(file)));
+        let reason = format!("which contradicts the size {x} by {y} in the head of the file");
+        return Err(table
+            .required(key, LENGTHS)?
+            .unusable(&reason, "the size of the file, or none"));
+    }
+    Ok(given)
 }
 
 /// The unit that the file names, m; 1 if it names none.
@@ -344,6 +470,13 @@ mod tests {
         gsf.resize((gsf.len() / 4 + 1) * 4, 0);
         gsf.extend(7.0_f32.to_le_bytes());
         fs::write(folder.path().join("volts.gsf"), gsf).unwrap();
+        let holes = "1 3 1 3\n3 Bad 3 1\n1 1 1 3\n1 3 3 3\n";
+        fs::write(folder.path().join("holes.txt"), holes).unwrap();
+        fs::write(
+            folder.path().join("points.txt"),
+            "0 0 50\n1 0 60\n0 2 70\n1 2 80\n",
+        )
+        .unwrap();
         folder
     }
 
@@ -371,15 +504,50 @@ mod tests {
     }
 
     #[test]
-    fn the_case_overrides_the_header_of_the_map() {
+    fn a_unit_that_is_no_length_is_overridden_but_no_size() {
         let map = read("file = \"volts.gsf\"\nheight_unit = \"-0.5 um\"").unwrap();
         assert_eq!((map.sides, map.units), ([2e-6, 4e-6], Units::Si));
         assert_eq!(
             (map.height_unit, map.heights().lowest()),
             (-0.5e-6, -3.5e-6)
         );
-        let map = read("file = \"volts.gsf\"\nheight_unit = 1\nsides = [1, 2]").unwrap();
-        assert_eq!(map.sides, [1.0, 2.0]);
+        // A size is not.
+        let wrong = read("file = \"volts.gsf\"\nheight_unit = 1\nsides = [1, 2]").unwrap_err();
+        assert!(
+            wrong.contains("key `sides`: found [1, 2], which contradicts the size 2"),
+            "{wrong}"
+        );
+        let map = read("file = \"volts.gsf\"\nheight_unit = 1\nside = \"2 um\"").unwrap();
+        assert_eq!(map.sides, [2e-6, 4e-6]);
+    }
+
+    #[test]
+    fn missing_heights_are_refused_or_the_mean_of_their_neighbours() {
+        let wrong = read("file = \"holes.txt\"\nside = 1").unwrap_err();
+        assert!(
+            wrong.contains("of whose 16 heights 1 are missing"),
+            "{wrong}"
+        );
+        assert!(wrong.contains("holes = \"interpolate\""), "{wrong}");
+        let map = read("file = \"holes.txt\"\nside = 100\nholes = \"interpolate\"").unwrap();
+        assert_eq!(map.missing, 1);
+        // Of eight neighbours, five are 1 and three are 3.
+        assert!(
+            map.samples()
+                .iter()
+                .any(|height| (height - 1.75).abs() < 1e-15)
+        );
+    }
+
+    #[test]
+    fn the_unit_of_points_along_the_surface_may_be_another() {
+        let map =
+            read("file = \"points.txt\"\nheight_unit = \"nm\"\nlateral_unit = \"um\"").unwrap();
+        assert!(
+            (map.sides[0] / 2e-6 - 1.0).abs() < 1e-12 && (map.sides[1] / 4e-6 - 1.0).abs() < 1e-12
+        );
+        let wrong = read("file = \"points.txt\"\nheight_unit = \"nm\"").unwrap_err();
+        assert!(wrong.contains("lateral_unit = \"um\""), "{wrong}");
     }
 
     #[test]

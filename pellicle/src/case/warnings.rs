@@ -76,6 +76,8 @@ impl Case {
         let coarse =
             |(table, map): (&str, Option<&MapCase>)| coarse(table, map?, element_side, self.units);
         warnings.extend(maps.into_iter().filter_map(coarse));
+        let filled = |(table, map): (&str, Option<&MapCase>)| filled(table, map?);
+        warnings.extend(maps.into_iter().filter_map(filled));
         let flat = |(table, map): (&str, Option<&MapCase>)| flat(table, map?, self.units);
         warnings.extend(maps.into_iter().filter_map(flat));
         warnings.extend(self.stress_warnings());
@@ -120,6 +122,18 @@ fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option
             map.file,
             metres(pixel),
             metres(element_side)
+        ),
+    })
+}
+
+/// The warning about heights that are missing.
+fn filled(table: &str, map: &MapCase) -> Option<CaseWarning> {
+    let (missing, all) = (map.missing, map.samples().len());
+    (missing > 0).then(|| CaseWarning {
+        code: "map-holes",
+        message: format!(
+            "{missing} of {all} heights are missing in the map of the {table}, {}: each is the mean of its neighbours",
+            map.file
         ),
     })
 }

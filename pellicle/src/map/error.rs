@@ -24,10 +24,28 @@ pub enum MapError {
     #[error("which is not a two-dimensional NumPy array of numbers: {0}")]
     Npy(String),
     /// Not text.
-    #[error("which is not text: its byte {at} is not UTF-8")]
+    #[error("which is not text: a byte in line {line} is not {encoding}")]
     NotText {
-        /// Number of valid bytes before the fault.
-        at: usize,
+        /// The name of the encoding.
+        encoding: String,
+        /// Line, from 1.
+        line: usize,
+    },
+    /// A profile, or a list of numbers.
+    #[error("which holds {} of {lines} lines, a profile and no map", if *columns == 1 { "one column" } else { "two columns" })]
+    Columns {
+        /// Numbers on each line.
+        columns: usize,
+        /// Number of lines.
+        lines: usize,
+    },
+    /// Points that form no grid.
+    #[error(
+        "which holds {lines} points x, y, z that form no rectangular grid, or one with more than a fiftieth missing"
+    )]
+    Points {
+        /// Number of lines.
+        lines: usize,
     },
     /// A word where a number should be.
     #[error("where line {line} holds \"{found}\", which is not a number")]

@@ -5,27 +5,53 @@ use super::map_file::MapFile;
 /// The largest distance of a coordinate from its grid line, in grid spacings; printed coordinates have few digits.
 const OFF_THE_LINE: f64 = 0.05;
 
-/// Returns the map of the points if they form a regular rectangular grid, each point once and in any order. Its sides
-/// are in the unit of the heights.
+/// The largest part of the points of a grid that may be missing.
+const MISSING: f64 = 0.02;
+
+/// Returns the map of the points if they form a regular rectangular grid, each point at most once and in any order. Its
+/// sides are in the unit of the heights; those of the few points that are missing are NaN.
 pub fn map(numbers: &[f64]) -> Option<MapFile> {
     let points = numbers.as_chunks::<3>().0;
     let [along_x, along_y] = [lines(points, 0)?, lines(points, 1)?];
     let shape = [along_x.count, along_y.count];
-    if shape[0].checked_mul(shape[1]) != Some(points.len()) {
+    let all = shape[0].checked_mul(shape[1])?;
+    let missing_points = all.checked_sub(points.len())?;
+    if missing_points as f64 > MISSING * all as f64 {
         return None;
     }
-    let mut heights = vec![None; points.len()];
+    let mut heights = vec![None; all];
     for point in points {
         let place = along_x.number(point[0])? * shape[1] + along_y.number(point[1])?;
         if heights.get_mut(place)?.replace(point[2]).is_some() {
             return None;
         }
     }
+    let heights = heights.into_iter().map(|height| height.unwrap_or(f64::NAN));
     Some(MapFile {
         sides: Some([along_x.side(), along_y.side()]),
         has_one_unit: true,
-        ..MapFile::bare(shape, heights.into_iter().collect::<Option<_>>()?)
+        missing_points,
+        ..MapFile::bare(shape, heights.collect())
     })
+}
+
+/// From this many lines on, three columns of which two look like coordinates are points.
+const MANY_LINES: usize = 30;
+
+/// Whether lines of three numbers are points x, y, z rather than a strip of a surface: there are many, and the first
+/// two numbers repeat on other lines or only rise or fall.
+pub fn are_points(numbers: &[f64]) -> bool {
+    let points = numbers.as_chunks::<3>().0;
+    let is_coordinate = |axis: usize| {
+        let along: Vec<_> = points.iter().map(|point| point[axis]).collect();
+        let mut distinct = along.clone();
+        distinct.sort_by(f64::total_cmp);
+        distinct.dedup_by(|one, other| one.total_cmp(other).is_eq());
+        2 * distinct.len() <= along.len()
+            || along.is_sorted_by(|one, other| one < other)
+            || along.is_sorted_by(|one, other| one > other)
+    };
+    points.len() >= MANY_LINES && is_coordinate(0) && is_coordinate(1)
 }
 
 /// Equidistant coordinates.

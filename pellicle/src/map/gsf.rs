@@ -23,12 +23,14 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
         .iter()
         .position(|byte| *byte == 0)
         .ok_or(MapError::NotGsf)?;
-    let header =
-        GsfHeader(
-            std::str::from_utf8(&after[..end]).map_err(|error| MapError::NotText {
-                at: MAGIC.len() + error.valid_up_to(),
-            })?,
-        );
+    let text = std::str::from_utf8(&after[..end]).map_err(|error| {
+        let before = after.iter().take(error.valid_up_to());
+        MapError::NotText {
+            encoding: "utf-8".into(),
+            line: 2 + before.filter(|byte| **byte == b'\n').count(),
+        }
+    })?;
+    let header = GsfHeader(text);
     let [columns, rows] = [header.resolution("XRes")?, header.resolution("YRes")?];
     // The first multiple of four after at least one NUL.
     let start = ((MAGIC.len() + end) / NUMBER + 1) * NUMBER;

@@ -15,6 +15,8 @@ pub struct MapFile {
     pub height_unit: Option<String>,
     /// Whether the sides are in the unit of the heights, as for points x, y, z.
     pub has_one_unit: bool,
+    /// Points x, y, z that are missing on their grid; their heights are NaN, as are those that the file marks as bad.
+    pub missing_points: usize,
 }
 
 impl MapFile {
@@ -27,6 +29,7 @@ impl MapFile {
             lateral_unit: None,
             height_unit: None,
             has_one_unit: false,
+            missing_points: 0,
         }
     }
 

@@ -1,33 +1,47 @@
-//! Numbers in columns: `.csv`, and the text formats of Gwyddion and NumPy.
+//! Numbers in columns: `.csv`, and the text formats of Gwyddion, NumPy and ESRI, in any usual encoding.
 //!
-//! Numbers are separated by commas, semicolons, tabs or spaces; a `#` starts a comment. If semicolons or blanks
-//! separate numbers, a comma is a decimal mark.
+//! Lines before the first line of numbers are the [head](MapHeader). Numbers are separated by commas, semicolons, tabs
+//! or spaces; a `#` starts a comment. If semicolons or blanks separate numbers, a comma is a decimal mark. Words such
+//! as `Bad` and `NaN` stand for heights that are missing.
 
 use super::error::MapError;
 use super::grid_points;
+use super::header::MapHeader;
 use super::map_file::MapFile;
+use crate::input::decode::TextEncoding;
 
 /// With fewer lines than this, two columns of integers are a small map.
 const MIN_COLUMN_LINES: usize = 3;
+
+/// From this many lines on, two columns are a profile: no map is two samples wide.
+const PROFILE_LINES: usize = 8;
+
+/// Words for a missing height, in small letters.
+const MISSING: [&str; 9] = [
+    "nan", "bad", "-", "--", "---", "n/a", "na", "none", "masked",
+];
 
 /// Reads the text; each line is a row of the picture, from the top down, or a point x, y, z of a grid.
 ///
 /// # Errors
 ///
-/// A [`MapError`] for the first invalid line.
+/// A [`MapError`] for the first invalid line, or if the numbers are no map.
 pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
-    let text = std::str::from_utf8(bytes).map_err(|error| MapError::NotText {
-        at: error.valid_up_to(),
+    let decoded = TextEncoding::Guessed.decode(bytes);
+    let decoded = decoded.map_err(|error| MapError::NotText {
+        encoding: error.encoding,
+        line: error.line,
     })?;
-    let text = text.trim_start_matches('\u{feff}');
-    let comma = Comma::in_text(text);
+    let text = decoded.text.trim_start_matches('\u{feff}');
+    let head = head(text);
+    let comma = Comma::in_text(text, head);
     if comma == Comma::Separator
-        && let Some(found) = either(text)
+        && let Some(found) = either(text, head)
     {
         return Err(MapError::CommaOrPoint { found });
     }
     let (mut picture, mut columns) = (Vec::new(), 0);
-    for (line, row) in rows(text) {
+    for (line, row) in rows(text).skip(head) {
         let before = picture.len();
         comma.read(line, row, &mut picture)?;
         match picture.len() - before {
@@ -43,11 +57,43 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
             }
         }
     }
-    match columns {
-        0 => Err(MapError::Empty),
-        3 => Ok(grid_points::map(&picture).unwrap_or_else(|| MapFile::from_picture(3, &picture))),
-        _ => Ok(MapFile::from_picture(columns, &picture)),
+    let mut map = of_columns(columns, &picture)?;
+    let mut header = MapHeader::default();
+    text.lines().take(head).for_each(|line| header.read(line));
+    header.apply(&mut map);
+    Ok(map)
+}
+
+/// The map of numbers in this many columns.
+fn of_columns(columns: usize, picture: &[f64]) -> Result<MapFile, MapError> {
+    let lines = picture.len().checked_div(columns).unwrap_or(0);
+    match (columns, lines) {
+        (0, _) => Err(MapError::Empty),
+        (1, 2..) | (2, PROFILE_LINES..) => Err(MapError::Columns { columns, lines }),
+        (3, _) => match grid_points::map(picture) {
+            Some(map) => Ok(map),
+            None if grid_points::are_points(picture) => Err(MapError::Points { lines }),
+            None => Ok(MapFile::from_picture(3, picture)),
+        },
+        _ => Ok(MapFile::from_picture(columns, picture)),
     }
+}
+
+/// Number of lines before the first line of numbers: comments, and lines that begin with a word and have no more
+/// numbers than words.
+fn head(text: &str) -> usize {
+    let is_head = |row: &str| {
+        let words = row.split([';', ',', ' ', '\t', '\r']);
+        let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
+        let is_number = |word: &str| word.parse::<f64>().is_ok() || is_missing(word);
+        let numbers = words.iter().filter(|word| is_number(word)).count();
+        words.first().is_none_or(|word| !is_number(word)) && 2 * numbers <= words.len()
+    };
+    rows(text).take_while(|(_, row)| is_head(row)).count()
+}
+
+fn is_missing(word: &str) -> bool {
+    MISSING.contains(&word.to_lowercase().as_str())
 }
 
 /// The lines without their comments, counted from 1.
@@ -68,7 +114,7 @@ enum Comma {
 impl Comma {
     /// Determines the separator, which is the same on all lines: a comma, unless there are semicolons, or blanks
     /// without an adjacent comma.
-    fn in_text(text: &str) -> Self {
+    fn in_text(text: &str, head: usize) -> Self {
         let is_separated = |row: &str| {
             let mut words = row.split_whitespace();
             let mut before = words.next().unwrap_or(",");
@@ -79,7 +125,7 @@ impl Comma {
                     is_blank
                 })
         };
-        if rows(text).any(|(_, row)| is_separated(row)) {
+        if rows(text).skip(head).any(|(_, row)| is_separated(row)) {
             Self::DecimalMark
         } else {
             Self::Separator
@@ -98,7 +144,7 @@ impl Comma {
 }
 
 /// Returns the first line of a text that may be one column with decimal commas or two columns of integers.
-fn either(text: &str) -> Option<String> {
+fn either(text: &str, head: usize) -> Option<String> {
     let is_integer = |text: &str| {
         let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
         !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
@@ -109,7 +155,8 @@ fn either(text: &str) -> Option<String> {
             is_integer(whole) && is_integer(fraction) && !fraction.starts_with(['-', '+'])
         })
     };
-    let lines: Vec<_> = rows(text).map(|(_, row)| row.trim()).collect();
+    let lines = rows(text).skip(head);
+    let lines: Vec<_> = lines.map(|(_, row)| row.trim()).collect();
     let mut lines = lines.into_iter().filter(|row| !row.is_empty()).peekable();
     let first = lines.peek()?.chars().take(40).collect();
     let count = lines.clone().count();
@@ -117,6 +164,9 @@ fn either(text: &str) -> Option<String> {
 }
 
 fn number(line: usize, word: &str) -> Result<f64, MapError> {
+    if is_missing(word) {
+        return Ok(f64::NAN);
+    }
     let found = || word.chars().take(40).collect();
     let Some((whole, fraction)) = word.split_once(',') else {
         return word.parse().map_err(|_| MapError::NotANumber {
@@ -212,16 +262,42 @@ mod tests {
     }
 
     #[test]
+    fn every_encoding_and_a_head_are_read() {
+        let text = "Width: 4 µm\n1 2\n3 4\n";
+        let utf_16: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let latin = text.chars().map(|c| u8::try_from(u32::from(c)).unwrap());
+        let latin: Vec<u8> = latin.collect();
+        for bytes in [text.as_bytes(), &utf_16, &latin] {
+            let map = parse(bytes).unwrap();
+            assert_eq!(
+                (map.shape, map.lateral_unit.as_deref()),
+                ([2, 2], Some("m"))
+            );
+        }
+        let map = parse(b"x,y,z\n0,0,5\n1,0,6\n0,2,7\n1,2,8\n").unwrap();
+        assert_eq!(map.shape, [2, 2]);
+    }
+
+    #[test]
+    fn missing_heights_are_read_as_such() {
+        let map = parse(b"1 Bad 3\n4 NaN 6\n").unwrap();
+        assert_eq!(
+            map.heights.iter().filter(|height| height.is_nan()).count(),
+            2
+        );
+        assert_eq!((map.shape, map.missing_points), ([3, 2], 0));
+    }
+
+    #[test]
     fn an_invalid_table_is_reported_with_its_line() {
         let message = |text: &str| parse(text.as_bytes()).unwrap_err().to_string();
-        assert!(message("x,y\n1,2").contains("line 1 holds \"x\""));
+        assert!(message("1,2\nx,2").contains("line 2 holds \"x\""));
         assert!(message("1,2\n\n3").contains("line 3 holds 1 numbers and those before it 2"));
         assert!(message("# nothing\n").contains("no numbers"));
-        assert!(
-            parse(b"1\xff")
-                .unwrap_err()
-                .to_string()
-                .contains("not UTF-8")
-        );
+        assert!(message("1\n2\n3").contains("one column"));
+        assert!(message(&"1.5 2.5\n".repeat(9)).contains("two columns"));
+        let scattered = |n: u32| format!("{} {} 5\n", n % 7, (n * n) % 13);
+        let scattered = (0..40).map(scattered).collect::<Vec<_>>().concat();
+        assert!(message(&scattered).contains("points x, y, z"));
     }
 }

@@ -4,23 +4,31 @@ use std::borrow::Cow;
 
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
-use super::error::CurveError;
-
 /// The encoding of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TextEncoding {
     /// UTF-16 or UTF-8 if the bytes are valid, Windows-1252 otherwise.
     Guessed,
-    /// As named in the fit file; a byte-order mark takes precedence.
+    /// As named by the user; a byte-order mark takes precedence.
     Named(&'static Encoding),
 }
 
 /// The text of a file, and the encoding if it was only guessed.
-pub(super) struct Decoded<'a> {
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Decoded<'a> {
     /// The text.
-    pub(super) text: Cow<'a, str>,
+    pub text: Cow<'a, str>,
     /// The encoding, if it was guessed and the bytes do not confirm it.
-    pub(super) guessed: Option<&'static str>,
+    pub guessed: Option<&'static str>,
+}
+
+/// A byte that the encoding does not have.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotInEncoding {
+    /// The name of the encoding.
+    pub encoding: String,
+    /// Line of the byte, from 1.
+    pub line: usize,
 }
 
 impl TextEncoding {
@@ -37,7 +45,11 @@ impl TextEncoding {
     }
 
     /// Decodes these bytes.
-    pub(super) fn decode(self, bytes: &[u8]) -> Result<Decoded<'_>, CurveError> {
+    ///
+    /// # Errors
+    ///
+    /// [`NotInEncoding`] of the first byte that the encoding does not have; none if it is guessed from ordinary text.
+    pub fn decode(self, bytes: &[u8]) -> Result<Decoded<'_>, NotInEncoding> {
         if let Some((encoding, mark)) = Encoding::for_bom(bytes) {
             return strict(encoding, bytes.get(mark..).unwrap_or_default());
         }
@@ -48,7 +60,8 @@ impl TextEncoding {
     }
 
     /// Whether zero bytes are valid in a text in this encoding.
-    pub(super) fn has_zero_bytes(self, bytes: &[u8]) -> bool {
+    #[must_use]
+    pub fn has_zero_bytes(self, bytes: &[u8]) -> bool {
         let encoding = match (Encoding::for_bom(bytes), self) {
             (Some((encoding, _)), _) | (None, Self::Named(encoding)) => Some(encoding),
             (None, Self::Guessed) => utf_16(bytes),
@@ -57,7 +70,7 @@ impl TextEncoding {
     }
 }
 
-fn guess(bytes: &[u8]) -> Result<Decoded<'_>, CurveError> {
+fn guess(bytes: &[u8]) -> Result<Decoded<'_>, NotInEncoding> {
     if let Some(encoding) = utf_16(bytes) {
         return strict(encoding, bytes);
     }
@@ -92,12 +105,12 @@ fn utf_16(bytes: &[u8]) -> Option<&'static Encoding> {
     }
 }
 
-fn strict(encoding: &'static Encoding, bytes: &[u8]) -> Result<Decoded<'static>, CurveError> {
+fn strict(encoding: &'static Encoding, bytes: &[u8]) -> Result<Decoded<'static>, NotInEncoding> {
     let decoded = encoding.decode_without_bom_handling_and_without_replacement(bytes);
     let text = decoded.ok_or_else(|| {
         let (text, _) = encoding.decode_without_bom_handling(bytes);
         let before = text.split('\u{fffd}').next().unwrap_or_default();
-        CurveError::Encoding {
+        NotInEncoding {
             encoding: encoding.name().to_lowercase(),
             line: 1 + before.matches('\n').count(),
         }
@@ -112,7 +125,7 @@ fn strict(encoding: &'static Encoding, bytes: &[u8]) -> Result<Decoded<'static>,
 mod tests {
     use super::*;
 
-    fn decoded(name: &str, bytes: &[u8]) -> Result<(String, bool), CurveError> {
+    fn decoded(name: &str, bytes: &[u8]) -> Result<(String, bool), NotInEncoding> {
         let decoded = TextEncoding::named(name).unwrap().decode(bytes)?;
         Ok((decoded.text.into_owned(), decoded.guessed.is_some()))
     }
@@ -143,7 +156,7 @@ mod tests {
     fn a_byte_of_another_encoding_is_refused_with_its_line() {
         let found = decoded("utf-8", b"a\nb\nF (\xb5N)\n1").unwrap_err();
         let (encoding, line) = ("utf-8".into(), 3);
-        assert_eq!(found, CurveError::Encoding { encoding, line });
+        assert_eq!(found, NotInEncoding { encoding, line });
         assert_eq!(TextEncoding::named("latin-99"), None);
     }
 }

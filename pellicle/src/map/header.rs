@@ -1,0 +1,109 @@
+//! What the head of a text says about its map: the size, the unit of the heights, the mark of a missing one.
+//!
+//! Lines `Width: 8 um`, `Height: 3 um`, `Value units: nm` are those of Gwyddion, `ncols 64`, `cellsize 0.5`,
+//! `NODATA_value -9999` those of ESRI; `pixel size = 0.5 um` stands in several others.
+
+use super::map_file::MapFile;
+use crate::input::dimension::Dimension;
+use crate::input::quantity;
+
+/// The head of a text.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MapHeader {
+    /// Side along x, m.
+    width: Option<f64>,
+    /// Side along y, m.
+    height: Option<f64>,
+    /// Side of a pixel, m.
+    pixel: Option<f64>,
+    /// Side of a pixel in a unit that is not named.
+    cell: Option<f64>,
+    /// Unit of the heights.
+    unit: Option<String>,
+    /// The height that stands for a missing one.
+    missing: Option<f64>,
+}
+
+impl MapHeader {
+    /// Reads a line of the head.
+    pub fn read(&mut self, line: &str) {
+        let line = line.trim_start_matches(['#', ' ', '\t']);
+        let split = line.split_once([':', '=']);
+        let Some((key, value)) = split.or_else(|| line.split_once(char::is_whitespace)) else {
+            return;
+        };
+        let (key, value) = (key.trim().to_lowercase(), value.trim());
+        let length = || quantity::parse(value, Dimension::Length).ok();
+        let number = || value.parse::<f64>().ok();
+        match key.as_str() {
+            "width" => self.width = self.width.or_else(length),
+            "height" => self.height = self.height.or_else(length),
+            "pixel size" => self.pixel = self.pixel.or_else(length),
+            "cellsize" => self.cell = self.cell.or_else(number),
+            "nodata_value" => self.missing = self.missing.or_else(number),
+            "value units" | "z units" if !value.is_empty() => self.unit = Some(value.to_owned()),
+            _ => {}
+        }
+    }
+
+    /// Gives a map the size and unit of the head, and marks the heights that are missing.
+    pub fn apply(self, map: &mut MapFile) {
+        let [along_x, along_y] = map.shape.map(|samples| samples as f64);
+        let of_pixels = |pixel: f64| [pixel * along_x, pixel * along_y];
+        // One side alone means square pixels.
+        let sides = match (self.width, self.height) {
+            (Some(x), Some(y)) => Some([x, y]),
+            (Some(x), None) => Some(of_pixels(x / along_x)),
+            (None, Some(y)) => Some(of_pixels(y / along_y)),
+            (None, None) => self.pixel.map(of_pixels),
+        };
+        if let Some(sides) = sides.filter(|_| map.sides.is_none()) {
+            map.sides = Some(sides);
+            map.lateral_unit = Some("m".into());
+        }
+        map.sides = map.sides.or_else(|| self.cell.map(of_pixels));
+        map.height_unit = map.height_unit.take().or(self.unit);
+        if let Some(missing) = self.missing {
+            let is_missing = |height: &&mut f64| (**height - missing).abs() <= 0.0;
+            let marked = map.heights.iter_mut().filter(is_missing);
+            marked.for_each(|height| *height = f64::NAN);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn applied(lines: &[&str]) -> MapFile {
+        let mut header = MapHeader::default();
+        lines.iter().for_each(|line| header.read(line));
+        let mut map = MapFile::bare([4, 2], vec![1.0; 8]);
+        header.apply(&mut map);
+        map
+    }
+
+    #[track_caller]
+    fn assert_sides(map: &MapFile, wanted: [f64; 2]) {
+        let sides = map.sides.unwrap();
+        let near = |axis: usize| (sides[axis] / wanted[axis] - 1.0).abs() < 1e-12;
+        assert!(near(0) && near(1), "{sides:?}");
+    }
+
+    #[test]
+    fn sizes_and_units_are_those_of_the_head() {
+        let map = applied(&[
+            "# Width: 8.0 \u{b5}m",
+            "# Height: 3.0 \u{3bc}m",
+            "# Value units: nm",
+        ]);
+        assert_sides(&map, [8e-6, 3e-6]);
+        let units = [map.lateral_unit.as_deref(), map.height_unit.as_deref()];
+        assert_eq!(units, [Some("m"), Some("nm")]);
+        assert_sides(&applied(&["Width: 4 um"]), [4e-6, 2e-6]);
+        assert_sides(&applied(&["h=2 w=4", "pixel size=5e-7 m"]), [2e-6, 1e-6]);
+        let map = applied(&["ncols 4", "nrows 2", "cellsize 0.5", "NODATA_value 1"]);
+        assert_eq!((map.sides, map.lateral_unit), (Some([2.0, 1.0]), None));
+        assert!(map.heights.iter().all(|height| height.is_nan()));
+    }
+}
