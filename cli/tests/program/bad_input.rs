@@ -192,7 +192,7 @@ fn an_unreadable_map_is_rejected_in_one_sentence() {
         key: "`indenter.file`",
         line: 19,
         found: "\"tip.gsf\", which cannot be read: No such file",
-        wanted: "wanted a height map (.npy, .csv, .txt or .gsf)",
+        wanted: "wanted a height map (.npy, .csv, .txt, .asc or .gsf)",
     };
     let map = "kind = \"map\"\nfile = \"tip.gsf\"";
     refuses("kind = \"paraboloid\"\nradius = \"4 um\"", map, &expected);

@@ -243,8 +243,11 @@ fn maps_of_points_and_with_decimal_commas_are_read_correctly() {
         z
     });
     assert!((of(&points.concat(), "") / expected - 1.0).abs() < 1e-9);
+    // One of the points is missing: it is the mean of its neighbours, within the curvature of the ball.
+    let missing = [&points[..300], &points[301..]].concat().concat();
+    assert!((of(&missing, "") / expected - 1.0).abs() < 0.05);
     // Some of the points only: neither a grid nor a strip of three samples.
-    let some = points[5..].concat();
+    let some = points[25..].concat();
     let (_folder, ran) = with_map(&some, &format!("{indenter}, side=\"840 nm\"}}"));
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert!(
@@ -253,6 +256,41 @@ fn maps_of_points_and_with_decimal_commas_are_read_correctly() {
         "{}",
         ran.stderr
     );
+}
+
+#[test]
+fn the_head_of_a_map_gives_its_size_and_unit_and_is_not_contradicted() {
+    let head = "# Channel: Height\n# Width: 0.84 µm\n# Height: 0.84 µm\n# Value units: nm\n";
+    let map = head.to_owned() + &text(PARABOLOID);
+    let run = |keys: &str| {
+        with_map(
+            &map,
+            &format!("indenter={{kind=\"map\", file=\"map.csv\"{keys}}}"),
+        )
+    };
+    let (_folder, ran) = with_map(
+        &text(PARABOLOID),
+        "indenter={kind=\"map\", file=\"map.csv\", side=\"840 nm\", height_unit=\"nm\"}",
+    );
+    let expected = penetration(&ran.json());
+    for keys in ["", ", side=\"840 nm\"", ", height_unit=\"nm\""] {
+        let (_folder, ran) = run(keys);
+        assert!(
+            (penetration(&ran.json()) / expected - 1.0).abs() < 1e-12,
+            "{keys}"
+        );
+    }
+    for (keys, told) in [
+        (
+            ", side=\"840 um\"",
+            "which contradicts the size 840.00 nm by 840.00 nm",
+        ),
+        (", height_unit=\"0.1 nm\"", "which contradicts the unit nm"),
+    ] {
+        let (_folder, ran) = run(keys);
+        assert_eq!(ran.code, Some(2), "{keys}");
+        assert!(ran.stderr.contains(told), "{}", ran.stderr);
+    }
 }
 
 #[test]
