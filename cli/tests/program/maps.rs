@@ -247,7 +247,7 @@ fn maps_of_points_and_with_decimal_commas_are_read_correctly() {
     let missing = [&points[..300], &points[301..]].concat().concat();
     assert!((of(&missing, "") / expected - 1.0).abs() < 0.05);
     // Some of the points only: neither a grid nor a strip of three samples.
-    let some = points[25..].concat();
+    let some = points[15..].concat();
     let (_folder, ran) = with_map(&some, &format!("{indenter}, side=\"840 nm\"}}"));
     assert_eq!(ran.code, Some(2), "{}", ran.stderr);
     assert!(
