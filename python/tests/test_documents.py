@@ -19,7 +19,11 @@ def blocks(document: str) -> list[str]:
 
 
 @pytest.mark.parametrize("document", ["README.md", "docs/python.md", "python/README.md"])
-def test_the_examples_of_a_document_run_in_order(document: str) -> None:
+def test_the_examples_of_a_document_run_in_order(
+    document: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    # Some write files.
+    monkeypatch.chdir(tmp_path)
     found = blocks(document)
     assert found
     names: dict[str, object] = {}

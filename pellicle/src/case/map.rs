@@ -6,12 +6,15 @@
 //! names, or in metres, or in the case's own unit of length. `interpolation` sets how heights between the samples are
 //! found.
 
-use std::borrow::Cow;
+mod holes;
+
 use std::sync::Arc;
 
 use pellicle_texture::{HeightMap, Interpolation, TextureError};
 use serde::Serialize;
 
+pub use self::holes::HolesCase;
+use self::holes::{HOLES, without_holes};
 use super::map_sources::MapSources;
 use crate::declare::macros::record;
 use crate::declare::{Codec, Record, Scope, Shape, TableShape, length, pair, text, word};
@@ -35,9 +38,6 @@ const HEIGHT_UNIT: &str =
 
 /// Part by which a side or unit may differ from that in the head of the file, which is printed with few digits.
 const SAME: f64 = 0.01;
-
-/// The largest part of the heights that may be missing.
-const MISSING: f64 = 0.1;
 
 /// A height map of a case. It is written as the keys from which it was read; the heights stay in the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -84,28 +84,6 @@ pub enum InterpolationCase {
     /// Linear, with kinks along every line of samples.
     Linear,
 }
-
-/// What is done where heights are missing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum HolesCase {
-    /// The map is refused.
-    Refuse,
-    /// Each is the mean of its neighbours.
-    Interpolate,
-}
-
-impl HolesCase {
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde's signature")]
-    fn is_refuse(&self) -> bool {
-        *self == Self::Refuse
-    }
-}
-
-const HOLES: &[(&str, HolesCase)] = &[
-    ("refuse", HolesCase::Refuse),
-    ("interpolate", HolesCase::Interpolate),
-];
 
 const INTERPOLATIONS: &[(&str, InterpolationCase)] = &[
     ("bicubic", InterpolationCase::Bicubic),
@@ -292,63 +270,6 @@ fn names_a_unit(table: &TableReader<'_>, file: &MapFile) -> bool {
         .into_iter()
         .filter_map(|key| table.optional(key));
     sides.any(has_unit) || units(file) == Units::Si
-}
-
-/// The heights with the mean of the neighbours where they are missing, and how many are: of points on a grid, or as the
-/// case asks.
-fn without_holes<'a>(
-    field: &ValueReader<'_>,
-    file: &'a MapFile,
-    holes: HolesCase,
-) -> Result<(Cow<'a, [f64]>, usize), Diagnosis> {
-    let all = file.heights.len();
-    let missing = file.heights.iter().filter(|height| !height.is_finite());
-    let missing = missing.count();
-    if missing == 0 {
-        return Ok((Cow::Borrowed(&file.heights), 0));
-    }
-    let is_filled = holes == HolesCase::Interpolate || missing == file.missing_points;
-    if is_filled && missing as f64 <= MISSING * all as f64 {
-        return Ok((Cow::Owned(filled(&file.heights, file.shape)), missing));
-    }
-    let reason = format!("of whose {all} heights {missing} are missing or infinite");
-    let wanted = if is_filled {
-        "at most a tenth of them missing"
-    } else {
-        "every height, or holes = \"interpolate\", which takes the mean of the neighbours"
-    };
-    Err(field.unusable(&reason, wanted))
-}
-
-/// Puts the mean of the neighbours, diagonal ones included, where heights are not finite, from the rims of the holes
-/// inwards.
-fn filled(heights: &[f64], [rows, columns]: [usize; 2]) -> Vec<f64> {
-    let mut filled = heights.to_vec();
-    loop {
-        let known = filled.clone();
-        let is_known = |k: usize| known[k].is_finite();
-        let mut is_whole = true;
-        for k in (0..known.len()).filter(|k| !is_known(*k)) {
-            let (i, j) = (k / columns, k % columns);
-            let around = (i.saturating_sub(1)..rows.min(i + 2))
-                .flat_map(|i| {
-                    (j.saturating_sub(1)..columns.min(j + 2)).map(move |j| i * columns + j)
-                })
-                .filter(|near| is_known(*near));
-            let (sum, count) = around.fold((0.0, 0_usize), |(sum, count), near| {
-                (sum + known[near], count + 1)
-            });
-            if count > 0 {
-                filled[k] = sum / count as f64;
-            } else {
-                is_whole = false;
-            }
-        }
-        // Without a known height nothing can be filled.
-        if is_whole || !known.iter().any(|height| height.is_finite()) {
-            return filled;
-        }
-    }
 }
 
 /// The length of a 1 in the file, from the case or else from the file; they must not contradict each other.
