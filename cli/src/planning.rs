@@ -111,6 +111,7 @@ impl<'a> Planning<'a> {
             observable: Observable::DepthAtForce,
             abscissae: candidate.loads(),
             own: premises.own(&indenter),
+            origins: Vec::new(),
         };
         let curves = ContactCurves::new(vec![curve], premises.sought(), CurveOptions::default())?;
         let values = premises.values(&indenter, candidate.radius);
@@ -191,6 +192,7 @@ fn observed(observe: Observe, forces: Vec<f64>, depths: Prediction) -> (Vec<f64>
         value: forces,
         derivatives: derivatives.into_iter().map(at_depth).collect(),
         slope: slope.iter().map(|slope| slope.recip()).collect(),
+        origins: Vec::new(),
     };
     (value, prediction)
 }

@@ -279,7 +279,8 @@ impl<'p> Fitting<'p> {
             .iter()
             .zip(&refined.minimum.system.coefficients)
         {
-            for (value, shape) in model.iter_mut().zip(&column.values) {
+            let column = column.with_slopes(&refined.minimum.at.slope);
+            for (value, shape) in model.iter_mut().zip(&column) {
                 *value += c * shape;
             }
         }

@@ -9,6 +9,7 @@
     )
 )]
 
+mod abscissa_zero;
 mod autoregressive;
 mod contact_curves;
 mod curve;

@@ -65,6 +65,7 @@ fn curves(
         observable,
         abscissae,
         own: Vec::new(),
+        origins: Vec::new(),
     };
     ContactCurves::new(vec![curve], parameters.to_vec(), CurveOptions::default()).unwrap()
 }

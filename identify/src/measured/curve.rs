@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::baseline::BeforeContactRows;
 use super::channel::Channel;
 use super::error::CurveError;
 use super::exclusion::ExcludedRows;
@@ -20,6 +21,8 @@ pub struct MeasuredCurve {
     pub rows: Vec<usize>,
     /// The points left out, by reason.
     pub excluded: Vec<ExcludedRows>,
+    /// The stretch before the contact, if the file shows one.
+    pub before_contact: Option<BeforeContactRows>,
     /// Warnings about the curve.
     pub warnings: Vec<CurveWarning>,
     pub(super) channels: Vec<(Channel, Vec<f64>)>,

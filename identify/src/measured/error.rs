@@ -181,6 +181,17 @@ pub enum CurveError {
         /// Force of the last point, N.
         to: f64,
     },
+    /// There is no stretch before the contact to take a baseline from.
+    #[error(
+        "found no stretch before the contact{}, wanted {wanted} points of it or more: \
+         without a baseline in the file give \"off\"", .range.map_or_else(String::new, |[near, far]| format!(" from {near:e} to {far:e} m before it"))
+    )]
+    NoBaseline {
+        /// The distances before the contact, m.
+        range: Option<[f64; 2]>,
+        /// The smallest number of points.
+        wanted: usize,
+    },
     /// The depth decreases as the force increases.
     #[error(
         "found a depth that falls as the force rises, wanted a depth counted positive into the body: \
@@ -225,6 +236,7 @@ impl CurveError {
             Self::TooFewPoints { .. } => "too-few-points",
             Self::ConstantForce { .. } => "constant-force",
             Self::Unloading { .. } => "unloading",
+            Self::NoBaseline { .. } => "no-baseline",
             Self::DepthFalls => "depth-falls",
             Self::HeightDirection => "height-direction",
         }
@@ -249,6 +261,7 @@ impl CurveError {
             Self::TooFewPoints { .. } | Self::ConstantForce { .. } | Self::Unloading { .. } => {
                 vec!["segment".into()]
             }
+            Self::NoBaseline { .. } => vec!["baseline".into()],
             Self::DepthFalls => vec!["columns.depth".into()],
             Self::HeightDirection => vec!["height_direction".into(), "columns.height".into()],
             Self::Unreadable { .. }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use pellicle::input::diagnosis::Diagnosis;
 
+use super::baseline;
 use super::binary::refuse_binary;
 use super::channel::Channel;
 use super::checks;
@@ -11,7 +12,7 @@ use super::curve::{CurveWarning, MeasuredCurve};
 use super::data_table::DataTable;
 use super::error::CurveError;
 use super::raw_curve::RawCurve;
-use super::segment_rows::cut;
+use super::segment_rows::{branch, cut};
 use super::spring;
 use super::text_table::TextTable;
 
@@ -63,7 +64,9 @@ impl MeasuredCurve {
             spring::add_penetration(&mut raw, data.height_direction, spring)?;
         }
         let mut warnings = of_text(decoded.guessed, &table, data);
-        let kept = cut(&raw, &data.segment, data.omit.of(path), &mut warnings)?;
+        let mut kept = branch(&raw, &data.segment, data.omit.of(path))?;
+        let before_contact = baseline::subtract(&mut raw, &kept.rows, data)?;
+        cut(&mut kept, &raw, &data.segment, &mut warnings);
         let mut curve = Self {
             file: path.to_owned(),
             header: table.header.iter().map(|head| head.text.clone()).collect(),
@@ -71,6 +74,7 @@ impl MeasuredCurve {
             channels: points(&raw, &kept.rows),
             rows: kept.rows.iter().map(|row| row + 1).collect(),
             excluded: kept.excluded,
+            before_contact,
             warnings,
         };
         curve.begin_at_zero(data);
