@@ -182,6 +182,7 @@ fn observed(observe: Observe, forces: Vec<f64>, depths: Prediction) -> (Vec<f64>
         value,
         slope,
         derivatives,
+        ..
     } = depths;
     // ∂Q/∂θ|_D = −(dQ/dD) ∂D/∂θ|_Q
     let at_depth = |column: Vec<f64>| {

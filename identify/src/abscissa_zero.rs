@@ -62,6 +62,21 @@ pub(crate) fn prediction(
     search.settled(first)
 }
 
+impl Problem {
+    /// What a model predicts for the points of this problem, with the zeros of their abscissae as they fit best.
+    ///
+    /// # Errors
+    ///
+    /// [`ForwardError`] where the model has no prediction.
+    pub fn predict(
+        &self,
+        model: &dyn ForwardModel,
+        parameters: &[f64],
+    ) -> Result<Prediction, ForwardError> {
+        prediction(model, self, parameters, None)
+    }
+}
+
 struct Search<'a> {
     model: &'a dyn ForwardModel,
     problem: &'a Problem,
@@ -71,7 +86,7 @@ struct Search<'a> {
 /// A prediction from some origins.
 struct Trial {
     prediction: Prediction,
-    /// For each curve, χ² with the linear nuisances eliminated and the zeros at the origins.
+    /// For each curve, χ² with the linear nuisances eliminated and the zeros at the origins, their priors included.
     misfits: Vec<f64>,
     /// The step of each zero to the least χ² of the linearised problem.
     steps: Vec<f64>,
@@ -155,12 +170,16 @@ impl Search<'_> {
         let first = basis.columns();
         basis.remove_from(&mut residual);
         let misfit = |span: &Range<usize>| dot(&residual[span.clone()], &residual[span.clone()]);
-        let misfits = spans.iter().map(misfit).collect();
+        let mut misfits: Vec<f64> = spans.iter().map(misfit).collect();
         let size = (dot(&residual, &residual) / problem.points() as f64).sqrt();
         let mut columns = vec![0.0; origins.len()];
         for (column, whitened) in &of_slopes {
             basis.push(whitened.clone());
-            columns[column.curve.unwrap_or(0)] = dot(whitened, whitened).sqrt();
+            let curve = column.curve.unwrap_or(0);
+            columns[curve] = dot(whitened, whitened).sqrt();
+            if let Some([mean, sd]) = column.prior {
+                misfits[curve] += ((mean - origins[curve]) / sd).powi(2);
+            }
         }
         let components = basis.remove_from(&mut residual);
         let coefficients = basis.coefficients(&components).split_off(first);

@@ -18,11 +18,13 @@ use crate::{
 mod covariance;
 mod departure;
 mod estimates;
+mod explained;
 mod exponents;
 mod intervals;
 mod scans;
 mod stopped;
 
+pub use explained::explained;
 pub use exponents::exponents;
 use intervals::{Interval, Scanned, Sought, missing_profiles};
 

@@ -37,7 +37,8 @@ pub struct LinearNuisance {
     name: String,
     shape: NuisanceShape,
     scope: Scope,
-    prior: Option<[f64; 2]>,
+    /// Mean and standard deviation of the prior of each curve's coefficient; one entry holds for all, none are without.
+    priors: Vec<Option<[f64; 2]>>,
 }
 
 impl LinearNuisance {
@@ -48,7 +49,7 @@ impl LinearNuisance {
             name: name.into(),
             shape,
             scope,
-            prior: None,
+            priors: Vec::new(),
         }
     }
 
@@ -97,7 +98,23 @@ impl LinearNuisance {
     /// [`IdentifyError::NumberOf`] where the standard deviation is not positive and finite, or the mean is not finite.
     pub fn with_normal_prior(mut self, mean: f64, sd: f64) -> Result<Self, IdentifyError> {
         Prior::Normal { mean, sd }.check(&self.name)?;
-        self.prior = Some([mean, sd]);
+        self.priors = vec![Some([mean, sd])];
+        Ok(self)
+    }
+
+    /// The same nuisance with a normal prior, mean and standard deviation, for the coefficient of each curve.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::with_normal_prior`].
+    pub fn with_normal_priors(
+        mut self,
+        priors: Vec<Option<[f64; 2]>>,
+    ) -> Result<Self, IdentifyError> {
+        for [mean, sd] in priors.iter().flatten().copied() {
+            Prior::Normal { mean, sd }.check(&self.name)?;
+        }
+        self.priors = priors;
         Ok(self)
     }
 
@@ -106,9 +123,12 @@ impl LinearNuisance {
         self.scope == Scope::Common
     }
 
-    /// Mean and standard deviation of its coefficients' prior, if it has one.
-    pub(crate) fn prior(&self) -> Option<[f64; 2]> {
-        self.prior
+    /// Mean and standard deviation of the prior of a curve's coefficient, or of all, if it has one.
+    pub(crate) fn prior(&self, curve: Option<usize>) -> Option<[f64; 2]> {
+        match self.priors[..] {
+            [all] => all,
+            _ => self.priors.get(curve?).copied().flatten(),
+        }
     }
 
     /// The columns of its coefficients.
@@ -120,7 +140,7 @@ impl LinearNuisance {
             values,
             by_slope: self.shape == NuisanceShape::Slope,
             is_zero: matches!(self.shape, NuisanceShape::Constant | NuisanceShape::Slope),
-            prior: self.prior,
+            prior: self.prior(curve),
         };
         if self.scope == Scope::Common {
             return Ok(vec![column(self.name.clone(), None, whole)]);

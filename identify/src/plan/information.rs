@@ -63,7 +63,7 @@ impl Information {
         let nuisances = plan.nuisances.iter();
         let priors: Vec<_> = nuisances
             .filter(|nuisance| nuisance.is_common())
-            .map(|nuisance| nuisance.prior().map(|[_, sd]| sd.recip()))
+            .map(|nuisance| nuisance.prior(None).map(|[_, sd]| sd.recip()))
             .chain(
                 plan.unknowns
                     .iter()
