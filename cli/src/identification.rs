@@ -122,6 +122,7 @@ impl Identification {
                 observable: curve_source::observable(table.observe),
                 abscissae,
                 own,
+                series: curve_source::series(table),
                 origins: origins.into_iter().flatten().collect(),
             });
         }
@@ -149,6 +150,17 @@ impl Identification {
             spent: Spent::default(),
             stop,
         })
+    }
+}
+
+impl Identification {
+    /// Whether forces are observed at approaches of a cantilever in place of depths.
+    #[must_use]
+    pub fn is_at_approach(&self) -> bool {
+        self.model
+            .curves()
+            .first()
+            .is_some_and(|curve| curve.series > 0.0)
     }
 }
 

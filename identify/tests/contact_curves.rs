@@ -66,6 +66,7 @@ fn curves(
         abscissae,
         own: Vec::new(),
         origins: Vec::new(),
+        series: 0.0,
     };
     ContactCurves::new(vec![curve], parameters.to_vec(), CurveOptions::default()).unwrap()
 }

@@ -164,6 +164,9 @@ impl FitSubject<'_> {
     fn quantities(&self, curves: &[FittedCurve]) -> [AxisQuantity; 2] {
         let observable = self.of.model.curves().first().map(|curve| curve.observable);
         let [x, y] = match observable {
+            Some(Observable::ForceAtDepth) if self.of.is_at_approach() => {
+                [("approach z", "m"), ("force Q", "N")]
+            }
             Some(Observable::ForceAtDepth) => [("depth D", "m"), ("force Q", "N")],
             Some(Observable::StiffnessAtContactRadius) => {
                 [("contact radius a", "m"), ("contact stiffness S", "N/m")]

@@ -47,6 +47,7 @@ pub fn excluded(of: &Identification) -> Option<String> {
 fn axes(of: &Identification) -> [&'static str; 3] {
     let observable = of.model.curves().first().map(|curve| curve.observable);
     match observable {
+        Some(Observable::ForceAtDepth) if of.is_at_approach() => ["approach [m]", "force", "N"],
         Some(Observable::ForceAtDepth) => ["depth [m]", "force", "N"],
         Some(Observable::StiffnessAtContactRadius) => ["contact radius [m]", "stiffness", "N/m"],
         _ => ["force [N]", "depth", "m"],

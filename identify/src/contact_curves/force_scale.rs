@@ -8,6 +8,13 @@
 //! depth at force:    y = D(κ F₀)       ∂y/∂F₀ = κ D′(κ F₀)       ∂y/∂k = (F₀/k₀) D′(κ F₀)
 //! force at depth:    y = Q(D)/κ        ∂y/∂D  = Q′(D)/κ          ∂y/∂k = −y/k
 //! ```
+//!
+//! A cantilever is also a compliance `c = 1/k₀` in series, as its deflection does not depend on the constant. Penetrations
+//! have the slope `κ D′ + c`, and forces are read at approaches,
+//!
+//! ```text
+//! force at approach: D(κ y) + c y = z   ∂y/∂z = 1/(κ D′ + c)   ∂y/∂k = −(y/k₀) D′/(κ D′ + c)
+//! ```
 
 use super::curve::Observable;
 use crate::Prediction;
@@ -32,7 +39,7 @@ impl ForceScale {
     pub(super) fn apply(
         self,
         observable: Observable,
-        factor: f64,
+        (factor, series): (f64, f64),
         abscissae: &[f64],
         prediction: &mut Prediction,
     ) -> Vec<f64> {
@@ -40,16 +47,20 @@ impl ForceScale {
         if observable == Observable::DepthAtForce {
             let pairs = prediction.slope.iter_mut().zip(abscissae);
             let change = pairs.map(|(slope, read)| {
-                let by_constant = *slope * read / self.nominal;
-                *slope *= factor;
-                by_constant
+                // What is left of the slope without c/κ is D′.
+                let own = *slope - series / factor;
+                *slope = factor * own + series;
+                own * read / self.nominal
             });
             return change.collect();
         }
         let lists = [&mut prediction.value, &mut prediction.slope].into_iter();
         let lists = lists.chain(&mut prediction.derivatives);
         lists.flatten().for_each(|value| *value /= factor);
-        prediction.value.iter().map(|y| -y / constant).collect()
+        let pairs = prediction.value.iter().zip(&prediction.slope);
+        // D′/(κ D′ + c) = (1 − c ∂y/∂z)/κ
+        let change = pairs.map(|(y, slope)| -y * (1.0 - series * slope) / constant);
+        change.collect()
     }
 }
 

@@ -14,6 +14,7 @@ use pellicle::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
 use pellicle::input::value_reader::ValueReader;
 
 use super::baseline::Baseline;
+use super::channel::Channel;
 use super::columns::CurveColumns;
 use super::curve_segment::CurveSegment;
 use super::error::CurveError;
@@ -151,7 +152,7 @@ impl DataTable {
                 .map_or(Ok(CurveSegment::default()), |t| CurveSegment::read(&t))?,
             baseline: (table.optional("baseline"))
                 .map_or(Ok(Baseline::default()), |field| Baseline::read(&field))?,
-            observe: observe(&table)?,
+            observe: observe(&table, &columns)?,
             noise: optional("noise")?
                 .map_or(Ok(MeasuredNoise::default()), |t| MeasuredNoise::read(&t))?,
             spring_constant: spring.map(|f| SpringConstant::read(&f)).transpose()?,
@@ -208,7 +209,8 @@ fn matching(
     Ok(sources.of(field.text()?))
 }
 
-fn observe(table: &TableReader<'_>) -> Result<Observe, Diagnosis> {
+/// The observable; of a cantilever the force, which carries the noise, otherwise the depth.
+fn observe(table: &TableReader<'_>, columns: &TableReader<'_>) -> Result<Observe, Diagnosis> {
     let observe = table.optional("observe").map(|field| {
         field.choice(&[
             ("depth at force", Observe::DepthAtForce),
@@ -219,7 +221,11 @@ fn observe(table: &TableReader<'_>) -> Result<Observe, Diagnosis> {
             ),
         ])
     });
-    Ok(observe.transpose()?.unwrap_or_default())
+    let default = match columns.optional(Channel::Height.key()) {
+        Some(_) => Observe::ForceAtDepth,
+        None => Observe::DepthAtForce,
+    };
+    Ok(observe.transpose()?.unwrap_or(default))
 }
 
 /// Reads the entries of `set`: their keys must be paths; their values are checked by the model.
