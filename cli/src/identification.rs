@@ -188,12 +188,9 @@ fn problem(
     }
     let noise = curve_source::noise(file, sources)?;
     let told: Vec<_> = sources.iter().map(CurveSource::force_zero).collect();
-    Ok(Problem::new(
-        curves,
-        unknowns,
-        &file.nuisances.linear(observe(file), &told)?,
-        noise,
-    )?)
+    let mut linear = file.nuisances.linear(observe(file), &told)?;
+    linear.extend(zeros::baseline_slopes(observe(file), sources)?);
+    Ok(Problem::new(curves, unknowns, &linear, noise)?)
 }
 
 /// The observable of a file, which all tables share.

@@ -24,6 +24,7 @@ mod identify_report;
 mod identify_spring;
 mod identify_stopped;
 mod identify_validity;
+mod identify_zeros;
 mod interrupt;
 mod keeping;
 mod maps;

@@ -1,5 +1,5 @@
-//! The zeros of the abscissae: where each curve begins, such as the depth of the first contact where forces are observed
-//! at depths.
+//! The zeros of the abscissae: where each curve begins, such as the depth of the first contact where forces are
+//! observed at depths.
 //!
 //! A zero `z` shifts a curve, `y = f(x − z; θ)`, and is no linear nuisance. For given θ it is found by the method of
 //! Gauss and Newton, with the linear nuisances eliminated at each step, so that the unknowns of a fit stay few however

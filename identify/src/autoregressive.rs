@@ -2,9 +2,9 @@
 //!
 //! For unit variance, `R_ij = w δ_ij + (1 − w) φ^|i − j|`, where `φ` is the correlation of the persistent part from one
 //! point to the next and `w` the white fraction of the variance. Where only a part `h_i²` of a point's variance is such
-//! noise and the rest is white, `R_ij = (1 − h_i²) δ_ij + h_i h_j R_ij`. The Kalman filter of this state-space model gives the
-//! innovations, the product of the inverse Cholesky factor of `R` and the series, in O(n): J. Durbin and S. J. Koopman,
-//! Time Series Analysis by State Space Methods (Oxford, 2nd ed. 2012), sections 4.3 and 7.2.
+//! noise and the rest is white, `R_ij = (1 − h_i²) δ_ij + h_i h_j R_ij`. The Kalman filter of this state-space model
+//! gives the innovations, the product of the inverse Cholesky factor of `R` and the series, in O(n): J. Durbin and S.
+//! J. Koopman, Time Series Analysis by State Space Methods (Oxford, 2nd ed. 2012), sections 4.3 and 7.2.
 
 /// The whitening of a series, stored as the gains of the filter.
 #[derive(Debug, Clone, PartialEq)]

@@ -49,7 +49,7 @@ from .indenter import (
 )
 from .judgement import Certificate, Estimate, GridError, ResultWarning, Sensitivity, Work
 from .likelihood import Likelihood
-from .measurement import Data, Noise, Segment, SpringConstant, Text
+from .measurement import Baseline, Data, Noise, Segment, SpringConstant, Text
 from .operator import ElasticOperator, compliance, influence_coefficients
 from .options import Output, Range, Stress
 from .parameter_study import Study, StudyTable, study
@@ -64,6 +64,7 @@ from .waiting import Interrupted
 __all__ = [
     "ArgumentError",
     "Bare",
+    "Baseline",
     "Berkovich",
     "Case",
     "CaseError",

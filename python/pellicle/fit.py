@@ -47,9 +47,16 @@ Arrays: TypeAlias = dict[str, npt.NDArray[np.float64]]
 
 @dataclass(frozen=True)
 class Nuisances(Table):
-    """Other influences on the measurements: a shift and a drift of each curve, the frame compliance in m/N, and
-    inexactly known numbers of the model, by their keys."""
+    """Other influences on the measurements: the zeros and a drift of each curve, the frame compliance in m/N, and
+    inexactly known numbers of the model, by their keys.
 
+    A zero is True for one of each curve, False for an exact reading, or an `Unknown` with a normal prior. By default
+    that of the depth is sought, and that of the force where a file shows a stretch before contact. `shift` is the old
+    name of `depth_zero`.
+    """
+
+    depth_zero: bool | Unknown | None = None
+    force_zero: bool | Unknown | None = None
     shift: bool | None = None
     frame_compliance: Literal["off", "free"] | Unknown | None = None
     drift: bool | None = None
@@ -58,9 +65,12 @@ class Nuisances(Table):
     def as_table(self) -> dict[str, toml.Value]:
         """The keys of `[nuisance]`, with those of the numbers of the model beside the others."""
         found: dict[str, toml.Value] = {}
-        for name, is_free in (("shift", self.shift), ("drift", self.drift)):
-            if is_free is not None:
-                found[name] = {"per": "curve"} if is_free else "off"
+        for name in ("depth_zero", "force_zero", "shift", "drift"):
+            given = getattr(self, name)
+            if isinstance(given, Unknown):
+                found[name] = {"per": "curve"} | given.as_value(SI_UNITS[name])
+            elif given is not None:
+                found[name] = {"per": "curve"} if given else "off"
         if self.frame_compliance is not None:
             found["frame_compliance"] = value_of("frame_compliance", self.frame_compliance)
         return found | _bounds(self.parameters or {})

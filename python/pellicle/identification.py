@@ -136,7 +136,8 @@ class Identification(Result):
 
     @property
     def curves(self) -> list[dict[str, Any]]:
-        """The measured curves: `file`, `points` and the `shift` of each."""
+        """The measured curves: `file`, `points`, `depth_zero` in m, `force_zero` in N and the line of forces
+        `before_contact` of each; None for what is taken as exact or not there."""
         curves: list[dict[str, Any]] = self._found["curves"]
         return curves
 

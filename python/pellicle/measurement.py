@@ -65,6 +65,16 @@ class Noise(Table):
 
 
 @dataclass(frozen=True)
+class Baseline(Table):
+    """A stretch between two distances before the contact, in m, whose line of forces is subtracted."""
+
+    _names: ClassVar[Mapping[str, str]] = {"start": "from", "stop": "to"}
+
+    start: Quantity
+    stop: Quantity
+
+
+@dataclass(frozen=True)
 class SpringConstant(Table):
     """The spring constant of a cantilever and its standard deviation, in N/m."""
 
@@ -81,6 +91,7 @@ class Data(Table):
     units: Mapping[str, str | float] | None = None
     text: Text | None = None
     segment: Segment | None = None
+    baseline: Literal["before contact", "off"] | Baseline | None = None
     observe: Literal["depth at force", "force at depth", "stiffness at contact radius"] | None = None
     noise: Noise | None = None
     spring_constant: Quantity | SpringConstant | None = None
@@ -103,6 +114,7 @@ class Data(Table):
         height: npt.ArrayLike | None = None,
         deflection: npt.ArrayLike | None = None,
         segment: Segment | None = None,
+        baseline: Literal["before contact", "off"] | Baseline | None = None,
         observe: Literal["depth at force", "force at depth", "stiffness at contact radius"] | None = None,
         noise: Noise | None = None,
         spring_constant: Quantity | SpringConstant | None = None,
@@ -130,6 +142,7 @@ class Data(Table):
             columns={key: key for key in arrays},
             units={key: UNITS[key] for key in arrays},
             segment=segment,
+            baseline=baseline,
             observe=observe,
             noise=noise,
             spring_constant=spring_constant,

@@ -25,6 +25,9 @@ SI_UNITS = key_units() | {
     "radii": "m",
     "spring_constant": "N/m",
     "frame_compliance": "m/N",
+    "baseline": "m",
+    "depth_zero": "m",
+    "force_zero": "N",
 }
 """The SI unit of every key of a case or a fit that is a quantity."""
 

@@ -253,7 +253,8 @@ def test_priors_nuisances_and_repeats_are_written_as_the_fit_file_has_them(
     repeats = [pl.Data.of_arrays(force=force, depth=depth + 1e-9 * k, name=f"{k}.csv") for k in range(2)]
     prior = pl.Unknown(prior="lognormal", median="10 GPa", factor=1.05)
     nuisance = pl.Nuisances(
-        shift=True,
+        depth_zero=True,
+        force_zero=pl.Unknown(prior="normal", mean="0 mN", sd="1 nN"),
         drift=False,
         frame_compliance=pl.Unknown(prior="normal", mean="0 nm/mN", sd="0.01 nm/mN"),
         parameters={BASE: prior},
@@ -261,7 +262,8 @@ def test_priors_nuisances_and_repeats_are_written_as_the_fit_file_has_them(
     fit = pl.Fit(model, repeats, unknown={COATING: ("20 GPa", "500 GPa")}, nuisance=nuisance)
     result = pl.identify(fit)
     assert [curve["file"] for curve in result.curves] == ["0.csv", "1.csv"]
-    shifts = [curve["shift"] for curve in result.curves]
+    shifts = [curve["depth_zero"] for curve in result.curves]
+    assert all(abs(curve["force_zero"]) < 3e-9 for curve in result.curves)
     # The same curve again, a nanometre deeper.
     assert shifts[1] - shifts[0] == pytest.approx(1e-9, rel=1e-6)
     assert BASE in {estimate.key for estimate in result.nuisances}

@@ -18,30 +18,25 @@ struct Cause {
 }
 
 impl Identification {
-    /// Names the likely causes of a misfit: of the zeros and the baseline the one that explains most of it, a pull-off, a
-    /// bound that holds the best fit.
+    /// A pull-off, and the likely cause of a misfit: of the zeros and the baseline the one that explains most of it, or
+    /// a bound that holds the best fit.
     #[must_use]
     pub fn causes(&self, fit: &Fit) -> Vec<WarningResult> {
-        if fit.verdict != FitVerdict::Misfit || fit.stopped.is_some() {
-            return Vec::new();
-        }
-        let mut found: Vec<String> = self.adhesion().into_iter().collect();
-        found.extend(self.of_readings(fit));
-        if found.is_empty()
-            && fit
-                .warnings
-                .iter()
-                .any(|of| matches!(of, FitWarning::AtBound(_)))
-        {
-            found.push(
-                "a unit may be wrong: the best fit lies at a bound, where no value follows the curve".into(),
-            );
-        }
-        let warning = |message: String| WarningResult {
-            code: "likely-cause".into(),
+        let warning = |code: &str, message: String| WarningResult {
+            code: code.into(),
             message,
         };
-        found.into_iter().map(warning).collect()
+        let adhesion = self.adhesion().map(|found| warning("adhesion", found));
+        if fit.verdict != FitVerdict::Misfit || fit.stopped.is_some() {
+            return adhesion.into_iter().collect();
+        }
+        let is_at_bound = |of: &FitWarning| matches!(of, FitWarning::AtBound(_));
+        let unit = (fit.warnings.iter().any(is_at_bound)).then(|| {
+            "a unit may be wrong: the best fit lies at a bound, where no value follows the curve".into()
+        });
+        let cause = self.of_readings(fit).or(unit);
+        let cause = cause.map(|found| warning("likely-cause", found));
+        adhesion.into_iter().chain(cause).collect()
     }
 
     /// The pull-off of a curve.
@@ -52,7 +47,7 @@ impl Identification {
             let pull_off = source.measured.before_contact?.adhesion(largest)?;
             let scale = units::scale(pull_off, "N");
             Some(format!(
-                "adhesion: the force of {} falls {} {} below its baseline, which no model without adhesion follows; \
+                "adhesion: the force of {} falls {} {} below its baseline, which this model does not follow; \
                  segment.from at some three times that force lessens its effect",
                 source.measured.file.display(),
                 significant(pull_off / scale.divisor, 2),

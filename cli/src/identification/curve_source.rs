@@ -207,8 +207,8 @@ fn positive(abscissa: &[f64], zero: f64) -> Vec<usize> {
         .collect()
 }
 
-/// The points whose force is clearly that of a contact: of a file that shows a stretch before it, those after the mean of
-/// neighbouring forces was last one that might be noise. Single forces would choose points by their noise.
+/// The points whose force is clearly that of a contact: of a file that shows a stretch before it, those after the mean
+/// of neighbouring forces was last one that might be noise. Single forces would choose points by their noise.
 fn after_contact(
     measured: &MeasuredCurve,
     forces: &[f64],

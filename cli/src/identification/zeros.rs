@@ -1,9 +1,12 @@
 //! The zeros of the depths and the forces of a fit's curves.
 
 use pellicle_identify::fit_file::FitFile;
-use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO};
+use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO, ForceZero};
 use pellicle_identify::measured::data_table::Observe;
-use pellicle_identify::{Fit, ForwardError, ForwardModel as _, Prediction};
+use pellicle_identify::{
+    Fit, ForwardError, ForwardModel as _, IdentifyError, LinearNuisance, NuisanceShape, Prediction,
+    Scope,
+};
 
 use super::curve_source::CurveSource;
 use super::{Identification, observe};
@@ -21,6 +24,45 @@ pub fn of_abscissa(file: &FitFile, sources: &[(usize, CurveSource)]) -> Option<&
         _ => (FORCE_ZERO, file.nuisances.seeks_force_zero(observe, &told)),
     };
     is_sought.then_some(name)
+}
+
+/// A slope, N/m, that changes no force of any instrument over a metre.
+const LEAST_SLOPE: f64 = 1e-15;
+
+/// The slope of each baseline that was subtracted from observed forces, as it is known no better than its stretch tells;
+/// where that is in the fit, it is found there.
+///
+/// # Errors
+///
+/// [`IdentifyError`] if a number is not finite.
+pub fn baseline_slopes(
+    observe: Observe,
+    sources: &[CurveSource],
+) -> Result<Option<LinearNuisance>, IdentifyError> {
+    let subtracted = |source: &CurveSource| {
+        let before = source.measured.before_contact;
+        before.filter(|before| before.is_subtracted)
+    };
+    if observe != Observe::ForceAtDepth || !sources.iter().any(|of| subtracted(of).is_some()) {
+        return Ok(None);
+    }
+    let distances = sources.iter().flat_map(|source| {
+        let contact = source.origin(observe);
+        source
+            .abscissa
+            .iter()
+            .map(move |abscissa| abscissa - contact)
+    });
+    let prior = |source: &CurveSource| match (subtracted(source), source.force_zero()) {
+        (Some(_), ForceZero::InFit) => None,
+        (Some(before), _) => Some([0.0, before.line.slope_sd.max(LEAST_SLOPE)]),
+        // Nothing was subtracted, so there is no slope to be wrong.
+        (None, _) => Some([0.0, LEAST_SLOPE]),
+    };
+    let shape = NuisanceShape::Given(distances.collect());
+    let slopes = LinearNuisance::new("baseline_slope", shape, Scope::PerCurve);
+    let priors = sources.iter().map(prior).collect();
+    Ok(Some(slopes.with_normal_priors(priors)?))
 }
 
 /// A zero that a fit takes as exact.
@@ -70,8 +112,8 @@ impl Identification {
         each.collect::<Vec<_>>().concat()
     }
 
-    /// The zeros that a fit takes as exact: for each its name, unit, the largest reading, and the change of the observable
-    /// if that zero were off by the largest reading, at all points.
+    /// The zeros that a fit takes as exact: for each its name, unit, the largest reading, and the change of the
+    /// observable if that zero were off by the largest reading, at all points.
     #[must_use]
     pub fn exact_zeros(&self, fit: &Fit, slopes: &[f64]) -> Vec<ExactZero> {
         let sought = |name: &str| {

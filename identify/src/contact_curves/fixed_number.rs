@@ -22,9 +22,9 @@ pub struct FixedNumber {
 }
 
 impl ContactCurves {
-    /// Predicts the curves at these parameters, from these origins of their abscissae (none are zeros), and their derivatives with respect to the `numbers` (one list per
-    /// curve) that its model holds fixed, in their order. Numbers that are zero are left out, since a relative change
-    /// of zero is zero.
+    /// Predicts the curves at these parameters, from these origins of their abscissae (none are zeros), and their
+    /// derivatives with respect to the `numbers` (one list per curve) that its model holds fixed, in their order.
+    /// Numbers that are zero are left out, since a relative change of zero is zero.
     ///
     /// # Errors
     ///

@@ -9,8 +9,8 @@
 //! force at depth:    y = Q(D)/κ        ∂y/∂D  = Q′(D)/κ          ∂y/∂k = −y/k
 //! ```
 //!
-//! A cantilever is also a compliance `c = 1/k₀` in series, as its deflection does not depend on the constant. Penetrations
-//! have the slope `κ D′ + c`, and forces are read at approaches,
+//! A cantilever is also a compliance `c = 1/k₀` in series, as its deflection does not depend on the constant.
+//! Penetrations have the slope `κ D′ + c`, and forces are read at approaches,
 //!
 //! ```text
 //! force at approach: D(κ y) + c y = z   ∂y/∂z = 1/(κ D′ + c)   ∂y/∂k = −(y/k₀) D′/(κ D′ + c)

@@ -94,8 +94,8 @@ fn force_at_radius(curve: &SolvedCurve, radius: f64) -> Result<f64, ContactError
     Err(ContactError::Force { force })
 }
 
-/// Returns the force that gives an approach, the penetration and what a compliance in series adds, by Newton's method in
-/// logarithms.
+/// Returns the force that gives an approach, the penetration and what a compliance in series adds, by Newton's method
+/// in logarithms.
 fn force_at(
     curve: &SolvedCurve,
     approach: f64,

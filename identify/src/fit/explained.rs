@@ -2,7 +2,7 @@
 
 use super::Fitting;
 use crate::{
-    Fit, FitOptions, IdentifyError, Prediction, Problem,
+    Fit, FitOptions, IdentifyError, NoiseLevels, Prediction, Problem,
     curve::check_length,
     metric::Metric,
     orthonormal_basis::{OrthonormalBasis, dot},
@@ -10,7 +10,8 @@ use crate::{
 };
 
 /// For each column, the fraction of a fit's χ² that a nuisance proportional to it would remove, with the unknowns and
-/// the other nuisances adjusted to it, in the linearised problem.
+/// the other nuisances adjusted to it, in the linearised problem. All noise is white here, for an estimated correlation
+/// absorbs most of a misfit.
 ///
 /// `at_fit` is the prediction at the fit's values and zeros; each column has one value for each point.
 ///
@@ -30,7 +31,12 @@ pub fn explained(
     }
     let parameters: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
     let at = Evaluation::of(problem.unknowns(), &parameters, at_fit);
-    let metric = Metric::at(problem, &fit.noise, &at);
+    let white = NoiseLevels {
+        persistence: 0.0,
+        white_fraction: 1.0,
+        ..fit.noise
+    };
+    let metric = Metric::at(problem, &white, &at);
     let options = FitOptions::default();
     let determined = Fitting::new(problem, &options, Vec::new())?.determined;
     let system = metric.system(&at);

@@ -1,5 +1,5 @@
-//! `[nuisance]` of a fit file: zeros, frame compliance and drift of the curves, and parameters of the model that are not
-//! known exactly.
+//! `[nuisance]` of a fit file: zeros, frame compliance and drift of the curves, and parameters of the model that are
+//! not known exactly.
 //!
 //! A curve has two zeros, that of its depth and that of its force. The zero of what is observed is a constant; that of
 //! the abscissa shifts the curve along it.

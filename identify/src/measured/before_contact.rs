@@ -40,9 +40,9 @@ pub struct BeforeContact {
 const BLOCKS: usize = 240;
 /// Exponents of the second piece: flat punch, ball, cone.
 const EXPONENTS: [f64; 3] = [1.0, 1.5, 2.0];
-/// The line is fitted to the points whose distance from the break is at least this fraction of the stretch, the first of
-/// these with which it is straight: the contact begins before the break, as the second piece is no exact law. Behind a
-/// cantilever half as soft as the contact it begins a fifth of the stretch before.
+/// The line is fitted to the points whose distance from the break is at least this fraction of the stretch, the first
+/// of these with which it is straight: the contact begins before the break, as the second piece is no exact law. Behind
+/// a cantilever half as soft as the contact it begins a fifth of the stretch before.
 const GUARDS: [f64; 5] = [0.1, 0.2, 0.3, 0.4, 0.5];
 /// A larger correlation of neighbours cannot be told from a bend.
 const MOST_PERSISTENT: f64 = 0.95;
