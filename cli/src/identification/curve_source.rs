@@ -2,12 +2,11 @@
 
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle_identify::fit_file::FitFile;
-use pellicle_identify::measured::channel::Channel;
 use pellicle_identify::measured::curve::MeasuredCurve;
-use pellicle_identify::measured::data_table::{DataTable, Observe};
+use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::measured::error::CurveError;
-use pellicle_identify::measured::noise::{MeasuredNoise, NoiseCorrelation};
-use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable};
+use pellicle_identify::measured::noise::NoiseCorrelation;
+use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Invalidity, Noise};
 
 use crate::failure::Failure;
 
@@ -66,11 +65,10 @@ impl CurveSource {
     }
 
     fn of(measured: MeasuredCurve, table: &DataTable) -> Result<Self, Diagnosis> {
-        let (x, y) = match table.observe {
-            Observe::DepthAtForce => (Channel::Force, Channel::Depth),
-            Observe::ForceAtDepth => (Channel::Depth, Channel::Force),
-            Observe::StiffnessAtContactRadius => (Channel::ContactRadius, Channel::Stiffness),
-        };
+        let (x, y) = (
+            table.observe.abscissa().into(),
+            table.observe.observed().into(),
+        );
         let values = |channel| measured.values(channel).unwrap_or_default();
         let (abscissa, observed) = (values(x), values(y));
         let in_contact: Vec<usize> = (0..abscissa.len())
@@ -152,16 +150,6 @@ impl CurveSource {
     }
 }
 
-/// The observable of the fit for that of a table.
-#[must_use]
-pub fn observable(observe: Observe) -> Observable {
-    match observe {
-        Observe::DepthAtForce => Observable::DepthAtForce,
-        Observe::ForceAtDepth => Observable::ForceAtDepth,
-        Observe::StiffnessAtContactRadius => Observable::StiffnessAtContactRadius,
-    }
-}
-
 /// Returns the noise of all tables, which must agree.
 ///
 /// If not given, the noise of the observed quantity is estimated, and that of the abscissa is zero.
@@ -172,15 +160,11 @@ pub fn observable(observe: Observe) -> Observable {
 pub fn noise(file: &FitFile) -> Result<Noise, Failure> {
     let of = |table: &DataTable| (table.observe, table.noise);
     let first = file.data.first().map(of);
-    let (observe, noise) = first.unwrap_or((Observe::DepthAtForce, MeasuredNoise::default()));
+    let (observe, noise) = first.unwrap_or_default();
     if let Some(other) = file.data.iter().find(|table| of(table) != (observe, noise)) {
         return Err(other.other_noise().into());
     }
-    let (observed, abscissa) = match observe {
-        Observe::DepthAtForce => (noise.depth, noise.force),
-        Observe::ForceAtDepth => (noise.force, noise.depth),
-        Observe::StiffnessAtContactRadius => (None, None),
-    };
+    let (observed, abscissa) = (noise.of(observe.observed()), noise.of(observe.abscissa()));
     Ok(Noise {
         observed: observed.map_or(Amount::Estimated, Amount::Given),
         abscissa: Amount::Given(abscissa.unwrap_or(0.0)),

@@ -3,7 +3,7 @@
 
 use askama::Template;
 use pellicle::display::significant;
-use pellicle_identify::{Fit, FitVerdict, Observable, REFUSAL};
+use pellicle_identify::{Fit, FitVerdict, REFUSAL};
 
 use super::findings::{CombinationResult, EstimateResult};
 use super::pictures::{FitDrawings, FitPicture};
@@ -288,11 +288,7 @@ fn tests(fit: &Fit) -> Vec<(&'static str, String, &'static str)> {
 
 fn curves(of: &Identification, found: &FitResult) -> Vec<(String, usize, String)> {
     let observable = of.model.curves().first().map(|curve| curve.observable);
-    let unit = match observable {
-        Some(Observable::ForceAtDepth) => "N",
-        Some(Observable::StiffnessAtContactRadius) => "N/m",
-        _ => "m",
-    };
+    let unit = observable.unwrap_or_default().observed().unit();
     let shifts = found.curves.iter().filter_map(|curve| curve.shift);
     let scale = units::scale(shifts.map(f64::abs).fold(0.0, f64::max), unit);
     let shift = |shift: f64| format!("{:.3} {}", shift / scale.divisor, scale.label);

@@ -8,8 +8,10 @@
 //! depth at force:    y = D(κ F₀)       ∂y/∂F₀ = κ D′(κ F₀)       ∂y/∂k = (F₀/k₀) D′(κ F₀)
 //! force at depth:    y = Q(D)/κ        ∂y/∂D  = Q′(D)/κ          ∂y/∂k = −y/k
 //! ```
+//!
+//! A stiffness is a force over a depth: at a depth it follows the second line, at a force both.
 
-use super::curve::Observable;
+use super::curve::{Observable, Reading};
 use crate::Prediction;
 
 /// A constant to which the forces of a curve are proportional: one more parameter to be found.
@@ -37,26 +39,29 @@ impl ForceScale {
         prediction: &mut Prediction,
     ) -> Vec<f64> {
         let constant = factor * self.nominal;
-        if observable == Observable::DepthAtForce {
+        let mut change = vec![0.0; prediction.value.len()];
+        if observable.abscissa() == Reading::Force {
             let pairs = prediction.slope.iter_mut().zip(abscissae);
-            let change = pairs.map(|(slope, read)| {
-                let by_constant = *slope * read / self.nominal;
+            for ((slope, read), change) in pairs.zip(&mut change) {
+                *change = *slope * read / self.nominal;
                 *slope *= factor;
-                by_constant
-            });
-            return change.collect();
+            }
         }
-        let lists = [&mut prediction.value, &mut prediction.slope].into_iter();
-        let lists = lists.chain(&mut prediction.derivatives);
+        if observable.observed() == Reading::Depth {
+            return change;
+        }
+        let lists = [&mut prediction.value, &mut prediction.slope, &mut change];
+        let lists = lists.into_iter().chain(&mut prediction.derivatives);
         lists.flatten().for_each(|value| *value /= factor);
-        prediction.value.iter().map(|y| -y / constant).collect()
+        let pairs = prediction.value.iter().zip(change);
+        pairs.map(|(y, change)| change - y / constant).collect()
     }
 }
 
 impl Observable {
     /// The true abscissae, where the forces that were read are too small by `factor`.
     pub(super) fn true_abscissae(self, read: &[f64], factor: f64) -> Vec<f64> {
-        let factor = if self == Self::DepthAtForce {
+        let factor = if self.abscissa() == Reading::Force {
             factor
         } else {
             1.0

@@ -6,6 +6,7 @@ use super::channel::Channel;
 use super::error::CurveError;
 use super::exclusion::ExcludedRows;
 use super::spring::penetration;
+use super::stated::StatedNumber;
 
 /// A measured curve: the points in use of one file, in SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +21,8 @@ pub struct MeasuredCurve {
     pub rows: Vec<usize>,
     /// The points left out, by reason.
     pub excluded: Vec<ExcludedRows>,
+    /// The numbers that the file states above its table.
+    pub stated: Vec<StatedNumber>,
     /// Warnings about the curve.
     pub warnings: Vec<CurveWarning>,
     pub(super) channels: Vec<(Channel, Vec<f64>)>,
