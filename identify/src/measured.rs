@@ -15,6 +15,7 @@ pub mod depth_step;
 pub mod error;
 pub mod exclusion;
 pub mod header;
+pub mod header_lines;
 mod hysteresis;
 pub mod noise;
 pub mod omitted;

@@ -1,4 +1,4 @@
-//! The radius of the tip that the files of a measurement state: used where the model has none, compared where it has one.
+//! The radius of the tip that the files of a measurement state: given to a model that has none, else compared with it.
 
 use pellicle::input::dimension::Dimension;
 use pellicle::input::toml_tree::{TomlNode, TomlValue};

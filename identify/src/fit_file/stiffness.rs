@@ -1,4 +1,4 @@
-//! The nuisances of a fit to stiffnesses. A stiffness is a slope of the force over the depth, which neither zero changes.
+//! The nuisances of a fit to stiffnesses: a slope of the force over the depth, which neither zero changes.
 
 use pellicle::input::diagnosis::{Diagnosis, Fault};
 use pellicle::input::value_reader::ValueReader;

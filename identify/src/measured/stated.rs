@@ -1,7 +1,7 @@
 //! Numbers that a text states above its table: the spring constant of the cantilever, and the radius of the tip.
 //!
-//! A line states a number by a name, a value and a unit, `k (N/m)<tab>0.019`, `Tip radius: 27.5 um`. The text exports of
-//! JPK and of afmformats give spring constants without a unit, in N/m.
+//! A line states a number by a name, a value and a unit, `k (N/m)<tab>0.019`, `Tip radius: 27.5 um`. The text exports
+//! of JPK and of afmformats give spring constants without a unit, in N/m.
 
 use pellicle::input::dimension::Dimension;
 use pellicle::input::quantity;

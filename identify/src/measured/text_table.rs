@@ -1,7 +1,8 @@
 //! The table of numbers in a text: its beginning and end, its rows, and the headers of its columns.
 
 use super::error::CurveError;
-use super::header::{HeaderField, LinesAbove};
+use super::header::HeaderField;
+use super::header_lines::LinesAbove;
 use super::separator::{DecimalMark, Separator};
 use super::stated::StatedNumber;
 use super::text_options::TextOptions;

@@ -136,7 +136,7 @@ fn error(ball: Ball, curve: &MeasuredCurve) -> f64 {
 }
 
 #[rustfmt::skip]
-const EXPORTS: [Export; 32] = [
+const EXPORTS: [Export; 35] = [
     ("Hysitron, names above a word", HARD, "Mon Jan 5 10:00:00 2026\n\nNumber of Points = 41\nDepth (nm)\tLoad (uN)\tTime (s)\neoh\n",
         (&[Depth(NM), Force(UN), Time(1.0)], "\t", "."), "columns = { depth = \"Depth\", force = \"Load\" }"),
     ("Hysitron, columns in volts beside", HARD, "Number of Points = 41\nDepth (nm)\tLoad (\u{b5}N)\tTime (s)\tDepth (V)\tLoad (V)\n",
@@ -179,6 +179,12 @@ const EXPORTS: [Export; 32] = [
         (&[Depth(NM), Force(UN)], ",", "."), "columns = { depth = \"depth_nm\", force = \"force_uN\" }"),
     ("numpy, commented header", HARD, "# depth [m] force [N]\n",
         (&[Depth(1.0), Force(1.0)], " ", "."), "columns = { depth = \"depth\", force = \"force\" }"),
+    ("a MEMS indenter, decimal commas, names above a word", HARD, "Quasi static measurement routine\nTip parameters (shape,radius, material...) \n12.08.2022\n\nPiezo position[nm]\tMEMS displ.[nm]\tDepth[nm]\tForce[uN]\tTemp [°C]\tRh [%]\neoh\n",
+        (&[Same("2,05"), Same("0,19"), Depth(NM), Force(UN), Same("22,34"), Same("47,36")], "\t", ","), "columns = { depth = \"Depth\", force = \"Force\" }\ntext = { decimal = \",\" }"),
+    ("nanoDMA, a tab behind every row", HARD, "nanoDMA Text Export Version 1.00\n\n Test Time (s)\t Indent Disp. (nm)\t Indent Act. Load (µN)\t Storage Stiff. (µN/nm)\t\n",
+        (&[Time(1.0), Depth(NM), Force(UN), Same("8.1786"), Same("")], "\t", "."), "columns = { depth = \"Indent Disp.\", force = \"Indent Act. Load\" }"),
+    ("a prefix in words is no unit", HARD, "depth_nm,load_micro_N,time_s\n",
+        (&[Depth(NM), Force(UN), Time(1.0)], ", ", "."), "columns = { depth = \"depth_nm\", force = \"load_micro_N\" }\nunits = { force = \"uN\" }"),
     ("a spreadsheet with a byte-order mark", HARD, "\u{feff}Depth [nm];Load [mN]\n",
         (&[Depth(NM), Force(MN)], ";", ","), "columns = { depth = \"Depth\", force = \"Load\" }\ntext = { decimal = \",\" }"),
     ("Optics11 Piuma or Chiaro, indentation", SOFT, "Date\t12/05/2025\tStatus\tOK\nk (N/m)\t0.1\nTip radius (um)\t5.000\nModel: Hertz\nComment: \n\nTime (s)\tLoad (uN)\tIndentation (nm)\tCantilever (nm)\tPiezo (nm)\tAuxiliary\n",
