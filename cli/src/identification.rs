@@ -1,5 +1,6 @@
 //! The fit of a fit file: its measurements and model are posed as a problem, solved, and reported.
 
+pub mod causes;
 pub mod curve_source;
 pub mod deviations;
 pub mod files;
@@ -22,6 +23,7 @@ pub mod taken_as_exact;
 pub mod text;
 pub mod units;
 pub mod validity;
+pub mod zeros;
 
 use std::sync::Arc;
 
@@ -83,7 +85,7 @@ impl Identification {
     /// [`Failure`] if a measurement gives no curve, a model cannot be built, or there are too few points.
     pub fn new(file: FitFile, stop: StopFlag) -> Result<Self, Failure> {
         let of_table = |(index, table)| {
-            let sources = CurveSource::of_table(table)?;
+            let sources = CurveSource::of_table(table, &file.nuisances)?;
             for source in &sources {
                 file.refuse_other_radius(index, &source.measured)?;
             }
@@ -110,13 +112,21 @@ impl Identification {
             let own = parameters.given_in(&table.set);
             directions.push(null_directions::of(&parameters, &own, index));
             let of_table = sources.iter().filter(|(table, _)| *table == index);
+            let has_zero = zeros::of_abscissa(&file, &sources).is_some();
+            let points = of_table.flat_map(|(_, source)| {
+                let origin = has_zero.then(|| source.origin(table.observe));
+                source
+                    .abscissa
+                    .iter()
+                    .map(move |abscissa| (*abscissa, origin))
+            });
+            let (abscissae, origins): (Vec<f64>, Vec<Option<f64>>) = points.unzip();
             curves.push(ContactCurve {
                 model: parameters.model.clone(),
                 observable: table.observe,
-                abscissae: of_table
-                    .flat_map(|(_, source)| source.abscissa.iter().copied())
-                    .collect(),
+                abscissae,
                 own,
+                origins: origins.into_iter().flatten().collect(),
             });
         }
         let unknowns = file.all_unknowns();
@@ -164,7 +174,10 @@ fn problem(
     sources: &[CurveSource],
     starts: Option<&[f64]>,
 ) -> Result<Problem, Failure> {
-    let curves = sources.iter().map(CurveSource::curve);
+    let curves = sources.iter().map(|source| {
+        let origin = source.origin(observe(file));
+        Ok(source.curve()?.with_origin(origin))
+    });
     let curves = curves.collect::<Result<Vec<_>, IdentifyError>>()?;
     let nuisances = file.nuisances.parameters.iter();
     let nuisances = nuisances.map(|case| case.unknown().map(Unknown::as_nuisance));
@@ -177,13 +190,21 @@ fn problem(
         let moved = pairs.map(|(unknown, start)| unknown.starting_at(*start));
         unknowns = moved.collect::<Result<_, _>>()?;
     }
-    let noise = curve_source::noise(file)?;
+    let noise = curve_source::noise(file, sources)?;
+    let told: Vec<_> = sources.iter().map(CurveSource::force_zero).collect();
     Ok(Problem::new(
         curves,
         unknowns,
-        &file.linear_nuisances()?,
+        &file.nuisances.linear(observe(file), &told)?,
         noise,
     )?)
+}
+
+/// The observable of a file, which all tables share.
+fn observe(file: &FitFile) -> Observable {
+    file.data
+        .first()
+        .map_or(Observable::default(), |table| table.observe)
 }
 
 /// Repeats of one table may scatter; the curves of several tables share their parameters.

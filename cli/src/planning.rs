@@ -110,6 +110,7 @@ impl<'a> Planning<'a> {
             observable: Observable::DepthAtForce,
             abscissae: candidate.loads(),
             own: premises.own(&indenter),
+            origins: Vec::new(),
         };
         let curves = ContactCurves::new(vec![curve], premises.sought(), CurveOptions::default())?;
         let values = premises.values(&indenter, candidate.radius);
@@ -180,6 +181,7 @@ fn observed(observe: Observable, forces: Vec<f64>, depths: Prediction) -> (Vec<f
         value,
         slope,
         derivatives,
+        ..
     } = depths;
     // ∂Q/∂θ|_D = −(dQ/dD) ∂D/∂θ|_Q
     let at_depth = |column: Vec<f64>| {
@@ -190,6 +192,7 @@ fn observed(observe: Observable, forces: Vec<f64>, depths: Prediction) -> (Vec<f
         value: forces,
         derivatives: derivatives.into_iter().map(at_depth).collect(),
         slope: slope.iter().map(|slope| slope.recip()).collect(),
+        origins: Vec::new(),
     };
     (value, prediction)
 }

@@ -16,6 +16,7 @@ mod validity;
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
@@ -41,8 +42,18 @@ pub struct ContactCurves {
     /// One entry per curve.
     scales: Vec<Option<ForceScale>>,
     options: CurveOptions,
+    /// The last solution of each curve, which predictions from other origins share.
+    last: Vec<Mutex<Option<Remembered>>>,
     loads_solved: AtomicUsize,
     operator_applications: AtomicUsize,
+}
+
+/// A curve solved at some parameters, with derivatives by numbers of its model.
+#[derive(Debug)]
+struct Remembered {
+    parameters: Vec<f64>,
+    sought: Vec<ModelParameter>,
+    solved: Arc<SolvedCurve>,
 }
 
 impl ContactCurves {
@@ -68,6 +79,7 @@ impl ContactCurves {
             .collect::<Result<_, _>>()?;
         Ok(Self {
             scales: vec![None; curves.len()],
+            last: curves.iter().map(|_| Mutex::default()).collect(),
             curves,
             nodes,
             parameters,
@@ -148,18 +160,18 @@ impl ContactCurves {
         &self,
         curve: usize,
         parameters: &[f64],
+        origins: &[f64],
         fixed: &[ModelParameter],
     ) -> Result<Prediction, ContactError> {
         let constants = self.constants(parameters);
         let scale = self.scales[curve];
         let factor = scale.map_or(1.0, |scale| scale.factor(constants));
-        let mut prediction = self.true_curve(curve, parameters, factor, fixed)?;
-        let ContactCurve {
-            observable,
-            abscissae,
-            ..
-        } = &self.curves[curve];
-        let change = scale.map(|of| of.apply(*observable, factor, abscissae, &mut prediction));
+        let origins = self.origins_of(curve, origins);
+        let abscissae = self.curves[curve].abscissae_from(origins);
+        let mut prediction = self.true_curve(curve, parameters, (&abscissae, factor), fixed)?;
+        prediction.origins = origins.to_vec();
+        let observable = self.curves[curve].observable;
+        let change = scale.map(|of| of.apply(observable, factor, &abscissae, &mut prediction));
         let by_fixed = prediction.derivatives.split_off(self.parameters.len());
         prediction.extend_by_constants(constants.len());
         if let (Some(scale), Some(change)) = (scale, change)
@@ -171,13 +183,21 @@ impl ContactCurves {
         Ok(prediction)
     }
 
-    /// One curve at these parameters, at its abscissae, multiplied by `factor` where they are forces: its points, their
+    /// The part of the origins of all points that belongs to a curve; empty if there are none.
+    pub(super) fn origins_of<'o>(&self, curve: usize, origins: &'o [f64]) -> &'o [f64] {
+        let points = |of: &ContactCurve| of.abscissae.len();
+        let first: usize = self.curves[..curve].iter().map(points).sum();
+        let last = first + points(&self.curves[curve]);
+        origins.get(first..last).unwrap_or_default()
+    }
+
+    /// One curve at these parameters and abscissae, multiplied by `factor` where they are forces: its points, their
     /// slopes, and their derivatives with respect to the parameters of the model, then the numbers `fixed` of it.
     fn true_curve(
         &self,
         curve: usize,
         parameters: &[f64],
-        factor: f64,
+        (abscissae, factor): (&[f64], f64),
         fixed: &[ModelParameter],
     ) -> Result<Prediction, ContactError> {
         if self.options.stop.is_raised() {
@@ -189,16 +209,14 @@ impl ContactCurves {
         let sought = all.filter(|(index, _)| !own.contains(index));
         let sought = sought.map(|(_, parameter)| parameter).chain(fixed);
         let sought: Vec<ModelParameter> = sought.copied().collect();
-        let ContactCurve {
-            observable,
-            abscissae,
-            ..
-        } = &self.curves[curve];
-        let mut prediction = if *observable == Observable::StiffnessAtContactRadius {
+        let observable = self.curves[curve].observable;
+        let mut prediction = if observable == Observable::StiffnessAtContactRadius {
             self.stiffnesses(curve, &model, &sought)?
         } else {
-            let nodes = self.nodes[curve].with_forces_times(factor);
-            let solved = self.solved(&nodes, &model, &sought)?;
+            let solved = self.remembered(curve, parameters, &sought, || {
+                let nodes = self.nodes[curve].with_forces_times(factor);
+                self.solved(&nodes, &model, &sought)
+            })?;
             observable.of(&solved, &observable.true_abscissae(abscissae, factor))?
         };
         for index in own {
@@ -207,6 +225,31 @@ impl ContactCurves {
                 .insert(index, vec![0.0; abscissae.len()]);
         }
         Ok(prediction)
+    }
+
+    /// The last solution of a curve if it was of these parameters and numbers, otherwise a new one.
+    fn remembered(
+        &self,
+        curve: usize,
+        parameters: &[f64],
+        sought: &[ModelParameter],
+        solve: impl FnOnce() -> Result<SolvedCurve, ContactError>,
+    ) -> Result<Arc<SolvedCurve>, ContactError> {
+        let mut last = self.last[curve]
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        let is_same =
+            |known: &&Remembered| known.parameters == parameters && known.sought == sought;
+        if let Some(known) = last.as_ref().filter(is_same) {
+            return Ok(known.solved.clone());
+        }
+        let solved = Arc::new(solve()?);
+        *last = Some(Remembered {
+            parameters: parameters.to_vec(),
+            sought: sought.to_vec(),
+            solved: solved.clone(),
+        });
+        Ok(solved)
     }
 
     /// Solves a curve at its nodes and counts the work.
@@ -255,8 +298,16 @@ impl ContactCurves {
 
 impl ForwardModel for ContactCurves {
     fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
+        self.predict_from(parameters, &[])
+    }
+
+    fn predict_from(
+        &self,
+        parameters: &[f64],
+        origins: &[f64],
+    ) -> Result<Prediction, ForwardError> {
         let curves = (0..self.curves.len()).into_par_iter();
-        let predicted = curves.map(|curve| self.predicted(curve, parameters, &[]));
+        let predicted = curves.map(|curve| self.predicted(curve, parameters, origins, &[]));
         let predicted: Vec<Result<Prediction, ContactError>> = predicted.collect();
         let predicted = predicted.into_iter().collect::<Result<Vec<_>, _>>()?;
         let columns = parameters.len().max(self.parameters.len());

@@ -8,6 +8,7 @@ pub struct Curve {
     abscissa: Vec<f64>,
     observed: Vec<f64>,
     time: Option<Vec<f64>>,
+    origin: f64,
 }
 
 impl Curve {
@@ -25,6 +26,7 @@ impl Curve {
             abscissa,
             observed,
             time: None,
+            origin: 0.0,
         })
     }
 
@@ -47,6 +49,19 @@ impl Curve {
         }
         self.time = Some(time);
         Ok(self)
+    }
+
+    /// The same curve with the value at which the search for the zero of its abscissa starts.
+    #[must_use]
+    pub fn with_origin(mut self, origin: f64) -> Self {
+        self.origin = origin;
+        self
+    }
+
+    /// The value at which the search for the zero of its abscissa starts.
+    #[must_use]
+    pub fn origin(&self) -> f64 {
+        self.origin
     }
 
     /// Number of points.

@@ -18,11 +18,13 @@ use crate::{
 mod covariance;
 mod departure;
 mod estimates;
+mod explained;
 mod exponents;
 mod intervals;
 mod scans;
 mod stopped;
 
+pub use explained::explained;
 pub use exponents::exponents;
 use intervals::{Interval, Scanned, Sought, missing_profiles};
 
@@ -279,7 +281,8 @@ impl<'p> Fitting<'p> {
             .iter()
             .zip(&refined.minimum.system.coefficients)
         {
-            for (value, shape) in model.iter_mut().zip(&column.values) {
+            let column = column.with_slopes(&refined.minimum.at.slope);
+            for (value, shape) in model.iter_mut().zip(&column) {
                 *value += c * shape;
             }
         }

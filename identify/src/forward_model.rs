@@ -16,10 +16,25 @@ pub trait ForwardModel: Sync {
     /// [`ForwardError::OutOfRange`] where the model has no prediction: the fit then takes a shorter step.
     /// [`ForwardError::Stopped`] ends the fit.
     fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError>;
+
+    /// The same prediction with the abscissa of each point counted from an origin of its own. Only problems with a
+    /// [zero of the abscissa](crate::LinearNuisance::abscissa_zero) need it; a fit calls it several times with the same
+    /// parameters.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::predict`], and [`ForwardError::NoOrigin`] for a model that cannot.
+    fn predict_from(
+        &self,
+        _parameters: &[f64],
+        _origins: &[f64],
+    ) -> Result<Prediction, ForwardError> {
+        Err(ForwardError::NoOrigin)
+    }
 }
 
 /// The points of all curves for given parameters.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Prediction {
     /// The observable `y`, such as a penetration, one value for each point.
     pub value: Vec<f64>,
@@ -28,6 +43,8 @@ pub struct Prediction {
     pub slope: Vec<f64>,
     /// Its derivatives `∂y/∂θ_j` with respect to each unknown: one list of points for each unknown.
     pub derivatives: Vec<Vec<f64>>,
+    /// The origin of the abscissa of each point; empty where all are zero.
+    pub origins: Vec<f64>,
 }
 
 impl Prediction {
@@ -37,10 +54,12 @@ impl Prediction {
             value: Vec::new(),
             slope: Vec::new(),
             derivatives: vec![Vec::new(); unknowns],
+            origins: Vec::new(),
         };
         for one in curves {
             all.value.extend(one.value);
             all.slope.extend(one.slope);
+            all.origins.extend(one.origins);
             for (to, from) in all.derivatives.iter_mut().zip(one.derivatives) {
                 to.extend(from);
             }
@@ -73,6 +92,9 @@ pub enum ForwardError {
         "found a prediction that is not a finite number for each point and unknown, wanted one"
     )]
     Incomplete,
+    /// A model that cannot count its abscissa from another origin.
+    #[error("the model has no origin of the abscissa, which a zero of it wants")]
+    NoOrigin,
     /// The caller wants the fit to end at once.
     #[error("the fit was stopped")]
     Stopped,

@@ -9,6 +9,7 @@
     )
 )]
 
+mod abscissa_zero;
 mod autoregressive;
 mod contact_curves;
 mod curve;
@@ -51,7 +52,7 @@ pub use contact_curves::{
 pub use curve::Curve;
 pub use departure::Departure;
 pub use error::IdentifyError;
-pub use fit::{exponents, identify};
+pub use fit::{explained, exponents, identify};
 pub use forward_model::{ForwardError, ForwardModel, Prediction};
 pub use goodness::{Goodness, REFUSAL};
 pub use known_combination::KnownCombination;

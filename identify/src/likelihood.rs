@@ -79,5 +79,6 @@ fn evaluation(of: &Prediction) -> Evaluation {
         value: of.value.clone(),
         slope: of.slope.clone(),
         jacobian: Vec::new(),
+        origins: of.origins.clone(),
     }
 }

@@ -4,6 +4,8 @@
 //! them. Each file gives a [`MeasuredCurve`](curve::MeasuredCurve): the points of the segment in use, and the number of
 //! points left out, with the reason. `docs/measured-curves.md` describes the keys.
 
+pub mod baseline;
+pub mod before_contact;
 mod binary;
 pub mod channel;
 mod checks;

@@ -4,6 +4,9 @@
 //! coefficients is that of `P r`, `P = I − B (BᵀB)⁻¹ Bᵀ`. Since `B` does not depend on θ, the Jacobian of `P r` is
 //! exactly `P` times that of `r`: G. H. Golub and V. Pereyra, SIAM J. Numer. Anal. 10, 413 (1973). One of their two
 //! terms is zero here, which makes the simplification of L. Kaufman, BIT 15, 49 (1975), exact. A prior is one more row.
+//!
+//! The column of a zero of the abscissa is minus the model's slope, which depends on θ. As each evaluation is made from
+//! an origin near that zero (predictor.rs), its coefficient is small, and with it the term that Kaufman leaves out.
 
 use crate::{
     NoiseLevels, Problem, noise::whitener::Whitener, orthonormal_basis::OrthonormalBasis,
@@ -16,6 +19,8 @@ pub(crate) struct Metric<'a> {
     problem: &'a Problem,
     whitener: Whitener,
     nuisances: OrthonormalBasis,
+    /// The slopes of the model in the columns of `nuisances`.
+    slope: Vec<f64>,
 }
 
 /// The linearised problem at one point: `χ²(x + δ) ≈ ‖residual − jacobian δ‖²`.
@@ -35,11 +40,12 @@ impl<'a> Metric<'a> {
     /// The covariance at the model's values and slopes.
     pub fn new(problem: &'a Problem, levels: &NoiseLevels, value: &[f64], slope: &[f64]) -> Self {
         let whitener = Whitener::new(levels, value, slope, problem.spans());
-        let nuisances = OrthonormalBasis::of(nuisance_columns(problem, &whitener));
+        let nuisances = OrthonormalBasis::of(nuisance_columns(problem, &whitener, slope));
         Self {
             problem,
             whitener,
             nuisances,
+            slope: slope.to_vec(),
         }
     }
 
@@ -65,13 +71,21 @@ impl<'a> Metric<'a> {
     /// The problem linearised at a point.
     pub fn system(&self, at: &Evaluation) -> System {
         let (mut residual, mut jacobian) = self.rows(at);
-        let components = self.nuisances.remove_from(&mut residual);
+        let of_slopes;
+        let nuisances = if self.problem.has_abscissa_zeros() {
+            let columns = nuisance_columns(self.problem, &self.whitener, &at.slope);
+            of_slopes = OrthonormalBasis::of(columns);
+            &of_slopes
+        } else {
+            &self.nuisances
+        };
+        let components = nuisances.remove_from(&mut residual);
         for column in &mut jacobian {
-            self.nuisances.remove_from(column);
+            nuisances.remove_from(column);
         }
         System {
             chi_squared: dot(&residual, &residual),
-            coefficients: self.nuisances.coefficients(&components),
+            coefficients: nuisances.coefficients(&components),
             residual,
             jacobian,
         }
@@ -83,13 +97,10 @@ impl<'a> Metric<'a> {
         let observed = problem.observed();
         let mut residual: Vec<f64> = observed.iter().zip(&at.value).map(|(y, f)| y - f).collect();
         self.whitener.whiten(&mut residual);
-        residual.extend(
-            problem
-                .columns()
-                .iter()
-                .filter_map(|c| c.prior)
-                .map(|[m, sd]| m / sd),
-        );
+        residual.extend(problem.columns().iter().filter_map(|column| {
+            let [mean, sd] = column.prior?;
+            Some((mean - column.origin(&at.origins)) / sd)
+        }));
         let mut jacobian = at.jacobian.clone();
         for column in &mut jacobian {
             self.whitener.whiten(column);
@@ -119,7 +130,7 @@ impl<'a> Metric<'a> {
 
     /// The whitened columns of the nuisances.
     pub fn nuisance_columns(&self) -> Vec<Vec<f64>> {
-        nuisance_columns(self.problem, &self.whitener)
+        nuisance_columns(self.problem, &self.whitener, &self.slope)
     }
 
     /// `ln det V`.
@@ -148,13 +159,13 @@ fn rows(problem: &Problem) -> usize {
             .count()
 }
 
-fn nuisance_columns(problem: &Problem, whitener: &Whitener) -> Vec<Vec<f64>> {
+fn nuisance_columns(problem: &Problem, whitener: &Whitener, slope: &[f64]) -> Vec<Vec<f64>> {
     let mut row = problem.points();
     problem
         .columns()
         .iter()
         .map(|nuisance| {
-            let mut column = nuisance.values.clone();
+            let mut column = nuisance.with_slopes(slope);
             whitener.whiten(&mut column);
             column.resize(rows(problem), 0.0);
             if let Some([_, sd]) = nuisance.prior {
@@ -225,6 +236,7 @@ mod tests {
                 column(&|q| scale[1] * a * q.powf(b) * q.ln()),
             ],
             parameters,
+            origins: Vec::new(),
         }
     }
 

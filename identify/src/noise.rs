@@ -31,7 +31,7 @@ pub enum Correlation {
     },
 }
 
-/// The noise of all curves. With errors in both axes, the variance of a point is the effective variance
+/// The noise of all curves. Only that of the observable may be correlated. With errors in both axes, the variance of a point is the effective variance
 /// `σ_i² = σ_D² + (ρ y_i)² + (∂y/∂Q)_i² σ_Q²` (J. Orear, Am. J. Phys. 50, 912 (1982)).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Noise {

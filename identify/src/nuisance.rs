@@ -1,4 +1,5 @@
-//! Nuisances that enter linearly: shift, frame compliance, drift, baseline.
+//! Nuisances that enter linearly: zero of the observable, frame compliance, drift, baseline; and the zero of the
+//! abscissa, which enters linearly near an origin.
 
 use std::ops::Range;
 
@@ -13,6 +14,9 @@ pub enum NuisanceShape {
     Abscissa,
     /// The time: a drift adds `d t`.
     Time,
+    /// Minus the slope of the model: a zero of the abscissa. With the abscissa counted from an origin near the zero,
+    /// `f(x − z) ≈ f(x − z₀) − (z − z₀) f′(x − z₀)`.
+    Slope,
     /// Any other known shape, one value for each point of all curves.
     Given(Vec<f64>),
 }
@@ -33,7 +37,8 @@ pub struct LinearNuisance {
     name: String,
     shape: NuisanceShape,
     scope: Scope,
-    prior: Option<[f64; 2]>,
+    /// Mean and standard deviation of the prior of each curve's coefficient; one entry holds for all, none are without.
+    priors: Vec<Option<[f64; 2]>>,
 }
 
 impl LinearNuisance {
@@ -44,7 +49,7 @@ impl LinearNuisance {
             name: name.into(),
             shape,
             scope,
-            prior: None,
+            priors: Vec::new(),
         }
     }
 
@@ -52,6 +57,20 @@ impl LinearNuisance {
     #[must_use]
     pub fn shift() -> Self {
         Self::new("shift", NuisanceShape::Constant, Scope::PerCurve)
+    }
+
+    /// The zero of each curve's abscissa: its reading where the model's is zero. The model must know
+    /// [`ForwardModel::predict_from`](crate::ForwardModel::predict_from).
+    #[must_use]
+    pub fn abscissa_zero() -> Self {
+        Self::new("abscissa_zero", NuisanceShape::Slope, Scope::PerCurve)
+    }
+
+    /// The same nuisance under another name.
+    #[must_use]
+    pub fn named(mut self, name: impl Into<String>) -> Self {
+        self.name = name.into();
+        self
     }
 
     /// The compliance of the frame, common to all curves.
@@ -79,7 +98,23 @@ impl LinearNuisance {
     /// [`IdentifyError::NumberOf`] where the standard deviation is not positive and finite, or the mean is not finite.
     pub fn with_normal_prior(mut self, mean: f64, sd: f64) -> Result<Self, IdentifyError> {
         Prior::Normal { mean, sd }.check(&self.name)?;
-        self.prior = Some([mean, sd]);
+        self.priors = vec![Some([mean, sd])];
+        Ok(self)
+    }
+
+    /// The same nuisance with a normal prior, mean and standard deviation, for the coefficient of each curve.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::with_normal_prior`].
+    pub fn with_normal_priors(
+        mut self,
+        priors: Vec<Option<[f64; 2]>>,
+    ) -> Result<Self, IdentifyError> {
+        for [mean, sd] in priors.iter().flatten().copied() {
+            Prior::Normal { mean, sd }.check(&self.name)?;
+        }
+        self.priors = priors;
         Ok(self)
     }
 
@@ -88,9 +123,12 @@ impl LinearNuisance {
         self.scope == Scope::Common
     }
 
-    /// Mean and standard deviation of its coefficients' prior, if it has one.
-    pub(crate) fn prior(&self) -> Option<[f64; 2]> {
-        self.prior
+    /// Mean and standard deviation of the prior of a curve's coefficient, or of all, if it has one.
+    pub(crate) fn prior(&self, curve: Option<usize>) -> Option<[f64; 2]> {
+        match self.priors[..] {
+            [all] => all,
+            _ => self.priors.get(curve?).copied().flatten(),
+        }
     }
 
     /// The columns of its coefficients.
@@ -100,8 +138,9 @@ impl LinearNuisance {
             name,
             curve,
             values,
-            is_zero: self.shape == NuisanceShape::Constant,
-            prior: self.prior,
+            by_slope: self.shape == NuisanceShape::Slope,
+            is_zero: matches!(self.shape, NuisanceShape::Constant | NuisanceShape::Slope),
+            prior: self.prior(curve),
         };
         if self.scope == Scope::Common {
             return Ok(vec![column(self.name.clone(), None, whole)]);
@@ -123,6 +162,7 @@ impl LinearNuisance {
         let points = curves.iter().map(Curve::points).sum();
         match &self.shape {
             NuisanceShape::Constant => Ok(vec![1.0; points]),
+            NuisanceShape::Slope => Ok(vec![-1.0; points]),
             NuisanceShape::Abscissa => {
                 Ok(curves.iter().flat_map(Curve::abscissa).copied().collect())
             }
@@ -149,13 +189,32 @@ pub(crate) struct NuisanceColumn {
     /// Its curve, if it belongs to only one.
     pub curve: Option<usize>,
     pub values: Vec<f64>,
-    /// Whether it is a shift of the zero, on which relative noise does not depend.
+    /// Whether `values` are to be multiplied by the slopes of the model: the coefficient is a zero of the abscissa.
+    pub by_slope: bool,
+    /// Whether it is a shift of a zero, on which relative noise does not depend.
     pub is_zero: bool,
     /// Mean and standard deviation of the prior.
     pub prior: Option<[f64; 2]>,
 }
 
 impl NuisanceColumn {
+    /// The contribution of one unit, for a model with these slopes.
+    pub fn with_slopes(&self, slopes: &[f64]) -> Vec<f64> {
+        if !self.by_slope {
+            return self.values.clone();
+        }
+        let pairs = self.values.iter().zip(slopes);
+        pairs.map(|(value, slope)| value * slope).collect()
+    }
+
+    /// The value of which the coefficient is the rest: the origin of the abscissa for its zero, otherwise 0.
+    pub fn origin(&self, origins: &[f64]) -> f64 {
+        let is_own = |(value, _): &(&f64, &f64)| **value < 0.0;
+        let found = self.values.iter().zip(origins).find(is_own);
+        let origin = found.filter(|_| self.by_slope).map(|(_, origin)| *origin);
+        origin.unwrap_or(0.0)
+    }
+
     /// The column at some of the points.
     pub fn part(&self, points: &Range<usize>) -> Self {
         Self {

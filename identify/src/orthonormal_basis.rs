@@ -71,6 +71,11 @@ impl OrthonormalBasis {
         coefficients
     }
 
+    /// Number of columns, dependent ones included.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
     /// Number of independent columns.
     pub fn rank(&self) -> usize {
         self.kept.len()

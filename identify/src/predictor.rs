@@ -2,7 +2,9 @@
 
 use std::{ops::Range, rc::Rc};
 
-use crate::{ForwardError, ForwardModel, IdentifyError, Prediction, Problem, Unknown};
+use crate::{
+    ForwardError, ForwardModel, IdentifyError, Prediction, Problem, Unknown, abscissa_zero,
+};
 
 /// The model evaluated at one point of the coordinates `x` of the unknowns.
 #[derive(Debug, Clone)]
@@ -17,6 +19,8 @@ pub(crate) struct Evaluation {
     pub slope: Vec<f64>,
     /// `∂y/∂x_j` at each point, one list per unknown.
     pub jacobian: Vec<Vec<f64>>,
+    /// The origin of the abscissa of each point; empty where all are zero.
+    pub origins: Vec<f64>,
 }
 
 impl Evaluation {
@@ -36,6 +40,7 @@ impl Evaluation {
             value: prediction.value,
             slope: prediction.slope,
             jacobian,
+            origins: prediction.origins,
         }
     }
 
@@ -48,6 +53,11 @@ impl Evaluation {
             value: part(&self.value),
             slope: part(&self.slope),
             jacobian: self.jacobian.iter().map(part).collect(),
+            origins: self
+                .origins
+                .get(points.clone())
+                .unwrap_or_default()
+                .to_vec(),
         }
     }
 }
@@ -102,7 +112,9 @@ impl<'a> Predictor<'a> {
             .zip(position)
             .map(|(unknown, &x)| unknown.value(x))
             .collect();
-        let prediction = match self.model.predict(&parameters) {
+        let last = self.evaluations().last().map(|at| &at.origins[..]);
+        let prediction = abscissa_zero::prediction(self.model, self.problem, &parameters, last);
+        let prediction = match prediction {
             Ok(prediction) => prediction,
             Err(ForwardError::Stopped) => {
                 return Err(IdentifyError::Stopped {

@@ -170,6 +170,11 @@ impl Problem {
         &self.columns
     }
 
+    /// Whether the abscissa of a curve has a zero to be found.
+    pub(crate) fn has_abscissa_zeros(&self) -> bool {
+        self.columns.iter().any(|column| column.by_slope)
+    }
+
     /// The range of points of each curve.
     pub(crate) fn spans(&self) -> &[Range<usize>] {
         &self.spans

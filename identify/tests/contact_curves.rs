@@ -67,6 +67,7 @@ fn curves(
         observable,
         abscissae,
         own: Vec::new(),
+        origins: Vec::new(),
     };
     ContactCurves::new(vec![curve], parameters.to_vec(), CurveOptions::default()).unwrap()
 }
@@ -398,6 +399,7 @@ fn the_contact_radius_of_a_flat_punch_is_no_abscissa() {
         observable: Observable::StiffnessAtContactRadius,
         abscissae: vec![0.5e-3, 1e-3, 1e-3],
         own: Vec::new(),
+        origins: Vec::new(),
     };
     let refused = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default());
     let refused = refused.unwrap_err().to_string();

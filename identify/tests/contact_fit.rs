@@ -49,6 +49,7 @@ fn coating(parameters: usize) -> (ContactCurves, Vec<f64>) {
         observable: Observable::DepthAtForce,
         abscissae: forces.clone(),
         own: Vec::new(),
+        origins: Vec::new(),
     };
     let options = CurveOptions::default();
     (
@@ -152,7 +153,7 @@ fn moduli_and_thickness_scale_with_an_exact_radius_as_the_gauge_predicts() {
     let fit = identify(&curves, &problem, &options).unwrap();
     let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
     let numbers = curves.curves()[0].model.parameters();
-    let (at_fit, fixed) = curves.predict_with_fixed(&values, &[numbers]).unwrap();
+    let (at_fit, fixed) = curves.predict_with_fixed(&values, &[], &[numbers]).unwrap();
     let kinds: Vec<_> = fixed.iter().map(|of| of.parameter).collect();
     let radius = ModelParameter::Indenter(IndenterQuantity::Radius);
     // Two Poisson's ratios and the radius.

@@ -5,6 +5,7 @@
     reason = "helpers of tests, which compare numbers that must be the same bits"
 )]
 
+mod abscissa_zeros;
 mod analytic;
 mod common_departure;
 mod coverage;

@@ -5,7 +5,7 @@
 //! of the unknown that the estimated error of all predictions would make.
 
 use pellicle::display::significant;
-use pellicle_identify::{Fit, FitVerdict, ForwardModel as _, exponents};
+use pellicle_identify::{Fit, FitVerdict, exponents};
 
 use super::Identification;
 
@@ -21,7 +21,7 @@ impl Identification {
     /// The reason in words, if the contact cannot be solved on the finer grid; the fit is then unchanged.
     pub(super) fn include_grid_error(&self, fit: &mut Fit) -> Result<(), String> {
         let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
-        let at_fit = self.model.predict(&values).map_err(in_words)?;
+        let at_fit = self.prediction_of(fit).map_err(in_words)?;
         let errors = self.model.grid_errors(&values, &at_fit).map_err(in_words)?;
         let residuals = fit.points.residual.iter().zip(&errors);
         let larger = residuals.filter(|(r, e)| r.abs() > e.abs()).count();

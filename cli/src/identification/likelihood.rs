@@ -1,6 +1,6 @@
 //! The likelihood of a fitted file, for samplers.
 
-use pellicle_identify::{Fit, ForwardError, ForwardModel as _, IdentifyError, Likelihood, Unknown};
+use pellicle_identify::{Fit, ForwardError, IdentifyError, Likelihood, Unknown};
 
 use super::Identification;
 use crate::failure::Failure;
@@ -27,7 +27,7 @@ impl FittedLikelihood {
             return Err(stopped().into());
         }
         let best: Vec<f64> = fit.estimates.iter().map(|one| one.value).collect();
-        let prediction = identification.model.predict(&best);
+        let prediction = identification.problem.predict(&identification.model, &best);
         let prediction = prediction.map_err(|_| stopped())?;
         let likelihood = Likelihood::new(&identification.problem, fit, &prediction)?;
         Ok(Self {
@@ -72,7 +72,8 @@ impl FittedLikelihood {
         if !unknowns.iter().zip(values).all(is_inside) {
             return Ok(f64::NEG_INFINITY);
         }
-        match self.identification.model.predict(values) {
+        let Identification { problem, model, .. } = &self.identification;
+        match problem.predict(model, values) {
             Ok(prediction) => Ok(self.likelihood.logarithm(&prediction)?),
             Err(ForwardError::Stopped) => Err(IdentifyError::Stopped { predictions: 1 }.into()),
             Err(_) => Ok(f64::NEG_INFINITY),

@@ -92,6 +92,8 @@ pub fn combination(expression: &str) -> String {
 fn of_nuisance(key: &str) -> String {
     match key {
         "frame_compliance" => "compliance of the frame".into(),
+        "depth_zero" => "zero of the depth, in parts of the largest".into(),
+        "force_zero" => "zero of the force, in parts of the largest".into(),
         key => key.to_owned(),
     }
 }

@@ -10,7 +10,8 @@ use crate::interrupt;
 /// the new ones.
 pub struct Remembered<'a> {
     model: &'a ContactCurves,
-    memory: Mutex<Vec<(Vec<f64>, Prediction)>>,
+    /// Parameters, origins of the abscissae, and what is predicted there.
+    memory: Mutex<Vec<(Vec<f64>, Vec<f64>, Prediction)>>,
     stop: &'a StopFlag,
     report: &'a (dyn Fn() + Sync),
 }
@@ -30,32 +31,53 @@ impl<'a> Remembered<'a> {
         }
     }
 
-    /// The prediction for these parameters, if it is remembered.
+    /// The prediction for these parameters from zero, if it is remembered.
     #[must_use]
     pub fn known(&self, parameters: &[f64]) -> Option<Prediction> {
+        self.known_from(parameters, &[])
+    }
+
+    fn known_from(&self, parameters: &[f64], origins: &[f64]) -> Option<Prediction> {
         let memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = memory.iter().find(|(of, _)| of == parameters);
-        known.map(|(_, prediction)| prediction.clone())
+        let is_same = |(known, from, _): &&(Vec<f64>, Vec<f64>, Prediction)| {
+            known == parameters && from == origins
+        };
+        let known = memory.iter().find(is_same);
+        known.map(|(.., prediction)| prediction.clone())
     }
 }
 
 impl ForwardModel for Remembered<'_> {
     fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
-        if let Some(known) = self.known(parameters) {
+        self.predict_from(parameters, &[])
+    }
+
+    fn predict_from(
+        &self,
+        parameters: &[f64],
+        origins: &[f64],
+    ) -> Result<Prediction, ForwardError> {
+        if let Some(known) = self.known_from(parameters, origins) {
             return Ok(known);
         }
         if self.stop.is_raised() {
             return Err(ForwardError::Stopped);
         }
-        let prediction = self.model.predict(parameters);
-        (self.report)();
+        let prediction = self.model.predict_from(parameters, origins);
+        let is_last = |memory: &Vec<(Vec<f64>, Vec<f64>, Prediction)>| {
+            memory.last().is_some_and(|(known, ..)| known == parameters)
+        };
+        // From another origin the same curves are only read elsewhere.
+        if !is_last(&self.memory.lock().unwrap_or_else(PoisonError::into_inner)) {
+            (self.report)();
+        }
         let prediction = prediction?;
         let mut memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
         if memory.is_empty() {
             // From here on there is a result to write if the user stops.
             interrupt::hold();
         }
-        memory.push((parameters.to_vec(), prediction.clone()));
+        memory.push((parameters.to_vec(), origins.to_vec(), prediction.clone()));
         Ok(prediction)
     }
 }

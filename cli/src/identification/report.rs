@@ -7,7 +7,7 @@ use pellicle_identify::{Fit, FitVerdict, REFUSAL};
 
 use super::findings::{CombinationResult, EstimateResult};
 use super::pictures::{FitDrawings, FitPicture};
-use super::result::FitResult;
+use super::result::{CurveResult, FitResult};
 use super::taken_as_exact::ExactNumber;
 use super::{Identification, names, units};
 
@@ -28,8 +28,8 @@ struct FitPage<'a> {
     drawings: &'a FitDrawings,
     /// Names, values and meanings of the tests.
     tests: Vec<(&'static str, String, &'static str)>,
-    /// Files, points and shifts.
-    curves: Vec<(String, usize, String)>,
+    /// Files, points, zeros of depth and force.
+    curves: Vec<(String, usize, [String; 2])>,
     /// For each unknown that is not well determined, the measurement that would help.
     help: Vec<String>,
     seconds: String,
@@ -76,7 +76,7 @@ pub fn html(of: &Identification, fit: &Fit, found: &FitResult, drawings: &FitDra
         exact: exact(found),
         drawings,
         tests: noise(found).into_iter().chain(tests(fit)).collect(),
-        curves: curves(of, found),
+        curves: curves(found),
         help: match fit.verdict {
             FitVerdict::Fitted => found.unknowns.iter().filter_map(help).collect(),
             _ => vec![FIRST.into()],
@@ -286,19 +286,22 @@ fn tests(fit: &Fit) -> Vec<(&'static str, String, &'static str)> {
     rows.into_iter().flatten().collect()
 }
 
-fn curves(of: &Identification, found: &FitResult) -> Vec<(String, usize, String)> {
-    let observable = of.model.curves().first().map(|curve| curve.observable);
-    let unit = observable.unwrap_or_default().observed().unit();
-    let shifts = found.curves.iter().filter_map(|curve| curve.shift);
-    let scale = units::scale(shifts.map(f64::abs).fold(0.0, f64::max), unit);
-    let shift = |shift: f64| format!("{:.3} {}", shift / scale.divisor, scale.label);
-    let curves = found.curves.iter();
-    curves
-        .map(|curve| {
-            let shift = curve.shift.map_or("none".into(), shift);
-            (curve.file.clone(), curve.points, shift)
-        })
-        .collect()
+fn curves(found: &FitResult) -> Vec<(String, usize, [String; 2])> {
+    let column = |unit, of: fn(&CurveResult) -> Option<f64>| {
+        let zeros = found.curves.iter().filter_map(of);
+        let scale = units::scale(zeros.map(f64::abs).fold(0.0, f64::max), unit);
+        move |curve: &CurveResult| {
+            let words = |zero: f64| format!("{:.3} {}", zero / scale.divisor, scale.label);
+            of(curve).map_or("taken as exact".into(), words)
+        }
+    };
+    let depth = column("m", |curve| curve.depth_zero);
+    let force = column("N", |curve| curve.force_zero);
+    let rows = found.curves.iter().map(|curve| {
+        let zeros = [depth(curve), force(curve)];
+        (curve.file.clone(), curve.points, zeros)
+    });
+    rows.collect()
 }
 
 #[cfg(test)]

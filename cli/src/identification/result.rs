@@ -3,10 +3,12 @@
 mod notes;
 
 use pellicle::summary::PROGRAM;
+use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO};
 use pellicle_identify::{Correlation, Estimate, Fit, FitVerdict, NoiseLevels, Role, Verdict};
 use serde::Serialize;
 
 use super::Identification;
+use super::curve_source::CurveSource;
 use super::findings::{
     CombinationResult, DepartureResult, EstimateResult, ExcludedResult, NoiseResult, OutlierResult,
     WarningResult,
@@ -93,10 +95,37 @@ pub struct WorkResult {
 pub struct CurveResult {
     /// Its file.
     pub file: String,
-    /// The shift of its zero, m or N; null if there is none.
+    /// The zero of its depth, m: the reading where the contact begins; null if it is taken as exact.
+    pub depth_zero: Option<f64>,
+    /// The zero of its force, N: the reading without contact; null if it is taken as exact.
+    pub force_zero: Option<f64>,
+    /// The old name of `depth_zero`.
     pub shift: Option<f64>,
+    /// The stretch before the contact; null if the file shows none.
+    pub before_contact: Option<BeforeContactResult>,
     /// Points fitted.
     pub points: usize,
+}
+
+/// The stretch before the contact of a curve.
+#[derive(Debug, Clone, Serialize)]
+pub struct BeforeContactResult {
+    /// Points of the line through its forces.
+    pub points: usize,
+    /// Force of the line where the contact begins, N, as recorded.
+    pub force: f64,
+    /// Its standard error, N.
+    pub force_sd: f64,
+    /// Slope of the line, N/m.
+    pub slope: f64,
+    /// Its standard error, N/m.
+    pub slope_sd: f64,
+    /// Standard deviation of single forces, N.
+    pub noise: f64,
+    /// Whether the line is subtracted from all forces.
+    pub subtracted: bool,
+    /// How far the lowest force of the file lies below the line, N.
+    pub pull_off: f64,
 }
 
 impl FitResult {
@@ -114,6 +143,7 @@ impl FitResult {
         warnings.extend(of.outlier_warnings(fit));
         warnings.extend(of.departure_warning(fit));
         warnings.extend(of.outside_warnings());
+        warnings.extend(of.causes(fit));
         let (taken_as_exact, failure) = of.taken_as_exact(fit);
         warnings.extend(failure);
         let is_differentiated = !taken_as_exact.is_empty();
@@ -233,18 +263,27 @@ impl Identification {
     }
 
     fn curves(&self, fit: &Fit) -> Vec<CurveResult> {
-        let shift = |curve: usize| {
-            let is_shift = |name: &str| name.starts_with("shift");
-            let mut coefficients = fit.coefficients.iter();
-            coefficients
-                .find(|one| one.curve == Some(curve) && is_shift(&one.name))
-                .map(|one| one.value)
+        let before = |source: &CurveSource| {
+            let of = source.measured.before_contact?;
+            Some(BeforeContactResult {
+                points: of.line.points,
+                force: of.line.force,
+                force_sd: of.line.force_sd,
+                slope: of.line.slope,
+                slope_sd: of.line.slope_sd,
+                noise: of.line.noise,
+                subtracted: of.is_subtracted,
+                pull_off: of.pull_off,
+            })
         };
         let sources = self.sources.iter().enumerate();
         sources
             .map(|(index, source)| CurveResult {
                 file: source.measured.file.display().to_string(),
-                shift: shift(index),
+                depth_zero: self.zero(fit, DEPTH_ZERO, index),
+                force_zero: self.zero(fit, FORCE_ZERO, index),
+                shift: self.zero(fit, DEPTH_ZERO, index),
+                before_contact: before(source),
                 points: source.abscissa.len(),
             })
             .collect()

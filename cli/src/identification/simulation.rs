@@ -159,6 +159,7 @@ fn curves(file: &FitFile, data: &DataTable, forces: &[f64]) -> Result<ContactCur
         observable: Observable::DepthAtForce,
         abscissae: forces.to_vec(),
         own: Vec::new(),
+        origins: Vec::new(),
     };
     let options = CurveOptions::default();
     Ok(ContactCurves::new(vec![curve], Vec::new(), options)?)

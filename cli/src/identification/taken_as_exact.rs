@@ -3,6 +3,7 @@
 use pellicle::display::significant;
 use pellicle_contact::ContactError;
 use pellicle_identify::fit_file::model::ModelParameters;
+use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO};
 use pellicle_identify::{Fit, FitVerdict, FixedNumber, Role, exponents};
 use serde::Serialize;
 
@@ -10,7 +11,8 @@ use super::findings::{EstimateResult, WarningResult};
 use super::{Identification, names};
 use crate::failure::Failure;
 
-/// A parameter that a fit takes as exact.
+/// A parameter that a fit takes as exact, or a zero of the depth or the force, with the largest reading in place of its
+/// value: its errors are parts of that.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ExactNumber {
     /// Its key; `data[0] KEY` for a value specific to a table of measurements.
@@ -52,8 +54,12 @@ pub fn most_critical(numbers: &[ExactNumber], unknowns: &[EstimateResult]) -> Op
     let found = numbers.iter().filter_map(of);
     let (tolerance, key, unknown) = found.min_by(|one, other| one.0.total_cmp(&other.0))?;
     let (percent, unknown) = (significant(100.0 * tolerance, 2), names::of_key(&unknown));
+    let error = match &*key {
+        DEPTH_ZERO | FORCE_ZERO => format!("{key} of {percent} % of the largest reading"),
+        _ => format!("{percent} % in {key}"),
+    };
     Some(format!(
-        "taken as exact: an error of {percent} % in {key} moves the {unknown} to the end of its interval"
+        "taken as exact: an error of {error} moves the {unknown} to the end of its interval"
     ))
 }
 
@@ -89,7 +95,8 @@ impl Identification {
         let numbers =
             |table: &ModelParameters| table.parameters.iter().map(|of| of.parameter).collect();
         let keyed: Vec<_> = tables.iter().map(numbers).collect();
-        let (at_fit, fixed) = self.model.predict_with_fixed(&values, &keyed)?;
+        let (at_fit, fixed) =
+            (self.model).predict_with_fixed(&values, &self.origins(fit), &keyed)?;
         let mut numbers: Vec<ExactNumber> = Vec::new();
         let mut changes: Vec<Vec<f64>> = Vec::new();
         for (table, parameters) in tables.iter().enumerate() {
@@ -104,6 +111,15 @@ impl Identification {
                     changes.push(change);
                 }
             }
+        }
+        for zero in self.exact_zeros(fit, &at_fit.slope) {
+            numbers.push(ExactNumber {
+                key: zero.name.into(),
+                unit: zero.unit.into(),
+                value: zero.reading,
+                exponents: Vec::new(),
+            });
+            changes.push(zero.change);
         }
         let all = exponents(&self.problem, fit, at_fit, &changes)?;
         for (number, of_all) in numbers.iter_mut().zip(all) {

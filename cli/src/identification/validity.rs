@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pellicle::display::significant;
 use pellicle_contact::{ContactError, LARGEST_SLOPE, Warning};
-use pellicle_identify::{Fit, ForwardError, ForwardModel as _};
+use pellicle_identify::{Fit, ForwardError};
 
 use super::Identification;
 use super::findings::WarningResult;
@@ -26,9 +26,10 @@ pub fn outside(
     };
     let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
     // If points were left out before, the fit's own prediction does not cover all points.
-    let known = model.known(&values);
-    let known = known.filter(|known| known.value.len() == whole.problem.points());
-    let at_fit = match known.map_or_else(|| whole.model.predict(&values), Ok) {
+    let known = model
+        .known(&values)
+        .filter(|known| known.value.len() == whole.problem.points() && known.origins.is_empty());
+    let at_fit = match known.map_or_else(|| whole.prediction_of(fit), Ok) {
         Ok(prediction) => prediction,
         Err(ForwardError::Stopped) => return None,
         Err(error) => return Some(as_before(error.to_string())),

@@ -107,12 +107,12 @@ fn continuous(zero: f64, unit: f64, name: &str) -> String {
 }
 
 #[test]
-fn stiffnesses_give_the_modulus_in_any_unit_and_at_forces_whatever_the_zero_of_the_depth() {
+fn stiffnesses_give_the_modulus_in_any_unit_whatever_the_zero_of_the_depth() {
     let depths = CONTINUOUS.replace("at force", "at depth");
     for (fit, zero, unit, name) in [
         (CONTINUOUS, 20.0, 1.0, "N/m"),
         (CONTINUOUS, -7.0, 1e6, "mN/nm"),
-        (&depths, 0.0, 1e3, "uN/nm"),
+        (&depths, 20.0, 1e3, "uN/nm"),
     ] {
         let found = fitted(fit, &[("csm.txt", &continuous(zero, unit, name))]);
         assert_eq!(found["verdict"], "fitted", "{found}");
@@ -124,7 +124,16 @@ fn stiffnesses_give_the_modulus_in_any_unit_and_at_forces_whatever_the_zero_of_t
             "{low} {high}"
         );
         assert!(number(&found["fit"]["noise"]["stiffness"]) >= 0.0);
-        assert!(found["curves"][0]["shift"].is_null());
+        // At a force the zero of the depth does not enter; at a depth it is found.
+        let found = &found["curves"][0]["depth_zero"];
+        if fit == CONTINUOUS {
+            assert!(found.is_null(), "{found}");
+        } else {
+            assert!(
+                (number(found) / (zero * 1e-9) - 1.0).abs() < 0.05,
+                "{found}"
+            );
+        }
     }
 }
 
@@ -138,7 +147,7 @@ fn nuisances_of_a_depth_are_refused_for_stiffnesses_and_so_is_the_contact_radius
     for (nuisance, wanted) in [
         ("frame_compliance = \"free\"", "1/S = 1/S_contact + C_f"),
         (
-            "shift = { per = \"curve\" }",
+            "depth_zero = { per = \"curve\" }",
             "the zero of the depth does not change a stiffness",
         ),
         (

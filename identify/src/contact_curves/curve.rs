@@ -18,6 +18,19 @@ pub struct ContactCurve {
     pub abscissae: Vec<f64>,
     /// Parameters for which these curves have their own value, and which are not sought here.
     pub own: Vec<ModelParameter>,
+    /// Where the abscissa of each point begins, as far as is known before a fit: the contact is solved at loads that
+    /// cover the abscissae counted from there. Empty for zeros.
+    pub origins: Vec<f64>,
+}
+
+impl ContactCurve {
+    /// The abscissae of all points, counted from these origins; no origins are zeros.
+    pub(super) fn abscissae_from(&self, origins: &[f64]) -> Vec<f64> {
+        let mut abscissae = self.abscissae.clone();
+        let pairs = abscissae.iter_mut().zip(origins);
+        pairs.for_each(|(abscissa, origin)| *abscissa -= origin);
+        abscissae
+    }
 }
 
 /// The measured quantity and its abscissa.

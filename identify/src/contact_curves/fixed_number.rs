@@ -22,7 +22,7 @@ pub struct FixedNumber {
 }
 
 impl ContactCurves {
-    /// Predicts the curves at these parameters, and their derivatives with respect to the `numbers` (one list per
+    /// Predicts the curves at these parameters, from these origins of their abscissae (none are zeros), and their derivatives with respect to the `numbers` (one list per
     /// curve) that its model holds fixed, in their order. Numbers that are zero are left out, since a relative change
     /// of zero is zero.
     ///
@@ -33,12 +33,13 @@ impl ContactCurves {
     pub fn predict_with_fixed(
         &self,
         parameters: &[f64],
+        origins: &[f64],
         numbers: &[Vec<ModelParameter>],
     ) -> Result<(Prediction, Vec<FixedNumber>), ContactError> {
         let curves = (0..self.curves.len()).into_par_iter();
         let predicted = curves.map(|curve| {
             let fixed = self.fixed(curve, numbers.get(curve).map_or(&[], Vec::as_slice));
-            let prediction = self.predicted(curve, parameters, &fixed)?;
+            let prediction = self.predicted(curve, parameters, origins, &fixed)?;
             Ok((fixed, prediction))
         });
         let predicted: Vec<Result<_, ContactError>> = predicted.collect();

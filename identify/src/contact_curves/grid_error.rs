@@ -16,7 +16,7 @@ impl ContactCurves {
         values: &[f64],
         at_values: &Prediction,
     ) -> Result<Vec<f64>, ContactError> {
-        let finer = self.finer(values)?;
+        let finer = self.finer(values, &at_values.origins)?;
         let pairs = at_values.value.iter().zip(&finer.value);
         // Second order in the element's side: of an error e, the difference shows e − e/F².
         let seen = 1.0 - 1.0 / (FINER * FINER);

@@ -23,6 +23,7 @@ impl Observable {
             value: Vec::new(),
             slope: Vec::new(),
             derivatives: Vec::new(),
+            origins: Vec::new(),
         };
         for abscissa in abscissae {
             let (value, slope, changes) = self.at(curve, *abscissa)?;
@@ -45,6 +46,11 @@ impl Observable {
                     changes,
                 } = curve.at(abscissa);
                 Ok((penetration, slope, changes))
+            }
+            Self::ForceAtDepth if abscissa <= 0.0 => {
+                // No force before the contact, whatever the parameters.
+                let changes = curve.at(0.0).changes.len();
+                Ok((0.0, 0.0, vec![0.0; changes]))
             }
             Self::ForceAtDepth => {
                 let (force, point) = force_at(curve, abscissa)?;
@@ -99,11 +105,8 @@ fn force_at_radius(curve: &SolvedCurve, radius: f64) -> Result<f64, ContactError
     Err(ContactError::Force { force })
 }
 
-/// Returns the force that gives a penetration, by Newton's method in logarithms; 0 for no penetration.
+/// Returns the force that gives a penetration, by Newton's method in logarithms.
 fn force_at(curve: &SolvedCurve, penetration: f64) -> Result<(f64, CurvePoint), ContactError> {
-    if penetration <= 0.0 {
-        return Ok((0.0, curve.at(0.0)));
-    }
     let [_, mut force] = curve.ends();
     for _ in 0..MOST_STEPS {
         let point = curve.at(force);

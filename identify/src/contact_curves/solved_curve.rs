@@ -49,7 +49,8 @@ enum NodeEnds {
 impl Nodes {
     /// Loads that cover the points of a curve.
     pub fn of(curve: &ContactCurve, options: &CurveOptions) -> Result<Self, ContactError> {
-        let positive = curve.abscissae.iter().copied().filter(|x| *x > 0.0);
+        let abscissae = curve.abscissae_from(&curve.origins);
+        let positive = abscissae.into_iter().filter(|x| *x > 0.0);
         let [least, most] = positive.fold([f64::INFINITY, 0.0], |[least, most], x| {
             [f64::min(least, x), f64::max(most, x)]
         });
@@ -215,9 +216,9 @@ impl SolvedCurve {
         })
     }
 
-    /// The curve at a force. Below the smallest force solved it follows the power law there; at zero force it is 0.
+    /// The curve at a force. Beyond the forces solved it follows the power law at the nearest; at zero force it is 0.
     pub fn at(&self, force: f64) -> CurvePoint {
-        let inside = force.max(self.ends[0]);
+        let inside = force.clamp(self.ends[0], self.ends[1]);
         let penetration = self.energy.derivative(inside);
         let slope = self.energy.second_derivative(inside);
         let changes = self.changes.iter().map(|curve| curve.derivative(inside));

@@ -129,7 +129,7 @@ impl ContactCurves {
         noise: &[f64],
     ) -> Result<Vec<Option<Invalidity>>, ContactError> {
         let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
-        let finer = self.finer(&values)?;
+        let finer = self.finer(&values, &at_fit.origins)?;
         let pairs = at_fit.value.iter().zip(&finer.value);
         // Second order in the element's side: of an error e, the difference shows e − e/F².
         let seen = 1.0 - 1.0 / (FINER * FINER);
@@ -141,7 +141,8 @@ impl ContactCurves {
         for (index, curve) in self.curves.iter().enumerate() {
             let conditions = self.conditions(index, &values)?;
             let invalid = |abscissa: &f64| invalid(&conditions, *abscissa);
-            found.extend(curve.abscissae.iter().map(invalid));
+            let origins = self.origins_of(index, &at_fit.origins);
+            found.extend(curve.abscissae_from(origins).iter().map(invalid));
         }
         let pairs = found.into_iter().zip(inaccurate);
         Ok(pairs
@@ -166,8 +167,12 @@ impl ContactCurves {
         Ok(found)
     }
 
-    /// Predicts the same points with a finer grid and more loads.
-    pub(super) fn finer(&self, values: &[f64]) -> Result<Prediction, ContactError> {
+    /// Predicts the same points from the same origins, with a finer grid and more loads.
+    pub(super) fn finer(
+        &self,
+        values: &[f64],
+        origins: &[f64],
+    ) -> Result<Prediction, ContactError> {
         let curves = self.curves.iter().enumerate();
         let curves = curves.map(|(index, curve)| {
             let model = self.model(index, values)?;
@@ -193,9 +198,10 @@ impl ContactCurves {
             value: Vec::new(),
             slope: Vec::new(),
             derivatives: Vec::new(),
+            origins: origins.to_vec(),
         };
         for index in 0..all.curves.len() {
-            let one = all.predicted(index, self.constants(values), &[])?;
+            let one = all.predicted(index, self.constants(values), origins, &[])?;
             together.value.extend(one.value);
             together.slope.extend(one.slope);
         }
@@ -237,8 +243,11 @@ fn condition(model: &Model, observable: Observable, force: f64, path: &LoadingPa
     }
 }
 
-/// The reason why the model does not hold at an abscissa, if it does not.
+/// The reason why the model does not hold at an abscissa, if it does not. Before the contact it holds.
 fn invalid(conditions: &[Condition], abscissa: f64) -> Option<Invalidity> {
+    if abscissa <= 0.0 {
+        return None;
+    }
     let at = |of: fn(&Condition) -> Option<f64>| interpolated(conditions, abscissa, of);
     let above = |found: Option<f64>, limit: f64| found.is_some_and(|found| found > limit);
     let elements = at(|of| Some(of.elements));

@@ -57,6 +57,7 @@ impl Fitting<'_> {
             .map(|(k, (column, &value))| {
                 let place = self.determined.len() + k;
                 let half = quantile * inverse[place][place].sqrt();
+                let value = value + column.origin(&refined.minimum.at.origins);
                 Coefficient {
                     name: column.name.clone(),
                     curve: column.curve,

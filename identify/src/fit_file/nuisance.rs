@@ -1,5 +1,8 @@
-//! `[nuisance]` of a fit file: zero, frame compliance and drift of the curves, and parameters of the model that are not
+//! `[nuisance]` of a fit file: zeros, frame compliance and drift of the curves, and parameters of the model that are not
 //! known exactly.
+//!
+//! A curve has two zeros, that of its depth and that of its force. The zero of what is observed is a constant; that of
+//! the abscissa shifts the curve along it.
 
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::Dimension;
@@ -9,19 +12,46 @@ use pellicle::input::value_reader::ValueReader;
 use super::model::ModelParameters;
 use super::prior;
 use super::unknown::{UnknownCase, flattened, read_unknown};
-use crate::{IdentifyError, LinearNuisance, Prior};
+use crate::{IdentifyError, LinearNuisance, Observable, Prior, Reading};
+
+/// The names of the zeros, and their keys.
+pub const DEPTH_ZERO: &str = "depth_zero";
+/// See [`DEPTH_ZERO`].
+pub const FORCE_ZERO: &str = "force_zero";
 
 /// The nuisances of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NuisanceTable {
-    /// Whether each curve has its own zero.
-    pub shift: Switch,
+    /// The zero of each curve's depth.
+    pub depth_zero: Zero,
+    /// The zero of each curve's force; by default what the files show.
+    pub force_zero: Option<Zero>,
     /// Compliance of the frame.
     pub frame_compliance: Freedom,
     /// Whether each curve drifts.
     pub drift: Switch,
     /// Parameters of the model that are not known exactly.
     pub parameters: Vec<UnknownCase>,
+}
+
+/// The zero of a reading.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Zero {
+    /// The reading is exact.
+    Off,
+    /// Each curve has its own zero, with a normal prior of this mean and standard deviation, if any.
+    PerCurve(Option<[f64; 2]>),
+}
+
+/// What a measurement tells of the zero of its force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ForceZero {
+    /// Nothing: it shows no stretch before the contact.
+    Unknown,
+    /// The stretch before the contact is among the points of the fit.
+    InFit,
+    /// The stretch before the contact, which is not in the fit, gives this mean and standard deviation, N.
+    Measured([f64; 2]),
 }
 
 /// Whether a nuisance is present, separate for each curve.
@@ -52,7 +82,8 @@ pub enum Freedom {
 impl Default for NuisanceTable {
     fn default() -> Self {
         Self {
-            shift: Switch::PerCurve,
+            depth_zero: Zero::PerCurve(None),
+            force_zero: None,
             frame_compliance: Freedom::Off,
             drift: Switch::Off,
             parameters: Vec::new(),
@@ -68,9 +99,15 @@ impl NuisanceTable {
     /// A [`Diagnosis`] of the first fault.
     pub fn read(field: &ValueReader<'_>, parameters: &ModelParameters) -> Result<Self, Diagnosis> {
         let mut table = Self::default();
+        let mut given = None;
         for (key, field) in flattened(field)? {
             match key.as_str() {
-                "shift" => table.shift = switch(&field)?,
+                "depth_zero" | "shift" if given.replace(key.clone()).is_some() => {
+                    let wanted = "either depth_zero or shift, its old name";
+                    return Err(field.wanted(wanted));
+                }
+                "depth_zero" | "shift" => table.depth_zero = zero(&field, Dimension::Length)?,
+                "force_zero" => table.force_zero = Some(zero(&field, Dimension::Force)?),
                 "drift" => table.drift = switch(&field)?,
                 "frame_compliance" => table.frame_compliance = freedom(&field)?,
                 _ => table
@@ -81,15 +118,50 @@ impl NuisanceTable {
         Ok(table)
     }
 
-    /// The nuisances that enter linearly.
+    /// Whether the zero of the depth is sought where this is observed.
+    #[must_use]
+    pub fn seeks_depth_zero(&self, observe: Observable) -> bool {
+        self.depth_zero != Zero::Off && zero_of(Reading::Depth, observe).is_some()
+    }
+
+    /// Whether the zero of the force is sought where this is observed, with curves that tell this of it.
+    #[must_use]
+    pub fn seeks_force_zero(&self, observe: Observable, told: &[ForceZero]) -> bool {
+        let shows = |of: &ForceZero| *of != ForceZero::Unknown;
+        let is_sought = match self.force_zero {
+            None => told.iter().any(shows),
+            Some(zero) => zero != Zero::Off,
+        };
+        is_sought && zero_of(Reading::Force, observe).is_some()
+    }
+
+    /// The nuisances that enter linearly, or shift the abscissa; `told` is what each curve tells of its force's zero.
     ///
     /// # Errors
     ///
     /// [`IdentifyError`] if a prior is invalid.
-    pub fn linear(&self) -> Result<Vec<LinearNuisance>, IdentifyError> {
+    pub fn linear(
+        &self,
+        observe: Observable,
+        told: &[ForceZero],
+    ) -> Result<Vec<LinearNuisance>, IdentifyError> {
         let mut nuisances = Vec::new();
-        if self.shift == Switch::PerCurve {
-            nuisances.push(LinearNuisance::shift());
+        let zero = zero_of(Reading::Depth, observe);
+        if let Some(zero) = zero.filter(|_| self.seeks_depth_zero(observe)) {
+            let prior = self.depth_zero.prior();
+            nuisances.push(zero.named(DEPTH_ZERO).with_normal_priors(vec![prior])?);
+        }
+        let zero = zero_of(Reading::Force, observe);
+        if let Some(zero) = zero.filter(|_| self.seeks_force_zero(observe, told)) {
+            let prior = |of: &ForceZero| match of {
+                ForceZero::Measured(measured) => Some(*measured),
+                ForceZero::Unknown | ForceZero::InFit => None,
+            };
+            let priors = match self.force_zero.and_then(Zero::prior) {
+                Some(given) => vec![Some(given)],
+                None => told.iter().map(prior).collect(),
+            };
+            nuisances.push(zero.named(FORCE_ZERO).with_normal_priors(priors)?);
         }
         match self.frame_compliance {
             Freedom::Off => {}
@@ -103,6 +175,47 @@ impl NuisanceTable {
             nuisances.push(LinearNuisance::drift());
         }
         Ok(nuisances)
+    }
+}
+
+/// The zero of a reading as a nuisance of what is observed: a constant of the observable, a shift along the abscissa, or
+/// none where the reading does not enter.
+pub(super) fn zero_of(reading: Reading, observe: Observable) -> Option<LinearNuisance> {
+    match reading {
+        _ if reading == observe.observed() => Some(LinearNuisance::shift()),
+        _ if reading == observe.abscissa() => Some(LinearNuisance::abscissa_zero()),
+        _ => None,
+    }
+}
+
+impl Zero {
+    /// Mean and standard deviation of its prior, if it has one.
+    fn prior(self) -> Option<[f64; 2]> {
+        match self {
+            Self::PerCurve(prior) => prior,
+            Self::Off => None,
+        }
+    }
+}
+
+/// Reads `"off"` or `{ per = "curve" }`, which may have a normal prior.
+fn zero(field: &ValueReader<'_>, dimension: Dimension) -> Result<Zero, Diagnosis> {
+    const WANTED: &str =
+        "\"off\", { per = \"curve\" } or that with a normal prior, prior = \"normal\", mean and sd";
+    if !field.is_table() {
+        return match field.text() {
+            Ok("off") => Ok(Zero::Off),
+            _ => Err(field.wanted(WANTED)),
+        };
+    }
+    let table = field.clone().table()?;
+    table.only(&["per", "prior", "mean", "sd"])?;
+    let per = table.required("per", "\"curve\"")?;
+    per.choice(&[("curve", ())])?;
+    match prior::read(&table, Some(dimension))? {
+        None => Ok(Zero::PerCurve(None)),
+        Some(Prior::Normal { mean, sd }) => Ok(Zero::PerCurve(Some([mean, sd]))),
+        Some(_) => Err(field.wanted(WANTED)),
     }
 }
 

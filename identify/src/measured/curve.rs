@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::baseline::BeforeContactRows;
 use super::channel::Channel;
 use super::error::CurveError;
 use super::exclusion::ExcludedRows;
@@ -23,6 +24,8 @@ pub struct MeasuredCurve {
     pub excluded: Vec<ExcludedRows>,
     /// The numbers that the file states above its table.
     pub stated: Vec<StatedNumber>,
+    /// The stretch before the contact, if the file shows one.
+    pub before_contact: Option<BeforeContactRows>,
     /// Warnings about the curve.
     pub warnings: Vec<CurveWarning>,
     pub(super) channels: Vec<(Channel, Vec<f64>)>,

@@ -13,6 +13,7 @@ use pellicle::input::table_reader::TableReader;
 use pellicle::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
 use pellicle::input::value_reader::ValueReader;
 
+use super::baseline::Baseline;
 use super::channel::Channel;
 use super::columns::CurveColumns;
 use super::curve::MeasuredCurve;
@@ -37,6 +38,8 @@ pub struct DataTable {
     pub text: TextOptions,
     /// The part to use.
     pub segment: CurveSegment,
+    /// The line of forces without contact that is subtracted.
+    pub baseline: Baseline,
     /// Rows that are left out by hand.
     pub omit: OmittedRows,
     /// The observable that is compared with the model.
@@ -57,12 +60,13 @@ pub struct DataTable {
 }
 
 impl DataTable {
-    const KEYS: [&'static str; 11] = [
+    const KEYS: [&'static str; 12] = [
         "file",
         "columns",
         "units",
         "text",
         "segment",
+        "baseline",
         "omit",
         "observe",
         "noise",
@@ -146,6 +150,8 @@ impl DataTable {
             text,
             segment: optional("segment")?
                 .map_or(Ok(CurveSegment::default()), |t| CurveSegment::read(&t))?,
+            baseline: (table.optional("baseline"))
+                .map_or(Ok(Baseline::default()), |field| Baseline::read(&field))?,
             observe: observe(&table)?,
             noise: optional("noise")?
                 .map_or(Ok(MeasuredNoise::default()), |t| MeasuredNoise::read(&t))?,

@@ -207,6 +207,17 @@ pub enum CurveError {
         /// The text of the line.
         text: String,
     },
+    /// There is no stretch before the contact to take a baseline from.
+    #[error(
+        "found no stretch before the contact{}, wanted {wanted} points of it or more: \
+         without a baseline in the file give \"off\"", .range.map_or_else(String::new, |[near, far]| format!(" from {near:e} to {far:e} m before it"))
+    )]
+    NoBaseline {
+        /// The distances before the contact, m.
+        range: Option<[f64; 2]>,
+        /// The smallest number of points.
+        wanted: usize,
+    },
     /// The depth decreases as the force increases.
     #[error(
         "found a depth that falls as the force rises, wanted a depth counted positive into the body: \
@@ -253,6 +264,7 @@ impl CurveError {
             Self::Unloading { .. } => "unloading",
             Self::Hysteresis { .. } => "hysteresis",
             Self::OtherSpringConstant { .. } => "other-spring-constant",
+            Self::NoBaseline { .. } => "no-baseline",
             Self::DepthFalls => "depth-falls",
             Self::HeightDirection => "height-direction",
         }
@@ -279,6 +291,7 @@ impl CurveError {
             }
             Self::Hysteresis { .. } => vec!["segment.part".into(), "segment".into()],
             Self::OtherSpringConstant { .. } => vec!["spring_constant".into()],
+            Self::NoBaseline { .. } => vec!["baseline".into()],
             Self::DepthFalls => vec!["columns.depth".into()],
             Self::HeightDirection => vec!["height_direction".into(), "columns.height".into()],
             Self::Unreadable { .. }

@@ -6,7 +6,7 @@ use super::curve::CurveWarning;
 use super::curve_segment::{Branch, CurveSegment};
 use super::error::CurveError;
 use super::raw_curve::RawCurve;
-use super::segment_rows::cut;
+use super::segment_rows::branch;
 
 /// An unloading that gives back less than this part of the work of the loading, over the same depths, is not elastic.
 /// Elastic retractions in the tests give back all of it; the flattest imprints of nanoindenters, on fused silica, half.
@@ -28,7 +28,7 @@ pub(super) fn check_unloading(
             .map(|row| (depths[*row], forces[*row]))
             .collect()
     };
-    let loading = cut(raw, &CurveSegment::default(), &[], &mut Vec::new());
+    let loading = branch(raw, &CurveSegment::default(), &[]);
     let loading = loading.map(|kept| Branchwise::new(points(&kept.rows)));
     let returned = loading.ok().and_then(|loading| {
         let unloading = Branchwise::new(points(unloading));

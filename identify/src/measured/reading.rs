@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use pellicle::input::diagnosis::Diagnosis;
 
+use super::baseline;
 use super::binary::refuse_binary;
 use super::channel::Channel;
 use super::checks;
@@ -12,7 +13,7 @@ use super::data_table::DataTable;
 use super::error::CurveError;
 use super::hysteresis::check_unloading;
 use super::raw_curve::RawCurve;
-use super::segment_rows::cut;
+use super::segment_rows::{branch, cut};
 use super::sources::MeasurementSources;
 use super::spring;
 use super::stated::StatedNumber;
@@ -85,7 +86,9 @@ impl MeasuredCurve {
             warnings.extend(spring.compared_with(&table.stated)?);
             spring::add_penetration(&mut raw, data.height_direction, spring)?;
         }
-        let kept = cut(&raw, &data.segment, data.omit.of(path), &mut warnings)?;
+        let mut kept = branch(&raw, &data.segment, data.omit.of(path))?;
+        let before_contact = baseline::subtract(&mut raw, &kept.rows, data)?;
+        cut(&mut kept, &raw, &data.segment, &mut warnings);
         warnings.extend(check_unloading(&raw, &data.segment, &kept.rows)?);
         let mut curve = Self {
             file: path.to_owned(),
@@ -95,6 +98,7 @@ impl MeasuredCurve {
             rows: kept.rows.iter().map(|row| row + 1).collect(),
             excluded: kept.excluded,
             stated: table.stated,
+            before_contact,
             warnings,
         };
         curve.begin_at_zero(data);

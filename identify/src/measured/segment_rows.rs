@@ -15,14 +15,12 @@ use super::raw_curve::RawCurve;
 /// An unloading given as a loading has its maximum force within the first 1/10 of its rows.
 const FRACTION_OF_UNLOADING: usize = 10;
 
-/// Returns the rows in the segment, without the omitted ones, which are numbered from 1. The criteria are, in this
-/// order: valid numbers, omitted rows, the value of the segment, its rows, markers and times, its branch, its forces,
-/// and the pop-in.
-pub(super) fn cut(
+/// Returns the rows of the branch of a segment, without the omitted ones, which are numbered from 1. The criteria are,
+/// in this order: valid numbers, omitted rows, the value of the segment, its rows, markers and times, and its branch.
+pub(super) fn branch(
     raw: &RawCurve<'_>,
     segment: &CurveSegment,
     omitted: &[usize],
-    warnings: &mut Vec<CurveWarning>,
 ) -> Result<KeptRows, CurveError> {
     let mut kept = KeptRows {
         rows: (0..raw.rows).collect(),
@@ -44,12 +42,23 @@ pub(super) fn cut(
     keep_between_rows(&mut kept, raw, segment)?;
     if let Some(forces) = raw.values(Channel::Force) {
         keep_part(&mut kept, forces, segment.part)?;
-        keep_between_forces(&mut kept, forces, segment);
-    }
-    if segment.until == Until::LargestDepthStep {
-        keep_before_step(&mut kept, raw, warnings);
     }
     Ok(kept)
+}
+
+/// Keeps the rows between the forces of a segment, and before its pop-in.
+pub(super) fn cut(
+    kept: &mut KeptRows,
+    raw: &RawCurve<'_>,
+    segment: &CurveSegment,
+    warnings: &mut Vec<CurveWarning>,
+) {
+    if let Some(forces) = raw.values(Channel::Force) {
+        keep_between_forces(kept, forces, segment);
+    }
+    if segment.until == Until::LargestDepthStep {
+        keep_before_step(kept, raw, warnings);
+    }
 }
 
 fn keep_value(

@@ -208,13 +208,21 @@ pub(super) fn add_penetration(
         return Ok(());
     };
     let sign = direction.sign(heights, forces)?;
-    let approach: Vec<_> = heights.iter().map(|height| sign * height).collect();
-    // The zero does not matter here; an invalid first row must not make all rows invalid.
-    let depth = |(z, f): (&f64, &f64)| z - f / spring.mean;
-    let depths = approach.iter().zip(forces).map(depth).collect();
+    let approach = heights.iter().map(|height| sign * height).collect();
     raw.replace(Channel::Height, approach);
-    raw.replace(Channel::Depth, depths);
+    subtract_deflection(raw, spring);
     Ok(())
+}
+
+/// Computes the penetration from the approach and the force, as far as both are there. Its zero does not matter here:
+/// an invalid first row must not make all rows invalid.
+pub(super) fn subtract_deflection(raw: &mut RawCurve<'_>, spring: SpringConstant) {
+    let (approach, forces) = (raw.values(Channel::Height), raw.values(Channel::Force));
+    if let (Some(approach), Some(forces)) = (approach, forces) {
+        let depth = |(z, f): (&f64, &f64)| z - f / spring.mean;
+        let depths = approach.iter().zip(forces).map(depth).collect();
+        raw.replace(Channel::Depth, depths);
+    }
 }
 
 /// Returns the covariance of a length and the force over the points in the upper half of the force range, that is, in

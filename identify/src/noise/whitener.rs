@@ -15,7 +15,8 @@ pub(crate) struct Whitener {
     spans: Vec<Range<usize>>,
     /// `1/σ_i`.
     weight: Vec<f64>,
-    filter: Option<Innovations>,
+    /// The filter of each span; one for all where their points are alike, none for white noise.
+    filters: Vec<Innovations>,
     log_determinant: f64,
 }
 
@@ -25,22 +26,19 @@ impl Whitener {
         let deviation = deviations(levels, value, slope);
         let mut weight = vec![0.0; value.len()];
         let mut log_determinant = 0.0;
-        let longest = spans.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
-        let filter = (levels.persistence > 0.0 && levels.white_fraction < 1.0)
-            .then(|| Innovations::new(longest, levels.persistence, levels.white_fraction));
-        for span in spans {
+        let filters = filters(levels, slope, &deviation, spans);
+        for (index, span) in spans.iter().enumerate() {
             for point in span.clone() {
                 weight[point] = 1.0 / deviation[point];
                 log_determinant += 2.0 * deviation[point].ln();
             }
-            log_determinant += filter
-                .as_ref()
-                .map_or(0.0, |f| f.log_determinant(span.len()));
+            let filter = filters.get(index).or(filters.first());
+            log_determinant += filter.map_or(0.0, |f| f.log_determinant(span.len()));
         }
         Self {
             spans: spans.to_vec(),
             weight,
-            filter,
+            filters,
             log_determinant,
         }
     }
@@ -50,8 +48,8 @@ impl Whitener {
         for (value, weight) in column.iter_mut().zip(&self.weight) {
             *value *= weight;
         }
-        if let Some(filter) = &self.filter {
-            for span in &self.spans {
+        for (index, span) in self.spans.iter().enumerate() {
+            if let Some(filter) = self.filters.get(index).or(self.filters.first()) {
                 filter.whiten(&mut column[span.clone()]);
             }
         }
@@ -61,6 +59,31 @@ impl Whitener {
     pub fn log_determinant(&self) -> f64 {
         self.log_determinant
     }
+}
+
+/// The filters of the correlated part of the noise: of all but the errors of the abscissa, which are white.
+fn filters(
+    levels: &NoiseLevels,
+    slope: &[f64],
+    deviation: &[f64],
+    spans: &[Range<usize>],
+) -> Vec<Innovations> {
+    let (persistence, white) = (levels.persistence, levels.white_fraction);
+    if persistence == 0.0 || white >= 1.0 {
+        return Vec::new();
+    }
+    if levels.abscissa == 0.0 {
+        let longest = spans.iter().map(ExactSizeIterator::len).max();
+        return vec![Innovations::new(longest.unwrap_or(0), persistence, white)];
+    }
+    // h² = 1 − (s σ_Q/σ)²
+    let part = |point: usize| {
+        let of_abscissa = slope[point] * levels.abscissa / deviation[point];
+        (1.0 - of_abscissa * of_abscissa).max(0.0).sqrt()
+    };
+    let filter =
+        |span: &Range<usize>| Innovations::of(span.clone().map(part).collect(), persistence, white);
+    spans.iter().map(filter).collect()
 }
 
 /// `σ_i = √(σ_D² + (ρ y_i)² + (s_i σ_Q)²)`.

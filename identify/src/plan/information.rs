@@ -38,14 +38,16 @@ impl Information {
         };
         let at = Evaluation::of(&plan.unknowns, &plan.truth, prediction.clone());
         let jacobian: Vec<_> = at.jacobian.into_iter().map(&whitened).collect();
-        let shared = shared.into_iter().map(|column| whitened(column.values));
+        let shared = shared
+            .into_iter()
+            .map(|column| whitened(column.with_slopes(slope)));
         let columns: Vec<_> = shared.chain(jacobian.iter().cloned()).collect();
         let mut all = vec![Vec::new(); columns.len()];
         for (curve, span) in spans.iter().enumerate() {
             let mut eliminated = OwnColumns::new(span);
             for column in own.iter().filter(|column| column.curve == Some(curve)) {
                 let sd = column.prior.map(|[_, sd]| sd);
-                eliminated.push(&whitened(column.values.clone()), sd);
+                eliminated.push(&whitened(column.with_slopes(slope)), sd);
             }
             let left = compressed(eliminated.remove_from(&columns));
             all.iter_mut()
@@ -61,7 +63,7 @@ impl Information {
         let nuisances = plan.nuisances.iter();
         let priors: Vec<_> = nuisances
             .filter(|nuisance| nuisance.is_common())
-            .map(|nuisance| nuisance.prior().map(|[_, sd]| sd.recip()))
+            .map(|nuisance| nuisance.prior(None).map(|[_, sd]| sd.recip()))
             .chain(
                 plan.unknowns
                     .iter()

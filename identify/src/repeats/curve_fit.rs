@@ -87,7 +87,7 @@ impl Share {
         let own = values[first..].to_vec();
         let mut model = at.value.clone();
         for (column, c) in self.problem.columns().iter().zip(&values) {
-            add(&mut model, *c, &column.values);
+            add(&mut model, *c, &column.with_slopes(&at.slope));
         }
         for (&j, step) in determined.iter().zip(&own) {
             add(&mut model, *step, &at.jacobian[j]);
@@ -96,8 +96,11 @@ impl Share {
             index: self.index,
             equations,
             own_variance: (first..values.len()).map(|k| covariance[k][k]).collect(),
-            nuisances: (0..first)
-                .map(|k| [values[k], covariance[k][k].sqrt()])
+            nuisances: (self.problem.columns().iter().zip(&values).enumerate())
+                .map(|(k, (column, value))| {
+                    let value = value + column.origin(&at.origins);
+                    [value, covariance[k][k].sqrt()]
+                })
                 .collect(),
             own,
             model,

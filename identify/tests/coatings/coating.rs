@@ -74,6 +74,7 @@ impl Coating {
             observable: Observable::DepthAtForce,
             abscissae: self.forces(),
             own: Vec::new(),
+            origins: Vec::new(),
         };
         ContactCurves::new(vec![curve], sought.to_vec(), CurveOptions::default()).unwrap()
     }

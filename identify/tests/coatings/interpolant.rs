@@ -82,6 +82,7 @@ impl ForwardModel for Interpolant {
             derivatives: (0..at.len()).map(derivative).collect(),
             slope: slopes.iter().map(|v| v.exp()).collect(),
             value,
+            ..Prediction::default()
         })
     }
 }
@@ -131,6 +132,7 @@ fn a_power_law_is_interpolated_exactly_with_its_derivatives() {
             let value: Vec<f64> = (1..9).map(|q| a * f64::from(q).powf(b)).collect();
             Ok(Prediction {
                 slope: value.clone(),
+                origins: Vec::new(),
                 derivatives: vec![
                     value.iter().map(|v| v / a).collect(),
                     (value.iter().zip(1..))

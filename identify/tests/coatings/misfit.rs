@@ -115,6 +115,7 @@ impl Fitted {
             observable: Observable::DepthAtForce,
             abscissae: self.coating.forces(),
             own: Vec::new(),
+            origins: Vec::new(),
         };
         let curves = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default()).unwrap();
         curves.predict(&[]).unwrap().value

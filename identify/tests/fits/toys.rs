@@ -48,14 +48,26 @@ impl Toy {
 
 impl ForwardModel for Toy {
     fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
+        self.predict_from(parameters, &vec![0.0; self.abscissa.len()])
+    }
+
+    fn predict_from(
+        &self,
+        parameters: &[f64],
+        origins: &[f64],
+    ) -> Result<Prediction, ForwardError> {
         self.evaluations.lock().unwrap().push(parameters.to_vec());
-        let points = self.points(parameters);
+        let pairs = self.abscissa.iter().zip(origins);
+        let points: Vec<Point> = pairs
+            .map(|(q, origin)| (self.law)(q - origin, parameters))
+            .collect();
         Ok(Prediction {
             value: points.iter().map(|p| p.0).collect(),
             slope: points.iter().map(|p| p.1).collect(),
             derivatives: (0..parameters.len())
                 .map(|j| points.iter().map(|p| p.2[j]).collect())
                 .collect(),
+            origins: origins.to_vec(),
         })
     }
 }

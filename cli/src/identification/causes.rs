@@ -1,0 +1,113 @@
+//! The likely cause of a misfit: what else, added to the model, would explain the residuals.
+
+use pellicle::display::significant;
+use pellicle_identify::fit_file::nuisance::FORCE_ZERO;
+use pellicle_identify::{Fit, FitVerdict, FitWarning, Observable, Prediction, explained};
+
+use super::findings::WarningResult;
+use super::{Identification, observe, units};
+
+/// A cause is named if it explains more than this part of the misfit.
+const MOST_OF_IT: f64 = 0.5;
+
+/// A possible cause: the change of the observable that it makes, and what to do.
+struct Cause {
+    change: Vec<f64>,
+    advice: &'static str,
+}
+
+impl Identification {
+    /// Names the likely causes of a misfit: of the zeros and the baseline the one that explains most of it, a pull-off, a
+    /// bound that holds the best fit.
+    #[must_use]
+    pub fn causes(&self, fit: &Fit) -> Vec<WarningResult> {
+        if fit.verdict != FitVerdict::Misfit || fit.stopped.is_some() {
+            return Vec::new();
+        }
+        let mut found: Vec<String> = self.adhesion().into_iter().collect();
+        found.extend(self.of_readings(fit));
+        if found.is_empty()
+            && fit
+                .warnings
+                .iter()
+                .any(|of| matches!(of, FitWarning::AtBound(_)))
+        {
+            found.push(
+                "a unit may be wrong: the best fit lies at a bound, where no value follows the curve".into(),
+            );
+        }
+        let warning = |message: String| WarningResult {
+            code: "likely-cause".into(),
+            message,
+        };
+        found.into_iter().map(warning).collect()
+    }
+
+    /// The pull-off of a curve.
+    fn adhesion(&self) -> Option<String> {
+        self.sources.iter().find_map(|source| {
+            let forces = source.measured.force()?.iter().copied();
+            let largest = forces.fold(0.0, f64::max);
+            let pull_off = source.measured.before_contact?.adhesion(largest)?;
+            let scale = units::scale(pull_off, "N");
+            Some(format!(
+                "adhesion: the force of {} falls {} {} below its baseline, which no model without adhesion follows; \
+                 segment.from at some three times that force lessens its effect",
+                source.measured.file.display(),
+                significant(pull_off / scale.divisor, 2),
+                scale.label,
+            ))
+        })
+    }
+
+    /// Of the zeros and the baseline, the one that would explain most of the misfit.
+    fn of_readings(&self, fit: &Fit) -> Option<String> {
+        let at_fit = self.prediction_of(fit).ok()?;
+        let causes = self.candidates(fit, &at_fit);
+        let changes: Vec<Vec<f64>> = causes.iter().map(|cause| cause.change.clone()).collect();
+        let parts = explained(&self.problem, fit, at_fit, &changes).ok()?;
+        let pairs = causes.into_iter().zip(parts);
+        let (cause, part) = pairs.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
+        (part > MOST_OF_IT).then(|| {
+            let percent = significant(100.0 * part, 2);
+            format!(
+                "{}: this would explain {percent} % of the misfit",
+                cause.advice
+            )
+        })
+    }
+
+    fn candidates(&self, fit: &Fit, at_fit: &Prediction) -> Vec<Cause> {
+        let zeros = self.exact_zeros(fit, &at_fit.slope).into_iter();
+        let mut causes: Vec<Cause> = zeros
+            .map(|zero| Cause {
+                change: zero.change,
+                advice: if zero.name == FORCE_ZERO {
+                    "the zero of the force is off: nuisance.force_zero = { per = \"curve\" } seeks it"
+                } else {
+                    "the zero of the depth is off: nuisance.depth_zero = { per = \"curve\" } seeks it"
+                },
+            })
+            .collect();
+        // A baseline that rises with the depth adds s D to the force.
+        let change = match observe(&self.file) {
+            Observable::ForceAtDepth => self
+                .problem
+                .curves()
+                .iter()
+                .flat_map(|of| of.abscissa().to_vec())
+                .collect(),
+            Observable::DepthAtForce => (at_fit.value.iter())
+                .zip(&at_fit.slope)
+                .map(|(depth, slope)| -depth * slope)
+                .collect(),
+            _ => return causes,
+        };
+        causes.push(Cause {
+            change,
+            advice: "the force has a slope of its own: baseline = \"before contact\" in [[data]] removes it, if the file \
+                     has a stretch before the contact",
+        });
+        causes
+    }
+}

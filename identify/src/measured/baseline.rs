@@ -1,0 +1,161 @@
+//! The key `baseline`: the line of forces before the contact, subtracted from all forces.
+
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::dimension::{Dimension, Sign};
+use pellicle::input::value_reader::ValueReader;
+
+use super::before_contact::{BeforeContact, FEWEST_POINTS};
+use super::channel::Channel;
+use super::curve_segment::Branch;
+use super::data_table::DataTable;
+use super::error::CurveError;
+use super::raw_curve::RawCurve;
+use super::spring;
+
+/// The stretch that gives the baseline.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub enum Baseline {
+    /// Nothing is subtracted.
+    #[default]
+    Off,
+    /// The whole stretch before the contact.
+    BeforeContact,
+    /// The part of it between two distances before the contact, m.
+    Between([f64; 2]),
+}
+
+/// The stretch before the contact of a measured curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeforeContactRows {
+    /// Its line and its noise, of the forces as recorded.
+    pub line: BeforeContact,
+    /// Whether the line is subtracted from all forces.
+    pub is_subtracted: bool,
+    /// The first row in contact, from 1.
+    pub contact_row: usize,
+    /// How far the lowest force of the file, on the way in or out, lies below the line, N: adhesion.
+    pub pull_off: f64,
+}
+
+/// A pull-off is more than this many standard deviations of single forces,
+const PULL_OFF_NOISE: f64 = 8.0;
+/// and more than this part of the largest force.
+const PULL_OFF_PART: f64 = 0.02;
+
+impl Baseline {
+    /// Reads `"off"`, `"before contact"` or a range of distances before the contact.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first fault.
+    pub fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
+        const WANTED: &str = "\"off\", \"before contact\" or { from = \"100 nm\", to = \"400 nm\" } before the contact";
+        if !field.is_table() {
+            return match field.text() {
+                Ok("off") => Ok(Self::Off),
+                Ok("before contact") => Ok(Self::BeforeContact),
+                _ => Err(field.wanted(WANTED)),
+            };
+        }
+        let table = field.clone().table()?;
+        table.only(&["from", "to"])?;
+        let end = |key| {
+            table
+                .required(key, WANTED)?
+                .quantity(Dimension::Length, Sign::NotNegative)
+        };
+        let [near, far] = [end("from")?, end("to")?];
+        if near >= far {
+            return Err(table
+                .required("to", WANTED)?
+                .wanted("a distance beyond `from`"));
+        }
+        Ok(Self::Between([near, far]))
+    }
+}
+
+impl BeforeContactRows {
+    /// The force without contact where it begins, and its standard error, N: what is left after a subtraction.
+    #[must_use]
+    pub fn zero(&self) -> [f64; 2] {
+        let left = if self.is_subtracted {
+            0.0
+        } else {
+            self.line.force
+        };
+        [left, self.line.force_sd]
+    }
+
+    /// The pull-off, N, if there is one beyond the noise.
+    #[must_use]
+    pub fn adhesion(&self, largest_force: f64) -> Option<f64> {
+        let least = (PULL_OFF_NOISE * self.line.noise).max(PULL_OFF_PART * largest_force);
+        Some(self.pull_off).filter(|found| *found > least)
+    }
+}
+
+/// Finds the stretch before the contact of a loading, in these rows, and subtracts its line from the forces, if a table
+/// asks for it.
+pub(super) fn subtract(
+    raw: &mut RawCurve<'_>,
+    rows: &[usize],
+    data: &DataTable,
+) -> Result<Option<BeforeContactRows>, CurveError> {
+    let found = find(raw, rows, data);
+    let range = match data.baseline {
+        Baseline::Off => return Ok(found.filter(|(_, shown)| *shown).map(|(found, _)| found)),
+        Baseline::BeforeContact => None,
+        Baseline::Between(range) => Some(range),
+    };
+    let none = CurveError::NoBaseline {
+        range,
+        wanted: FEWEST_POINTS,
+    };
+    let (mut found, _) = found.ok_or(none.clone())?;
+    let (coordinate, forces) = curve(raw).ok_or(none.clone())?;
+    if let Some(range) = range {
+        let [x, y] = [coordinate, forces].map(|values| chosen(values, rows));
+        found.line = found.line.between(&x, &y, range).ok_or(none)?;
+    }
+    found.is_subtracted = true;
+    let pairs = coordinate.iter().zip(forces);
+    let left = pairs
+        .map(|(x, force)| force - found.line.force_at(*x))
+        .collect();
+    raw.replace(Channel::Force, left);
+    if let Some(constant) = data.spring_constant {
+        spring::subtract_deflection(raw, constant);
+    }
+    Ok(Some(found))
+}
+
+/// The stretch, and whether it shows itself.
+fn find(raw: &RawCurve<'_>, rows: &[usize], data: &DataTable) -> Option<(BeforeContactRows, bool)> {
+    let (coordinate, forces) = curve(raw).filter(|_| data.segment.part == Branch::Loading)?;
+    let [x, y] = [coordinate, forces].map(|values| chosen(values, rows));
+    let line = BeforeContact::find(&x, &y)?;
+    let below = |(x, force): (&f64, &f64)| line.force_at(*x) - force;
+    let depths = coordinate.iter().zip(forces).map(below);
+    let found = BeforeContactRows {
+        contact_row: rows.get(line.first_in_contact)? + 1,
+        is_subtracted: false,
+        pull_off: depths.fold(0.0, f64::max),
+        line,
+    };
+    Some((found, line.shows_itself(&x, &y)))
+}
+
+/// The coordinate along which a baseline runs, and the forces.
+fn curve<'r>(raw: &'r RawCurve<'_>) -> Option<(&'r [f64], &'r [f64])> {
+    let coordinate = raw
+        .values(Channel::Height)
+        .or_else(|| raw.values(Channel::Depth))?;
+    Some((coordinate, raw.values(Channel::Force)?))
+}
+
+fn chosen(values: &[f64], rows: &[usize]) -> Vec<f64> {
+    rows.iter()
+        .filter_map(|row| values.get(*row))
+        .copied()
+        .collect()
+}

@@ -1,0 +1,265 @@
+//! The stretch of an approach before the contact: its forces are those of no contact, which give the zero of the force,
+//! its slope and the noise.
+//!
+//! The contact is first found as the break of a curve in two pieces, a line and a power law added to it,
+//!
+//! ```text
+//! F = a + b x + A (x − c)₊ᵖ,   p = 1, 3/2 or 2,
+//! ```
+//!
+//! with the `c` and the `p` of the least squares, over blocks of neighbouring points. `x` is the height of the piezo
+//! where there is one, for a baseline runs along it, otherwise the depth. A fit then finds the contact itself; this one
+//! only says which points lie before it.
+
+use crate::orthonormal_basis::{OrthonormalBasis, dot};
+
+/// The stretch before the contact of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BeforeContact {
+    /// Number of points before the contact.
+    pub points: usize,
+    /// The place of the first point in contact among all points of the loading.
+    pub first_in_contact: usize,
+    /// Force without contact where the contact begins, N, as recorded.
+    pub force: f64,
+    /// Its standard error, N; neighbouring points may be correlated.
+    pub force_sd: f64,
+    /// Change of the force along the stretch, N/m.
+    pub slope: f64,
+    /// Its standard error, N/m.
+    pub slope_sd: f64,
+    /// Standard deviation of single forces about the line, N.
+    pub noise: f64,
+    /// Where the contact begins, m, in the coordinate of the fit.
+    contact: f64,
+}
+
+/// Number of blocks of neighbouring points.
+const BLOCKS: usize = 240;
+/// Exponents of the second piece: flat punch, ball, cone.
+const EXPONENTS: [f64; 3] = [1.0, 1.5, 2.0];
+/// The line is fitted to the points whose distance from the contact is at least this fraction of the stretch: the
+/// contact may begin before the break, as the second piece is no exact law.
+const GUARD: f64 = 0.1;
+/// A stretch has at least so many points.
+pub(super) const FEWEST_POINTS: usize = 10;
+/// A stretch shows itself if it is at least this fraction of the length in contact,
+const LEAST_LENGTH: f64 = 0.1;
+/// flat: its slope below this fraction of the mean slope in contact. A cone rises by less only within a fourteenth of
+/// its depth, a ball within a hundredth,
+const LARGEST_SLOPE: f64 = 0.15;
+/// straight: a parabola added to its line is smaller than this fraction of the largest force,
+const LARGEST_BEND: f64 = 0.005;
+/// or than this many standard errors,
+const BEND_ERRORS: f64 = 4.0;
+/// and if the force in contact is this many times the noise.
+const LEAST_SIGNAL: f64 = 10.0;
+
+impl BeforeContact {
+    /// Finds the stretch before the contact of a loading; none if there are too few points before the break.
+    #[must_use]
+    pub fn find(coordinate: &[f64], forces: &[f64]) -> Option<Self> {
+        let (x, y) = (blocks(coordinate), blocks(forces));
+        let contact = contact(&x, &y)?;
+        let first = coordinate.iter().rposition(|x| *x < contact)? + 1;
+        let start = coordinate[..first]
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
+        let end = contact - GUARD * (contact - start);
+        Self::along(coordinate, forces, (first, contact), [start, end])
+    }
+
+    /// The line through the points between two distances before the contact; none if there are too few.
+    #[must_use]
+    pub fn between(
+        self,
+        coordinate: &[f64],
+        forces: &[f64],
+        [near, far]: [f64; 2],
+    ) -> Option<Self> {
+        let ends = [self.contact - far, self.contact - near];
+        Self::along(
+            coordinate,
+            forces,
+            (self.first_in_contact, self.contact),
+            ends,
+        )
+    }
+
+    /// The line through the points of a range before the contact.
+    fn along(
+        coordinate: &[f64],
+        forces: &[f64],
+        (first, contact): (usize, f64),
+        [start, end]: [f64; 2],
+    ) -> Option<Self> {
+        let pairs = coordinate[..first].iter().zip(forces);
+        let inside = pairs.filter(|(x, _)| (start..=end).contains(*x));
+        let (x, mut rest): (Vec<f64>, Vec<f64>) = inside.map(|(x, y)| (x - contact, *y)).unzip();
+        if x.len() < FEWEST_POINTS {
+            return None;
+        }
+        let line = OrthonormalBasis::of([vec![1.0; x.len()], x.clone()]);
+        let components = line.remove_from(&mut rest);
+        let [force, slope] = line.coefficients(&components)[..] else {
+            return None;
+        };
+        let degrees = (x.len() - 2) as f64;
+        let variance = dot(&rest, &rest) / degrees;
+        let covariance = line.inverse_gram();
+        // Persistent noise has fewer independent points, by (1 + φ)/(1 − φ).
+        let persistence =
+            (dot(&rest[1..], &rest[..rest.len() - 1]) / dot(&rest, &rest)).clamp(0.0, 0.98);
+        let fewer = if persistence.is_nan() {
+            1.0
+        } else {
+            (1.0 + persistence) / (1.0 - persistence)
+        };
+        let error = |k: usize| (variance * covariance[k][k] * fewer).sqrt();
+        Some(Self {
+            points: x.len(),
+            first_in_contact: first,
+            force,
+            force_sd: error(0),
+            slope,
+            slope_sd: error(1),
+            noise: variance.sqrt(),
+            contact,
+        })
+    }
+
+    /// Whether the stretch is long, flat and straight enough to be told from a contact that begins gently.
+    #[must_use]
+    pub fn shows_itself(&self, coordinate: &[f64], forces: &[f64]) -> bool {
+        let before = &coordinate[..self.first_in_contact];
+        let start = before.iter().copied().fold(f64::INFINITY, f64::min);
+        let (mut end, mut largest) = (self.contact, f64::NEG_INFINITY);
+        for (x, y) in coordinate.iter().zip(forces) {
+            (end, largest) = (end.max(*x), largest.max(*y));
+        }
+        let rise = largest - self.force;
+        let is_long = self.contact - start >= LEAST_LENGTH * (end - self.contact);
+        let is_flat = self.slope.abs() * (end - self.contact) <= LARGEST_SLOPE * rise;
+        let is_clear = rise >= LEAST_SIGNAL * self.noise;
+        is_long && is_flat && is_clear && self.is_straight(before, forces, rise)
+    }
+
+    /// Whether the stretch is a line, but for its noise.
+    fn is_straight(&self, before: &[f64], forces: &[f64], rise: f64) -> bool {
+        let start = before.iter().copied().fold(f64::INFINITY, f64::min);
+        let length = (self.contact - start).max(f64::MIN_POSITIVE);
+        let end = self.contact - GUARD * length;
+        let inside = before.iter().zip(forces).filter(|(x, _)| **x <= end);
+        let (t, mut rest): (Vec<f64>, Vec<f64>) =
+            inside.map(|(x, y)| ((x - start) / length, *y)).unzip();
+        let square = t.iter().map(|t| t * t).collect();
+        let parabola = OrthonormalBasis::of([vec![1.0; t.len()], t, square]);
+        let components = parabola.remove_from(&mut rest);
+        let coefficients = parabola.coefficients(&components);
+        let variance = dot(&rest, &rest) / (rest.len() as f64 - 3.0).max(1.0);
+        let error = (variance * parabola.inverse_gram()[2][2]).sqrt();
+        let bend = coefficients.get(2).map_or(0.0, |bend| bend.abs());
+        // A parabola with coefficient q departs from its line by q/8 at most.
+        bend / 8.0 <= LARGEST_BEND * rise || bend <= BEND_ERRORS * error
+    }
+
+    /// The force of the line at a coordinate, N.
+    #[must_use]
+    pub fn force_at(&self, coordinate: f64) -> f64 {
+        self.force + self.slope * (coordinate - self.contact)
+    }
+}
+
+/// The break of a curve in two pieces; none if its second piece does not rise.
+fn contact(x: &[f64], y: &[f64]) -> Option<f64> {
+    let last = x.len().checked_sub(3)?;
+    let misfit = |c: f64, exponent: f64| {
+        let law = x.iter().map(|x| (x - c).max(0.0).powf(exponent)).collect();
+        let basis = OrthonormalBasis::of([vec![1.0; x.len()], x.to_vec(), law]);
+        let mut rest = y.to_vec();
+        let components = basis.remove_from(&mut rest);
+        let rises = basis.coefficients(&components)[2] > 0.0;
+        if rises {
+            dot(&rest, &rest)
+        } else {
+            f64::INFINITY
+        }
+    };
+    let candidates = EXPONENTS
+        .iter()
+        .flat_map(|p| x[..last].iter().map(move |c| (*c, *p)));
+    let judged = candidates.map(|(c, p)| (misfit(c, p), c));
+    let (least, c) = judged.min_by(|(one, _), (other, _)| one.total_cmp(other))?;
+    least.is_finite().then_some(c)
+}
+
+/// Means of neighbouring points.
+fn blocks(values: &[f64]) -> Vec<f64> {
+    let size = values.len().div_ceil(BLOCKS).max(1);
+    let mean = |block: &[f64]| block.iter().sum::<f64>() / block.len() as f64;
+    values.chunks(size).map(mean).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Forces of a law from a contact at 1 on, over 400 depths up to `end`, with a ripple for noise.
+    fn approach(end: f64, exponent: f64, [offset, slope, ripple]: [f64; 3]) -> [Vec<f64>; 2] {
+        let depths: Vec<f64> = (0..400).map(|i| end * f64::from(i) / 400.0).collect();
+        let force = |(i, x): (usize, &f64)| {
+            let noise = ripple * (2.4 * i as f64).sin();
+            offset + slope * x + noise + (x - 1.0).max(0.0).powf(exponent)
+        };
+        let forces = depths.iter().enumerate().map(force).collect();
+        [depths, forces]
+    }
+
+    #[test]
+    fn the_line_before_the_contact_is_found_with_its_offset_slope_and_noise() {
+        for exponent in [1.0, 1.3, 1.5, 2.0] {
+            let [x, y] = approach(2.0, exponent, [-3.0, 0.05, 0.02]);
+            let found = BeforeContact::find(&x, &y).unwrap();
+            assert!(found.shows_itself(&x, &y), "{exponent}");
+            assert!(
+                (found.contact - 1.0).abs() < 0.08,
+                "{exponent}: {}",
+                found.contact
+            );
+            assert!(
+                (found.force_at(1.0) + 2.95).abs() < 0.01,
+                "{exponent}: {}",
+                found.force
+            );
+            assert!((found.slope - 0.05).abs() < 4.0 * found.slope_sd + 1e-3);
+            // The root mean square of a sine.
+            assert!((found.noise / (0.02 / 2.0_f64.sqrt()) - 1.0).abs() < 0.1);
+        }
+    }
+
+    #[test]
+    fn a_curve_begun_in_contact_shows_no_stretch() {
+        for exponent in [1.0, 1.5, 2.0, 3.0] {
+            for ripple in [0.0, 1e-3, 1e-2] {
+                let x: Vec<f64> = (0..300).map(|i| f64::from(i) / 300.0).collect();
+                let law =
+                    |(i, x): (usize, &f64)| x.powf(exponent) + ripple * (2.4 * i as f64).sin();
+                let y: Vec<f64> = x.iter().enumerate().map(law).collect();
+                let found = BeforeContact::find(&x, &y);
+                let shown = found.is_some_and(|found| found.shows_itself(&x, &y));
+                assert!(!shown, "{exponent} {ripple}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_range_before_the_contact_can_be_chosen() {
+        let [x, y] = approach(2.0, 1.5, [1.0, 0.0, 0.01]);
+        let found = BeforeContact::find(&x, &y).unwrap();
+        let chosen = found.between(&x, &y, [0.2, 0.5]).unwrap();
+        assert!((chosen.points as f64 - 60.0).abs() <= 2.0);
+        assert!((chosen.force - 1.0).abs() < 0.01);
+        assert!(found.between(&x, &y, [2.0, 3.0]).is_none());
+    }
+}
