@@ -178,8 +178,8 @@ impl NuisanceTable {
     }
 }
 
-/// The zero of a reading as a nuisance of what is observed: a constant of the observable, a shift along the abscissa, or
-/// none where the reading does not enter.
+/// The zero of a reading as a nuisance of what is observed: a constant of the observable, a shift along the abscissa,
+/// or none where the reading does not enter.
 pub(super) fn zero_of(reading: Reading, observe: Observable) -> Option<LinearNuisance> {
     match reading {
         _ if reading == observe.observed() => Some(LinearNuisance::shift()),

@@ -47,7 +47,6 @@ fn stiffnesses_of_a_cone_and_a_paraboloid_on_a_half_space_have_closed_forms() {
                 worst(&found.slope, &slopes),
                 worst(&found.derivatives[0], &changes),
             ];
-            println!("{observable:?} {n} {errors:?}");
             assert!(
                 errors[0] < 2e-3 && errors[1] < 2e-2 && errors[2] < 5e-3,
                 "{errors:?}"
@@ -89,7 +88,6 @@ fn derivatives_of_stiffnesses_on_a_coating_agree_with_differences() {
                 let part = value / found.value[i];
                 error = error.max((found.derivatives[index][i] - difference).abs() * part);
             }
-            println!("{observable:?} {index} {error:e}");
             // The grid error of both, and 1e-4 of the difference.
             assert!(error < 1.5e-3, "{observable:?} {index}: {error:e}");
         }
