@@ -112,9 +112,11 @@ impl FitFile {
         };
         let model = table.required("model", "a table [model]")?;
         let mut model = FitModel::read(&model, &sources.maps)?;
-        let stated_radius = (model.lacks_radius())
-            .then(|| stated_radius::of_files(&root, &sources.measurements))
-            .flatten();
+        let stated_radius = if model.lacks_radius() && table.optional("data").is_some() {
+            stated_radius::of_files(&root, &sources.measurements)?
+        } else {
+            None
+        };
         if let Some(stated) = &stated_radius {
             model.give_radius(&stated_radius::text(stated));
         }

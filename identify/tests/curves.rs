@@ -19,6 +19,7 @@ mod cantilevers;
 mod exports;
 mod instruments;
 mod invented;
+mod stated;
 mod tungsten;
 
 /// Reads the curves of one table `[[data]]`, with files in this folder.

@@ -1,5 +1,6 @@
 //! The radius of the tip that the files of a measurement state: given to a model that has none, else compared with it.
 
+use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::Dimension;
 use pellicle::input::toml_tree::{TomlNode, TomlValue};
 
@@ -22,12 +23,24 @@ struct OtherRadius {
     stated: StatedNumber,
 }
 
+/// Two files that state different radii, where the model has none.
+#[derive(Debug, thiserror::Error)]
+#[error(
+    "found radii of {:.4e} and {:.4e} m in the measurements, the second one in {file}, wanted the radius of the \
+     indenter in the model",
+    .radii[0], .radii[1]
+)]
+struct TwoRadii {
+    file: String,
+    radii: [f64; 2],
+}
+
 impl FitFile {
     /// Compares the radius of a table's indenter with the one that a file of it states, unless it is sought.
     ///
     /// # Errors
     ///
-    /// A [`Diagnosis`](pellicle::input::diagnosis::Diagnosis) at the radius if they differ by more than a hundredth and
+    /// A [`Diagnosis`] at the radius if they differ by more than a hundredth and
     /// the radius has a unit: a bare number replaces that of the file.
     pub fn refuse_other_radius(
         &self,
@@ -73,18 +86,34 @@ impl FitFile {
     }
 }
 
-/// The radius that all files of all tables state, if they state one and the same.
-pub(super) fn of_files(root: &TomlNode, sources: &MeasurementSources) -> Option<StatedNumber> {
-    let tables = DataTable::read_all(root, sources).ok()?;
-    let files = tables
-        .iter()
-        .flat_map(|table| table.files.iter().map(|file| table.stated(file)));
-    let radius =
-        |stated: Vec<StatedNumber>| StatedNumber::of(StatedQuantity::TipRadius, &stated).cloned();
-    let all: Vec<StatedNumber> = files.map(radius).collect::<Option<_>>()?;
-    let first = all.first()?;
-    let is_same = all.iter().all(|other| !first.contradicts(other.value));
-    is_same.then(|| first.clone())
+/// The radius that all files of all tables state; none if one states none.
+///
+/// # Errors
+///
+/// A [`Diagnosis`] of the tables, or that two files state different radii.
+pub(super) fn of_files(
+    root: &TomlNode,
+    sources: &MeasurementSources,
+) -> Result<Option<StatedNumber>, Diagnosis> {
+    let tables = DataTable::read_all(root, sources)?;
+    let mut first: Option<StatedNumber> = None;
+    for table in &tables {
+        for file in &table.files {
+            let stated = table.stated(file);
+            let Some(other) = StatedNumber::of(StatedQuantity::TipRadius, &stated) else {
+                return Ok(None);
+            };
+            match &first {
+                Some(first) if first.contradicts(other.value) => {
+                    let (file, radii) = (file.display().to_string(), [first.value, other.value]);
+                    return Err(table.refused("file", &TwoRadii { file, radii }));
+                }
+                Some(_) => {}
+                None => first = Some(other.clone()),
+            }
+        }
+    }
+    Ok(first)
 }
 
 /// Its value as the text of a key, which has a unit.
