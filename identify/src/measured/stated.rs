@@ -1,7 +1,7 @@
 //! Numbers that a text states above its table: the spring constant of the cantilever, and the radius of the tip.
 //!
 //! A line states a number by a name, a value and a unit, `k (N/m)<tab>0.019`, `Tip radius: 27.5 um`. The text exports
-//! of JPK and of afmformats give spring constants without a unit, in N/m.
+//! of JPK and of afmformats give spring constants without a unit, in N/m. Nominal numbers are not those of the tip.
 
 use pellicle::input::dimension::Dimension;
 use pellicle::input::quantity;
@@ -88,6 +88,9 @@ impl StatedQuantity {
     fn named(name: &str) -> Option<(Self, f64)> {
         let words = words(name);
         let has = |wanted: &[&str]| words.iter().any(|word| wanted.contains(&word.as_str()));
+        if has(&["nominal"]) {
+            return None;
+        }
         let is_spring = has(&["spring"]) && has(&["constant", "const"]) || words == ["k"];
         let is_spring = is_spring || has(&["springconstant"]);
         if is_spring && !has(&["lateral", "torsional", "support"]) {
@@ -114,7 +117,7 @@ fn number(line: &str) -> Option<(StatedQuantity, f64)> {
             .find(|unit| !unit.is_empty())
         {
             Some(unit) => quantity::one(unit, quantity.dimension()).ok()?,
-            None if quantity == StatedQuantity::SpringConstant && bare.len() < line.len() => 1.0,
+            None if line.starts_with('#') && name.name.to_lowercase().contains("spring") => 1.0,
             None => return None,
         };
         let value = factor * value * unit;
@@ -200,6 +203,9 @@ mod tests {
             "Radius of curvature",
             "k\tvalue",
             "Support Spring Stiffness (N/m): 95",
+            "Nominal tip radius (nm): 20",
+            "  SpringConstant: 0.08",
+            "# k: 40",
         ] {
             assert_eq!(number(line), None, "{line}");
         }
