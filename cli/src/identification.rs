@@ -126,6 +126,7 @@ impl Identification {
                 observable: table.observe,
                 abscissae,
                 own,
+                series: curve_source::series(table),
                 origins: origins.into_iter().flatten().collect(),
             });
         }
@@ -165,6 +166,17 @@ fn refused_curves(file: &FitFile, error: ContactError) -> Failure {
             table.refused("observe", &error).into()
         }
         _ => error.into(),
+    }
+}
+
+impl Identification {
+    /// Whether forces are observed at approaches of a cantilever in place of depths.
+    #[must_use]
+    pub fn is_at_approach(&self) -> bool {
+        self.model
+            .curves()
+            .first()
+            .is_some_and(|curve| curve.series > 0.0)
     }
 }
 

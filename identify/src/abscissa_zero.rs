@@ -28,8 +28,9 @@ use crate::{
 const MOST_STEPS: usize = 40;
 /// The zeros are found when a further step would move every point by less than this fraction of the misfit.
 const ACCURACY: f64 = 1e-3;
-/// A zero lies at most this many lengths of its curve before the first abscissa, and this many before the last.
-const LENGTHS: [f64; 2] = [1.0, 0.02];
+/// A zero lies at most this many lengths of its curve before the first abscissa, and this many before the last: farther
+/// away a segment is straight.
+const LENGTHS: [f64; 2] = [20.0, 0.02];
 /// The longest step, in lengths of the curve.
 const LONGEST_STEP: f64 = 0.25;
 /// The zeros tried first, in lengths of the curve after its first abscissa, besides the one that it gives.

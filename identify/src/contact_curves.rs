@@ -170,8 +170,11 @@ impl ContactCurves {
         let abscissae = self.curves[curve].abscissae_from(origins);
         let mut prediction = self.true_curve(curve, parameters, (&abscissae, factor), fixed)?;
         prediction.origins = origins.to_vec();
-        let observable = self.curves[curve].observable;
-        let change = scale.map(|of| of.apply(observable, factor, &abscissae, &mut prediction));
+        let ContactCurve {
+            observable, series, ..
+        } = self.curves[curve];
+        let change =
+            scale.map(|of| of.apply(observable, (factor, series), &abscissae, &mut prediction));
         let by_fixed = prediction.derivatives.split_off(self.parameters.len());
         prediction.extend_by_constants(constants.len());
         if let (Some(scale), Some(change)) = (scale, change)
@@ -217,7 +220,12 @@ impl ContactCurves {
                 let nodes = self.nodes[curve].with_forces_times(factor);
                 self.solved(&nodes, &model, &sought)
             })?;
-            observable.of(&solved, &observable.true_abscissae(abscissae, factor))?
+            let series = self.curves[curve].series / factor;
+            observable.of(
+                &solved,
+                &observable.true_abscissae(abscissae, factor),
+                series,
+            )?
         };
         for index in own {
             prediction
@@ -280,7 +288,7 @@ impl ContactCurves {
         } = &self.curves[curve];
         let of = |model: &Model| {
             let solved = self.solved(&self.nodes[curve], model, &[])?;
-            observable.of(&solved, abscissae)
+            observable.of(&solved, abscissae, 0.0)
         };
         let mut prediction = of(model)?;
         for parameter in sought {

@@ -68,6 +68,7 @@ fn curves(
         abscissae,
         own: Vec::new(),
         origins: Vec::new(),
+        series: 0.0,
     };
     ContactCurves::new(vec![curve], parameters.to_vec(), CurveOptions::default()).unwrap()
 }
@@ -400,6 +401,7 @@ fn the_contact_radius_of_a_flat_punch_is_no_abscissa() {
         abscissae: vec![0.5e-3, 1e-3, 1e-3],
         own: Vec::new(),
         origins: Vec::new(),
+        series: 0.0,
     };
     let refused = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default());
     let refused = refused.unwrap_err().to_string();

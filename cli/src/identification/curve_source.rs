@@ -3,6 +3,7 @@
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle_identify::fit_file::FitFile;
 use pellicle_identify::fit_file::nuisance::{ForceZero, NuisanceTable, Zero};
+use pellicle_identify::measured::channel::Channel;
 use pellicle_identify::measured::curve::MeasuredCurve;
 use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::measured::error::CurveError;
@@ -18,6 +19,8 @@ pub const FEWEST_POINTS: usize = 3;
 /// A force is clearly that of a contact above this many standard deviations of single forces. There the depth, which
 /// grows as a power of the force of ⅔ or so, is nearly linear in its noise: the mean of `(1 + ε)^⅔` is 0.4 % below 1.
 const CLEAR: f64 = 5.0;
+/// Number of neighbouring forces whose mean decides; its noise is a third of that of one.
+const NEIGHBOURS: usize = 9;
 /// Forces without noise are known to this part of the largest, as files have so many digits.
 const DIGITS: f64 = 1e-6;
 
@@ -26,7 +29,7 @@ const DIGITS: f64 = 1e-6;
 pub struct CurveSource {
     /// The measurement.
     pub measured: MeasuredCurve,
-    /// Abscissae of the points that are fitted: forces, N, or depths, m.
+    /// Abscissae of the points that are fitted: forces, N, or depths, m, or approaches of a cantilever, m.
     pub abscissa: Vec<f64>,
     /// The values observed there.
     pub observed: Vec<f64>,
@@ -77,10 +80,14 @@ impl CurveSource {
         table: &DataTable,
         nuisances: &NuisanceTable,
     ) -> Result<Self, Diagnosis> {
-        let (x, y) = (
-            table.observe.abscissa().into(),
-            table.observe.observed().into(),
-        );
+        let is_approach =
+            table.observe == Observable::ForceAtDepth && measured.approach().is_some();
+        let x = if is_approach {
+            Channel::Height
+        } else {
+            table.observe.abscissa().into()
+        };
+        let y = table.observe.observed().into();
         let values = |channel| measured.values(channel).unwrap_or_default();
         let (abscissa, observed) = (values(x), values(y));
         let in_contact = match table.observe.abscissa() {
@@ -139,9 +146,7 @@ impl CurveSource {
         if observe.abscissa() == Reading::Force {
             return before.zero()[0];
         }
-        let is_in_contact = |point: &usize| self.measured.rows[*point] >= before.contact_row;
-        let first = self.points.iter().position(is_in_contact);
-        first.map_or(0.0, |point| self.abscissa[point])
+        before.contact
     }
 
     /// Returns the curve without the points at which the model does not hold; `invalid` gives the reason for each of
@@ -149,7 +154,7 @@ impl CurveSource {
     #[must_use]
     pub fn without(&self, invalid: &[Option<Invalidity>]) -> Self {
         let kept: Vec<usize> = (0..self.points.len())
-            .filter(|point| invalid[*point].is_none())
+            .filter(|point| invalid.get(*point).is_none_or(Option::is_none))
             .collect();
         let chosen = |values: &[f64]| kept.iter().map(|point| values[*point]).collect();
         Self {
@@ -205,8 +210,8 @@ fn positive(abscissa: &[f64], zero: f64) -> Vec<usize> {
         .collect()
 }
 
-/// The points whose force is clearly that of a contact: of a file that shows a stretch before it, those after the last
-/// force that might be noise.
+/// The points whose force is clearly that of a contact: of a file that shows a stretch before it, those after the mean of
+/// neighbouring forces was last one that might be noise. Single forces would choose points by their noise.
 fn after_contact(
     measured: &MeasuredCurve,
     forces: &[f64],
@@ -220,8 +225,20 @@ fn after_contact(
         Some(Zero::Off) => f64::max(zero + CLEAR * before.line.noise, 0.0),
         _ => zero + CLEAR * before.line.noise,
     };
-    let unclear = forces.iter().rposition(|force| *force <= least);
-    (unclear.map_or(0, |point| point + 1)..forces.len()).collect()
+    let mean = |window: &[f64]| window.iter().sum::<f64>() / window.len() as f64;
+    let half = NEIGHBOURS / 2;
+    let around = |point: usize| point.saturating_sub(half)..(point + half + 1).min(forces.len());
+    let is_unclear = |point: &usize| mean(&forces[around(*point)]) <= least;
+    let first = (0..forces.len()).rev().find(is_unclear);
+    (first.map_or(0, |point| point + 1)..forces.len()).collect()
+}
+
+/// The compliance in series with the contact, m/N: that of a cantilever.
+#[must_use]
+pub fn series(table: &DataTable) -> f64 {
+    table
+        .spring_constant
+        .map_or(0.0, |spring| 1.0 / spring.mean)
 }
 
 /// Returns the noise of all tables, which must agree.

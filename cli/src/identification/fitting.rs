@@ -123,7 +123,9 @@ impl Identification {
             .zip(&self.tables)
             .map(|(source, table)| {
                 let end = first + source.abscissa.len();
-                let kept = source.without(&outside.invalid[first..end]);
+                // No list where every point is valid.
+                let invalid = outside.invalid.get(first..end).unwrap_or_default();
+                let kept = source.without(invalid);
                 first = end;
                 (*table, kept)
             });

@@ -175,7 +175,10 @@ impl FitSubject<'_> {
     fn quantities(&self, curves: &[FittedCurve]) -> [AxisQuantity; 2] {
         let observable = self.of.model.curves().first().map(|curve| curve.observable);
         let observable = observable.unwrap_or_default();
-        let [x, y] = [observable.abscissa(), observable.observed()].map(axis);
+        let [mut x, y] = [observable.abscissa(), observable.observed()].map(axis);
+        if self.of.is_at_approach() {
+            x = ("approach z", "m");
+        }
         let points = || curves.iter().flat_map(|curve| &curve.points);
         let quantity = |(name, unit), largest: f64| AxisQuantity {
             name,

@@ -48,7 +48,12 @@ fn axes(of: &Identification) -> (String, &'static str, &'static str) {
     let observable = of.model.curves().first().map(|curve| curve.observable);
     let observable = observable.unwrap_or_default();
     let (x, y) = (observable.abscissa(), observable.observed());
-    (format!("{} [{}]", x.name(), x.unit()), y.name(), y.unit())
+    let name = if of.is_at_approach() {
+        "approach"
+    } else {
+        x.name()
+    };
+    (format!("{name} [{}]", x.unit()), y.name(), y.unit())
 }
 
 /// Data, model and residuals of every point.

@@ -21,6 +21,10 @@ pub struct ContactCurve {
     /// Where the abscissa of each point begins, as far as is known before a fit: the contact is solved at loads that
     /// cover the abscissae counted from there. Empty for zeros.
     pub origins: Vec<f64>,
+    /// Compliance in series with the contact, m/N, zero for none: that of a cantilever, whose end approaches the body by
+    /// `D + F/k`. Forces are then observed at approaches, which have no noise of the force in them, and penetrations at
+    /// forces, `z − F/k`, have it twice.
+    pub series: f64,
 }
 
 impl ContactCurve {
@@ -40,7 +44,7 @@ pub enum Observable {
     #[default]
     #[serde(rename = "depth at force")]
     DepthAtForce,
-    /// The force (N) at penetrations (m).
+    /// The force (N) at penetrations (m), or at approaches (m) where there is a compliance in series.
     #[serde(rename = "force at depth")]
     ForceAtDepth,
     /// The contact stiffness `dQ/dD` (N/m) at contact radii (m), `√(A/π)` of the contact area A. For indenters of

@@ -10,6 +10,13 @@
 //! ```
 //!
 //! A stiffness is a force over a depth: at a depth it follows the second line, at a force both.
+//!
+//! A cantilever is also a compliance `c = 1/k₀` in series, as its deflection does not depend on the constant. Penetrations
+//! have the slope `κ D′ + c`, and forces are read at approaches,
+//!
+//! ```text
+//! force at approach: D(κ y) + c y = z   ∂y/∂z = 1/(κ D′ + c)   ∂y/∂k = −(y/k₀) D′/(κ D′ + c)
+//! ```
 
 use super::curve::{Observable, Reading};
 use crate::Prediction;
@@ -34,7 +41,7 @@ impl ForceScale {
     pub(super) fn apply(
         self,
         observable: Observable,
-        factor: f64,
+        (factor, series): (f64, f64),
         abscissae: &[f64],
         prediction: &mut Prediction,
     ) -> Vec<f64> {
@@ -43,8 +50,10 @@ impl ForceScale {
         if observable.abscissa() == Reading::Force {
             let pairs = prediction.slope.iter_mut().zip(abscissae);
             for ((slope, read), change) in pairs.zip(&mut change) {
-                *change = *slope * read / self.nominal;
-                *slope *= factor;
+                // What is left of the slope without c/κ is D′.
+                let own = *slope - series / factor;
+                *slope = factor * own + series;
+                *change = own * read / self.nominal;
             }
         }
         if observable.observed() == Reading::Depth {
@@ -53,8 +62,13 @@ impl ForceScale {
         let lists = [&mut prediction.value, &mut prediction.slope, &mut change];
         let lists = lists.into_iter().chain(&mut prediction.derivatives);
         lists.flatten().for_each(|value| *value /= factor);
-        let pairs = prediction.value.iter().zip(change);
-        pairs.map(|(y, change)| change - y / constant).collect()
+        let pairs = prediction.value.iter().zip(&prediction.slope);
+        // D′/(κ D′ + c) = (1 − c ∂y/∂z)/κ
+        let by_reading = pairs.map(|(y, slope)| -y * (1.0 - series * slope) / constant);
+        by_reading
+            .zip(change)
+            .map(|(one, other)| one + other)
+            .collect()
     }
 }
 

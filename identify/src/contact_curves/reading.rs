@@ -13,11 +13,12 @@ const MOST_STEPS: usize = 60;
 const ACCURACY: f64 = 1e-13;
 
 impl Observable {
-    /// The observable at given abscissae of a solved curve.
+    /// The observable at given abscissae of a solved curve with a compliance in series, m/N.
     pub(super) fn of(
         self,
         curve: &SolvedCurve,
         abscissae: &[f64],
+        series: f64,
     ) -> Result<Prediction, ContactError> {
         let mut prediction = Prediction {
             value: Vec::new(),
@@ -26,7 +27,7 @@ impl Observable {
             origins: Vec::new(),
         };
         for abscissa in abscissae {
-            let (value, slope, changes) = self.at(curve, *abscissa)?;
+            let (value, slope, changes) = self.at(curve, *abscissa, series)?;
             prediction.value.push(value);
             prediction.slope.push(slope);
             prediction.derivatives.resize(changes.len(), Vec::new());
@@ -37,7 +38,12 @@ impl Observable {
         Ok(prediction)
     }
 
-    fn at(self, curve: &SolvedCurve, abscissa: f64) -> Result<(f64, f64, Vec<f64>), ContactError> {
+    fn at(
+        self,
+        curve: &SolvedCurve,
+        abscissa: f64,
+        series: f64,
+    ) -> Result<(f64, f64, Vec<f64>), ContactError> {
         match self {
             Self::DepthAtForce => {
                 let CurvePoint {
@@ -45,7 +51,7 @@ impl Observable {
                     slope,
                     changes,
                 } = curve.at(abscissa);
-                Ok((penetration, slope, changes))
+                Ok((penetration, slope + series, changes))
             }
             Self::ForceAtDepth if abscissa <= 0.0 => {
                 // No force before the contact, whatever the parameters.
@@ -53,10 +59,11 @@ impl Observable {
                 Ok((0.0, 0.0, vec![0.0; changes]))
             }
             Self::ForceAtDepth => {
-                let (force, point) = force_at(curve, abscissa)?;
-                // dQ/dD = 1/(dD/dQ), ∂Q/∂θ|_D = −(dQ/dD) ∂D/∂θ|_Q
-                let changes = point.changes.iter().map(|change| -change / point.slope);
-                Ok((force, 1.0 / point.slope, changes.collect()))
+                let (force, point) = force_at(curve, abscissa, series)?;
+                // z = D + c Q: dQ/dz = 1/(dD/dQ + c), ∂Q/∂θ|_z = −(dQ/dz) ∂D/∂θ|_Q
+                let slope = 1.0 / (point.slope + series);
+                let changes = point.changes.iter().map(|change| -change * slope);
+                Ok((force, slope, changes.collect()))
             }
             Self::StiffnessAtContactRadius => {
                 let force = force_at_radius(curve, abscissa)?;
@@ -78,7 +85,7 @@ impl Observable {
                 Ok((stiffness, slope, changes))
             }
             Self::StiffnessAtDepth => {
-                let (force, point) = force_at(curve, abscissa)?;
+                let (force, point) = force_at(curve, abscissa, 0.0)?;
                 let at = curve.stiffness_at(force);
                 // dS/dD = S dS/dQ, and with ∂Q/∂θ|_D = −S ∂D/∂θ|_Q: ∂S/∂θ|_D = ∂S/∂θ|_Q − dS/dD ∂D/∂θ|_Q
                 let by_depth = at.slope * at.stiffness;
@@ -105,18 +112,25 @@ fn force_at_radius(curve: &SolvedCurve, radius: f64) -> Result<f64, ContactError
     Err(ContactError::Force { force })
 }
 
-/// Returns the force that gives a penetration, by Newton's method in logarithms.
-fn force_at(curve: &SolvedCurve, penetration: f64) -> Result<(f64, CurvePoint), ContactError> {
+/// Returns the force that gives an approach, the penetration and what a compliance in series adds, by Newton's method in
+/// logarithms.
+fn force_at(
+    curve: &SolvedCurve,
+    approach: f64,
+    series: f64,
+) -> Result<(f64, CurvePoint), ContactError> {
     let [_, mut force] = curve.ends();
     for _ in 0..MOST_STEPS {
         let point = curve.at(force);
-        // ln Q ← ln Q − (ln D − ln d)/(Q D′/D)
-        let change =
-            (penetration / point.penetration).ln() * point.penetration / (force * point.slope);
+        let (found, slope) = (point.penetration + series * force, point.slope + series);
+        // ln Q ← ln Q − (ln z(Q) − ln z)/(Q z′/z)
+        let change = (approach / found).ln() * found / (force * slope);
         force *= change.exp();
         if change.abs() <= ACCURACY {
             return Ok((force, curve.at(force)));
         }
     }
-    Err(ContactError::Penetration { penetration })
+    Err(ContactError::Penetration {
+        penetration: approach,
+    })
 }

@@ -40,8 +40,8 @@ pub struct Nodes {
 enum NodeEnds {
     /// Forces, N.
     Forces([f64; 2]),
-    /// Depths (m), whose forces depend on the parameters.
-    Depths([f64; 2]),
+    /// Depths (m), whose forces depend on the parameters, with a compliance in series, m/N.
+    Depths([f64; 2], f64),
     /// Contact radii (m), whose forces depend on the parameters.
     Radii([f64; 2]),
 }
@@ -68,7 +68,7 @@ impl Nodes {
         let decades = power * (ends[1] / ends[0]).log10() + 2.0 * estimate.log10();
         let ends = match abscissa {
             Reading::Force => NodeEnds::Forces(ends),
-            Reading::Depth => NodeEnds::Depths(ends),
+            Reading::Depth => NodeEnds::Depths(ends, curve.series),
             Reading::ContactRadius | Reading::Stiffness => NodeEnds::Radii(ends),
         };
         let wanted = (decades * options.loads_per_decade).ceil();
@@ -143,10 +143,11 @@ impl Nodes {
     fn forces(&self, model: &Model) -> Vec<f64> {
         let [least, most] = match self.ends {
             NodeEnds::Forces(ends) => ends,
-            NodeEnds::Depths([least, most]) => [
-                estimated_force(model, least) / ESTIMATE,
-                estimated_force(model, most) * ESTIMATE,
-            ],
+            NodeEnds::Depths([least, most], series) => {
+                // Both the contact and what is in series give way by no more than the whole.
+                let force = |depth| f64::min(estimated_force(model, depth), depth / series);
+                [force(least) / ESTIMATE, force(most) * ESTIMATE]
+            }
             NodeEnds::Radii([least, most]) => [
                 estimated_force_at_radius(model, least) / ESTIMATE,
                 estimated_force_at_radius(model, most) * ESTIMATE,

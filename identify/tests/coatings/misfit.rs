@@ -116,6 +116,7 @@ impl Fitted {
             abscissae: self.coating.forces(),
             own: Vec::new(),
             origins: Vec::new(),
+            series: 0.0,
         };
         let curves = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default()).unwrap();
         curves.predict(&[]).unwrap().value
