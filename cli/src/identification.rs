@@ -27,12 +27,13 @@ pub mod zeros;
 
 use std::sync::Arc;
 
+use pellicle_contact::ContactError;
 use pellicle_identify::fit_file::FitFile;
 use pellicle_identify::fit_file::unknown::UnknownCase;
-use pellicle_identify::measured::data_table::Observe;
+use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::{
-    ContactCurve, ContactCurves, CurveOptions, IdentifyError, NullDirections, Problem, Scatter,
-    StopFlag, Unknown,
+    ContactCurve, ContactCurves, CurveOptions, IdentifyError, NullDirections, Observable, Problem,
+    Scatter, StopFlag, Unknown,
 };
 
 use self::curve_source::CurveSource;
@@ -84,8 +85,11 @@ impl Identification {
     /// [`Failure`] if a measurement gives no curve, a model cannot be built, or there are too few points.
     pub fn new(file: FitFile, stop: StopFlag) -> Result<Self, Failure> {
         let of_table = |(index, table)| {
-            let sources = CurveSource::of_table(table, &file.nuisances)?.into_iter();
-            Ok(sources.map(move |source| (index, source)))
+            let sources = CurveSource::of_table(table, &file.nuisances)?;
+            for source in &sources {
+                file.refuse_other_radius(index, &source.measured)?;
+            }
+            Ok(sources.into_iter().map(move |source| (index, source)))
         };
         let sources = file.data.iter().enumerate().map(of_table);
         let sources: Vec<_> = sources.collect::<Result<_, Failure>>()?;
@@ -119,7 +123,7 @@ impl Identification {
             let (abscissae, origins): (Vec<f64>, Vec<Option<f64>>) = points.unzip();
             curves.push(ContactCurve {
                 model: parameters.model.clone(),
-                observable: curve_source::observable(table.observe),
+                observable: table.observe,
                 abscissae,
                 own,
                 series: curve_source::series(table),
@@ -132,7 +136,8 @@ impl Identification {
             stop: stop.clone(),
             ..CurveOptions::default()
         };
-        let model = ContactCurves::new(curves, sought, options)?
+        let model = ContactCurves::new(curves, sought, options)
+            .map_err(|error| refused_curves(&file, error))?
             .with_force_scales(spring_constants::scales(&file));
         let (tables, sources): (Vec<usize>, Vec<CurveSource>) = sources.into_iter().unzip();
         let directions = null_directions::common(directions)?;
@@ -150,6 +155,17 @@ impl Identification {
             spent: Spent::default(),
             stop,
         })
+    }
+}
+
+/// The failure that the curves of a fit file cannot be computed, at the observable if that is the reason.
+fn refused_curves(file: &FitFile, error: ContactError) -> Failure {
+    let is_of_radius = |table: &&DataTable| table.observe == Observable::StiffnessAtContactRadius;
+    match (&error, file.data.iter().find(is_of_radius)) {
+        (ContactError::ContactRadius { .. }, Some(table)) => {
+            table.refused("observe", &error).into()
+        }
+        _ => error.into(),
     }
 }
 
@@ -194,10 +210,10 @@ fn problem(
 }
 
 /// The observable of a file, which all tables share.
-fn observe(file: &FitFile) -> Observe {
+fn observe(file: &FitFile) -> Observable {
     file.data
         .first()
-        .map_or(Observe::default(), |table| table.observe)
+        .map_or(Observable::default(), |table| table.observe)
 }
 
 /// Repeats of one table may scatter; the curves of several tables share their parameters.

@@ -10,7 +10,6 @@ pub mod result;
 pub mod text;
 
 use pellicle_contact::{Domain, Load, Model, SolverOptions, Warning, solve_path};
-use pellicle_identify::measured::data_table::Observe;
 use pellicle_identify::{
     ContactCurve, ContactCurves, Curve, CurveOptions, ForwardError, ForwardModel, IdentifyError,
     Information, NullDirections, Observable, Prediction, StopFlag,
@@ -175,8 +174,8 @@ fn timed(abscissae: Vec<f64>, prediction: &Prediction) -> Result<Curve, Identify
 }
 
 /// Returns depths at forces, or converts them to forces at these depths.
-fn observed(observe: Observe, forces: Vec<f64>, depths: Prediction) -> (Vec<f64>, Prediction) {
-    if observe != Observe::ForceAtDepth {
+fn observed(observe: Observable, forces: Vec<f64>, depths: Prediction) -> (Vec<f64>, Prediction) {
+    if observe != Observable::ForceAtDepth {
         return (forces, depths);
     }
     let Prediction {

@@ -22,6 +22,7 @@ mod identify_plan;
 mod identify_plan_files;
 mod identify_report;
 mod identify_spring;
+mod identify_stiffness;
 mod identify_stopped;
 mod identify_validity;
 mod identify_zeros;

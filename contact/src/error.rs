@@ -22,6 +22,15 @@ pub enum ContactError {
         /// Value found, in m.
         penetration: f64,
     },
+    /// A contact radius that no force gives, or that more than one force gives.
+    #[error(
+        "found a contact radius of {radius:.6e} that no force gives, or more than one, wanted an indenter whose contact \
+         grows with the force up to it, which that of a flat punch does not"
+    )]
+    ContactRadius {
+        /// Value found, in m.
+        radius: f64,
+    },
     /// A tolerance outside (0, 0.1].
     #[error("found {tolerance} for the tolerance, wanted a number in (0, 0.1]")]
     Tolerance {

@@ -11,6 +11,7 @@ mod force_scale;
 mod grid_error;
 mod reading;
 mod solved_curve;
+mod stiffness;
 mod validity;
 
 use std::collections::BTreeSet;
@@ -20,7 +21,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
 
-pub use curve::{ContactCurve, CurveOptions, Observable, StopFlag};
+pub use curve::{ContactCurve, CurveOptions, Observable, Reading, StopFlag};
 pub use fixed_number::FixedNumber;
 pub use force_scale::ForceScale;
 use solved_curve::{Nodes, SolvedCurve};

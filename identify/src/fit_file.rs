@@ -4,6 +4,8 @@ pub mod model;
 pub mod nuisance;
 pub mod prior;
 pub mod report;
+mod stated_radius;
+mod stiffness;
 pub mod unknown;
 
 use std::path::Path;
@@ -24,6 +26,7 @@ use self::unknown::{UnknownCase, read_unknowns};
 use crate::measured::data_table::DataTable;
 use crate::measured::sources::MeasurementSources;
 use crate::measured::spring;
+use crate::measured::stated::StatedNumber;
 
 /// A fit file.
 #[derive(Debug)]
@@ -40,6 +43,8 @@ pub struct FitFile {
     pub nuisances: NuisanceTable,
     /// The table `[report]`.
     pub report: ReportTable,
+    /// The radius of the indenter, if the files of the measurements state it and the model has none.
+    pub stated_radius: Option<StatedNumber>,
     /// The tree of the file, for diagnoses.
     pub document: Document,
 }
@@ -106,13 +111,22 @@ impl FitFile {
             None => name,
         };
         let model = table.required("model", "a table [model]")?;
-        let model = FitModel::read(&model, &sources.maps)?;
+        let mut model = FitModel::read(&model, &sources.maps)?;
+        let stated_radius = if model.lacks_radius() && table.optional("data").is_some() {
+            stated_radius::of_files(&root, &sources.measurements)?
+        } else {
+            None
+        };
+        if let Some(stated) = &stated_radius {
+            model.give_radius(&stated_radius::text(stated));
+        }
         let parameters = model.parameters()?;
         let unknown = table.required("unknown", "a table [unknown] of the keys that are sought")?;
         let unknowns = read_unknowns(&unknown, &parameters)?;
         let optional = |key| table.optional(key).map(ValueReader::table).transpose();
-        let nuisances = match table.optional("nuisance") {
-            Some(field) => NuisanceTable::read(&field, &parameters)?,
+        let nuisance = table.optional("nuisance");
+        let nuisances = match &nuisance {
+            Some(field) => NuisanceTable::read(field, &parameters)?,
             None => NuisanceTable::default(),
         };
         let report = optional("report")?.map(|table| ReportTable::read(&table, &parameters));
@@ -120,15 +134,18 @@ impl FitFile {
             (None, Measurements::Optional) => Vec::new(),
             _ => DataTable::read_all(&root, &sources.measurements)?,
         };
-        Ok(Self {
+        let file = Self {
             title: title.replace(char::is_control, " "),
             data,
             model,
             unknowns,
             nuisances,
             report: report.transpose()?.unwrap_or_default(),
+            stated_radius,
             document: Document::new(&root),
-        })
+        };
+        file.refuse_nuisances_of_stiffness(nuisance.as_ref())?;
+        Ok(file)
     }
 
     /// The unknowns, then the parameters of the model that are not known exactly.

@@ -47,7 +47,7 @@ mod verdict;
 
 pub use contact_curves::{
     ContactCurve, ContactCurves, CurveOptions, FixedNumber, ForceScale, Invalidity, Observable,
-    StopFlag,
+    Reading, StopFlag,
 };
 pub use curve::Curve;
 pub use departure::Departure;

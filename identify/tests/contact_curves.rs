@@ -2,10 +2,12 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by its panic")]
 
+mod stiffness;
+
 use approx::assert_relative_eq;
 use pellicle_contact::{
-    Cone, Domain, Indenter, IndenterQuantity, Load, Model, ModelParameter, Paraboloid, Pyramid,
-    SolverOptions, default_side, solve_path,
+    Cone, Domain, FlatPunch, Indenter, IndenterQuantity, Load, Model, ModelParameter, Paraboloid,
+    Pyramid, SolverOptions, default_side, solve_path,
 };
 use pellicle_identify::{
     ContactCurve, ContactCurves, CurveOptions, ForceScale, ForwardModel, Observable, Prediction,
@@ -347,6 +349,66 @@ fn more_points_need_no_more_loads() {
     let loads = |abscissae| curves(&model, Observable::DepthAtForce, abscissae, &[]).loads();
     // Two decades at six loads per decade; then three decades, the widest range that is solved.
     assert_eq!((loads(forces()), loads(dense)), (15, 21));
+}
+
+#[test]
+fn the_force_of_a_flat_punch_at_a_depth_is_the_inverse_of_its_depth() {
+    let punch = Indenter::from(FlatPunch::new(1e-3).unwrap());
+    let gel = || Foundation::half_space(material(50e3, 0.45));
+    let coated = Foundation::coated(0.5e-3, material(20e3, 0.45), material(2e6, 0.3)).unwrap();
+    let soft = Some(material(50e3, 0.45));
+    let film = Relief::Film(Film::new(0.1e-3, 10e3).unwrap());
+    let cases = [
+        (ElasticBodies::from(gel()), Relief::Bare, Some(1.0)),
+        (ElasticBodies::from(coated), Relief::Bare, None),
+        (ElasticBodies::new(gel(), soft), Relief::Bare, Some(0.5)),
+        (ElasticBodies::from(gel()), film, None),
+    ];
+    let depths: Vec<f64> = (1..=10).map(|i| 4e-6 * f64::from(i)).collect();
+    for (bodies, relief, part) in cases {
+        let model = model(&bodies, relief, punch.clone());
+        let parameters = [young_modulus(0)];
+        let found = predicted(
+            &model,
+            Observable::ForceAtDepth,
+            depths.clone(),
+            &parameters,
+        );
+        let back = predicted(
+            &model,
+            Observable::DepthAtForce,
+            found.value.clone(),
+            &parameters,
+        );
+        for (i, depth) in depths.iter().enumerate() {
+            // Both are linear, and solved on the same elements at other loads.
+            assert_relative_eq!(back.value[i], *depth, max_relative = 1e-6);
+            if let Some(part) = part {
+                // F = 2 a E* D, with the grid error of a rim that no element ends at.
+                let exact = 2e-3 * part * material(50e3, 0.45).plane_strain_modulus() * depth;
+                assert_relative_eq!(found.value[i], exact, max_relative = 1e-2);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_contact_radius_of_a_flat_punch_is_no_abscissa() {
+    let body = Foundation::half_space(material(50e3, 0.45)).into();
+    let curve = ContactCurve {
+        model: model(&body, Relief::Bare, FlatPunch::new(1e-3).unwrap()),
+        observable: Observable::StiffnessAtContactRadius,
+        abscissae: vec![0.5e-3, 1e-3, 1e-3],
+        own: Vec::new(),
+        origins: Vec::new(),
+        series: 0.0,
+    };
+    let refused = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default());
+    let refused = refused.unwrap_err().to_string();
+    assert!(
+        refused.contains("contact radius") && refused.contains("flat punch"),
+        "{refused}"
+    );
 }
 
 #[test]

@@ -16,8 +16,10 @@ use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::measured::exclusion::ExclusionReason;
 
 mod cantilevers;
+mod exports;
 mod instruments;
 mod invented;
+mod stated;
 mod tungsten;
 
 /// Reads the curves of one table `[[data]]`, with files in this folder.

@@ -24,6 +24,15 @@ UNITS = {
 }
 """The columns that are quantities, with the SI unit in which arrays hold them."""
 
+Observe = Literal[
+    "depth at force",
+    "force at depth",
+    "stiffness at depth",
+    "stiffness at force",
+    "stiffness at contact radius",
+]
+"""The quantity that is compared with the model, and at which values of another."""
+
 
 @dataclass(frozen=True)
 class Text(Table):
@@ -56,10 +65,11 @@ class Segment(Table):
 
 @dataclass(frozen=True)
 class Noise(Table):
-    """Standard deviations of the measured values: in m, in N, and as a fraction of the observed value."""
+    """Standard deviations of the measured values: in m, in N, in N/m, and as a fraction of the observed value."""
 
     depth: Quantity | None = None
     force: Quantity | None = None
+    stiffness: Quantity | None = None
     relative: float | None = None
     correlation: Literal["none", "estimate"] | None = None
 
@@ -92,7 +102,7 @@ class Data(Table):
     text: Text | None = None
     segment: Segment | None = None
     baseline: Literal["before contact", "off"] | Baseline | None = None
-    observe: Literal["depth at force", "force at depth", "stiffness at contact radius"] | None = None
+    observe: Observe | None = None
     noise: Noise | None = None
     spring_constant: Quantity | SpringConstant | None = None
     height_direction: Literal["toward", "away", "auto"] | None = None
@@ -115,7 +125,7 @@ class Data(Table):
         deflection: npt.ArrayLike | None = None,
         segment: Segment | None = None,
         baseline: Literal["before contact", "off"] | Baseline | None = None,
-        observe: Literal["depth at force", "force at depth", "stiffness at contact radius"] | None = None,
+        observe: Observe | None = None,
         noise: Noise | None = None,
         spring_constant: Quantity | SpringConstant | None = None,
         height_direction: Literal["toward", "away", "auto"] | None = None,
@@ -125,7 +135,8 @@ class Data(Table):
     ) -> Data:
         """One curve, as arrays of equal length in SI units, in the order of the measurement.
 
-        The result refers to it by `name`. A stiffness in N/m is observed at a contact radius in m, see `observe`.
+        The result refers to it by `name`. A stiffness in N/m is observed at a force, a depth or a contact
+        radius √(A/π), see `observe`.
         """
         given = {
             "depth": depth,

@@ -2,8 +2,7 @@
 
 use pellicle::display::significant;
 use pellicle_identify::fit_file::nuisance::FORCE_ZERO;
-use pellicle_identify::measured::data_table::Observe;
-use pellicle_identify::{Fit, FitVerdict, FitWarning, Prediction, explained};
+use pellicle_identify::{Fit, FitVerdict, FitWarning, Observable, Prediction, explained};
 
 use super::findings::WarningResult;
 use super::{Identification, observe, units};
@@ -85,24 +84,19 @@ impl Identification {
                 },
             })
             .collect();
-        let depths: Vec<f64> = match observe(&self.file) {
-            Observe::ForceAtDepth => self
+        // A baseline that rises with the depth adds s D to the force.
+        let change = match observe(&self.file) {
+            Observable::ForceAtDepth => self
                 .problem
                 .curves()
                 .iter()
                 .flat_map(|of| of.abscissa().to_vec())
                 .collect(),
-            Observe::DepthAtForce => at_fit.value.clone(),
-            Observe::StiffnessAtContactRadius => return causes,
-        };
-        // A baseline that rises with the depth adds s D to the force.
-        let change = match observe(&self.file) {
-            Observe::ForceAtDepth => depths,
-            _ => depths
-                .iter()
+            Observable::DepthAtForce => (at_fit.value.iter())
                 .zip(&at_fit.slope)
                 .map(|(depth, slope)| -depth * slope)
                 .collect(),
+            _ => return causes,
         };
         causes.push(Cause {
             change,

@@ -5,10 +5,12 @@ use pellicle_identify::fit_file::FitFile;
 use pellicle_identify::fit_file::nuisance::{ForceZero, NuisanceTable, Zero};
 use pellicle_identify::measured::channel::Channel;
 use pellicle_identify::measured::curve::MeasuredCurve;
-use pellicle_identify::measured::data_table::{DataTable, Observe};
+use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::measured::error::CurveError;
-use pellicle_identify::measured::noise::{MeasuredNoise, NoiseCorrelation};
-use pellicle_identify::{Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable};
+use pellicle_identify::measured::noise::NoiseCorrelation;
+use pellicle_identify::{
+    Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable, Reading,
+};
 
 use crate::failure::Failure;
 
@@ -78,21 +80,22 @@ impl CurveSource {
         table: &DataTable,
         nuisances: &NuisanceTable,
     ) -> Result<Self, Diagnosis> {
-        let is_approach = measured.approach().is_some();
-        let (x, y) = match table.observe {
-            Observe::DepthAtForce => (Channel::Force, Channel::Depth),
-            Observe::ForceAtDepth if is_approach => (Channel::Height, Channel::Force),
-            Observe::ForceAtDepth => (Channel::Depth, Channel::Force),
-            Observe::StiffnessAtContactRadius => (Channel::ContactRadius, Channel::Stiffness),
+        let is_approach =
+            table.observe == Observable::ForceAtDepth && measured.approach().is_some();
+        let x = if is_approach {
+            Channel::Height
+        } else {
+            table.observe.abscissa().into()
         };
+        let y = table.observe.observed().into();
         let values = |channel| measured.values(channel).unwrap_or_default();
         let (abscissa, observed) = (values(x), values(y));
-        let in_contact = match table.observe {
+        let in_contact = match table.observe.abscissa() {
             // A fit with the zero of the depth finds the contact itself.
-            Observe::ForceAtDepth if nuisances.seeks_depth_zero(table.observe) => {
+            Reading::Depth if nuisances.seeks_depth_zero(table.observe) => {
                 (0..abscissa.len()).collect()
             }
-            Observe::DepthAtForce => after_contact(&measured, abscissa, nuisances),
+            Reading::Force => after_contact(&measured, abscissa, nuisances),
             _ => positive(abscissa, 0.0),
         };
         let kept = |values: &[f64]| in_contact.iter().map(|point| values[*point]).collect();
@@ -136,14 +139,14 @@ impl CurveSource {
 
     /// Where its abscissa begins, as far as the file shows it.
     #[must_use]
-    pub fn origin(&self, observe: Observe) -> f64 {
+    pub fn origin(&self, observe: Observable) -> f64 {
         let Some(before) = self.measured.before_contact else {
             return 0.0;
         };
-        match observe {
-            Observe::DepthAtForce => before.zero()[0],
-            _ => before.contact,
+        if observe.abscissa() == Reading::Force {
+            return before.zero()[0];
         }
+        before.contact
     }
 
     /// Returns the curve without the points at which the model does not hold; `invalid` gives the reason for each of
@@ -238,16 +241,6 @@ pub fn series(table: &DataTable) -> f64 {
         .map_or(0.0, |spring| 1.0 / spring.mean)
 }
 
-/// The observable of the fit for that of a table.
-#[must_use]
-pub fn observable(observe: Observe) -> Observable {
-    match observe {
-        Observe::DepthAtForce => Observable::DepthAtForce,
-        Observe::ForceAtDepth => Observable::ForceAtDepth,
-        Observe::StiffnessAtContactRadius => Observable::StiffnessAtContactRadius,
-    }
-}
-
 /// Returns the noise of all tables, which must agree.
 ///
 /// If not given, the noise of the observed quantity is estimated, and that of the abscissa is zero, or that of the
@@ -259,15 +252,11 @@ pub fn observable(observe: Observe) -> Observable {
 pub fn noise(file: &FitFile, sources: &[CurveSource]) -> Result<Noise, Failure> {
     let of = |table: &DataTable| (table.observe, table.noise);
     let first = file.data.first().map(of);
-    let (observe, noise) = first.unwrap_or((Observe::DepthAtForce, MeasuredNoise::default()));
+    let (observe, noise) = first.unwrap_or_default();
     if let Some(other) = file.data.iter().find(|table| of(table) != (observe, noise)) {
         return Err(other.other_noise().into());
     }
-    let (observed, abscissa) = match observe {
-        Observe::DepthAtForce => (noise.depth, noise.force),
-        Observe::ForceAtDepth => (noise.force, noise.depth),
-        Observe::StiffnessAtContactRadius => (None, None),
-    };
+    let (observed, abscissa) = (noise.of(observe.observed()), noise.of(observe.abscissa()));
     // What the forces scatter by before the contact, they scatter by in it.
     let scatter = sources
         .iter()
@@ -276,7 +265,7 @@ pub fn noise(file: &FitFile, sources: &[CurveSource]) -> Result<Noise, Failure> 
     let (count, sum) = scatter.fold((0.0, 0.0), |(count, sum), square| {
         (count + 1.0, sum + square)
     });
-    let seen = (observe == Observe::DepthAtForce && count > 0.0).then(|| (sum / count).sqrt());
+    let seen = (observe.abscissa() == Reading::Force && count > 0.0).then(|| (sum / count).sqrt());
     let abscissa = abscissa.or(seen);
     Ok(Noise {
         observed: observed.map_or(Amount::Estimated, Amount::Given),

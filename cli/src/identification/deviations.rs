@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use pellicle::display::significant;
-use pellicle_identify::{Fit, Observable};
+use pellicle_identify::Fit;
 
 use super::Identification;
 use super::findings::{OutlierResult, WarningResult};
@@ -154,10 +154,7 @@ impl Identification {
     /// The SI units of abscissa and observable.
     fn axis_units(&self) -> [&'static str; 2] {
         let observable = self.model.curves().first().map(|curve| curve.observable);
-        match observable {
-            Some(Observable::ForceAtDepth) => ["m", "N"],
-            Some(Observable::StiffnessAtContactRadius) => ["m", "N/m"],
-            _ => ["N", "m"],
-        }
+        let observable = observable.unwrap_or_default();
+        [observable.abscissa().unit(), observable.observed().unit()]
     }
 }

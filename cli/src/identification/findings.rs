@@ -1,6 +1,6 @@
 //! The findings of fits and plans, in SI units: the parts of `fit.json` and `plan.json`.
 
-use pellicle_identify::KnownCombination;
+use pellicle_identify::{KnownCombination, NoiseLevels, Observable, Reading};
 use serde::Serialize;
 
 /// An estimated parameter.
@@ -64,12 +64,33 @@ pub struct ExcludedResult {
 pub struct NoiseResult {
     /// Standard deviation of the depth, m; null if the depth was not measured.
     pub depth: Option<f64>,
-    /// Standard deviation of the force, N.
+    /// Standard deviation of the force, N; null if the force was not measured.
     pub force: Option<f64>,
+    /// Standard deviation of the stiffness, N/m; null if the stiffness was not measured.
+    pub stiffness: Option<f64>,
     /// Standard deviation relative to the observed value.
     pub relative: f64,
     /// Correlation between successive points.
     pub correlation: f64,
+}
+
+impl NoiseResult {
+    /// The noise of both quantities of an observable.
+    #[must_use]
+    pub fn of(levels: &NoiseLevels, observable: Observable, correlation: f64) -> Self {
+        let of = |reading: Reading| match reading {
+            _ if reading == observable.observed() => Some(levels.observed),
+            _ if reading == observable.abscissa() => Some(levels.abscissa),
+            _ => None,
+        };
+        Self {
+            depth: of(Reading::Depth),
+            force: of(Reading::Force),
+            stiffness: of(Reading::Stiffness),
+            relative: levels.relative,
+            correlation,
+        }
+    }
 }
 
 /// A point far from its neighbours.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use pellicle::display::{count, significant};
-use pellicle_identify::{Estimate, Exclusion, Fit, FitVerdict, Observable, Role};
+use pellicle_identify::{Estimate, Exclusion, Fit, FitVerdict, Reading, Role};
 use pellicle_plot::fit::axes;
 use pellicle_plot::fit::curve::{AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
 use pellicle_plot::fit::heading::FitHeading;
@@ -80,6 +80,17 @@ struct FitSubject<'a> {
     of: &'a Identification,
     fit: &'a Fit,
     found: &'a FitResult,
+}
+
+/// The name of an axis, with its symbol, and its SI unit.
+fn axis(reading: Reading) -> (&'static str, &'static str) {
+    let name = match reading {
+        Reading::Force => "force Q",
+        Reading::Depth => "depth D",
+        Reading::ContactRadius => "contact radius a",
+        Reading::Stiffness => "contact stiffness S",
+    };
+    (name, reading.unit())
 }
 
 impl FitSubject<'_> {
@@ -163,16 +174,11 @@ impl FitSubject<'_> {
     /// Abscissa and ordinate of the curves, each with a unit that suits its largest value.
     fn quantities(&self, curves: &[FittedCurve]) -> [AxisQuantity; 2] {
         let observable = self.of.model.curves().first().map(|curve| curve.observable);
-        let [x, y] = match observable {
-            Some(Observable::ForceAtDepth) if self.of.is_at_approach() => {
-                [("approach z", "m"), ("force Q", "N")]
-            }
-            Some(Observable::ForceAtDepth) => [("depth D", "m"), ("force Q", "N")],
-            Some(Observable::StiffnessAtContactRadius) => {
-                [("contact radius a", "m"), ("contact stiffness S", "N/m")]
-            }
-            _ => [("force Q", "N"), ("depth D", "m")],
-        };
+        let observable = observable.unwrap_or_default();
+        let [mut x, y] = [observable.abscissa(), observable.observed()].map(axis);
+        if self.of.is_at_approach() {
+            x = ("approach z", "m");
+        }
         let points = || curves.iter().flat_map(|curve| &curve.points);
         let quantity = |(name, unit), largest: f64| AxisQuantity {
             name,

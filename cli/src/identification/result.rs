@@ -4,9 +4,7 @@ mod notes;
 
 use pellicle::summary::PROGRAM;
 use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO};
-use pellicle_identify::{
-    Correlation, Estimate, Fit, FitVerdict, NoiseLevels, Observable, Role, Verdict,
-};
+use pellicle_identify::{Correlation, Estimate, Fit, FitVerdict, NoiseLevels, Role, Verdict};
 use serde::Serialize;
 
 use super::Identification;
@@ -254,23 +252,14 @@ impl Identification {
 
     fn noise(&self, levels: &NoiseLevels) -> NoiseResult {
         let observable = self.model.curves().first().map(|curve| curve.observable);
-        let [depth, force] = match observable {
-            Some(Observable::ForceAtDepth) => [Some(levels.abscissa), Some(levels.observed)],
-            Some(Observable::StiffnessAtContactRadius) => [None, None],
-            _ => [Some(levels.observed), Some(levels.abscissa)],
-        };
         let is_estimated = self.problem.noise().correlation == Correlation::Estimated;
-        NoiseResult {
-            depth,
-            force,
-            relative: levels.relative,
-            // Correlation of the sum of the persistent part and white noise.
-            correlation: if is_estimated {
-                levels.persistence * (1.0 - levels.white_fraction)
-            } else {
-                0.0
-            },
-        }
+        // Correlation of the sum of the persistent part and white noise.
+        let correlation = if is_estimated {
+            levels.persistence * (1.0 - levels.white_fraction)
+        } else {
+            0.0
+        };
+        NoiseResult::of(levels, observable.unwrap_or_default(), correlation)
     }
 
     fn curves(&self, fit: &Fit) -> Vec<CurveResult> {

@@ -9,15 +9,15 @@ use pellicle_identify::fit_file::report::OutsidePoints;
 use pellicle_identify::measured::channel::Channel;
 use pellicle_identify::measured::columns::{ColumnName, ColumnUnit};
 use pellicle_identify::measured::curve_segment::SegmentEnd;
-use pellicle_identify::measured::data_table::{DataTable, Observe};
+use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::{
     ContactCurve, ContactCurves, CurveOptions, ForwardError, ForwardModel, Invalidity, Observable,
+    Reading,
 };
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::curve_source::observable;
 use super::units;
 use crate::failure::Failure;
 
@@ -62,7 +62,7 @@ pub fn measurement(file: &FitFile, table: usize, seed: u64) -> Result<Simulation
         .relative
         .unwrap_or(if is_given { 0.0 } else { RELATIVE });
     let [of_depth, of_force] = match data.observe {
-        Observe::ForceAtDepth => [0.0, relative],
+        Observable::ForceAtDepth => [0.0, relative],
         _ => [relative, 0.0],
     };
     let points = forces.iter().zip(&depths.value).map(|(force, depth)| {
@@ -150,7 +150,7 @@ fn forces(file: &FitFile, data: &DataTable) -> Result<Vec<f64>, Failure> {
 
 /// The curve of a table's model at these forces.
 fn curves(file: &FitFile, data: &DataTable, forces: &[f64]) -> Result<ContactCurves, Failure> {
-    if observable(data.observe) == Observable::StiffnessAtContactRadius {
+    if data.observe.observed() == Reading::Stiffness {
         let wanted = "\"depth at force\" or \"force at depth\" to simulate";
         return Err(data.wanted("observe", wanted).into());
     }

@@ -19,7 +19,7 @@ pub fn scales(file: &FitFile) -> Vec<Option<ForceScale>> {
     let tables = file.data.iter().map(|table| table.spring_constant);
     let mut before = 0;
     let scale = |spring: Option<SpringConstant>| {
-        let SpringConstant { mean, sd } = spring?;
+        let SpringConstant { mean, sd, .. } = spring?;
         sd?;
         let constant = before;
         before += 1;
@@ -35,7 +35,7 @@ pub fn scales(file: &FitFile) -> Vec<Option<ForceScale>> {
 pub fn unknowns(file: &FitFile) -> impl Iterator<Item = Result<Unknown, IdentifyError>> {
     let tables = file.data.iter().enumerate();
     tables.filter_map(|(index, table)| {
-        let SpringConstant { mean, sd } = table.spring_constant?;
+        let SpringConstant { mean, sd, .. } = table.spring_constant?;
         Some(unknown(index, mean, sd?))
     })
 }

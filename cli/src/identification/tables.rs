@@ -1,7 +1,7 @@
 //! The tables of a fit: data with model and residuals, covariance, profiles.
 
 use pellicle_files::cell::text_cell;
-use pellicle_identify::{Estimate, Fit, Observable};
+use pellicle_identify::{Estimate, Fit};
 
 use super::Identification;
 use super::curve_source::OutsidePoint;
@@ -25,7 +25,7 @@ pub fn excluded(of: &Identification) -> Option<String> {
     if !of.outside.are_left_out() || of.outside.points.is_empty() {
         return None;
     }
-    let [x, y, unit] = axes(of);
+    let (x, y, unit) = axes(of);
     let curves = of.sources.iter().zip(&of.outside.points);
     let rows = curves.flat_map(|(source, points)| {
         let file = text_cell(&source.measured.file.display().to_string());
@@ -43,20 +43,22 @@ pub fn excluded(of: &Identification) -> Option<String> {
     Some(format!("file,row,{x},{y} [{unit}],reason\n") + &rows.collect::<String>())
 }
 
-/// Headings of abscissa and observable, and the unit of the observable.
-fn axes(of: &Identification) -> [&'static str; 3] {
+/// Heading of the abscissa, name and unit of the observable.
+fn axes(of: &Identification) -> (String, &'static str, &'static str) {
     let observable = of.model.curves().first().map(|curve| curve.observable);
-    match observable {
-        Some(Observable::ForceAtDepth) if of.is_at_approach() => ["approach [m]", "force", "N"],
-        Some(Observable::ForceAtDepth) => ["depth [m]", "force", "N"],
-        Some(Observable::StiffnessAtContactRadius) => ["contact radius [m]", "stiffness", "N/m"],
-        _ => ["force [N]", "depth", "m"],
-    }
+    let observable = observable.unwrap_or_default();
+    let (x, y) = (observable.abscissa(), observable.observed());
+    let name = if of.is_at_approach() {
+        "approach"
+    } else {
+        x.name()
+    };
+    (format!("{name} [{}]", x.unit()), y.name(), y.unit())
 }
 
 /// Data, model and residuals of every point.
 fn data(of: &Identification, fit: &Fit) -> String {
-    let [x, y, unit] = axes(of);
+    let (x, y, unit) = axes(of);
     let header =
         format!("file,{x},{y} [{unit}],model [{unit}],residual [{unit}],whitened residual\n");
     let sources = of.sources.iter().flat_map(|source| {

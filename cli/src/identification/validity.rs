@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pellicle::display::significant;
 use pellicle_contact::{ContactError, LARGEST_SLOPE, Warning};
-use pellicle_identify::{Fit, ForwardError, Observable};
+use pellicle_identify::{Fit, ForwardError};
 
 use super::Identification;
 use super::findings::WarningResult;
@@ -141,10 +141,7 @@ impl Identification {
         let least = abscissae.iter().copied().fold(f64::INFINITY, f64::min);
         let most = abscissae.iter().copied().fold(0.0, f64::max);
         let observable = self.model.curves().first().map(|curve| curve.observable);
-        let unit = match observable {
-            Some(Observable::DepthAtForce) | None => "N",
-            _ => "m",
-        };
+        let unit = observable.unwrap_or_default().abscissa().unit();
         let scale = units::scale(most, unit);
         let number = |value: f64| significant(value / scale.divisor, 3);
         format!("from {} to {} {}", number(least), number(most), scale.label)

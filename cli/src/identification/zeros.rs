@@ -2,10 +2,9 @@
 
 use pellicle_identify::fit_file::FitFile;
 use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO, ForceZero};
-use pellicle_identify::measured::data_table::Observe;
 use pellicle_identify::{
-    Fit, ForwardError, ForwardModel as _, IdentifyError, LinearNuisance, NuisanceShape, Prediction,
-    Scope,
+    Fit, ForwardError, ForwardModel as _, IdentifyError, LinearNuisance, NuisanceShape, Observable,
+    Prediction, Reading, Scope,
 };
 
 use super::curve_source::CurveSource;
@@ -19,9 +18,10 @@ pub fn of_abscissa(file: &FitFile, sources: &[(usize, CurveSource)]) -> Option<&
         .map(|(_, source)| source.force_zero())
         .collect();
     let observe = observe(file);
-    let (name, is_sought) = match observe {
-        Observe::ForceAtDepth => (DEPTH_ZERO, file.nuisances.seeks_depth_zero(observe)),
-        _ => (FORCE_ZERO, file.nuisances.seeks_force_zero(observe, &told)),
+    let name = name(observe.abscissa())?;
+    let is_sought = match name {
+        DEPTH_ZERO => file.nuisances.seeks_depth_zero(observe),
+        _ => file.nuisances.seeks_force_zero(observe, &told),
     };
     is_sought.then_some(name)
 }
@@ -29,21 +29,21 @@ pub fn of_abscissa(file: &FitFile, sources: &[(usize, CurveSource)]) -> Option<&
 /// A slope, N/m, that changes no force of any instrument over a metre.
 const LEAST_SLOPE: f64 = 1e-15;
 
-/// The slope of each baseline that was subtracted from observed forces, as it is known no better than its stretch tells;
-/// where that is in the fit, it is found there.
+/// The slope of each baseline that was subtracted from observed forces, as it is known no better than its stretch
+/// tells; where that is in the fit, it is found there.
 ///
 /// # Errors
 ///
 /// [`IdentifyError`] if a number is not finite.
 pub fn baseline_slopes(
-    observe: Observe,
+    observe: Observable,
     sources: &[CurveSource],
 ) -> Result<Option<LinearNuisance>, IdentifyError> {
     let subtracted = |source: &CurveSource| {
         let before = source.measured.before_contact;
         before.filter(|before| before.is_subtracted)
     };
-    if observe != Observe::ForceAtDepth || !sources.iter().any(|of| subtracted(of).is_some()) {
+    if observe != Observable::ForceAtDepth || !sources.iter().any(|of| subtracted(of).is_some()) {
         return Ok(None);
     }
     let distances = sources.iter().flat_map(|source| {
@@ -63,6 +63,15 @@ pub fn baseline_slopes(
     let slopes = LinearNuisance::new("baseline_slope", shape, Scope::PerCurve);
     let priors = sources.iter().map(prior).collect();
     Ok(Some(slopes.with_normal_priors(priors)?))
+}
+
+/// The name of the zero of a reading, if it has one.
+fn name(of: Reading) -> Option<&'static str> {
+    match of {
+        Reading::Depth => Some(DEPTH_ZERO),
+        Reading::Force => Some(FORCE_ZERO),
+        Reading::ContactRadius | Reading::Stiffness => None,
+    }
 }
 
 /// A zero that a fit takes as exact.
@@ -91,17 +100,13 @@ impl Identification {
     /// The origins of the abscissae of all points of `self` in a fit of some of them; empty without zeros.
     #[must_use]
     pub fn origins(&self, fit: &Fit) -> Vec<f64> {
-        let name = match observe(&self.file) {
-            Observe::ForceAtDepth => DEPTH_ZERO,
-            _ => FORCE_ZERO,
+        let is_sought = |name: &&str| {
+            let mut coefficients = fit.coefficients.iter();
+            coefficients.any(|one| one.name.starts_with(name))
         };
-        if !fit
-            .coefficients
-            .iter()
-            .any(|one| one.name.starts_with(name))
-        {
+        let Some(name) = name(observe(&self.file).abscissa()).filter(is_sought) else {
             return Vec::new();
-        }
+        };
         let sources = self.sources.iter().enumerate();
         let each = sources.map(|(index, source)| {
             // A repeat that disagrees with the others has none.
@@ -129,24 +134,24 @@ impl Identification {
         // y = f(x − z): ∂y/∂z = −f′; of the observable itself it is 1.
         let shifted: Vec<f64> = slopes.iter().map(|slope| -slope * x).collect();
         let raised = vec![y; slopes.len()];
-        let zero = |name, unit, reading, change| ExactZero {
-            name,
-            unit,
-            reading,
-            change,
-        };
-        let both = match observe(&self.file) {
-            Observe::DepthAtForce => vec![
-                zero(DEPTH_ZERO, "m", y, raised),
-                zero(FORCE_ZERO, "N", x, shifted),
-            ],
-            Observe::ForceAtDepth => vec![
-                zero(DEPTH_ZERO, "m", x, shifted),
-                zero(FORCE_ZERO, "N", y, raised),
-            ],
-            Observe::StiffnessAtContactRadius => Vec::new(),
-        };
-        both.into_iter().filter(|zero| !sought(zero.name)).collect()
+        let observe = observe(&self.file);
+        let zeros = [Reading::Depth, Reading::Force]
+            .into_iter()
+            .filter_map(|of| {
+                let (reading, change) = match of {
+                    _ if of == observe.observed() => (y, raised.clone()),
+                    _ if of == observe.abscissa() => (x, shifted.clone()),
+                    _ => return None,
+                };
+                let (name, unit) = (name(of)?, of.unit());
+                Some(ExactZero {
+                    name,
+                    unit,
+                    reading,
+                    change,
+                })
+            });
+        zeros.filter(|zero| !sought(zero.name)).collect()
     }
 
     /// What the models predict at the values and the zeros of a fit, for all points of `self`.

@@ -6,8 +6,7 @@ use pellicle_contact::ModelParameter;
 use pellicle_identify::fit_file::FitFile;
 use pellicle_identify::fit_file::model::ModelParameters;
 use pellicle_identify::fit_file::unknown::UnknownCase;
-use pellicle_identify::measured::data_table::Observe;
-use pellicle_identify::{Amount, NoiseLevels, Plan, Prediction, Unknown};
+use pellicle_identify::{Amount, NoiseLevels, Observable, Plan, Prediction, Reading, Unknown};
 
 use super::candidate::CandidateCurve;
 use crate::failure::Failure;
@@ -24,7 +23,7 @@ pub struct Premises<'a> {
     /// The unknowns, their assumed values, and the noise.
     pub plan: Plan,
     /// The observable of every curve.
-    pub observe: Observe,
+    pub observe: Observable,
     /// Source of the noise.
     pub noise: NoiseSource,
     base: ModelParameters,
@@ -73,8 +72,8 @@ impl<'a> Premises<'a> {
     ///
     /// [`Failure`] if the tables of the fit file disagree, or if their observable cannot be planned.
     pub fn new(file: &'a FitFile, candidates: &[CandidateCurve]) -> Result<Self, Failure> {
-        let observe = (file.data.first()).map_or(Observe::default(), |table| table.observe);
-        if let (Observe::StiffnessAtContactRadius, Some(table)) = (observe, file.data.first()) {
+        let observe = (file.data.first()).map_or(Observable::default(), |table| table.observe);
+        if let (Reading::Stiffness, Some(table)) = (observe.observed(), file.data.first()) {
             let wanted = "\"depth at force\" or \"force at depth\" to plan";
             return Err(table.wanted("observe", wanted).into());
         }

@@ -1,7 +1,6 @@
 //! `plan.json`: the expected results of designs, in SI units.
 
 use pellicle::summary::PROGRAM;
-use pellicle_identify::measured::data_table::Observe;
 use serde::Serialize;
 
 use super::Planning;
@@ -84,25 +83,14 @@ impl Premises<'_> {
     #[must_use]
     pub fn noise_result(&self) -> NoiseResult {
         let levels = &self.plan.noise;
-        let [depth, force] = match self.observe {
-            Observe::ForceAtDepth => [levels.abscissa, levels.observed],
-            _ => [levels.observed, levels.abscissa],
-        };
-        NoiseResult {
-            depth: Some(depth),
-            force: Some(force),
-            relative: levels.relative,
-            correlation: levels.persistence * (1.0 - levels.white_fraction),
-        }
+        let correlation = levels.persistence * (1.0 - levels.white_fraction);
+        NoiseResult::of(levels, self.observe, correlation)
     }
 
     /// Returns warnings about the assumptions of the plan.
     #[must_use]
     pub fn warnings(&self) -> Vec<WarningResult> {
-        let what = match self.observe {
-            Observe::ForceAtDepth => "force",
-            _ => "depth",
-        };
+        let what = self.observe.observed().name();
         let assumed = (self.noise == NoiseSource::Assumed).then(|| WarningResult {
             code: "assumed-noise".into(),
             message: format!(

@@ -62,6 +62,10 @@ static SINES: LazyLock<[f64; POINTS]> = LazyLock::new(|| {
     std::array::from_fn(|i| ((i as f64 + 0.5) * step).sin())
 });
 
+/// A contact that would come closer to the rim of the indenter than this part of its radius ends there: slopes are
+/// differences over a thousandth of the radius, which must not reach beyond the rim.
+const RIM: f64 = 1e-2;
+
 /// The side (m) of the square to try first for all `loads`: three times the largest estimated contact radius.
 ///
 /// If no load makes contact, twice the radius at which the height of the indenter is the foundation's thickness, or its
@@ -89,14 +93,24 @@ pub(crate) fn default_side_at(model: &Model, loads: &[Load], hardness: f64) -> f
 
 /// The force (N) that presses the indenter to a penetration (m), by the closed forms of the first guess. Exact on
 /// springs alone, and 2√2 times that of Hertz, since the contact radius is taken where the height of the indenter
-/// equals the penetration. 0 without contact.
+/// equals the penetration. Where the indenter ends below that height, its end presses as a flat punch for the rest of
+/// the penetration. 0 without contact.
 #[must_use]
 pub fn estimated_force(model: &Model, penetration: f64) -> f64 {
-    if penetration > 0.0 {
-        estimated_force_at_radius(model, radius_at(model, penetration))
-    } else {
-        0.0
+    if penetration.is_nan() || penetration <= 0.0 {
+        return 0.0;
     }
+    let radius = radius_at(model, penetration);
+    if model
+        .indenter
+        .mean_profile(radius * (1.0 + RIM))
+        .is_finite()
+    {
+        return estimated_force_at_radius(model, radius);
+    }
+    let inside = radius * (1.0 - RIM);
+    let rest = penetration - model.indenter.mean_profile(inside);
+    force_on_disc(model, inside, rest)
 }
 
 /// The largest force and the largest penetration of some loads, which give the widest contacts.
@@ -175,14 +189,20 @@ fn unloaded_radius(model: &Model, loads: &[Load]) -> f64 {
 /// beyond the indenter's rim.
 #[must_use]
 pub fn estimated_force_at_radius(model: &Model, radius: f64) -> f64 {
-    let a = radius;
-    if model.indenter.mean_profile(a).is_infinite() {
+    if model.indenter.mean_profile(radius).is_infinite() {
         return f64::INFINITY;
     }
-    let elastic = elastic_force(model, a);
-    let Some(relief) = ReliefForce::new(model, a) else {
+    force_on_disc(model, radius, 0.0)
+}
+
+/// The force (N) that presses the indenter to a contact radius `a` (m), and then a flat punch of this radius by
+/// `deeper` (m): `2 a E* d` on the elastic body, `φ π a² d/η` on the relief's springs.
+fn force_on_disc(model: &Model, a: f64, deeper: f64) -> f64 {
+    let elastic = elastic_force(model, a) + 2.0 * a * modulus(model, a) * deeper;
+    let Some(mut relief) = ReliefForce::new(model, a) else {
         return elastic;
     };
+    relief.volume += model.relief.area_fraction() * PI * a * a * deeper;
     // 0 where either is 0, since 1/0 = ∞.
     let on_both = |springs: f64| 1.0 / (1.0 / elastic + 1.0 / relief.force(springs));
     let (law, mut force) = (model.relief.spring_law(), on_both(1.0));
@@ -196,16 +216,19 @@ pub fn estimated_force_at_radius(model: &Model, radius: f64) -> f64 {
     force
 }
 
+/// `E*(a) = 2/(k C(k))` at `k = 1/a`, Pa.
+fn modulus(model: &Model, a: f64) -> f64 {
+    2.0 * a / model.tables.bodies().compliance(1.0 / a)
+}
+
 /// `Q_e(a)`.
 fn elastic_force(model: &Model, a: f64) -> f64 {
-    // E*(a) = 2/(k C(k)) at k = 1/a
-    let modulus = 2.0 * a / model.tables.bodies().compliance(1.0 / a);
     let step = FRAC_PI_2 / POINTS as f64;
     let integral: f64 = SINES
         .iter()
         .map(|sine| model.indenter.mean_slope(a * sine) * sine * sine * step)
         .sum();
-    2.0 * modulus * a * a * integral
+    2.0 * modulus(model, a) * a * a * integral
 }
 
 /// The factors of `Q_w(a)`, the force on the relief's springs.

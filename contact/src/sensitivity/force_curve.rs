@@ -25,8 +25,8 @@ const EXPONENT: f64 = 5.0 / 3.0;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForceCurve {
-    /// `f`, `f′` and `f″`.
-    splines: [Spline; 3],
+    /// `f` and its first three derivatives.
+    splines: [Spline; 4],
 }
 
 impl ForceCurve {
@@ -42,8 +42,9 @@ impl ForceCurve {
         let spline = Spline::through(&places, &reduced)?;
         let first = spline.derivative();
         let second = first.derivative();
+        let third = second.derivative();
         Some(Self {
-            splines: [spline, first, second],
+            splines: [spline, first, second, third],
         })
     }
 
@@ -57,21 +58,31 @@ impl ForceCurve {
     /// `dV/dQ = Q^(m−1) (m f + f′)`.
     #[must_use]
     pub fn derivative(&self, force: f64) -> f64 {
-        let [f, slope, _] = self.at(force);
+        let [f, slope, ..] = self.at(force);
         force.powf(EXPONENT - 1.0) * (EXPONENT * f + slope)
     }
 
     /// `d²V/dQ² = Q^(m−2) ((m − 1)(m f + f′) + m f′ + f″)`.
     #[must_use]
     pub fn second_derivative(&self, force: f64) -> f64 {
-        let [f, slope, bend] = self.at(force);
+        let [f, slope, bend, _] = self.at(force);
         let m = EXPONENT;
         force.powf(m - 2.0) * ((m - 1.0) * (m * f + slope) + m * slope + bend)
     }
 
-    fn at(&self, force: f64) -> [f64; 3] {
+    /// `d³V/dQ³ = Q^(m−3) ((m − 2) h + h′)` with `h = (m − 1)(m f + f′) + m f′ + f″`.
+    #[must_use]
+    pub fn third_derivative(&self, force: f64) -> f64 {
+        let [f, slope, bend, jerk] = self.at(force);
+        let m = EXPONENT;
+        let second = (m - 1.0) * (m * f + slope) + m * slope + bend;
+        let change = (m - 1.0) * (m * slope + bend) + m * bend + jerk;
+        force.powf(m - 3.0) * ((m - 2.0) * second + change)
+    }
+
+    fn at(&self, force: f64) -> [f64; 4] {
         let place = force.ln();
-        [0, 1, 2].map(|order: usize| self.splines[order].value(place))
+        [0, 1, 2, 3].map(|order: usize| self.splines[order].value(place))
     }
 }
 
@@ -90,6 +101,13 @@ mod tests {
             for q in [1.1e-9, 7e-9, 8.8e-8] {
                 let first = power * f64::powf(q, power - 1.0);
                 let second = (power - 1.0) * first / q;
+                let third = (power - 2.0) * second / q;
+                // Of a paraboloid's size where it is zero.
+                let error_of_third = (curve.third_derivative(q) - third) / (second / q);
+                assert!(
+                    error_of_third.abs() < 2e-4,
+                    "{power} {q}: {error_of_third:e}"
+                );
                 let errors = [
                     curve.value(q) / f64::powf(q, power) - 1.0,
                     curve.derivative(q) / first - 1.0,

@@ -38,9 +38,10 @@ impl ContactCurve {
 }
 
 /// The measured quantity and its abscissa.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Observable {
     /// The penetration (m) at forces (N).
+    #[default]
     #[serde(rename = "depth at force")]
     DepthAtForce,
     /// The force (N) at penetrations (m), or at approaches (m) where there is a compliance in series.
@@ -51,6 +52,84 @@ pub enum Observable {
     /// Berkovich pyramid it is larger, by 9 % where the tip is round and by 18 % beyond.
     #[serde(rename = "stiffness at contact radius")]
     StiffnessAtContactRadius,
+    /// The contact stiffness `S = dQ/dD` (N/m) at forces (N): neither the zero of the depth nor an area enters.
+    #[serde(rename = "stiffness at force")]
+    StiffnessAtForce,
+    /// The contact stiffness `S = dQ/dD` (N/m) at penetrations (m).
+    #[serde(rename = "stiffness at depth")]
+    StiffnessAtDepth,
+}
+
+/// A quantity of a contact that an instrument reads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reading {
+    /// The force, N.
+    Force,
+    /// The penetration, m.
+    Depth,
+    /// `√(A/π)` of the contact area A, m.
+    ContactRadius,
+    /// The contact stiffness `dQ/dD`, N/m.
+    Stiffness,
+}
+
+impl Observable {
+    /// Every observable, with the words that name it in a fit file.
+    pub const ALL: [(&'static str, Self); 5] = [
+        ("depth at force", Self::DepthAtForce),
+        ("force at depth", Self::ForceAtDepth),
+        ("stiffness at depth", Self::StiffnessAtDepth),
+        ("stiffness at force", Self::StiffnessAtForce),
+        (
+            "stiffness at contact radius",
+            Self::StiffnessAtContactRadius,
+        ),
+    ];
+
+    /// The quantity at whose values the other one is observed.
+    #[must_use]
+    pub fn abscissa(self) -> Reading {
+        match self {
+            Self::DepthAtForce | Self::StiffnessAtForce => Reading::Force,
+            Self::ForceAtDepth | Self::StiffnessAtDepth => Reading::Depth,
+            Self::StiffnessAtContactRadius => Reading::ContactRadius,
+        }
+    }
+
+    /// The observed quantity.
+    #[must_use]
+    pub fn observed(self) -> Reading {
+        match self {
+            Self::DepthAtForce => Reading::Depth,
+            Self::ForceAtDepth => Reading::Force,
+            Self::StiffnessAtContactRadius | Self::StiffnessAtForce | Self::StiffnessAtDepth => {
+                Reading::Stiffness
+            }
+        }
+    }
+}
+
+impl Reading {
+    /// Its name: `contact radius`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Force => "force",
+            Self::Depth => "depth",
+            Self::ContactRadius => "contact radius",
+            Self::Stiffness => "stiffness",
+        }
+    }
+
+    /// Its SI unit.
+    #[must_use]
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Force => "N",
+            Self::Depth | Self::ContactRadius => "m",
+            Self::Stiffness => "N/m",
+        }
+    }
 }
 
 /// How the curves are computed.

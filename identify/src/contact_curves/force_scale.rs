@@ -9,6 +9,8 @@
 //! force at depth:    y = Q(D)/κ        ∂y/∂D  = Q′(D)/κ          ∂y/∂k = −y/k
 //! ```
 //!
+//! A stiffness is a force over a depth: at a depth it follows the second line, at a force both.
+//!
 //! A cantilever is also a compliance `c = 1/k₀` in series, as its deflection does not depend on the constant.
 //! Penetrations have the slope `κ D′ + c`, and forces are read at approaches,
 //!
@@ -16,7 +18,7 @@
 //! force at approach: D(κ y) + c y = z   ∂y/∂z = 1/(κ D′ + c)   ∂y/∂k = −(y/k₀) D′/(κ D′ + c)
 //! ```
 
-use super::curve::Observable;
+use super::curve::{Observable, Reading};
 use crate::Prediction;
 
 /// A constant to which the forces of a curve are proportional: one more parameter to be found.
@@ -44,30 +46,36 @@ impl ForceScale {
         prediction: &mut Prediction,
     ) -> Vec<f64> {
         let constant = factor * self.nominal;
-        if observable == Observable::DepthAtForce {
+        let mut change = vec![0.0; prediction.value.len()];
+        if observable.abscissa() == Reading::Force {
             let pairs = prediction.slope.iter_mut().zip(abscissae);
-            let change = pairs.map(|(slope, read)| {
+            for ((slope, read), change) in pairs.zip(&mut change) {
                 // What is left of the slope without c/κ is D′.
                 let own = *slope - series / factor;
                 *slope = factor * own + series;
-                own * read / self.nominal
-            });
-            return change.collect();
+                *change = own * read / self.nominal;
+            }
         }
-        let lists = [&mut prediction.value, &mut prediction.slope].into_iter();
-        let lists = lists.chain(&mut prediction.derivatives);
+        if observable.observed() == Reading::Depth {
+            return change;
+        }
+        let lists = [&mut prediction.value, &mut prediction.slope, &mut change];
+        let lists = lists.into_iter().chain(&mut prediction.derivatives);
         lists.flatten().for_each(|value| *value /= factor);
         let pairs = prediction.value.iter().zip(&prediction.slope);
         // D′/(κ D′ + c) = (1 − c ∂y/∂z)/κ
-        let change = pairs.map(|(y, slope)| -y * (1.0 - series * slope) / constant);
-        change.collect()
+        let by_reading = pairs.map(|(y, slope)| -y * (1.0 - series * slope) / constant);
+        by_reading
+            .zip(change)
+            .map(|(one, other)| one + other)
+            .collect()
     }
 }
 
 impl Observable {
     /// The true abscissae, where the forces that were read are too small by `factor`.
     pub(super) fn true_abscissae(self, read: &[f64], factor: f64) -> Vec<f64> {
-        let factor = if self == Self::DepthAtForce {
+        let factor = if self.abscissa() == Reading::Force {
             factor
         } else {
             1.0

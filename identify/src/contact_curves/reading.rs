@@ -4,12 +4,11 @@ use pellicle_contact::ContactError;
 
 use super::curve::Observable;
 use super::solved_curve::{CurvePoint, SolvedCurve};
+use super::stiffness::StiffnessPoint;
 use crate::Prediction;
 
 /// Limit on Newton steps for the force at a depth. The problem is convex in logarithms, so a few suffice.
 const MOST_STEPS: usize = 60;
-/// Relative step of the force for differentiating the stiffness.
-const STEP: f64 = 1e-3;
 /// Relative accuracy of that force.
 const ACCURACY: f64 = 1e-13;
 
@@ -68,12 +67,31 @@ impl Observable {
             }
             Self::StiffnessAtContactRadius => {
                 let force = force_at_radius(curve, abscissa)?;
-                let stiffness = |part: f64| curve.stiffness(force * part);
                 let [_, rate] = curve.radius(force);
+                let at = curve.stiffness_at(force);
                 // dS/da = (dS/dQ)/(da/dQ)
-                let by_force =
-                    (stiffness(1.0 + STEP) - stiffness(1.0 - STEP)) / (2.0 * STEP * force);
-                Ok((stiffness(1.0), by_force / rate, Vec::new()))
+                Ok((at.stiffness, at.slope / rate, Vec::new()))
+            }
+            // No contact, whatever the parameters.
+            Self::StiffnessAtForce | Self::StiffnessAtDepth if abscissa <= 0.0 => {
+                Ok((0.0, 0.0, vec![0.0; curve.at(0.0).changes.len()]))
+            }
+            Self::StiffnessAtForce => {
+                let StiffnessPoint {
+                    stiffness,
+                    slope,
+                    changes,
+                } = curve.stiffness_at(abscissa);
+                Ok((stiffness, slope, changes))
+            }
+            Self::StiffnessAtDepth => {
+                let (force, point) = force_at(curve, abscissa, 0.0)?;
+                let at = curve.stiffness_at(force);
+                // dS/dD = S dS/dQ, and with ∂Q/∂θ|_D = −S ∂D/∂θ|_Q: ∂S/∂θ|_D = ∂S/∂θ|_Q − dS/dD ∂D/∂θ|_Q
+                let by_depth = at.slope * at.stiffness;
+                let pairs = at.changes.iter().zip(&point.changes);
+                let changes = pairs.map(|(at_force, depth)| at_force - by_depth * depth);
+                Ok((at.stiffness, by_depth, changes.collect()))
             }
         }
     }

@@ -8,7 +8,7 @@ use pellicle_contact::{
 };
 use rayon::prelude::*;
 
-use super::curve::{ContactCurve, CurveOptions, Observable};
+use super::curve::{ContactCurve, CurveOptions, Reading};
 
 /// Forces below this fraction of the largest follow the power law at the smallest load solved.
 const SMALLEST_PART: f64 = 1e-3;
@@ -58,17 +58,18 @@ impl Nodes {
             return Err(ContactError::Force { force: most });
         }
         // The force grows roughly with this power of the abscissa.
-        let (power, estimate): (f64, f64) = match curve.observable {
-            Observable::DepthAtForce => (1.0, 1.0),
-            Observable::ForceAtDepth => (1.5, ESTIMATE),
-            Observable::StiffnessAtContactRadius => (3.0, ESTIMATE),
+        let abscissa = curve.observable.abscissa();
+        let (power, estimate): (f64, f64) = match abscissa {
+            Reading::Force => (1.0, 1.0),
+            Reading::Depth => (1.5, ESTIMATE),
+            Reading::ContactRadius | Reading::Stiffness => (3.0, ESTIMATE),
         };
         let ends = [least.max(SMALLEST_PART.powf(1.0 / power) * most), most];
         let decades = power * (ends[1] / ends[0]).log10() + 2.0 * estimate.log10();
-        let ends = match curve.observable {
-            Observable::DepthAtForce => NodeEnds::Forces(ends),
-            Observable::ForceAtDepth => NodeEnds::Depths(ends, curve.series),
-            Observable::StiffnessAtContactRadius => NodeEnds::Radii(ends),
+        let ends = match abscissa {
+            Reading::Force => NodeEnds::Forces(ends),
+            Reading::Depth => NodeEnds::Depths(ends, curve.series),
+            Reading::ContactRadius | Reading::Stiffness => NodeEnds::Radii(ends),
         };
         let wanted = (decades * options.loads_per_decade).ceil();
         let count = (1..MOST_INTERVALS).find(|count| f64::from(*count) >= wanted);
@@ -77,8 +78,24 @@ impl Nodes {
             stretches: Vec::new(),
             count: ForceCurve::FEWEST.max(3 + usize::from(count.unwrap_or(MOST_INTERVALS))),
         };
+        nodes.refuse_unknown_radii(&curve.model)?;
         nodes.stretches = nodes.stretches_for(&curve.model, options)?;
         Ok(nodes)
+    }
+
+    /// Rejects radii that the contact has under no force, or under more than one, as that of a flat punch.
+    fn refuse_unknown_radii(&self, model: &Model) -> Result<(), ContactError> {
+        let NodeEnds::Radii(ends) = self.ends else {
+            return Ok(());
+        };
+        let has_force = |radius: &f64| {
+            let force = estimated_force_at_radius(model, *radius);
+            force > 0.0 && force.is_finite()
+        };
+        match ends.iter().find(|radius| !has_force(radius)) {
+            Some(radius) => Err(ContactError::ContactRadius { radius: *radius }),
+            None => Ok(()),
+        }
     }
 
     /// The stretches that put half of each domain in contact. They stay fixed while the parameters change, so a domain
@@ -149,11 +166,11 @@ impl Nodes {
 #[derive(Debug)]
 pub struct SolvedCurve {
     /// Smallest and largest force solved, N.
-    ends: [f64; 2],
-    energy: ForceCurve,
+    pub(super) ends: [f64; 2],
+    pub(super) energy: ForceCurve,
     /// `√(A/π)` of the contact area A.
     radius: ForceCurve,
-    changes: Vec<ForceCurve>,
+    pub(super) changes: Vec<ForceCurve>,
     /// Products with `K` on the finer grids of all loads.
     pub products: usize,
 }
@@ -223,11 +240,6 @@ impl SolvedCurve {
     /// The contact radius (m) at a force, and its derivative with respect to the force.
     pub fn radius(&self, force: f64) -> [f64; 2] {
         [self.radius.value(force), self.radius.derivative(force)]
-    }
-
-    /// The contact stiffness `dQ/dD = 1/E″` (N/m) at a force.
-    pub fn stiffness(&self, force: f64) -> f64 {
-        1.0 / self.energy.second_derivative(force)
     }
 
     /// Smallest and largest force solved, N.

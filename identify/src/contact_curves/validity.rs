@@ -14,7 +14,7 @@ use pellicle_contact::{
 };
 use rayon::prelude::*;
 
-use super::{ContactCurve, ContactCurves, CurveOptions, Observable, solved_curve::held};
+use super::{ContactCurve, ContactCurves, CurveOptions, Observable, Reading, solved_curve::held};
 use crate::{Fit, Prediction};
 
 /// The error of a prediction is estimated from a second one, with the grid finer and the loads more numerous by this
@@ -238,10 +238,10 @@ fn condition(
     let step = &path.steps[0];
     let area = step.summary.contact_area;
     Condition {
-        abscissa: match observable {
-            Observable::DepthAtForce => force,
-            Observable::ForceAtDepth => step.solution.penetration + series * force,
-            Observable::StiffnessAtContactRadius => (area / std::f64::consts::PI).sqrt(),
+        abscissa: match observable.abscissa() {
+            Reading::Force => force,
+            Reading::Depth => step.solution.penetration + series * force,
+            Reading::ContactRadius | Reading::Stiffness => (area / std::f64::consts::PI).sqrt(),
         },
         ratios: ratios(step),
         shortening: relative_shortening(model, step),

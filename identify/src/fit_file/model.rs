@@ -15,6 +15,9 @@ use pellicle::input::value_reader::ValueReader;
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use pellicle_influence::Cache;
 
+/// The kinds of indenters with one radius.
+const ROUND: [&str; 3] = ["paraboloid", "sphere", "flat-punch"];
+
 /// The model of a fit: the tree of a case, and its radial tables by shape.
 #[derive(Debug)]
 pub struct FitModel {
@@ -63,6 +66,42 @@ impl FitModel {
             name,
             cache,
         })
+    }
+
+    /// Whether the indenter is of a kind with one radius, and has none.
+    pub(super) fn lacks_radius(&self) -> bool {
+        let TomlValue::Table(root) = &self.root.value else {
+            return false;
+        };
+        let Some(TomlValue::Table(indenter)) = root.entry("indenter").map(|of| &of.node.value)
+        else {
+            return false;
+        };
+        let kind = indenter.entry("kind").map(|of| &of.node.value);
+        let is_round = matches!(kind, Some(TomlValue::Text(kind)) if ROUND.contains(&&**kind));
+        is_round && indenter.entry("radius").is_none()
+    }
+
+    /// Gives the indenter a radius.
+    pub(super) fn give_radius(&mut self, radius: &str) {
+        let TomlValue::Table(root) = &mut self.root.value else {
+            return;
+        };
+        let Some(indenter) = root.entry_mut("indenter") else {
+            return;
+        };
+        let span = indenter.node.span.clone();
+        let TomlValue::Table(indenter) = &mut indenter.node.value else {
+            return;
+        };
+        indenter.entries.push(TomlEntry {
+            key: "radius".to_owned(),
+            key_span: span.clone(),
+            node: TomlNode {
+                value: TomlValue::Text(radius.to_owned()),
+                span,
+            },
+        });
     }
 
     /// Returns the model of the case with the values of some keys replaced.

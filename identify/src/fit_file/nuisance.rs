@@ -12,8 +12,7 @@ use pellicle::input::value_reader::ValueReader;
 use super::model::ModelParameters;
 use super::prior;
 use super::unknown::{UnknownCase, flattened, read_unknown};
-use crate::measured::data_table::Observe;
-use crate::{IdentifyError, LinearNuisance, Prior};
+use crate::{IdentifyError, LinearNuisance, Observable, Prior, Reading};
 
 /// The names of the zeros, and their keys.
 pub const DEPTH_ZERO: &str = "depth_zero";
@@ -121,19 +120,19 @@ impl NuisanceTable {
 
     /// Whether the zero of the depth is sought where this is observed.
     #[must_use]
-    pub fn seeks_depth_zero(&self, observe: Observe) -> bool {
-        self.depth_zero != Zero::Off && observe != Observe::StiffnessAtContactRadius
+    pub fn seeks_depth_zero(&self, observe: Observable) -> bool {
+        self.depth_zero != Zero::Off && zero_of(Reading::Depth, observe).is_some()
     }
 
     /// Whether the zero of the force is sought where this is observed, with curves that tell this of it.
     #[must_use]
-    pub fn seeks_force_zero(&self, observe: Observe, told: &[ForceZero]) -> bool {
+    pub fn seeks_force_zero(&self, observe: Observable, told: &[ForceZero]) -> bool {
         let shows = |of: &ForceZero| *of != ForceZero::Unknown;
         let is_sought = match self.force_zero {
             None => told.iter().any(shows),
             Some(zero) => zero != Zero::Off,
         };
-        is_sought && observe != Observe::StiffnessAtContactRadius
+        is_sought && zero_of(Reading::Force, observe).is_some()
     }
 
     /// The nuisances that enter linearly, or shift the abscissa; `told` is what each curve tells of its force's zero.
@@ -143,23 +142,17 @@ impl NuisanceTable {
     /// [`IdentifyError`] if a prior is invalid.
     pub fn linear(
         &self,
-        observe: Observe,
+        observe: Observable,
         told: &[ForceZero],
     ) -> Result<Vec<LinearNuisance>, IdentifyError> {
         let mut nuisances = Vec::new();
-        if self.seeks_depth_zero(observe) {
-            let zero = match observe {
-                Observe::DepthAtForce => LinearNuisance::shift(),
-                _ => LinearNuisance::abscissa_zero(),
-            };
+        let zero = zero_of(Reading::Depth, observe);
+        if let Some(zero) = zero.filter(|_| self.seeks_depth_zero(observe)) {
             let prior = self.depth_zero.prior();
             nuisances.push(zero.named(DEPTH_ZERO).with_normal_priors(vec![prior])?);
         }
-        if self.seeks_force_zero(observe, told) {
-            let zero = match observe {
-                Observe::ForceAtDepth => LinearNuisance::shift(),
-                _ => LinearNuisance::abscissa_zero(),
-            };
+        let zero = zero_of(Reading::Force, observe);
+        if let Some(zero) = zero.filter(|_| self.seeks_force_zero(observe, told)) {
             let prior = |of: &ForceZero| match of {
                 ForceZero::Measured(measured) => Some(*measured),
                 ForceZero::Unknown | ForceZero::InFit => None,
@@ -182,6 +175,16 @@ impl NuisanceTable {
             nuisances.push(LinearNuisance::drift());
         }
         Ok(nuisances)
+    }
+}
+
+/// The zero of a reading as a nuisance of what is observed: a constant of the observable, a shift along the abscissa,
+/// or none where the reading does not enter.
+pub(super) fn zero_of(reading: Reading, observe: Observable) -> Option<LinearNuisance> {
+    match reading {
+        _ if reading == observe.observed() => Some(LinearNuisance::shift()),
+        _ if reading == observe.abscissa() => Some(LinearNuisance::abscissa_zero()),
+        _ => None,
     }
 }
 

@@ -2,6 +2,8 @@
 
 use pellicle::input::dimension::Dimension;
 
+use crate::Reading;
+
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Channel {
@@ -69,9 +71,19 @@ impl Channel {
                 "indentation",
                 "penetration",
                 "eindringtiefe",
+                "extension",
+                "weg",
+                "standardweg",
             ],
-            Self::Force => &["force", "load", "kraft", "last"],
-            Self::Time => &["time", "zeit"],
+            Self::Force => &[
+                "force",
+                "load",
+                "kraft",
+                "last",
+                "standardkraft",
+                "normalkraft",
+            ],
+            Self::Time => &["time", "zeit", "prüfzeit"],
             Self::Stiffness => &["stiffness"],
             Self::ContactRadius => &["radius"],
             Self::Height => &["height", "piezo", "z-sense", "z"],
@@ -79,14 +91,19 @@ impl Channel {
         }
     }
 
+    /// Whether the name of a column indicates this quantity.
+    #[must_use]
+    pub fn is_indicated_by(self, name: &str) -> bool {
+        let words = words(name);
+        self.words()
+            .iter()
+            .any(|word| words.iter().any(|found| found == word))
+    }
+
     /// Returns the other quantity that the name of a column indicates, if it does not also indicate this one.
     #[must_use]
     pub fn other_in(self, name: &str) -> Option<Self> {
-        let name = name.to_lowercase();
-        let words: Vec<_> = (name.split(|c: char| !c.is_alphanumeric() && c != '-'))
-            .filter(|word| !word.is_empty())
-            .collect();
-        let is_indicated = |channel: &Self| channel.words().iter().any(|word| words.contains(word));
+        let is_indicated = |channel: &Self| channel.is_indicated_by(name);
         // A name that also indicates this quantity, such as "load at depth", proves nothing; heights and depths are
         // often confused.
         let is_like = |channel: &Self| {
@@ -101,6 +118,27 @@ impl Channel {
         }
         Self::ALL.into_iter().find(is_indicated)
     }
+}
+
+impl From<Reading> for Channel {
+    fn from(reading: Reading) -> Self {
+        match reading {
+            Reading::Force => Self::Force,
+            Reading::Depth => Self::Depth,
+            Reading::ContactRadius => Self::ContactRadius,
+            Reading::Stiffness => Self::Stiffness,
+        }
+    }
+}
+
+/// The words of a name, in lower case.
+fn words(name: &str) -> Vec<String> {
+    let name = name.to_lowercase();
+    let words = name.split(|c: char| !c.is_alphanumeric() && c != '-');
+    words
+        .filter(|word| !word.is_empty())
+        .map(str::to_owned)
+        .collect()
 }
 
 #[cfg(test)]

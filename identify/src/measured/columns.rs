@@ -64,15 +64,17 @@ impl ColumnName {
     }
 }
 
-/// Finds the column of this name: as written, without its unit, or ignoring case, in this order.
+/// Finds the column of this name: as written, without its unit, ignoring case, or without anything in brackets, in this
+/// order.
 fn by_name(name: &str, key: &'static str, header: &[HeaderField]) -> Result<usize, CurveError> {
     let wanted = HeaderField::new(name).text;
     let lower = wanted.to_lowercase();
-    let ways: [&dyn Fn(&HeaderField) -> bool; 4] = [
+    let ways: [&dyn Fn(&HeaderField) -> bool; 5] = [
         &|head| head.text == wanted,
         &|head| head.name == wanted,
         &|head| head.text.to_lowercase() == lower,
         &|head| head.name.to_lowercase() == lower,
+        &|head| before_brackets(&head.text).to_lowercase() == lower,
     ];
     for way in ways {
         let found: Vec<_> = (header.iter().enumerate())
@@ -172,6 +174,12 @@ impl ColumnUnit {
     }
 }
 
+/// The part of a header before the first bracket.
+fn before_brackets(text: &str) -> &str {
+    let before = text.split(['(', '[']).next().unwrap_or_default();
+    before.trim()
+}
+
 fn example(channel: Channel) -> &'static str {
     match channel {
         Channel::Depth | Channel::Height | Channel::Deflection => "\"nm\"",
@@ -202,6 +210,13 @@ fn refuse_other_quantity(
             Err(refused(format!("which is in {}", head.unit_text)))
         }
         _ => match channel.other_in(&head.name) {
+            // A deflection in newtons is a force.
+            Some(other)
+                if head.unit == HeaderUnit::Of(channel.dimension())
+                    && other.dimension() != channel.dimension() =>
+            {
+                Ok(())
+            }
             Some(other) => Err(refused(format!("which is called a {}", other.key()))),
             None => Ok(()),
         },

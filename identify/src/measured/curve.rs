@@ -7,6 +7,7 @@ use super::channel::Channel;
 use super::error::CurveError;
 use super::exclusion::ExcludedRows;
 use super::spring::penetration;
+use super::stated::StatedNumber;
 
 /// A measured curve: the points in use of one file, in SI units.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +22,8 @@ pub struct MeasuredCurve {
     pub rows: Vec<usize>,
     /// The points left out, by reason.
     pub excluded: Vec<ExcludedRows>,
+    /// The numbers that the file states above its table.
+    pub stated: Vec<StatedNumber>,
     /// The stretch before the contact, if the file shows one.
     pub before_contact: Option<BeforeContactRows>,
     /// Warnings about the curve.

@@ -16,25 +16,16 @@ use pellicle::input::value_reader::ValueReader;
 use super::baseline::Baseline;
 use super::channel::Channel;
 use super::columns::CurveColumns;
+use super::curve::MeasuredCurve;
 use super::curve_segment::CurveSegment;
 use super::error::CurveError;
 use super::noise::MeasuredNoise;
 use super::omitted::OmittedRows;
 use super::sources::MeasurementSources;
 use super::spring::{HeightDirection, SpringConstant};
+use super::stated::StatedNumber;
 use super::text_options::TextOptions;
-
-/// The observable that is compared with a model.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Observe {
-    /// The depth at each force.
-    #[default]
-    DepthAtForce,
-    /// The force at each depth.
-    ForceAtDepth,
-    /// The contact stiffness at each radius of the contact.
-    StiffnessAtContactRadius,
-}
+use crate::Observable;
 
 /// One `[[data]]` table.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,7 +43,7 @@ pub struct DataTable {
     /// Rows that are left out by hand.
     pub omit: OmittedRows,
     /// The observable that is compared with the model.
-    pub observe: Observe,
+    pub observe: Observable,
     /// The noise.
     pub noise: MeasuredNoise,
     /// The spring constant of a cantilever, if the penetration comes from the height of its piezo.
@@ -123,6 +114,13 @@ impl DataTable {
             .wanted(&format!("{}.{key}", self.path), wanted)
     }
 
+    /// The diagnosis that the value of one of its keys is rejected for this reason.
+    #[must_use]
+    pub fn refused(&self, key: &str, reason: &dyn std::error::Error) -> Diagnosis {
+        let key = format!("{}.{key}", self.path);
+        self.document.refused(&[&key], reason)
+    }
+
     fn read(
         root: &TomlNode,
         field: &ValueReader<'_>,
@@ -137,7 +135,10 @@ impl DataTable {
         let spring = table.optional("spring_constant");
         let direction = table.optional("height_direction");
         let files = matching(&table, sources)?;
-        let data = Self {
+        let text =
+            optional("text")?.map_or(Ok(TextOptions::default()), |t| TextOptions::read(&t))?;
+        let columns_read = CurveColumns::read(&columns, optional("units")?.as_ref())?;
+        let mut data = Self {
             omit: table
                 .optional("omit")
                 .map_or(Ok(OmittedRows::default()), |f| {
@@ -145,9 +146,8 @@ impl DataTable {
                 })?,
             files,
             sources: sources.clone(),
-            columns: CurveColumns::read(&columns, optional("units")?.as_ref())?,
-            text: optional("text")?
-                .map_or(Ok(TextOptions::default()), |t| TextOptions::read(&t))?,
+            columns: columns_read,
+            text,
             segment: optional("segment")?
                 .map_or(Ok(CurveSegment::default()), |t| CurveSegment::read(&t))?,
             baseline: (table.optional("baseline"))
@@ -163,8 +163,35 @@ impl DataTable {
             document: Document::new(root),
             path: field.path().to_owned(),
         };
+        data.take_over_spring_constant()?;
         data.require_columns(&table, &columns)?;
         Ok(data)
+    }
+
+    /// Takes the spring constant over from the files if the columns need one and the table gives none.
+    fn take_over_spring_constant(&mut self) -> Result<(), Diagnosis> {
+        let is_needed = self.columns.has(Channel::Height) || self.columns.has(Channel::Deflection);
+        if self.spring_constant.is_some() || !is_needed {
+            return Ok(());
+        }
+        let stated: Vec<_> = self.files.iter().map(|file| self.stated(file)).collect();
+        self.spring_constant =
+            SpringConstant::of_files(&stated).map_err(|(file, [first, other])| {
+                let error = CurveError::OtherSpringConstant {
+                    given: first.value,
+                    stated: other.value,
+                    line: other.line,
+                    text: other.text,
+                };
+                self.diagnosis(&self.files[file], &error)
+            })?;
+        Ok(())
+    }
+
+    /// The numbers that a file states above its table; none if it cannot be read.
+    #[must_use]
+    pub fn stated(&self, file: &Path) -> Vec<StatedNumber> {
+        MeasuredCurve::stated(file, (&self.sources, &self.text))
     }
 
     /// The diagnosis that its noise or observable differs from that of the first table.
@@ -210,20 +237,12 @@ fn matching(
 }
 
 /// The observable; of a cantilever the force, which carries the noise, otherwise the depth.
-fn observe(table: &TableReader<'_>, columns: &TableReader<'_>) -> Result<Observe, Diagnosis> {
-    let observe = table.optional("observe").map(|field| {
-        field.choice(&[
-            ("depth at force", Observe::DepthAtForce),
-            ("force at depth", Observe::ForceAtDepth),
-            (
-                "stiffness at contact radius",
-                Observe::StiffnessAtContactRadius,
-            ),
-        ])
-    });
+fn observe(table: &TableReader<'_>, columns: &TableReader<'_>) -> Result<Observable, Diagnosis> {
+    let field = table.optional("observe");
+    let observe = field.map(|field| field.choice(&Observable::ALL));
     let default = match columns.optional(Channel::Height.key()) {
-        Some(_) => Observe::ForceAtDepth,
-        None => Observe::DepthAtForce,
+        Some(_) => Observable::ForceAtDepth,
+        None => Observable::DepthAtForce,
     };
     Ok(observe.transpose()?.unwrap_or(default))
 }

@@ -181,6 +181,32 @@ pub enum CurveError {
         /// Force of the last point, N.
         to: f64,
     },
+    /// The unloading is not elastic.
+    #[error(
+        "found an unloading that gives back {:.0} % of the work of the loading over the same depths: it is contact with \
+         an imprint, or creep, but the model is contact with the undeformed surface; wanted the loading, up to its \
+         first yield",
+        100.0 * .part
+    )]
+    Hysteresis {
+        /// The part of the work that it gives back.
+        part: f64,
+    },
+    /// The file states another spring constant.
+    #[error(
+        "found {given:.4e} N/m, and {stated:.4e} N/m in line {line} of the file, \"{text}\", wanted one of them; a bare \
+         number replaces that of the file"
+    )]
+    OtherSpringConstant {
+        /// The one in the fit file, N/m.
+        given: f64,
+        /// The one in the file, N/m.
+        stated: f64,
+        /// Its line, from 1.
+        line: usize,
+        /// The text of the line.
+        text: String,
+    },
     /// There is no stretch before the contact to take a baseline from.
     #[error(
         "found no stretch before the contact{}, wanted {wanted} points of it or more: \
@@ -236,6 +262,8 @@ impl CurveError {
             Self::TooFewPoints { .. } => "too-few-points",
             Self::ConstantForce { .. } => "constant-force",
             Self::Unloading { .. } => "unloading",
+            Self::Hysteresis { .. } => "hysteresis",
+            Self::OtherSpringConstant { .. } => "other-spring-constant",
             Self::NoBaseline { .. } => "no-baseline",
             Self::DepthFalls => "depth-falls",
             Self::HeightDirection => "height-direction",
@@ -261,6 +289,8 @@ impl CurveError {
             Self::TooFewPoints { .. } | Self::ConstantForce { .. } | Self::Unloading { .. } => {
                 vec!["segment".into()]
             }
+            Self::Hysteresis { .. } => vec!["segment.part".into(), "segment".into()],
+            Self::OtherSpringConstant { .. } => vec!["spring_constant".into()],
             Self::NoBaseline { .. } => vec!["baseline".into()],
             Self::DepthFalls => vec!["columns.depth".into()],
             Self::HeightDirection => vec!["height_direction".into(), "columns.height".into()],

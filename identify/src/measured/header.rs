@@ -3,10 +3,25 @@
 use pellicle::input::dimension::Dimension;
 use pellicle::input::quantity;
 
-use super::separator::Separator;
+use super::channel::Channel;
 
 /// Electrical units: a column in one of them needs a calibration.
 const ELECTRICAL: [&str; 7] = ["V", "mV", "uV", "µV", "A", "mA", "nA"];
+
+/// Spellings of units in headers that a case file does not have.
+const SPELLINGS: [(&str, &str); 8] = [
+    ("sec", "s"),
+    ("sec.", "s"),
+    ("secs", "s"),
+    ("seconds", "s"),
+    ("msec", "ms"),
+    ("micron", "um"),
+    ("microns", "um"),
+    ("Newton", "N"),
+];
+
+/// Prefixes of units in words.
+const PREFIXES: [&str; 6] = ["pico", "nano", "micro", "milli", "kilo", "mega"];
 
 /// The unit in the header of a column.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,16 +52,17 @@ impl HeaderField {
     #[must_use]
     pub fn new(text: &str) -> Self {
         let text = tidied(text);
-        for (name, unit) in splits(&text) {
-            let kind = kind(unit);
-            if kind != HeaderUnit::None {
-                return Self {
-                    name: name.to_owned(),
-                    unit_text: unit.to_owned(),
-                    unit: kind,
-                    text,
-                };
-            }
+        let splits = splits(&text).into_iter();
+        let splits = splits.map(|(name, unit)| (name.to_owned(), unit));
+        let mut splits = splits.chain(at_underscores(&text));
+        let found = splits.find(|(_, unit)| kind(unit) != HeaderUnit::None);
+        if let Some((name, unit)) = found {
+            return Self {
+                name,
+                unit_text: spelling(unit).to_owned(),
+                unit: kind(unit),
+                text,
+            };
         }
         Self {
             name: text.clone(),
@@ -56,96 +72,26 @@ impl HeaderField {
         }
     }
 
+    /// Whether the name is that of a measured quantity.
+    pub(super) fn is_quantity(&self) -> bool {
+        Channel::ALL
+            .iter()
+            .any(|channel| channel.is_indicated_by(&self.name))
+    }
+
     /// Adds the unit from a line of units.
-    fn with_unit(mut self, unit: &str) -> Self {
+    pub(super) fn with_unit(mut self, unit: &str) -> Self {
         let unit = bare(unit);
         if self.unit == HeaderUnit::None && kind(unit) != HeaderUnit::None {
             self.unit = kind(unit);
-            unit.clone_into(&mut self.unit_text);
+            spelling(unit).clone_into(&mut self.unit_text);
         }
         self
     }
 }
 
-/// Reads the headers from the lines above the first row, nearest last; none if the lines are not headers of a table of
-/// `width` columns.
-#[must_use]
-pub fn above(lines: &[&str], separator: Separator, width: usize) -> Vec<HeaderField> {
-    let mut lines = lines.iter().rev();
-    let Some(fields) = next_fields(&mut lines, separator) else {
-        return Vec::new();
-    };
-    if is_line_of_units(&fields) {
-        let names = next_fields(&mut lines, separator).unwrap_or_default();
-        if is_head(&names, separator, width) {
-            let units = fields.iter().copied().chain(std::iter::repeat(""));
-            let with_unit = |(name, unit): (&&str, &str)| HeaderField::new(name).with_unit(unit);
-            return names.iter().zip(units).map(with_unit).collect();
-        }
-    }
-    if !is_head(&fields, separator, width) {
-        return Vec::new();
-    }
-    fields.iter().map(|field| HeaderField::new(field)).collect()
-}
-
-/// The fields of the next line upwards, skipping at most one empty line.
-fn next_fields<'t>(
-    lines: &mut std::iter::Rev<std::slice::Iter<'_, &'t str>>,
-    separator: Separator,
-) -> Option<Vec<&'t str>> {
-    let is_empty = |line: &str| line.trim().is_empty();
-    let line = match lines.next()? {
-        line if is_empty(line) => lines.next().filter(|line| !is_empty(line))?,
-        line => line,
-    };
-    let line = line.trim_start_matches(['#', '%']);
-    let mut fields = joined(separator.fields(line), line, separator);
-    while fields.last() == Some(&"") {
-        fields.pop();
-    }
-    Some(fields)
-}
-
-/// Joins a unit in brackets to its name if blanks separate fields: `Depth (nm)` is one field.
-fn joined<'t>(fields: Vec<&'t str>, line: &'t str, separator: Separator) -> Vec<&'t str> {
-    if separator != Separator::Space || line.contains('"') {
-        return fields;
-    }
-    let place = |field: &str| field.as_ptr() as usize - line.as_ptr() as usize;
-    let mut joined: Vec<&str> = Vec::new();
-    for field in fields {
-        match joined.last_mut() {
-            Some(last) if field.starts_with(['(', '[']) => {
-                let (from, to) = (place(last), place(field) + field.len());
-                *last = line.get(from..to).unwrap_or(last);
-            }
-            _ => joined.push(field),
-        }
-    }
-    joined
-}
-
-/// Whether these are headers of a table of `width` columns: words, about as many as columns.
-fn is_head(fields: &[&str], separator: Separator, width: usize) -> bool {
-    let slack = match separator {
-        // A line of prose consists of words too.
-        Separator::Space => 0,
-        _ => 1,
-    };
-    let has_letters = |field: &&str| field.contains(char::is_alphabetic);
-    fields.len() >= 2 && fields.len().abs_diff(width) <= slack && fields.iter().any(has_letters)
-}
-
-/// Whether every field is a unit, a placeholder or empty, and at least one is a unit.
-fn is_line_of_units(fields: &[&str]) -> bool {
-    let is_unit = |field: &&str| kind(bare(field)) != HeaderUnit::None;
-    let is_none = |field: &&str| matches!(bare(field), "" | "-" | "#" | "1");
-    fields.iter().any(&is_unit) && fields.iter().all(|f| is_unit(f) || is_none(f))
-}
-
 /// Removes the brackets around a unit.
-fn bare(unit: &str) -> &str {
+pub(super) fn bare(unit: &str) -> &str {
     let open = unit.trim().trim_start_matches(['(', '[']);
     open.trim_end_matches([')', ']']).trim()
 }
@@ -170,15 +116,44 @@ fn splits(text: &str) -> Vec<(&str, &str)> {
     [
         bracket('[', ']'),
         bracket('(', ')'),
-        behind('/'),
         behind(','),
+        behind('/'),
     ]
     .into_iter()
     .flatten()
     .collect()
 }
 
-fn kind(unit: &str) -> HeaderUnit {
+/// The only part of a name in underscores that is a unit, and the name without it: `Defl_pN_Ex`, `force_uN`. An `m` may
+/// as well be a mean, and the unit behind a prefix in words, `load_micro_N`, is not this part.
+fn at_underscores(text: &str) -> Option<(String, &str)> {
+    let parts: Vec<&str> = text.split('_').collect();
+    let is_unit = |place: &usize| {
+        let has_prefix = PREFIXES.contains(&parts[place - 1].to_lowercase().as_str());
+        let is_known = matches!(kind(parts[*place]), HeaderUnit::Of(_));
+        parts[*place] != "m" && is_known && !has_prefix
+    };
+    let places: Vec<usize> = (1..parts.len()).filter(is_unit).collect();
+    let [place] = places[..] else {
+        return None;
+    };
+    let rest = parts
+        .iter()
+        .enumerate()
+        .filter(|(other, _)| *other != place);
+    let rest: Vec<&str> = rest.map(|(_, part)| *part).collect();
+    Some((rest.join("_"), parts[place]))
+}
+
+/// The unit in the spelling of a case file.
+fn spelling(unit: &str) -> &str {
+    let found = SPELLINGS.iter().find(|(other, _)| *other == unit);
+    found.map_or(unit, |(_, unit)| unit)
+}
+
+/// The kind of a unit without brackets.
+pub(super) fn kind(unit: &str) -> HeaderUnit {
+    let unit = spelling(unit);
     if ELECTRICAL.contains(&unit) {
         return HeaderUnit::Electrical;
     }
@@ -209,27 +184,27 @@ mod tests {
         }
         let stiffness = HeaderField::new("Harmonic Contact Stiffness [N/m]");
         assert_eq!(stiffness.unit, HeaderUnit::Of(Dimension::Stiffness));
+        let stiffness = HeaderField::new("Stiffness, N/m");
+        assert_eq!(stiffness.unit, HeaderUnit::Of(Dimension::Stiffness));
         assert_eq!(HeaderField::new("Load (\u{3bc}N)").unit_text, "µN");
         assert_eq!(HeaderField::new("Depth (V)").unit, HeaderUnit::Electrical);
         assert_eq!(HeaderField::new("Load (raw)").name, "Load (raw)");
     }
 
     #[test]
-    fn units_may_have_a_line_of_their_own() {
-        let lines = ["Agilent", "Depth\tLoad\tTest", "nm\t[mN]\t", ""];
-        let heads = above(&lines, Separator::Tab, 3);
-        let units: Vec<_> = heads.iter().map(|head| head.unit_text.as_str()).collect();
-        assert_eq!(
-            (units, heads[1].name.as_str()),
-            (vec!["nm", "mN", ""], "Load")
-        );
-    }
-
-    #[test]
-    fn prose_is_not_a_header_but_a_comment_may_be() {
-        assert!(above(&["This is a tip."], Separator::Space, 3).is_empty());
-        assert!(above(&["Measured by hand"], Separator::Tab, 3).is_empty());
-        let heads = above(&["# Depth (nm)  Load (mN)"], Separator::Space, 2);
-        assert_eq!(heads[1].text, "Load (mN)");
+    fn units_in_underscores_and_other_spellings_are_read() {
+        for (text, unit) in [
+            ("Defl_pN_Ex", "pN"),
+            ("Calc_Ramp_Rt_nm", "nm"),
+            ("Time_s_Ex", "s"),
+            ("force_uN", "uN"),
+            ("Time (sec)", "s"),
+            ("m_s_N", ""),
+            ("load_micro_N", ""),
+            ("depth_m", ""),
+            ("N_1", ""),
+        ] {
+            assert_eq!(HeaderField::new(text).unit_text, unit, "{text}");
+        }
     }
 }

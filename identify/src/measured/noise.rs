@@ -4,6 +4,8 @@ use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::table_reader::TableReader;
 
+use crate::Reading;
+
 /// The noise, as far as it is known; the rest is estimated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct MeasuredNoise {
@@ -11,6 +13,8 @@ pub struct MeasuredNoise {
     pub depth: Option<f64>,
     /// Standard deviation of the force, N.
     pub force: Option<f64>,
+    /// Standard deviation of the stiffness, N/m.
+    pub stiffness: Option<f64>,
     /// Standard deviation of the observable relative to its value.
     pub relative: Option<f64>,
     /// Whether the noise of neighbouring points is correlated.
@@ -28,13 +32,24 @@ pub enum NoiseCorrelation {
 }
 
 impl MeasuredNoise {
+    /// The standard deviation of a quantity, if it is known.
+    #[must_use]
+    pub fn of(&self, reading: Reading) -> Option<f64> {
+        match reading {
+            Reading::Depth => self.depth,
+            Reading::Force => self.force,
+            Reading::Stiffness => self.stiffness,
+            Reading::ContactRadius => None,
+        }
+    }
+
     /// Reads the table.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first fault.
     pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&["depth", "force", "relative", "correlation"])?;
+        table.only(&["depth", "force", "stiffness", "relative", "correlation"])?;
         let quantity = |key, dimension| {
             let field = table.optional(key);
             field
@@ -57,6 +72,7 @@ impl MeasuredNoise {
         Ok(Self {
             depth: quantity("depth", Dimension::Length)?,
             force: quantity("force", Dimension::Force)?,
+            stiffness: quantity("stiffness", Dimension::Stiffness)?,
             relative: relative.transpose()?,
             correlation: correlation.transpose()?.unwrap_or_default(),
         })

@@ -11,9 +11,13 @@ use super::checks;
 use super::curve::{CurveWarning, MeasuredCurve};
 use super::data_table::DataTable;
 use super::error::CurveError;
+use super::hysteresis::check_unloading;
 use super::raw_curve::RawCurve;
 use super::segment_rows::{branch, cut};
+use super::sources::MeasurementSources;
 use super::spring;
+use super::stated::StatedNumber;
+use super::text_options::TextOptions;
 use super::text_table::TextTable;
 
 impl MeasuredCurve {
@@ -48,6 +52,23 @@ impl MeasuredCurve {
         Self::parse(path, &bytes, data)
     }
 
+    /// Reads the numbers that a file states above its table; none if it cannot be read.
+    pub(super) fn stated(
+        path: &Path,
+        data: (&MeasurementSources, &TextOptions),
+    ) -> Vec<StatedNumber> {
+        let (sources, text) = data;
+        let Ok(bytes) = sources.read(path) else {
+            return Vec::new();
+        };
+        let decoded = text.encoding.decode(&bytes);
+        let table = decoded.ok().and_then(|decoded| {
+            let table = TextTable::find(&decoded.text, text);
+            table.ok().map(|table| table.stated)
+        });
+        table.unwrap_or_default()
+    }
+
     /// Reads the bytes of a file.
     fn parse(path: &Path, bytes: &[u8], data: &DataTable) -> Result<Self, CurveError> {
         let encoding = data.text.encoding;
@@ -60,13 +81,15 @@ impl MeasuredCurve {
         }
         let table = TextTable::find(&decoded.text, &data.text)?;
         let mut raw = RawCurve::read(&table, &data.columns, &data.text)?;
+        let mut warnings = of_text(decoded.guessed, &table, data);
         if let Some(spring) = data.spring_constant {
+            warnings.extend(spring.compared_with(&table.stated)?);
             spring::add_penetration(&mut raw, data.height_direction, spring)?;
         }
-        let mut warnings = of_text(decoded.guessed, &table, data);
         let mut kept = branch(&raw, &data.segment, data.omit.of(path))?;
         let before_contact = baseline::subtract(&mut raw, &kept.rows, data)?;
         cut(&mut kept, &raw, &data.segment, &mut warnings);
+        warnings.extend(check_unloading(&raw, &data.segment, &kept.rows)?);
         let mut curve = Self {
             file: path.to_owned(),
             header: table.header.iter().map(|head| head.text.clone()).collect(),
@@ -74,6 +97,7 @@ impl MeasuredCurve {
             channels: points(&raw, &kept.rows),
             rows: kept.rows.iter().map(|row| row + 1).collect(),
             excluded: kept.excluded,
+            stated: table.stated,
             before_contact,
             warnings,
         };

@@ -107,12 +107,20 @@ impl Separator {
         for field in self.fields(line) {
             if decimal.number(field).is_some() {
                 numbers += 1;
-            } else if field.starts_with(|c: char| c.is_ascii_digit() || ",.+".contains(c)) {
+            } else if field.starts_with(|c: char| c.is_ascii_digit() || ",.+".contains(c))
+                && !is_time_of_day(field)
+            {
                 return false;
             }
         }
         numbers >= 2
     }
+}
+
+/// Whether a field is a time of day, perhaps with a date: `10:41:06.5`, `2019-04-29T10:41:06`.
+fn is_time_of_day(field: &str) -> bool {
+    let is_part = |c: char| c.is_ascii_digit() || ":.-/TZ ".contains(c);
+    field.contains(':') && field.chars().all(is_part)
 }
 
 #[cfg(test)]
@@ -141,6 +149,7 @@ mod tests {
         assert_eq!(of(" 1.5   -2e-3 ", Point), Some(Separator::Space));
         assert_eq!(of("1.0, 2.0", Point), Some(Separator::Comma));
         assert_eq!(of("Date: 3", Point), None);
+        assert_eq!(of("10:41:06.5,1.0,2.0", Point), Some(Separator::Comma));
     }
 
     #[test]

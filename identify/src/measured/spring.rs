@@ -7,11 +7,14 @@
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::table_reader::TableReader;
+use pellicle::input::toml_tree::TomlValue;
 use pellicle::input::value_reader::ValueReader;
 
 use super::channel::Channel;
+use super::curve::CurveWarning;
 use super::error::CurveError;
 use super::raw_curve::RawCurve;
+use super::stated::{StatedNumber, StatedQuantity};
 
 /// SI unit of a spring constant.
 pub const UNIT: &str = "N/m";
@@ -23,6 +26,19 @@ pub struct SpringConstant {
     pub mean: f64,
     /// Its standard deviation; none if it is taken as exact.
     pub sd: Option<f64>,
+    /// Where it comes from.
+    pub source: SpringSource,
+}
+
+/// Where a spring constant comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpringSource {
+    /// The fit file, with its unit: files that state another one are refused.
+    FitFile,
+    /// The fit file, as a bare number, which replaces what the files state.
+    BareNumber,
+    /// The files of the measurement.
+    Measurement,
 }
 
 impl SpringConstant {
@@ -34,7 +50,9 @@ impl SpringConstant {
     pub fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
         if !field.is_table() {
             let mean = field.quantity(Dimension::Stiffness, Sign::Positive)?;
-            return Ok(Self { mean, sd: None });
+            let source = SpringSource::of(field);
+            let sd = None;
+            return Ok(Self { mean, sd, source });
         }
         let table: TableReader<'_> = field.clone().table()?;
         table.only(&["mean", "sd"])?;
@@ -43,7 +61,71 @@ impl SpringConstant {
         Ok(Self {
             mean: table.positive("mean", Dimension::Stiffness)?,
             sd: sd.transpose()?,
+            source: SpringSource::of(&table.required("mean", "a stiffness")?),
         })
+    }
+
+    /// Compares the constant with that of a file; a warning tells the one that was taken from it.
+    pub(super) fn compared_with(
+        &self,
+        stated: &[StatedNumber],
+    ) -> Result<Option<CurveWarning>, CurveError> {
+        let Some(stated) = StatedNumber::of(StatedQuantity::SpringConstant, stated) else {
+            return Ok(None);
+        };
+        match self.source {
+            SpringSource::FitFile if stated.contradicts(self.mean) => {
+                Err(CurveError::OtherSpringConstant {
+                    given: self.mean,
+                    stated: stated.value,
+                    line: stated.line,
+                    text: stated.text.clone(),
+                })
+            }
+            SpringSource::Measurement => Ok(Some(CurveWarning::new(
+                "stated-spring-constant",
+                format!(
+                    "the spring constant is that of line {}, \"{}\"",
+                    stated.line, stated.text
+                ),
+            ))),
+            SpringSource::FitFile | SpringSource::BareNumber => Ok(None),
+        }
+    }
+
+    /// The constant that the files of a measurement state, the same in all of them; none if one states none.
+    ///
+    /// # Errors
+    ///
+    /// A file that states another one than the first, with both statements.
+    pub fn of_files(
+        stated: &[Vec<StatedNumber>],
+    ) -> Result<Option<Self>, (usize, [StatedNumber; 2])> {
+        let one =
+            |of: &Vec<StatedNumber>| StatedNumber::of(StatedQuantity::SpringConstant, of).cloned();
+        let all: Option<Vec<StatedNumber>> = stated.iter().map(one).collect();
+        let all = all.unwrap_or_default();
+        let Some(first) = all.first() else {
+            return Ok(None);
+        };
+        if let Some(other) = all.iter().position(|other| first.contradicts(other.value)) {
+            return Err((other, [first.clone(), all[other].clone()]));
+        }
+        let (mean, source) = (first.value, SpringSource::Measurement);
+        Ok(Some(Self {
+            mean,
+            sd: None,
+            source,
+        }))
+    }
+}
+
+impl SpringSource {
+    fn of(field: &ValueReader<'_>) -> Self {
+        match field.value() {
+            TomlValue::Text(_) => Self::FitFile,
+            _ => Self::BareNumber,
+        }
     }
 }
 

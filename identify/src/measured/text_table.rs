@@ -1,8 +1,10 @@
 //! The table of numbers in a text: its beginning and end, its rows, and the headers of its columns.
 
 use super::error::CurveError;
-use super::header::{self, HeaderField};
+use super::header::HeaderField;
+use super::header_lines::LinesAbove;
 use super::separator::{DecimalMark, Separator};
+use super::stated::StatedNumber;
 use super::text_options::TextOptions;
 
 /// A run of rows counts as a table if it has at least 1/10 as many rows as the longest run.
@@ -21,6 +23,8 @@ pub struct TextTable<'t> {
     pub columns: usize,
     /// Number of tables in the text.
     pub tables: usize,
+    /// The numbers that the lines above it state.
+    pub stated: Vec<StatedNumber>,
 }
 
 /// The role of a line in a table.
@@ -75,14 +79,17 @@ impl<'t> TextTable<'t> {
         let is_row = |line: &&&str| runs.kind(line, columns) != LineKind::Blank;
         Ok(Self {
             separator,
-            header: header::above(
-                lines.get(floor..run.start).unwrap_or_default(),
+            header: LinesAbove {
+                lines: lines.get(floor..run.start).unwrap_or_default(),
                 separator,
-                columns,
-            ),
+                width: columns,
+                is_named: options.skip_until.is_some(),
+            }
+            .headers(),
             rows: kept.iter().filter(is_row).copied().collect(),
             columns,
             tables,
+            stated: StatedNumber::all(lines.get(..run.start).unwrap_or_default()),
         })
     }
 }

@@ -163,6 +163,7 @@ fn of_contact(py: Python<'_>, value: &Bound<'_, PyAny>, error: &ContactError) ->
         other => fields!(py, value, other, ContactError {
             Force { force },
             Penetration { penetration },
+            ContactRadius { radius },
             Tolerance { tolerance },
             FieldLength { field, found, wanted },
             FieldValue { field, element, wanted, found },

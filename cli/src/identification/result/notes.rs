@@ -99,6 +99,13 @@ impl Identification {
                 )
             }
         });
+        let radius = self.file.stated_radius.as_ref().map(|stated| {
+            let place = format!("line {}, \"{}\"", stated.line, stated.text);
+            let message =
+                format!("the radius of the indenter is that of {place} of the measurement");
+            warning("stated-radius", message)
+        });
+        let of_files = of_files.chain(radius);
         of_files.chain(stopped).chain(of_fit).collect()
     }
 }

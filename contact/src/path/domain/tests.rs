@@ -13,7 +13,7 @@ use super::{
     Guess, default_side, default_side_at, elastic_force, estimated_force,
     estimated_force_at_radius, relief_volume,
 };
-use crate::{FlatPunch, Indenter, Load, Model, Paraboloid, Profile as _};
+use crate::{FlatPunch, Indenter, Load, Model, Paraboloid, Profile as _, Sphere};
 
 fn model(foundation: &Foundation, relief: Relief, indenter: impl Into<Indenter>) -> Model {
     Model {
@@ -210,6 +210,24 @@ fn the_estimated_force_is_that_of_a_contact_to_where_the_height_is_the_penetrati
     assert_eq!(
         [0.0, -0.1].map(|depth| estimated_force(&model, depth)),
         [0.0; 2]
+    );
+}
+
+#[test]
+fn the_estimated_force_of_a_flat_end_is_that_of_a_punch() {
+    // F = 2 a E* D
+    let punch = model(&half_space(3.0), Relief::Bare, FlatPunch::new(2.0).unwrap());
+    for depth in [1e-6_f64, 0.01] {
+        let ratio = estimated_force(&punch, depth) / (2.0 * 2.0 * 3.0 * depth);
+        // The radius is taken a hundredth inside the rim, and known to a hundredth.
+        assert!((ratio - 1.0).abs() < 0.021, "{ratio}");
+    }
+    // A ball is pressed in beyond its equator: more than to the equator, less than twice as much more than a punch.
+    let ball = model(&half_space(3.0), Relief::Bare, Sphere::new(2.0).unwrap());
+    let [to, beyond] = [1.9, 3.0].map(|depth| estimated_force(&ball, depth));
+    assert!(
+        to < beyond && beyond < to + 2.0 * 2.0 * 2.0 * 3.0 * 1.1,
+        "{to} {beyond}"
     );
 }
 

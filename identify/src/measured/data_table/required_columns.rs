@@ -3,7 +3,8 @@
 use pellicle::input::diagnosis::{Diagnosis, Fault};
 use pellicle::input::table_reader::TableReader;
 
-use super::{DataTable, Observe};
+use super::DataTable;
+use crate::Observable;
 use crate::measured::channel::Channel;
 use crate::measured::curve_segment::{Branch, SegmentEnd, Until};
 
@@ -23,14 +24,21 @@ impl DataTable {
             Err(columns.missing(channel.key(), format!("its column, {why}")))
         };
         match self.observe {
-            Observe::StiffnessAtContactRadius => {
-                let why = "since the stiffness at a contact radius is observed";
-                need(Channel::Stiffness, why)?;
-                need(Channel::ContactRadius, why)?;
-            }
-            Observe::DepthAtForce | Observe::ForceAtDepth => {
+            Observable::DepthAtForce | Observable::ForceAtDepth => {
                 need(Channel::Force, "since depth and force are observed")?;
                 self.require_depth(table, columns)?;
+            }
+            Observable::StiffnessAtContactRadius
+            | Observable::StiffnessAtForce
+            | Observable::StiffnessAtDepth => {
+                let abscissa = self.observe.abscissa();
+                let why = format!("since the stiffness at a {} is observed", abscissa.name());
+                need(Channel::Stiffness, &why)?;
+                need(Channel::from(abscissa), &why)?;
+                if let Some(field) = table.optional("spring_constant") {
+                    let wanted = "none: the stiffness of a contact is not read by a cantilever";
+                    return Err(field.wanted(wanted));
+                }
             }
         }
         for end in [&self.segment.from, &self.segment.to].into_iter().flatten() {
