@@ -26,7 +26,7 @@ pub mod with_units;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use pellicle_contact::{ContactError, Domain, Model, SolverOptions, choose_side_at};
+use pellicle_contact::{ContactError, Domain, Load, Model, SolverOptions, choose_side_at};
 use pellicle_influence::{Cache, Cached, ElasticBodies, InfluenceError};
 use serde::Serialize;
 
@@ -64,7 +64,7 @@ pub struct Case {
     pub surface: SurfaceCase,
     /// The indenter.
     pub indenter: IndenterCase,
-    /// Force or penetration, or a list of either.
+    /// Force, nominal pressure or penetration, or a list of one of them.
     pub load: LoadCase,
     /// The grid.
     pub grid: GridCase,
@@ -165,7 +165,7 @@ impl Case {
         );
         add(
             "load",
-            "force or penetration",
+            "force, nominal pressure or penetration",
             required(),
             table(LoadCase::shape()),
         );
@@ -295,8 +295,11 @@ impl Case {
         let stress = stress.map(|table| StressCase::read(&table, &scope));
         let stress = stress.transpose()?;
         let mut indenter = IndenterCase::read(&required("indenter")?, &scope)?;
-        if let (BoundaryCase::Periodic, Some(side)) = (grid.boundary, grid.side) {
-            periodic::fit(&table, side, &mut surface, &mut indenter)?;
+        match (grid.boundary, grid.side) {
+            (BoundaryCase::Periodic, Some(side)) => {
+                periodic::fit(&table, side, &mut surface, &mut indenter)?;
+            }
+            _ => periodic::refuse_nominal_pressure(&table)?,
         }
         let given = [surface.map(), indenter.map()];
         let units = given.into_iter().flatten().map(|map| map.units);
@@ -324,7 +327,12 @@ impl Case {
     pub fn blame(&self, error: ContactError) -> Error {
         let keys: &[&str] = match &error {
             ContactError::ElementsTooLarge { .. } => &["grid.side"],
-            ContactError::BeyondHardness { .. } => &["load.force", "load.forces"],
+            ContactError::BeyondHardness { .. } => &[
+                "load.force",
+                "load.forces",
+                "load.pressure",
+                "load.pressures",
+            ],
             ContactError::WithHardness { .. } => &[
                 "solver.hardness",
                 "foundation.layer[0].hardness",
@@ -347,6 +355,12 @@ impl Case {
             _ => return error.into(),
         };
         self.document.refused(keys, &error).into()
+    }
+
+    /// The loads in order, a nominal pressure as the force on the cell.
+    #[must_use]
+    pub fn loads(&self) -> Vec<Load> {
+        self.load.loads(self.grid.nominal_area())
     }
 
     /// Returns the domain of the solution, as given or chosen for the loads.
@@ -387,7 +401,7 @@ impl Case {
     pub fn side(&self, model: &Model) -> Result<f64, ContactError> {
         match self.grid.side {
             Some(side) => Ok(side),
-            None => choose_side_at(model, &self.load.loads(), self.solver_options().hardness),
+            None => choose_side_at(model, &self.loads(), self.solver_options().hardness),
         }
     }
 

@@ -50,7 +50,7 @@ impl Forecast {
     #[must_use]
     pub fn new(case: &Case, model: &Model) -> Self {
         let trial = case.grid.elements.min(TRIAL);
-        let loads = case.load.loads();
+        let loads = case.loads();
         let (side, path) = match case.side(model) {
             Ok(side) => {
                 let domain = match case.grid.boundary {
@@ -109,7 +109,7 @@ fn products(step: &Step, trial: usize, elements: usize) -> [f64; 2] {
 /// The warning that the domain is far too large for the contact of the largest load. The contact is that of the trial;
 /// where the trial is too coarse, an estimate if that is smaller.
 fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
-    let loads = case.load.loads();
+    let loads = case.loads();
     let found = path.steps.last()?.summary.contact_radius;
     let estimated = default_side(model, &loads) / 3.0;
     let radius = if found < MIN_ELEMENTS_PER_RADIUS * path.grid.element_side() {

@@ -40,9 +40,9 @@ Loads: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
 class Case:
     """One contact problem.
 
-    Exactly one of `force`, `forces`, `penetration` and `penetrations` is the load. Numbers are in SI units (m, Pa, N,
-    rad, m/Pa), or in any consistent system if no quantity has a unit; strings such as `"5 nm"` and quantities of pint
-    carry units. Anything left out takes the default of the case file.
+    Exactly one of `force`, `forces`, `pressure`, `pressures`, `penetration` and `penetrations` is the load; a pressure
+    is the force over the area of a periodic cell. Numbers are in SI units (m, Pa, N, rad, m/Pa), or in any consistent
+    system if no quantity has a unit; strings such as `"5 nm"` and quantities of pint carry units. Anything left out takes the default of the case file.
 
     An indenter or a surface may also be a function `f(x, y)` of two arrays (m) that returns heights (m), as in
     `IndenterFunction` and `ReliefFunction`.
@@ -56,6 +56,8 @@ class Case:
         surface: Surface | Function | None = None,
         force: Quantity | None = None,
         forces: Loads | None = None,
+        pressure: Quantity | None = None,
+        pressures: Loads | None = None,
         penetration: Quantity | None = None,
         penetrations: Loads | None = None,
         sensitivities: bool = False,
@@ -71,7 +73,14 @@ class Case:
     ) -> None:
         indenter = as_part(indenter, Indenter, IndenterFunction)
         surface = as_part(surface, Surface, ReliefFunction)
-        load = {"force": force, "forces": forces, "penetration": penetration, "penetrations": penetrations}
+        load = {
+            "force": force,
+            "forces": forces,
+            "pressure": pressure,
+            "pressures": pressures,
+            "penetration": penetration,
+            "penetrations": penetrations,
+        }
         tables: dict[str, Mapping[str, Any] | None] = {
             "foundation": _table(foundation, Foundation, "foundation"),
             "surface": None if surface is None else _table(surface, Surface, "surface"),

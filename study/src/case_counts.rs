@@ -77,7 +77,7 @@ impl Study {
             let load = TableReader::root(&root)?.required("load", "a table [load]")?;
             LoadCase::read(&load.table()?, &Scope::default())
         };
-        read().map_or(1, |load: LoadCase| load.loads().len())
+        read().map_or(1, |load: LoadCase| load.steps())
     }
 
     /// The elements per side of a case; 0 if they are invalid. Only the grid is read.
@@ -100,7 +100,7 @@ fn changes_the_number_of_loads(path: &[String]) -> bool {
     path.next() == Some("load")
         && path
             .next()
-            .is_none_or(|key| matches!(key, "forces" | "penetrations"))
+            .is_none_or(|key| matches!(key, "forces" | "pressures" | "penetrations"))
 }
 
 /// Whether another value of this key may change the grid.

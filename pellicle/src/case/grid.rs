@@ -86,6 +86,13 @@ impl Default for GridCase {
 }
 
 impl GridCase {
+    /// Area of the periodic cell, m², on which a nominal pressure acts; NaN for a free square, which has none.
+    #[must_use]
+    pub fn nominal_area(&self) -> f64 {
+        let side = self.side.filter(|_| !self.boundary.is_free());
+        side.map_or(f64::NAN, |side| side * side)
+    }
+
     /// Reads only the elements per side.
     ///
     /// # Errors

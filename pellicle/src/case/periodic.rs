@@ -53,6 +53,26 @@ pub fn fit(
     Ok(())
 }
 
+/// Rejects a nominal pressure on a square that does not repeat: the area on which it acts is that of the cell.
+///
+/// # Errors
+///
+/// A [`Diagnosis`] of its key.
+pub fn refuse_nominal_pressure(root: &TableReader<'_>) -> Result<(), Diagnosis> {
+    let Some(load) = root.optional("load") else {
+        return Ok(());
+    };
+    let load = load.table()?;
+    let given = ["pressure", "pressures"].map(|key| load.optional(key));
+    match given.into_iter().flatten().next() {
+        Some(field) => Err(field.unusable(
+            &"with grid.boundary = \"free\"",
+            "force or forces, or grid.boundary = \"periodic\": a free surface has no nominal area",
+        )),
+        None => Ok(()),
+    }
+}
+
 fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> {
     if let Some(stress) = root.optional("stress") {
         return Err(stress.unusable(

@@ -67,7 +67,7 @@ impl Need {
     #[must_use]
     pub fn of(case: &Case, model: &Model, writers: usize, trial: Option<&LoadingPath>) -> Self {
         let share = trial.map_or(1.0, contact_share);
-        let (elements, steps) = (case.grid.elements, case.load.loads().len());
+        let (elements, steps) = (case.grid.elements, case.load.steps());
         let (options, boundary) = (case.solver_options(), case.grid.boundary.into());
         let images = solved_grid(model, elements, boundary, &options).images();
         let of_sector = |[quadrant, half, whole]: [[f64; 2]; 3]| match images {

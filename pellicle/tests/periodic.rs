@@ -1,0 +1,102 @@
+//! Loads on a periodic cell: a nominal pressure.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use pellicle::case::map_sources::MapSources;
+use pellicle::case::unit_slip;
+use pellicle::input::span::Source;
+use pellicle::summary::StepSummary;
+use pellicle::{Case, Error};
+
+/// Samples per side of the map.
+const SAMPLES: usize = 32;
+
+/// 5 µm of a polymer on a rigid base with a rough surface in a cell of 10 µm, under a flat body, with lines `load` and
+/// `more`.
+fn text(load: &str, more: &str) -> String {
+    format!(
+        "[foundation]\nsubstrate = \"rigid\"\n\
+         layer = [{{ thickness = \"5 um\", young_modulus = \"1 GPa\", poisson_ratio = 0.3 }}]\n\
+         [surface]\nkind = \"rough\"\nfile = \"waves\"\nside = \"10 um\"\n\
+         [indenter]\nkind = \"paraboloid\"\nradius = \"1 km\"\n[load]\n{load}\n\
+         [grid]\nelements = {SAMPLES}\nside = \"10 um\"\n{more}"
+    )
+}
+
+/// Waves of 30 nm, two along x and three along y, with a smaller one along the diagonal.
+fn waves() -> MapSources {
+    let height = |element: usize| {
+        let [x, y] = [element / SAMPLES, element % SAMPLES]
+            .map(|i| std::f64::consts::TAU * i as f64 / SAMPLES as f64);
+        30e-9 * (2.0 * x).cos() * (3.0 * y).cos() + 10e-9 * (x + y).sin()
+    };
+    let heights = (0..SAMPLES * SAMPLES).map(height).collect();
+    MapSources::in_folder(Path::new("")).with_array("waves", [SAMPLES; 2], heights)
+}
+
+fn read(text: &str) -> Result<Case, String> {
+    let source = Arc::new(Source::new("case.toml", text.to_owned()));
+    Case::parse_with(&source, "case", &waves()).map_err(|error| error.to_string())
+}
+
+/// The steps of the periodic cell under this load, all certified.
+fn steps(load: &str) -> Vec<StepSummary> {
+    let case = read(&text(load, "boundary = \"periodic\"")).expect("a valid case");
+    let run = case.solve(&mut ());
+    let run = run.map_err(|error: Error| error.to_string());
+    let summary = run.expect("a solution").summary;
+    assert!(summary.is_certified(), "{load}");
+    summary.steps
+}
+
+#[test]
+fn a_nominal_pressure_is_the_force_over_the_area_of_the_cell() {
+    // 1 MPa on 1e-10 m².
+    for (pressure, force) in [
+        ("pressure = \"1 MPa\"", "force = \"100 uN\""),
+        (
+            "pressures = { from = \"1 MPa\", to = \"4 MPa\", count = 2 }",
+            "forces = [\"100 uN\", \"400 uN\"]",
+        ),
+    ] {
+        let (found, wanted) = (steps(pressure), steps(force));
+        assert_eq!(found.len(), wanted.len());
+        for (found, wanted) in found.iter().zip(&wanted) {
+            let same = |found: f64, wanted: f64| {
+                // The force is rounded in its last digits; the equations are solved to 1e-8 anyway.
+                approx::assert_relative_eq!(found, wanted, max_relative = 1e-12);
+            };
+            same(found.force, wanted.force);
+            same(found.penetration, wanted.penetration);
+            same(found.summary.max_pressure, wanted.summary.max_pressure);
+            let nominal = found.summary.nominal_pressure.expect("that of the cell");
+            same(nominal, found.force / 1e-10);
+        }
+    }
+}
+
+/// 20 GPa on a cell of 0.5 mm press a ball of that radius on a polymer with 5 kN.
+#[test]
+fn another_unit_of_a_nominal_pressure_is_asked_for_like_that_of_a_force() {
+    let text = "[foundation]\nsubstrate = { young_modulus = \"3 GPa\", poisson_ratio = 0.35 }\n\
+        [indenter]\nkind = \"sphere\"\nradius = \"0.5 mm\"\n[load]\npressure = \"20 GPa\"\n\
+        [grid]\nelements = 32\nside = \"0.5 mm\"\nboundary = \"periodic\"";
+    let case = read(text).expect("a valid case");
+    let question = unit_slip::question(&case).expect("a question");
+    assert_eq!(question, "load.pressure is given as 20 GPa: was MPa meant?");
+}
+
+#[test]
+fn a_nominal_pressure_on_a_free_surface_is_refused_with_what_to_give_instead() {
+    for load in ["pressure = \"1 MPa\"", "pressures = [\"1 MPa\"]"] {
+        let told = read(&text(load, "")).expect_err("no nominal area");
+        for words in [
+            "line 12, key `load.pressure",
+            "with grid.boundary = \"free\"",
+            "wanted force or forces, or grid.boundary = \"periodic\"",
+        ] {
+            assert!(told.contains(words), "{told}");
+        }
+    }
+}
