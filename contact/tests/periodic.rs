@@ -1,4 +1,4 @@
-//! Periodic cells: waves by closed forms, the mean displacement, the scale of gaps, and ever larger cells.
+//! Periodic cells: waves by closed forms, the mean displacement, penetrations, the scale of gaps, and ever larger cells.
 
 #![expect(
     clippy::unwrap_used,
@@ -6,6 +6,7 @@
 )]
 
 mod mean_displacement;
+mod penetration;
 mod scale_of_gaps;
 mod waves;
 

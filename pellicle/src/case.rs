@@ -297,7 +297,7 @@ impl Case {
         let mut indenter = IndenterCase::read(&required("indenter")?, &scope)?;
         match (grid.boundary, grid.side) {
             (BoundaryCase::Periodic, Some(side)) => {
-                periodic::fit(&table, side, &mut surface, &mut indenter)?;
+                periodic::fit(&table, &foundation, side, &mut surface, &mut indenter)?;
             }
             _ => periodic::refuse_nominal_pressure(&table)?,
         }
@@ -338,6 +338,7 @@ impl Case {
                 "foundation.layer[0].hardness",
                 "foundation.substrate.hardness",
             ],
+            ContactError::BeyondGaps { .. } => &["load.penetration", "load.penetrations"],
             ContactError::NothingCanTouch { .. } => {
                 &["indenter.radius", "indenter.file", "indenter.kind"]
             }

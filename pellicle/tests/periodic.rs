@@ -1,4 +1,4 @@
-//! Loads on a periodic cell: a nominal pressure.
+//! Loads on a periodic cell: a nominal pressure, a penetration.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -74,6 +74,54 @@ fn a_nominal_pressure_is_the_force_over_the_area_of_the_cell() {
             same(nominal, found.force / 1e-10);
         }
     }
+}
+
+#[test]
+fn on_a_rigid_base_a_penetration_takes_the_force_that_gives_it() {
+    let by_force = &steps("force = \"100 uN\"")[0];
+    let found = &steps(&format!("penetration = {:e}", by_force.penetration))[0];
+    // The tolerance of the solver.
+    approx::assert_relative_eq!(found.force, 1e-4, max_relative = 3e-8);
+    assert!((found.penetration - by_force.penetration).abs() <= 0.0);
+    approx::assert_relative_eq!(
+        found.summary.contact_area,
+        by_force.summary.contact_area,
+        max_relative = 1e-6
+    );
+}
+
+#[test]
+fn a_penetration_of_a_half_space_or_of_an_elastic_indenter_is_refused() {
+    let load = "penetration = \"10 nm\"";
+    let rigid = text(load, "boundary = \"periodic\"");
+    let elastic = "{ young_modulus = \"70 GPa\", poisson_ratio = 0.2 }";
+    let on_half_space = rigid.replace("\"rigid\"", elastic);
+    let indenter = "[indenter]\nyoung_modulus = \"70 GPa\"\npoisson_ratio = 0.2";
+    let under_elastic = rigid.replace("[indenter]", indenter);
+    for (text, half_space) in [
+        (on_half_space, "the substrate's, unless it is \"rigid\""),
+        (under_elastic, "an elastic indenter's"),
+    ] {
+        let told = read(&text).expect_err("an infinite mean");
+        let start = "found \"10 nm\", with grid.boundary = \"periodic\", wanted force or forces, or pressure or pressures";
+        assert!(
+            told.contains("key `load.penetration`") && told.contains(start),
+            "{told}"
+        );
+        assert!(told.ends_with(half_space), "{told}");
+    }
+}
+
+#[test]
+fn layers_that_cannot_shorten_have_no_penetration_beyond_their_gaps() {
+    let load = "penetration = \"1 um\"";
+    let text = text(load, "boundary = \"periodic\"").replace("= 0.3", "= 0.5");
+    let refused = read(&text).expect("a valid case").solve(&mut ());
+    let told = refused.expect_err("beyond the gaps").to_string();
+    assert!(
+        told.contains("load.penetration") && told.contains("incompressible"),
+        "{told}"
+    );
 }
 
 /// 20 GPa on a cell of 0.5 mm press a ball of that radius on a polymer with 5 kN.

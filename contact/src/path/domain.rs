@@ -33,9 +33,9 @@ pub enum Domain {
     /// [Chosen](crate::choose_side) for the loads, large enough for the contact and the same for every grid.
     #[default]
     Automatic,
-    /// A cell of this side (m) that repeats infinitely in both directions, with everything in it. Loads are forces on
+    /// A cell of this side (m) that repeats infinitely in both directions, with everything in it. Forces are those on
     /// one cell. On a half-space the mean displacement of the surface is infinite, so penetrations are measured from
-    /// the mean plane of the deformed surface.
+    /// the mean plane of the deformed surface, and none can be prescribed.
     Periodic(f64),
 }
 

@@ -57,7 +57,7 @@ impl<'a> Hierarchy<'a> {
         sizes.retain(|size| {
             Grid::new(side, *size).is_ok_and(|grid| {
                 cut_off::can_touch(model, &grid)
-                    && capacity::check(model, &grid, loads, options.hardness).is_ok()
+                    && capacity::check(model, (&grid, boundary), loads, options.hardness).is_ok()
             })
         });
         let finest = Region::bounded(solved_grid(model, elements, boundary, options), boundary);

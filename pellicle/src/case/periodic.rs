@@ -1,5 +1,7 @@
 //! The check that the other tables of a case are compatible with a periodic cell.
 
+use super::foundation::FoundationCase;
+use super::foundation::substrate::SubstrateCase;
 use super::indenter::IndenterCase;
 use super::map::Repetition;
 use super::surface::{LatticeCase, SurfaceCase};
@@ -18,11 +20,15 @@ const LEEWAY: f64 = 1e-6;
 /// A [`Diagnosis`] of the first incompatible key.
 pub fn fit(
     root: &TableReader<'_>,
+    foundation: &FoundationCase,
     side: f64,
     surface: &mut SurfaceCase,
     indenter: &mut IndenterCase,
 ) -> Result<(), Diagnosis> {
     refuse_what_is_not_computed(root)?;
+    if let Some(half_space) = half_space(foundation, indenter) {
+        refuse_penetration(root, half_space)?;
+    }
     if let SurfaceCase::Cylinders(cylinders) = surface {
         let count = side / cylinders.period;
         let fits = (count - count.round()).abs() <= LEEWAY * count && count > 0.5;
@@ -84,16 +90,33 @@ fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> 
         return Ok(());
     };
     let load = load.table()?;
-    for key in ["penetration", "penetrations"] {
-        if let Some(field) = load.optional(key) {
-            let wanted = "force or forces on the cell: its mean displacement may be unbounded";
-            return Err(field.unusable(&BECAUSE, wanted));
-        }
-    }
     match load.optional("sensitivities") {
         Some(field) if field.switch()? => Err(field.unusable(&BECAUSE, "false")),
         _ => Ok(()),
     }
+}
+
+/// The half-space whose mean displacement in a cell is infinite, with what bounds it; none on a rigid base under a rigid
+/// indenter.
+fn half_space(foundation: &FoundationCase, indenter: &IndenterCase) -> Option<&'static str> {
+    match foundation.substrate {
+        SubstrateCase::Elastic(_) => Some("the substrate's, unless it is \"rigid\""),
+        SubstrateCase::Rigid => (indenter.material.is_some()).then_some("an elastic indenter's"),
+    }
+}
+
+fn refuse_penetration(root: &TableReader<'_>, half_space: &str) -> Result<(), Diagnosis> {
+    let Some(load) = root.optional("load") else {
+        return Ok(());
+    };
+    let load = load.table()?;
+    let given = ["penetration", "penetrations"].map(|key| load.optional(key));
+    given.into_iter().flatten().next().map_or(Ok(()), |field| {
+        let wanted = format!(
+            "force or forces, or pressure or pressures: the mean displacement of a half-space is unbounded, here {half_space}"
+        );
+        Err(field.unusable(&BECAUSE, wanted))
+    })
 }
 
 /// Returns the diagnosis of the last of these keys that the table has.
