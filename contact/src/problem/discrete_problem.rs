@@ -96,8 +96,8 @@ impl DiscreteProblem {
     /// as for [`Self::new`].
     ///
     /// On a half-space displacements are relative to the mean plane of the deformed surface, so that a prescribed
-    /// penetration means little. On a rigid base they are relative to the undeformed surface, and under an elastic indenter to the mean
-    /// plane of its deformed surface.
+    /// penetration means little. On a rigid base they are relative to the undeformed surface, and under an elastic
+    /// indenter to the mean plane of its deformed surface.
     ///
     /// # Errors
     /// As [`Self::new`].

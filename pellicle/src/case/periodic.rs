@@ -96,8 +96,8 @@ fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> 
     }
 }
 
-/// The half-space whose mean displacement in a cell is infinite, with what bounds it; none on a rigid base under a rigid
-/// indenter.
+/// The half-space whose mean displacement in a cell is infinite, with what bounds it; none on a rigid base under a
+/// rigid indenter.
 fn half_space(foundation: &FoundationCase, indenter: &IndenterCase) -> Option<&'static str> {
     match foundation.substrate {
         SubstrateCase::Elastic(_) => Some("the substrate's, unless it is \"rigid\""),
