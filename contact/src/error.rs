@@ -80,6 +80,17 @@ pub enum ContactError {
         /// Mean of `g0`, in m.
         mean_gap: f64,
     },
+    /// An oblong cell that is not a whole number of square elements along both sides.
+    #[error(
+        "found {size} elements along the longer side of a cell of {:e} by {:e}, which are not square, wanted a number that \
+         divides both sides into squares", sides[0], sides[1]
+    )]
+    NotSquareElements {
+        /// The sides of the cell, in m.
+        sides: [f64; 2],
+        /// Elements along the longer side.
+        size: usize,
+    },
     /// Stresses that are not numbers, so that there is no largest one.
     #[error("found stresses that are not numbers, wanted finite ones")]
     StressNotFinite,

@@ -98,7 +98,7 @@ impl LoadingPath {
             penetration,
             ..
         } = &self.steps.get(step)?.solution;
-        let all = Region::domain(self.grid.size(), self.boundary);
+        let all = Region::of_grid(&self.grid, self.boundary);
         let displacement = displacement(elasticity.clone(), &all, pressure);
         let mut surface = DeformedSurface::new(
             displacement,
@@ -177,6 +177,7 @@ fn solve_on_domains(
 ) -> Result<LoadingPath, ContactError> {
     let (mut side, mut enlargements) = match domain {
         Domain::Side(side) | Domain::Periodic(side) => (side, 0),
+        Domain::Oblong([x, y]) => (x.max(y), 0),
         Domain::Chosen(side) => (side, ENLARGEMENTS),
         Domain::Automatic => (
             choose_side_at(model, loads, options.hardness)?,
@@ -184,8 +185,8 @@ fn solve_on_domains(
         ),
     };
     loop {
-        warnings::check_elements(model, side, elements, loads)?;
-        let grid = Grid::new(side, elements)?;
+        let grid = domain.grid(side, elements)?;
+        warnings::check_elements(model, &grid, loads)?;
         if let Err(refused) =
             capacity::check(model, (&grid, domain.boundary()), loads, options.hardness)
         {
@@ -196,8 +197,8 @@ fn solve_on_domains(
             side *= ENLARGEMENT;
             continue;
         }
-        let square = (side, domain.boundary());
-        let hierarchy = Hierarchy::new(model, square, elements, loads, &options);
+        let domain_on = (grid, domain.boundary());
+        let hierarchy = Hierarchy::new(model, domain_on, loads, &options);
         let mut run = PathRun {
             lanes: hierarchy.lanes(loads_at_once(elements, loads.len()))?,
             steps: Vec::new(),

@@ -7,6 +7,7 @@
 )]
 
 mod mean_displacement;
+mod oblong;
 mod penetration;
 mod scale_of_gaps;
 mod waves;

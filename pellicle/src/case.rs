@@ -171,7 +171,7 @@ impl Case {
         );
         add(
             "grid",
-            "the square domain and its elements",
+            "the domain and its elements",
             or("its defaults"),
             table(GridCase::shape()),
         );
@@ -289,15 +289,15 @@ impl Case {
             None => SurfaceCase::Bare,
         };
         let grid = read_or_default::<GridCase>(optional("grid")?, &scope)?;
-        (scope.elements, scope.side) = (grid.elements, grid.side);
+        (scope.elements, scope.side) = (grid.elements, grid.longer_side());
         let output = read_or_default::<OutputCase>(optional("output")?, &scope)?;
         let stress = optional("stress")?;
         let stress = stress.map(|table| StressCase::read(&table, &scope));
         let stress = stress.transpose()?;
         let mut indenter = IndenterCase::read(&required("indenter")?, &scope)?;
-        match (grid.boundary, grid.side) {
-            (BoundaryCase::Periodic, Some(side)) => {
-                periodic::fit(&table, &foundation, side, &mut surface, &mut indenter)?;
+        match (grid.boundary, grid.both_sides()) {
+            (BoundaryCase::Periodic, Some(sides)) => {
+                periodic::fit(&table, &foundation, sides, &mut surface, &mut indenter)?;
             }
             _ => periodic::refuse_nominal_pressure(&table)?,
         }
@@ -370,14 +370,13 @@ impl Case {
     ///
     /// [`Error`] if none can be chosen, or the square of the stresses does not fit in it.
     pub fn domain(&self, model: &Model) -> Result<Domain, Error> {
-        let domain = match (self.grid.side, self.grid.boundary) {
-            (_, BoundaryCase::Periodic) => Domain::Periodic,
-            (Some(_), BoundaryCase::Free) => Domain::Side,
-            (None, BoundaryCase::Free) => Domain::Chosen,
-        };
         let side = self.side(model).map_err(|error| self.blame(error))?;
         self.check_extent(side)?;
-        Ok(domain(side))
+        Ok(match (self.grid.cell(), self.grid.side) {
+            (Some(cell), _) => cell,
+            (None, Some(_)) => Domain::Side(side),
+            (None, None) => Domain::Chosen(side),
+        })
     }
 
     /// Checks that the square of the requested stresses fits in a domain of this side.
@@ -394,13 +393,13 @@ impl Case {
         Err(self.document.wanted("stress.extent", &wanted))
     }
 
-    /// Side of the domain, m.
+    /// The longer side of the domain, m.
     ///
     /// # Errors
     ///
     /// [`ContactError`] if none can be chosen.
     pub fn side(&self, model: &Model) -> Result<f64, ContactError> {
-        match self.grid.side {
+        match self.grid.longer_side() {
             Some(side) => Ok(side),
             None => choose_side_at(model, &self.loads(), self.solver_options().hardness),
         }

@@ -71,11 +71,14 @@ pub struct RunSummary {
 /// The grid of a run, as written in a file.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct GridSummary {
-    /// Side of the square domain, m.
+    /// The longer side of the domain, m.
     #[serde(deserialize_with = "nan_from_null")]
     pub side: f64,
-    /// Elements per side.
+    /// Elements along the longer side.
     pub elements: usize,
+    /// Elements along x and y; none if they are as many.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lengths: Option<[usize; 2]>,
     /// Side `2a` of an element, m.
     #[serde(deserialize_with = "nan_from_null")]
     pub element_side: f64,
@@ -187,6 +190,7 @@ impl RunSummary {
             grid: GridSummary {
                 side: path.grid.side(),
                 elements: path.grid.size(),
+                lengths: (!path.grid.is_square()).then(|| path.grid.lengths()),
                 element_side: path.grid.element_side(),
                 boundary: case.grid.boundary,
             },

@@ -1,4 +1,4 @@
-//! Loads on a periodic cell: a nominal pressure, a penetration.
+//! Periodic cells: a nominal pressure or a penetration as load, oblong cells.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -26,27 +26,53 @@ fn text(load: &str, more: &str) -> String {
 
 /// Waves of 30 nm, two along x and three along y, with a smaller one along the diagonal.
 fn waves() -> MapSources {
+    repeated_waves([1, 1])
+}
+
+/// The same so many times along x and y.
+fn repeated_waves(times: [usize; 2]) -> MapSources {
+    let [rows, columns] = times.map(|times| times * SAMPLES);
     let height = |element: usize| {
-        let [x, y] = [element / SAMPLES, element % SAMPLES]
-            .map(|i| std::f64::consts::TAU * i as f64 / SAMPLES as f64);
+        let [x, y] = [element / columns, element % columns]
+            .map(|i| std::f64::consts::TAU * (i % SAMPLES) as f64 / SAMPLES as f64);
         30e-9 * (2.0 * x).cos() * (3.0 * y).cos() + 10e-9 * (x + y).sin()
     };
-    let heights = (0..SAMPLES * SAMPLES).map(height).collect();
-    MapSources::in_folder(Path::new("")).with_array("waves", [SAMPLES; 2], heights)
+    let heights = (0..rows * columns).map(height).collect();
+    MapSources::in_folder(Path::new("")).with_array("waves", [rows, columns], heights)
+}
+
+/// A cell of this many square ones along x and y.
+fn oblong(times: [usize; 2], load: &str, elements: &str) -> Result<Case, String> {
+    let [x, y] = times.map(|times| 10 * times);
+    let sides = format!("sides = [\"{x} um\", \"{y} um\"]");
+    let text = text(load, "boundary = \"periodic\"")
+        .replace("side = \"10 um\"", &sides)
+        .replace(
+            &format!("elements = {SAMPLES}"),
+            &format!("elements = {elements}"),
+        );
+    read_with(&text, &repeated_waves(times))
 }
 
 fn read(text: &str) -> Result<Case, String> {
+    read_with(text, &waves())
+}
+
+fn read_with(text: &str, maps: &MapSources) -> Result<Case, String> {
     let source = Arc::new(Source::new("case.toml", text.to_owned()));
-    Case::parse_with(&source, "case", &waves()).map_err(|error| error.to_string())
+    Case::parse_with(&source, "case", maps).map_err(|error| error.to_string())
 }
 
 /// The steps of the periodic cell under this load, all certified.
 fn steps(load: &str) -> Vec<StepSummary> {
-    let case = read(&text(load, "boundary = \"periodic\"")).expect("a valid case");
+    solved(&read(&text(load, "boundary = \"periodic\"")).expect("a valid case"))
+}
+
+fn solved(case: &Case) -> Vec<StepSummary> {
     let run = case.solve(&mut ());
     let run = run.map_err(|error: Error| error.to_string());
     let summary = run.expect("a solution").summary;
-    assert!(summary.is_certified(), "{load}");
+    assert!(summary.is_certified(), "{:?}", case.load);
     summary.steps
 }
 
@@ -147,4 +173,44 @@ fn a_nominal_pressure_on_a_free_surface_is_refused_with_what_to_give_instead() {
             assert!(told.contains(words), "{told}");
         }
     }
+}
+
+#[test]
+fn a_rough_cell_twice_side_by_side_has_twice_of_everything_and_the_same_pressures() {
+    let one = &steps("pressure = \"2 MPa\"")[0];
+    let of = |step: &StepSummary| step.rough_contact.clone().expect("a rough contact");
+    for (times, elements) in [([2, 1], "64"), ([1, 2], "[32, 64]"), ([3, 1], "96")] {
+        let many = times.into_iter().product::<usize>();
+        let case = oblong(times, "pressure = \"2 MPa\"", elements).expect("a valid case");
+        let several = &solved(&case)[0];
+        let same = |found: f64, wanted: f64| {
+            // The tolerance of the solver; maps are interpolated at shifted places.
+            approx::assert_relative_eq!(found, wanted, max_relative = 1e-6);
+        };
+        same(several.force, many as f64 * one.force);
+        same(several.penetration, one.penetration);
+        same(several.summary.max_pressure, one.summary.max_pressure);
+        let nominal = several.summary.nominal_pressure.expect("that of the cell");
+        same(nominal, 2e6);
+        let (found, wanted) = (of(several), of(one));
+        assert_eq!(found.islands.count, many * wanted.islands.count);
+        same(found.nominal_area, many as f64 * wanted.nominal_area);
+        same(found.contact_fraction, wanted.contact_fraction);
+        same(found.perimeter, many as f64 * wanted.perimeter);
+        same(found.mean_gap, wanted.mean_gap);
+    }
+}
+
+#[test]
+fn a_map_of_other_sides_than_the_cell_is_refused() {
+    let text = text("force = \"1 uN\"", "boundary = \"periodic\"");
+    let text = text.replace(
+        "elements = 32\nside = \"10 um\"",
+        "elements = 64\nsides = [\"20 um\", \"10 um\"]",
+    );
+    let told = read_with(&text, &waves()).expect_err("another size");
+    assert!(
+        told.contains("key `surface.side`") && told.contains("2e-5 by 1e-5 m"),
+        "{told}"
+    );
 }

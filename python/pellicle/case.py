@@ -62,7 +62,8 @@ class Case:
         penetrations: Loads | None = None,
         sensitivities: bool = False,
         side: Quantity | None = None,
-        elements: int | None = None,
+        sides: Sequence[Quantity] | None = None,
+        elements: int | Sequence[int] | None = None,
         boundary: Literal["free", "periodic"] | None = None,
         tolerance: float | None = None,
         method: Literal["gradient", "active-set"] | None = None,
@@ -86,7 +87,7 @@ class Case:
             "surface": None if surface is None else _table(surface, Surface, "surface"),
             "indenter": _table(indenter, Indenter, "indenter"),
             "load": _given(load) | ({"sensitivities": True} if sensitivities else {}),
-            "grid": _given({"side": side, "elements": elements, "boundary": boundary}) or None,
+            "grid": _given({"side": side, "sides": sides, "elements": elements, "boundary": boundary}) or None,
             "solver": _given({"tolerance": tolerance, "method": method, "hardness": hardness}) or None,
             "stress": None if stress is None else _table(stress, Stress, "stress"),
             "output": None if output is None else _table(output, Output, "output"),
@@ -213,10 +214,13 @@ class Case:
         return Case._restored, self._state
 
     def __repr__(self) -> str:
-        kind, elements = self.resolved["indenter"]["kind"], self.resolved["grid"]["elements"]
+        kind, grid = self.resolved["indenter"]["kind"], self.resolved["grid"]
+        elements = f"{grid['elements']} × {grid['elements']} elements"
+        if grid.get("sides"):
+            elements = f"{grid['elements']} elements along the longer side"
         layers = len(self.resolved["foundation"]["layer"])
         counted = f"{layers} layer{'' if layers == 1 else 's'}"
-        return f"<Case {self.title!r}: {kind} on {counted}, {elements} × {elements} elements>"
+        return f"<Case {self.title!r}: {kind} on {counted}, {elements}>"
 
     def _repr_html_(self) -> str:
         return show.table(["key", "value"], show.keys(self.resolved))

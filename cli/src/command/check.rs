@@ -25,10 +25,12 @@ use crate::{cache, terminal};
 pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let mut case = Case::read(&arguments.path, &arguments.sets)?;
     let cache = cache::open();
-    let chosen = case.grid.side.is_none();
+    let chosen = case.grid.longer_side().is_none();
     let forecast = Forecast::new(&case, &case.model(&cache)?.value);
     case.check_extent(forecast.side)?;
-    case.grid.side = Some(forecast.side);
+    if chosen {
+        case.grid.side = Some(forecast.side);
+    }
     let resolved = serde_json::to_value(&case)?;
     let resolved = match case.units {
         Units::Si => with_units(resolved),

@@ -83,11 +83,11 @@ pub fn of_stresses(case: &Case, planes: usize, size: usize) -> f64 {
 /// Estimates the disk space of a run of a case without its stresses, in bytes.
 #[must_use]
 pub fn bytes(case: &Case) -> f64 {
-    let (steps, elements) = (case.load.steps(), case.grid.elements);
+    let steps = case.load.steps();
     let OutputCase {
         fields, pictures, ..
     } = case.output;
-    let area = (elements * elements) as f64;
+    let area = case.grid.count() as f64;
     let of_fields = fields.count(steps) as f64 * area * per_element(case);
     let pictured = pictures.count(steps);
     let of_pictures = pictured as f64 * of_a_step(case) + of_the_run(case, pictured > 0);

@@ -53,13 +53,20 @@ fn grid(summary: &RunSummary) -> String {
     let grid = &summary.grid;
     let metres = |value| quantity(value, Unit::Metre, summary.units);
     let (side, element_side) = (metres(grid.side), metres(grid.element_side));
-    let elements = grid.elements;
+    let [along_x, along_y] = grid.lengths.unwrap_or([grid.elements; 2]);
     let square = match grid.boundary {
         BoundaryCase::Free => "square",
         BoundaryCase::Periodic => "periodic cell",
     };
+    let of_side = match grid.lengths {
+        None => format!("side {side}"),
+        Some(lengths) => {
+            let [x, y] = lengths.map(|length| metres(length as f64 * grid.element_side));
+            format!("sides {x} and {y}")
+        }
+    };
     let line = format!(
-        "grid {elements} × {elements} on a {square} of side {side}, element side {element_side}\n"
+        "grid {along_x} × {along_y} on a {square} of {of_side}, element side {element_side}\n"
     );
     match grid.boundary {
         BoundaryCase::Free => line,

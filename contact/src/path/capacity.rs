@@ -39,7 +39,7 @@ fn check_penetration(model: &Model, grid: &Grid, loads: &[Load]) -> Result<(), C
         compliance,
         initial_gap,
         ..
-    } = model.sample_on(*grid, &Region::domain(grid.size(), Boundary::Periodic));
+    } = model.sample_on(*grid, &Region::of_grid(grid, Boundary::Periodic));
     let mean_gap = sum(&initial_gap) / initial_gap.len() as f64;
     if penetration < mean_gap || compliance.iter().any(|eta| *eta > 0.0) {
         return Ok(());

@@ -13,7 +13,7 @@ const BECAUSE: &str = "with grid.boundary = \"periodic\"";
 /// Relative difference allowed between lengths, for rounding in the user's numbers.
 const LEEWAY: f64 = 1e-6;
 
-/// Makes maps periodic, and rejects keys that are incompatible with a cell of this side (m).
+/// Makes maps periodic, and rejects keys that are incompatible with a cell of these sides (m).
 ///
 /// # Errors
 ///
@@ -21,7 +21,7 @@ const LEEWAY: f64 = 1e-6;
 pub fn fit(
     root: &TableReader<'_>,
     foundation: &FoundationCase,
-    side: f64,
+    sides: [f64; 2],
     surface: &mut SurfaceCase,
     indenter: &mut IndenterCase,
 ) -> Result<(), Diagnosis> {
@@ -30,13 +30,15 @@ pub fn fit(
         refuse_penetration(root, half_space)?;
     }
     if let SurfaceCase::Cylinders(cylinders) = surface {
-        let count = side / cylinders.period;
-        let fits = (count - count.round()).abs() <= LEEWAY * count && count > 0.5;
+        let fits = sides.into_iter().all(|side| {
+            let count = side / cylinders.period;
+            (count - count.round()).abs() <= LEEWAY * count && count > 0.5
+        });
         if cylinders.lattice != LatticeCase::Square {
             return Err(unusable(root, "surface", &["lattice"], "\"square\""));
         }
         if !fits {
-            let wanted = "a period that divides the side of the cell";
+            let wanted = "a period that divides the sides of the cell";
             return Err(unusable(root, "surface", &["period"], wanted));
         }
     }
@@ -49,9 +51,14 @@ pub fn fit(
         if map
             .sides
             .iter()
-            .any(|own| (own / side - 1.0).abs() > LEEWAY)
+            .zip(sides)
+            .any(|(own, side)| (own / side - 1.0).abs() > LEEWAY)
         {
-            let wanted = format!("a map as large as the cell, {side:e} by {side:e} m");
+            let ([x, y], own) = (sides, map.sides);
+            let wanted = format!(
+                "a map as large as the cell, {x:e} by {y:e} m, or a cell as large as the map: grid.sides = [{:e}, {:e}]",
+                own[0], own[1]
+            );
             return Err(unusable(root, table, &["sides", "side", "file"], &wanted));
         }
         map.repeat(how);

@@ -9,7 +9,6 @@ use pellicle_contact::{Domain, Load, Model, SolverOptions, Status, solve_path};
 use pellicle_influence::Cache;
 
 use super::Case;
-use super::grid::BoundaryCase;
 use super::key_dimension;
 use super::load::LoadValues;
 use crate::input::dimension::Dimension;
@@ -214,17 +213,14 @@ fn solved(
     model: &Model,
     load: Load,
 ) -> Option<(pellicle_contact::Step, Vec<&'static str>)> {
-    let domain = match (case.grid.boundary, case.grid.side) {
-        (BoundaryCase::Periodic, Some(side)) => Domain::Periodic(side),
-        (BoundaryCase::Periodic, None) => return None,
-        (BoundaryCase::Free, _) => Domain::Automatic,
-    };
+    let domain = case.grid.cell().unwrap_or(Domain::Automatic);
     let options = SolverOptions {
         max_applications: MAX_PRODUCTS,
         coarse_pressures: false,
         ..case.solver_options()
     };
-    let path = solve_path(model, domain, ELEMENTS, &[load], &options, &mut ()).ok()?;
+    let elements = case.grid.at_most(ELEMENTS);
+    let path = solve_path(model, domain, elements, &[load], &options, &mut ()).ok()?;
     let codes = path.warnings.iter().map(pellicle_contact::Warning::code);
     let codes = codes.collect();
     Some((path.steps.into_iter().next()?, codes))

@@ -238,13 +238,7 @@ fn solve(
         contact_stiffness: false,
         ..SolverOptions::default()
     };
-    let mut grids = Hierarchy::new(
-        model,
-        (grid.side(), Boundary::Free),
-        grid.size(),
-        &[load],
-        &options,
-    );
+    let mut grids = Hierarchy::new(model, (grid, Boundary::Free), &[load], &options);
     grids.solve(load, options, &mut Watch::alone(&mut ()))
 }
 
