@@ -123,7 +123,7 @@ fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<Strin
 /// The warning that the elements are too long for the waves of a map around the contact of the largest load.
 fn long_elements(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
     let radius = path.steps.last()?.summary.contact_radius;
-    let grid = Grid::new(path.grid.side(), case.grid.elements).ok()?;
+    let grid = Grid::oblong(path.grid.side(), case.grid.lengths()?).ok()?;
     let warning = map_under_resolved(model, &grid, path.boundary, radius)?;
     let words = case.sentence(&warning);
     Some(words.trim_start_matches("step 0: ").to_owned())

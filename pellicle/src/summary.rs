@@ -141,7 +141,7 @@ impl RunSummary {
     /// [`Error::Json`] if the case has no JSON form.
     pub fn add_case(&mut self, case: &Case) -> Result<(), Error> {
         let mut resolved = case.clone();
-        resolved.grid.side.get_or_insert(self.grid.side);
+        resolved.grid.take_side(self.grid.side);
         self.ask_for_unit(case);
         self.case = serde_json::to_value(&resolved)?;
         self.roughness = RoughnessSummary::of(case);

@@ -28,9 +28,7 @@ pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let chosen = case.grid.longer_side().is_none();
     let forecast = Forecast::new(&case, &case.model(&cache)?.value);
     case.check_extent(forecast.side)?;
-    if chosen {
-        case.grid.side = Some(forecast.side);
-    }
+    case.grid.take_side(forecast.side);
     let resolved = serde_json::to_value(&case)?;
     let resolved = match case.units {
         Units::Si => with_units(resolved),

@@ -211,6 +211,13 @@ impl GridCase {
         self.sides.map_or(self.side, |[x, y]| Some(x.max(y)))
     }
 
+    /// Takes a side that was chosen from the load, m; sides that are given stay.
+    pub fn take_side(&mut self, chosen: f64) {
+        if self.sides.is_none() {
+            self.side.get_or_insert(chosen);
+        }
+    }
+
     /// The sides along x and y, m; none if they are chosen from the load.
     #[must_use]
     pub fn both_sides(&self) -> Option<[f64; 2]> {
