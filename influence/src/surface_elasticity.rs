@@ -105,8 +105,8 @@ impl SurfaceElasticity {
         ConvolutionOperator::on(&self.table, grid)
     }
 
-    /// `C(k)` of the longest wave in a periodic cell of `size` elements along its longer side, m/Pa: the order of magnitude of the
-    /// indentation by a pressure on the cell alone.
+    /// `C(k)` of the longest wave in a periodic cell of `size` elements along its longer side, m/Pa: the order of
+    /// magnitude of the indentation by a pressure on the cell alone.
     #[must_use]
     pub fn cell_response(&self, size: usize) -> f64 {
         let side = size as f64 * self.table.element_side();

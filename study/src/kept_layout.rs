@@ -45,8 +45,8 @@ impl KeptLayout {
     ///
     /// # Errors
     ///
-    /// [`StudyError::KeptTooLarge`] if a field of one case does not fit into the format, [`StudyError::KeptOblong`] for an
-    /// oblong cell.
+    /// [`StudyError::KeptTooLarge`] if a field of one case does not fit into the format, [`StudyError::KeptOblong`] for
+    /// an oblong cell.
     pub fn new(study: &Study, case: &Case, rows: &CaseCounts) -> Result<Option<Self>, StudyError> {
         if study.keep.is_empty() {
             return Ok(None);

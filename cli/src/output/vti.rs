@@ -1,8 +1,8 @@
 //! `fields-NNN.vti`: the fields of one loading step, for `ParaView` and everything else that reads VTK's XML.
 //!
-//! An image with a cell for each element; the numbers follow the text in binary, each array after its length in bytes. Single
-//! precision is enough for any picture and halves the file; `fields-NNN.npz` has full precision. The descriptions of
-//! the arrays and their lengths are the same in every file of this XML.
+//! An image with a cell for each element; the numbers follow the text in binary, each array after its length in bytes.
+//! Single precision is enough for any picture and halves the file; `fields-NNN.npz` has full precision. The
+//! descriptions of the arrays and their lengths are the same in every file of this XML.
 
 use std::io::{self, Write};
 use std::path::Path;

@@ -37,8 +37,8 @@ pub enum Boundary {
     Periodic,
 }
 
-/// A square of a grid, or the part of one within a sector, which begins at the sector's axes; all of the grid, square or
-/// oblong, if it repeats.
+/// A square of a grid, or the part of one within a sector, which begins at the sector's axes; all of the grid, square
+/// or oblong, if it repeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Region {
     origin: [usize; 2],

@@ -36,8 +36,8 @@ impl PeriodicSymbol {
         Self::of(&|k| bodies.compliance(k), element_side, [size; 2])
     }
 
-    /// The same for a periodic cell of `lengths` elements along x and y, whose operator tabulates the compliance too: to
-    /// 1e-13, and quicker for many layers.
+    /// The same for a periodic cell of `lengths` elements along x and y, whose operator tabulates the compliance too:
+    /// to 1e-13, and quicker for many layers.
     pub(crate) fn of_cell(bodies: &ElasticBodies, element_side: f64, lengths: [usize; 2]) -> Self {
         let size = lengths[0].max(lengths[1]);
         let compliance = ComplianceTable::of_cell(bodies, element_side, size);

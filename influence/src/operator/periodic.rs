@@ -27,8 +27,8 @@ use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
 use crate::transform::{FourierLines, PlaneTransform};
 
-/// `u = K p` of a periodic cell, square or oblong, in O(N² log N), by a real FFT without padding: less than half the work of
-/// [`crate::ConvolutionOperator`].
+/// `u = K p` of a periodic cell, square or oblong, in O(N² log N), by a real FFT without padding: less than half the
+/// work of [`crate::ConvolutionOperator`].
 ///
 /// Memory: 2 bytes per element for the multipliers, 8 for the half-transformed field. Accuracy: 1e-12 of
 /// the largest displacement; sums of a single square's coefficients over all cells agree to that (test

@@ -56,7 +56,7 @@ pub fn fit(
         {
             let ([x, y], own) = (sides, map.sides);
             let wanted = format!(
-                "a map as large as the cell, {x:e} by {y:e} m, or a cell as large as the map: grid.sides = [{:e}, {:e}]",
+                "a map as large as the cell, {x:e} by {y:e} m, or a cell as large as the map: grid.sides = [{:e}, {:e}] for side",
                 own[0], own[1]
             );
             return Err(unusable(root, table, &["sides", "side", "file"], &wanted));
