@@ -20,6 +20,7 @@ use crate::case::Case;
 use crate::case::grid::BoundaryCase;
 use crate::case::stress::StressCase;
 use crate::case::unit_slip;
+use crate::display::{Unit, quantity};
 use crate::error::Error;
 use crate::input::units::Units;
 use crate::run::Stresses;
@@ -85,6 +86,26 @@ pub struct GridSummary {
     /// The boundary condition.
     #[serde(default, skip_serializing_if = "BoundaryCase::is_free")]
     pub boundary: BoundaryCase,
+}
+
+impl GridSummary {
+    /// Elements along x and y, in words.
+    #[must_use]
+    pub fn elements_in_words(&self) -> String {
+        let [x, y] = self.lengths.unwrap_or([self.elements; 2]);
+        format!("{x} × {y}")
+    }
+
+    /// The side of a square, or both sides of an oblong cell, in words.
+    #[must_use]
+    pub fn sides_in_words(&self, units: Units) -> String {
+        let metres = |value| quantity(value, Unit::Metre, units);
+        let Some(lengths) = self.lengths else {
+            return format!("side {}", metres(self.side));
+        };
+        let [x, y] = lengths.map(|length| metres(length as f64 * self.element_side));
+        format!("sides {x} and {y}")
+    }
 }
 
 /// The time that a run took, and its threads.

@@ -212,7 +212,7 @@ fn a_map_of_other_sides_than_the_cell_is_refused() {
     );
     let told = read_with(&text, &waves()).expect_err("another size");
     assert!(
-        told.contains("key `surface.file`") && told.contains("2e-5 by 1e-5 m"),
+        told.contains("key `surface.side`") && told.contains("2e-5 by 1e-5 m"),
         "{told}"
     );
 }

@@ -23,8 +23,8 @@ pub fn file(step: usize) -> String {
     format!("fields-{step:03}.npz")
 }
 
-/// Writes `x`, `y` (N_x and N_y values), and `pressure`, `displacement`, `gap`, `shortening`, `profile`, `mask`,
-/// `contact` (N_x × N_y, the first index along x), and `plastic_depth` if there is a hardness.
+/// Writes `x`, `y` (`N_x` and `N_y` values), and `pressure`, `displacement`, `gap`, `shortening`, `profile`, `mask`,
+/// `contact` (`N_x × N_y`, the first index along x), and `plastic_depth` if there is a hardness.
 ///
 /// # Errors
 ///

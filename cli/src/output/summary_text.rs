@@ -52,22 +52,13 @@ pub fn warning_lines(warnings: &[WarningSummary]) -> String {
 fn grid(summary: &RunSummary) -> String {
     let grid = &summary.grid;
     let metres = |value| quantity(value, Unit::Metre, summary.units);
-    let (side, element_side) = (metres(grid.side), metres(grid.element_side));
-    let [along_x, along_y] = grid.lengths.unwrap_or([grid.elements; 2]);
+    let element_side = metres(grid.element_side);
     let square = match grid.boundary {
         BoundaryCase::Free => "square",
         BoundaryCase::Periodic => "periodic cell",
     };
-    let of_side = match grid.lengths {
-        None => format!("side {side}"),
-        Some(lengths) => {
-            let [x, y] = lengths.map(|length| metres(length as f64 * grid.element_side));
-            format!("sides {x} and {y}")
-        }
-    };
-    let line = format!(
-        "grid {along_x} × {along_y} on a {square} of {of_side}, element side {element_side}\n"
-    );
+    let (elements, sides) = (grid.elements_in_words(), grid.sides_in_words(summary.units));
+    let line = format!("grid {elements} on a {square} of {sides}, element side {element_side}\n");
     match grid.boundary {
         BoundaryCase::Free => line,
         BoundaryCase::Periodic => {

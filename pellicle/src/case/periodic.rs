@@ -59,7 +59,7 @@ pub fn fit(
                 "a map as large as the cell, {x:e} by {y:e} m, or a cell as large as the map: grid.sides = [{:e}, {:e}] for side",
                 own[0], own[1]
             );
-            return Err(unusable(root, table, &["sides", "side", "file"], &wanted));
+            return Err(unusable(root, table, &["file", "side", "sides"], &wanted));
         }
         map.repeat(how);
     }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
 
-/// The fields of a step, a value for each element, element `(i, j)` of N_x × N_y at index `i N_y + j`: the first index
+/// The fields of a step, a value for each element, element `(i, j)` of `N_x × N_y` at index `i N_y + j`: the first index
 /// runs along x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fields<'a> {
