@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
 
-/// The fields of a step, a value for each element, element `(i, j)` of `N_x × N_y` at index `i N_y + j`: the first index
-/// runs along x.
+/// The fields of a step, a value for each element, element `(i, j)` of `N_x × N_y` at index `i N_y + j`: the first
+/// index runs along x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fields<'a> {
     /// Side of the domain along y, and along x if it is square, m.
