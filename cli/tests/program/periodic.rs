@@ -160,7 +160,7 @@ fn the_files_of_an_oblong_cell_have_its_shape() {
         let ran = folder.run(&["run", "case.toml", "--out", "a"]);
         assert_eq!(ran.code, Some(0), "{}", ran.stderr);
         let [x, y] = lengths;
-        let told = folder.run(&["run", "case.toml"]).stdout;
+        let told = &ran.stderr;
         let line = format!("grid {x} × {y} on a periodic cell of sides {x}.000 µm and {y}.000 µm");
         assert!(told.contains(&line), "{told}");
         let page = fs::read_to_string(folder.path("a/report.html")).unwrap();
