@@ -85,7 +85,7 @@ fn solve_all(cases: &[Case]) {
     for case in cases {
         let model = case.model(&cache).unwrap().value;
         let domain = case.domain(&model).unwrap();
-        let (loads, options) = (case.load.loads(), case.solver_options());
+        let (loads, options) = (case.loads(), case.solver_options());
         let path = solve_path(
             &model,
             domain,

@@ -84,8 +84,9 @@ pub fn discard_cases(cases: &Path) -> io::Result<()> {
 /// the choice of files is ignored.
 fn is_of(written: &Value, case: &Case) -> bool {
     let mut case = case.clone();
-    let side = written["grid"]["side"].as_f64();
-    case.grid.side = case.grid.side.or(side);
+    if let Some(side) = written["grid"]["side"].as_f64() {
+        case.grid.take_side(side);
+    }
     let without_output = |mut case: Value| {
         if let Some(table) = case.as_object_mut() {
             table.remove("output");

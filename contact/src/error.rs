@@ -67,12 +67,38 @@ pub enum ContactError {
         what: &'static str,
     },
     /// A quantity that a periodic cell does not have, or that is not computed for one.
-    #[error(
-        "found {what} in a periodic cell, wanted a prescribed force, without stresses or derivatives"
-    )]
+    #[error("found {what} in a periodic cell, wanted none: they are those of a single contact")]
     Periodic {
         /// The quantity asked for.
         what: &'static str,
+    },
+    /// A penetration prescribed in a periodic cell one of whose bodies is a half-space.
+    #[error(
+        "found a prescribed penetration in a periodic cell of a half-space, whose mean displacement is infinite, wanted a \
+         force, or a rigid base under a rigid indenter"
+    )]
+    InfiniteMean,
+    /// A penetration that would close all gaps of a periodic cell over incompressible layers on a rigid base.
+    #[error(
+        "found a penetration of {penetration:.6e}, which no pressure on incompressible layers reaches, since they only give \
+         way into gaps, wanted less than {mean_gap:.6e}, the mean of the initial gap"
+    )]
+    BeyondGaps {
+        /// The penetration, in m.
+        penetration: f64,
+        /// Mean of `g0`, in m.
+        mean_gap: f64,
+    },
+    /// An oblong cell that is not a whole number of square elements along both sides.
+    #[error(
+        "found {size} elements along the longer side of a cell of {:e} by {:e}, which are not square, wanted a number that \
+         divides both sides into squares", sides[0], sides[1]
+    )]
+    NotSquareElements {
+        /// The sides of the cell, in m.
+        sides: [f64; 2],
+        /// Elements along the longer side.
+        size: usize,
     },
     /// Stresses that are not numbers, so that there is no largest one.
     #[error("found stresses that are not numbers, wanted finite ones")]

@@ -98,7 +98,7 @@ impl LoadingPath {
             penetration,
             ..
         } = &self.steps.get(step)?.solution;
-        let all = Region::domain(self.grid.size(), self.boundary);
+        let all = Region::of_grid(&self.grid, self.boundary);
         let displacement = displacement(elasticity.clone(), &all, pressure);
         let mut surface = DeformedSurface::new(
             displacement,
@@ -142,7 +142,8 @@ fn displacement(elasticity: Arc<SurfaceElasticity>, all: &Region, pressure: &[f6
 ///
 /// # Errors
 /// An invalid load, tolerance, side or grid; elements so large that none is under the indenter; coefficients that miss
-/// their accuracy; a contact that outgrows every domain.
+/// their accuracy; a contact that outgrows every domain; in a periodic cell a penetration that is not that of a body
+/// over a [rigid base](ContactError::InfiniteMean), or [beyond all gaps](ContactError::BeyondGaps).
 pub fn solve_path(
     model: &Model,
     domain: Domain,
@@ -154,10 +155,11 @@ pub fn solve_path(
     let options = options.checked_for(elements)?;
     for load in loads {
         load.checked()?;
-        if let (Load::Penetration(_), Boundary::Periodic) = (load, domain.boundary()) {
-            return Err(ContactError::Periodic {
-                what: "a prescribed penetration",
-            });
+        let has_finite_mean = model.tables.bodies().has_finite_mean();
+        if let (Load::Penetration(_), Boundary::Periodic, false) =
+            (load, domain.boundary(), has_finite_mean)
+        {
+            return Err(ContactError::InfiniteMean);
         }
     }
     // Runs entirely on a thread of the pool: entering a parallel loop from outside costs two thread switches.
@@ -175,6 +177,7 @@ fn solve_on_domains(
 ) -> Result<LoadingPath, ContactError> {
     let (mut side, mut enlargements) = match domain {
         Domain::Side(side) | Domain::Periodic(side) => (side, 0),
+        Domain::Oblong([x, y]) => (x.max(y), 0),
         Domain::Chosen(side) => (side, ENLARGEMENTS),
         Domain::Automatic => (
             choose_side_at(model, loads, options.hardness)?,
@@ -182,9 +185,11 @@ fn solve_on_domains(
         ),
     };
     loop {
-        warnings::check_elements(model, side, elements, loads)?;
-        let grid = Grid::new(side, elements)?;
-        if let Err(refused) = capacity::check(model, &grid, loads, options.hardness) {
+        let grid = domain.grid(side, elements)?;
+        warnings::check_elements(model, &grid, loads)?;
+        if let Err(refused) =
+            capacity::check(model, (&grid, domain.boundary()), loads, options.hardness)
+        {
             if enlargements == 0 || !capacity::extends_beyond(model, &grid) {
                 return Err(refused);
             }
@@ -192,8 +197,8 @@ fn solve_on_domains(
             side *= ENLARGEMENT;
             continue;
         }
-        let square = (side, domain.boundary());
-        let hierarchy = Hierarchy::new(model, square, elements, loads, &options);
+        let domain_on = (grid, domain.boundary());
+        let hierarchy = Hierarchy::new(model, domain_on, loads, &options);
         let mut run = PathRun {
             lanes: hierarchy.lanes(loads_at_once(elements, loads.len()))?,
             steps: Vec::new(),

@@ -1,4 +1,5 @@
-//! Periodic cells: waves by closed forms, the mean displacement, the scale of gaps, and ever larger cells.
+//! Periodic cells: waves by closed forms, the mean displacement, penetrations, the scale of gaps, and ever larger
+//! cells.
 
 #![expect(
     clippy::unwrap_used,
@@ -6,6 +7,8 @@
 )]
 
 mod mean_displacement;
+mod oblong;
+mod penetration;
 mod scale_of_gaps;
 mod waves;
 

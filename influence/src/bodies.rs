@@ -76,6 +76,12 @@ impl ElasticBodies {
         }
     }
 
+    /// Whether the mean displacement of a cell that repeats is finite: a rigid base, and no counterbody.
+    #[must_use]
+    pub fn has_finite_mean(&self) -> bool {
+        matches!(self.foundation.base(), Base::Rigid) && self.counterbody.is_none()
+    }
+
     /// The change of all parameters under a change of scale; see
     /// [`Foundation::scaling`](pellicle_kernel::Foundation::scaling).
     #[must_use]

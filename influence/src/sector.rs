@@ -15,13 +15,14 @@ pub enum Sector {
     Quadrant,
 }
 
-/// The elements of a square grid on which a problem is solved: all, or a sector that stands for them.
+/// The elements of a grid on which a problem is solved: all, or a sector of a square that stands for them.
 ///
-/// Its size is the number of elements per row; a half of a grid has twice as many rows.
+/// Its size is the number of elements per row; a half of a square has twice as many rows, an oblong grid any number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SectorGrid {
     sector: Sector,
     size: usize,
+    rows: usize,
 }
 
 impl SectorGrid {
@@ -34,7 +35,21 @@ impl SectorGrid {
     /// A sector of `size` elements per row.
     #[must_use]
     pub fn new(sector: Sector, size: usize) -> Self {
-        Self { sector, size }
+        let rows = match sector {
+            Sector::Half => 2 * size,
+            Sector::Whole | Sector::Quadrant => size,
+        };
+        Self { sector, size, rows }
+    }
+
+    /// A whole grid of this many rows, and of elements in each.
+    #[must_use]
+    pub fn oblong([rows, size]: [usize; 2]) -> Self {
+        Self {
+            sector: Sector::Whole,
+            size,
+            rows,
+        }
     }
 
     /// The smallest grid of this sector that holds its part of a square of `side` elements per side.
@@ -44,16 +59,30 @@ impl SectorGrid {
         one.with_size(side.div_ceil(one.whole_size()))
     }
 
-    /// The same sector with `size` elements per row.
+    /// The same sector of a square with `size` elements per row; the grid itself if it has as many.
     #[must_use]
     pub fn with_size(self, size: usize) -> Self {
-        Self { size, ..self }
+        if size == self.size {
+            self
+        } else {
+            Self::new(self.sector, size)
+        }
     }
 
     /// The same sector of another square; see [`Self::of_square`].
     #[must_use]
     pub fn for_square(self, side: usize) -> Self {
         Self::of_square(self.sector, side)
+    }
+
+    /// All of another grid of this many rows and elements in each, or the same sector of it if it is square.
+    #[must_use]
+    pub fn for_lengths(self, lengths: [usize; 2]) -> Self {
+        if lengths[0] == lengths[1] {
+            self.for_square(lengths[0])
+        } else {
+            Self::oblong(lengths)
+        }
     }
 
     /// The part of the whole grid.
@@ -67,21 +96,24 @@ impl SectorGrid {
         self.size
     }
 
-    /// Elements per side of the whole grid.
+    /// Elements along the longer side of the whole grid.
     #[must_use]
     pub fn whole_size(self) -> usize {
-        let [_, parts] = self.parts();
-        parts * self.size
+        let [rows, columns] = self.whole_lengths();
+        rows.max(columns)
+    }
+
+    /// Number of rows of the whole grid, and of elements in each.
+    #[must_use]
+    pub fn whole_lengths(self) -> [usize; 2] {
+        let (lengths, parts) = (self.lengths(), self.parts());
+        [0, 1].map(|axis: usize| parts[axis] * lengths[axis])
     }
 
     /// Number of rows, and of elements in each.
     #[must_use]
     pub fn lengths(self) -> [usize; 2] {
-        let rows = match self.sector {
-            Sector::Half => 2 * self.size,
-            Sector::Whole | Sector::Quadrant => self.size,
-        };
-        [rows, self.size]
+        [self.rows, self.size]
     }
 
     /// Number of elements.
@@ -133,8 +165,8 @@ impl SectorGrid {
     /// Index of the first element along each axis of the whole grid.
     #[must_use]
     pub fn first_index(self) -> [usize; 2] {
-        let whole = self.whole_size();
-        self.parts().map(|parts| whole - whole / parts)
+        let (whole, own) = (self.whole_lengths(), self.lengths());
+        [0, 1].map(|axis: usize| whole[axis] - own[axis])
     }
 
     /// Number of lines before the first element along each axis, out of `reach`, that are mirror images
@@ -160,7 +192,7 @@ impl SectorGrid {
     pub fn first_image(self, element: [usize; 2]) -> [usize; 2] {
         let image = |axis: usize| {
             if self.mirrored()[axis] {
-                self.whole_size() / 2 - 1 - element[axis]
+                self.lengths()[axis] - 1 - element[axis]
             } else {
                 element[axis]
             }
@@ -199,7 +231,8 @@ impl SectorGrid {
     pub fn cut<T: Copy + Default + Send + Sync>(self, field: &[T]) -> Vec<T> {
         let [above, left] = self.first_index();
         let mut values = vec![T::default(); self.elements()];
-        let rows = field.par_chunks_exact(self.whole_size()).skip(above);
+        let [_, whole_row] = self.whole_lengths();
+        let rows = field.par_chunks_exact(whole_row).skip(above);
         let rows = values.par_chunks_exact_mut(self.size).zip(rows);
         rows.for_each(|(values, row)| values.copy_from_slice(&row[left..]));
         values
@@ -246,6 +279,19 @@ mod tests {
         assert_eq!(whole.first_image([2, 1]), [2, 1]);
         assert_eq!(whole.on_this_side(0, -2), -2);
         assert!(whole.offsets([2, 1], [0, 2]).eq([[2, 1]]));
+    }
+
+    #[test]
+    fn an_oblong_grid_is_its_own_whole() {
+        let wide = SectorGrid::oblong([2, 3]);
+        assert_eq!((wide.lengths(), wide.whole_size()), ([2, 3], 3));
+        assert_eq!((wide.first_index(), wide.elements()), ([0, 0], 6));
+        let field: Vec<f64> = (0..6).map(f64::from).collect();
+        assert_eq!(wide.cut(&field), field);
+        assert_eq!(
+            (wide.with_size(3), wide.with_size(4)),
+            (wide, SectorGrid::whole(4))
+        );
     }
 
     #[test]

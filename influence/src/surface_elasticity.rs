@@ -105,8 +105,8 @@ impl SurfaceElasticity {
         ConvolutionOperator::on(&self.table, grid)
     }
 
-    /// `C(k)` of the longest wave in a periodic cell of `size` × `size` elements, m/Pa: the order of magnitude of the
-    /// indentation by a pressure on the cell alone.
+    /// `C(k)` of the longest wave in a periodic cell of `size` elements along its longer side, m/Pa: the order of
+    /// magnitude of the indentation by a pressure on the cell alone.
     #[must_use]
     pub fn cell_response(&self, size: usize) -> f64 {
         let side = size as f64 * self.table.element_side();
@@ -119,10 +119,10 @@ impl SurfaceElasticity {
         self.bodies.mean_compliance()
     }
 
-    /// `K p` of a periodic cell of `size` × `size` elements.
+    /// `K p` of a periodic cell of `lengths` elements along x and y.
     #[must_use]
-    pub fn periodic_operator(&self, size: usize) -> PeriodicOperator {
-        PeriodicOperator::new(&self.bodies, self.table.element_side(), size)
+    pub fn periodic_operator(&self, lengths: [usize; 2]) -> PeriodicOperator {
+        PeriodicOperator::new(&self.bodies, self.table.element_side(), lengths)
     }
 
     /// `K p` on the `shown` elements for pressures on a window of `size` elements per row, the first of
@@ -156,9 +156,9 @@ impl SurfaceElasticity {
         PeriodicSymbol::new(&self.bodies, self.table.element_side(), size)
     }
 
-    /// The same for a periodic cell of `size` × `size` elements, quicker for many layers.
+    /// The same for a periodic cell of `lengths` elements along x and y, quicker for many layers.
     #[must_use]
-    pub fn cell_symbol(&self, size: usize) -> PeriodicSymbol {
-        PeriodicSymbol::of_cell(&self.bodies, self.table.element_side(), size)
+    pub fn cell_symbol(&self, lengths: [usize; 2]) -> PeriodicSymbol {
+        PeriodicSymbol::of_cell(&self.bodies, self.table.element_side(), lengths)
     }
 }

@@ -26,7 +26,7 @@ pub mod with_units;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use pellicle_contact::{ContactError, Domain, Model, SolverOptions, choose_side_at};
+use pellicle_contact::{ContactError, Domain, Load, Model, SolverOptions, choose_side_at};
 use pellicle_influence::{Cache, Cached, ElasticBodies, InfluenceError};
 use serde::Serialize;
 
@@ -64,7 +64,7 @@ pub struct Case {
     pub surface: SurfaceCase,
     /// The indenter.
     pub indenter: IndenterCase,
-    /// Force or penetration, or a list of either.
+    /// Force, nominal pressure or penetration, or a list of one of them.
     pub load: LoadCase,
     /// The grid.
     pub grid: GridCase,
@@ -165,13 +165,13 @@ impl Case {
         );
         add(
             "load",
-            "force or penetration",
+            "force, nominal pressure or penetration",
             required(),
             table(LoadCase::shape()),
         );
         add(
             "grid",
-            "the square domain and its elements",
+            "the domain and its elements",
             or("its defaults"),
             table(GridCase::shape()),
         );
@@ -289,14 +289,17 @@ impl Case {
             None => SurfaceCase::Bare,
         };
         let grid = read_or_default::<GridCase>(optional("grid")?, &scope)?;
-        (scope.elements, scope.side) = (grid.elements, grid.side);
+        (scope.elements, scope.side) = (grid.elements, grid.longer_side());
         let output = read_or_default::<OutputCase>(optional("output")?, &scope)?;
         let stress = optional("stress")?;
         let stress = stress.map(|table| StressCase::read(&table, &scope));
         let stress = stress.transpose()?;
         let mut indenter = IndenterCase::read(&required("indenter")?, &scope)?;
-        if let (BoundaryCase::Periodic, Some(side)) = (grid.boundary, grid.side) {
-            periodic::fit(&table, side, &mut surface, &mut indenter)?;
+        match (grid.boundary, grid.both_sides()) {
+            (BoundaryCase::Periodic, Some(sides)) => {
+                periodic::fit(&table, &foundation, sides, &mut surface, &mut indenter)?;
+            }
+            _ => periodic::refuse_nominal_pressure(&table)?,
         }
         let given = [surface.map(), indenter.map()];
         let units = given.into_iter().flatten().map(|map| map.units);
@@ -324,12 +327,18 @@ impl Case {
     pub fn blame(&self, error: ContactError) -> Error {
         let keys: &[&str] = match &error {
             ContactError::ElementsTooLarge { .. } => &["grid.side"],
-            ContactError::BeyondHardness { .. } => &["load.force", "load.forces"],
+            ContactError::BeyondHardness { .. } => &[
+                "load.force",
+                "load.forces",
+                "load.pressure",
+                "load.pressures",
+            ],
             ContactError::WithHardness { .. } => &[
                 "solver.hardness",
                 "foundation.layer[0].hardness",
                 "foundation.substrate.hardness",
             ],
+            ContactError::BeyondGaps { .. } => &["load.penetration", "load.penetrations"],
             ContactError::NothingCanTouch { .. } => {
                 &["indenter.radius", "indenter.file", "indenter.kind"]
             }
@@ -349,20 +358,25 @@ impl Case {
         self.document.refused(keys, &error).into()
     }
 
+    /// The loads in order, a nominal pressure as the force on the cell.
+    #[must_use]
+    pub fn loads(&self) -> Vec<Load> {
+        self.load.loads(self.grid.nominal_area())
+    }
+
     /// Returns the domain of the solution, as given or chosen for the loads.
     ///
     /// # Errors
     ///
     /// [`Error`] if none can be chosen, or the square of the stresses does not fit in it.
     pub fn domain(&self, model: &Model) -> Result<Domain, Error> {
-        let domain = match (self.grid.side, self.grid.boundary) {
-            (_, BoundaryCase::Periodic) => Domain::Periodic,
-            (Some(_), BoundaryCase::Free) => Domain::Side,
-            (None, BoundaryCase::Free) => Domain::Chosen,
-        };
         let side = self.side(model).map_err(|error| self.blame(error))?;
         self.check_extent(side)?;
-        Ok(domain(side))
+        Ok(match (self.grid.cell(), self.grid.side) {
+            (Some(cell), _) => cell,
+            (None, Some(_)) => Domain::Side(side),
+            (None, None) => Domain::Chosen(side),
+        })
     }
 
     /// Checks that the square of the requested stresses fits in a domain of this side.
@@ -379,15 +393,15 @@ impl Case {
         Err(self.document.wanted("stress.extent", &wanted))
     }
 
-    /// Side of the domain, m.
+    /// The longer side of the domain, m.
     ///
     /// # Errors
     ///
     /// [`ContactError`] if none can be chosen.
     pub fn side(&self, model: &Model) -> Result<f64, ContactError> {
-        match self.grid.side {
+        match self.grid.longer_side() {
             Some(side) => Ok(side),
-            None => choose_side_at(model, &self.load.loads(), self.solver_options().hardness),
+            None => choose_side_at(model, &self.loads(), self.solver_options().hardness),
         }
     }
 

@@ -16,7 +16,7 @@ use pellicle_texture::Grid;
 use self::need::Need;
 use self::stress_cost::StressCost;
 use self::trial::TRIAL;
-use crate::case::{Case, grid::BoundaryCase};
+use crate::case::Case;
 use crate::display::significant;
 
 /// Growth of the number of products of a hard case when the elements are halved; in an easy case it hardly grows.
@@ -49,14 +49,11 @@ impl Forecast {
     /// Runs a trial of a case.
     #[must_use]
     pub fn new(case: &Case, model: &Model) -> Self {
-        let trial = case.grid.elements.min(TRIAL);
-        let loads = case.load.loads();
+        let trial = case.grid.at_most(TRIAL);
+        let loads = case.loads();
         let (side, path) = match case.side(model) {
             Ok(side) => {
-                let domain = match case.grid.boundary {
-                    BoundaryCase::Free => Domain::Side(side),
-                    BoundaryCase::Periodic => Domain::Periodic(side),
-                };
+                let domain = case.grid.cell().unwrap_or(Domain::Side(side));
                 (side, trial::solve(case, model, domain, trial))
             }
             Err(error) => (default_side(model, &loads), Err(error)),
@@ -71,7 +68,8 @@ impl Forecast {
                 warnings.extend(smallest(path, side / case.grid.elements as f64));
                 let last = path.steps.len().saturating_sub(1);
                 let words = |warning: &Warning| case.sentence(warning);
-                let warns = |warning| of_the_model(warning, words, last, case.grid.side.is_some());
+                let warns =
+                    |warning| of_the_model(warning, words, last, case.grid.longer_side().is_some());
                 warnings.extend(path.warnings.iter().filter_map(warns));
             }
             Err(error) => warnings.push(format!("the trial failed: {error}")),
@@ -109,7 +107,7 @@ fn products(step: &Step, trial: usize, elements: usize) -> [f64; 2] {
 /// The warning that the domain is far too large for the contact of the largest load. The contact is that of the trial;
 /// where the trial is too coarse, an estimate if that is smaller.
 fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
-    let loads = case.load.loads();
+    let loads = case.loads();
     let found = path.steps.last()?.summary.contact_radius;
     let estimated = default_side(model, &loads) / 3.0;
     let radius = if found < MIN_ELEMENTS_PER_RADIUS * path.grid.element_side() {
@@ -125,7 +123,7 @@ fn far_too_large(case: &Case, model: &Model, path: &LoadingPath) -> Option<Strin
 /// The warning that the elements are too long for the waves of a map around the contact of the largest load.
 fn long_elements(case: &Case, model: &Model, path: &LoadingPath) -> Option<String> {
     let radius = path.steps.last()?.summary.contact_radius;
-    let grid = Grid::new(path.grid.side(), case.grid.elements).ok()?;
+    let grid = Grid::oblong(path.grid.side(), case.grid.lengths()?).ok()?;
     let warning = map_under_resolved(model, &grid, path.boundary, radius)?;
     let words = case.sentence(&warning);
     Some(words.trim_start_matches("step 0: ").to_owned())
@@ -186,6 +184,9 @@ fn resolution(model: &Model, side: f64, elements: usize) -> Vec<String> {
 /// The warnings about maps that end within the domain.
 fn maps(case: &Case, side: f64) -> Vec<String> {
     let ends = |map: &crate::case::map::MapCase| map.sides.iter().any(|length| *length < side);
+    if !case.grid.boundary.is_free() {
+        return Vec::new();
+    }
     let relief = case.surface.map().filter(|map| ends(map)).map(|map| {
         format!(
             "the map {} is smaller than the domain: its edge values are extended outwards",
@@ -205,6 +206,8 @@ fn maps(case: &Case, side: f64) -> Vec<String> {
 mod tests {
 
     use pellicle_influence::Cache;
+
+    use crate::case::grid::BoundaryCase;
 
     use super::need::tests::hertz;
     use super::*;

@@ -6,4 +6,5 @@ pub mod extremes;
 pub mod fields;
 pub mod quantities;
 pub mod quantity;
+pub mod square_fields;
 pub mod table;

@@ -120,7 +120,7 @@ pub fn path(
     domain: Domain,
     monitor: &mut dyn Monitor,
 ) -> Result<LoadingPath, Error> {
-    let (loads, options) = (case.load.loads(), case.solver_options());
+    let (loads, options) = (case.loads(), case.solver_options());
     let elements = case.grid.elements;
     solve_path(
         model,
@@ -159,7 +159,7 @@ pub fn complete(
 ) -> Result<Completeness, Error> {
     let mut completeness = Completeness::Whole;
     if path.interrupted {
-        let (done, steps) = (path.steps.len(), case.load.loads().len());
+        let (done, steps) = (path.steps.len(), case.load.steps());
         let message = format!("stopped by the user after {done} of {steps} loading steps");
         summary.warnings.push(stopped(message));
         completeness = Completeness::Part;

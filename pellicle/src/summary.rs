@@ -20,6 +20,7 @@ use crate::case::Case;
 use crate::case::grid::BoundaryCase;
 use crate::case::stress::StressCase;
 use crate::case::unit_slip;
+use crate::display::{Unit, quantity};
 use crate::error::Error;
 use crate::input::units::Units;
 use crate::run::Stresses;
@@ -71,17 +72,40 @@ pub struct RunSummary {
 /// The grid of a run, as written in a file.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct GridSummary {
-    /// Side of the square domain, m.
+    /// The longer side of the domain, m.
     #[serde(deserialize_with = "nan_from_null")]
     pub side: f64,
-    /// Elements per side.
+    /// Elements along the longer side.
     pub elements: usize,
+    /// Elements along x and y; none if they are as many.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lengths: Option<[usize; 2]>,
     /// Side `2a` of an element, m.
     #[serde(deserialize_with = "nan_from_null")]
     pub element_side: f64,
     /// The boundary condition.
     #[serde(default, skip_serializing_if = "BoundaryCase::is_free")]
     pub boundary: BoundaryCase,
+}
+
+impl GridSummary {
+    /// Elements along x and y, in words.
+    #[must_use]
+    pub fn elements_in_words(&self) -> String {
+        let [x, y] = self.lengths.unwrap_or([self.elements; 2]);
+        format!("{x} × {y}")
+    }
+
+    /// The side of a square, or both sides of an oblong cell, in words.
+    #[must_use]
+    pub fn sides_in_words(&self, units: Units) -> String {
+        let metres = |value| quantity(value, Unit::Metre, units);
+        let Some(lengths) = self.lengths else {
+            return format!("side {}", metres(self.side));
+        };
+        let [x, y] = lengths.map(|length| metres(length as f64 * self.element_side));
+        format!("sides {x} and {y}")
+    }
 }
 
 /// The time that a run took, and its threads.
@@ -138,7 +162,7 @@ impl RunSummary {
     /// [`Error::Json`] if the case has no JSON form.
     pub fn add_case(&mut self, case: &Case) -> Result<(), Error> {
         let mut resolved = case.clone();
-        resolved.grid.side.get_or_insert(self.grid.side);
+        resolved.grid.take_side(self.grid.side);
         self.ask_for_unit(case);
         self.case = serde_json::to_value(&resolved)?;
         self.roughness = RoughnessSummary::of(case);
@@ -187,6 +211,7 @@ impl RunSummary {
             grid: GridSummary {
                 side: path.grid.side(),
                 elements: path.grid.size(),
+                lengths: (!path.grid.is_square()).then(|| path.grid.lengths()),
                 element_side: path.grid.element_side(),
                 boundary: case.grid.boundary,
             },

@@ -1,3 +1,4 @@
 //! The documents of the crate.
 
 mod documents;
+mod periodic;

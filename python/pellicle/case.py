@@ -40,9 +40,9 @@ Loads: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
 class Case:
     """One contact problem.
 
-    Exactly one of `force`, `forces`, `penetration` and `penetrations` is the load. Numbers are in SI units (m, Pa, N,
-    rad, m/Pa), or in any consistent system if no quantity has a unit; strings such as `"5 nm"` and quantities of pint
-    carry units. Anything left out takes the default of the case file.
+    Exactly one of `force`, `forces`, `pressure`, `pressures`, `penetration` and `penetrations` is the load; a pressure
+    is the force over the area of a periodic cell. Numbers are in SI units (m, Pa, N, rad, m/Pa), or in any consistent
+    system if no quantity has a unit; strings such as `"5 nm"` and quantities of pint carry units. Anything left out takes the default of the case file.
 
     An indenter or a surface may also be a function `f(x, y)` of two arrays (m) that returns heights (m), as in
     `IndenterFunction` and `ReliefFunction`.
@@ -56,11 +56,14 @@ class Case:
         surface: Surface | Function | None = None,
         force: Quantity | None = None,
         forces: Loads | None = None,
+        pressure: Quantity | None = None,
+        pressures: Loads | None = None,
         penetration: Quantity | None = None,
         penetrations: Loads | None = None,
         sensitivities: bool = False,
         side: Quantity | None = None,
-        elements: int | None = None,
+        sides: Sequence[Quantity] | None = None,
+        elements: int | Sequence[int] | None = None,
         boundary: Literal["free", "periodic"] | None = None,
         tolerance: float | None = None,
         method: Literal["gradient", "active-set"] | None = None,
@@ -71,13 +74,20 @@ class Case:
     ) -> None:
         indenter = as_part(indenter, Indenter, IndenterFunction)
         surface = as_part(surface, Surface, ReliefFunction)
-        load = {"force": force, "forces": forces, "penetration": penetration, "penetrations": penetrations}
+        load = {
+            "force": force,
+            "forces": forces,
+            "pressure": pressure,
+            "pressures": pressures,
+            "penetration": penetration,
+            "penetrations": penetrations,
+        }
         tables: dict[str, Mapping[str, Any] | None] = {
             "foundation": _table(foundation, Foundation, "foundation"),
             "surface": None if surface is None else _table(surface, Surface, "surface"),
             "indenter": _table(indenter, Indenter, "indenter"),
             "load": _given(load) | ({"sensitivities": True} if sensitivities else {}),
-            "grid": _given({"side": side, "elements": elements, "boundary": boundary}) or None,
+            "grid": _given({"side": side, "sides": sides, "elements": elements, "boundary": boundary}) or None,
             "solver": _given({"tolerance": tolerance, "method": method, "hardness": hardness}) or None,
             "stress": None if stress is None else _table(stress, Stress, "stress"),
             "output": None if output is None else _table(output, Output, "output"),
@@ -204,10 +214,13 @@ class Case:
         return Case._restored, self._state
 
     def __repr__(self) -> str:
-        kind, elements = self.resolved["indenter"]["kind"], self.resolved["grid"]["elements"]
+        kind, grid = self.resolved["indenter"]["kind"], self.resolved["grid"]
+        elements = f"{grid['elements']} × {grid['elements']} elements"
+        if grid.get("sides"):
+            elements = f"{grid['elements']} elements along the longer side"
         layers = len(self.resolved["foundation"]["layer"])
         counted = f"{layers} layer{'' if layers == 1 else 's'}"
-        return f"<Case {self.title!r}: {kind} on {counted}, {elements} × {elements} elements>"
+        return f"<Case {self.title!r}: {kind} on {counted}, {elements}>"
 
     def _repr_html_(self) -> str:
         return show.table(["key", "value"], show.keys(self.resolved))

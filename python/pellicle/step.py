@@ -130,15 +130,18 @@ class Step(StepNumbers):
 
     @cached_property
     def x(self) -> npt.NDArray[np.float64]:
-        """Coordinates of the element centres along x, the same as along y, m; the axis is at 0."""
-        size, element_side = self._grid["elements"], self._grid["element_side"]
-        coordinates: npt.NDArray[np.float64] = (2 * np.arange(size) + 1 - size) * (0.5 * element_side)
-        return coordinates
+        """Coordinates of the element centres along x, m; the axis is at 0."""
+        return self._centres(0)
 
-    @property
+    @cached_property
     def y(self) -> npt.NDArray[np.float64]:
         """Coordinates of the element centres along y, m."""
-        return self.x
+        return self._centres(1)
+
+    def _centres(self, axis: int) -> npt.NDArray[np.float64]:
+        size = self._grid.get("lengths", [self._grid["elements"]] * 2)[axis]
+        coordinates: npt.NDArray[np.float64] = (2 * np.arange(size) + 1 - size) * (0.5 * self._grid["element_side"])
+        return coordinates
 
     @cached_property
     def _surface(self) -> tuple[Field, Field, Field]:
@@ -182,7 +185,9 @@ class Step(StepNumbers):
         has_hardness = self._summary.get("area_at_limit") is not None
         given = {name: about for name, about in FIELDS.items() if has_hardness or name != "plastic_depth"}
         fields = {name: (("x", "y"), getattr(self, name), attributes(*about)) for name, about in given.items()}
-        axes = {axis: (axis, self.x, attributes("m", f"{axis} of the element's centre")) for axis in ("x", "y")}
+        axes = {
+            axis: (axis, getattr(self, axis), attributes("m", f"{axis} of the element's centre")) for axis in ("x", "y")
+        }
         values = {"force": self.force, "penetration": self.penetration, "status": self.status}
         return xarray.Dataset(fields, axes, values)
 
@@ -192,8 +197,8 @@ class Step(StepNumbers):
         from matplotlib.ticker import EngFormatter, MaxNLocator
 
         ax = plt.subplots()[1] if ax is None else ax
-        half = 0.5 * self.x.size * (self.x[1] - self.x[0]) if self.x.size > 1 else 0.5
-        image = ax.imshow(self.pressure.T, origin="lower", extent=(-half, half, -half, half), cmap="viridis")
+        x, y = (0.5 * axis.size * self._grid["element_side"] for axis in (self.x, self.y))
+        image = ax.imshow(self.pressure.T, origin="lower", extent=(-x, x, -y, y), cmap="viridis")
         bar = ax.figure.colorbar(image, ax=ax, label="pressure")
         force, penetration = self._quantity(self.force, "N"), self._quantity(self.penetration, "m")
         ax.set(xlabel="x", ylabel="y", title=f"Q = {force}, D = {penetration}")

@@ -60,6 +60,11 @@ impl DiscreteProblem {
     fn new(py: Python<'_>, case: &Case) -> PyResult<Self> {
         let (case, shared) = (case.inner(), process::shared());
         let made = Threads::work(py, || {
+            if case.grid.sides.is_some() {
+                let wanted = "side: the discrete problem of an oblong cell is not available";
+                let refused = case.document.wanted("grid.sides", wanted);
+                return Err(Failure::from(pellicle::Error::from(refused)));
+            }
             let model = case.model(&shared.cache)?.value;
             let (side, elements) = (case.side(&model)?, case.grid.elements);
             let sampled = model.sample(side, elements)?;

@@ -31,7 +31,7 @@ impl Field {
     fn array_interface<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         const IS_READ_ONLY: bool = true;
         let values = &self.solved.path.steps[self.step].solution.pressure;
-        let size = self.solved.path.grid.size();
+        let [along_x, along_y] = self.solved.path.grid.lengths();
         let order = if cfg!(target_endian = "big") {
             ">f8"
         } else {
@@ -39,7 +39,7 @@ impl Field {
         };
         let interface = PyDict::new(py);
         interface.set_item("version", 3)?;
-        interface.set_item("shape", (size, size))?;
+        interface.set_item("shape", (along_x, along_y))?;
         interface.set_item("typestr", order)?;
         interface.set_item("data", (values.as_ptr().expose_provenance(), IS_READ_ONLY))?;
         Ok(interface)

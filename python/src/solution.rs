@@ -50,14 +50,14 @@ impl Solution {
         }
     }
 
-    /// N² values as an array, first index along x, without a copy.
+    /// A value for each element as an array, first index along x, without a copy.
     fn array<'py, T: numpy::Element>(
         &self,
         py: Python<'py>,
         values: Vec<T>,
     ) -> PyResult<Bound<'py, PyArray2<T>>> {
-        let size = self.solved.path.grid.size();
-        PyArray1::from_vec(py, values).reshape([size, size])
+        let lengths = self.solved.path.grid.lengths();
+        PyArray1::from_vec(py, values).reshape(lengths)
     }
 
     fn check(&self, step: usize) -> PyResult<()> {

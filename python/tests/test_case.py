@@ -255,7 +255,7 @@ def test_a_fault_is_reported_with_its_key(body: pl.Foundation) -> None:
     assert error.value.key == "radius"
     assert error.value.found == '"5 mN" (a force)'
     assert "a positive length" in (error.value.wanted or "")
-    with pytest.raises(pl.CaseError, match="wanted exactly one of force, forces, penetration, penetrations"):
+    with pytest.raises(pl.CaseError, match="wanted exactly one of force, forces, pressure, pressures"):
         pl.Case(body, pl.Sphere(1.0))
     with pytest.raises(pl.CaseError, match="found 0.6 for Poisson's ratio, wanted a number in"):
         pl.Material(1.0, 0.6)

@@ -168,3 +168,21 @@ def test_a_path_is_a_page_a_table_and_a_picture(path: pl.Path, tmp_path: Path) -
     axes = path.plot()
     assert axes.get_xlabel() == "penetration D" and axes.get_title() == "two loads"
     assert path[:1][0].plot().get_xlabel() == "x"
+
+
+def test_an_oblong_cell_has_arrays_of_its_shape() -> None:
+    rubber = pl.Foundation("rigid", [pl.Layer(1.0, pl.Material(1.0, 0.3))])
+    x, y = np.meshgrid(np.arange(30) / 30, np.arange(20) / 20, indexing="ij")
+    heights = 0.01 * np.cos(2 * np.pi * x) * np.cos(2 * np.pi * y)
+    cell = {"sides": [3.0, 2.0], "boundary": "periodic"}
+    rough = pl.IndenterMap(heights, sides=[3.0, 2.0])
+    case = pl.Case(rubber, rough, pressure=1e-3, elements=[48, 32], **cell)  # type: ignore[arg-type]
+    step = case.solve()[0]
+    assert step.pressure.shape == step.gap.shape == (48, 32)
+    assert (step.x.size, step.y.size) == (48, 32)
+    assert abs(step.force / 6e-3 - 1) < 1e-12
+    assert step.nominal_pressure is not None and abs(step.nominal_pressure / 1e-3 - 1) < 1e-12
+    assert np.array_equal(pickle.loads(pickle.dumps(step)).x, step.x)
+    depth = pl.Case(rubber, rough, penetration=step.penetration, elements=48, **cell).solve()[0]  # type: ignore[arg-type]
+    # The tolerance of the solver.
+    assert abs(depth.force / step.force - 1) < 1e-7

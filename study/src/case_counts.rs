@@ -77,17 +77,18 @@ impl Study {
             let load = TableReader::root(&root)?.required("load", "a table [load]")?;
             LoadCase::read(&load.table()?, &Scope::default())
         };
-        read().map_or(1, |load: LoadCase| load.loads().len())
+        read().map_or(1, |load: LoadCase| load.steps())
     }
 
-    /// The elements per side of a case; 0 if they are invalid. Only the grid is read.
+    /// The elements per side of a square of a case; 0 if they are invalid or it is oblong. Only the grid is read.
     fn elements(&self, case: usize) -> usize {
         let read = || -> Result<usize, Diagnosis> {
             let root = self.tree(case)?;
             let table = TableReader::root(&root)?.optional("grid");
             let table = table.map(ValueReader::table).transpose()?;
             table.map_or(Ok(GridCase::default().elements), |table| {
-                GridCase::read_elements(&table)
+                let is_oblong = table.optional("sides").is_some();
+                GridCase::read_elements(&table).map(|size| if is_oblong { 0 } else { size })
             })
         };
         read().unwrap_or(0)
@@ -100,7 +101,7 @@ fn changes_the_number_of_loads(path: &[String]) -> bool {
     path.next() == Some("load")
         && path
             .next()
-            .is_none_or(|key| matches!(key, "forces" | "penetrations"))
+            .is_none_or(|key| matches!(key, "forces" | "pressures" | "penetrations"))
 }
 
 /// Whether another value of this key may change the grid.

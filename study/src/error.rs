@@ -75,6 +75,11 @@ pub enum StudyError {
         /// Loading steps kept.
         steps: usize,
     },
+    /// Fields of an oblong cell.
+    #[error(
+        "study.keep: found an oblong cell, wanted a square domain: the files of kept fields are for squares"
+    )]
+    KeptOblong,
     /// The threads cannot be started.
     #[error("the threads cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),

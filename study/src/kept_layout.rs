@@ -45,10 +45,14 @@ impl KeptLayout {
     ///
     /// # Errors
     ///
-    /// [`StudyError::KeptTooLarge`] if a field of one case does not fit into the format.
+    /// [`StudyError::KeptTooLarge`] if a field of one case does not fit into the format, [`StudyError::KeptOblong`] for
+    /// an oblong cell.
     pub fn new(study: &Study, case: &Case, rows: &CaseCounts) -> Result<Option<Self>, StudyError> {
         if study.keep.is_empty() {
             return Ok(None);
+        }
+        if case.grid.sides.is_some() {
+            return Err(StudyError::KeptOblong);
         }
         let most_steps = rows.different().into_iter().max().unwrap_or(1);
         let layout = Self {

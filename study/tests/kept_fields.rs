@@ -59,3 +59,11 @@ fn a_field_too_large_for_the_format_is_rejected_before_anything_is_solved() {
         "{refused}"
     );
 }
+
+#[test]
+fn fields_of_an_oblong_cell_are_not_kept() {
+    let text = "[study]\ncase = \"base.toml\"\nkeep = [\"pressure\"]\n[study.vary]\n\
+                grid = [{ sides = [\"2 um\", \"1 um\"], elements = 32, boundary = \"periodic\" }]\n";
+    let refused = StudyPlan::new(&study(text).unwrap(), Shard::WHOLE).unwrap_err();
+    assert!(matches!(refused, StudyError::KeptOblong), "{refused}");
+}

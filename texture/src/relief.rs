@@ -56,7 +56,7 @@ impl Relief {
         self.sampled(
             grid.len(),
             |cylinders| grid.sample(self.is_mirrored(), |point| cylinders.contains(point)),
-            [0; 2].map(|first| grid.centres_from(first)),
+            [0, 1].map(|axis| grid.centres_from(axis, 0)),
             || grid.sample(false, |point| point),
         )
     }
@@ -68,9 +68,12 @@ impl Relief {
     #[must_use]
     pub fn sample_from(&self, grid: &Grid, first: [usize; 2]) -> SampledRelief {
         self.sampled(
-            first.map(|first| grid.size() - first).iter().product(),
+            [0, 1]
+                .map(|axis| grid.lengths()[axis] - first[axis])
+                .iter()
+                .product(),
             |cylinders| grid.sample_from(first, |point| cylinders.contains(point)),
-            first.map(|first| grid.centres_from(first)),
+            [0, 1].map(|axis| grid.centres_from(axis, first[axis])),
             || grid.sample_from(first, |point| point),
         )
     }

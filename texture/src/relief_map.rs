@@ -112,8 +112,8 @@ impl ReliefMap {
     /// Whether every element centre of the grid lies in the map's rectangle.
     #[must_use]
     pub fn covers(&self, grid: &Grid) -> bool {
-        let corner = grid.centre(grid.size() - 1);
-        self.map.covers([corner, corner])
+        self.map
+            .covers(grid.point(grid.lengths().map(|length| length - 1)))
     }
 
     /// Surface profile `f*` at a point (m): 0 at the highest point, negative elsewhere.

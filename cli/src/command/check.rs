@@ -1,6 +1,7 @@
 //! `pellicle check`: the case as resolved, and estimates of the work of solving it.
 
 use pellicle::case::Case;
+use pellicle::case::grid::GridCase;
 use pellicle::case::map::MapCase;
 use pellicle::case::surface::SurfaceCase;
 use pellicle::case::with_units::with_units;
@@ -25,10 +26,10 @@ use crate::{cache, terminal};
 pub fn check(arguments: &CaseArguments) -> Result<Outcome, Failure> {
     let mut case = Case::read(&arguments.path, &arguments.sets)?;
     let cache = cache::open();
-    let chosen = case.grid.side.is_none();
+    let chosen = case.grid.longer_side().is_none();
     let forecast = Forecast::new(&case, &case.model(&cache)?.value);
     case.check_extent(forecast.side)?;
-    case.grid.side = Some(forecast.side);
+    case.grid.take_side(forecast.side);
     let resolved = serde_json::to_value(&case)?;
     let resolved = match case.units {
         Units::Si => with_units(resolved),
@@ -72,7 +73,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     }
     lines.graded(case)?;
     lines.maps(case, element_side);
-    lines.add("loading steps", &case.load.loads().len().to_string());
+    lines.add("loading steps", &case.load.steps().to_string());
     lines.add("memory, about", &display::memory(forecast.need.bytes));
     let [planes, size] = lines.stresses(case, forecast)?;
     let disk = disk_space::bytes(case) + disk_space::of_stresses(case, planes, size);
@@ -87,7 +88,12 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
         lines.add("products with K per step, about", &range);
     }
     if let Some(step) = &forecast.step {
-        lines.trial(step, forecast.trial, element_side, case.units);
+        let trial = GridCase {
+            elements: forecast.trial,
+            ..case.grid
+        };
+        let elements = trial.lengths().unwrap_or([forecast.trial; 2]);
+        lines.trial(step, elements, element_side, case.units);
     }
     Ok(lines.lines.concat())
 }
@@ -182,7 +188,7 @@ impl Estimates {
     }
 
     /// Adds the contact of the largest load on the coarse grid.
-    fn trial(&mut self, step: &Step, elements: usize, element_side: f64, units: Units) {
+    fn trial(&mut self, step: &Step, [x, y]: [usize; 2], element_side: f64, units: Units) {
         let (solution, summary) = (&step.solution, &step.summary);
         let of = |value, unit| quantity(value, unit, units);
         let radius = summary.contact_radius;
@@ -191,7 +197,7 @@ impl Estimates {
             &significant(radius / element_side, 2),
         );
         self.lines.push(format!(
-            "# a trial of the largest load on {elements} × {elements} elements: Q = {}, D = {}, largest pressure {}\n",
+            "# a trial of the largest load on {x} × {y} elements: Q = {}, D = {}, largest pressure {}\n",
             of(solution.force, Unit::Newton),
             of(solution.penetration, Unit::Metre),
             of(summary.max_pressure, Unit::Pascal),

@@ -86,7 +86,7 @@ pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
 
 /// The requested step, by default the last.
 fn step(case: &Case, requested: Option<usize>) -> Result<usize, Failure> {
-    let last = case.load.loads().len().saturating_sub(1);
+    let last = case.load.steps().saturating_sub(1);
     match requested {
         Some(found) if found > last => Err(Failure::NoStep { found, last }),
         requested => Ok(requested.unwrap_or(last)),
@@ -127,7 +127,7 @@ fn solve(
     let domain = case.domain(model)?;
     let memory = MemoryBudget::default();
     let _share = memory.take(Need::new(case, model, domain, 0), &mut line)?;
-    let loads = &case.load.loads()[step..=step];
+    let loads = &case.loads()[step..=step];
     let elements = case.grid.elements;
     let options = case.solver_options();
     let path = solve_path(

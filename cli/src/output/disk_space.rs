@@ -73,7 +73,7 @@ pub fn of_stresses(case: &Case, planes: usize, size: usize) -> f64 {
         Format::Npz => STRESS_NPZ * (interfaces * plane + (planes * size) as f64),
         Format::Gsf => 0.0,
     });
-    let steps = case.load.loads().len();
+    let steps = case.load.steps();
     let of_fields =
         case.output.fields.count(steps) as f64 * bytes.fold(0.0, |sum, bytes| sum + bytes);
     let of_pictures = STRESS_SECTION + STRESS_INTERFACE * interfaces;
@@ -83,11 +83,11 @@ pub fn of_stresses(case: &Case, planes: usize, size: usize) -> f64 {
 /// Estimates the disk space of a run of a case without its stresses, in bytes.
 #[must_use]
 pub fn bytes(case: &Case) -> f64 {
-    let (steps, elements) = (case.load.loads().len(), case.grid.elements);
+    let steps = case.load.steps();
     let OutputCase {
         fields, pictures, ..
     } = case.output;
-    let area = (elements * elements) as f64;
+    let area = case.grid.count() as f64;
     let of_fields = fields.count(steps) as f64 * area * per_element(case);
     let pictured = pictures.count(steps);
     let of_pictures = pictured as f64 * of_a_step(case) + of_the_run(case, pictured > 0);
@@ -126,7 +126,7 @@ fn of_a_step_in_report(case: &Case) -> f64 {
 }
 
 fn of_the_run(case: &Case, pictures: bool) -> f64 {
-    let has_curve = case.load.loads().len() > 1;
+    let has_curve = case.load.steps() > 1;
     let has_grids = case.grid.elements >= MIN_ELEMENTS_OF_SEVERAL_GRIDS;
     let curve = f64::from(u8::from(pictures && has_curve)) * CURVE;
     curve + f64::from(u8::from(pictures && has_grids)) * CONVERGENCE

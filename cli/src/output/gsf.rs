@@ -29,7 +29,7 @@ pub fn write(folder: &Path, fields: &Fields<'_>, units: Units, step: usize) -> R
         file.write_all(&head(fields, units))?;
         #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
         let pressure = |e: usize| fields.pressure[e] as f32;
-        rows(fields.size).try_for_each(|e| file.write_all(&pressure(e).to_le_bytes()))
+        rows(fields.lengths()).try_for_each(|e| file.write_all(&pressure(e).to_le_bytes()))
     })
 }
 
@@ -43,19 +43,20 @@ pub fn height_map(heights: &[f64], size: usize, side: f64) -> Vec<u8> {
     let mut bytes = padded(text);
     #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
     let value = |e: usize| heights[e] as f32;
-    bytes.extend(rows(size).flat_map(|e| value(e).to_le_bytes()));
+    bytes.extend(rows([size; 2]).flat_map(|e| value(e).to_le_bytes()));
     bytes
 }
 
 fn head(fields: &Fields<'_>, units: Units) -> Vec<u8> {
-    let (size, side, low) = (fields.size, fields.side, fields.edge(0));
+    let ([columns, rows], [left, low]) = (fields.lengths(), fields.corner());
+    let [along_x, along_y] = [-2.0 * left, -2.0 * low];
     let units = match units {
         Units::Si => "XYUnits = m\nZUnits = Pa\n",
         Units::Consistent => "",
     };
     let text = format!(
-        "Gwyddion Simple Field 1.0\nXRes = {size}\nYRes = {size}\nXReal = {side:e}\nYReal = {side:e}\n\
-         XOffset = {low:e}\nYOffset = {low:e}\n{units}Title = Pressure\n"
+        "Gwyddion Simple Field 1.0\nXRes = {columns}\nYRes = {rows}\nXReal = {along_x:e}\nYReal = {along_y:e}\n\
+         XOffset = {left:e}\nYOffset = {low:e}\n{units}Title = Pressure\n"
     );
     padded(text)
 }
@@ -69,9 +70,9 @@ fn padded(text: String) -> Vec<u8> {
 }
 
 /// The elements in the order of a file.
-fn rows(size: usize) -> impl Iterator<Item = usize> {
-    let row = move |j: usize| (0..size).map(move |i| i * size + j);
-    (0..size).rev().flat_map(row)
+fn rows([along_x, along_y]: [usize; 2]) -> impl Iterator<Item = usize> {
+    let row = move |j: usize| (0..along_x).map(move |i| i * along_y + j);
+    (0..along_y).rev().flat_map(row)
 }
 
 #[cfg(test)]

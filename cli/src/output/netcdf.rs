@@ -56,7 +56,7 @@ pub fn write(
     let variables = variables(fields, summary);
     let attributes = global_attributes(fields, summary, step);
     write_stoppable(path, |file| {
-        file.write_all(&header(fields.size, attributes, &variables).bytes()?)?;
+        file.write_all(&header(fields.lengths(), attributes, &variables).bytes()?)?;
         for variable in &variables {
             write_values(file, fields, &variable.values)?;
         }
@@ -101,7 +101,7 @@ fn variables<'a>(fields: &Fields<'a>, summary: &RunSummary) -> Vec<FilledVariabl
 }
 
 fn global_attributes(fields: &Fields<'_>, summary: &RunSummary, step: usize) -> Vec<Attribute> {
-    let area = fields.side.powi(2);
+    let area = fields.area();
     let (length, force) = (summary.units.name("m"), summary.units.name("N"));
     let of_step = &summary.steps[step];
     vec![
@@ -139,10 +139,14 @@ impl FilledVariable<'_> {
     }
 }
 
-fn header(size: usize, attributes: Vec<Attribute>, variables: &[FilledVariable<'_>]) -> Header {
+fn header(
+    [along_x, along_y]: [usize; 2],
+    attributes: Vec<Attribute>,
+    variables: &[FilledVariable<'_>],
+) -> Header {
     Header {
         records: 0,
-        dimensions: vec![("x", size), ("y", size)],
+        dimensions: vec![("x", along_x), ("y", along_y)],
         attributes,
         variables: variables.iter().map(FilledVariable::head).collect(),
     }
@@ -154,9 +158,10 @@ fn write_values(
     values: &VariableValues<'_>,
 ) -> io::Result<()> {
     match values {
-        VariableValues::Centres(_) => {
-            (0..fields.size).try_for_each(|i| file.write_all(&fields.centre(i).to_be_bytes()))
-        }
+        VariableValues::Centres(axis) => (0..fields.lengths()[*axis]).try_for_each(|i| {
+            let centre = fields.centre_along(*axis, i);
+            file.write_all(&centre.to_be_bytes())
+        }),
         VariableValues::Numbers(numbers) => numbers
             .iter()
             .try_for_each(|number| file.write_all(&number.to_be_bytes())),

@@ -23,8 +23,8 @@ pub fn file(step: usize) -> String {
     format!("fields-{step:03}.npz")
 }
 
-/// Writes `x`, `y` (N values each), and `pressure`, `displacement`, `gap`, `shortening`, `profile`, `mask`, `contact`
-/// (N × N, the first index along x), and `plastic_depth` if there is a hardness.
+/// Writes `x`, `y` (`N_x` and `N_y` values), and `pressure`, `displacement`, `gap`, `shortening`, `profile`, `mask`,
+/// `contact` (`N_x × N_y`, the first index along x), and `plastic_depth` if there is a hardness.
 ///
 /// # Errors
 ///
@@ -34,22 +34,24 @@ pub fn write(file: &Path, fields: &Fields<'_>) -> Result<(), Failure> {
 }
 
 fn npz(file: impl io::Write + io::Seek, fields: &Fields<'_>) -> Result<(), WriteNpzError> {
-    let size = fields.size;
-    let centres: Array1<f64> = (0..size).map(|i| fields.centre(i)).collect();
+    let lengths = fields.lengths();
     let mut npz = NpzArchive::new(file);
-    npz.add("x", &centres)?;
-    npz.add("y", &centres)?;
+    for (axis, name) in ["x", "y"].into_iter().enumerate() {
+        let centre = |i| fields.centre_along(axis, i);
+        let centres: Array1<f64> = (0..lengths[axis]).map(centre).collect();
+        npz.add(name, &centres)?;
+    }
     for (field, values) in fields.numbers() {
-        npz.add(field.name, &square(size, values)?)?;
+        npz.add(field.name, &rectangle(lengths, values)?)?;
     }
     for truth in TRUTHS {
-        npz.add(truth.name, &square(size, &truth.of(fields))?)?;
+        npz.add(truth.name, &rectangle(lengths, &truth.of(fields))?)?;
     }
     npz.finish()
 }
 
-fn square<T>(size: usize, field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzError> {
-    ArrayView2::from_shape((size, size), field)
+fn rectangle<T>(lengths: [usize; 2], field: &[T]) -> Result<ArrayView2<'_, T>, WriteNpzError> {
+    ArrayView2::from_shape(lengths, field)
         .map_err(|error: ShapeError| WriteNpyError::Io(io::Error::other(error)).into())
 }
 
@@ -85,7 +87,8 @@ pub(super) fn check(path: &Path) -> Result<(), String> {
 /// The fields of a step, read back from a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoredFields {
-    size: usize,
+    /// Elements along x and y.
+    lengths: [usize; 2],
     /// In the order of [`NUMBERS`]; empty if the step does not have it.
     numbers: [Vec<f64>; NUMBERS.len()],
     mask: Vec<bool>,
@@ -100,7 +103,7 @@ impl StoredFields {
     pub fn read(path: &Path) -> Result<Self, Failure> {
         check(path).map_err(|reason| Failure::damaged(path, &reason))?;
         let fields = Self::try_read(path).map_err(|cause| Failure::damaged(path, &cause))?;
-        let count = fields.size * fields.size;
+        let count = fields.lengths[0] * fields.lengths[1];
         let is_whole = |(field, values): (&NumberField, &Vec<f64>)| {
             values.len() == count || (field.of_hardness && values.is_empty())
         };
@@ -110,7 +113,7 @@ impl StoredFields {
         {
             return Ok(fields);
         }
-        Err(Failure::damaged(path, &"the fields are not square"))
+        Err(Failure::damaged(path, &"the fields have different sizes"))
     }
 
     fn try_read(path: &Path) -> Result<Self, ReadNpzError> {
@@ -125,13 +128,13 @@ impl StoredFields {
             }
         }
         Ok(Self {
-            size: mask.nrows(),
+            lengths: [mask.nrows(), mask.ncols()],
             numbers,
             mask: mask.into_iter().collect(),
         })
     }
 
-    /// The fields, on a domain of this side.
+    /// The fields, on a domain whose longer side is this.
     #[must_use]
     pub fn fields(&self, side: f64) -> Fields<'_> {
         let [
@@ -142,9 +145,10 @@ impl StoredFields {
             profile,
             plastic_depth,
         ] = &self.numbers;
+        let [rows, columns] = self.lengths;
         Fields {
-            side,
-            size: self.size,
+            side: side * (columns as f64 / rows.max(columns) as f64),
+            size: columns,
             pressure,
             displacement,
             gap,

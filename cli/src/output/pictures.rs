@@ -4,6 +4,7 @@ use std::path::Path;
 
 use pellicle::case::output::Steps;
 use pellicle::result::fields::Fields;
+use pellicle::result::square_fields::SquareFields;
 use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_plot as plot;
 use pellicle_plot::sheet::style::Style;
@@ -177,7 +178,8 @@ pub fn stresses(
     style: &Style,
     writer: &WriteProgress<'_>,
 ) -> Result<StressDrawings, Failure> {
-    let subject = subject::of_step(summary, &summary.steps[step], &fields, *style);
+    let square = SquareFields::of(fields);
+    let subject = subject::of_step(summary, &summary.steps[step], &square.fields(), *style);
     let extremes = extremes::of_step(&summary.steps[step]);
     let pictures = of_stresses(summary).par_iter();
     let drawn = pictures.map(|picture| {
@@ -196,7 +198,8 @@ pub fn stresses(
 #[must_use]
 pub fn drawn_step(summary: &RunSummary, step: usize, fields: Fields<'_>) -> StepDrawings {
     let numbers = &summary.steps[step];
-    let subject = subject::of_step(summary, numbers, &fields, Style::default());
+    let square = SquareFields::of(fields);
+    let subject = subject::of_step(summary, numbers, &square.fields(), Style::default());
     let pictures = of_a_step(summary).into_par_iter();
     StepDrawings {
         step,

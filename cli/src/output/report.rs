@@ -30,7 +30,8 @@ pub const FILE: &str = "report.html";
 struct RunPage<'a> {
     summary: &'a RunSummary,
     run: &'a RunDrawings,
-    side: String,
+    /// The domain in words, with its sides.
+    domain: String,
     element_side: String,
     /// The worst status of a step.
     worst: Status,
@@ -69,7 +70,7 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
     let page = RunPage {
         summary,
         run,
-        side: metres(summary.grid.side),
+        domain: domain(summary),
         element_side: metres(summary.grid.element_side),
         worst: (summary.steps.iter().map(StepSummary::verdict).max()).unwrap_or_default(),
         columns: OF_A_CURVE.map(|key| of_key(key).map_or_else(String::new, Quantity::title)),
@@ -87,6 +88,15 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
         solve_seconds: seconds(summary.timing.solve_seconds),
     };
     page.to_string()
+}
+
+/// The domain in words, with its sides.
+fn domain(summary: &RunSummary) -> String {
+    let sides = summary.grid.sides_in_words(summary.units);
+    match summary.grid.lengths {
+        None => format!("a square of {sides}"),
+        Some(_) => format!("an oblong cell of {sides}"),
+    }
 }
 
 /// Renders the page of a run whose files are not written, with the pictures of its last step.

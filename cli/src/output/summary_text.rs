@@ -52,15 +52,13 @@ pub fn warning_lines(warnings: &[WarningSummary]) -> String {
 fn grid(summary: &RunSummary) -> String {
     let grid = &summary.grid;
     let metres = |value| quantity(value, Unit::Metre, summary.units);
-    let (side, element_side) = (metres(grid.side), metres(grid.element_side));
-    let elements = grid.elements;
+    let element_side = metres(grid.element_side);
     let square = match grid.boundary {
         BoundaryCase::Free => "square",
         BoundaryCase::Periodic => "periodic cell",
     };
-    let line = format!(
-        "grid {elements} × {elements} on a {square} of side {side}, element side {element_side}\n"
-    );
+    let (elements, sides) = (grid.elements_in_words(), grid.sides_in_words(summary.units));
+    let line = format!("grid {elements} on a {square} of {sides}, element side {element_side}\n");
     match grid.boundary {
         BoundaryCase::Free => line,
         BoundaryCase::Periodic => {

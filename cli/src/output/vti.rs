@@ -1,8 +1,8 @@
 //! `fields-NNN.vti`: the fields of one loading step, for `ParaView` and everything else that reads VTK's XML.
 //!
-//! An image of N × N cells; the numbers follow the text in binary, each array after its length in bytes. Single
-//! precision is enough for any picture and halves the file; `fields-NNN.npz` has full precision. The descriptions of
-//! the arrays and their lengths are the same in every file of this XML.
+//! An image with a cell for each element; the numbers follow the text in binary, each array after its length in bytes.
+//! Single precision is enough for any picture and halves the file; `fields-NNN.npz` has full precision. The
+//! descriptions of the arrays and their lengths are the same in every file of this XML.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -34,7 +34,7 @@ pub fn write(path: &Path, fields: &Fields<'_>, units: Units) -> Result<(), Failu
             write_numbers(file, fields, values)?;
         }
         for truth in TRUTHS {
-            write_truths(file, fields.size, &truth.of(fields))?;
+            write_truths(file, fields.lengths(), &truth.of(fields))?;
         }
         file.write_all(b"\n  </AppendedData>\n</VTKFile>\n")
     })
@@ -42,17 +42,18 @@ pub fn write(path: &Path, fields: &Fields<'_>, units: Units) -> Result<(), Failu
 
 /// The text before the first array.
 fn head(fields: &Fields<'_>, units: Units) -> String {
-    let size = fields.size;
-    let extent = format!("0 {size} 0 {size} 0 0");
-    let (low, side) = (fields.edge(0), fields.element_side());
+    let [columns, rows] = fields.lengths();
+    let extent = format!("0 {columns} 0 {rows} 0 0");
+    let (elements, side) = (columns * rows, fields.element_side());
+    let [left, low] = fields.corner();
     let arrays: Vec<_> = fields.numbers().collect();
-    let each = LENGTH + size_of::<f32>() * size * size;
+    let each = LENGTH + size_of::<f32>() * elements;
     let numbers = arrays.iter().enumerate();
     let numbers: String = numbers
         .map(|(i, (field, _))| number_array(field.name, units.name(field.unit), i * each))
         .collect();
     let first = arrays.len() * each;
-    let length = LENGTH + size * size;
+    let length = LENGTH + elements;
     let truths = TRUTHS.iter().enumerate();
     let truths: String = truths
         .map(|(i, truth)| byte_array(truth.name, first + i * length))
@@ -60,7 +61,7 @@ fn head(fields: &Fields<'_>, units: Units) -> String {
     format!(
         r#"<?xml version="1.0"?>
 <VTKFile type="ImageData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
-  <ImageData WholeExtent="{extent}" Origin="{low:e} {low:e} 0" Spacing="{side:e} {side:e} {side:e}">
+  <ImageData WholeExtent="{extent}" Origin="{left:e} {low:e} 0" Spacing="{side:e} {side:e} {side:e}">
     <Piece Extent="{extent}">
       <CellData Scalars="pressure">
 {numbers}{truths}      </CellData>
@@ -73,24 +74,24 @@ _"#
 
 fn write_numbers(file: &mut impl Write, fields: &Fields<'_>, values: &[f64]) -> io::Result<()> {
     write_length(file, size_of::<f32>() * values.len())?;
-    for e in along_x(fields.size) {
+    for e in along_x(fields.lengths()) {
         #[expect(clippy::cast_possible_truncation, reason = "single precision is meant")]
         file.write_all(&(values[e] as f32).to_le_bytes())?;
     }
     Ok(())
 }
 
-fn write_truths(file: &mut impl Write, size: usize, values: &[bool]) -> io::Result<()> {
+fn write_truths(file: &mut impl Write, lengths: [usize; 2], values: &[bool]) -> io::Result<()> {
     write_length(file, values.len())?;
-    for e in along_x(size) {
+    for e in along_x(lengths) {
         file.write_all(&[u8::from(values[e])])?;
     }
     Ok(())
 }
 
 /// The elements in VTK's order: along x first.
-fn along_x(size: usize) -> impl Iterator<Item = usize> {
-    (0..size).flat_map(move |j| (0..size).map(move |i| i * size + j))
+fn along_x([along_x, along_y]: [usize; 2]) -> impl Iterator<Item = usize> {
+    (0..along_y).flat_map(move |j| (0..along_x).map(move |i| i * along_y + j))
 }
 
 /// Describes an array of numbers in single precision with its unit, `offset` bytes after the first array.

@@ -1,7 +1,7 @@
 //! The accuracy of a picture's data in words: grid, certificate, grid error.
 
 use pellicle::display::significant;
-use pellicle::summary::StepSummary;
+use pellicle::summary::{GridSummary, StepSummary};
 use pellicle_contact::{ErrorEstimate, LevelValues};
 use pellicle_plot::axes::labels::power;
 
@@ -9,13 +9,13 @@ use pellicle_plot::axes::labels::power;
 pub const UNRESOLVED: &str =
     "Unresolved: it still changes from grid to grid, by so much from the next coarser one";
 
-/// Describes the certificate of a step on `elements` × `elements` elements and the errors of its results: `± 0.1 %`
+/// Describes the certificate of a step on a grid and the errors of its results: `± 0.1 %`
 /// where the grids resolve it, otherwise the change from the next coarser grid, `13 % (unresolved)`.
 #[must_use]
-pub fn of_step(elements: usize, step: &StepSummary) -> String {
-    let errors = &step.grid_error;
+pub fn of_step(grid: &GridSummary, step: &StepSummary) -> String {
+    let (errors, elements) = (&step.grid_error, grid.elements_in_words());
     format!(
-        "{elements} × {elements} elements, certificate {}; grid error: D {}, area {}, largest p {}",
+        "{elements} elements, certificate {}; grid error: D {}, area {}, largest p {}",
         power(step.certificate.worst, 1),
         error(
             step.penetration,

@@ -27,7 +27,7 @@ pub fn of_step<'a>(
             quantity(step.penetration, Unit::Metre),
             quantity(step.summary.max_pressure, Unit::Pascal),
         ),
-        accuracy: accuracy::of_step(fields.size, step),
+        accuracy: accuracy::of_step(&run.grid, step),
         units: run.units,
         relief_height: run.relief_height(),
         fields: *fields,

@@ -1,11 +1,13 @@
 //! `grid.boundary = "periodic"`.
 
-use std::fs::File;
+use std::f64::consts::TAU;
+use std::fs::{self, File};
 
-use ndarray::Array2;
-use ndarray_npy::WriteNpyExt;
+use ndarray::{Array1, Array2};
+use ndarray_npy::{NpzReader, WriteNpyExt};
 use serde_json::Value;
 
+use super::netcdf_reader::variables;
 use super::runner::{CASE, TestFolder};
 
 const SAMPLES: usize = 20;
@@ -130,6 +132,108 @@ fn keys_incompatible_with_a_periodic_cell_are_rejected() {
     }
 }
 
+/// A cell of 20 × 10 or 10 × 20 µm with a rough surface of as many samples as elements.
+fn oblong(lengths: [usize; 2]) -> TestFolder {
+    let text = format!(
+        "[foundation]\nsubstrate = {{ young_modulus = \"70 GPa\", poisson_ratio = 0.2 }}\n\
+         [surface]\nkind = \"rough\"\nfile = \"scan.npy\"\nsides = [\"{x} um\", \"{y} um\"]\n\
+         [indenter]\nkind = \"paraboloid\"\nradius = \"1 km\"\n[load]\npressure = \"5 MPa\"\n\
+         [grid]\nsides = [\"{x} um\", \"{y} um\"]\nelements = [{x}, {y}]\nboundary = \"periodic\"\n\
+         [output]\nformats = [\"npz\", \"vti\", \"nc\", \"gsf\"]\n",
+        x = lengths[0],
+        y = lengths[1],
+    );
+    let folder = TestFolder::with_case(text);
+    let map = Array2::from_shape_fn(lengths, |(i, j)| {
+        let [x, y] = [i as f64 / lengths[0] as f64, j as f64 / lengths[1] as f64];
+        2e-8 * (TAU * (2.0 * x + y)).sin() + 1e-8 * (TAU * (x - 3.0 * y)).cos()
+    });
+    map.write_npy(File::create(folder.path("scan.npy")).unwrap())
+        .unwrap();
+    folder
+}
+
+#[test]
+fn the_files_of_an_oblong_cell_have_its_shape() {
+    for lengths in [[48, 32], [32, 48]] {
+        let folder = oblong(lengths);
+        let ran = folder.run(&["run", "case.toml", "--out", "a"]);
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        let [x, y] = lengths;
+        let told = &ran.stderr;
+        let line = format!("grid {x} × {y} on a periodic cell of sides {x}.000 µm and {y}.000 µm");
+        assert!(told.contains(&line), "{told}");
+        let page = fs::read_to_string(folder.path("a/report.html")).unwrap();
+        let line = format!("{x} × {y} elements on an oblong cell of sides");
+        assert!(page.contains(&line));
+        let summary = folder.summary("a");
+        assert_eq!(summary["grid"]["lengths"], serde_json::json!(lengths));
+        let step = &summary["steps"][0];
+        let area = 48.0 * 32.0 * 1e-12;
+        approx::assert_relative_eq!(
+            step["force"].as_f64().unwrap(),
+            5e6 * area,
+            max_relative = 1e-12
+        );
+        let file = |end: &str| folder.path(&format!("a/{end}"));
+        let mut npz = NpzReader::new(File::open(file("fields-000.npz")).unwrap()).unwrap();
+        let pressure: Array2<f64> = npz.by_name("pressure").unwrap();
+        assert_eq!(pressure.dim(), (x, y));
+        // The elements are 1 µm wide.
+        approx::assert_relative_eq!(pressure.sum() * 1e-12, 5e6 * area, max_relative = 1e-7);
+        for (axis, length) in [("x", x), ("y", y)] {
+            let centres: Array1<f64> = npz.by_name(axis).unwrap();
+            assert_eq!(centres.len(), length);
+            approx::assert_relative_eq!(
+                centres[0],
+                (0.5 - length as f64 / 2.0) * 1e-6,
+                max_relative = 1e-9
+            );
+        }
+        let nc = variables(fs::read(file("fields-000.nc")).unwrap());
+        assert_eq!(
+            nc["pressure"][0],
+            pressure.iter().copied().collect::<Vec<_>>()
+        );
+        assert_eq!([nc["x"][0].len(), nc["y"][0].len()], lengths);
+        let vti = fs::read(file("fields-000.vti")).unwrap();
+        let vti = String::from_utf8_lossy(&vti);
+        assert!(vti.contains(&format!("WholeExtent=\"0 {x} 0 {y} 0 0\"")));
+        let gsf = fs::read(file("pressure-000.gsf")).unwrap();
+        for (found, wanted) in gsf_pressure(&gsf, lengths).iter().zip(&pressure) {
+            // Single precision.
+            assert!((found - wanted).abs() <= 1e-7 * wanted, "{found} {wanted}");
+        }
+        // Pictures are drawn again from the files.
+        let again = folder.run(&["plot", "a"]);
+        assert_eq!(again.code, Some(0), "{}", again.stderr);
+    }
+}
+
+/// The values of a file whose rows run along x from the highest y down.
+fn gsf_pressure(bytes: &[u8], [x, y]: [usize; 2]) -> Array2<f64> {
+    let head = String::from_utf8_lossy(bytes);
+    assert!(head.contains(&format!("XRes = {x}\nYRes = {y}\n")));
+    let values = &bytes[bytes.len() - 4 * x * y..];
+    Array2::from_shape_fn([x, y], |(i, j)| {
+        let at = 4 * ((y - 1 - j) * x + i);
+        f64::from(f32::from_le_bytes(values[at..at + 4].try_into().unwrap()))
+    })
+}
+
+#[test]
+fn elements_that_would_not_be_square_are_refused_with_numbers_that_fit() {
+    let folder = oblong([48, 32]);
+    let ran = folder.run(&["run", "case.toml", "--set", "grid.elements=49"]);
+    assert_eq!(ran.code, Some(2));
+    let told = "such as [48, 32] or [51, 34]";
+    assert!(
+        ran.stderr.contains("grid.elements") && ran.stderr.contains(told),
+        "{}",
+        ran.stderr
+    );
+}
+
 #[test]
 fn the_period_of_cylinders_must_divide_the_cell() {
     let cell = |side: &str| {
@@ -148,7 +252,7 @@ fn the_period_of_cylinders_must_divide_the_cell() {
     assert_eq!(ran.code, Some(2));
     assert!(ran.stderr.contains("surface.period"), "{}", ran.stderr);
     assert!(
-        ran.stderr.contains("divides the side of the cell"),
+        ran.stderr.contains("divides the sides of the cell"),
         "{}",
         ran.stderr
     );

@@ -27,7 +27,7 @@ impl Prolongation {
             lines: [0, 1].map(|axis: usize| {
                 let first = onto.origin()[axis];
                 let fine = first..first + onto.lengths()[axis];
-                fine.map(|i| FineLine::of(i, onto.grid().size(), from, axis))
+                fine.map(|i| FineLine::of(i, onto.grid().lengths()[axis], from, axis))
                     .collect()
             }),
         }
@@ -49,7 +49,8 @@ impl Prolongation {
 impl FineLine {
     /// The `i`-th of `fine` lines of a grid.
     fn of(i: usize, fine: usize, from: &Region, axis: usize) -> Self {
-        let (first, coarse) = (from.origin()[axis].cast_signed(), from.grid().size());
+        let first = from.origin()[axis].cast_signed();
+        let coarse = from.grid().lengths()[axis];
         let last = from.lengths()[axis].cast_signed() - 1;
         let lines = from.grid().lengths()[axis].cast_signed();
         let within = ((2 * i + 1) * coarse / (2 * fine)).cast_signed() - first;

@@ -8,6 +8,7 @@ mod fields;
 mod places;
 
 use pellicle_influence::{SectorGrid, SurfaceElasticity};
+use pellicle_texture::{Grid, TextureError};
 use rayon::prelude::*;
 
 /// Fewest elements between the expected contact and the region's border.
@@ -36,8 +37,8 @@ pub enum Boundary {
     Periodic,
 }
 
-/// A square of a grid of N × N elements, or the part of one within a sector, which begins at the sector's axes; all of
-/// the grid if it repeats.
+/// A square of a grid, or the part of one within a sector, which begins at the sector's axes; all of the grid, square
+/// or oblong, if it repeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Region {
     origin: [usize; 2],
@@ -63,6 +64,11 @@ impl Region {
         Self::bounded(SectorGrid::whole(size), boundary)
     }
 
+    /// The region that is all of a grid with this boundary condition.
+    pub fn of_grid(grid: &Grid, boundary: Boundary) -> Self {
+        Self::bounded(SectorGrid::oblong(grid.lengths()), boundary)
+    }
+
     /// The same for a sector of a grid; a cell has none.
     pub fn bounded(grid: SectorGrid, boundary: Boundary) -> Self {
         Self {
@@ -78,9 +84,9 @@ impl Region {
         Self::bounded(self.grid, self.boundary)
     }
 
-    /// All of the same domain with another number of elements per side.
-    pub fn with_side(&self, side: usize) -> Self {
-        Self::bounded(self.grid.for_square(side), self.boundary)
+    /// All of the same domain with other numbers of elements along x and y.
+    pub fn with_lengths(&self, lengths: [usize; 2]) -> Self {
+        Self::bounded(self.grid.for_lengths(lengths), self.boundary)
     }
 
     /// The smallest region of a fast size around the elements of this region for which `belongs` holds; the whole grid
@@ -276,9 +282,14 @@ impl Region {
         self.boundary == Boundary::Periodic
     }
 
-    /// Elements per side of the whole grid of which this is a part.
+    /// Elements along the longer side of the whole grid of which this is a part.
     pub fn grid_size(&self) -> usize {
         self.grid.whole_size()
+    }
+
+    /// The whole grid, whose longer side (m) is given.
+    pub fn whole_grid(&self, side: f64) -> Result<Grid, TextureError> {
+        Grid::oblong(side, self.grid.whole_lengths())
     }
 
     /// Elements of the whole grid for which one stands, itself included.

@@ -1,11 +1,56 @@
-//! The largest force that a grid can carry at a hardness.
+//! The largest load that a grid can carry: a force at a hardness, or a penetration of incompressible layers.
 
 use pellicle_texture::Grid;
 
-use crate::{ContactError, Load, Model, Profile};
+use crate::{
+    Boundary, ContactError, Load, Model, Profile, grid::region::Region,
+    problem::model::SampledRegion, vector::sum,
+};
 
-/// Returns an error if a force of `loads` exceeds what all elements under the indenter can carry at the hardness (Pa).
+/// Returns an error if a force of `loads` exceeds what all elements under the indenter can carry at the hardness (Pa),
+/// or a penetration what incompressible layers under a periodic cell give way.
 pub fn check(
+    model: &Model,
+    (grid, boundary): (&Grid, Boundary),
+    loads: &[Load],
+    hardness: f64,
+) -> Result<(), ContactError> {
+    check_force(model, grid, loads, hardness)?;
+    match boundary {
+        Boundary::Periodic if hardness.is_infinite() => check_penetration(model, grid, loads),
+        _ => Ok(()),
+    }
+}
+
+/// A uniform pressure moves the surface of incompressible layers on a rigid base nowhere: its energy `Σ p (g0 − D)` has
+/// a minimum only while `D` is below the mean of `g0`. Springs and elements that cannot touch set a bound of their own.
+fn check_penetration(model: &Model, grid: &Grid, loads: &[Load]) -> Result<(), ContactError> {
+    let depths = loads.iter().filter_map(|load| match load {
+        Load::Penetration(depth) => Some(*depth),
+        Load::Force(_) => None,
+    });
+    let Some(penetration) = depths.reduce(f64::max) else {
+        return Ok(());
+    };
+    if model.tables.bodies().mean_compliance() > 0.0 {
+        return Ok(());
+    }
+    let SampledRegion {
+        compliance,
+        initial_gap,
+        ..
+    } = model.sample_on(*grid, &Region::of_grid(grid, Boundary::Periodic));
+    let mean_gap = sum(&initial_gap) / initial_gap.len() as f64;
+    if penetration < mean_gap || compliance.iter().any(|eta| *eta > 0.0) {
+        return Ok(());
+    }
+    Err(ContactError::BeyondGaps {
+        penetration,
+        mean_gap,
+    })
+}
+
+fn check_force(
     model: &Model,
     grid: &Grid,
     loads: &[Load],
@@ -58,7 +103,8 @@ mod tests {
             model(FlatPunch::new(1.0).unwrap().into()),
             Grid::new(4.0, 4).unwrap(),
         );
-        let check = |loads: &[Load], hardness| check(&punch, &grid, loads, hardness);
+        let check =
+            |loads: &[Load], hardness| check(&punch, (&grid, Boundary::Free), loads, hardness);
         assert!(check(&[Load::Force(12.0)], 3.0).is_ok());
         let loads = [1.0, 12.1, 3.0].map(Load::Force);
         let refused = check(&loads, 3.0).unwrap_err();

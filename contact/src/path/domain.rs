@@ -17,9 +17,9 @@ mod root_finding;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::LazyLock;
 
-use pellicle_texture::Relief;
+use pellicle_texture::{Grid, Relief};
 
-use crate::{Boundary, Load, Model, Profile as _};
+use crate::{Boundary, ContactError, Load, Model, Profile as _};
 use root_finding::where_zero;
 
 /// The square on which the problem is solved.
@@ -33,10 +33,12 @@ pub enum Domain {
     /// [Chosen](crate::choose_side) for the loads, large enough for the contact and the same for every grid.
     #[default]
     Automatic,
-    /// A cell of this side (m) that repeats infinitely in both directions, with everything in it. Loads are forces on
+    /// A cell of this side (m) that repeats infinitely in both directions, with everything in it. Forces are those on
     /// one cell. On a half-space the mean displacement of the surface is infinite, so penetrations are measured from
-    /// the mean plane of the deformed surface.
+    /// the mean plane of the deformed surface, and none can be prescribed.
     Periodic(f64),
+    /// The same for a cell of these sides along x and y (m), a whole number of square elements each.
+    Oblong([f64; 2]),
 }
 
 impl Domain {
@@ -45,8 +47,18 @@ impl Domain {
     pub fn boundary(self) -> Boundary {
         match self {
             Self::Side(_) | Self::Chosen(_) | Self::Automatic => Boundary::Free,
-            Self::Periodic(_) => Boundary::Periodic,
+            Self::Periodic(_) | Self::Oblong(_) => Boundary::Periodic,
         }
+    }
+
+    /// The grid of `size` elements along the longer side (m).
+    pub(crate) fn grid(self, side: f64, size: usize) -> Result<Grid, ContactError> {
+        let Self::Oblong(sides) = self else {
+            return Ok(Grid::new(side, size)?);
+        };
+        let lengths = Grid::lengths_of(sides, size);
+        let lengths = lengths.ok_or(ContactError::NotSquareElements { sides, size })?;
+        Ok(Grid::oblong(side, lengths)?)
     }
 }
 

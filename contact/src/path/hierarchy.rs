@@ -15,7 +15,7 @@ use crate::{
     path::capacity,
     path::domain::Guess,
     path::level::{Level, LevelResult, LevelStart},
-    path::levels::{COARSE_TOLERANCE, coarser_sizes, solved_grid},
+    path::levels::{COARSE_TOLERANCE, coarser_lengths, solved_grid},
     path::start::CoarserSolution,
     result::cut_off,
     solver::Watch,
@@ -27,7 +27,7 @@ const BUILT_AHEAD: usize = 512;
 /// Number of coarser grids whose pressures are kept on request: as many as an error estimate needs.
 const COARSE_PRESSURES: usize = 3;
 
-/// All grids over one square.
+/// All grids over one domain.
 pub struct Hierarchy<'a> {
     model: &'a Model,
     side: f64,
@@ -44,24 +44,26 @@ pub struct Hierarchy<'a> {
 }
 
 impl<'a> Hierarchy<'a> {
-    /// The grids for some loads on a square of side `side` (m), the finest of `elements` elements per side.
+    /// The grids for some loads on a domain, the finest of which is given.
     pub fn new(
         model: &'a Model,
-        (side, boundary): (f64, Boundary),
-        elements: usize,
+        (grid, boundary): (Grid, Boundary),
         loads: &[Load],
         options: &SolverOptions,
     ) -> Self {
-        let mut sizes = coarser_sizes(elements);
+        let side = grid.side();
+        let mut coarser = coarser_lengths(grid.lengths());
         // On a domain far larger than the indenter, a coarse grid may have no element under it.
-        sizes.retain(|size| {
-            Grid::new(side, *size).is_ok_and(|grid| {
+        coarser.retain(|lengths| {
+            Grid::oblong(side, *lengths).is_ok_and(|grid| {
                 cut_off::can_touch(model, &grid)
-                    && capacity::check(model, &grid, loads, options.hardness).is_ok()
+                    && capacity::check(model, (&grid, boundary), loads, options.hardness).is_ok()
             })
         });
-        let finest = Region::bounded(solved_grid(model, elements, boundary, options), boundary);
-        let coarser = sizes.into_iter().map(|size| finest.with_side(size));
+        let finest = Region::bounded(solved_grid(model, &grid, boundary, options), boundary);
+        let coarser = coarser
+            .into_iter()
+            .map(|lengths| finest.with_lengths(lengths));
         let grids: Vec<_> = coarser.chain([finest]).collect();
         Self {
             model,
@@ -118,7 +120,7 @@ impl<'a> Hierarchy<'a> {
 
     /// Returns the finest grid, and the elasticity of its elements if a load has reached it.
     pub fn into_finest(mut self) -> Result<(Grid, Option<Arc<SurfaceElasticity>>), ContactError> {
-        let grid = Grid::new(self.side, self.grids[self.grids.len() - 1].grid_size())?;
+        let grid = self.grids[self.grids.len() - 1].whole_grid(self.side)?;
         let level = self.levels.pop().flatten();
         Ok((grid, level.map(Level::into_elasticity)))
     }
@@ -175,7 +177,7 @@ impl<'a> Hierarchy<'a> {
         let finest = self.grids.len() - 1;
         if options.coarse_pressures && index < finest && index + COARSE_PRESSURES >= finest {
             ascent.coarser.push(CoarsePressure {
-                grid: Grid::new(self.side, self.grids[index].grid_size())?,
+                grid: self.grids[index].whole_grid(self.side)?,
                 pressure: result.region.scatter(result.solution.pressure.clone()),
             });
         }
@@ -295,8 +297,11 @@ mod tests {
     use pellicle_influence::{Sector, SectorGrid};
     use pellicle_texture::Relief;
 
-    use super::{Hierarchy, Region, coarser_sizes};
-    use crate::{Boundary, Indenter, Load, Method, Model, Paraboloid, Pyramid, SolverOptions};
+    use super::{Grid, Hierarchy, Region};
+    use crate::{
+        Boundary, Indenter, Load, Method, Model, Paraboloid, Pyramid, SolverOptions,
+        path::levels::coarser_sizes,
+    };
 
     fn model(indenter: Indenter) -> Model {
         Model::on_half_space([1.0, 0.0], Relief::Bare, indenter)
@@ -325,8 +330,9 @@ mod tests {
             (&berkovich, 65, usual, Sector::Whole),
             (&berkovich, 64, whole, Sector::Whole),
         ] {
-            let (square, load) = ((1.0, Boundary::Free), [Load::Force(1.0)]);
-            let hierarchy = Hierarchy::new(model, square, elements, &load, &options);
+            let grid = Grid::new(1.0, elements).unwrap();
+            let (square, load) = ((grid, Boundary::Free), [Load::Force(1.0)]);
+            let hierarchy = Hierarchy::new(model, square, &load, &options);
             let grids = hierarchy.grids.iter().map(Region::grid);
             let sizes = coarser_sizes(elements).into_iter().chain([elements]);
             let expected = sizes.map(|size| SectorGrid::of_square(sector, size));
@@ -338,8 +344,9 @@ mod tests {
     fn the_requested_number_of_lanes_share_their_grids() {
         let model = model(Paraboloid::new(1.0).unwrap().into());
         for lanes in [1, 3] {
-            let (square, load) = ((1.0, Boundary::Free), [Load::Force(1e-3); 3]);
-            let hierarchy = Hierarchy::new(&model, square, 32, &load, &SolverOptions::default());
+            let grid = Grid::new(1.0, 32).unwrap();
+            let (square, load) = ((grid, Boundary::Free), [Load::Force(1e-3); 3]);
+            let hierarchy = Hierarchy::new(&model, square, &load, &SolverOptions::default());
             let lanes_made = hierarchy.lanes(lanes).unwrap();
             assert_eq!(lanes_made.len(), lanes);
             let surface = |lane: Hierarchy<'_>| lane.into_finest().unwrap().1;

@@ -98,7 +98,7 @@ impl Level {
         hardness: f64,
         keeps: bool,
     ) -> Result<Self, ContactError> {
-        let grid = Grid::new(side, region.grid_size())?;
+        let grid = region.whole_grid(side)?;
         let SampledRegion {
             mask,
             compliance,
@@ -219,10 +219,13 @@ impl Level {
 
     /// A coarser level's pressure on a region around it; none if no element presses.
     fn prolonged(&self, coarser: &CoarserSolution) -> Option<(Region, Vec<f64>)> {
-        let reach = coarser
-            .region
-            .on_finer(|_| true, self.whole.problem.size())?;
         let problem = &self.whole.problem;
+        let everywhere = problem.region();
+        let reach = if everywhere.repeats() {
+            everywhere
+        } else {
+            coarser.region.on_finer(|_| true, problem.size())?
+        };
         let fine = FineGrid {
             initial_gap: problem.initial_gap(),
             outline: &self.outline,

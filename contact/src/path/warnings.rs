@@ -147,7 +147,7 @@ fn edge(domain: Domain, step: usize, found: &Step) -> Option<Warning> {
     }
     let margin = match domain {
         Domain::Side(_) => EDGE_MARGIN,
-        Domain::Chosen(_) | Domain::Automatic | Domain::Periodic(_) => 1,
+        Domain::Chosen(_) | Domain::Automatic | Domain::Periodic(_) | Domain::Oblong(_) => 1,
     };
     let elements = found.summary.elements_to_edge?;
     (elements < margin).then_some(Warning::DomainEdge { step, elements })
@@ -196,17 +196,15 @@ pub fn domain_much_larger(
 /// Returns an error if the elements are so large that none has its centre under the indenter.
 pub(crate) fn check_elements(
     model: &Model,
-    side: f64,
-    elements: usize,
+    grid: &Grid,
     loads: &[Load],
 ) -> Result<(), ContactError> {
-    let grid = Grid::new(side, elements)?;
-    if cut_off::can_touch(model, &grid) {
+    if cut_off::can_touch(model, grid) {
         return Ok(());
     }
     let wanted = default_side(model, loads);
     Err(ContactError::ElementsTooLarge {
-        side,
+        side: grid.side(),
         element_side: grid.element_side(),
         radius: wanted / SIDE_PER_RADIUS,
         wanted,

@@ -95,9 +95,9 @@ impl DiscreteProblem {
     /// Creates a problem on a periodic cell, which is the largest grid that the elasticity allows; the other arguments
     /// as for [`Self::new`].
     ///
-    /// On a half-space displacements are relative to the mean plane of the deformed surface, so the load must be a
-    /// force. On a rigid base they are relative to the undeformed surface, and under an elastic indenter to the mean
-    /// plane of its deformed surface.
+    /// On a half-space displacements are relative to the mean plane of the deformed surface, so that a prescribed
+    /// penetration means little. On a rigid base they are relative to the undeformed surface, and under an elastic
+    /// indenter to the mean plane of its deformed surface.
     ///
     /// # Errors
     /// As [`Self::new`].

@@ -68,15 +68,16 @@ impl Model {
         // g0 = f − f*, stored in the profile's memory.
         let rule = |gap: &mut f64, f: &f64| *gap = f - *gap;
         if self.indenter.is_mirrored() && !has_images {
-            let first = grid.size() / 2;
-            let quadrant = grid.sample_from([first; 2], |[x, y]| self.indenter.height(x, y));
-            let image = |i: usize| (2 * i).abs_diff(grid.size() - 1) / 2;
-            let rows = gap.par_chunks_exact_mut(grid.size()).enumerate();
+            let [rows, columns] = grid.lengths();
+            let first = grid.lengths().map(|length| length / 2);
+            let quadrant = grid.sample_from(first, |[x, y]| self.indenter.height(x, y));
+            let image = |i: usize| (2 * i).abs_diff(rows - 1) / 2;
+            let rows = gap.par_chunks_exact_mut(columns).enumerate();
             rows.for_each(|(i, row)| {
-                let width = grid.size() - first;
+                let width = columns - first[1];
                 let heights = &quadrant[image(i) * width..][..width];
-                let (left, right) = row.split_at_mut(first);
-                let mirrored = heights.iter().skip(grid.size() % 2);
+                let (left, right) = row.split_at_mut(first[1]);
+                let mirrored = heights.iter().skip(columns % 2);
                 left.iter_mut()
                     .rev()
                     .zip(mirrored)
@@ -128,7 +129,7 @@ impl Model {
         let Cached { value, origin } = self.elasticity(&sampled.grid)?;
         let initial_gap = initial_gap(&sampled.indenter_profile, sampled.relief.profile());
         let (compliance, area) = (sampled.relief.compliance(), sampled.grid.element_area());
-        let region = Region::domain(value.size(), boundary);
+        let region = Region::of_grid(&sampled.grid, boundary);
         let support = under(value, region);
         let value = DiscreteProblem::on(support, compliance.to_vec(), initial_gap, area)?;
         let value = value.with_spring_law(sampled.relief.spring_law());

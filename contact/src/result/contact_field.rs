@@ -107,10 +107,12 @@ impl ContactField<'_> {
 
     /// Coordinates of a place, which need not be a centre, in m.
     pub fn point(&self, place: [f64; 2]) -> [f64; 2] {
-        let (size, half) = (self.grid.size() as f64, 0.5 * self.grid.element_side());
+        let (lengths, half) = (self.grid.lengths(), 0.5 * self.grid.element_side());
         let first = self.region.index_on_whole([0, 0]);
-        // x = (2i + 1 − N) h/2
-        [0, 1].map(|axis: usize| (2.0 * (place[axis] + first[axis] as f64) + 1.0 - size) * half)
+        // x = (2i + 1 − N_x) h/2
+        [0, 1].map(|axis: usize| {
+            (2.0 * (place[axis] + first[axis] as f64) + 1.0 - lengths[axis] as f64) * half
+        })
     }
 
     /// Coordinates of an element's centre, in m.

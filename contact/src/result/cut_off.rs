@@ -45,9 +45,13 @@ pub(crate) fn can_touch(model: &Model, grid: &Grid) -> bool {
 /// The indenter's smallest height at the elements next to its axis, m. It is infinite if the indenter covers no
 /// element's centre, since no indenter has a hole or a recess at its axis.
 pub(crate) fn lowest_height(model: &Model, grid: &Grid) -> f64 {
-    let middle = grid.size() / 2;
-    let centres = [middle.saturating_sub(1), middle.min(grid.size() - 1)].map(|i| grid.centre(i));
-    smallest(&(model.indenter).heights(&centres.map(|x| centres.map(|y| [x, y])).concat()))
+    let beside_middle = |axis: usize| {
+        let length = grid.lengths()[axis];
+        let lines = [(length / 2).saturating_sub(1), (length / 2).min(length - 1)];
+        lines.map(|i| grid.centre_along(axis, i))
+    };
+    let [along_x, along_y] = [0, 1].map(beside_middle);
+    smallest(&(model.indenter).heights(&along_x.map(|x| along_y.map(|y| [x, y])).concat()))
 }
 
 /// The surroundings of a domain, computed as far as needed.

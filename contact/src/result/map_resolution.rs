@@ -91,13 +91,13 @@ impl<'a> MapResolution<'a> {
 
     /// The part of the domain around the contact that the maps cover.
     fn square(&self, contact_radius: f64) -> Rectangle {
-        let half = 0.5 * self.grid.side();
+        let half = self.grid.sides().map(|side| 0.5 * side);
         let least = 0.5 * LEAST_WIDTH * self.grid.element_side();
-        let reach = match self.boundary {
+        let reach = half.map(|half| match self.boundary {
             Boundary::Periodic => half,
             Boundary::Free => contact_radius.max(least).min(half),
-        };
-        let mut square = [[-reach; 2], [reach; 2]];
+        });
+        let mut square = [reach.map(|reach| -reach), reach];
         let relief = match &self.model.relief {
             Relief::Map(relief) => {
                 let half = relief.map().extent().map(|side| 0.5 * side);

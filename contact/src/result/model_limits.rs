@@ -225,9 +225,9 @@ fn places(grid: Grid, boundary: Boundary, step: &Step) -> Vec<[f64; 2]> {
 
 /// The centre of the element in contact that is nearest to the axis, m.
 fn nearest_in_contact(grid: Grid, pressure: &[f64]) -> Option<[f64; 2]> {
-    let size = grid.size();
+    let row = grid.row();
     let in_contact = (0..pressure.len()).filter(|element| pressure[*element] > 0.0);
-    let places = in_contact.map(|element| [element / size, element % size].map(|i| grid.centre(i)));
+    let places = in_contact.map(|element| grid.point([element / row, element % row]));
     let distance = |place: &[f64; 2]| place[0].hypot(place[1]);
     places.min_by(|one, other| distance(one).total_cmp(&distance(other)))
 }
@@ -240,7 +240,7 @@ fn below(
     pressure: &[f64],
     [x, y]: [f64; 2],
 ) -> LayerColumn {
-    let (size, side) = (grid.size(), grid.side());
+    let row = grid.row();
     let (mean, away): (f64, fn(f64, f64) -> f64) = match boundary {
         Boundary::Free => (0.0, |distance, _| distance),
         Boundary::Periodic => (
@@ -248,16 +248,17 @@ fn below(
             |distance, side| distance - side * (distance / side).round(),
         ),
     };
-    let along = |from: f64| -> Vec<f64> {
-        let centres = (0..size).map(|i| grid.centre(i) - from);
+    let along = |axis: usize, from: f64| -> Vec<f64> {
+        let (length, side) = (grid.lengths()[axis], grid.sides()[axis]);
+        let centres = (0..length).map(|i| grid.centre_along(axis, i) - from);
         centres.map(|distance| away(distance, side)).collect()
     };
-    let (along_x, along_y) = (along(x), along(y));
+    let (along_x, along_y) = (along(0, x), along(1, y));
     let loads = pressure.iter().enumerate();
     let loads = loads.map(|(element, p)| (element, p - mean));
     let loads = loads
         .filter(|(_, p)| *p != 0.0)
-        .map(|(element, p)| ([along_x[element / size], along_y[element % size]], p));
+        .map(|(element, p)| ([along_x[element / row], along_y[element % row]], p));
     tables.below(loads, grid.element_side(), mean)
 }
 

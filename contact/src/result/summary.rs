@@ -80,7 +80,7 @@ impl Summary {
     /// Summarises a solved contact under the force `force` (N).
     pub(crate) fn of(field: &ContactField<'_>, force: f64) -> Self {
         let (region, grid) = (field.region, field.grid);
-        let size = grid.size();
+        let (size, lengths) = (grid.row(), grid.lengths());
         let law = field.model.relief.spring_law();
         let of_line = |line: usize, pressure: &[f64]| {
             let compliance = region.line(field.compliance, line);
@@ -99,7 +99,7 @@ impl Summary {
             }
             // In a row, no element is nearer to an edge than the outermost two.
             for (column, _) in [columns.next(), columns.next_back()].into_iter().flatten() {
-                found.reach_to(image(column), size);
+                found.reach_to(image(column), lengths);
             }
             found
         };
@@ -115,10 +115,10 @@ impl Summary {
         let with_hardness = |value: f64| field.hardness.is_finite().then_some(value);
         let nothing = Self {
             max_pressure,
-            max_pressure_at: [grid.centre(0); 2],
+            max_pressure_at: grid.point([0; 2]),
             peak_place: PeakPlace::Inside,
             mean_pressure: 0.0,
-            nominal_pressure: (region.repeats()).then(|| force / grid.side().powi(2)),
+            nominal_pressure: (region.repeats()).then(|| force / grid.area()),
             contact_area: 0.0,
             edge_uncertainty: 0.0,
             meets_outline: false,
@@ -206,10 +206,12 @@ impl Contact {
         self.elements += 1;
     }
 
-    /// Updates the distance to the edge of the domain with an element's row and column, of `size` each.
-    fn reach_to(&mut self, [row, column]: [usize; 2], size: usize) {
-        let last = size - 1;
-        let to_edge = row.min(column).min(last - row).min(last - column);
+    /// Updates the distance to the edge of the domain with an element's row and column, of so many.
+    fn reach_to(&mut self, [row, column]: [usize; 2], [rows, columns]: [usize; 2]) {
+        let to_edge = row
+            .min(column)
+            .min(rows - 1 - row)
+            .min(columns - 1 - column);
         self.to_edge = nearer(self.to_edge, Some(to_edge));
     }
 
@@ -251,7 +253,7 @@ mod tests {
                 part.add(*element, *pressure);
             }
             if let Some(place) = to_edge {
-                part.reach_to(place, 10);
+                part.reach_to(place, [10, 10]);
             }
             part
         };

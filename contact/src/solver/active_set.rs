@@ -55,7 +55,7 @@ impl ElasticSolver for ActiveSetSolver {
         start: &[f64],
         watch: &mut Watch<'_>,
     ) -> Result<(Iterate, Option<Vec<f64>>), ContactError> {
-        Method::ActiveSet.check_size(problem.size())?;
+        Method::ActiveSet.check_size(problem.region().grid_size())?;
         let mut system = DenseSystem::new(problem, load);
         let mut residuals = Vec::new();
         let mut solution = self.solve_linear(&system, start, &mut residuals, watch)?;

@@ -231,7 +231,7 @@ impl LoadSearch<'_, '_> {
 
     /// One domain for loads up to `force`: the given one, or one chosen for this force.
     fn domain_for(&self, force: f64) -> Result<Domain, ContactError> {
-        if let Domain::Side(_) | Domain::Periodic(_) = self.domain {
+        if let Domain::Side(_) | Domain::Periodic(_) | Domain::Oblong(_) = self.domain {
             return Ok(self.domain);
         }
         Ok(Domain::Side(choose_side(

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use approx::assert_relative_eq;
 use pellicle_contact::{
-    ContactError, Domain, Indenter, Load, Method, Paraboloid, Profile, SolverOptions, solve_path,
+    Domain, Indenter, Load, Method, Paraboloid, Profile, SolverOptions, solve_path,
 };
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
@@ -182,13 +182,4 @@ fn the_surface_of_a_step_is_periodic_and_its_mean_is_its_plane() {
     for element in (0..4096).filter(contact) {
         assert!(surface.gap[element].abs() < 1e-8 * AMPLITUDE);
     }
-}
-
-#[test]
-fn quantities_that_a_cell_does_not_have_are_refused() {
-    let cell = model(&half_space(), waves(false));
-    let options = SolverOptions::default();
-    let loads = [Load::Penetration(0.001)];
-    let refused = solve_path(&cell, Domain::Periodic(1.0), 32, &loads, &options, &mut ());
-    assert!(matches!(refused, Err(ContactError::Periodic { .. })));
 }

@@ -38,11 +38,15 @@ impl PeriodicFilter {
     /// If the symbol belongs to another grid.
     #[must_use]
     pub fn new(symbol: PeriodicSymbol, grid: SectorGrid) -> Self {
-        assert_eq!(grid.whole_size(), symbol.size(), "the symbol of the grid");
+        assert_eq!(
+            grid.whole_lengths(),
+            symbol.lengths(),
+            "the symbol of the grid"
+        );
         let size = grid.size();
         let transform = match grid.sector() {
             Sector::Whole => {
-                SectorTransform::Whole(PlaneTransform::new(FourierLines::periodic(size)))
+                SectorTransform::Whole(PlaneTransform::new(FourierLines::periodic(grid.lengths())))
             }
             Sector::Half => SectorTransform::Half(PlaneTransform::new(HalfLines::periodic(size))),
             Sector::Quadrant => {
@@ -64,9 +68,10 @@ impl PeriodicFilter {
         let multipliers = quarter.iter().map(|symbol| multiplier(*symbol));
         let largest = multipliers.fold(0.0, f64::max);
         self.largest_multiplier = largest;
-        let (symbol, size) = (&self.symbol, self.symbol.size());
+        let symbol = &self.symbol;
+        let [rows, columns] = symbol.lengths();
         // The forward and backward transforms multiply by the number of elements of the period.
-        let scale = 1.0 / narrow((size * size) as f64);
+        let scale = 1.0 / narrow((rows * columns) as f64);
         let [_, width] = self.transform.frequencies();
         let rows = self.multipliers.par_chunks_exact_mut(width);
         rows.enumerate().for_each(|(i, factors)| {
@@ -101,25 +106,26 @@ impl PeriodicFilter {
     }
 
     /// The response of the filter with `multiplier(symbol)` on the whole periodic grid to a unit, at the offsets below
-    /// `REACH` along both axes: `F_mn = N⁻² Σ_ij multiplier cos(2πim/N) cos(2πjn/N)`.
+    /// `REACH` along y and x: `F_mn = N⁻² Σ_ij multiplier cos(2πim/N) cos(2πjn/N)`.
     pub fn answers<const REACH: usize>(
         &self,
         multiplier: impl Fn(f64) -> f64 + Sync,
     ) -> [[f64; REACH]; REACH] {
-        let size = self.symbol.size();
-        let half = size / 2 + 1;
         // Each frequency of the quarter stands for its mirror images as well; those at the ends of the range have none.
-        let wave = |i: usize| {
-            let images = if i == 0 || 2 * i == size { 1.0 } else { 2.0 };
-            let cosine = |m: usize| (TAU * (i * m % size) as f64 / size as f64).cos();
-            std::array::from_fn(|m| images / size as f64 * cosine(m))
+        let waves = |size: usize| -> Vec<[f64; REACH]> {
+            let wave = |i: usize| {
+                let images = if i == 0 || 2 * i == size { 1.0 } else { 2.0 };
+                let cosine = |m: usize| (TAU * (i * m % size) as f64 / size as f64).cos();
+                std::array::from_fn(|m| images / size as f64 * cosine(m))
+            };
+            (0..=size / 2).map(wave).collect()
         };
-        let waves: Vec<[f64; REACH]> = (0..half).map(wave).collect();
-        let rows = self.symbol.quarter().par_chunks_exact(half);
+        let [along_x, along_y] = self.symbol.lengths().map(waves);
+        let rows = self.symbol.quarter().par_chunks_exact(along_x.len());
         let along: Vec<[f64; REACH]> = rows
             .map(|row| {
                 let mut sums = [0.0; REACH];
-                for (symbol, wave) in row.iter().zip(&waves) {
+                for (symbol, wave) in row.iter().zip(&along_x) {
                     let multiplier = multiplier(*symbol);
                     (sums.iter_mut().zip(wave)).for_each(|(sum, w)| *sum += multiplier * w);
                 }
@@ -127,7 +133,7 @@ impl PeriodicFilter {
             })
             .collect();
         let mut response = [[0.0; REACH]; REACH];
-        for (wave, along) in waves.iter().zip(&along) {
+        for (wave, along) in along_y.iter().zip(&along) {
             for (row, w) in response.iter_mut().zip(wave) {
                 (row.iter_mut().zip(along)).for_each(|(value, sum)| *value += w * sum);
             }
@@ -140,7 +146,10 @@ impl SectorTransform {
     /// Frequencies along the rows, and along the columns.
     fn frequencies(&self) -> [usize; 2] {
         match self {
-            Self::Whole(transform) => [transform.lines().width(); 2],
+            Self::Whole(transform) => {
+                let lines = transform.lines();
+                [lines.width(), lines.columns().length() / 2 + 1]
+            }
             Self::Half(transform) => {
                 let half = transform.lines().columns().length() / 2;
                 [half, half + 1]
@@ -174,7 +183,7 @@ impl std::fmt::Debug for PeriodicFilter {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let mut shown = formatter.debug_struct("PeriodicFilter");
         shown
-            .field("size", &self.symbol.size())
+            .field("lengths", &self.symbol.lengths())
             .finish_non_exhaustive()
     }
 }

@@ -12,20 +12,20 @@ use crate::operator::ComplianceTable;
 /// frequency, in units of `1/k` at the next frequency.
 const MEAN_OF_RECIPROCAL: f64 = 3.525_494_348_078_172;
 
-/// `Σ C(k) sinc(k_x a) sinc(k_y a)`, m/Pa, at the frequencies of an unpadded, periodic N × N grid of elements of
-/// side 2a.
+/// `Σ C(k) sinc(k_x a) sinc(k_y a)`, m/Pa, at the frequencies of an unpadded, periodic grid of elements of side 2a.
 ///
 /// It is the displacement of the element centres under pressures, uniform on each element, that alternate with one
 /// wavenumber. The sum runs over that wavenumber and its aliases, which are `π/a` apart and indistinguishable from it
 /// at the centres. Without the aliases the response to the shortest waves would be a third of the true one. Use it only
 /// for preconditioning: it describes a periodic domain, and the true one is not periodic.
 ///
-/// One quarter is stored, frequencies 0 … N/2 in both directions; the others mirror these. At zero frequency, where C
+/// One quarter is stored, frequencies 0 … N/2 in both directions; the others mirror these. A frequency along y, the
+/// direction of a row of a field, comes first, then that along x. At zero frequency, where C
 /// is infinite on a half-space, the value is the mean of `1/k` over that frequency's cell, 4 ln(1+√2) times the value
 /// at the smallest wavenumber: finite, positive, and correct for a pressure that fills the domain once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicSymbol {
-    size: usize,
+    lengths: [usize; 2],
     quarter: Vec<f64>,
 }
 
@@ -33,64 +33,90 @@ impl PeriodicSymbol {
     /// The symbol for `size` × `size` elements of side `element_side`, m.
     #[must_use]
     pub fn new(bodies: &ElasticBodies, element_side: f64, size: usize) -> Self {
-        Self::of(&|k| bodies.compliance(k), element_side, size)
+        Self::of(&|k| bodies.compliance(k), element_side, [size; 2])
     }
 
-    /// The same for a periodic cell, whose operator tabulates the compliance too: to 1e-13, and quicker for many
-    /// layers.
-    pub(crate) fn of_cell(bodies: &ElasticBodies, element_side: f64, size: usize) -> Self {
+    /// The same for a periodic cell of `lengths` elements along x and y, whose operator tabulates the compliance too:
+    /// to 1e-13, and quicker for many layers.
+    pub(crate) fn of_cell(bodies: &ElasticBodies, element_side: f64, lengths: [usize; 2]) -> Self {
+        let size = lengths[0].max(lengths[1]);
         let compliance = ComplianceTable::of_cell(bodies, element_side, size);
-        Self::of(&|k| compliance.at(k), element_side, size)
+        Self::of(&|k| compliance.at(k), element_side, lengths)
     }
 
     /// The symbol of a compliance.
-    fn of(compliance: &(dyn Fn(f64) -> f64 + Sync), element_side: f64, size: usize) -> Self {
-        let width = size / 2 + 1;
-        // k = 2π i/(N h)
-        let step = 2.0 * PI / (size as f64 * element_side);
+    fn of(
+        compliance: &(dyn Fn(f64) -> f64 + Sync),
+        element_side: f64,
+        lengths: [usize; 2],
+    ) -> Self {
         let body = GriddedBodies {
             compliance,
             half_side: element_side / 2.0,
         };
         let aliases = Aliases::new(&body);
-        let weights: Vec<NodeWeights> = (0..width)
-            .map(|j| weights(j as f64 * 2.0 / size as f64))
-            .collect();
-        let waves: Vec<f64> = (0..width).map(|i| step * i as f64).collect();
-        let sincs: Vec<f64> = waves.iter().map(|k| body.sinc(*k)).collect();
-        let mut quarter = vec![0.0; width * width];
-        let rows = quarter.par_chunks_exact_mut(width).enumerate();
-        rows.for_each(|(i, row)| {
-            let aliases = aliases.along(&weights[i]);
-            for (j, (entry, weights)) in row.iter_mut().zip(&weights).enumerate() {
+        // k = 2π i/(N h)
+        let step = |length: usize| 2.0 * PI / (length as f64 * element_side);
+        let along = |length: usize| -> (Vec<f64>, Vec<f64>, Vec<NodeWeights>) {
+            let waves: Vec<f64> = (0..=length / 2).map(|i| step(length) * i as f64).collect();
+            let sincs = waves.iter().map(|k| body.sinc(*k)).collect();
+            let weight = |i: usize| weights(i as f64 * 2.0 / length as f64);
+            (waves, sincs, (0..=length / 2).map(weight).collect())
+        };
+        let [(x, x_sincs, x_weights), (y, y_sincs, y_weights)] = lengths.map(along);
+        let mut quarter = vec![0.0; x.len() * y.len()];
+        let rows = quarter.par_chunks_exact_mut(x.len()).enumerate();
+        rows.for_each(|(j, row)| {
+            let aliases = aliases.along(&y_weights[j]);
+            for (i, (entry, weights)) in row.iter_mut().zip(&x_weights).enumerate() {
                 if i + j > 0 {
-                    let own = body.response_of([waves[i], waves[j]], [sincs[i], sincs[j]]);
+                    let own = body.response_of([y[j], x[i]], [y_sincs[j], x_sincs[i]]);
                     *entry = own + aliases.at(weights).max(0.0);
                 }
             }
         });
-        quarter[0] = MEAN_OF_RECIPROCAL * compliance(step);
-        Self { size, quarter }
+        quarter[0] = MEAN_OF_RECIPROCAL * compliance(step(lengths[0].max(lengths[1])));
+        Self { lengths, quarter }
     }
 
-    /// Number of elements N along one side of the grid.
+    /// Numbers of elements along x and y.
     #[must_use]
-    pub fn size(&self) -> usize {
-        self.size
+    pub fn lengths(&self) -> [usize; 2] {
+        self.lengths
     }
 
-    /// The symbol at frequencies i and j, each 0 … N−1 (beyond N/2: negative frequencies), m/Pa.
+    /// The symbol at frequencies along y and along x, each 0 … N−1 (beyond N/2: negative frequencies), m/Pa.
     ///
     /// # Panics
     ///
     /// If a frequency is not below N.
     #[must_use]
-    pub fn value(&self, frequency: [usize; 2]) -> f64 {
-        let [i, j] = frequency.map(|f| f.min(self.size - f));
-        self.quarter[i * (self.size / 2 + 1) + j]
+    pub fn value(&self, [j, i]: [usize; 2]) -> f64 {
+        let [rows, columns] = self.lengths;
+        let [j, i] = [j.min(columns - j), i.min(rows - i)];
+        self.quarter[j * (rows / 2 + 1) + i]
     }
 
-    /// The stored quarter: for each frequency i = 0 … N/2 all j = 0 … N/2, at index `i (N/2 + 1) + j`.
+    /// The value (m/Pa) at a frequency along the longer side, or along x in a square.
+    ///
+    /// # Panics
+    ///
+    /// As [`Self::value`].
+    #[must_use]
+    pub fn along_longer(&self, frequency: usize) -> f64 {
+        let [rows, columns] = self.lengths;
+        let is_x = rows >= columns;
+        self.value(if is_x { [0, frequency] } else { [frequency, 0] })
+    }
+
+    /// The value (m/Pa) at the shortest wave of all.
+    #[must_use]
+    pub fn shortest(&self) -> f64 {
+        let [rows, columns] = self.lengths;
+        self.value([columns / 2, rows / 2])
+    }
+
+    /// The stored quarter: for each frequency j along y all i along x, at index `j (N_x/2 + 1) + i`.
     #[must_use]
     pub fn quarter(&self) -> &[f64] {
         &self.quarter

@@ -1,4 +1,4 @@
-//! The product `K p` of a periodic cell: pressures repeat with the grid's side, and there is no padding.
+//! The product `K p` of a periodic cell: pressures repeat with the grid's sides, and there is no padding.
 //!
 //! Pressures that are uniform on each element and alternate with one wavenumber `k` of the cell displace the centres of
 //! the elements by `S(k)` times themselves. `S` is the sum of the responses to `k` and its aliases, which are
@@ -25,10 +25,10 @@ pub(crate) use self::compliance_table::ComplianceTable;
 use super::ElasticOperator;
 use crate::bodies::ElasticBodies;
 use crate::element::direct::sinc;
-use crate::transform::{FourierLines, Lines, PlaneTransform};
+use crate::transform::{FourierLines, PlaneTransform};
 
-/// `u = K p` of a periodic cell in O(N² log N), by a real FFT without padding: less than half the work of
-/// [`crate::ConvolutionOperator`].
+/// `u = K p` of a periodic cell, square or oblong, in O(N² log N), by a real FFT without padding: less than half the
+/// work of [`crate::ConvolutionOperator`].
 ///
 /// Memory: 2 bytes per element for the multipliers, 8 for the half-transformed field. Accuracy: 1e-12 of
 /// the largest displacement; sums of a single square's coefficients over all cells agree to that (test
@@ -36,57 +36,74 @@ use crate::transform::{FourierLines, Lines, PlaneTransform};
 /// same bits for every pool.
 pub struct PeriodicOperator {
     transform: PlaneTransform<FourierLines<f64>>,
-    /// `S/N²` at the frequencies 0 … N/2 in both directions; the others are mirror images of these.
+    /// `S` over the number of elements at the frequencies `(i, j)`, 0 … N/2 in either direction, at index
+    /// `j (N_x/2 + 1) + i`; the others are mirror images of these.
     multipliers: Vec<f64>,
-    size: usize,
+    lengths: [usize; 2],
 }
 
 impl PeriodicOperator {
-    /// The operator for `size` × `size` elements of side `element_side` (m), which fill the cell.
+    /// The operator for `lengths` elements along x and y of side `element_side` (m), which fill the cell.
     #[must_use]
-    pub fn new(bodies: &ElasticBodies, element_side: f64, size: usize) -> Self {
-        let transform = PlaneTransform::new(FourierLines::periodic(size));
-        let width = size / 2 + 1;
+    pub fn new(bodies: &ElasticBodies, element_side: f64, lengths: [usize; 2]) -> Self {
+        let transform = PlaneTransform::new(FourierLines::periodic(lengths));
+        let size = lengths[0].max(lengths[1]);
         let compliance = ComplianceTable::of_cell(bodies, element_side, size);
         let half_side = element_side / 2.0;
         let aliases = AliasSum::new(bodies, &compliance, half_side);
-        // k a = π i/N
-        let along: Vec<f64> = (0..width)
-            .map(|i| std::f64::consts::PI * i as f64 / size as f64)
-            .collect();
-        let sincs: Vec<f64> = along.iter().map(|x| sinc(*x)).collect();
-        let weights: Vec<NodeWeights> = along.iter().map(|x| weights(*x)).collect();
-        let scale = 1.0 / (size * size) as f64;
-        let mut multipliers = vec![0.0; width * width];
+        let [x, y] = lengths.map(WavesAlong::new);
+        let scale = 1.0 / (lengths[0] * lengths[1]) as f64;
+        let width = x.waves.len();
+        let mut multipliers = vec![0.0; y.waves.len() * width];
         let rows = multipliers.par_chunks_exact_mut(width).enumerate();
-        rows.for_each(|(i, row)| {
-            let of_row = aliases.along(&weights[i]);
-            for (j, value) in row.iter_mut().enumerate() {
+        rows.for_each(|(j, row)| {
+            let of_row = aliases.along(&y.weights[j]);
+            for (i, value) in row.iter_mut().enumerate() {
                 *value = if [i, j] == [0, 0] {
                     // The aliases of the mean vanish, since `sinc` does there.
                     scale * bodies.mean_compliance()
                 } else {
-                    let wavenumber = along[i].hypot(along[j]) / half_side;
-                    let own = compliance.at(wavenumber) * sincs[i] * sincs[j];
-                    scale * (own + of_row.at(&weights[j]))
+                    let wavenumber = y.waves[j].hypot(x.waves[i]) / half_side;
+                    let own = compliance.at(wavenumber) * y.sincs[j] * x.sincs[i];
+                    scale * (own + of_row.at(&x.weights[i]))
                 };
             }
         });
         Self {
             transform,
             multipliers,
-            size,
+            lengths,
+        }
+    }
+}
+
+/// The waves along one side of a cell, of frequencies 0 … N/2.
+struct WavesAlong {
+    /// `k a = π i/N`
+    waves: Vec<f64>,
+    sincs: Vec<f64>,
+    weights: Vec<NodeWeights>,
+}
+
+impl WavesAlong {
+    fn new(length: usize) -> Self {
+        let wave = |i: usize| std::f64::consts::PI * i as f64 / length as f64;
+        let waves: Vec<f64> = (0..=length / 2).map(wave).collect();
+        Self {
+            sincs: waves.iter().map(|x| sinc(*x)).collect(),
+            weights: waves.iter().map(|x| weights(*x)).collect(),
+            waves,
         }
     }
 }
 
 impl ElasticOperator for PeriodicOperator {
     fn size(&self) -> usize {
-        self.size
+        self.lengths[1]
     }
 
     fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        let width = self.transform.lines().width();
+        let width = self.lengths[0] / 2 + 1;
         let multipliers = &self.multipliers;
         self.transform.load(pressure, 1.0);
         self.transform
@@ -112,7 +129,7 @@ mod tests {
     fn response_to_unit(bodies: &ElasticBodies, size: usize) -> Vec<f64> {
         let (mut unit, mut found) = (vec![0.0; size * size], vec![0.0; size * size]);
         unit[0] = 1.0;
-        PeriodicOperator::new(bodies, 1.0, size).apply_into(&unit, &mut found);
+        PeriodicOperator::new(bodies, 1.0, [size; 2]).apply_into(&unit, &mut found);
         found
     }
 
@@ -214,6 +231,38 @@ mod tests {
         }
     }
 
+    /// A square cell twice beside itself, along x or along y, is an oblong one.
+    #[test]
+    fn a_pressure_repeated_within_an_oblong_cell_displaces_it_as_a_smaller_cell() {
+        let layer = Layer::new(1.5, material(5.0, 0.2), Interface::Bonded).unwrap();
+        for base in [Base::Rigid, Base::HalfSpace(material(1.0, 0.3))] {
+            let bodies = Foundation::new(vec![layer], base).unwrap().into();
+            for size in [4, 5] {
+                let pressure = |element: usize| (1.7 * (element * element) as f64).sin();
+                let displaced = |lengths: [usize; 2], repeats: &dyn Fn(usize) -> usize| {
+                    let elements = 0..lengths[0] * lengths[1];
+                    let field: Vec<f64> = elements.map(|e| pressure(repeats(e))).collect();
+                    let mut found = vec![0.0; field.len()];
+                    PeriodicOperator::new(&bodies, 1.0, lengths).apply_into(&field, &mut found);
+                    found
+                };
+                let wanted = displaced([size; 2], &|e| e);
+                let largest = wanted.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
+                let along_x = move |e: usize| e % (size * size);
+                let along_y = move |e: usize| e / (2 * size) * size + e % size;
+                for (lengths, within) in [
+                    ([2 * size, size], &along_x as &dyn Fn(usize) -> usize),
+                    ([size, 2 * size], &along_y),
+                ] {
+                    for (element, found) in displaced(lengths, within).iter().enumerate() {
+                        let wanted = wanted[within(element)];
+                        assert!((found - wanted).abs() < 1e-13 * largest, "{found} {wanted}");
+                    }
+                }
+            }
+        }
+    }
+
     /// A cell has no room to widen, so a uniform pressure shortens every layer by `p H (1 + ν)(1 − 2ν)/((1 − ν) E)`,
     /// above a frictionless interface too, and a spring by `p c_n`. The mean of an elastic counterbody is left out.
     #[test]
@@ -255,7 +304,7 @@ mod tests {
             for counterbody in [None, Some(material(0.01, 0.3))] {
                 let bodies = ElasticBodies::new(foundation.clone(), counterbody);
                 let mut found = vec![0.0; size * size];
-                let mut operator = PeriodicOperator::new(&bodies, 1.0, size);
+                let mut operator = PeriodicOperator::new(&bodies, 1.0, [size; 2]);
                 operator.apply_into(&vec![2.0; size * size], &mut found);
                 for found in found {
                     // roundings, of zero those of the pressure's other waves
@@ -268,7 +317,8 @@ mod tests {
     #[test]
     fn a_pressure_wave_displaces_the_surface_in_its_own_shape_and_a_mean_pressure_does_not() {
         let (size, steel) = (512, material(2.0, 0.3));
-        let mut operator = PeriodicOperator::new(&Foundation::half_space(steel).into(), 1.0, size);
+        let mut operator =
+            PeriodicOperator::new(&Foundation::half_space(steel).into(), 1.0, [size; 2]);
         let wave = |element: usize| (TAU * (element / size) as f64 / size as f64).cos();
         let pressure: Vec<f64> = (0..size * size)
             .map(|element| 3.0 + wave(element))

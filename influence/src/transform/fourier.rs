@@ -138,9 +138,10 @@ impl<T: Real> Columns for FourierColumns<T> {
 }
 
 impl<T: Real> FourierLines<T> {
-    /// Plans for fields of period `length`, all of which is given and wanted.
-    pub(crate) fn periodic(length: usize) -> Self {
-        Self::new([length; 2], [0; 2], [length; 2])
+    /// Plans for fields of `columns` numbers in each of `rows`, which repeat; all are given and wanted.
+    pub(crate) fn periodic([rows, columns]: [usize; 2]) -> Self {
+        let along_columns = FourierColumns::periodic(rows);
+        Self::of([columns; 2], [0, columns], along_columns)
     }
 
     /// Plans for fields padded to 2 · `length`: `loaded` numbers along a side are given, `shown` wanted, of which
@@ -150,15 +151,24 @@ impl<T: Real> FourierLines<T> {
     }
 
     fn new(numbers: [usize; 2], [above, before]: [usize; 2], lengths: [usize; 2]) -> Self {
+        let columns = FourierColumns::new(numbers, above, lengths);
+        Self::of(numbers, [before, lengths[0]], columns)
+    }
+
+    /// Plans for rows of this period, with those for the columns.
+    fn of(
+        [loaded, shown]: [usize; 2],
+        [before, period]: [usize; 2],
+        columns: FourierColumns<T>,
+    ) -> Self {
         let mut planner = RealFftPlanner::new();
-        let ([loaded, shown], [period, _]) = (numbers, lengths);
         Self {
             loaded,
             shown,
             before,
             rows: planner.plan_fft_forward(period),
             rows_back: planner.plan_fft_inverse(period),
-            columns: FourierColumns::new(numbers, above, lengths),
+            columns,
         }
     }
 

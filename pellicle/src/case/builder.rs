@@ -100,6 +100,15 @@ impl CaseBuilder {
         self.side(side)
     }
 
+    /// An oblong periodic cell of these sides along x and y, m; [elements](Self::elements) are those along the longer
+    /// one.
+    #[must_use]
+    pub fn oblong(mut self, sides: [f64; 2]) -> Self {
+        self.0.grid.boundary = BoundaryCase::Periodic;
+        self.0.grid.sides = Some(sides);
+        self
+    }
+
     /// The pressure at which the surface yields, Pa.
     #[must_use]
     pub fn hardness(mut self, hardness: f64) -> Self {

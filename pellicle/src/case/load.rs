@@ -1,9 +1,9 @@
-//! `[load]`: a force or a penetration, or a list of either.
+//! `[load]`: a force, a nominal pressure or a penetration, or a list of one of them.
 
 use pellicle_contact::Load;
 
 use crate::declare::macros::{one_of, record};
-use crate::declare::{Codec, force, length, part, series, switch};
+use crate::declare::{Codec, force, length, part, pressure, series, switch};
 
 /// The hint if one load comes from the file and the other from the command line or a study.
 const HELP: &str = "to replace one by the other, replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
@@ -14,7 +14,7 @@ const MAX_STEPS: usize = 10_000;
 record! {
     /// The load of a case, and whether derivatives are requested.
     pub struct LoadCase {
-        #[serde(flatten)] values: LoadValues = part(), "force or penetration, or a list of either";
+        #[serde(flatten)] values: LoadValues = part(), "force, nominal pressure or penetration, or a list of one of them";
         #[serde(skip_serializing_if = "is_false")]
         sensitivities: bool = switch().or(false, "false"), "whether derivatives by the parameters of the case are found";
     }
@@ -22,23 +22,45 @@ record! {
 
 one_of! {
     /// The values of a load in SI units or the case's own.
-    pub enum LoadValues, "exactly one of force, forces, penetration, penetrations", Some(HELP);
+    pub enum LoadValues, "exactly one of force, forces, pressure, pressures, penetration, penetrations", Some(HELP);
     force: Force(f64) = force().positive(), "one force";
     forces: Forces(Vec<f64>) = series(force().positive(), MAX_STEPS), "a curve over forces";
+    pressure: Pressure(f64) = pressure().positive(), "one nominal pressure, the force over the area of a periodic cell";
+    pressures: Pressures(Vec<f64>) = series(pressure().positive(), MAX_STEPS), "a curve over nominal pressures";
     penetration: Penetration(f64) = length(), "one penetration of the indenter";
     penetrations: Penetrations(Vec<f64>) = series(length(), MAX_STEPS), "a curve over penetrations";
 }
 
 impl LoadCase {
-    /// The loads in order.
+    /// The number of loads.
     #[must_use]
-    pub fn loads(&self) -> Vec<Load> {
-        match &self.values {
-            LoadValues::Force(force) => vec![Load::Force(*force)],
-            LoadValues::Forces(forces) => forces.iter().copied().map(Load::Force).collect(),
-            LoadValues::Penetration(depth) => vec![Load::Penetration(*depth)],
-            LoadValues::Penetrations(depths) => {
-                depths.iter().copied().map(Load::Penetration).collect()
+    pub fn steps(&self) -> usize {
+        self.values.list().len()
+    }
+
+    /// The loads in order; a nominal pressure `p` on this area (m²) is the force `F = p A` in N.
+    #[must_use]
+    pub fn loads(&self, nominal_area: f64) -> Vec<Load> {
+        let load: &dyn Fn(f64) -> Load = match self.values {
+            LoadValues::Force(_) | LoadValues::Forces(_) => &Load::Force,
+            LoadValues::Pressure(_) | LoadValues::Pressures(_) => {
+                &|p| Load::Force(p * nominal_area)
+            }
+            LoadValues::Penetration(_) | LoadValues::Penetrations(_) => &Load::Penetration,
+        };
+        self.values.list().iter().copied().map(load).collect()
+    }
+}
+
+impl LoadValues {
+    /// The values in order.
+    fn list(&self) -> &[f64] {
+        match self {
+            Self::Force(one) | Self::Pressure(one) | Self::Penetration(one) => {
+                std::slice::from_ref(one)
+            }
+            Self::Forces(several) | Self::Pressures(several) | Self::Penetrations(several) => {
+                several
             }
         }
     }
@@ -99,6 +121,11 @@ mod tests {
             read("forces = { from = 1, to = 100, count = 3, spacing = \"log\" }"),
             Ok(LoadValues::Forces(vec![1.0, 10.0, 100.0]))
         );
+        assert_eq!(read("pressure = \"10 MPa\""), Ok(LoadValues::Pressure(1e7)));
+        assert_eq!(
+            read("pressures = { from = 1, to = 2, count = 2 }"),
+            Ok(LoadValues::Pressures(vec![1.0, 2.0]))
+        );
         assert_eq!(
             read("penetrations = { from = \"0 nm\", to = \"4 nm\", count = 3 }"),
             Ok(LoadValues::Penetrations(vec![0.0, 2e-9, 4e-9]))
@@ -107,7 +134,8 @@ mod tests {
 
     #[test]
     fn exactly_one_form_of_load_is_accepted() {
-        const WANTED: &str = "exactly one of force, forces, penetration, penetrations";
+        const WANTED: &str =
+            "exactly one of force, forces, pressure, pressures, penetration, penetrations";
         let message = read("force = 1\npenetration = 2").unwrap_err();
         assert_eq!(
             message,
@@ -137,6 +165,9 @@ mod tests {
             "forces = { from = 1, to = 2, count = 1 }",
             "forces = { from = 1, to = 2 }",
             "forces = { from = 1, to = 2, count = 3, spacing = \"cubic\" }",
+            "pressure = -1",
+            "pressure = \"3 mN\"",
+            "pressures = [1, 0]",
         ];
         for text in faulty {
             assert!(read(text).is_err(), "{text}");

@@ -1,5 +1,7 @@
 //! The check that the other tables of a case are compatible with a periodic cell.
 
+use super::foundation::FoundationCase;
+use super::foundation::substrate::SubstrateCase;
 use super::indenter::IndenterCase;
 use super::map::Repetition;
 use super::surface::{LatticeCase, SurfaceCase};
@@ -11,26 +13,32 @@ const BECAUSE: &str = "with grid.boundary = \"periodic\"";
 /// Relative difference allowed between lengths, for rounding in the user's numbers.
 const LEEWAY: f64 = 1e-6;
 
-/// Makes maps periodic, and rejects keys that are incompatible with a cell of this side (m).
+/// Makes maps periodic, and rejects keys that are incompatible with a cell of these sides (m).
 ///
 /// # Errors
 ///
 /// A [`Diagnosis`] of the first incompatible key.
 pub fn fit(
     root: &TableReader<'_>,
-    side: f64,
+    foundation: &FoundationCase,
+    sides: [f64; 2],
     surface: &mut SurfaceCase,
     indenter: &mut IndenterCase,
 ) -> Result<(), Diagnosis> {
     refuse_what_is_not_computed(root)?;
+    if let Some(half_space) = half_space(foundation, indenter) {
+        refuse_penetration(root, half_space)?;
+    }
     if let SurfaceCase::Cylinders(cylinders) = surface {
-        let count = side / cylinders.period;
-        let fits = (count - count.round()).abs() <= LEEWAY * count && count > 0.5;
+        let fits = sides.into_iter().all(|side| {
+            let count = side / cylinders.period;
+            (count - count.round()).abs() <= LEEWAY * count && count > 0.5
+        });
         if cylinders.lattice != LatticeCase::Square {
             return Err(unusable(root, "surface", &["lattice"], "\"square\""));
         }
         if !fits {
-            let wanted = "a period that divides the side of the cell";
+            let wanted = "a period that divides the sides of the cell";
             return Err(unusable(root, "surface", &["period"], wanted));
         }
     }
@@ -43,14 +51,39 @@ pub fn fit(
         if map
             .sides
             .iter()
-            .any(|own| (own / side - 1.0).abs() > LEEWAY)
+            .zip(sides)
+            .any(|(own, side)| (own / side - 1.0).abs() > LEEWAY)
         {
-            let wanted = format!("a map as large as the cell, {side:e} by {side:e} m");
-            return Err(unusable(root, table, &["sides", "side", "file"], &wanted));
+            let ([x, y], own) = (sides, map.sides);
+            let wanted = format!(
+                "a map as large as the cell, {x:e} by {y:e} m, or a cell as large as the map: grid.sides = [{:e}, {:e}] for side",
+                own[0], own[1]
+            );
+            return Err(unusable(root, table, &["file", "side", "sides"], &wanted));
         }
         map.repeat(how);
     }
     Ok(())
+}
+
+/// Rejects a nominal pressure on a square that does not repeat: the area on which it acts is that of the cell.
+///
+/// # Errors
+///
+/// A [`Diagnosis`] of its key.
+pub fn refuse_nominal_pressure(root: &TableReader<'_>) -> Result<(), Diagnosis> {
+    let Some(load) = root.optional("load") else {
+        return Ok(());
+    };
+    let load = load.table()?;
+    let given = ["pressure", "pressures"].map(|key| load.optional(key));
+    match given.into_iter().flatten().next() {
+        Some(field) => Err(field.unusable(
+            &"with grid.boundary = \"free\"",
+            "force or forces, or grid.boundary = \"periodic\": a free surface has no nominal area",
+        )),
+        None => Ok(()),
+    }
 }
 
 fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> {
@@ -64,16 +97,33 @@ fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> 
         return Ok(());
     };
     let load = load.table()?;
-    for key in ["penetration", "penetrations"] {
-        if let Some(field) = load.optional(key) {
-            let wanted = "force or forces on the cell: its mean displacement may be unbounded";
-            return Err(field.unusable(&BECAUSE, wanted));
-        }
-    }
     match load.optional("sensitivities") {
         Some(field) if field.switch()? => Err(field.unusable(&BECAUSE, "false")),
         _ => Ok(()),
     }
+}
+
+/// The half-space whose mean displacement in a cell is infinite, with what bounds it; none on a rigid base under a
+/// rigid indenter.
+fn half_space(foundation: &FoundationCase, indenter: &IndenterCase) -> Option<&'static str> {
+    match foundation.substrate {
+        SubstrateCase::Elastic(_) => Some("the substrate's, unless it is \"rigid\""),
+        SubstrateCase::Rigid => (indenter.material.is_some()).then_some("an elastic indenter's"),
+    }
+}
+
+fn refuse_penetration(root: &TableReader<'_>, half_space: &str) -> Result<(), Diagnosis> {
+    let Some(load) = root.optional("load") else {
+        return Ok(());
+    };
+    let load = load.table()?;
+    let given = ["penetration", "penetrations"].map(|key| load.optional(key));
+    given.into_iter().flatten().next().map_or(Ok(()), |field| {
+        let wanted = format!(
+            "force or forces, or pressure or pressures: the mean displacement of a half-space is unbounded, here {half_space}"
+        );
+        Err(field.unusable(&BECAUSE, wanted))
+    })
 }
 
 /// Returns the diagnosis of the last of these keys that the table has.

@@ -9,7 +9,8 @@ use pellicle_contact::{Domain, Load, Model, SolverOptions, Status, solve_path};
 use pellicle_influence::Cache;
 
 use super::Case;
-use super::grid::BoundaryCase;
+use super::key_dimension;
+use super::load::LoadValues;
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
 
@@ -61,6 +62,15 @@ impl Slip<'_> {
         };
         (self.distance > 0, kind, self.distance)
     }
+
+    /// The load that this value of a load stands for; a nominal pressure acts on this area (m²).
+    fn load(&self, nominal_area: f64) -> Load {
+        match self.dimension {
+            Dimension::Length => Load::Penetration(self.value),
+            Dimension::Pressure => Load::Force(self.value * nominal_area),
+            _ => Load::Force(self.value),
+        }
+    }
 }
 
 /// Units that are rarely meant where a smaller one is given.
@@ -71,7 +81,7 @@ const RARE: [&str; 3] = ["m", "km", "TPa"];
 #[must_use]
 pub fn question(case: &Case) -> Option<String> {
     let model = case.model(&Cache::none()).ok()?.value;
-    let load = case.load.loads().into_iter().min_by(|one, other| {
+    let load = case.loads().into_iter().min_by(|one, other| {
         let [one, other] = [one, other].map(value_of);
         one.total_cmp(&other)
     })?;
@@ -110,12 +120,9 @@ fn value_of(load: &Load) -> f64 {
 
 /// The values of the case in other units.
 fn slips<'a>(case: &'a Case, model: &Model) -> Vec<Slip<'a>> {
-    let loads = ["force", "forces", "penetration", "penetrations"];
-    let of_load = loads.iter().flat_map(|key| {
-        let dimension = if key.starts_with("force") {
-            Dimension::Force
-        } else {
-            Dimension::Length
+    let of_load = LoadValues::KEYS.iter().flat_map(|key| {
+        let Some(dimension) = key_dimension::of_key(key) else {
+            return Vec::new();
         };
         other_units(case, &format!("load.{key}"), dimension, None)
     });
@@ -190,9 +197,8 @@ fn is_far_beyond(case: &Case, model: &Model, load: Load) -> bool {
 /// Whether the contact is sensible with another unit.
 fn explains(case: &Case, model: &Model, load: Load, slip: &Slip<'_>) -> bool {
     let (model, load) = match (slip.parameter, load) {
-        (None, Load::Force(_)) => (Some(model.clone()), Load::Force(slip.value)),
-        (None, Load::Penetration(_)) => (Some(model.clone()), Load::Penetration(slip.value)),
-        (Some(parameter), load) => (model.with_parameter(parameter, slip.value).ok(), load),
+        (None, _) => (Some(model.clone()), slip.load(case.grid.nominal_area())),
+        (Some(parameter), _) => (model.with_parameter(parameter, slip.value).ok(), load),
     };
     let found = model.and_then(|model| solved(case, &model, load));
     found.is_some_and(|(step, codes)| {
@@ -207,17 +213,14 @@ fn solved(
     model: &Model,
     load: Load,
 ) -> Option<(pellicle_contact::Step, Vec<&'static str>)> {
-    let domain = match (case.grid.boundary, case.grid.side) {
-        (BoundaryCase::Periodic, Some(side)) => Domain::Periodic(side),
-        (BoundaryCase::Periodic, None) => return None,
-        (BoundaryCase::Free, _) => Domain::Automatic,
-    };
+    let domain = case.grid.cell().unwrap_or(Domain::Automatic);
     let options = SolverOptions {
         max_applications: MAX_PRODUCTS,
         coarse_pressures: false,
         ..case.solver_options()
     };
-    let path = solve_path(model, domain, ELEMENTS, &[load], &options, &mut ()).ok()?;
+    let elements = case.grid.at_most(ELEMENTS);
+    let path = solve_path(model, domain, elements, &[load], &options, &mut ()).ok()?;
     let codes = path.warnings.iter().map(pellicle_contact::Warning::code);
     let codes = codes.collect();
     Some((path.steps.into_iter().next()?, codes))

@@ -1,6 +1,7 @@
 //! The memory that a case needs.
 
 use pellicle_contact::{Domain, LoadingPath, Method, Model, loads_at_once, solved_grid};
+use pellicle_texture::Grid;
 
 use super::stress_cost::StressCost;
 use super::trial::{self, TRIAL, contact_share};
@@ -52,7 +53,7 @@ impl Need {
     pub fn new(case: &Case, model: &Model, domain: Domain, writers: usize) -> Self {
         let elements = case.grid.elements;
         let is_tried = elements > TRIAL_ELEMENTS || case.stress.is_some();
-        let trial = is_tried.then(|| trial::solve(case, model, domain, TRIAL.min(elements)));
+        let trial = is_tried.then(|| trial::solve(case, model, domain, case.grid.at_most(TRIAL)));
         let trial = trial.and_then(Result::ok);
         Self::of(case, model, writers, trial.as_ref())
     }
@@ -67,9 +68,12 @@ impl Need {
     #[must_use]
     pub fn of(case: &Case, model: &Model, writers: usize, trial: Option<&LoadingPath>) -> Self {
         let share = trial.map_or(1.0, contact_share);
-        let (elements, steps) = (case.grid.elements, case.load.loads().len());
+        let (elements, steps) = (case.grid.elements, case.load.steps());
         let (options, boundary) = (case.solver_options(), case.grid.boundary.into());
-        let images = solved_grid(model, elements, boundary, &options).images();
+        let grid = Grid::oblong(1.0, case.grid.lengths().unwrap_or([elements; 2]));
+        let images = grid.map_or(1, |grid| {
+            solved_grid(model, &grid, boundary, &options).images()
+        });
         let of_sector = |[quadrant, half, whole]: [[f64; 2]; 3]| match images {
             4 => quadrant,
             2 => half,
@@ -90,7 +94,7 @@ impl Need {
         let searched = trial.and_then(|trial| StressCost::of(case, trial, 0.0));
         let searched = searched.map_or(0.0, |cost| cost.bytes);
         let kept = BYTES_PER_ELEMENT_AND_STEP * steps.saturating_sub(1) as f64;
-        let area = (elements as f64).powi(2);
+        let area = case.grid.count() as f64;
         let maps = [case.surface.map(), case.indenter.map()]
             .into_iter()
             .flatten();

@@ -72,7 +72,7 @@ impl StressCost {
             .sum();
         let bytes = works.iter().map(bytes);
         Some(Self {
-            extremes: duration(mean * case.load.loads().len() as f64),
+            extremes: duration(mean * case.load.steps() as f64),
             critical: (!of_loads.is_empty()).then(|| duration(critical)),
             bytes: bytes.fold(0.0, f64::max),
         })

@@ -29,7 +29,7 @@ pub fn solve(
         coarse_pressures: false,
         ..case.solver_options()
     };
-    let loads = extremes(&case.load.loads());
+    let loads = extremes(&case.loads());
     solve_path(model, domain, elements, &loads, &options, &mut ())
 }
 

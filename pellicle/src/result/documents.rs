@@ -35,7 +35,7 @@ pub fn markdown() -> String {
          | in a body | key | meaning |\n|---|---|---|\n{bodies}\n\
          | on an interface | key | meaning |\n|---|---|---|\n{interfaces}\n\
          ## Fields\n\n\
-         N × N values, first index along x, under the same name in every file and in Python.\n\n\
+         N × N values, N_x × N_y of an oblong cell, first index along x, under the same name in every file and in Python.\n\n\
          | field | unit | meaning |\n|---|---|---|\n{fields}"
     )
 }

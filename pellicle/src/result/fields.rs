@@ -4,12 +4,13 @@ use std::borrow::Cow;
 
 use pellicle_contact::{DeformedSurface, LoadingPath, SampledModel};
 
-/// The fields of a step, N × N values each, element `(i, j)` at index `i N + j`: the first index runs along x.
+/// The fields of a step, a value for each element, element `(i, j)` of `N_x × N_y` at index `i N_y + j`: the first
+/// index runs along x.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fields<'a> {
-    /// Side of the square domain, m.
+    /// Side of the domain along y, and along x if it is square, m.
     pub side: f64,
-    /// Elements per side, N.
+    /// Elements along y, in a row.
     pub size: usize,
     /// Pressure `p`, Pa.
     pub pressure: &'a [f64],
@@ -137,8 +138,8 @@ impl<'a> Fields<'a> {
         surface: &'a DeformedSurface,
     ) -> Self {
         Self {
-            side: path.grid.side(),
-            size: path.grid.size(),
+            side: path.grid.sides()[1],
+            size: path.grid.row(),
             pressure: &path.steps[step].solution.pressure,
             displacement: &surface.displacement,
             gap: &surface.gap,
@@ -156,20 +157,56 @@ impl<'a> Fields<'a> {
         all.filter(|(_, values)| !values.is_empty())
     }
 
-    /// Coordinate of the lower side of element `i`, m; `i` may lie outside the domain.
+    /// Elements along x and y.
+    #[must_use]
+    pub fn lengths(&self) -> [usize; 2] {
+        [self.pressure.len() / self.size.max(1), self.size]
+    }
+
+    /// Whether the domain is a square.
+    #[must_use]
+    pub fn is_square(&self) -> bool {
+        self.pressure.len() == self.size * self.size
+    }
+
+    /// Coordinate of the centre of the `i`-th element along an axis, 0 for x and 1 for y, m.
+    ///
+    /// # Panics
+    /// If there is no such axis.
+    #[must_use]
+    pub fn centre_along(&self, axis: usize, i: usize) -> f64 {
+        // x_i = (2i + 1 − N_x) h/2; the bracket is exact.
+        ((2 * i + 1) as f64 - self.lengths()[axis] as f64) * (0.5 * self.element_side())
+    }
+
+    /// Lowest coordinates along x and y, m.
+    #[must_use]
+    pub fn corner(&self) -> [f64; 2] {
+        let side = |length: usize| self.side * (length as f64 / self.size as f64);
+        self.lengths().map(|length| side(length) * -0.5)
+    }
+
+    /// Area of the domain, m².
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let [x, y] = self.corner();
+        4.0 * (x * y)
+    }
+
+    /// Coordinate of the lower side of element `i` of a square, m; `i` may lie outside the domain.
     #[must_use]
     pub fn edge(&self, i: usize) -> f64 {
         self.side * (i as f64 / self.size as f64 - 0.5)
     }
 
-    /// Coordinate of the centre of element `i`, m.
+    /// Coordinate of the centre of element `i` of a square, m.
     #[must_use]
     pub fn centre(&self, i: usize) -> f64 {
         // x_i = (2i + 1 − N) h/2; the bracket is exact.
         ((2 * i + 1) as f64 - self.size as f64) * (0.5 * self.element_side())
     }
 
-    /// The element along an axis that contains a coordinate or is nearest to it.
+    /// The element along an axis of a square that contains a coordinate or is nearest to it.
     #[must_use]
     pub fn nearest(&self, coordinate: f64) -> usize {
         let elements = (coordinate / self.side + 0.5) * self.size as f64;

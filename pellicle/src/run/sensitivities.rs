@@ -33,6 +33,6 @@ pub fn find(
         }
     };
     let of_step = |step: Vec<_>| step.into_iter().zip(&parameters).map(named).collect();
-    let steps = sensitivities.of_steps(&case.load.loads());
+    let steps = sensitivities.of_steps(&case.loads());
     Ok(Some(steps.into_iter().map(of_step).collect()))
 }

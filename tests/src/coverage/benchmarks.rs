@@ -277,7 +277,7 @@ fn templates() -> Vec<Benchmark> {
         ));
         let case = Case::parse(&source, "", Path::new(""), &[]).expect("a case");
         let model = case.model(&Cache::none()).expect("tables").value;
-        let load = *case.load.loads().last().expect("a load");
+        let load = *case.loads().last().expect("a load");
         Benchmark {
             name: format!("init {}", format!("{template:?}").to_lowercase()),
             side: case

@@ -42,7 +42,7 @@ impl Region {
 
     /// The same for a region whose rows begin at an axis.
     fn unfold(&self, part: &[f64]) -> Vec<f64> {
-        let (axis, width) = (self.grid.size(), self.grid.whole_size());
+        let (axis, [_, width]) = (self.grid.size(), self.grid.whole_lengths());
         let [lines, _] = self.lengths();
         let [above, _] = self.origin;
         let mut field = vec![0.0; width * width];

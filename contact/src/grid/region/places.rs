@@ -40,7 +40,10 @@ impl Region {
     pub fn element(&self, place: Place) -> Option<usize> {
         let place = match self.boundary {
             Boundary::Free => place,
-            Boundary::Periodic => place.map(|i| i.rem_euclid(self.size.cast_signed())),
+            Boundary::Periodic => {
+                let lengths = self.lengths().map(usize::cast_signed);
+                [0, 1].map(|axis: usize| place[axis].rem_euclid(lengths[axis]))
+            }
         };
         let along = |axis: usize| {
             let image = self.grid.on_this_side(axis, place[axis]);
@@ -100,7 +103,7 @@ impl Region {
         [0, 1].map(|axis: usize| {
             let own = place[axis].cast_signed();
             let mirrored = shape.mirrored()[axis].then_some(-1 - own);
-            let cell = shape.whole_size().cast_signed();
+            let cell = shape.whole_lengths()[axis].cast_signed();
             let copies = |own: isize| periods.iter().map(move |period| own + period * cell);
             std::iter::once(own)
                 .chain(mirrored)

@@ -155,14 +155,14 @@ fn judge(
 ) -> Result<SquareVerdict, ContactError> {
     for size in FIRST_TRIALS {
         let grid = Grid::new(side, size)?;
-        let is_carried = capacity::check(model, &grid, &[load], hardness).is_ok();
+        let is_carried = capacity::check(model, (&grid, Boundary::Free), &[load], hardness).is_ok();
         if is_carried && is_resolved_by(model, &grid) && fits_clearly(model, grid, load, hardness)?
         {
             return Ok(SquareVerdict::Fits);
         }
     }
     let grid = Grid::new(side, TRIAL)?;
-    if let Err(refused) = capacity::check(model, &grid, &[load], hardness) {
+    if let Err(refused) = capacity::check(model, (&grid, Boundary::Free), &[load], hardness) {
         return if capacity::extends_beyond(model, &grid) {
             Ok(SquareVerdict::TooSmall(1))
         } else {
@@ -238,13 +238,7 @@ fn solve(
         contact_stiffness: false,
         ..SolverOptions::default()
     };
-    let mut grids = Hierarchy::new(
-        model,
-        (grid.side(), Boundary::Free),
-        grid.size(),
-        &[load],
-        &options,
-    );
+    let mut grids = Hierarchy::new(model, (grid, Boundary::Free), &[load], &options);
     grids.solve(load, options, &mut Watch::alone(&mut ()))
 }
 

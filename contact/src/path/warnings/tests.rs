@@ -301,9 +301,10 @@ fn elements_are_too_large_if_none_has_its_centre_under_the_indenter() {
         ..film
     };
     let loads = [Load::Force(1e-3)];
-    assert!(check_elements(&pin, 1.6, 32, &loads).is_ok());
+    let grid = |elements| Grid::new(1.6, elements).unwrap();
+    assert!(check_elements(&pin, &grid(32), &loads).is_ok());
     // With sixteen elements the centres nearest to the axis are at (0.05, 0.05).
-    let refused = check_elements(&pin, 1.6, 16, &loads);
+    let refused = check_elements(&pin, &grid(16), &loads);
     let Err(ContactError::ElementsTooLarge {
         side,
         element_side,

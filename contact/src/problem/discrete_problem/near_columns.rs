@@ -27,7 +27,8 @@ impl<'a> NearColumns<'a> {
     pub fn new(problem: &'a DiscreteProblem, reach: usize) -> Option<Self> {
         let support = problem.support();
         let elasticity = support.elasticity()?;
-        let size = (elasticity.size()).min(support.region().shape().whole_size());
+        let [x, y] = support.region().shape().whole_lengths();
+        let size = (elasticity.size()).min(x).min(y);
         let reach = support.equally_dear_reach(reach);
         let reach = reach.min(size - 1).min(LARGEST_REACH);
         let unit = problem.scale().compliance;

@@ -1,4 +1,4 @@
-//! A body under a square that repeats periodically.
+//! A body under a rectangle that repeats periodically.
 
 use std::sync::Arc;
 
@@ -30,8 +30,8 @@ impl ElasticOperator for Cell {
     }
 
     fn apply_into(&mut self, pressure: &[f64], displacement: &mut [f64]) {
-        let (elasticity, size) = (&self.elasticity, self.region.size());
-        let made = || Box::new(elasticity.periodic_operator(size));
+        let (elasticity, lengths) = (&self.elasticity, self.region.lengths());
+        let made = || Box::new(elasticity.periodic_operator(lengths));
         let operator = self.operator.get_or_insert_with(made);
         operator.apply_into(pressure, displacement);
     }
@@ -49,12 +49,12 @@ impl Support for Cell {
     fn gap_scale(&self) -> GapScale {
         GapScale::Cell {
             mean: self.elasticity.mean_compliance(),
-            longest: self.elasticity.cell_response(self.region.size()),
+            longest: self.elasticity.cell_response(self.region.grid_size()),
         }
     }
 
     fn symbol(&self) -> Option<PeriodicSymbol> {
-        Some(self.elasticity.cell_symbol(self.region.size()))
+        Some(self.elasticity.cell_symbol(self.region.lengths()))
     }
 }
 

@@ -25,12 +25,12 @@ pub(super) struct Gaps {
 impl Nominal {
     /// The whole cell, or the convex hull of the contact; none without contact.
     pub fn of(field: &ContactField<'_>, pattern: &ContactPattern) -> Option<Self> {
-        let size = field.region.size();
+        let [count, size] = field.region.lengths();
         let (first, _) = pattern.extents().next()?;
         if field.region.repeats() {
             return Some(Self {
-                spans: vec![0..size; size],
-                elements: (size * size) as f64,
+                spans: vec![0..size; count],
+                elements: (count * size) as f64,
             });
         }
         // The corners of the outermost elements, by the line between rows on which they lie.
@@ -47,7 +47,7 @@ impl Nominal {
             columns(at(&left, middle), -at(&right, middle))
         };
         Some(Self {
-            spans: (0..size)
+            spans: (0..count)
                 .map(|i| if rows.contains(&i) { span(i) } else { 0..0 })
                 .collect(),
             elements: -under(&left) - under(&right),

@@ -380,11 +380,13 @@ fn factor(problem: &DiscreteProblem, neighbours: usize) -> Option<Inverse> {
 
 /// The response to the longest wave over that to the shortest: the ratio of the compliances that they meet.
 fn stiffness_contrast(symbol: &PeriodicSymbol) -> f64 {
-    if symbol.size() < SMALLEST_SPECTRUM {
+    let [x, y] = symbol.lengths();
+    let size = x.max(y);
+    if size < SMALLEST_SPECTRUM {
         return 1.0;
     }
-    let response = |frequency: usize| frequency as f64 * symbol.value([0, frequency]);
-    response(1) * SHORTEST_RESPONSE / response(symbol.size() / 2)
+    let response = |frequency: usize| frequency as f64 * symbol.along_longer(frequency);
+    response(1) * SHORTEST_RESPONSE / response(size / 2)
 }
 
 /// `r = D − v` on the set, 0 outside.

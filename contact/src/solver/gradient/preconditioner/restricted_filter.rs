@@ -60,7 +60,7 @@ impl RestrictedFilter {
     pub fn new(symbol: PeriodicSymbol, region: &Region) -> Self {
         let elements = region.elements();
         Self {
-            shortest: symbol.value([symbol.size() / 2; 2]),
+            shortest: symbol.shortest(),
             filter: PeriodicFilter::new(symbol, region.shape()),
             mean_compliance: f64::NAN,
             flank: vec![0.0; elements],
