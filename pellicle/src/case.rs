@@ -298,6 +298,12 @@ impl Case {
         if let (BoundaryCase::Periodic, Some(side)) = (grid.boundary, grid.side) {
             periodic::fit(&table, side, &mut surface, &mut indenter)?;
         }
+        if grid.boundary == BoundaryCase::Free {
+            periodic::refuse_tapered(
+                &table,
+                [("surface", surface.map()), ("indenter", indenter.map())],
+            )?;
+        }
         let given = [surface.map(), indenter.map()];
         let units = given.into_iter().flatten().map(|map| map.units);
         let units = units.fold(Units::of(root), Units::or);

@@ -1,3 +1,4 @@
-//! The documents of the crate.
+//! The documents of the crate, and cases with measured maps.
 
 mod documents;
+mod maps;
