@@ -1,6 +1,9 @@
 //! Cases with measured maps: tilt, edges, register, outline.
 
 mod edges;
+mod flat;
+mod outline;
+mod register;
 mod surfaces;
 mod tilt;
 

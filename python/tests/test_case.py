@@ -203,6 +203,7 @@ def fields(*kinds: type[Any]) -> set[str]:
         ("indenter", pl.Vickers, {"kind"}, set()),
         ("indenter", pl.CubeCorner, {"kind"}, set()),
         ("indenter", pl.FlatPunch, {"kind"}, set()),
+        ("indenter", pl.Flat, {"kind"}, set()),
         ("indenter", pl.IndenterMap, {"kind", "file"}, {"heights"}),
         ("stress", pl.Stress, set(), set()),
         ("output", pl.Output, set(), set()),

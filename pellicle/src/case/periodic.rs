@@ -35,9 +35,10 @@ pub fn fit(
             return Err(unusable(root, "surface", &["period"], wanted));
         }
     }
+    let repetition = indenter.repetition();
     let maps = [
         ("surface", surface.map_mut(), Repetition::InPlace),
-        ("indenter", indenter.map_mut(), Repetition::Centred),
+        ("indenter", indenter.map_mut(), repetition),
     ];
     for (table, map, how) in maps {
         let Some(map) = map else { continue };

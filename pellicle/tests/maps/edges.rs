@@ -24,7 +24,7 @@ boundary = "periodic"
 "#;
 
 fn codes(map: &Array2<f64>) -> Vec<String> {
-    let case = case(CASE, &[("scan", &(map * 10e-9))]).unwrap();
+    let case = case(CASE, &[("scan", &(map * 10e-9))]).expect("a valid case");
     let warnings = case.warnings(10e-6).into_iter();
     warnings.map(|warning| warning.code.to_owned()).collect()
 }
