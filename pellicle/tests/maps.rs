@@ -2,6 +2,7 @@
 
 mod edges;
 mod flat;
+mod malformed;
 mod outline;
 mod register;
 mod surfaces;
