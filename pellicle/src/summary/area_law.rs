@@ -18,7 +18,10 @@ use serde::{Deserialize, Serialize};
 
 use super::roughness::RoughnessSummary;
 use crate::case::Case;
-use crate::case::surface::SurfaceCase;
+use crate::case::surface::{ComplianceCase, SurfaceCase};
+
+/// A relief of no springs is the body itself.
+const RIGID: ComplianceCase = ComplianceCase::Compliance(0.0);
 
 /// The area of a contact against the pressure on it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -41,6 +44,9 @@ pub fn reference_pressure(
 ) -> Option<f64> {
     let (map, roughness) = match (&case.surface, case.indenter.map()) {
         (SurfaceCase::Rough(map), None) => (map, roughness?.surface.as_ref()?),
+        (SurfaceCase::Map(of), None) if of.compliance == RIGID => {
+            (&of.map, roughness?.surface.as_ref()?)
+        }
         (SurfaceCase::Bare, Some(map)) => (map, roughness?.indenter.as_ref()?),
         _ => return None,
     };

@@ -26,7 +26,8 @@ pub struct StepSummary {
     /// Islands, gaps and pressures, if a map takes part and there is contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rough_contact: Option<RoughContact>,
-    /// Its area against the pressure on it, if one surface is a measured map and the other smooth, and there is contact.
+    /// Its area against the pressure on it, if one surface is a measured map and the other smooth, and there is
+    /// contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub area_law: Option<AreaLaw>,
     /// Status; `certified` in a file older than this field.
