@@ -32,7 +32,9 @@ pub enum Template {
     Hertz,
     /// A ball on a rough elastic body
     Rough,
-    /// The heights of the case `rough`, rough-surface.csv
+    /// A plane on a rough elastic body that repeats: contact area over pressure
+    RoughPeriodic,
+    /// The heights of the cases `rough` and `rough-periodic`, rough-surface.csv
     RoughMap,
     /// A parameter study: a ball on coatings of several thicknesses under several loads
     Study,
@@ -66,6 +68,7 @@ impl Template {
             Self::FlatPunch => include_str!("templates/flat-punch.toml"),
             Self::Hertz => include_str!("templates/hertz.toml"),
             Self::Rough => include_str!("templates/rough.toml"),
+            Self::RoughPeriodic => include_str!("templates/rough-periodic.toml"),
         };
         let case = with_other_keys(case, &Case::shape());
         format!("{SCHEMA_LINE}{case}").into()
@@ -76,7 +79,7 @@ impl Template {
     pub fn next(self, path: &str) -> String {
         match self {
             Self::Study => format!("pellicle study {path}"),
-            Self::Rough => format!(
+            Self::Rough | Self::RoughPeriodic => format!(
                 "pellicle init rough-map --out rough-surface.csv beside it, and pellicle run {path}"
             ),
             Self::RoughMap => "pellicle init rough".into(),

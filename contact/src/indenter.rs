@@ -1,7 +1,7 @@
 //! Shapes of rigid indenters: the height `f(x, y)` of the surface above its lowest point.
 //!
-//! The lowest point lies on the origin, where `f = 0`; elsewhere `f ≥ 0`, and `f = +∞` where the indenter ends. Lengths
-//! are in m, angles in radians; `ρ = √(x² + y²)`.
+//! The lowest point lies on the origin, where `f = 0`; elsewhere `f ≥ 0`, and `f = +∞` where the indenter ends. Only a
+//! map may be left [where it is](IndenterMap::in_place). Lengths are in m, angles in radians; `ρ = √(x² + y²)`.
 //!
 //! | shape | height |
 //! |---|---|
@@ -9,6 +9,7 @@
 //! | [`Sphere`] | `R − √(R² − ρ²)` up to `ρ = R` |
 //! | [`Cone`] | `ρ cot α`, its tip a sphere that touches the side |
 //! | [`FlatPunch`] | 0 up to its radius |
+//! | [`Plane`] | 0 everywhere |
 //! | [`Pyramid`] | n equal faces, tip and ridges rounded with one radius |
 //! | [`IndenterMap`] | measured samples and the smooth surface through them |
 //! | [`Indenter::custom`] | any [`Profile`] of your own |
@@ -31,6 +32,7 @@ mod flat_punch;
 mod map;
 mod paraboloid;
 mod parameter;
+mod plane;
 mod profile;
 mod pyramid;
 mod sphere;
@@ -40,6 +42,7 @@ pub use error::{IndenterError, IndenterQuantity};
 pub use flat_punch::FlatPunch;
 pub use map::IndenterMap;
 pub use paraboloid::Paraboloid;
+pub use plane::Plane;
 pub use profile::Profile;
 pub use pyramid::Pyramid;
 pub use sphere::Sphere;
@@ -57,6 +60,8 @@ pub enum Indenter {
     Cone(Cone),
     /// The flat end of a circular cylinder.
     FlatPunch(FlatPunch),
+    /// A plane without end.
+    Plane(Plane),
     /// A regular pyramid, sharp or rounded.
     Pyramid(Pyramid),
     /// A measured surface.
@@ -112,6 +117,7 @@ impl Indenter {
             Self::Sphere(shape) => shape,
             Self::Cone(shape) => shape,
             Self::FlatPunch(shape) => shape,
+            Self::Plane(shape) => shape,
             Self::Pyramid(shape) => shape,
             Self::Map(shape) => shape,
             Self::Custom(shape) => &*shape.0,
@@ -122,7 +128,11 @@ impl Indenter {
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         match self {
-            Self::Paraboloid(_) | Self::Sphere(_) | Self::Cone(_) | Self::FlatPunch(_) => true,
+            Self::Paraboloid(_)
+            | Self::Sphere(_)
+            | Self::Cone(_)
+            | Self::FlatPunch(_)
+            | Self::Plane(_) => true,
             Self::Pyramid(pyramid) => pyramid.faces().is_multiple_of(2),
             Self::Map(_) => false,
             Self::Custom(shape) => shape.0.is_mirrored(),
@@ -211,6 +221,12 @@ impl From<Cone> for Indenter {
 impl From<FlatPunch> for Indenter {
     fn from(shape: FlatPunch) -> Self {
         Self::FlatPunch(shape)
+    }
+}
+
+impl From<Plane> for Indenter {
+    fn from(shape: Plane) -> Self {
+        Self::Plane(shape)
     }
 }
 

@@ -2,6 +2,7 @@
 
 pub mod builder;
 pub mod caller_shape;
+mod flat;
 pub mod foundation;
 pub mod grid;
 mod hardness;
@@ -301,6 +302,13 @@ impl Case {
             }
             _ => periodic::refuse_nominal_pressure(&table)?,
         }
+        if grid.boundary == BoundaryCase::Free {
+            periodic::refuse_tapered(
+                &table,
+                [("surface", surface.map()), ("indenter", indenter.map())],
+            )?;
+        }
+        flat::check(&table, &surface, &indenter, &grid)?;
         let given = [surface.map(), indenter.map()];
         let units = given.into_iter().flatten().map(|map| map.units);
         let units = units.fold(Units::of(root), Units::or);

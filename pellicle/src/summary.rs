@@ -1,5 +1,6 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
+pub mod area_law;
 pub mod roughness;
 pub mod schema;
 mod step;
@@ -13,6 +14,7 @@ use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use self::area_law::AreaLaw;
 use self::roughness::RoughnessSummary;
 pub use self::step::{CertificateSummary, SensitivitySummary, StepSummary, StressSummary};
 pub use self::warning::WarningSummary;
@@ -155,7 +157,7 @@ impl RunSummary {
         Ok(summary)
     }
 
-    /// Adds the case as resolved and the roughness of its maps to a summary of its results.
+    /// Adds the case as resolved to a summary of its results.
     ///
     /// # Errors
     ///
@@ -165,7 +167,6 @@ impl RunSummary {
         resolved.grid.take_side(self.grid.side);
         self.ask_for_unit(case);
         self.case = serde_json::to_value(&resolved)?;
-        self.roughness = RoughnessSummary::of(case);
         Ok(())
     }
 
@@ -200,6 +201,12 @@ impl RunSummary {
         );
         let cache_warnings = cache_warnings.iter().map(WarningSummary::from);
         let statuses = path.steps.iter().map(Step::status);
+        let roughness = RoughnessSummary::of(case);
+        let reference = area_law::reference_pressure(case, path, roughness.as_ref());
+        let steps = path.steps.iter().map(|step| StepSummary {
+            area_law: reference.and_then(|reference| AreaLaw::of(step, reference)),
+            ..StepSummary::from(step)
+        });
         Self {
             schema: SCHEMA.into(),
             program: PROGRAM.into(),
@@ -215,8 +222,8 @@ impl RunSummary {
                 element_side: path.grid.element_side(),
                 boundary: case.grid.boundary,
             },
-            roughness: None,
-            steps: path.steps.iter().map(StepSummary::from).collect(),
+            steps: steps.collect(),
+            roughness,
             critical: None,
             timing: Timing {
                 coefficients_seconds: clock.tables_seconds + path.coefficients_seconds,

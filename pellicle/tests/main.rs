@@ -1,4 +1,5 @@
-//! The documents of the crate.
+//! The documents of the crate, and cases with measured maps.
 
 mod documents;
+mod maps;
 mod periodic;

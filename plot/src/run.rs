@@ -1,5 +1,6 @@
 //! Pictures of a run as a whole.
 
+pub mod area_law;
 pub mod convergence;
 pub mod curve;
 pub mod spectrum;

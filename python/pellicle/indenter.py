@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import ClassVar, Literal
 
 from .height_map import HeightMap
 from .quantity import Quantity
@@ -81,8 +81,20 @@ class FlatPunch(Indenter):
     radius: Quantity
 
 
+@dataclass(frozen=True)
+class Flat(Indenter):
+    """A plane without end, pressed on a rough or textured body."""
+
+    _kind: ClassVar[str] = "flat"
+
+
 @dataclass(frozen=True, eq=False)
 class IndenterMap(HeightMap, Indenter):
-    """A measured indenter: heights of its surface above the plane; the lowest point touches first."""
+    """A measured indenter: heights of its surface above the plane; the lowest point touches first.
+
+    The lowest point lies on the axis, or with `origin="as given"` the middle of the map, so that it stays in register
+    with a surface's map. Where the map ends the indenter does.
+    """
 
     _kind: ClassVar[str] = "map"
+    origin: Literal["summit", "as given"] | None = field(default=None, kw_only=True)

@@ -203,6 +203,7 @@ def fields(*kinds: type[Any]) -> set[str]:
         ("indenter", pl.Vickers, {"kind"}, set()),
         ("indenter", pl.CubeCorner, {"kind"}, set()),
         ("indenter", pl.FlatPunch, {"kind"}, set()),
+        ("indenter", pl.Flat, {"kind"}, set()),
         ("indenter", pl.IndenterMap, {"kind", "file"}, {"heights"}),
         ("stress", pl.Stress, set(), set()),
         ("output", pl.Output, set(), set()),
@@ -214,7 +215,8 @@ def test_no_table_of_the_case_file_has_keys_that_its_class_lacks(
     values = {} if not hasattr(kind, "_kind") or kind._kind is None else {"kind": kind._kind}
     known = keys_that_the_reader_knows(place, **values)
     assert (fields(kind) | more) - less == known
-    assert known - more - set(SI_UNITS) <= {"lattice", "law", "interpolation", "holes", "fields", "pictures", "formats", "only"}
+    of_maps = {"interpolation", "holes", "level", "edges", "origin"}
+    assert known - more - set(SI_UNITS) <= of_maps | {"lattice", "law", "fields", "pictures", "formats", "only"}
 
 
 def test_layers_loads_grid_and_solver_have_the_keys_of_the_case_file() -> None:

@@ -76,6 +76,16 @@ def test_a_pool_of_processes_returns_complete_results_and_errors(body: pl.Founda
     assert isinstance(refused, pl.RunError) and str(refused.path) == "none.toml"
 
 
+def test_a_summary_has_the_roughness_of_its_maps_and_the_area_of_their_contact(body: pl.Foundation) -> None:
+    x = np.linspace(-1e-5, 1e-5, 21)
+    heights = 1e-9 * np.cos(1e6 * x)[:, None] * np.cos(2e6 * x)
+    waves = pl.Rough(heights, side="20 um")
+    path = pl.Case(body, pl.Sphere("0.5 mm"), force="5 mN", surface=waves, side="20 um", elements=32).solve()
+    assert path.summary["roughness"]["surface"]["rms_height"] == pytest.approx(np.std(heights), rel=1e-9)
+    area, rough = path[0].summary["area_law"], path[0].rough_contact
+    assert rough and area["kappa"] * area["reduced_pressure"] == pytest.approx(rough["contact_fraction"], rel=1e-12)
+
+
 def test_a_process_forked_while_another_thread_solves_can_solve(body: pl.Foundation, case: pl.Case) -> None:
     large = pl.Case(body, pl.Sphere("0.5 mm"), forces=pl.Range("5 mN", "50 mN", 40), elements=256)
     solving = threading.Thread(target=large.solve)

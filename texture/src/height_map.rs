@@ -73,6 +73,16 @@ impl HeightMap {
         }
     }
 
+    /// The same map with other finite heights, m.
+    pub(crate) fn with_heights(self, heights: Vec<f64>) -> Self {
+        debug_assert_eq!(heights.len(), self.heights.len());
+        Self {
+            step_limit: StepLimit::of(&heights, self.shape),
+            heights,
+            ..self
+        }
+    }
+
     /// The interpolation between the samples.
     #[must_use]
     pub fn interpolation(&self) -> Interpolation {

@@ -1,6 +1,6 @@
 //! Roughness of a height map: root mean square height, slope and curvature, and the power spectrum.
 //!
-//! With `h` the height above the mean plane, `q = 2π (m/L_x, n/L_y)` the wave vector of a wave that fits in the map and
+//! With `h` the height above the mean, `q = 2π (m/L_x, n/L_y)` the wave vector of a wave that fits in the map and
 //! `ĥ` its Fourier coefficient, `h = Σ ĥ exp(i q·x)`:
 //!
 //! ```text
@@ -10,6 +10,9 @@
 //! The sums over waves hold for a map that repeats periodically. On a map that ends they would include the jump across
 //! the rim, so slopes and curvatures are taken there from differences between neighbouring samples. The differences
 //! underestimate the slope of a wave of wavelength `ℓ` by the factor `sinc(w/ℓ)`, where `w` is the pixel.
+//!
+//! Heights and slopes are those of the map as it is: of a tilted map they include the tilt. Only the spectrum of a map
+//! that ends is that of its heights above the least-squares plane, since a plane is no sum of waves.
 
 mod spectrum;
 
@@ -18,13 +21,13 @@ pub use spectrum::{MapRim, PowerSpectrum};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::{HeightMap, nan_from_null};
+use crate::{HeightMap, MeanPlane, mean_plane::above_mean, nan_from_null};
 use spectrum::Moments;
 
 /// The roughness of the samples of a map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Roughness {
-    /// Root mean square of the heights above their mean plane, m.
+    /// Root mean square of the heights above their mean, m: a tilt counts.
     #[serde(deserialize_with = "nan_from_null")]
     pub rms_height: f64,
     /// Root mean square of the gradient's length.
@@ -66,13 +69,16 @@ impl Roughness {
     /// ```
     #[must_use]
     pub fn of(map: &HeightMap, rim: MapRim) -> Self {
-        let samples = levelled(map, rim);
+        let mut samples = above_mean(map);
         let squares = sum_of_lines(&samples, map.shape(), |row| row.iter().map(|h| h * h).sum());
         let differences = match rim {
             MapRim::Ends => Some(difference_moments(&samples, map)),
             MapRim::Repeats => None,
         };
         let count = samples.len() as f64;
+        if rim == MapRim::Ends {
+            MeanPlane::of_samples(&samples, map).subtract_from(&mut samples);
+        }
         let (spectrum, sums) = PowerSpectrum::of(samples, map, rim);
         let (derivatives, Moments { slope, curvature }) = match differences {
             Some(differences) => (DerivativeSource::Differences, differences),
@@ -92,49 +98,6 @@ impl Roughness {
 fn sum_of_lines(field: &[f64], shape: [usize; 2], of: impl Fn(&[f64]) -> f64 + Send + Sync) -> f64 {
     let rows = field.par_chunks(shape[1]).map(of);
     rows.collect::<Vec<_>>().into_iter().sum()
-}
-
-/// The heights above their mean or their mean plane.
-fn levelled(map: &HeightMap, rim: MapRim) -> Vec<f64> {
-    let ([rows, columns], heights) = (map.shape(), map.heights());
-    let count = heights.len() as f64;
-    // Subtract one height first: a map may be far from its reference plane.
-    let reference = heights[0];
-    let mean = |field: &[f64]| sum_of_lines(field, [rows, columns], |row| row.iter().sum()) / count;
-    let mut samples: Vec<f64> = heights.par_iter().map(|h| h - reference).collect();
-    let above = mean(&samples);
-    samples.par_iter_mut().for_each(|h| *h -= above);
-    if rim == MapRim::Repeats {
-        return samples;
-    }
-    // Positions about the middle, in samples: b = Σ t h / Σ t² along each axis, Σ t² = N (n² − 1)/12.
-    let place = |i: usize, n: usize| i as f64 - 0.5 * (n as f64 - 1.0);
-    let tilt = |products: f64, n: usize| {
-        let squares = count * ((n * n) as f64 - 1.0) / 12.0;
-        if n > 1 { products / squares } else { 0.0 }
-    };
-    let lines: Vec<[f64; 2]> = (samples.par_chunks(columns).enumerate())
-        .map(|(i, row)| {
-            let along = row
-                .iter()
-                .enumerate()
-                .map(|(j, h)| place(j, columns) * h)
-                .sum();
-            [place(i, rows) * row.iter().sum::<f64>(), along]
-        })
-        .collect();
-    let [across, along] = [0, 1].map(|axis: usize| lines.iter().map(|line| line[axis]).sum());
-    let [across, along] = [tilt(across, rows), tilt(along, columns)];
-    samples
-        .par_chunks_mut(columns)
-        .enumerate()
-        .for_each(|(i, row)| {
-            let line = across * place(i, rows);
-            for (j, h) in row.iter_mut().enumerate() {
-                *h -= line + along * place(j, columns);
-            }
-        });
-    samples
 }
 
 /// Computes `⟨|∇h|²⟩` and `⟨(∇²h/2)²⟩` from differences between neighbouring samples.

@@ -18,12 +18,13 @@ use rayon::prelude::*;
 use super::surface_figure::SurfaceFigure;
 use super::write_progress::WriteProgress;
 use crate::failure::Failure;
-use crate::picture::{convergence, curve, extremes, histograms, spectrum, subject};
+use crate::picture::{area_law, convergence, curve, extremes, histograms, spectrum, subject};
 
 /// The pictures of a run as a whole.
 const CURVE: &str = "curve";
 const CONVERGENCE: &str = "convergence";
 const SPECTRUM: &str = "spectrum";
+const AREA_LAW: &str = "area-law";
 
 /// A picture of a loading step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -128,6 +129,8 @@ pub struct RunDrawings {
     pub convergence: Option<String>,
     /// Power over the wavenumber of the maps.
     pub spectrum: Option<String>,
+    /// Contact fraction over reduced pressure of a rough contact.
+    pub area_law: Option<String>,
 }
 
 /// The pictures of the stresses of a step.
@@ -218,6 +221,7 @@ pub fn drawn_run(summary: &RunSummary) -> RunDrawings {
         curve: draw_curve(summary, &Style::default()),
         convergence: draw_convergence(summary, &Style::default()),
         spectrum: draw_spectrum(summary, &Style::default()),
+        area_law: draw_area_law(summary, &Style::default()),
     }
 }
 
@@ -237,6 +241,10 @@ fn draw_convergence(summary: &RunSummary, style: &Style) -> Option<String> {
 fn draw_spectrum(summary: &RunSummary, style: &Style) -> Option<String> {
     let (title, maps) = (&summary.title, spectrum::of_run(summary));
     plot::run::spectrum::draw(title, &maps, summary.units, style)
+}
+
+fn draw_area_law(summary: &RunSummary, style: &Style) -> Option<String> {
+    plot::run::area_law::draw(&summary.title, &area_law::of_run(summary), style)
 }
 
 /// Writes the pictures of one loading step, and returns the drawings for the report.
@@ -299,17 +307,20 @@ pub fn run(
         curve: one(CURVE, drawn(CURVE, draw_curve))?,
         convergence: one(CONVERGENCE, drawn(CONVERGENCE, draw_convergence))?,
         spectrum: one(SPECTRUM, drawn(SPECTRUM, draw_spectrum))?,
+        area_law: one(AREA_LAW, drawn(AREA_LAW, draw_area_law))?,
     })
 }
 
 /// The pictures of a run as a whole, and whether there is something to draw.
-fn of_a_run(summary: &RunSummary) -> [(&'static str, bool); 3] {
+fn of_a_run(summary: &RunSummary) -> [(&'static str, bool); 4] {
     let has_grids = plot::run::convergence::is_drawn(&convergence::of_run(summary));
     let has_maps = plot::run::spectrum::is_drawn(&spectrum::of_run(summary));
+    let has_area_law = plot::run::area_law::is_drawn(&area_law::of_run(summary));
     [
         (CURVE, summary.steps.len() > 1),
         (CONVERGENCE, has_grids),
         (SPECTRUM, has_maps),
+        (AREA_LAW, has_area_law),
     ]
 }
 

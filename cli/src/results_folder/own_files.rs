@@ -16,10 +16,11 @@ use crate::output::report;
 use crate::planning;
 
 /// Files written once per run, and their extensions.
-const OF_A_RUN: [(&str, &[&str]); 3] = [
+const OF_A_RUN: [(&str, &[&str]); 4] = [
     ("curve", &["svg", "png"]),
     ("convergence", &["svg", "png"]),
     ("spectrum", &["svg", "png"]),
+    ("area-law", &["svg", "png"]),
 ];
 
 /// Files written once per step: the word before the number of the step, and the extensions.
@@ -235,6 +236,7 @@ mod tests {
             "report.html",
             "convergence.png",
             "spectrum.svg",
+            "area-law.png",
             "histograms-003.png",
             "fields-000.npz",
             "pressure-3d-1234.svg",

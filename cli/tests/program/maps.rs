@@ -325,11 +325,12 @@ fn check_reports_samples_per_element_and_warns_of_a_map_coarser_than_the_grid() 
 }
 
 #[test]
-fn the_rough_template_and_its_map_run_unchanged() {
+fn the_rough_templates_and_their_map_run_unchanged() {
     let folder = TestFolder::new();
     for line in [
         &["init", "rough-map", "--out", "rough-surface.csv"][..],
         &["init", "rough", "--out", "rough.toml"],
+        &["init", "rough-periodic", "--out", "periodic.toml"],
     ] {
         assert_eq!(folder.run(line).code, Some(0));
     }
@@ -343,6 +344,25 @@ fn the_rough_template_and_its_map_run_unchanged() {
             .any(|warning| warning["code"] == code)
     };
     assert!(!warned("coarse-map") && !warned("bare-number") && !warned("domain-edge"));
+    let ran = folder.run(&[
+        "run",
+        "periodic.toml",
+        "--json",
+        "--set",
+        "grid.elements=64",
+    ]);
+    let summary = ran.json();
+    let codes = summary["warnings"].as_array().unwrap().iter();
+    assert!(
+        !codes
+            .map(|warning| &warning["code"])
+            .any(|code| code == "not-periodic-map")
+    );
+    for step in summary["steps"].as_array().unwrap() {
+        let kappa = step["area_law"]["kappa"].as_f64().unwrap();
+        // Between theories with √(8/π) and √(2π), with some islands of few elements.
+        assert!((1.4..3.2).contains(&kappa), "{kappa}");
+    }
 }
 
 /// A half-space under a nearly flat indenter, with a rough surface of 32 samples and waves down to two of them.

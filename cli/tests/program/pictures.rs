@@ -145,6 +145,8 @@ fn a_measured_surface_has_maps_of_its_heights_the_gap_and_the_displacement() {
     assert!(page.contains("<h3>The gap g</h3>"));
     let spectrum = svg(&folder.path("a/spectrum.svg"));
     assert!(spectrum.contains("surface: rms height") && page.contains("<h2>Roughness</h2>"));
+    let area = svg(&folder.path("a/area-law.svg"));
+    assert!(area.contains("Persson") && page.contains("<h2>Contact area</h2>"));
     let histograms = svg(&folder.path("a/histograms-000.svg"));
     assert!(histograms.contains("mean gap ") && page.contains("Pressures and gaps"));
     let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();

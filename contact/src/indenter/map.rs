@@ -5,18 +5,27 @@ mod mean_profile;
 use std::sync::{Arc, OnceLock};
 
 use mean_profile::MeanProfile;
-use pellicle_texture::HeightMap;
+use pellicle_texture::{HeightMap, MeanPlane};
 
 use super::Profile;
 
 /// Radius of the smallest circle over which heights are averaged, in distances between samples.
 const FINEST: f64 = 0.01;
 
+/// Mean height of the two ends of a map above its mean, over the rms height of its mean profile along the axis above a
+/// line, with which it counts as cut out of something larger: 2.2 for the scan of a paraboloid, wherever its axis lies,
+/// 1.7 for the edge of a wedge, and at most 1.4 for a wave that fits in the map.
+const RISING: f64 = 1.55;
+
+/// The same over the rms height of the map: the mean profile of a rough punch, or along a cylinder, is nearly level.
+const PART_OF_ROUGHNESS: f64 = 0.1;
+
 /// A measured indenter: a height map, placed so that its lowest point is at the origin and at height 0.
 ///
 /// Between samples the height is that of the map's [interpolation](pellicle_texture::Interpolation). Beyond the map's
-/// rectangle the indenter ends, `f = +∞`: a contact that reaches the rim of the measurement is bounded by it as by the
-/// rim of a punch, and the [step](crate::Step) is marked as cut off.
+/// rectangle the indenter ends, `f = +∞`: a contact that reaches the end is bounded by it as by the rim of a punch.
+/// Where the map rises to both its ends along an axis, as the scan of a ball, a cone or a pyramid does, it was cut out
+/// of something larger: then the [step](crate::Step) is marked as cut off.
 #[derive(Clone, Debug)]
 pub struct IndenterMap {
     map: HeightMap,
@@ -28,7 +37,7 @@ pub struct IndenterMap {
 
 impl PartialEq for IndenterMap {
     fn eq(&self, other: &Self) -> bool {
-        self.map == other.map
+        self.map == other.map && self.lowest_point == other.lowest_point
     }
 }
 
@@ -45,6 +54,34 @@ impl IndenterMap {
             lowest_point,
             mean_profile: Arc::default(),
         }
+    }
+
+    /// The same heights, left where they are: the middle of the map lies at the origin, and the lowest point anywhere.
+    /// So two maps that were measured together stay in register.
+    #[must_use]
+    pub fn in_place(map: HeightMap) -> Self {
+        Self {
+            lowest_point: [0.0; 2],
+            ..Self::new(map)
+        }
+    }
+
+    /// Whether the map rises towards both its ends along this axis (0 for x, 1 for y).
+    pub(crate) fn rises_to_its_ends(&self, axis: usize) -> bool {
+        let (shape, heights) = (self.map.shape(), self.map.heights());
+        let at = |line: usize, k: usize| match axis {
+            0 => heights[line * shape[1] + k],
+            _ => heights[k * shape[1] + line],
+        };
+        let across = shape[1 - axis];
+        let of_line = |line: usize| (0..across).map(|k| at(line, k)).sum::<f64>() / across as f64;
+        let profile: Vec<f64> = (0..shape[axis]).map(of_line).collect();
+        let mean = profile.iter().sum::<f64>() / profile.len() as f64;
+        let ends = f64::midpoint(profile[0], profile[profile.len() - 1]);
+        let rms_height = |map: &HeightMap| MeanPlane::of(map).rms_height_above(map);
+        let profile = HeightMap::new(profile, [shape[axis], 1], [1.0; 2]);
+        let own = profile.map_or(f64::INFINITY, |profile| rms_height(&profile));
+        ends - mean > RISING * own && ends - mean > PART_OF_ROUGHNESS * rms_height(&self.map)
     }
 
     /// The map as given.
@@ -132,6 +169,47 @@ mod tests {
             [1.0, 2.0, 0.0]
         );
         approx::assert_relative_eq!(indenter.height(1.0, 0.0), 2.0);
+    }
+
+    #[test]
+    fn scans_of_balls_cones_and_pyramids_rise_to_their_ends_and_punches_do_not() {
+        let rises = |shape: &dyn Fn(f64, f64) -> f64| {
+            let at = |i: usize| (i as f64 + 0.5) / 16.0 - 1.0;
+            let heights = (0..32 * 32).map(|k| shape(at(k / 32), at(k % 32)));
+            let map = HeightMap::new(heights.collect(), [32; 2], [2.0, 2.0]).unwrap();
+            [0, 1].map(|axis| IndenterMap::new(map.clone()).rises_to_its_ends(axis))
+        };
+        for axis in [0.0, 0.4, 1.5] {
+            assert_eq!(rises(&|x, y| (x - axis).powi(2) + y * y), [true; 2]);
+        }
+        assert_eq!(rises(&f64::hypot), [true; 2]);
+        assert_eq!(rises(&|x, y| x.abs().max(y.abs())), [true; 2]);
+        assert_eq!(rises(&|x, y| x.abs() + y.abs()), [true; 2]);
+        // A cylinder along y, a punch, a tilted one, one with waves.
+        assert_eq!(rises(&|x, _| x * x), [true, false]);
+        assert_eq!(rises(&|x, y| x * x + 9.0 * y * y), [true; 2]);
+        let faces = |x: f64, y: f64| {
+            [0.0, 1.0, 2.0].map(|k: f64| {
+                let (sine, cosine) = (k * std::f64::consts::TAU / 3.0).sin_cos();
+                x * cosine + y * sine
+            })
+        };
+        let berkovich = |x: f64, y: f64| faces(x, y).into_iter().fold(0.0, f64::max);
+        assert_eq!(rises(&berkovich), [true; 2]);
+        assert_eq!(rises(&|_, _| 3.0), [false; 2]);
+        assert_eq!(rises(&|x, y| 0.1 * x - 0.2 * y), [false; 2]);
+        assert_eq!(rises(&|x, y| (9.0 * x).sin() * (7.0 * y).cos()), [false; 2]);
+    }
+
+    #[test]
+    fn a_map_in_place_keeps_its_middle_at_the_origin() {
+        let map = HeightMap::new(vec![9.0, 7.0, 5.0], [3, 1], [3.0, 1.0]).unwrap();
+        let indenter = IndenterMap::in_place(map.with_interpolation(Interpolation::Linear));
+        assert_eq!(
+            [-1.0, 0.0, 1.0].map(|x| indenter.height(x, 0.0)),
+            [4.0, 2.0, 0.0]
+        );
+        assert_eq!(indenter.height(1.6, 0.0), f64::INFINITY);
     }
 
     /// n × n samples of a paraboloid of radius 1 with its axis at x = 0.03, on the square of side 2.

@@ -71,7 +71,7 @@ impl Indenter {
                 or(IndenterQuantity::TipRadius, shape.tip_radius()),
             )?
             .into(),
-            Self::Map(_) | Self::Custom(_) => self.clone(),
+            Self::Plane(_) | Self::Map(_) | Self::Custom(_) => self.clone(),
         })
     }
 }

@@ -3,13 +3,14 @@
 use super::*;
 use pellicle_texture::{Grid, HeightMap};
 
-fn all() -> [Indenter; 6] {
+fn all() -> [Indenter; 7] {
     let bowl = vec![2.0, 1.0, 2.0, 1.0, 0.5, 1.0, 2.0, 1.0, 2.0];
     [
         Paraboloid::new(2.0).unwrap().into(),
         Sphere::new(2.0).unwrap().into(),
         Cone::new(1.2, 0.3).unwrap().into(),
         FlatPunch::new(0.5).unwrap().into(),
+        Plane.into(),
         Pyramid::vickers(0.3).unwrap().into(),
         IndenterMap::new(HeightMap::new(bowl, [3, 3], [3.0, 3.0]).unwrap()).into(),
     ]
@@ -102,11 +103,12 @@ fn samples_on_a_grid_vary_fastest_along_y() {
 #[test]
 fn each_parameter_of_a_shape_can_be_replaced() {
     use IndenterQuantity::{FaceAngle, HalfAngle, Radius, TipRadius};
-    let wanted: [&[IndenterQuantity]; 6] = [
+    let wanted: [&[IndenterQuantity]; 7] = [
         &[Radius],
         &[Radius],
         &[HalfAngle, TipRadius],
         &[Radius],
+        &[],
         &[FaceAngle, TipRadius],
         &[],
     ];
@@ -125,7 +127,7 @@ fn each_parameter_of_a_shape_can_be_replaced() {
     }
     // A punch's height does not depend on its radius smoothly.
     let smooth = all().map(|indenter| indenter.parameters().len());
-    assert_eq!(smooth, [1, 1, 2, 0, 2, 0]);
+    assert_eq!(smooth, [1, 1, 2, 0, 0, 2, 0]);
 }
 
 #[test]

@@ -19,7 +19,7 @@ use std::sync::LazyLock;
 
 use pellicle_texture::{Grid, Relief};
 
-use crate::{Boundary, ContactError, Load, Model, Profile as _};
+use crate::{Boundary, ContactError, Indenter, Load, Model, Profile as _};
 use root_finding::where_zero;
 
 /// The square on which the problem is solved.
@@ -81,15 +81,33 @@ const RIM: f64 = 1e-2;
 /// The side (m) of the square to try first for all `loads`: three times the largest estimated contact radius.
 ///
 /// If no load makes contact, twice the radius at which the height of the indenter is the foundation's thickness, or its
-/// distance from the surface (or 1 m). See [`choose_side`](crate::choose_side) for the square to solve on.
+/// distance from the surface (or 1 m). Under a plane it is the shorter side of the relief's map. See
+/// [`choose_side`](crate::choose_side) for the square to solve on.
 #[must_use]
 pub fn default_side(model: &Model, loads: &[Load]) -> f64 {
+    if let Some(side) = side_under_a_plane(model) {
+        return side;
+    }
     let radii = largest(loads).map(|load| contact_radius(model, load));
     let radius = radii.filter(|radius| *radius > 0.0).fold(0.0, f64::max);
     if radius > 0.0 {
         2.0 * MARGIN * radius
     } else {
         2.0 * unloaded_radius(model, loads)
+    }
+}
+
+/// The shorter side of the map under a plane, m; none under another indenter or without a map.
+fn side_under_a_plane(model: &Model) -> Option<f64> {
+    match (&model.indenter, &model.relief) {
+        (Indenter::Plane(_), Relief::Map(relief)) => Some(
+            relief
+                .map()
+                .extent()
+                .into_iter()
+                .fold(f64::INFINITY, f64::min),
+        ),
+        _ => None,
     }
 }
 

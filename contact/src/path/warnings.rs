@@ -4,8 +4,8 @@ use pellicle_influence::RadialTables;
 use pellicle_texture::{Grid, Relief};
 
 use crate::{
-    Boundary, ContactError, ContactSlope, Domain, Load, Model, ModelLimit, Profile as _, Step,
-    Warning, default_side,
+    Boundary, ContactError, ContactSlope, Domain, Indenter, Load, Model, ModelLimit, Profile as _,
+    Step, Warning, default_side,
     result::{
         cut_off,
         map_resolution::{FEWEST_ELEMENTS_PER_WAVE, MapResolution},
@@ -176,6 +176,10 @@ pub fn domain_much_larger(
     )]
     let elements = ((2.0 * radius / grid.element_side()).round() as usize).saturating_add(1);
     let part = elements as f64 / grid.size() as f64;
+    // Under a plane the domain is the whole map, however few of its summits touch.
+    if matches!(model.indenter, Indenter::Plane(_)) {
+        return None;
+    }
     let is_small = part < SMALLEST_PART || (elements < FEWEST_ELEMENTS && part < SMALL_PART);
     (radius > 0.0 && is_small).then(|| {
         let wanted = default_side(model, loads);

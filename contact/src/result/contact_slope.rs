@@ -117,6 +117,10 @@ fn slope_at(field: &ContactField<'_>, point: &EdgePoint) -> f64 {
     if point.is_rim && matches!(indenter, Indenter::Sphere(_)) {
         return f64::INFINITY;
     }
+    // The outline of a map is a wall, as that of a punch.
+    if point.is_rim && matches!(indenter, Indenter::Map(_)) {
+        return f64::NAN;
+    }
     let near = match indenter {
         Indenter::Map(_) => HALF_STEP_ON_MAPS,
         _ => HALF_STEP,

@@ -33,7 +33,7 @@ pub enum CutOff {
     Domain,
     /// The end of a measured relief, beyond which the surface is unknown.
     ReliefMap,
-    /// The end of a measured indenter.
+    /// The end of a measured indenter that was cut out of something larger.
     IndenterMap,
 }
 
@@ -142,7 +142,7 @@ impl<'a> Surroundings<'a> {
             if frame.overlaps(self.model, side, &self.grid, solution) {
                 return true;
             }
-            if frame.is_the_last(self.model, solution.penetration) {
+            if frame.is_the_last(self.model, side, solution.penetration) {
                 break;
             }
         }
@@ -157,7 +157,10 @@ impl<'a> Surroundings<'a> {
 
 impl SquareFrame {
     fn of(model: &Model, side: f64) -> Self {
-        let rises = !matches!(model.indenter, Indenter::Map(_) | Indenter::Custom(_));
+        let rises = !matches!(
+            model.indenter,
+            Indenter::Map(_) | Indenter::Plane(_) | Indenter::Custom(_)
+        );
         Self {
             coarse_check: rises.then(|| CoarseCheck::of(model, side)),
             blocks: None,
@@ -179,9 +182,12 @@ impl SquareFrame {
     }
 
     /// Whether the indenter is higher than the penetration everywhere beyond this frame: every shape rises from its
-    /// axis except a map, which ends somewhere.
-    fn is_the_last(&self, model: &Model, penetration: f64) -> bool {
+    /// axis except a map, which ends somewhere, and a plane, above which a map's surface is the same beyond its end.
+    fn is_the_last(&self, model: &Model, side: f64, penetration: f64) -> bool {
         match (&self.coarse_check, &self.blocks) {
+            (None, Some(blocks)) if matches!(model.indenter, Indenter::Plane(_)) => {
+                is_beyond_the_map(&model.relief, side) && blocks.smallest_gap >= penetration
+            }
             (Some(coarse_check), _) => coarse_check.lowest >= penetration,
             (None, Some(blocks)) if matches!(model.indenter, Indenter::Map(_)) => {
                 blocks.lowest.is_infinite()
@@ -190,6 +196,15 @@ impl SquareFrame {
             (None, None) => false,
         }
     }
+}
+
+/// Whether everything outside a square of this side (m) lies beyond the end of a relief's map.
+fn is_beyond_the_map(relief: &Relief, side: f64) -> bool {
+    let Relief::Map(relief) = relief else {
+        return false;
+    };
+    let extent = relief.map().extent();
+    extent.iter().all(|own| *own <= side * (1.0 + f64::EPSILON))
 }
 
 impl CoarseCheck {
@@ -376,19 +391,30 @@ fn map_reached(model: &Model, grid: &Grid, pressure: &[f64]) -> Option<CutOff> {
         let mut pressed = (0..pressure.len()).filter(|e| pressure[*e] > 0.0);
         pressed.any(|e| ends([grid.centre(e / size), grid.centre(e % size)]))
     };
-    let around = |[x, y]: [f64; 2]| [[x - side, y], [x + side, y], [x, y - side], [x, y + side]];
+    let along = |[x, y]: [f64; 2], axis: usize| match axis {
+        0 => [[x - side, y], [x + side, y]],
+        _ => [[x, y - side], [x, y + side]],
+    };
     if let Relief::Map(relief) = &model.relief
         && presses(&|place| {
-            !around(place)
-                .into_iter()
-                .all(|next| relief.map().covers(next))
+            let mut around = [0, 1].into_iter().flat_map(|axis| along(place, axis));
+            !around.all(|next| relief.map().covers(next))
         })
     {
         return Some(CutOff::ReliefMap);
     }
     let ends = |[x, y]: [f64; 2]| model.indenter.height(x, y).is_infinite();
-    let is_map = matches!(model.indenter, Indenter::Map(_));
-    (is_map && presses(&|place| around(place).into_iter().any(ends))).then_some(CutOff::IndenterMap)
+    let Indenter::Map(map) = &model.indenter else {
+        return None;
+    };
+    // An indenter that ends is not cut off: its end is its outline. A scan of something larger is.
+    let is_cut = |axis: usize| {
+        presses(&|place| along(place, axis).into_iter().any(ends)) && map.rises_to_its_ends(axis)
+    };
+    [0, 1]
+        .into_iter()
+        .any(is_cut)
+        .then_some(CutOff::IndenterMap)
 }
 
 #[cfg(test)]

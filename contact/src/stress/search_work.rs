@@ -35,7 +35,10 @@ impl LoadedElements {
         let is_smooth = matches!(path.relief, Relief::Bare | Relief::Film(_))
             && !matches!(
                 path.indenter,
-                Indenter::FlatPunch(_) | Indenter::Map(_) | Indenter::Custom(_)
+                Indenter::FlatPunch(_)
+                    | Indenter::Plane(_)
+                    | Indenter::Map(_)
+                    | Indenter::Custom(_)
             );
         Self {
             size: super::nearest(field.loaded().size as f64 * finer).unsigned_abs(),

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use pellicle_contact::{
-    Cone, FlatPunch, Indenter, IndenterError, IndenterMap, Paraboloid, Pyramid, Sphere,
+    Cone, FlatPunch, Indenter, IndenterError, IndenterMap, Paraboloid, Plane, Pyramid, Sphere,
 };
 use pellicle_kernel::{KernelError, Material};
 use serde::Serialize;
@@ -11,11 +11,13 @@ use serde::Serialize;
 use super::caller_shape::{self, CallerShape};
 use super::foundation::substrate::POISSON_RATIO;
 use super::height_limits::HeightLimits;
-use super::map::MapCase;
+use super::map::preparation::is_default;
+use super::map::{MapCase, Repetition};
 use super::map_sources::MapSources;
 use crate::declare::macros::{kinds, record};
 use crate::declare::{
-    Codec, Kinds, KindsShape, Record, Scope, Shape, angle, length, number, pressure, together,
+    Codec, Kinds, KindsShape, Record, Scope, Shape, angle, length, number, part, pressure,
+    together, word,
 };
 use crate::input::diagnosis::Diagnosis;
 use crate::input::dimension::{Dimension, Sign};
@@ -43,7 +45,8 @@ kinds! {
         Vickers(VickersCase)       = "vickers",     "a four-sided pyramid";
         CubeCorner(CubeCornerCase) = "cube-corner", "half a cube on its corner";
         FlatPunch(RoundCase)       = "flat-punch",  "a flat cylinder";
-        Map(MapCase)               = "map",         "a measured surface";
+        Flat                       = "flat",        "a plane without end, for rough and textured bodies";
+        Map(IndenterMapCase)       = "map",         "a measured surface, whose end is its outline unless it rises to both ends as a ball's scan does";
     }
     outside {
         Function(CallerShape<Indenter>), "a function of the caller";
@@ -88,6 +91,41 @@ pyramids! {
     VickersCase, Pyramid::VICKERS_FACE_ANGLE, "68 deg";
     /// A cube corner.
     CubeCornerCase, Pyramid::CUBE_CORNER_FACE_ANGLE, "35.26 deg";
+}
+
+record! {
+    /// A measured surface and its place.
+    pub struct IndenterMapCase {
+        #[serde(skip_serializing_if = "is_default")] origin: OriginCase = word(ORIGINS).or(OriginCase::Summit, "\"summit\""),
+            "what lies on the axis: the lowest point of the map, which touches first, or the middle of the map, as given, as the middle of a surface's map does";
+        #[serde(flatten)] map: MapCase = part(), "its heights";
+    }
+}
+
+/// The point of a measured indenter on the axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub enum OriginCase {
+    /// The lowest point.
+    #[default]
+    #[serde(rename = "summit")]
+    Summit,
+    /// The middle of the map.
+    #[serde(rename = "as given")]
+    AsGiven,
+}
+
+const ORIGINS: &[(&str, OriginCase)] = &[
+    ("summit", OriginCase::Summit),
+    ("as given", OriginCase::AsGiven),
+];
+
+impl IndenterMapCase {
+    fn build(&self) -> IndenterMap {
+        match self.origin {
+            OriginCase::Summit => IndenterMap::new(self.map.heights()),
+            OriginCase::AsGiven => IndenterMap::in_place(self.map.heights()),
+        }
+    }
 }
 
 record! {
@@ -178,10 +216,25 @@ impl IndenterCase {
         self.shape.map()
     }
 
+    /// Whether it is a plane without end.
+    #[must_use]
+    pub fn is_flat(&self) -> bool {
+        self.shape == IndenterShape::Flat
+    }
+
+    /// How far the map must be continued in a periodic cell.
+    #[must_use]
+    pub(super) fn repetition(&self) -> Repetition {
+        match &self.shape {
+            IndenterShape::Map(of) if of.origin == OriginCase::AsGiven => Repetition::InPlace,
+            _ => Repetition::Centred,
+        }
+    }
+
     /// Mutable access to [`Self::map`].
     pub fn map_mut(&mut self) -> Option<&mut MapCase> {
         match &mut self.shape {
-            IndenterShape::Map(map) => Some(map),
+            IndenterShape::Map(of) => Some(&mut of.map),
             _ => None,
         }
     }
@@ -225,7 +278,8 @@ impl IndenterShape {
             Self::Berkovich(of) => pyramid(3, of.face_angle, of.tip_radius),
             Self::CubeCorner(of) => pyramid(3, of.face_angle, of.tip_radius),
             Self::Vickers(of) => pyramid(4, of.face_angle, of.tip_radius),
-            Self::Map(map) => Ok(IndenterMap::new(map.heights()).into()),
+            Self::Flat => Ok(Plane.into()),
+            Self::Map(of) => Ok(of.build().into()),
             Self::Function(indenter) => Ok(indenter.shape.clone()),
         }
     }
@@ -234,7 +288,7 @@ impl IndenterShape {
     #[must_use]
     pub fn map(&self) -> Option<&MapCase> {
         match self {
-            Self::Map(map) => Some(map),
+            Self::Map(of) => Some(&of.map),
             _ => None,
         }
     }

@@ -7,6 +7,7 @@
 //! found.
 
 mod holes;
+pub mod preparation;
 mod scale;
 
 use std::sync::Arc;
@@ -16,6 +17,7 @@ use serde::Serialize;
 
 pub use self::holes::HolesCase;
 use self::holes::{HOLES, without_holes};
+use self::preparation::{EDGES, EdgesCase, LEVELS, LevelCase, is_default, prepared};
 use self::scale::{height_unit, sides, units};
 use super::map_sources::MapSources;
 use crate::declare::macros::record;
@@ -51,6 +53,12 @@ pub struct MapCase {
     /// What is done where heights are missing.
     #[serde(skip_serializing_if = "HolesCase::is_refuse")]
     pub holes: HolesCase,
+    /// What is done with its tilt.
+    #[serde(skip_serializing_if = "is_default")]
+    pub level: LevelCase,
+    /// What is done where its opposite edges do not fit.
+    #[serde(skip_serializing_if = "is_default")]
+    pub edges: EdgesCase,
     /// Number of heights that were missing.
     #[serde(skip)]
     pub missing: usize,
@@ -102,6 +110,10 @@ record! {
             "heights between the samples";
         holes: HolesCase = word(HOLES).or(HolesCase::Refuse, "\"refuse\""),
             "where heights are missing: the map is refused, or each is the mean of its neighbours";
+        level: LevelCase = word(LEVELS).or(LevelCase::None, "\"none\""),
+            "tilt of the map: its least-squares plane is subtracted, or it is solved as measured";
+        edges: EdgesCase = word(EDGES).or(EdgesCase::AsMeasured, "\"as measured\""),
+            "where opposite edges do not fit in a periodic cell: as they are, or half of the step is taken from either edge and fades inwards, each of its waves over a sixth of its length";
         lateral_unit: Option<f64> = HeightUnit.optional("that of the heights"),
             "length that a 1 of x and y stands for, of points x, y, z";
     }
@@ -173,6 +185,7 @@ impl MapCase {
         let heights = filled.iter().map(|height| height * height_unit);
         let heights = HeightMap::new(heights.collect(), file.shape, sides);
         let heights = heights.map_err(|error| field.refused(&error))?;
+        let heights = prepared(heights, keys.level, keys.edges);
         scope.limits.check(&heights).map_err(|too_steep| {
             let at_fault = table.optional("height_unit").unwrap_or(field);
             let has_unit =
@@ -191,6 +204,8 @@ impl MapCase {
             height_unit,
             interpolation: keys.interpolation,
             holes: keys.holes,
+            level: keys.level,
+            edges: keys.edges,
             missing,
             units: units(&file),
             heights: Arc::new(heights.with_interpolation(keys.interpolation.into())),

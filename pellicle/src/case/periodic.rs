@@ -3,7 +3,8 @@
 use super::foundation::FoundationCase;
 use super::foundation::substrate::SubstrateCase;
 use super::indenter::IndenterCase;
-use super::map::Repetition;
+use super::map::preparation::EdgesCase;
+use super::map::{MapCase, Repetition};
 use super::surface::{LatticeCase, SurfaceCase};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::table_reader::TableReader;
@@ -42,9 +43,10 @@ pub fn fit(
             return Err(unusable(root, "surface", &["period"], wanted));
         }
     }
+    let repetition = indenter.repetition();
     let maps = [
         ("surface", surface.map_mut(), Repetition::InPlace),
-        ("indenter", indenter.map_mut(), Repetition::Centred),
+        ("indenter", indenter.map_mut(), repetition),
     ];
     for (table, map, how) in maps {
         let Some(map) = map else { continue };
@@ -84,6 +86,25 @@ pub fn refuse_nominal_pressure(root: &TableReader<'_>) -> Result<(), Diagnosis> 
         )),
         None => Ok(()),
     }
+}
+
+/// Refuses maps of a free case whose edges would be changed for a cell.
+///
+/// # Errors
+///
+/// A [`Diagnosis`] of the first such map.
+pub fn refuse_tapered(
+    root: &TableReader<'_>,
+    maps: [(&str, Option<&MapCase>); 2],
+) -> Result<(), Diagnosis> {
+    let is_tapered =
+        |(_, map): &(&str, Option<&MapCase>)| map.is_some_and(|map| map.edges == EdgesCase::Taper);
+    let Some((table, _)) = maps.into_iter().find(is_tapered) else {
+        return Ok(());
+    };
+    let table = root.required(table, "")?.table()?;
+    let edges = table.required("edges", "")?;
+    Err(edges.unusable(&"without grid.boundary = \"periodic\"", "\"as measured\""))
 }
 
 fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> {

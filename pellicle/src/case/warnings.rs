@@ -1,12 +1,12 @@
 //! Warnings about a case that can be solved but may not be what its user meant.
 
+mod maps;
+
 use pellicle_contact::{CutOff, Warning};
 
 use super::Case;
 use super::foundation::layer::LayerCase;
 use super::key_dimension;
-use super::map::MapCase;
-use crate::display::{Unit, quantity};
 use crate::input::dimension::Dimension;
 use crate::input::key_path::dotted;
 use crate::input::toml_tree::{TomlNode, TomlTable, TomlValue};
@@ -44,14 +44,19 @@ fn bare_unit(key: &str) -> Option<&'static str> {
     dimension.map(Dimension::si_unit)
 }
 
-/// A tenth of a nanometre on a side of a centimetre; the heights of every measured surface have a larger range.
-const FLAT: f64 = 1e-8;
-
 impl Case {
     /// The sentence of a warning about the solution, with the key to change, or the case's own name of a body.
     #[must_use]
     pub fn sentence(&self, warning: &Warning) -> String {
         match warning {
+            Warning::CutOff {
+                by: CutOff::ReliefMap,
+                ..
+            } => warning.to_string() + &maps::tilt_of_cut_off(self.surface.map()),
+            Warning::CutOff {
+                by: CutOff::IndenterMap,
+                ..
+            } => warning.to_string() + &maps::tilt_of_cut_off(self.indenter.map()),
             Warning::LayerShortening { .. } | Warning::BeyondModel { .. } => {
                 let names = self.foundation.names_of_split();
                 let name = |body: usize| names.get(body).cloned().unwrap_or_default();
@@ -68,18 +73,7 @@ impl Case {
         if Units::of(self.document.root()) == Units::Si {
             bare_numbers(self.document.root(), &mut warnings);
         }
-        let element_side = side / self.grid.elements as f64;
-        let maps = [
-            ("surface", self.surface.map()),
-            ("indenter", self.indenter.map()),
-        ];
-        let coarse =
-            |(table, map): (&str, Option<&MapCase>)| coarse(table, map?, element_side, self.units);
-        warnings.extend(maps.into_iter().filter_map(coarse));
-        let filled = |(table, map): (&str, Option<&MapCase>)| filled(table, map?);
-        warnings.extend(maps.into_iter().filter_map(filled));
-        let flat = |(table, map): (&str, Option<&MapCase>)| flat(table, map?, self.units);
-        warnings.extend(maps.into_iter().filter_map(flat));
+        warnings.extend(maps::of(self, side / self.grid.elements as f64));
         warnings.extend(self.stress_warnings());
         warnings
     }
@@ -107,51 +101,6 @@ impl Case {
             ),
         )
     }
-}
-
-/// The warning about a map whose pixels are larger than the elements, so that more elements resolve no more of the
-/// surface.
-fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option<CaseWarning> {
-    let pixel = map.pixel();
-    let metres = |value| quantity(value, Unit::Metre, units);
-    // A map sampled on the grid itself has pixels as large as the elements, up to rounding.
-    (pixel > element_side * (1.0 + 1e-9)).then(|| CaseWarning {
-        code: "coarse-map",
-        message: format!(
-            "the map of the {table}, {}, has a sample every {}, farther apart than elements of {}: heights in between are interpolated",
-            map.file,
-            metres(pixel),
-            metres(element_side)
-        ),
-    })
-}
-
-/// The warning about heights that are missing.
-fn filled(table: &str, map: &MapCase) -> Option<CaseWarning> {
-    let (missing, all) = (map.missing, map.samples().len());
-    (missing > 0).then(|| CaseWarning {
-        code: "map-holes",
-        message: format!(
-            "{missing} of {all} heights are missing in the map of the {table}, {}: each is the mean of its neighbours",
-            map.file
-        ),
-    })
-}
-
-/// The warning about an almost flat map; its unit is probably a thousand times too small.
-fn flat(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
-    let samples = map.samples().iter().copied();
-    let least = samples.clone().fold(f64::INFINITY, f64::min);
-    let range = samples.fold(f64::NEG_INFINITY, f64::max) - least;
-    let [x, y] = map.sides;
-    (range > 0.0 && range < FLAT * x.min(y)).then(|| CaseWarning {
-        code: "flat-map",
-        message: format!(
-            "the heights of the {table}'s map, {}, range over {} only: is height_unit right?",
-            map.file,
-            quantity(range, Unit::Metre, units)
-        ),
-    })
 }
 
 /// Warns about bare numbers in a case that has units elsewhere, once per key.

@@ -99,9 +99,19 @@ pub enum MapError {
         /// The values wanted.
         wanted: &'static str,
     },
-    /// Fewer data than the header states.
+    /// Another number of numbers than the head states.
+    #[error("which holds {found} numbers, and not {key} {said} as its head says")]
+    Count {
+        /// What the head gives: `ncols`, `nrows` or both.
+        key: &'static str,
+        /// The counts in the head.
+        said: String,
+        /// Numbers found.
+        found: usize,
+    },
+    /// Fewer or more data than the header states.
     #[error("which holds {found} bytes of data, but its header says {wanted}")]
-    Short {
+    DataSize {
         /// Bytes found.
         found: usize,
         /// Bytes wanted.

@@ -16,7 +16,7 @@ const NUMBER: usize = 4;
 ///
 /// # Errors
 ///
-/// A [`MapError`] if the header is incomplete or invalid, or the data are too short.
+/// A [`MapError`] if the header is incomplete or invalid, or there are fewer or more data than it says.
 pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     let after = bytes.strip_prefix(MAGIC).ok_or(MapError::NotGsf)?;
     let end = after
@@ -48,12 +48,12 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
 
 fn numbers(data: &[u8], columns: usize, rows: usize) -> Result<Vec<f64>, MapError> {
     let wanted = columns.saturating_mul(rows).saturating_mul(NUMBER);
-    let Some(data) = data.get(..wanted) else {
-        return Err(MapError::Short {
+    if data.len() != wanted {
+        return Err(MapError::DataSize {
             found: data.len(),
             wanted,
         });
-    };
+    }
     let (numbers, _) = data.as_chunks::<NUMBER>();
     let number = |bytes: &[u8; NUMBER]| f64::from(f32::from_le_bytes(*bytes));
     Ok(numbers.iter().map(number).collect())

@@ -1,8 +1,9 @@
 //! What the head of a text says about its map: the size, the unit of the heights, the mark of a missing one.
 //!
 //! Lines `Width: 8 um`, `Height: 3 um`, `Value units: nm` are those of Gwyddion, `ncols 64`, `cellsize 0.5`,
-//! `NODATA_value -9999` those of ESRI; `pixel size = 0.5 um` stands in several others.
+//! `nrows 32`, `NODATA_value -9999` those of ESRI; `pixel size = 0.5 um` stands in several others.
 
+use super::error::MapError;
 use super::map_file::MapFile;
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
@@ -18,6 +19,8 @@ pub struct MapHeader {
     pixel: Option<f64>,
     /// Side of a pixel in a unit that is not named.
     cell: Option<f64>,
+    /// Numbers in a row, and rows.
+    counts: [Option<usize>; 2],
     /// Unit of the heights.
     unit: Option<String>,
     /// The height that stands for a missing one.
@@ -26,11 +29,15 @@ pub struct MapHeader {
 
 impl MapHeader {
     /// Reads a line of the head.
-    pub fn read(&mut self, line: &str) {
+    ///
+    /// # Errors
+    ///
+    /// [`MapError::Header`] for a count or a cell that is none.
+    pub fn read(&mut self, line: &str) -> Result<(), MapError> {
         let line = line.trim_start_matches(['#', ' ', '\t']);
         let split = line.split_once([':', '=']);
         let Some((key, value)) = split.or_else(|| line.split_once(char::is_whitespace)) else {
-            return;
+            return Ok(());
         };
         let (key, value) = (key.trim().to_lowercase(), value.trim());
         let length = || quantity::parse(value, Dimension::Length).ok();
@@ -39,11 +46,49 @@ impl MapHeader {
             "width" => self.width = self.width.or_else(length),
             "height" => self.height = self.height.or_else(length),
             "pixel size" => self.pixel = self.pixel.or_else(length),
-            "cellsize" => self.cell = self.cell.or_else(number),
+            "cellsize" => self.cell = Some(cell(value)?),
+            "ncols" => self.counts[0] = Some(count("ncols", value)?),
+            "nrows" => self.counts[1] = Some(count("nrows", value)?),
             "nodata_value" => self.missing = self.missing.or_else(number),
             "value units" | "z units" if !value.is_empty() => self.unit = Some(value.to_owned()),
             _ => {}
         }
+        Ok(())
+    }
+
+    /// Numbers in a row of the picture: those of each line, or as the head says, however the lines are wrapped.
+    ///
+    /// # Errors
+    ///
+    /// [`MapError::Count`] if there are not as many numbers as the head says.
+    pub fn columns(&self, of_lines: usize, numbers: usize) -> Result<usize, MapError> {
+        let said = match self.counts {
+            _ if numbers == 0 => return Err(MapError::Empty),
+            [Some(columns), Some(rows)] => columns.checked_mul(rows),
+            [Some(columns), None] => Some(numbers).filter(|all| all.is_multiple_of(columns)),
+            [None, Some(rows)] => of_lines.checked_mul(rows),
+            [None, None] => return Ok(of_lines),
+        };
+        if said == Some(numbers) {
+            return Ok(self.counts[0].unwrap_or(of_lines));
+        }
+        let words = |count: Option<usize>| count.map(|count| count.to_string());
+        let [columns, rows] = self.counts.map(words);
+        let (key, said) = match (columns, rows) {
+            (Some(columns), None) => ("ncols", columns),
+            (None, rows) => ("nrows", rows.unwrap_or_default()),
+            (Some(columns), Some(rows)) => ("ncols", format!("{columns} times nrows {rows}")),
+        };
+        Err(MapError::Count {
+            key,
+            said,
+            found: numbers,
+        })
+    }
+
+    /// Whether the head says how many numbers a row has.
+    pub fn has_columns(&self) -> bool {
+        self.counts[0].is_some()
     }
 
     /// Gives a map the size and unit of the head, and marks the heights that are missing.
@@ -71,13 +116,32 @@ impl MapHeader {
     }
 }
 
+fn count(key: &'static str, value: &str) -> Result<usize, MapError> {
+    let count = value.parse().ok().filter(|count| *count > 0);
+    count.ok_or_else(|| header(key, value, "a positive number"))
+}
+
+fn cell(value: &str) -> Result<f64, MapError> {
+    let is_length = |cell: &f64| *cell > 0.0 && cell.is_finite();
+    let cell = value.parse().ok().filter(is_length);
+    cell.ok_or_else(|| header("cellsize", value, "a positive length in metres"))
+}
+
+fn header(key: &'static str, found: &str, wanted: &'static str) -> MapError {
+    MapError::Header {
+        key,
+        found: found.chars().take(40).collect(),
+        wanted,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn applied(lines: &[&str]) -> MapFile {
         let mut header = MapHeader::default();
-        lines.iter().for_each(|line| header.read(line));
+        lines.iter().try_for_each(|line| header.read(line)).unwrap();
         let mut map = MapFile::bare([4, 2], vec![1.0; 8]);
         header.apply(&mut map);
         map

@@ -40,6 +40,8 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     {
         return Err(MapError::CommaOrPoint { found });
     }
+    let mut header = MapHeader::default();
+    (text.lines().take(head)).try_for_each(|line| header.read(line))?;
     let (mut picture, mut columns) = (Vec::new(), 0);
     for (line, row) in rows(text).skip(head) {
         let before = picture.len();
@@ -47,6 +49,8 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
         match picture.len() - before {
             0 => {}
             found if columns == 0 => columns = found,
+            // As many numbers as the head says may be wrapped anywhere.
+            _ if header.has_columns() => {}
             found if found == columns => {}
             found => {
                 return Err(MapError::Ragged {
@@ -57,9 +61,10 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
             }
         }
     }
-    let mut map = of_columns(columns, &picture)?;
-    let mut header = MapHeader::default();
-    text.lines().take(head).for_each(|line| header.read(line));
+    let mut map = match header.columns(columns, picture.len())? {
+        columns if header.has_columns() => MapFile::from_picture(columns, &picture),
+        columns => of_columns(columns, &picture)?,
+    };
     header.apply(&mut map);
     Ok(map)
 }

@@ -112,6 +112,12 @@ quantities! {
     "rough_contact.islands.largest_area" "largest island" "" AREA, Rough
         "area of the largest of them"
         = |step| Some(step.rough_contact.as_ref()?.islands.largest_area);
+    "area_law.reduced_pressure" "reduced pressure" "p*" RATIO, Rough
+        "nominal pressure over E* times the rms slope of the measured surface, the other surface being smooth"
+        = |step| Some(step.area_law.as_ref()?.reduced_pressure);
+    "area_law.kappa" "kappa" "κ" RATIO, Rough
+        "contact fraction over reduced pressure; for light loads √(8/π) by Persson, √(2π) by Bush, Gibson and Thomas"
+        = |step| Some(step.area_law.as_ref()?.kappa);
     "certificate.worst" "certificate worst" "" RATIO, Solution
         "largest dimensionless line of the certificate"
         = |step| Some(step.certificate.worst);

@@ -6,6 +6,8 @@ use pellicle_contact::{
 use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 
+use super::area_law::AreaLaw;
+
 /// One loading step: a [`Step`] without its fields.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct StepSummary {
@@ -24,6 +26,10 @@ pub struct StepSummary {
     /// Islands, gaps and pressures, if a map takes part and there is contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rough_contact: Option<RoughContact>,
+    /// Its area against the pressure on it, if one surface is a measured map and the other smooth, and there is
+    /// contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area_law: Option<AreaLaw>,
     /// Status; `certified` in a file older than this field.
     #[serde(default)]
     pub status: Status,
@@ -108,6 +114,7 @@ impl From<&Step> for StepSummary {
             summary: step.summary,
             contact_stiffness: step.contact_stiffness,
             rough_contact: step.rough.clone(),
+            area_law: None,
             status: step.status(),
             certificate: CertificateSummary {
                 lines,

@@ -22,9 +22,9 @@ const FEWEST_UNDER_WINDOW: usize = 3;
 /// How a map continues beyond its rim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MapRim {
-    /// Unknown: the mean plane is subtracted, and the spectrum is that of the heights under Hann's window.
+    /// Unknown: the spectrum is that of the heights above their mean plane, under Hann's window.
     Ends,
-    /// Periodic: the mean is subtracted.
+    /// Periodic: the spectrum is that of the heights above their mean.
     Repeats,
 }
 

@@ -107,27 +107,29 @@ fn noise_has_a_flat_spectrum_on_periodic_and_finite_maps() {
 }
 
 #[test]
-fn a_tilted_plane_has_no_roughness_on_a_finite_map() {
+fn a_tilt_counts_in_height_and_slope_but_is_no_wave() {
     let plane = |[x, y]: [f64; 2]| 1e3 + 0.2 * x - 0.3 * y;
-    for shape in [[20, 30], [1, 9], [9, 1], [1, 1], [2, 2]] {
-        let rough = Roughness::of(&map(shape, [2.0, 1.0], plane), MapRim::Ends);
+    let [x, y] = [2.0_f64, 1.0];
+    for shape in [[20, 30], [9, 9], [2, 2]] {
+        let rough = Roughness::of(&map(shape, [x, y], plane), MapRim::Ends);
+        let [rows, columns] = shape.map(|n| n as f64);
+        // Of n equal steps with a rise r in all: r²/12 (1 − 1/n²).
+        let square = |rise: f64, n: f64| rise * rise / 12.0 * (1.0 - 1.0 / (n * n));
+        let height = (square(0.2 * x, rows) + square(0.3 * y, columns)).sqrt();
         // Rounding error of heights of 1000.
-        assert!(
-            rough.rms_height < 1e-11 && rough.rms_slope < 1e-10,
-            "{shape:?} {rough:?}"
-        );
+        assert_relative_eq!(rough.rms_height, height, max_relative = 1e-10);
+        assert_relative_eq!(rough.rms_slope, 0.13_f64.sqrt(), max_relative = 1e-10);
+        assert!(power_of_waves(&rough.spectrum).iter().sum::<f64>() < 1e-20);
     }
 }
 
-/// A crest in the middle, so that the mean plane is zero. Differences give `2/w sin(qw/2)` in place of `q`, its square
+/// Differences give `2/w sin(qw/2)` in place of `q`, its square
 /// in place of `q²`, and the sums over the squares of sines and cosines lack the terms at the rim.
 #[test]
 fn slope_and_curvature_of_a_wave_are_those_of_its_differences() {
     let (n, waves) = (64, 5.0);
     let q = TAU * waves;
-    let wave = map([n, 20], [1.0, 1.0], |[x, y]| {
-        (q * (x - 0.5)).cos() + 5.0 * (y - x)
-    });
+    let wave = map([n, 20], [1.0, 1.0], |[x, _]| (q * (x - 0.5)).cos());
     let rough = Roughness::of(&wave, MapRim::Ends);
     let (n, half) = (n as f64, 0.5 * q / n as f64);
     let by_differences = 2.0 * n * half.sin();

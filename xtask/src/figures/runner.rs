@@ -141,7 +141,7 @@ impl SolvedStep {
 
     /// A note on its data: grid, certificate, grid error.
     pub(super) fn note(&self, name: &str) -> String {
-        let accuracy = accuracy::of_step(self.run.grid.elements, &self.numbers);
+        let accuracy = accuracy::of_step(&self.run.grid, &self.numbers);
         format!("{name}: {accuracy}")
     }
 

@@ -60,7 +60,9 @@ pub fn choose_side_at(model: &Model, loads: &[Load], hardness: f64) -> Result<f6
         small: None,
         large: None,
     };
-    if hardness.is_infinite() && is_known_beforehand(model) {
+    // A plane covers the whole map.
+    let is_plane = matches!(model.indenter, Indenter::Plane(_));
+    if is_plane || (hardness.is_infinite() && is_known_beforehand(model)) {
         return Ok(search.side());
     }
     let presses = |load: &Load| !matches!(load, Load::Penetration(depth) if *depth <= 0.0);

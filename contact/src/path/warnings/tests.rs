@@ -112,7 +112,7 @@ fn a_self_similar_indenter_is_steep_at_every_load_and_is_told_of_once() {
     let (model, mut step) = on_film();
     step.slope = Some(ContactSlope::AtEdge(0.46));
     let steps = vec![step; 3];
-    let with = |indenter: crate::Indenter| {
+    let with = |indenter: Indenter| {
         let model = Model {
             indenter,
             ..model.clone()

@@ -264,11 +264,11 @@ fn an_overlap_farther_away_cuts_a_contact_off() {
 fn the_first_square_is_the_last_if_the_indenter_is_higher_around_it() {
     let ball = model(Paraboloid::new(1.0).unwrap().into(), Relief::Bare);
     let frame = SquareFrame::of(&ball, 1.0);
-    assert!(frame.is_the_last(&ball, 0.12) && !frame.is_the_last(&ball, 0.13));
+    assert!(frame.is_the_last(&ball, 1.0, 0.12) && !frame.is_the_last(&ball, 1.0, 0.13));
     // Nothing is known of a user-defined shape before its blocks are made.
     let tips = model(Indenter::custom(Tips), Relief::Bare);
     let frame = SquareFrame::of(&tips, 1.0);
-    assert!(!frame.is_the_last(&tips, -1.0));
+    assert!(!frame.is_the_last(&tips, 1.0, -1.0));
 }
 
 /// A plane that slopes down towards −x and, twice as steeply, towards −y.
