@@ -10,8 +10,7 @@ use crate::interrupt;
 /// the new ones.
 pub struct Remembered<'a> {
     model: &'a ContactCurves,
-    /// Parameters, origins of the abscissae, and what is predicted there.
-    memory: Mutex<Vec<(Vec<f64>, Vec<f64>, Prediction)>>,
+    memory: Mutex<Vec<(Vec<f64>, Prediction)>>,
     stop: &'a StopFlag,
     report: &'a (dyn Fn() + Sync),
 }
@@ -39,11 +38,11 @@ impl<'a> Remembered<'a> {
 
     fn known_from(&self, parameters: &[f64], origins: &[f64]) -> Option<Prediction> {
         let memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_same = |(known, from, _): &&(Vec<f64>, Vec<f64>, Prediction)| {
-            known == parameters && from == origins
+        let is_same = |(known, prediction): &&(Vec<f64>, Prediction)| {
+            known == parameters && prediction.origins == origins
         };
         let known = memory.iter().find(is_same);
-        known.map(|(.., prediction)| prediction.clone())
+        known.map(|(_, prediction)| prediction.clone())
     }
 }
 
@@ -64,8 +63,8 @@ impl ForwardModel for Remembered<'_> {
             return Err(ForwardError::Stopped);
         }
         let prediction = self.model.predict_from(parameters, origins);
-        let is_last = |memory: &Vec<(Vec<f64>, Vec<f64>, Prediction)>| {
-            memory.last().is_some_and(|(known, ..)| known == parameters)
+        let is_last = |memory: &[(Vec<f64>, Prediction)]| {
+            memory.last().is_some_and(|(known, _)| known == parameters)
         };
         // From another origin the same curves are only read elsewhere.
         if !is_last(&self.memory.lock().unwrap_or_else(PoisonError::into_inner)) {
@@ -77,7 +76,7 @@ impl ForwardModel for Remembered<'_> {
             // From here on there is a result to write if the user stops.
             interrupt::hold();
         }
-        memory.push((parameters.to_vec(), origins.to_vec(), prediction.clone()));
+        memory.push((parameters.to_vec(), prediction.clone()));
         Ok(prediction)
     }
 }

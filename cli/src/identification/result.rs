@@ -7,13 +7,13 @@ use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO};
 use pellicle_identify::{Correlation, Estimate, Fit, FitVerdict, NoiseLevels, Role, Verdict};
 use serde::Serialize;
 
-use super::Identification;
 use super::curve_source::CurveSource;
 use super::findings::{
     CombinationResult, DepartureResult, EstimateResult, ExcludedResult, NoiseResult, OutlierResult,
     WarningResult,
 };
 use super::taken_as_exact::ExactNumber;
+use super::{Identification, zeros};
 
 /// Name of the file in a folder of results.
 pub const FILE: &str = "fit.json";
@@ -280,9 +280,9 @@ impl Identification {
         sources
             .map(|(index, source)| CurveResult {
                 file: source.measured.file.display().to_string(),
-                depth_zero: self.zero(fit, DEPTH_ZERO, index),
-                force_zero: self.zero(fit, FORCE_ZERO, index),
-                shift: self.zero(fit, DEPTH_ZERO, index),
+                depth_zero: zeros::of_fit(fit, DEPTH_ZERO, index),
+                force_zero: zeros::of_fit(fit, FORCE_ZERO, index),
+                shift: zeros::of_fit(fit, DEPTH_ZERO, index),
                 before_contact: before(source),
                 points: source.abscissa.len(),
             })

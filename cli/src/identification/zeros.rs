@@ -3,8 +3,8 @@
 use pellicle_identify::fit_file::FitFile;
 use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO, ForceZero};
 use pellicle_identify::{
-    Fit, ForwardError, ForwardModel as _, IdentifyError, LinearNuisance, NuisanceShape, Observable,
-    Prediction, Reading, Scope,
+    Coefficient, Fit, ForwardError, ForwardModel as _, IdentifyError, LinearNuisance,
+    NuisanceShape, Observable, Prediction, Reading, Scope,
 };
 
 use super::curve_source::CurveSource;
@@ -87,16 +87,14 @@ pub struct ExactZero {
     pub change: Vec<f64>,
 }
 
-impl Identification {
-    /// The zero of this name of a curve in a fit.
-    #[must_use]
-    pub fn zero(&self, fit: &Fit, name: &str, curve: usize) -> Option<f64> {
-        let is_it = |one: &&pellicle_identify::Coefficient| {
-            one.curve == Some(curve) && one.name.starts_with(name)
-        };
-        fit.coefficients.iter().find(is_it).map(|one| one.value)
-    }
+/// The zero of this name of a curve in a fit.
+#[must_use]
+pub fn of_fit(fit: &Fit, name: &str, curve: usize) -> Option<f64> {
+    let is_it = |one: &&Coefficient| one.curve == Some(curve) && one.name.starts_with(name);
+    fit.coefficients.iter().find(is_it).map(|one| one.value)
+}
 
+impl Identification {
     /// The origins of the abscissae of all points of `self` in a fit of some of them; empty without zeros.
     #[must_use]
     pub fn origins(&self, fit: &Fit) -> Vec<f64> {
@@ -110,7 +108,7 @@ impl Identification {
         let sources = self.sources.iter().enumerate();
         let each = sources.map(|(index, source)| {
             // A repeat that disagrees with the others has none.
-            let zero = self.zero(fit, name, index);
+            let zero = of_fit(fit, name, index);
             let zero = zero.unwrap_or_else(|| source.origin(observe(&self.file)));
             vec![zero; source.abscissa.len()]
         });

@@ -131,7 +131,11 @@ fn each_repeat_has_its_own_zero_and_a_prior_holds_it() {
     });
     let curves: Vec<Curve> = curves.collect();
     let zero = LinearNuisance::abscissa_zero();
-    let free = fit(curves.clone(), &[zero.clone()], Noise::white(0.05));
+    let free = fit(
+        curves.clone(),
+        std::slice::from_ref(&zero),
+        Noise::white(0.05),
+    );
     for (coefficient, wanted) in free.coefficients.iter().zip([0.4, 0.9, 1.4]) {
         assert_relative_eq!(coefficient.value, wanted, epsilon = 0.05);
     }
