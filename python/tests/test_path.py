@@ -175,7 +175,7 @@ def test_an_oblong_cell_has_arrays_of_its_shape() -> None:
     x, y = np.meshgrid(np.arange(30) / 30, np.arange(20) / 20, indexing="ij")
     heights = 0.01 * np.cos(2 * np.pi * x) * np.cos(2 * np.pi * y)
     cell = {"sides": [3.0, 2.0], "boundary": "periodic"}
-    rough = pl.IndenterMap(heights, sides=[3.0, 2.0])
+    rough = pl.IndenterMap(heights, sides=(3.0, 2.0))
     case = pl.Case(rubber, rough, pressure=1e-3, elements=[48, 32], **cell)  # type: ignore[arg-type]
     step = case.solve()[0]
     assert step.pressure.shape == step.gap.shape == (48, 32)
