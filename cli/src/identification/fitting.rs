@@ -10,6 +10,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use pellicle_contact::ContactError;
 use pellicle_identify::fit_file::report::OutsidePoints;
 use pellicle_identify::{Fit, FitOptions, FitVerdict, IdentifyError, Intervals, identify};
 
@@ -19,8 +20,8 @@ use super::remembered::Remembered;
 use super::{Identification, Spent, validity};
 use crate::failure::Failure;
 
-/// Largest number of fits after the first. Each leaves out the points at which the model does not hold according to the
-/// previous fit.
+/// Number of fits after the first, each without the points at which the model does not hold according to the previous
+/// one. As many more leave out those of all fits, for some points may be in and out by turns.
 const MOST_REPETITIONS: usize = 3;
 
 impl Identification {
@@ -50,6 +51,9 @@ impl Identification {
             if keeps_inaccurate {
                 outside = outside.with_inaccurate();
             }
+            if repetitions >= MOST_REPETITIONS {
+                outside = outside.and(&now.outside, &self.sources);
+            }
             let is_fit = search.verdict != FitVerdict::NotConverged;
             let handling = match self.file.report.outside {
                 _ if outside.points == now.outside.points => Some(Handling::LeftOut),
@@ -58,7 +62,7 @@ impl Identification {
                 OutsidePoints::LeaveOut if !is_fit && narrowed.is_none() => {
                     Some(Handling::NotConverged)
                 }
-                OutsidePoints::LeaveOut if !is_fit || repetitions == MOST_REPETITIONS => {
+                OutsidePoints::LeaveOut if !is_fit || repetitions == 2 * MOST_REPETITIONS => {
                     outside = now.outside.clone();
                     Some(Handling::Unsettled)
                 }
@@ -138,6 +142,8 @@ impl Identification {
         let starts: Vec<f64> = search.estimates.iter().map(|of| of.value).collect();
         match Self::posed(self.file.clone(), sources, Some(&starts), self.stop.clone()) {
             Err(Failure::Identify(IdentifyError::TooFewPoints { .. })) => Ok(None),
+            // No point in contact is left.
+            Err(Failure::Case(pellicle::Error::Contact(ContactError::Force { .. }))) => Ok(None),
             Err(failure) => Err(failure),
             Ok(next) => Ok(Some(Self {
                 outside: outside.clone(),

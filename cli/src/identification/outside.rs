@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pellicle_identify::Invalidity;
 
-use super::curve_source::OutsidePoint;
+use super::curve_source::{CurveSource, OutsidePoint};
 use super::findings::ExcludedResult;
 
 /// Points at which the model does not hold.
@@ -41,6 +41,45 @@ pub enum Handling {
 }
 
 impl Outside {
+    /// The points at which the model does not hold, of curves with these reasons, one for each point of all.
+    #[must_use]
+    pub fn of(invalid: Vec<Option<Invalidity>>, sources: &[CurveSource]) -> Self {
+        if invalid.iter().all(Option::is_none) {
+            return Self::default();
+        }
+        let mut first = 0;
+        let points = sources.iter().map(|source| {
+            let end = first + source.abscissa.len();
+            let points = source.outside(&invalid[first..end]);
+            first = end;
+            points
+        });
+        Self {
+            points: points.collect(),
+            invalid,
+            ..Self::default()
+        }
+    }
+
+    /// These points and those found earlier.
+    #[must_use]
+    pub fn and(self, earlier: &Self, sources: &[CurveSource]) -> Self {
+        if self.invalid.is_empty() || earlier.invalid.is_empty() {
+            return if self.invalid.is_empty() {
+                earlier.clone()
+            } else {
+                self
+            };
+        }
+        let pairs = earlier.invalid.iter().zip(&self.invalid);
+        let both = pairs.map(|(earlier, now)| earlier.or(*now)).collect();
+        Self {
+            inaccurate: self.inaccurate,
+            failure: self.failure,
+            ..Self::of(both, sources)
+        }
+    }
+
     /// The same points, except that those at which only the grid's error is too large may be in the fit.
     #[must_use]
     pub fn with_inaccurate(self) -> Self {

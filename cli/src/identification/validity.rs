@@ -40,21 +40,9 @@ pub fn outside(
     let invalid = match whole.model.invalid_points(fit, &at_fit, &noise) {
         Err(ContactError::Cancelled { .. }) => return None,
         Err(error) => return Some(as_before(error.to_string())),
-        Ok(invalid) if invalid.iter().all(Option::is_none) => return Some(Outside::default()),
         Ok(invalid) => invalid,
     };
-    let mut first = 0;
-    let points = whole.sources.iter().map(|source| {
-        let end = first + source.abscissa.len();
-        let points = source.outside(&invalid[first..end]);
-        first = end;
-        points
-    });
-    Some(Outside {
-        points: points.collect(),
-        invalid,
-        ..Outside::default()
-    })
+    Some(Outside::of(invalid, &whole.sources))
 }
 
 impl Identification {

@@ -33,7 +33,7 @@ pub struct BeforeContactRows {
     pub is_subtracted: bool,
     /// The first row in contact, from 1.
     pub contact_row: usize,
-    /// The depth, or the approach of a cantilever, where the contact begins, m.
+    /// The depth, or the approach of a cantilever, at the break where the contact seems to begin, m.
     pub contact: f64,
     /// How far the lowest force of the file, on the way in or out, lies below the line, N: adhesion.
     pub pull_off: f64,

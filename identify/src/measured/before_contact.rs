@@ -30,9 +30,9 @@ pub struct BeforeContact {
     pub slope_sd: f64,
     /// Standard deviation of single forces about the line, N.
     pub noise: f64,
-    /// Where the contact begins, m, along the coordinate.
+    /// The break, m, along the coordinate.
     pub contact: f64,
-    /// The ends of the line, m.
+    /// The ends of the line along the coordinate, m.
     ends: [f64; 2],
 }
 

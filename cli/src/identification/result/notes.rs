@@ -5,6 +5,9 @@ use pellicle_identify::{Exclusion, Fit, FitWarning, Stopped};
 use crate::identification::Identification;
 use crate::identification::findings::{ExcludedResult, WarningResult};
 
+/// Rows that are left out because they are not in contact are told of if they are more than one in so many.
+const MANY: usize = 10;
+
 impl Identification {
     /// Counts the points left out before the fit, and the curves left out by it.
     pub(super) fn excluded(&self, fit: &Fit) -> Vec<ExcludedResult> {
@@ -59,6 +62,16 @@ impl Identification {
             let warnings = source.measured.warnings.iter();
             warnings.map(move |found| warning(found.code, format!("{file}: {}", found.message)))
         });
+        let dropped = self.sources.iter().filter_map(|source| {
+            let (count, rows) = (source.without_contact, source.measured.table_rows);
+            let file = source.measured.file.display();
+            (count * MANY > rows).then(|| {
+                let message = format!(
+                    "{file}: {count} of {rows} rows are not clearly in contact, and not among the points of the fit"
+                );
+                warning("before-contact", message)
+            })
+        });
         let name = |index: &usize| fit.estimates[*index].name.clone();
         let of_fit = fit.warnings.iter().map(|found| match found {
             FitWarning::SeveralMinima => warning(
@@ -106,6 +119,10 @@ impl Identification {
             warning("stated-radius", message)
         });
         let of_files = of_files.chain(radius);
-        of_files.chain(stopped).chain(of_fit).collect()
+        of_files
+            .chain(dropped)
+            .chain(stopped)
+            .chain(of_fit)
+            .collect()
     }
 }
