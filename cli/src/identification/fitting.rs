@@ -141,9 +141,11 @@ impl Identification {
         }
         let starts: Vec<f64> = search.estimates.iter().map(|of| of.value).collect();
         match Self::posed(self.file.clone(), sources, Some(&starts), self.stop.clone()) {
-            Err(Failure::Identify(IdentifyError::TooFewPoints { .. })) => Ok(None),
-            // No point in contact is left.
-            Err(Failure::Case(pellicle::Error::Contact(ContactError::Force { .. }))) => Ok(None),
+            // Too few points, or none of them in contact.
+            Err(
+                Failure::Identify(IdentifyError::TooFewPoints { .. })
+                | Failure::Case(pellicle::Error::Contact(ContactError::Force { .. })),
+            ) => Ok(None),
             Err(failure) => Err(failure),
             Ok(next) => Ok(Some(Self {
                 outside: outside.clone(),
