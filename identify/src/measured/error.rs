@@ -221,7 +221,8 @@ pub enum CurveError {
     /// The depth decreases as the force increases.
     #[error(
         "found a depth that falls as the force rises, wanted a depth counted positive into the body: \
-         swap the columns, or reverse the sign, such as units = {{ depth = \"-1 nm\" }}"
+         swap the columns, or reverse the sign, such as units = {{ depth = \"-1 nm\" }}; of a cantilever, whose \
+         deflection would then exceed its approach, check the unit of the force or deflection and the spring constant"
     )]
     DepthFalls,
     /// The direction in which the piezo's height is counted cannot be determined from the force.

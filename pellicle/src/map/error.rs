@@ -118,3 +118,15 @@ pub enum MapError {
         wanted: usize,
     },
 }
+
+impl MapError {
+    /// A line of a head with an impossible value, of which a message shows the beginning.
+    pub(super) fn header(key: &'static str, found: &str, wanted: &'static str) -> Self {
+        const SHOWN: usize = 40;
+        Self::Header {
+            key,
+            found: found.chars().take(SHOWN).collect(),
+            wanted,
+        }
+    }
+}

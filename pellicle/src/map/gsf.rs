@@ -73,14 +73,14 @@ impl<'a> GsfHeader<'a> {
         let found = self.value(key).unwrap_or("nothing");
         match found.parse() {
             Ok(count) if count > 0 => Ok(count),
-            _ => Err(header(key, found, "a positive number of pixels")),
+            _ => Err(MapError::header(key, found, "a positive number of pixels")),
         }
     }
 
     fn size(&self, key: &'static str) -> Result<Option<f64>, MapError> {
         let size = |found: &str| match found.parse::<f64>() {
             Ok(size) if size > 0.0 && size.is_finite() => Ok(size),
-            _ => Err(header(key, found, "a positive length")),
+            _ => Err(MapError::header(key, found, "a positive length")),
         };
         self.value(key).map(size).transpose()
     }
@@ -88,14 +88,6 @@ impl<'a> GsfHeader<'a> {
     fn unit(&self, key: &str) -> Option<String> {
         let unit = self.value(key).filter(|unit| !unit.is_empty());
         unit.map(str::to_owned)
-    }
-}
-
-fn header(key: &'static str, found: &str, wanted: &'static str) -> MapError {
-    MapError::Header {
-        key,
-        found: found.chars().take(40).collect(),
-        wanted,
     }
 }
 

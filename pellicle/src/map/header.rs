@@ -118,21 +118,13 @@ impl MapHeader {
 
 fn count(key: &'static str, value: &str) -> Result<usize, MapError> {
     let count = value.parse().ok().filter(|count| *count > 0);
-    count.ok_or_else(|| header(key, value, "a positive number"))
+    count.ok_or_else(|| MapError::header(key, value, "a positive number"))
 }
 
 fn cell(value: &str) -> Result<f64, MapError> {
     let is_length = |cell: &f64| *cell > 0.0 && cell.is_finite();
     let cell = value.parse().ok().filter(is_length);
-    cell.ok_or_else(|| header("cellsize", value, "a positive length in metres"))
-}
-
-fn header(key: &'static str, found: &str, wanted: &'static str) -> MapError {
-    MapError::Header {
-        key,
-        found: found.chars().take(40).collect(),
-        wanted,
-    }
+    cell.ok_or_else(|| MapError::header("cellsize", value, "a positive length in metres"))
 }
 
 #[cfg(test)]
