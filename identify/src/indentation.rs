@@ -25,7 +25,7 @@ pub use correction::DriftHold;
 pub use error::IndentationError;
 pub use evaluation::{
     DepthZero, Drift, Epsilon, EvaluatedCurve, EvaluationSettings, IndentationCurve,
-    IndenterMaterial, evaluate,
+    IndentationNumbers, IndenterMaterial, evaluate, evaluate_stiffnesses,
 };
 pub use number::IndentationNumber;
 pub use phases::Phases;

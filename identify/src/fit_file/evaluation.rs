@@ -15,6 +15,8 @@ use crate::indentation::{
     AreaFunction, DepthZero, Drift, Epsilon, EvaluationSettings, IndenterMaterial, Tip, TipShape,
     Uncertain,
 };
+use crate::measured::channel::Channel;
+use crate::measured::data_table::DataTable;
 use crate::measured::sources::MeasurementSources;
 
 /// The largest number of coefficients of an area function.
@@ -27,7 +29,7 @@ const EPSILON: f64 = 0.75;
 const AREA: &str = "a list such as [24.5, \"120 nm\"], of a number and coefficients with units of length, length^(3/2), \
     length^(7/4), …, or the file of a calibration";
 
-/// Reads the table; files of calibrations come from `sources`.
+/// Reads the table for these measurements; files of calibrations come from `sources`.
 ///
 /// # Errors
 ///
@@ -35,6 +37,7 @@ const AREA: &str = "a list such as [24.5, \"120 nm\"], of a number and coefficie
 pub fn read(
     field: &ValueReader<'_>,
     sources: &MeasurementSources,
+    data: &[DataTable],
 ) -> Result<EvaluationSettings, Diagnosis> {
     let table = field.clone().table()?;
     table.only(&[
@@ -50,8 +53,11 @@ pub fn read(
         "depth_zero",
         "poisson_ratio",
         "indenter",
+        "thinning",
     ])?;
-    let area = area(&table, sources)?;
+    let mut unloadings = data.iter().filter(|table| table.is_unloading());
+    let are_given = unloadings.all(|table| table.columns.has(Channel::ContactRadius));
+    let area = area(&table, sources, are_given)?;
     let frame = match table.optional("frame_compliance") {
         Some(field) => uncertain(&field, Some(Dimension::FrameCompliance), Sign::NotNegative)?,
         None => area.frame_compliance.unwrap_or_default(),
@@ -78,12 +84,13 @@ pub fn read(
         depth_zero: depth_zero(&table)?,
         poisson_ratio: poisson_ratio(&ratio)?,
         indenter: indenter(&table)?,
+        thinning: thinning(&table)?,
     })
 }
 
 /// An area function with what a calibration tells of it.
 struct Area {
-    function: AreaFunction,
+    function: Option<AreaFunction>,
     covariance: Vec<Vec<f64>>,
     range: Option<[f64; 2]>,
     frame_compliance: Option<Uncertain>,
@@ -92,7 +99,7 @@ struct Area {
 impl From<AreaFunction> for Area {
     fn from(function: AreaFunction) -> Self {
         Self {
-            function,
+            function: Some(function),
             covariance: Vec::new(),
             range: None,
             frame_compliance: None,
@@ -100,12 +107,23 @@ impl From<AreaFunction> for Area {
     }
 }
 
-fn area(table: &TableReader<'_>, sources: &MeasurementSources) -> Result<Area, Diagnosis> {
+/// The area function; none is needed where the instrument gives the radius of every contact.
+fn area(
+    table: &TableReader<'_>,
+    sources: &MeasurementSources,
+    are_given: bool,
+) -> Result<Area, Diagnosis> {
     match (table.optional("area_function"), table.optional("tip")) {
         (Some(_), Some(tip)) => Err(tip.diagnosis(Fault::Wrong {
             found: "tip and area_function".into(),
             wanted: "one of them".into(),
         })),
+        (None, None) if are_given => Ok(Area {
+            function: None,
+            covariance: Vec::new(),
+            range: None,
+            frame_compliance: None,
+        }),
         (None, None) => {
             let wanted = format!("{AREA}; or a `tip`, such as \"berkovich\", with a `tip_radius`");
             Err(table.missing("area_function", wanted))
@@ -229,7 +247,7 @@ fn of_file(
             uncertain(&of, Some(Dimension::FrameCompliance), Sign::NotNegative)
         });
         Ok(Area {
-            function: AreaFunction::Polynomial(function),
+            function: Some(AreaFunction::Polynomial(function)),
             covariance,
             range: match depths[..] {
                 [least, most] => Some([least, most]),
@@ -351,6 +369,20 @@ fn depth_zero(table: &TableReader<'_>) -> Result<DepthZero, Diagnosis> {
             field.wanted("\"first contact\", \"as recorded\" or a depth of the file such as \"3 nm\""),
         ),
         _ => uncertain(&field, Some(Dimension::Length), Sign::Any).map(DepthZero::At),
+    }
+}
+
+/// The part of the contact depth by which an imprint thins the top layer.
+fn thinning(table: &TableReader<'_>) -> Result<f64, Diagnosis> {
+    const WANTED: &str = "a part of the contact depth between 0 and 1, such as 0.5";
+    let Some(field) = table.optional("thinning") else {
+        return Ok(0.0);
+    };
+    let part = field.number(WANTED)?;
+    if (0.0..=1.0).contains(&part) {
+        Ok(part)
+    } else {
+        Err(field.wanted(WANTED))
     }
 }
 

@@ -25,8 +25,8 @@ const COUNT: usize = IndentationNumber::ALL.len();
 /// How curves are evaluated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EvaluationSettings {
-    /// The area function of the indenter.
-    pub area: AreaFunction,
+    /// The area function of the indenter; none where the instrument gives the radius of every contact.
+    pub area: Option<AreaFunction>,
     /// Covariance of the coefficients of a polynomial; empty for exact ones.
     pub area_covariance: Vec<Vec<f64>>,
     /// The contact depths for which it was calibrated, m, if it was.
@@ -47,6 +47,8 @@ pub struct EvaluationSettings {
     pub poisson_ratio: Uncertain,
     /// The material of the indenter; none for a rigid one.
     pub indenter: Option<IndenterMaterial>,
+    /// The part of the contact depth by which an imprint thins the top layer of a film, in a fit to a layered body.
+    pub thinning: f64,
 }
 
 /// ε of the contact depth `h_max − ε P_max/S`.
@@ -106,12 +108,19 @@ pub struct IndentationCurve<'a> {
     pub contact: Option<(f64, usize)>,
 }
 
+/// The numbers of an indentation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct IndentationNumbers {
+    values: Values,
+    /// What each independent source adds to each number.
+    parts: Vec<[f64; COUNT]>,
+}
+
 /// A curve with its numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EvaluatedCurve {
-    values: [Option<f64>; COUNT],
-    /// What each independent source adds to each number.
-    parts: Vec<[f64; COUNT]>,
+    /// Its numbers.
+    pub numbers: IndentationNumbers,
     /// Its phases.
     pub phases: Phases,
     /// The power law of its unloading.
@@ -122,10 +131,10 @@ pub struct EvaluatedCurve {
     pub depth: Vec<f64>,
 }
 
-impl EvaluatedCurve {
-    /// A number with its standard uncertainty; none if the curve does not have it.
+impl IndentationNumbers {
+    /// A number with its standard uncertainty; none if there is no such number.
     #[must_use]
-    pub fn number(&self, of: IndentationNumber) -> Option<Uncertain> {
+    pub fn get(&self, of: IndentationNumber) -> Option<Uncertain> {
         let value = self.values[of.place()]?;
         Some(Uncertain {
             value,
@@ -138,6 +147,33 @@ impl EvaluatedCurve {
     pub fn covariance(&self, one: IndentationNumber, other: IndentationNumber) -> f64 {
         let parts = self.parts.iter();
         parts.map(|part| part[one.place()] * part[other.place()]).sum()
+    }
+}
+
+impl IndentationNumbers {
+    /// Adds an independent source by the numbers one standard uncertainty to each of its sides.
+    fn add(
+        &mut self,
+        numbers: &dyn Fn(f64) -> Result<Values, IndentationError>,
+    ) -> Result<(), IndentationError> {
+        let [above, below] = [numbers(1.0)?, numbers(-1.0)?];
+        let part = |k: usize| match (above[k], below[k]) {
+            (Some(above), Some(below)) => 0.5 * (above - below),
+            _ => 0.0,
+        };
+        self.parts.push(std::array::from_fn(part));
+        Ok(())
+    }
+
+    fn add_source(
+        &mut self,
+        uncertain: Uncertain,
+        numbers: &dyn Fn(f64) -> Result<Values, IndentationError>,
+    ) -> Result<(), IndentationError> {
+        if uncertain.sd > 0.0 {
+            self.add(numbers)?;
+        }
+        Ok(())
     }
 }
 
@@ -171,36 +207,24 @@ pub fn evaluate(
         ..Inputs::of(settings)
     };
     let reading = Reading::of(curve, &phases, &inputs)?;
-    let values = reading.numbers(settings, &inputs)?;
-    let mut parts = Vec::new();
-    // Half the difference between both sides of a source.
-    let mut both_sides = |numbers: &dyn Fn(f64) -> Result<Numbers, IndentationError>| {
-        let [above, below] = [numbers(1.0)?, numbers(-1.0)?];
-        let part = |k: usize| match (above[k], below[k]) {
-            (Some(above), Some(below)) => 0.5 * (above - below),
-            _ => 0.0,
-        };
-        parts.push(std::array::from_fn(part));
-        Ok::<(), IndentationError>(())
+    let mut numbers = IndentationNumbers {
+        values: reading.numbers(settings, &inputs)?,
+        parts: Vec::new(),
     };
     for direction in reading.noise() {
-        both_sides(&|side| reading.moved(&direction, side).numbers(settings, &inputs))?;
+        numbers.add(&|side| reading.moved(&direction, side).numbers(settings, &inputs))?;
     }
     for (uncertain, field) in inputs.sources(settings, [rate, zero]) {
-        if uncertain.sd > 0.0 {
-            both_sides(&|side| {
-                let mut moved = inputs;
-                *field(&mut moved) += side * uncertain.sd;
-                let changes_data = moved.changes_data(&inputs);
-                let again = changes_data.then(|| Reading::of(curve, &phases, &moved));
-                let again = again.transpose()?;
-                again.as_ref().unwrap_or(&reading).numbers(settings, &moved)
-            })?;
-        }
+        numbers.add_source(uncertain, &|side| {
+            let moved = inputs.moved(field, side * uncertain.sd);
+            let changes_data = moved.changes_data(&inputs);
+            let again = changes_data.then(|| Reading::of(curve, &phases, &moved));
+            let again = again.transpose()?;
+            again.as_ref().unwrap_or(&reading).numbers(settings, &moved)
+        })?;
     }
     Ok(EvaluatedCurve {
-        values,
-        parts,
+        numbers,
         unloading: reading.unloading,
         depth: inputs.corrected(curve),
         phases,
@@ -208,7 +232,53 @@ pub fn evaluate(
     })
 }
 
-type Numbers = [Option<f64>; COUNT];
+/// Evaluates readings of a continuous stiffness: depths (m), forces (N), stiffnesses (N/m), and where the instrument
+/// gives them contact radii (m), `√(A/π)`, in place of the area function.
+///
+/// # Errors
+///
+/// [`IndentationError`] if a reading has no such numbers.
+pub fn evaluate_stiffnesses(
+    [depth, force, stiffness]: [&[f64]; 3],
+    radius: Option<&[f64]>,
+    settings: &EvaluationSettings,
+) -> Result<Vec<IndentationNumbers>, IndentationError> {
+    let zero = match settings.depth_zero {
+        DepthZero::At(zero) => zero,
+        DepthZero::FirstContact => return Err(IndentationError::NoContact),
+        DepthZero::AsRecorded | DepthZero::FirstContactIfFound => Uncertain::exact(0.0),
+    };
+    let inputs = Inputs {
+        zero: zero.value,
+        ..Inputs::of(settings)
+    };
+    let numbers = |row: usize| {
+        let values = |inputs: &Inputs| {
+            // 1/S = 1/S_measured − C_f
+            let contact = Contact {
+                depth: depth[row] - inputs.zero - inputs.frame_compliance * force[row],
+                force: force[row],
+                stiffness: 1.0 / (1.0 / stiffness[row] - inputs.frame_compliance),
+                exponent: None,
+                area: radius.map(|radius| PI * radius[row].powi(2)),
+            };
+            contact.numbers(settings, inputs)
+        };
+        let mut numbers = IndentationNumbers {
+            values: values(&inputs)?,
+            parts: Vec::new(),
+        };
+        for (uncertain, field) in inputs.sources(settings, [Uncertain::exact(0.0), zero]) {
+            numbers.add_source(uncertain, &|side| {
+                values(&inputs.moved(field, side * uncertain.sd))
+            })?;
+        }
+        Ok(numbers)
+    };
+    (0..depth.len()).map(numbers).collect()
+}
+
+type Values = [Option<f64>; COUNT];
 
 /// The rate of the drift, m/s, and the hold that it comes from.
 fn rate(
@@ -293,6 +363,11 @@ impl Inputs {
             sources.push((indenter.poisson_ratio, |of| &mut of.indenter[1]));
         }
         sources
+    }
+
+    fn moved(mut self, field: Field, by: f64) -> Self {
+        *field(&mut self) += by;
+        self
     }
 
     /// Whether these inputs give other depths.
@@ -425,19 +500,66 @@ impl Reading {
         &self,
         settings: &EvaluationSettings,
         inputs: &Inputs,
-    ) -> Result<Numbers, IndentationError> {
+    ) -> Result<Values, IndentationError> {
         let fit = &self.unloading;
         let [end, beginning] = self.top.map(|of| of.value);
-        let epsilon = match settings.epsilon {
-            Epsilon::Fixed(_) => inputs.epsilon,
-            Epsilon::Exponent => epsilon_of(fit.exponent),
+        let contact = Contact {
+            depth: end,
+            force: fit.force,
+            stiffness: fit.stiffness,
+            exponent: Some(fit.exponent),
+            area: None,
+        };
+        let mut numbers = contact.numbers(settings, inputs)?;
+        let [loading, back] = self.work.map(|of| of.value);
+        // What the law gives back below the last force, ∫ P dh = P (h − h_f)/(m + 1).
+        let span = fit.exponent * fit.force / fit.stiffness;
+        let left = span * (self.last_force / fit.force).powf(1.0 / fit.exponent);
+        let tail = self.last_force * left / (fit.exponent + 1.0);
+        let creep = (end - beginning) / beginning;
+        let mut set = |of: IndentationNumber, value| numbers[of.place()] = value;
+        set(IndentationNumber::FinalDepth, Some(fit.final_depth()));
+        set(IndentationNumber::Creep, self.is_held.then_some(creep));
+        let ratio = (loading > 0.0).then_some((back + tail) / loading);
+        set(IndentationNumber::ElasticWorkRatio, ratio);
+        set(IndentationNumber::DriftRate, Some(inputs.rate));
+        Ok(numbers)
+    }
+}
+
+/// A contact at the largest force of its unloading.
+struct Contact {
+    depth: f64,
+    force: f64,
+    stiffness: f64,
+    /// The exponent of the unloading, if known.
+    exponent: Option<f64>,
+    /// The area that the instrument gives, m², in place of the area function's.
+    area: Option<f64>,
+}
+
+impl Contact {
+    fn numbers(
+        &self,
+        settings: &EvaluationSettings,
+        inputs: &Inputs,
+    ) -> Result<Values, IndentationError> {
+        let epsilon = match (settings.epsilon, self.exponent) {
+            (Epsilon::Exponent, Some(exponent)) => epsilon_of(exponent),
+            (Epsilon::Exponent, None) => return Err(IndentationError::NoExponent),
+            (Epsilon::Fixed(_), _) => inputs.epsilon,
         };
         // h_c = h_max − ε P_max/S
-        let contact = end - epsilon * fit.force / fit.stiffness;
-        let exact = settings.area.positive_area(contact)?;
-        let area = exact + inputs.area * settings.area_sd(contact);
+        let contact = self.depth - epsilon * self.force / self.stiffness;
+        let area = match (self.area, &settings.area) {
+            (Some(area), _) => area,
+            (None, Some(function)) => {
+                function.positive_area(contact)? + inputs.area * settings.area_sd(contact)
+            }
+            (None, None) => return Err(IndentationError::NoArea),
+        };
         // E_r = √π S/(2 β √A)
-        let reduced = PI.sqrt() * fit.stiffness / (2.0 * inputs.beta * area.sqrt());
+        let reduced = PI.sqrt() * self.stiffness / (2.0 * inputs.beta * area.sqrt());
         let [indenter, ratio] = inputs.indenter;
         let alone = indenter / (1.0 - ratio * ratio);
         if reduced >= alone {
@@ -448,29 +570,22 @@ impl Reading {
         }
         let square = inputs.poisson_ratio.powi(2);
         let modulus = (1.0 - square) / (1.0 / reduced - 1.0 / alone);
-        let [loading, back] = self.work.map(|of| of.value);
-        // What the law gives back below the last force, ∫ P dh = P (h − h_f)/(m + 1).
-        let span = fit.exponent * fit.force / fit.stiffness;
-        let left = span * (self.last_force / fit.force).powf(1.0 / fit.exponent);
-        let tail = self.last_force * left / (fit.exponent + 1.0);
-        let creep = (end - beginning) / beginning;
+        let surface = settings.area.as_ref().map(|of| of.surface(self.depth));
         let of = |number| match number {
-            IndentationNumber::MaxDepth => Some(end),
-            IndentationNumber::MaxForce => Some(fit.force),
-            IndentationNumber::ContactStiffness => Some(fit.stiffness),
-            IndentationNumber::Exponent => Some(fit.exponent),
-            IndentationNumber::FinalDepth => Some(fit.final_depth()),
+            IndentationNumber::MaxDepth => Some(self.depth),
+            IndentationNumber::MaxForce => Some(self.force),
+            IndentationNumber::ContactStiffness => Some(self.stiffness),
+            IndentationNumber::Exponent => self.exponent,
             IndentationNumber::ContactDepth => Some(contact),
             IndentationNumber::Area => Some(area),
             IndentationNumber::ReducedModulus => Some(reduced),
             IndentationNumber::IndentationModulus => Some(modulus),
-            IndentationNumber::IndentationHardness => Some(fit.force / area),
-            IndentationNumber::MartensHardness => Some(fit.force / settings.area.surface(end)),
-            IndentationNumber::Creep => self.is_held.then_some(creep),
-            IndentationNumber::ElasticWorkRatio => {
-                (loading > 0.0).then_some((back + tail) / loading)
-            }
-            IndentationNumber::DriftRate => Some(inputs.rate),
+            IndentationNumber::IndentationHardness => Some(self.force / area),
+            IndentationNumber::MartensHardness => surface.map(|surface| self.force / surface),
+            IndentationNumber::FinalDepth
+            | IndentationNumber::Creep
+            | IndentationNumber::ElasticWorkRatio
+            | IndentationNumber::DriftRate => None,
         };
         Ok(IndentationNumber::ALL.map(of))
     }

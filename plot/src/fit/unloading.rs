@@ -102,8 +102,8 @@ impl UnloadingPanel {
         });
         panel.draw_axes(svg);
         let text = |svg: &mut Svg, up: f64, words: &str| {
-            let words = heading::fitted(words, WIDE, 16.0);
-            svg.text((place.left, place.top - up), 16.0, Anchor::Start, &words);
+            let words = heading::fitted(words, WIDE, 15.0);
+            svg.text((place.left, place.top - up), 15.0, Anchor::Start, &words);
         };
         text(svg, 36.0, &self.name);
         text(svg, 14.0, &self.numbers);
