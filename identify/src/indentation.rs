@@ -14,6 +14,7 @@
 //! W. C. Oliver and G. M. Pharr, J. Mater. Res. 7, 1564 (1992) and 19, 3 (2004); ISO 14577-1:2015.
 
 mod area_function;
+mod calibration;
 mod contact;
 mod correction;
 mod error;
@@ -28,12 +29,13 @@ mod uncertain;
 mod unloading;
 
 pub use area_function::{AreaFunction, Tip, TipShape};
+pub use calibration::{Calibration, CalibrationTask, MeasuredContact, calibrate};
 pub use correction::DriftHold;
 pub use error::IndentationError;
 pub use evaluation::{EvaluatedCurve, IndentationCurve, evaluate, evaluate_stiffnesses};
 pub use number::IndentationNumber;
 pub use numbers::IndentationNumbers;
 pub use phases::Phases;
-pub use settings::{DepthZero, Drift, Epsilon, EvaluationSettings, IndenterMaterial};
+pub use settings::{DepthZero, Drift, Epsilon, EvaluationSettings, IndenterMaterial, KnownBody};
 pub use uncertain::Uncertain;
 pub use unloading::UnloadingFit;
