@@ -1,5 +1,5 @@
-//! The evaluation of a load and its unloading by Oliver and Pharr, as ISO 14577-1 describes it: modulus, hardness, creep
-//! and work of an indentation, each with its standard uncertainty.
+//! The evaluation of a load and its unloading by Oliver and Pharr, as ISO 14577-1 describes it: modulus, hardness,
+//! creep and work of an indentation, each with its standard uncertainty.
 //!
 //! ```text
 //! corrections   h ← h − h₀ − ḣ (t − t₀) − C_f P                                            correction.rs

@@ -191,8 +191,8 @@ impl Areas {
     }
 }
 
-/// The place of the least value of a function between 0 and `most`, by a scan and a golden section (J. Kiefer, Proc. Am.
-/// Math. Soc. 4, 502 (1953)).
+/// The place of the least value of a function between 0 and `most`, by a scan and a golden section (J. Kiefer, Proc.
+/// Am. Math. Soc. 4, 502 (1953)).
 fn least(of: impl Fn(f64) -> f64, most: f64) -> f64 {
     let step = most / f64::from(PLACES);
     let places = (0..=PLACES).map(|k| step * f64::from(k));
