@@ -14,10 +14,10 @@ mod published;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 use pellicle_contact::Load;
+use pellicle_contact::axisymmetric::quadrature::{composite, graded};
+use pellicle_contact::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
-use crate::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
-use crate::independent::{composite, graded};
 use crate::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
 
 pub use published::{PUBLISHED, PublishedFormula};
@@ -60,30 +60,37 @@ impl ThinLayer {
     /// Returns the length in thicknesses and `ψ` at a contact radius, in thicknesses, from the integral equation.
     ///
     /// # Errors
-    /// Errors of [`AxisymmetricSolution::new`].
+    /// Errors of [`AxisymmetricElasticity::contact`].
     pub fn at_contact_radius(
         &self,
         indenter: FilmIndenter,
         radius: f64,
     ) -> Result<[f64; 2], ValidationError> {
-        let profile = match indenter {
-            FilmIndenter::Paraboloid => AxisymmetricProfile::Paraboloid(1.0),
-            FilmIndenter::Cone => AxisymmetricProfile::Cone,
-            FilmIndenter::FlatPunch => AxisymmetricProfile::FlatPunch(1.0),
+        let body = AxisymmetricElasticity::new(&self.foundation()?.into());
+        let pressed = |profile| {
+            let contact = body.contact(profile, radius)?;
+            Ok::<_, ValidationError>((contact.penetration, contact.force))
         };
-        let exact = AxisymmetricSolution::new(&self.foundation()?, profile, radius)?;
-        let (depth, force) = (exact.penetration, exact.force);
         Ok(match indenter {
-            FilmIndenter::Paraboloid => [depth.sqrt(), 0.75 * force / depth.powf(1.5)],
-            FilmIndenter::Cone => [depth, FRAC_PI_2 * force / depth.powi(2)],
-            FilmIndenter::FlatPunch => [radius, 0.5 * force / radius],
+            FilmIndenter::Paraboloid => {
+                let (depth, force) = pressed(AxisymmetricProfile::Paraboloid { radius: 1.0 })?;
+                [depth.sqrt(), 0.75 * force / depth.powf(1.5)]
+            }
+            FilmIndenter::Cone => {
+                let (depth, force) = pressed(AxisymmetricProfile::Cone {
+                    slope: 1.0,
+                    tip_radius: 0.0,
+                })?;
+                [depth, FRAC_PI_2 * force / depth.powi(2)]
+            }
+            FilmIndenter::FlatPunch => [radius, 0.5 * body.punch(radius)?.stiffness / radius],
         })
     }
 
     /// Returns `ψ` at a length in thicknesses from the integral equation.
     ///
     /// # Errors
-    /// Errors of [`AxisymmetricSolution::new`].
+    /// Errors of [`AxisymmetricElasticity::contact`].
     pub fn exact(&self, indenter: FilmIndenter, length: f64) -> Result<f64, ValidationError> {
         // The length grows roughly as a power of the contact radius: secants in the logarithms, starting from a thick
         // layer.
