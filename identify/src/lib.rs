@@ -21,6 +21,7 @@ pub mod fit_file;
 mod forward_model;
 mod global_search;
 mod goodness;
+pub mod indentation;
 mod known_combination;
 mod least_squares;
 mod likelihood;
@@ -47,7 +48,7 @@ mod verdict;
 
 pub use contact_curves::{
     ContactCurve, ContactCurves, CurveOptions, FixedNumber, ForceScale, Invalidity, Observable,
-    Reading, StopFlag,
+    ParameterAtPoint, Reading, StopFlag, Thinned,
 };
 pub use curve::Curve;
 pub use departure::Departure;

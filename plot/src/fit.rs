@@ -8,3 +8,4 @@ pub mod heading;
 pub mod profiles;
 pub mod repeats;
 pub mod unknown;
+pub mod unloading;

@@ -10,6 +10,7 @@ use super::findings::WarningResult;
 use super::fitted_file::FittedFile;
 use super::pictures::{self, FitPicture};
 use super::{report, result, tables};
+use crate::evaluation;
 use crate::failure::Failure;
 use crate::output::write_progress::WriteProgress;
 use crate::withdrawn;
@@ -25,6 +26,7 @@ pub fn is_name(name: &str) -> bool {
         ending.is_some_and(|ending| [".svg", ".png"].contains(&ending))
     };
     [result::FILE, tables::EXCLUDED].contains(&name)
+        || evaluation::files::is_name(name)
         || withdrawn::is_file_of_a_fit(name)
         || TABLES.contains(&name)
         || FitPicture::ALL.iter().any(is_picture)
@@ -36,9 +38,12 @@ pub fn is_name(name: &str) -> bool {
 ///
 /// [`Failure::File`] if a file cannot be written.
 pub fn write(folder: &Path, fitted: &mut FittedFile) -> Result<(), Failure> {
-    let writer = WriteProgress::new(FitPicture::ALL.len(), &|_, _| ());
     let (of, fit, found) = (&fitted.identification, &fitted.fit, &fitted.found);
-    let drawings = pictures::write(folder, of, fit, found, &Style::default(), &writer)?;
+    let sheets = evaluation::pictures::sheets(&of.evaluated);
+    let writer = WriteProgress::new(FitPicture::ALL.len() + sheets, &|_, _| ());
+    let style = Style::default();
+    let drawings = pictures::write(folder, of, fit, found, &style, &writer)?;
+    evaluation::pictures::write(folder, (&found.title, &of.evaluated), &style, &writer)?;
     let failed = writer.warnings().into_iter();
     fitted
         .found

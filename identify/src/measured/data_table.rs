@@ -138,6 +138,12 @@ impl DataTable {
         let text =
             optional("text")?.map_or(Ok(TextOptions::default()), |t| TextOptions::read(&t))?;
         let columns_read = CurveColumns::read(&columns, optional("units")?.as_ref())?;
+        let observe = observe(&table, &columns)?;
+        let mut segment =
+            optional("segment")?.map_or(Ok(CurveSegment::default()), |t| CurveSegment::read(&t))?;
+        if observe == Observable::UnloadingStiffness {
+            segment.require_whole(&table)?;
+        }
         let mut data = Self {
             omit: table
                 .optional("omit")
@@ -148,11 +154,10 @@ impl DataTable {
             sources: sources.clone(),
             columns: columns_read,
             text,
-            segment: optional("segment")?
-                .map_or(Ok(CurveSegment::default()), |t| CurveSegment::read(&t))?,
+            segment,
             baseline: (table.optional("baseline"))
                 .map_or(Ok(Baseline::default()), |field| Baseline::read(&field))?,
-            observe: observe(&table, &columns)?,
+            observe,
             noise: optional("noise")?
                 .map_or(Ok(MeasuredNoise::default()), |t| MeasuredNoise::read(&t))?,
             spring_constant: spring.map(|f| SpringConstant::read(&f)).transpose()?,
@@ -186,6 +191,12 @@ impl DataTable {
                 self.diagnosis(&self.files[file], &error)
             })?;
         Ok(())
+    }
+
+    /// Whether its files are loads and their unloadings, or rows with the stiffness of such, which an evaluation reads.
+    #[must_use]
+    pub fn is_unloading(&self) -> bool {
+        self.observe == Observable::UnloadingStiffness
     }
 
     /// The numbers that a file states above its table; none if it cannot be read.
