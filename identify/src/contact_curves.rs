@@ -218,18 +218,18 @@ impl ContactCurves {
         let observable = self.curves[curve].observable;
         let mut prediction = if let Some(nodes) = &self.nodes[curve] {
             if observable == Observable::StiffnessAtContactRadius {
-            self.stiffnesses((curve, nodes), &model, &sought)?
-        } else {
-            let solved = self.remembered(curve, parameters, &sought, || {
-                self.solved(&nodes.with_forces_times(factor), &model, &sought)
-            })?;
-            let series = self.curves[curve].series / factor;
-            observable.of(
-                &solved,
-                &observable.true_abscissae(abscissae, factor),
-                series,
-            )?
-        }
+                self.stiffnesses((curve, nodes), &model, &sought)?
+            } else {
+                let solved = self.remembered(curve, parameters, &sought, || {
+                    self.solved(&nodes.with_forces_times(factor), &model, &sought)
+                })?;
+                let series = self.curves[curve].series / factor;
+                observable.of(
+                    &solved,
+                    &observable.true_abscissae(abscissae, factor),
+                    series,
+                )?
+            }
         } else {
             self.curves[curve].punch_stiffnesses(&model, &sought)?
         };

@@ -175,7 +175,10 @@ fn a_curve_without_noise_gives_its_numbers_to_rounding() {
     let found = exact.evaluated(1).unwrap();
     for (number, truth) in exact.truth() {
         let value = found.numbers.get(number).unwrap().value;
-        assert!((value - truth).abs() <= 1e-6 * truth.abs() + 1e-15, "{number:?}: {value} {truth}");
+        assert!(
+            (value - truth).abs() <= 1e-6 * truth.abs() + 1e-15,
+            "{number:?}: {value} {truth}"
+        );
     }
 }
 

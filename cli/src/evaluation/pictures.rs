@@ -20,7 +20,11 @@ const POINTS: u32 = 80;
 #[must_use]
 pub fn is_name(name: &str) -> bool {
     let rest = name.strip_prefix(NAME);
-    let rest = rest.and_then(|rest| [".svg", ".png"].iter().find_map(|end| rest.strip_suffix(end)));
+    let rest = rest.and_then(|rest| {
+        [".svg", ".png"]
+            .iter()
+            .find_map(|end| rest.strip_suffix(end))
+    });
     rest.is_some_and(|rest| {
         let number = rest.strip_prefix('-');
         rest.is_empty() || number.is_some_and(|number| number.parse::<usize>().is_ok())
@@ -83,7 +87,12 @@ fn panel(file: &EvaluatedFile, curve: &EvaluatedCurve) -> UnloadingPanel {
     UnloadingPanel {
         name: name.to_string_lossy().into_owned(),
         numbers: words.join(", "),
-        points: curve.depth.iter().copied().zip(force.iter().copied()).collect(),
+        points: curve
+            .depth
+            .iter()
+            .copied()
+            .zip(force.iter().copied())
+            .collect(),
         fitted: curve.phases.fitted.clone(),
         law: (0..=POINTS).map(along).collect(),
         // The tangent at the largest force, down to no force.

@@ -91,7 +91,11 @@ impl EvaluationResult {
             program: PROGRAM,
             version: env!("CARGO_PKG_VERSION"),
             title: title.to_owned(),
-            verdict: if is_whole { "evaluated" } else { "not-evaluated" },
+            verdict: if is_whole {
+                "evaluated"
+            } else {
+                "not-evaluated"
+            },
             indentation: indentations(curves),
             repeats: repeats(curves),
             warnings: warnings::all(curves, settings),

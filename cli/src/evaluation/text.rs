@@ -36,7 +36,11 @@ pub fn text(result: &EvaluationResult) -> String {
 fn lines(numbers: &[Option<Uncertain>]) -> String {
     let printed = PRINTED.into_iter().filter_map(|of| {
         let place = IndentationNumber::ALL.iter().position(|one| *one == of)?;
-        Some(format!("    {} = {}\n", of.symbol(), words(of, numbers[place]?)))
+        Some(format!(
+            "    {} = {}\n",
+            of.symbol(),
+            words(of, numbers[place]?)
+        ))
     });
     printed.collect()
 }
@@ -56,14 +60,17 @@ pub fn beside(contacts: &[Indentation]) -> String {
     let line = |contact: &Indentation| {
         let depth = words_of(contact, IndentationNumber::ContactDepth);
         let modulus = words_of(contact, IndentationNumber::IndentationModulus);
-        let exact = contact.exact.as_ref().map(|exact| match (exact.value, exact.sd) {
-            (Some(value), Some(sd)) => {
-                let number = Uncertain { value, sd };
-                let scale = units::scale(value.abs(), exact.unit);
-                format!(", exactly {} = {}", exact.key, on_scale(number, &scale))
-            }
-            _ => format!(", no {} in its bounds", exact.key),
-        });
+        let exact = contact
+            .exact
+            .as_ref()
+            .map(|exact| match (exact.value, exact.sd) {
+                (Some(value), Some(sd)) => {
+                    let number = Uncertain { value, sd };
+                    let scale = units::scale(value.abs(), exact.unit);
+                    format!(", exactly {} = {}", exact.key, on_scale(number, &scale))
+                }
+                _ => format!(", no {} in its bounds", exact.key),
+            });
         format!(
             "  h_c = {depth}: E_IT = {modulus} by Oliver and Pharr{}\n",
             exact.unwrap_or_default()

@@ -2,7 +2,9 @@
 
 use pellicle::display::{count, significant};
 use pellicle_identify::fit_file::evaluation_file::{Evaluated, EvaluatedFile};
-use pellicle_identify::indentation::{Drift, EvaluationSettings, IndentationNumber};
+use pellicle_identify::indentation::{
+    Drift, EvaluationSettings, IndentationNumber, IndentationNumbers,
+};
 
 use crate::identification::findings::WarningResult;
 
@@ -31,8 +33,9 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
         let curve = evaluated.unloading();
         if let Some(curve) = curve.filter(|curve| curve.unloading.is_at_bound) {
             let message = format!(
-                "the exponent of the unloading is held at its bound, {}: within its noise it lies beyond",
-                curve.unloading.exponent
+                "the exponent of the unloading is at its bound, {}, wanted one above 1 and below 2: is `unloading` the right \
+                 part, and does the depth still creep?",
+                significant(curve.unloading.exponent, 4)
             );
             warn("exponent-at-bound", message);
         }
@@ -62,19 +65,55 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
         }
     }
     found.extend(without_drift(curves, settings));
+    found.extend(pile_up(curves));
     found
 }
 
+/// Above this final depth over the largest, a body that does not harden piles up around its imprint: A. Bolshakov and
+/// G. M. Pharr, J. Mater. Res. 13, 1049 (1998).
+const PILES_UP: f64 = 0.7;
+
+/// That the area may be larger than the area function says.
+fn pile_up(curves: &[EvaluatedFile]) -> Option<WarningResult> {
+    let contacts = curves
+        .iter()
+        .filter_map(|file| file.evaluated.as_ref().ok());
+    let contacts: Vec<_> = contacts.flat_map(Evaluated::contacts).collect();
+    let left = |of: &IndentationNumbers| {
+        let value = |number| of.get(number).map(|of| of.value);
+        let deepest = value(IndentationNumber::MaxDepth)?;
+        let last = value(IndentationNumber::FinalDepth).or_else(|| {
+            // Of a paraboloid's unloading, h_f = h_max − 3/2 P/S.
+            let force = value(IndentationNumber::MaxForce)?;
+            Some(deepest - 1.5 * force / value(IndentationNumber::ContactStiffness)?)
+        });
+        Some(last? / deepest)
+    };
+    let ratios: Vec<f64> = contacts.iter().filter_map(|of| left(of)).collect();
+    let above: Vec<f64> = ratios.iter().copied().filter(|of| *of > PILES_UP).collect();
+    let most = above.iter().copied().fold(0.0, f64::max);
+    (!above.is_empty()).then(|| WarningResult {
+        code: "pile-up".into(),
+        message: format!(
+            "{} of {} keep up to {} % of their depth: a material that hardens little piles up around such imprints, and the \
+             true area is then larger than that of the area function, by up to 60 %; moduli fall by half of that, and \
+             hardnesses by all of it",
+            above.len(),
+            count(ratios.len(), "imprint"),
+            significant(100.0 * most, 2)
+        ),
+    })
+}
+
 /// That no hold tells the drift, and none is taken out.
-fn without_drift(
-    curves: &[EvaluatedFile],
-    settings: &EvaluationSettings,
-) -> Option<WarningResult> {
+fn without_drift(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Option<WarningResult> {
     if settings.drift != Drift::OfHoldIfFound {
         return None;
     }
     let evaluated = || {
-        let found = curves.iter().filter_map(|file| file.evaluated.as_ref().ok());
+        let found = curves
+            .iter()
+            .filter_map(|file| file.evaluated.as_ref().ok());
         found.filter_map(Evaluated::unloading)
     };
     let without = evaluated().filter(|curve| curve.drift.is_none()).count();

@@ -45,7 +45,8 @@ pub fn source(
         return Err(table.refused("file", error));
     }
     let value = |of: &IndentationNumbers, number| of.get(number).unwrap_or_default().value;
-    let each = |read: &dyn Fn(&IndentationNumbers) -> f64| contacts.iter().map(|of| read(of)).collect();
+    let each =
+        |read: &dyn Fn(&IndentationNumbers) -> f64| contacts.iter().map(|of| read(of)).collect();
     let radii = each(&|of| (value(of, IndentationNumber::Area) / PI).sqrt());
     let stiffnesses =
         each(&|of| value(of, IndentationNumber::ContactStiffness) / settings.beta.value);
@@ -57,7 +58,13 @@ pub fn source(
     // One measurement stands for all files of the table, with a row for each contact.
     let mut measured = files[0].measured.clone();
     measured.rows = (1..=contacts.len()).collect();
-    Ok(CurveSource::of_readings(measured, [radii, stiffnesses], thinned))
+    // They are told with those of the evaluations.
+    measured.warnings.clear();
+    Ok(CurveSource::of_readings(
+        measured,
+        [radii, stiffnesses],
+        thinned,
+    ))
 }
 
 impl Identification {
@@ -65,7 +72,9 @@ impl Identification {
     #[must_use]
     pub fn evaluation_warnings(&self) -> Vec<WarningResult> {
         let settings = self.file.evaluation.as_ref();
-        settings.map_or(Vec::new(), |settings| warnings::all(&self.evaluated, settings))
+        settings.map_or(Vec::new(), |settings| {
+            warnings::all(&self.evaluated, settings)
+        })
     }
 
     /// The contacts with their numbers; where the fit has one unknown, with its value from each alone.
@@ -76,10 +85,14 @@ impl Identification {
             return found;
         };
         // In the order of the tables, as the evaluations are.
-        let readings = self.sources.iter().zip(&self.tables).flat_map(|(source, table)| {
-            let stiffnesses = source.observed.iter().copied().enumerate();
-            stiffnesses.map(|(point, stiffness)| (*table, point, stiffness))
-        });
+        let readings = self
+            .sources
+            .iter()
+            .zip(&self.tables)
+            .flat_map(|(source, table)| {
+                let stiffnesses = source.observed.iter().copied().enumerate();
+                stiffnesses.map(|(point, stiffness)| (*table, point, stiffness))
+            });
         let files: Vec<&EvaluatedFile> = self.evaluated.iter().collect();
         let numbers = contacts(&files);
         for ((found, numbers), (table, point, stiffness)) in
@@ -119,9 +132,13 @@ pub fn thinned(parameters: &ModelParameters, off: Vec<f64>) -> Option<Thinned> {
 #[must_use]
 pub fn noise(given: MeasuredNoise, evaluated: &[EvaluatedFile], file: &FitFile) -> Noise {
     let files: Vec<&EvaluatedFile> = evaluated.iter().collect();
-    let variances: Vec<f64> = contacts(&files).map(|of| relative_variance(of, 1.0)).collect();
+    let variances: Vec<f64> = contacts(&files)
+        .map(|of| relative_variance(of, 1.0))
+        .collect();
     let count = variances.len();
-    let own = (variances.iter().sum::<f64>() / count as f64).sqrt().max(DIGITS);
+    let own = (variances.iter().sum::<f64>() / count as f64)
+        .sqrt()
+        .max(DIGITS);
     let relative = match given.relative {
         Some(relative) => Amount::Given(relative),
         None if given.stiffness.is_some() => Amount::Given(0.0),

@@ -2,6 +2,7 @@
 
 use pellicle_contact::axisymmetric::AxisymmetricElasticity;
 use pellicle_contact::{ContactError, Model, ModelParameter};
+use pellicle_influence::ElasticBodies;
 
 use super::curve::{ContactCurve, Thinned};
 use crate::Prediction;
@@ -19,7 +20,8 @@ impl ContactCurve {
         model: &Model,
         sought: &[ModelParameter],
     ) -> Result<Prediction, ContactError> {
-        let at = self.punches(model)?;
+        let bodies = model.tables.bodies();
+        let at = self.punches(bodies)?;
         let mut prediction = Prediction {
             value: at.iter().map(|[stiffness, _]| *stiffness).collect(),
             slope: at.iter().map(|[_, slope]| *slope).collect(),
@@ -29,7 +31,7 @@ impl ContactCurve {
             let value = model.parameter(*parameter).unwrap_or(f64::NAN);
             let moved = |factor: f64| {
                 let moved = value * factor;
-                Ok((moved, self.punches(&model.with_parameter(*parameter, moved)?)?))
+                Ok((moved, self.punches(&with(bodies, *parameter, moved)?)?))
             };
             let (less, below) = moved(1.0 - STEP)?;
             // A ratio of one half has no neighbour above.
@@ -64,8 +66,8 @@ impl ContactCurve {
         };
         // ln S of ln θ
         let at = |x: f64| -> Result<[f64; 2], ContactError> {
-            let model = alone.model.with_parameter(parameter, x.exp())?;
-            Ok(alone.punches(&model)?[0])
+            let bodies = with(alone.model.tables.bodies(), parameter, x.exp())?;
+            Ok(alone.punches(&bodies)?[0])
         };
         let miss = |x: f64| Ok::<f64, ContactError>((at(x)?[0] / stiffness).ln());
         let Some(x) = root(miss, [low.ln(), high.ln()])? else {
@@ -81,23 +83,41 @@ impl ContactCurve {
     }
 
     /// Stiffness (N/m) and its derivative by the radius at each radius.
-    fn punches(&self, model: &Model) -> Result<Vec<[f64; 2]>, ContactError> {
-        let whole = AxisymmetricElasticity::new(model.tables.bodies());
+    fn punches(&self, bodies: &ElasticBodies) -> Result<Vec<[f64; 2]>, ContactError> {
+        let whole = AxisymmetricElasticity::new(bodies);
         let punch = |body: &AxisymmetricElasticity, radius: f64| {
             let punch = body.punch(radius)?;
             Ok([punch.stiffness, punch.stiffness_slope])
         };
-        let points = self.abscissae.iter().enumerate();
-        points
-            .map(|(point, radius)| {
-                let Some(Thinned { thickness, off }) = &self.thinned else {
-                    return punch(&whole, *radius);
-                };
-                let left = model.parameter(*thickness).unwrap_or(f64::NAN) - off[point];
-                let model = model.with_parameter(*thickness, left)?;
-                punch(&AxisymmetricElasticity::new(model.tables.bodies()), *radius)
-            })
-            .collect()
+        let at = |(point, radius): (usize, &f64)| {
+            let Some(Thinned { thickness, off }) = &self.thinned else {
+                return punch(&whole, *radius);
+            };
+            let left = value(bodies, *thickness).unwrap_or(f64::NAN) - off[point];
+            let thinned = with(bodies, *thickness, left)?;
+            punch(&AxisymmetricElasticity::new(&thinned), *radius)
+        };
+        self.abscissae.iter().enumerate().map(at).collect()
+    }
+}
+
+/// The value of a parameter of the bodies.
+fn value(bodies: &ElasticBodies, parameter: ModelParameter) -> Option<f64> {
+    match parameter {
+        ModelParameter::Elastic(of) => bodies.parameter(of),
+        ModelParameter::Relief(_) | ModelParameter::Indenter(_) => None,
+    }
+}
+
+/// The bodies with another value of a parameter; those of the indenter's shape do not change them.
+fn with(
+    bodies: &ElasticBodies,
+    parameter: ModelParameter,
+    value: f64,
+) -> Result<ElasticBodies, ContactError> {
+    match parameter {
+        ModelParameter::Elastic(of) => Ok(bodies.with_parameter(of, value)?),
+        ModelParameter::Relief(_) | ModelParameter::Indenter(_) => Ok(bodies.clone()),
     }
 }
 

@@ -186,7 +186,10 @@ fn unit_of_coefficient(k: usize) -> String {
 /// A number with a power of a length: `120 nm`, `-3.1 nm^(3/2)`, `5 um^1.75`.
 fn with_unit(text: &str, power: f64) -> Option<f64> {
     let (number, unit) = text.trim().split_once(char::is_whitespace)?;
-    let number: f64 = number.parse().ok().filter(|number: &f64| number.is_finite())?;
+    let number: f64 = number
+        .parse()
+        .ok()
+        .filter(|number: &f64| number.is_finite())?;
     let (length, written) = match unit.trim().split_once('^') {
         None => (unit.trim(), 1.0),
         Some((length, written)) => {
@@ -222,8 +225,8 @@ fn of_file(
     };
     let bytes = sources.read(&sources.path(name));
     let bytes = bytes.map_err(|error| refused(format!("cannot be read: {error}")))?;
-    let text = String::from_utf8(bytes.into_owned())
-        .map_err(|_| refused("is not a text".into()))?;
+    let text =
+        String::from_utf8(bytes.into_owned()).map_err(|_| refused("is not a text".into()))?;
     let source = Arc::new(Source::new(name.to_owned(), text));
     let read = || -> Result<Area, Diagnosis> {
         let root = toml_tree::parse(&source)?;
@@ -232,8 +235,11 @@ fn of_file(
         let rows = table.required("covariance", "the covariance of the coefficients, SI")?;
         let number = |of: &ValueReader<'_>| of.number("a finite number");
         let row = |of: &ValueReader<'_>| of.items("a row")?.iter().map(number).collect();
-        let covariance: Vec<Vec<f64>> =
-            rows.items("rows of numbers")?.iter().map(row).collect::<Result<_, _>>()?;
+        let covariance: Vec<Vec<f64>> = rows
+            .items("rows of numbers")?
+            .iter()
+            .map(row)
+            .collect::<Result<_, _>>()?;
         if covariance.iter().any(|row| row.len() != covariance.len())
             || covariance.len() != function.len()
         {
@@ -241,11 +247,14 @@ fn of_file(
         }
         let depths = table.required("depths", "the least and the largest contact depth")?;
         let length = |of: &ValueReader<'_>| of.quantity(Dimension::Length, Sign::Positive);
-        let depths: Vec<f64> = depths.items("two depths")?.iter().map(length).collect::<Result<_, _>>()?;
+        let depths: Vec<f64> = depths
+            .items("two depths")?
+            .iter()
+            .map(length)
+            .collect::<Result<_, _>>()?;
         let frame = table.optional("frame_compliance");
-        let frame = frame.map(|of| {
-            uncertain(&of, Some(Dimension::FrameCompliance), Sign::NotNegative)
-        });
+        let frame =
+            frame.map(|of| uncertain(&of, Some(Dimension::FrameCompliance), Sign::NotNegative));
         Ok(Area {
             function: Some(AreaFunction::Polynomial(function)),
             covariance,
@@ -337,7 +346,10 @@ fn part(table: &TableReader<'_>) -> Result<[f64; 2], Diagnosis> {
         return Ok([0.95, 0.40]);
     };
     let ends = field.items(WANTED)?;
-    let ends: Vec<f64> = ends.iter().map(|end| end.number(WANTED)).collect::<Result<_, _>>()?;
+    let ends: Vec<f64> = ends
+        .iter()
+        .map(|end| end.number(WANTED))
+        .collect::<Result<_, _>>()?;
     match ends[..] {
         [high, low] if high <= 1.0 && low > 0.0 && low < high => Ok([high, low]),
         _ => Err(field.wanted(WANTED)),
@@ -365,9 +377,11 @@ fn depth_zero(table: &TableReader<'_>) -> Result<DepthZero, Diagnosis> {
     match field.value() {
         TomlValue::Text(text) if text == "first contact" => Ok(DepthZero::FirstContact),
         TomlValue::Text(text) if text == "as recorded" => Ok(DepthZero::AsRecorded),
-        TomlValue::Text(text) if quantity::dimension_of(text) != Some(Dimension::Length) => Err(
-            field.wanted("\"first contact\", \"as recorded\" or a depth of the file such as \"3 nm\""),
-        ),
+        TomlValue::Text(text) if quantity::dimension_of(text) != Some(Dimension::Length) => {
+            Err(field.wanted(
+                "\"first contact\", \"as recorded\" or a depth of the file such as \"3 nm\"",
+            ))
+        }
         _ => uncertain(&field, Some(Dimension::Length), Sign::Any).map(DepthZero::At),
     }
 }

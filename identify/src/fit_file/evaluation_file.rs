@@ -158,10 +158,7 @@ impl EvaluatedFile {
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first file that gives no curve.
-    pub fn all(
-        data: &[DataTable],
-        settings: &EvaluationSettings,
-    ) -> Result<Vec<Self>, Diagnosis> {
+    pub fn all(data: &[DataTable], settings: &EvaluationSettings) -> Result<Vec<Self>, Diagnosis> {
         let tables = data.iter().enumerate();
         let mut measured = Vec::new();
         for (table, data) in tables.filter(|(_, data)| data.is_unloading()) {

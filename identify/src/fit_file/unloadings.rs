@@ -34,12 +34,10 @@ pub(super) fn evaluation(
 impl FitModel {
     /// Gives the model the flat punch of an imprint, of the tip's material: an indenter of the case does not enter, and
     /// the radius of the punch is that of each contact.
-    pub(super) fn give_indenter(
-        &mut self,
-        settings: &EvaluationSettings,
-    ) -> Result<(), Diagnosis> {
+    pub(super) fn give_indenter(&mut self, settings: &EvaluationSettings) -> Result<(), Diagnosis> {
         if let Some(place) = self.place_of("surface") {
-            let wanted = "none: unloadings are compared with a flat punch on layers without a relief";
+            let wanted =
+                "none: unloadings are compared with a flat punch on layers without a relief";
             let fault = Fault::Wrong {
                 found: "a [surface]".into(),
                 wanted: wanted.into(),

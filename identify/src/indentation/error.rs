@@ -31,7 +31,9 @@ pub enum IndentationError {
         wanted: usize,
     },
     /// No times.
-    #[error("found no column of the time, which a drift wants: name it in `columns`, or set `drift = \"off\"`")]
+    #[error(
+        "found no column of the time, which a drift wants: name it in `columns`, or set `drift = \"off\"`"
+    )]
     NoTime,
     /// No hold.
     #[error(

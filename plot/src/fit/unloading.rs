@@ -54,8 +54,17 @@ pub fn draw(title: &str, panels: &[UnloadingPanel], style: &Style) -> String {
         heading::HEIGHT + rows as f64 * high + 8.0,
     );
     if style.heading == Heading::Shown {
-        let numbers = format!("{}, evaluated by Oliver and Pharr", count(panels.len(), "unloading"));
-        heading::draw(&mut svg, LEFT, columns as f64 * wide - LEFT, title, &numbers);
+        let numbers = format!(
+            "{}, evaluated by Oliver and Pharr",
+            count(panels.len(), "unloading")
+        );
+        heading::draw(
+            &mut svg,
+            LEFT,
+            columns as f64 * wide - LEFT,
+            title,
+            &numbers,
+        );
     }
     for (place, panel) in panels.iter().enumerate() {
         let (column, row) = (place % COLUMNS, place / COLUMNS);
