@@ -16,6 +16,7 @@
 mod area_function;
 mod contact;
 mod correction;
+mod effective_indenter;
 mod error;
 mod evaluation;
 mod inputs;
@@ -29,6 +30,7 @@ mod unloading;
 
 pub use area_function::{AreaFunction, Tip, TipShape};
 pub use correction::DriftHold;
+pub use effective_indenter::{EffectiveIndenter, EffectiveIndenterError, UnloadingPoint};
 pub use error::IndentationError;
 pub use evaluation::{EvaluatedCurve, IndentationCurve, evaluate, evaluate_stiffnesses};
 pub use number::IndentationNumber;
