@@ -26,6 +26,8 @@ pub enum Template {
     CubeCorner,
     /// A rounded cone on a coating
     Cone,
+    /// The imprint of an indenter unloaded: a power-law indenter on a coating, with the stresses inside
+    Power,
     /// A flat punch on an elastic layer on a rigid base
     FlatPunch,
     /// A ball on a half-space, to compare with the closed form
@@ -65,6 +67,7 @@ impl Template {
             Self::Vickers => include_str!("templates/vickers.toml"),
             Self::CubeCorner => include_str!("templates/cube-corner.toml"),
             Self::Cone => include_str!("templates/cone.toml"),
+            Self::Power => include_str!("templates/power.toml"),
             Self::FlatPunch => include_str!("templates/flat-punch.toml"),
             Self::Hertz => include_str!("templates/hertz.toml"),
             Self::Rough => include_str!("templates/rough.toml"),

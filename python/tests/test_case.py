@@ -78,6 +78,7 @@ EVERYTHING = pl.Case(
         (lambda: pl.Sphere("0.5 N"), "radius"),
         (lambda: pl.Sphere(1.0, young_modulus=1.0), "poisson_ratio"),
         (lambda: pl.Cone("91 deg"), "half_angle"),
+        (lambda: pl.PowerLaw(0.5, "1 um"), "exponent"),
         (lambda: pl.Film("1 nm", "hard"), "young_modulus"),
         (lambda: pl.Cylinders(2.0, 1.0, 3.0), "radius"),
         (lambda: pl.Output(formats=["hdf5"]), "formats[0]"),  # type: ignore[list-item]
@@ -131,6 +132,7 @@ def test_a_hardness_limits_the_pressure() -> None:
         pl.Paraboloid(1.0),
         pl.Sphere(1.0),
         pl.Cone(1.2),
+        pl.PowerLaw(3.2, 1.0),
         pl.Berkovich(),
         pl.Vickers(0.1),
         pl.CubeCorner(0.1, 0.6),
@@ -199,6 +201,7 @@ def fields(*kinds: type[Any]) -> set[str]:
         ("indenter", pl.Paraboloid, {"kind"}, set()),
         ("indenter", pl.Sphere, {"kind"}, set()),
         ("indenter", pl.Cone, {"kind"}, set()),
+        ("indenter", pl.PowerLaw, {"kind"}, set()),
         ("indenter", pl.Berkovich, {"kind"}, set()),
         ("indenter", pl.Vickers, {"kind"}, set()),
         ("indenter", pl.CubeCorner, {"kind"}, set()),
