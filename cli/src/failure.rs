@@ -72,6 +72,14 @@ pub enum Failure {
         /// The fault, if a variable is wrong.
         found: Option<String>,
     },
+    /// No fit can be drafted from the measured curves.
+    #[error(transparent)]
+    Draft(#[from] pellicle_identify::draft::DraftError),
+    /// A template that is not drafted from measured curves.
+    #[error(
+        "found --from with a template of a case, wanted fit or fit-afm: pellicle init fit --from CURVE"
+    )]
+    NotDrafted,
     /// The model of a fit file has no curve.
     #[error("the measurement cannot be simulated: {0}")]
     NotSimulated(String),

@@ -1,0 +1,387 @@
+//! Files that are read in the same way: one `[[data]]` table, whose guesses its own reader has confirmed.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use pellicle::display::{Unit, significant};
+use pellicle::input::span::Source;
+
+use super::data_text::{self, Line};
+use super::history::{History, Hold};
+use super::survey::Survey;
+use super::words::{quantity, quoted, seconds};
+use super::{DraftError, DraftKind};
+use crate::measured::channel::Channel;
+use crate::measured::curve::MeasuredCurve;
+use crate::measured::data_table::DataTable;
+use crate::measured::error::CurveError;
+use crate::measured::sources;
+
+/// A baseline is subtracted if its slope is this many standard errors
+const SLOPE_ERRORS: f64 = 4.0;
+/// and over the contact changes the force by this part of the largest: otherwise its zero alone is sought.
+const SLOPE_PART: f64 = 0.01;
+/// A ball is used to this part of its radius, where its slope at the rim of the contact, √(D/R), is just below the 0.3
+/// that a fit admits.
+const DEPTH_PART: f64 = 0.08;
+/// The force there is the mean of so many neighbours.
+const NEIGHBOURS: usize = 9;
+/// So many points must be left.
+const FEWEST_POINTS: usize = 20;
+/// The radius of a ball on a cantilever, m, if the file states none.
+pub(super) const SOFT_RADIUS: f64 = 5e-6;
+
+/// Files that are read in the same way.
+#[derive(Debug)]
+pub(super) struct Group {
+    /// The first of them.
+    pub(super) survey: Survey,
+    /// Its curve, as the drafted table reads it.
+    pub(super) curve: MeasuredCurve,
+    /// Whether the body is soft: probed by a cantilever.
+    pub(super) is_soft: bool,
+    /// Number of files.
+    pub(super) count: usize,
+    /// What `file` says, once for each table.
+    files: Vec<String>,
+    lines: Vec<Line>,
+}
+
+impl Group {
+    /// Groups files that are curves; others become failures.
+    pub(super) fn all(
+        surveys: Vec<Survey>,
+        folder: &Path,
+        kind: DraftKind,
+        failures: &mut Vec<DraftError>,
+    ) -> Vec<Self> {
+        let mut alike: Vec<(Vec<Line>, Vec<(Survey, MeasuredCurve)>)> = Vec::new();
+        for mut survey in surveys {
+            match read_either_way(&mut survey, folder) {
+                Ok(curve) => {
+                    let keys = data_text::keys(&survey);
+                    match alike.iter_mut().find(|(known, _)| *known == keys) {
+                        Some((_, members)) => members.push((survey, curve)),
+                        None => alike.push((keys, vec![(survey, curve)])),
+                    }
+                }
+                Err(error) => failures.push(error),
+            }
+        }
+        let groups = alike.into_iter();
+        groups
+            .filter_map(|(keys, members)| Self::of(keys, members, folder, kind))
+            .collect()
+    }
+
+    fn of(
+        mut lines: Vec<Line>,
+        mut members: Vec<(Survey, MeasuredCurve)>,
+        folder: &Path,
+        kind: DraftKind,
+    ) -> Option<Self> {
+        let count = members.len();
+        let pop_in = members
+            .iter()
+            .find_map(|(survey, _)| survey.history.as_ref()?.pop_in);
+        let is_stiffness = members
+            .iter()
+            .all(|(survey, _)| survey.has(Channel::Stiffness));
+        let is_soft = kind == DraftKind::Afm || members.iter().all(|(of, _)| of.spring.is_some());
+        lines.extend(baseline(&members).filter(|_| !is_stiffness));
+        let reread = |survey: &Survey| read(survey, folder, &lines).ok();
+        // The forces of the segment are those above the baseline.
+        for (survey, curve) in &mut members {
+            if let Some(again) = reread(survey) {
+                *curve = again;
+            }
+        }
+        if let Some(pop_in) = pop_in.filter(|_| !is_stiffness) {
+            let why = format!(
+                "a pop-in of {} in row {}, at {}: before it the contact is elastic",
+                quantity(pop_in.height, Unit::Metre),
+                pop_in.row,
+                quantity(pop_in.force, Unit::Newton)
+            );
+            lines.push(Line::new(
+                "segment = { until = \"largest depth step\" }",
+                why,
+            ));
+        } else if is_soft {
+            let ends = members
+                .iter()
+                .filter_map(|(survey, curve)| shallow(survey, curve));
+            lines.extend(ends.min_by(f64::total_cmp).map(shallow_line));
+        }
+        let paths: Vec<PathBuf> = members
+            .iter()
+            .map(|(survey, _)| survey.file.clone())
+            .collect();
+        let (survey, curve) = members.into_iter().next()?;
+        let curve = read(&survey, folder, &lines).unwrap_or(curve);
+        Some(Self {
+            survey,
+            curve,
+            is_soft,
+            count,
+            files: named(&paths, folder),
+            lines,
+        })
+    }
+
+    /// Its tables.
+    pub(super) fn text(&self) -> String {
+        let mut text = String::new();
+        for sentence in self.story() {
+            text += &format!("# {sentence}\n");
+        }
+        for file in &self.files {
+            let key = Line::new(format!("file = {}", quoted(file)), self.counted());
+            text += "[[data]]\n";
+            text.extend([&key].into_iter().chain(&self.lines).map(Line::text));
+            text.push('\n');
+        }
+        text
+    }
+
+    /// What is to be told at once.
+    pub(super) fn remarks(&self) -> Vec<String> {
+        self.story()
+    }
+
+    fn counted(&self) -> String {
+        if self.files.len() == 1 && self.count > 1 {
+            format!(
+                "{} files: repeats, whose scatter is told; identify --each fits each alone",
+                self.count
+            )
+        } else {
+            String::new()
+        }
+    }
+
+    /// What happens in the first file, in sentences.
+    fn story(&self) -> Vec<String> {
+        let mut story: Vec<String> = Vec::new();
+        if let Some(history) = &self.survey.history {
+            story.push(happened(history));
+            if history.is_plastic() && !self.is_soft {
+                story.push(format!(
+                    "The unloading gives back {} % of the work: an imprint is left, so the loading is more than elastic \
+                     contact.",
+                    significant(100.0 * history.returned.unwrap_or(0.0), 2)
+                ));
+            }
+        }
+        story.extend(self.approach());
+        story
+    }
+
+    /// The stretch before the contact.
+    fn approach(&self) -> Option<String> {
+        let before = self.curve.before_contact?;
+        let forces = self.curve.force()?.iter().copied();
+        let largest = forces.fold(0.0, f64::max);
+        let adhesion = before.adhesion(largest).map(|pull_off| {
+            format!(
+                " It is pulled back by {} on the way out: adhesion, which this model lacks.",
+                quantity(pull_off, Unit::Newton)
+            )
+        });
+        Some(format!(
+            "The contact begins near row {}, at {}; before it {} points lie about a line with {} of noise.{}",
+            before.contact_row,
+            quantity(before.contact, Unit::Metre),
+            before.line.points,
+            quantity(before.line.noise, Unit::Newton),
+            adhesion.unwrap_or_default()
+        ))
+    }
+}
+
+fn happened(history: &History) -> String {
+    let (force, row) = history.peak;
+    let hold = |hold: &Hold| {
+        let [from, to] = hold.rows;
+        let time = hold.seconds.map(|time| format!(" of {}", seconds(time)));
+        let force = quantity(hold.force, Unit::Newton);
+        format!(
+            "; hold{} at {force} (rows {from} to {to})",
+            time.unwrap_or_default()
+        )
+    };
+    let holds: String = history.holds.iter().map(hold).collect();
+    let force = quantity(force, Unit::Newton);
+    format!(
+        "{} rows: the largest force is {force} in row {row}{holds}.",
+        history.rows
+    )
+}
+
+/// Reads a curve, with the sign of its depth reversed if that alone makes it one.
+fn read_either_way(survey: &mut Survey, folder: &Path) -> Result<MeasuredCurve, DraftError> {
+    match read(survey, folder, &data_text::keys(survey)) {
+        Err(DraftError::Curve {
+            error: CurveError::DepthFalls,
+            file,
+        }) if survey.spring.is_none() => {
+            survey.is_reversed = true;
+            let error = CurveError::DepthFalls;
+            let again = read(survey, folder, &data_text::keys(survey));
+            again.map_err(|_| DraftError::Curve { file, error })
+        }
+        read => read,
+    }
+}
+
+/// Reads a curve with these keys.
+fn read(survey: &Survey, folder: &Path, lines: &[Line]) -> Result<MeasuredCurve, DraftError> {
+    let file = || survey.file.clone();
+    let keys: String = lines.iter().map(|line| format!("{}\n", line.key)).collect();
+    let text = format!(
+        "[[data]]\nfile = {}\n{keys}",
+        quoted(&relative(&survey.file, folder))
+    );
+    let refused = |message: String| DraftError::Refused {
+        file: file(),
+        message,
+    };
+    let source = Arc::new(Source::new("draft", text));
+    let tables =
+        DataTable::parse_all(&source, folder).map_err(|error| refused(error.to_string()))?;
+    let table = tables.first().ok_or(DraftError::NoFiles)?;
+    MeasuredCurve::read(&survey.file, table).map_err(|error| DraftError::Curve {
+        file: file(),
+        error,
+    })
+}
+
+/// The baseline, if all curves show a stretch before the contact and it has a slope.
+fn baseline(members: &[(Survey, MeasuredCurve)]) -> Option<Line> {
+    let before = members
+        .iter()
+        .map(|(_, curve)| Some((curve.before_contact?, curve)));
+    let before: Vec<_> = before.collect::<Option<_>>()?;
+    let is_sloped = before.iter().any(|(before, curve)| {
+        let line = &before.line;
+        let coordinate = curve.approach().or(curve.depth()).unwrap_or_default();
+        let end = coordinate.iter().copied().fold(before.contact, f64::max);
+        let largest = curve
+            .force()
+            .unwrap_or_default()
+            .iter()
+            .copied()
+            .fold(0.0, f64::max);
+        let change = line.slope.abs() * (end - before.contact);
+        line.slope.abs() > SLOPE_ERRORS * line.slope_sd
+            && change > SLOPE_PART * (largest - line.force)
+    });
+    let (first, _) = before.first()?;
+    is_sloped.then(|| {
+        let slope = quantity(first.line.slope, Unit::NewtonPerMetre);
+        Line::new(
+            "baseline = \"before contact\"",
+            format!("the force has a slope of {slope} before the contact"),
+        )
+    })
+}
+
+/// The force at which a ball would be too steep, N; none if the curve ends before.
+fn shallow(survey: &Survey, curve: &MeasuredCurve) -> Option<f64> {
+    let radius = survey
+        .stated_radius()
+        .map_or(SOFT_RADIUS, |stated| stated.value);
+    let row = curve.before_contact?.contact_row;
+    let first = curve.rows.iter().position(|of| *of >= row)?;
+    let (depths, forces) = (curve.depth()?, curve.force()?);
+    let beyond = |depth: &f64| depth - depths[first] > DEPTH_PART * radius;
+    let place = first + depths[first..].iter().position(beyond)?;
+    let near =
+        &forces[place.saturating_sub(NEIGHBOURS / 2)..(place + NEIGHBOURS / 2).min(forces.len())];
+    (place - first >= FEWEST_POINTS).then(|| near.iter().sum::<f64>() / near.len() as f64)
+}
+
+fn shallow_line(force: f64) -> Line {
+    let key = format!(
+        "segment = {{ to = {} }}",
+        quoted(&quantity(force, Unit::Newton))
+    );
+    let why = "deeper than some 0.08 of its radius a ball is too steep for the model: larger with your radius";
+    Line::new(key, why)
+}
+
+/// The names of files as a fit file in a folder has them: a pattern if one matches just them.
+fn named(files: &[PathBuf], folder: &Path) -> Vec<String> {
+    let names: Vec<String> = files.iter().map(|file| relative(file, folder)).collect();
+    pattern(&names, files, folder).map_or(names, |pattern| vec![pattern])
+}
+
+fn pattern(names: &[String], files: &[PathBuf], folder: &Path) -> Option<String> {
+    let (first, others) = names.split_first()?;
+    if others.is_empty() {
+        return None;
+    }
+    let common = |same: &dyn Fn(&str, &str) -> usize| {
+        others
+            .iter()
+            .map(|other| same(first, other))
+            .min()
+            .unwrap_or(0)
+    };
+    let alike = |one: &mut dyn Iterator<Item = char>, other: &mut dyn Iterator<Item = char>| {
+        let pairs = one.zip(other).take_while(|(a, b)| a == b);
+        pairs.map(|(a, _)| a.len_utf8()).sum()
+    };
+    let start = common(&|one, other| alike(&mut one.chars(), &mut other.chars()));
+    let end = common(&|one, other| alike(&mut one.chars().rev(), &mut other.chars().rev()));
+    let shortest = names.iter().map(String::len).min()?;
+    let end = end.min(shortest - start);
+    let folder_end = first.rfind('/').map_or(0, |place| place + 1);
+    let ending = first
+        .rfind('.')
+        .filter(|dot| *dot >= folder_end)
+        .unwrap_or(first.len());
+    let candidates = [
+        format!("{}*{}", &first[..folder_end], &first[ending..]),
+        format!(
+            "{}*{}",
+            first.get(..start)?,
+            first.get(first.len() - end..)?
+        ),
+    ];
+    let canonical = |path: &PathBuf| path.canonicalize().ok();
+    let mut wanted: Vec<_> = files.iter().map(canonical).collect();
+    wanted.sort();
+    candidates.into_iter().find(|pattern| {
+        let mut found: Vec<_> = sources::files(folder, pattern)
+            .iter()
+            .map(canonical)
+            .collect();
+        found.sort();
+        found == wanted
+    })
+}
+
+/// The path of a file from a folder, with slashes; absolute where there is none.
+fn relative(file: &Path, folder: &Path) -> String {
+    let here = if folder.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        folder
+    };
+    let (Ok(file), Ok(folder)) = (file.canonicalize(), here.canonicalize()) else {
+        return file.to_string_lossy().into_owned();
+    };
+    let (of_file, of_folder): (Vec<_>, Vec<_>) =
+        (file.components().collect(), folder.components().collect());
+    let same = of_file
+        .iter()
+        .zip(&of_folder)
+        .take_while(|(one, other)| one == other)
+        .count();
+    let up = (same..of_folder.len()).map(|_| "..".to_owned());
+    let down = of_file[same..]
+        .iter()
+        .map(|part| part.as_os_str().to_string_lossy().into_owned());
+    up.chain(down).collect::<Vec<_>>().join("/")
+}
