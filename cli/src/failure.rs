@@ -80,6 +80,16 @@ pub enum Failure {
         "found --from with a template of a case, wanted fit or fit-afm: pellicle init fit --from CURVE"
     )]
     NotDrafted,
+    /// Curves of a fit file that give nothing when fitted alone; the others are written.
+    #[error(
+        "{failed} of {total} curves failed: their cause is in each.csv, with the results of the others"
+    )]
+    CurvesFailed {
+        /// Number of curves that failed.
+        failed: usize,
+        /// Number of all curves.
+        total: usize,
+    },
     /// The model of a fit file has no curve.
     #[error("the measurement cannot be simulated: {0}")]
     NotSimulated(String),

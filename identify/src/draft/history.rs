@@ -13,7 +13,7 @@ const BLOCKS: usize = 240;
 const HELD: f64 = 0.1;
 /// A hold has at least so many blocks,
 const SHORTEST_HOLD: usize = 5;
-/// and a force of at least this part of the largest: below there is no contact.
+/// and a force of at least this part of the range: below there is no contact.
 const LEAST_FORCE: f64 = 0.02;
 /// A pop-in is larger than this many times the median of the steps around it,
 const TIMES_AROUND: f64 = 10.0;
@@ -95,12 +95,14 @@ fn holds(raw: &RawCurve<'_>, forces: &[f64], valid: &[usize]) -> Vec<Hold> {
     let mean =
         |rows: &&[usize]| rows.iter().map(|row| forces[*row]).sum::<f64>() / rows.len() as f64;
     let means: Vec<f64> = blocks.iter().map(mean).collect();
-    let largest = means.iter().copied().fold(0.0, f64::max);
+    let lowest = means.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = means.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let travel: f64 = means.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
     let limit = HELD * travel / means.len() as f64;
     let is_held = |block: usize| {
         let next = means.get(block + 1).copied().unwrap_or(means[block]);
-        (next - means[block]).abs() < limit && means[block] > LEAST_FORCE * largest
+        (next - means[block]).abs() < limit
+            && means[block] - lowest > LEAST_FORCE * (largest - lowest)
     };
     let mut found: Vec<[usize; 2]> = Vec::new();
     for block in (0..means.len()).filter(|block| is_held(*block)) {

@@ -14,8 +14,8 @@ const POISSON_RATIOS: [f64; 2] = [0.5, 0.25];
 const HARD_RADIUS: f64 = 10e-6;
 /// The half-angle of the cone with the area of Berkovich's pyramid, degrees.
 const HALF_ANGLE: f64 = 70.3;
-/// The modulus is sought within this factor of its start: the radius may be wrong by a few powers of ten.
-const WITHIN: f64 = 1e4;
+/// The modulus is sought within this factor of its start: a radius wrong by a factor of thousand moves it by thirty.
+const WITHIN: f64 = 1e3;
 /// A modulus where the curve gives none, Pa, of a soft and of a hard body.
 const MODULI: [f64; 2] = [1e4, 1e11];
 
@@ -42,7 +42,7 @@ pub(super) fn fit_file(groups: &[Group]) -> String {
          # the words \"not in the file: put yours\".\n\n\
          [model.foundation]\n\
          # The modulus is a start: {start}.\n\
-         substrate = {{ young_modulus = {modulus}, poisson_ratio = {poisson_ratio} }}  # Poisson's ratio: {NOT_IN_THE_FILE}\n\n\
+         substrate = {{ young_modulus = {modulus}, poisson_ratio = {poisson_ratio} }}  # Poisson's ratio, {NOT_IN_THE_FILE}\n\n\
          # A coating on it, if there is one: remove the signs and put yours.\n\
          # [[model.foundation.layer]]\n\
          # thickness = \"1 um\"\n\
@@ -56,7 +56,7 @@ pub(super) fn fit_file(groups: &[Group]) -> String {
          # A layer's: \"foundation.layer[0].young_modulus\".\n\
          \"foundation.substrate.young_modulus\" = {{ from = {from}, to = {to} }}\n",
         start = if law.is_some() {
-            "by the closed form of this indenter"
+            "by the closed form of this indenter on a body without layers"
         } else {
             "a usual one"
         },
