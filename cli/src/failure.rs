@@ -77,7 +77,7 @@ pub enum Failure {
     Draft(#[from] pellicle_identify::draft::DraftError),
     /// A template that is not drafted from measured curves.
     #[error(
-        "found --from with a template of a case, wanted fit or fit-afm: pellicle init fit --from CURVE"
+        "found --from with a template of a case, wanted fit, fit-afm or fit-unloading: pellicle init fit --from CURVE"
     )]
     NotDrafted,
     /// Curves of a fit file that give nothing when fitted alone; the others are written.

@@ -18,6 +18,7 @@ mod cache;
 mod case_folders;
 mod command;
 mod each;
+mod evaluation;
 mod failure;
 mod fit_and_plan;
 mod identification;

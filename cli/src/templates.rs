@@ -41,6 +41,8 @@ pub enum Template {
     Fit,
     /// A fit of a modulus to an approach of a force microscope; with --from of yours
     FitAfm,
+    /// Modulus and hardness from an unloading, by Oliver and Pharr; with --from of yours
+    FitUnloading,
     /// A parameter study: a ball on coatings of several thicknesses under several loads
     Study,
     /// The JSON schema of a case, with which editors complete and check it while it is typed
@@ -64,6 +66,7 @@ impl Template {
             Self::RoughMap => return include_str!("templates/rough-surface.csv").into(),
             Self::Study => return include_str!("templates/study.toml").into(),
             Self::Fit => return include_str!("templates/fit.toml").into(),
+            Self::FitUnloading => return include_str!("templates/fit-unloading.toml").into(),
             Self::FitAfm => return include_str!("templates/fit-afm.toml").into(),
             Self::Cylinders => include_str!("templates/cylinders.toml"),
             Self::Film => include_str!("templates/film.toml"),
@@ -87,6 +90,7 @@ impl Template {
         match self {
             Self::Fit => Some(DraftKind::Guessed),
             Self::FitAfm => Some(DraftKind::Afm),
+            Self::FitUnloading => Some(DraftKind::Unloading),
             _ => None,
         }
     }
@@ -100,6 +104,7 @@ impl Template {
                 "put your file into it, or let it make one: pellicle identify {path} --simulate --out curve.txt; then \
                  pellicle identify {path}"
             ),
+            Self::FitUnloading => format!("put your file into it, then: pellicle identify {path}"),
             Self::Rough | Self::RoughPeriodic => format!(
                 "pellicle init rough-map --out rough-surface.csv beside it, and pellicle run {path}"
             ),
@@ -146,6 +151,7 @@ mod tests {
                 Template::Study
                     | Template::Fit
                     | Template::FitAfm
+                    | Template::FitUnloading
                     | Template::RoughMap
                     | Template::Schema
                     | Template::SummarySchema

@@ -7,6 +7,7 @@
 mod column_guess;
 mod data_text;
 mod error;
+mod evaluation_text;
 mod group;
 mod history;
 mod model_text;
@@ -29,10 +30,12 @@ pub const NOT_IN_THE_FILE: &str = "not in the file: put yours";
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DraftKind {
     /// What its columns tell: a cantilever's if there is the height of a piezo, otherwise an instrument's that measures
-    /// the depth.
+    /// the depth; if its unloading gives back too little work for an elastic contact, that is evaluated.
     Guessed,
     /// The approach of a force microscope, in soft matter.
     Afm,
+    /// A load and its unloading, to be evaluated by Oliver and Pharr.
+    Unloading,
 }
 
 /// A drafted fit file.
@@ -60,6 +63,11 @@ impl Draft {
                 Err(error) => failures.push(error),
             }
         }
+        // A fit file is of one kind: that of the first file.
+        let is_unloading = surveys.first().is_some_and(|first| first.is_unloading);
+        surveys
+            .iter_mut()
+            .for_each(|survey| survey.is_unloading = is_unloading);
         let groups = Group::all(surveys, folder, kind, &mut failures);
         let Some(first) = groups.first() else {
             return Err(failures.into_iter().next().unwrap_or(DraftError::NoFiles));
@@ -67,7 +75,11 @@ impl Draft {
         let left_out = |error: &DraftError| format!("left out: {error}");
         let remarks = first.remarks().into_iter();
         Ok(Self {
-            text: model_text::fit_file(&groups),
+            text: if is_unloading {
+                evaluation_text::fit_file(&groups)
+            } else {
+                model_text::fit_file(&groups)
+            },
             remarks: remarks.chain(failures.iter().map(left_out)).collect(),
         })
     }

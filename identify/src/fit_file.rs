@@ -1,5 +1,7 @@
 //! The fit file: the measurements, the unknowns with their priors, and the nuisances.
 
+pub mod evaluation;
+pub mod evaluation_file;
 pub mod model;
 pub mod nuisance;
 pub mod prior;

@@ -22,6 +22,7 @@ pub mod fit_file;
 mod forward_model;
 mod global_search;
 mod goodness;
+pub mod indentation;
 mod known_combination;
 mod least_squares;
 mod likelihood;

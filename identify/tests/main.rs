@@ -5,3 +5,4 @@ mod contact_curves;
 mod contact_fit;
 mod curves;
 mod fits;
+mod indentation;

@@ -248,7 +248,7 @@ pub fn dimensional(value: f64, dimension: Dimension, units: Units) -> String {
         (Dimension::Stiffness, _) => of(Unit::NewtonPerMetre),
         (_, Units::Consistent) => significant(value, 5),
         (Dimension::Compliance, Units::Si) => format!("{} nm/GPa", significant(value * 1e18, 5)),
-        (Dimension::FrameCompliance | Dimension::Time, Units::Si) => {
+        (Dimension::FrameCompliance | Dimension::Time | Dimension::Speed, Units::Si) => {
             format!("{} {}", significant(value, 5), dimension.si_unit())
         }
     }

@@ -9,3 +9,4 @@ pub mod places;
 pub mod profiles;
 pub mod repeats;
 pub mod unknown;
+pub mod unloading;

@@ -1,6 +1,7 @@
 //! `pellicle identify`: fits a model to measured curves and reports the result.
 
 pub mod each;
+pub mod evaluation;
 pub mod plan;
 
 use std::path::Path;
@@ -11,6 +12,7 @@ use pellicle::input::source_file;
 use pellicle::run::Completeness;
 use pellicle_files::json;
 use pellicle_files::whole::{self, Existing};
+use pellicle_identify::fit_file::evaluation_file::Task;
 use pellicle_identify::fit_file::{FitFile, Measurements};
 use pellicle_identify::{Fit, FitVerdict, IdentifyError};
 
@@ -31,7 +33,10 @@ use crate::{interrupt, terminal, threads};
 /// prediction at all.
 pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
-    let file = FitFile::read(&arguments.path, Measurements::Required)?;
+    let file = match Task::read(&arguments.path, Measurements::Required)? {
+        Task::Evaluation(file) => return evaluation::evaluate(arguments, &file),
+        Task::Fit(file) => file,
+    };
     if let (true, Some(out)) = (arguments.simulate, &arguments.out) {
         return simulate(arguments, &file, out);
     }

@@ -10,6 +10,7 @@ use super::findings::WarningResult;
 use super::fitted_file::FittedFile;
 use super::pictures::{self, FitPicture};
 use super::{report, result, tables};
+use crate::evaluation;
 use crate::failure::Failure;
 use crate::output::write_progress::WriteProgress;
 use crate::withdrawn;
@@ -25,6 +26,7 @@ pub fn is_name(name: &str) -> bool {
         ending.is_some_and(|ending| [".svg", ".png"].contains(&ending))
     };
     [result::FILE, tables::EXCLUDED].contains(&name)
+        || evaluation::files::is_name(name)
         || withdrawn::is_file_of_a_fit(name)
         || TABLES.contains(&name)
         || FitPicture::ALL.iter().any(is_picture)

@@ -25,8 +25,19 @@ pub fn scale(largest: f64, unit: &str) -> DisplayUnit {
             own(1e-9 * divisor, &format!("{label}/GPa"))
         }
         "m/N" => own(1e-6, "nm/mN"),
+        "m/s" => own(1e-9, "nm/s"),
+        "m^2" => prefixed(largest, Unit::SquareMetre),
         "1" => own(1.0, ""),
         other => own(1.0, other),
+    }
+}
+
+/// The scale of a fraction in percent.
+#[must_use]
+pub fn percent() -> DisplayUnit {
+    DisplayUnit {
+        divisor: 0.01,
+        label: "%".into(),
     }
 }
 

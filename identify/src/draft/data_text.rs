@@ -54,7 +54,9 @@ pub(super) fn keys(survey: &Survey) -> Vec<Line> {
         };
         lines.push(Line::new(key, why));
     }
-    if survey.has(Channel::Stiffness) {
+    if survey.is_unloading {
+        lines.push(Line::new("observe = \"unloading\"", ""));
+    } else if survey.has(Channel::Stiffness) {
         let why = "it needs neither the zero of the depth nor an area function";
         lines.push(Line::new("observe = \"stiffness at force\"", why));
     }

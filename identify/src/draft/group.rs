@@ -96,7 +96,10 @@ impl Group {
                 *curve = again;
             }
         }
-        if let Some(pop_in) = pop_in.filter(|_| !is_stiffness) {
+        let is_unloading = members.iter().any(|(survey, _)| survey.is_unloading);
+        if is_unloading {
+            // An evaluation finds loading, hold and unloading itself.
+        } else if let Some(pop_in) = pop_in.filter(|_| !is_stiffness) {
             let why = format!(
                 "a pop-in of {} in row {}, at {}: before it the contact is elastic",
                 quantity(pop_in.height, Unit::Metre),
@@ -166,10 +169,16 @@ impl Group {
         if let Some(history) = &self.survey.history {
             story.push(happened(history));
             if history.is_plastic() && !self.is_soft {
+                let part = significant(100.0 * history.returned.unwrap_or(0.0), 2);
+                let then = match (self.survey.is_unloading, history.pop_in) {
+                    (true, _) => "it is evaluated by Oliver and Pharr.",
+                    (false, Some(_)) => {
+                        "pellicle init fit-unloading evaluates it by Oliver and Pharr."
+                    }
+                    (false, None) => "the loading is more than elastic contact.",
+                };
                 story.push(format!(
-                    "The unloading gives back {} % of the work: an imprint is left, so the loading is more than elastic \
-                     contact.",
-                    significant(100.0 * history.returned.unwrap_or(0.0), 2)
+                    "The unloading gives back {part} % of the work, so an imprint is left: {then}"
                 ));
             }
         }

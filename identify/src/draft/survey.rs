@@ -44,6 +44,8 @@ pub(super) struct Survey {
     pub(super) spring: Option<SpringGuess>,
     /// Whether the sign of the depth is reversed.
     pub(super) is_reversed: bool,
+    /// Whether its unloading is evaluated, and nothing fitted to a model.
+    pub(super) is_unloading: bool,
     /// What happens in it.
     pub(super) history: Option<History>,
 }
@@ -123,6 +125,20 @@ impl Survey {
             // A stiffness beyond the pop-in is that of an imprint.
             columns.retain(|column| column.channel != Channel::Stiffness);
         }
+        let is_imprint = history
+            .as_ref()
+            .is_some_and(|of| of.is_plastic() && of.pop_in.is_none());
+        let has_stiffness = columns
+            .iter()
+            .any(|column| column.channel == Channel::Stiffness);
+        let is_unloading = match kind {
+            DraftKind::Guessed => is_imprint && !is_cantilever && !has_stiffness,
+            DraftKind::Afm => false,
+            DraftKind::Unloading => true,
+        };
+        if is_unloading {
+            columns.retain(|column| column.channel != Channel::Stiffness);
+        }
         Ok(Self {
             file: file.to_owned(),
             width: table.columns,
@@ -132,6 +148,7 @@ impl Survey {
             columns,
             spring,
             is_reversed: false,
+            is_unloading,
             history,
             stated: table.stated,
         })
@@ -198,6 +215,7 @@ fn chosen(
     let load = force.or(find(Channel::Deflection));
     let prefers_height = kind == DraftKind::Afm || states_spring || depth.is_none();
     let time = find(Channel::Time);
+    let prefers_height = prefers_height && kind != DraftKind::Unloading;
     if let (Some(height), Some(load), true) = (height, load, prefers_height) {
         let columns = [Some(height), Some(load), time];
         return Some((columns.into_iter().flatten().collect(), true));

@@ -133,7 +133,13 @@ pub(super) fn subtract(
 
 /// The stretch, and whether it shows itself.
 fn find(raw: &RawCurve<'_>, rows: &[usize], data: &DataTable) -> Option<(BeforeContactRows, bool)> {
-    let (coordinate, forces) = curve(raw).filter(|_| data.segment.part == Branch::Loading)?;
+    let is_sought = data.segment.part == Branch::Loading || data.is_unloading;
+    let (coordinate, forces) = curve(raw).filter(|_| is_sought)?;
+    let rows = if data.is_unloading {
+        up_to_largest(rows, forces)
+    } else {
+        rows
+    };
     let [x, y] = [coordinate, forces].map(|values| chosen(values, rows));
     let line = BeforeContact::find(&x, &y)?;
     let below = |(x, force): (&f64, &f64)| line.force_at(*x) - force;
@@ -146,6 +152,13 @@ fn find(raw: &RawCurve<'_>, rows: &[usize], data: &DataTable) -> Option<(BeforeC
         line,
     };
     Some((found, line.shows_itself(&x, &y)))
+}
+
+/// The rows of a loading.
+fn up_to_largest<'r>(rows: &'r [usize], forces: &[f64]) -> &'r [usize] {
+    let places = 0..rows.len();
+    let largest = places.max_by(|a, b| forces[rows[*a]].total_cmp(&forces[rows[*b]]));
+    &rows[..largest.map_or(0, |place| place + 1)]
 }
 
 /// The coordinate along which a baseline runs, and the forces.

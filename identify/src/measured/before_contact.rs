@@ -176,7 +176,7 @@ impl BeforeContact {
 }
 
 /// How many neighbouring residuals count as one: `(1 + φ)/(1 − φ)`, with the correlation φ of neighbours.
-fn dependence(residual: &[f64]) -> f64 {
+pub(crate) fn dependence(residual: &[f64]) -> f64 {
     let products = dot(&residual[1..], &residual[..residual.len() - 1]);
     let persistence = (products / dot(residual, residual)).clamp(0.0, MOST_PERSISTENT);
     if persistence.is_nan() {

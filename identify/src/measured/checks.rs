@@ -1,8 +1,9 @@
 //! Checks of a curve before a fit: errors if it cannot be used, warnings if it is doubtful.
 
 use super::channel::Channel;
-use super::columns::{ColumnUnit, CurveColumns};
+use super::columns::ColumnUnit;
 use super::curve::{CurveWarning, MeasuredCurve};
+use super::data_table::DataTable;
 use super::error::CurveError;
 use super::exclusion::ExclusionReason;
 use super::spring::contact_slope;
@@ -37,7 +38,7 @@ pub(super) fn refuse(curve: &MeasuredCurve) -> Result<(), CurveError> {
 }
 
 /// The warnings about a curve.
-pub(super) fn warnings(curve: &MeasuredCurve, columns: &CurveColumns) -> Vec<CurveWarning> {
+pub(super) fn warnings(curve: &MeasuredCurve, data: &DataTable) -> Vec<CurveWarning> {
     let mut warnings = Vec::new();
     let mut warn = |code, message: String| warnings.push(CurveWarning::new(code, message));
     let points = curve.rows.len();
@@ -69,7 +70,8 @@ pub(super) fn warnings(curve: &MeasuredCurve, columns: &CurveColumns) -> Vec<Cur
                 .into(),
         );
     }
-    if let Some(area) = relative_area(curve).filter(|area| *area > LARGEST_AREA) {
+    let area = relative_area(curve).filter(|_| !data.is_unloading);
+    if let Some(area) = area.filter(|area| *area > LARGEST_AREA) {
         let message = format!(
             "the force rises ever more slowly with the depth (area under the curve {area:.2} of its rectangle, \
              elastic contacts have 0.5 or less): are the columns swapped, or is this not a contact?"
@@ -77,7 +79,7 @@ pub(super) fn warnings(curve: &MeasuredCurve, columns: &CurveColumns) -> Vec<Cur
         warn("concave-curve", message);
     }
     for (channel, least, most, unit) in USUAL {
-        let is_bare = columns.channels.iter().any(|(found, _, given)| {
+        let is_bare = data.columns.channels.iter().any(|(found, _, given)| {
             *found == channel && matches!(given, Some(ColumnUnit::Value(_)))
         });
         let Some((lowest, highest)) = curve.values(channel).filter(|_| !is_bare).map(range) else {

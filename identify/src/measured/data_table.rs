@@ -42,8 +42,10 @@ pub struct DataTable {
     pub baseline: Baseline,
     /// Rows that are left out by hand.
     pub omit: OmittedRows,
-    /// The observable that is compared with the model.
+    /// The observable that is compared with the model; of unloadings that which their evaluation gives.
     pub observe: Observable,
+    /// Whether each file is a load and its unloading, to be evaluated by Oliver and Pharr.
+    pub is_unloading: bool,
     /// The noise.
     pub noise: MeasuredNoise,
     /// The spring constant of a cantilever, if the penetration comes from the height of its piezo.
@@ -138,6 +140,12 @@ impl DataTable {
         let text =
             optional("text")?.map_or(Ok(TextOptions::default()), |t| TextOptions::read(&t))?;
         let columns_read = CurveColumns::read(&columns, optional("units")?.as_ref())?;
+        let (observe, is_unloading) = observe(&table, &columns)?;
+        let mut segment =
+            optional("segment")?.map_or(Ok(CurveSegment::default()), |t| CurveSegment::read(&t))?;
+        if is_unloading {
+            segment.require_whole(&table)?;
+        }
         let mut data = Self {
             omit: table
                 .optional("omit")
@@ -148,11 +156,11 @@ impl DataTable {
             sources: sources.clone(),
             columns: columns_read,
             text,
-            segment: optional("segment")?
-                .map_or(Ok(CurveSegment::default()), |t| CurveSegment::read(&t))?,
+            segment,
             baseline: (table.optional("baseline"))
                 .map_or(Ok(Baseline::default()), |field| Baseline::read(&field))?,
-            observe: observe(&table, &columns)?,
+            observe,
+            is_unloading,
             noise: optional("noise")?
                 .map_or(Ok(MeasuredNoise::default()), |t| MeasuredNoise::read(&t))?,
             spring_constant: spring.map(|f| SpringConstant::read(&f)).transpose()?,
@@ -236,15 +244,23 @@ fn matching(
     Ok(sources.of(field.text()?))
 }
 
-/// The observable; of a cantilever the force, which carries the noise, otherwise the depth.
-fn observe(table: &TableReader<'_>, columns: &TableReader<'_>) -> Result<Observable, Diagnosis> {
-    let field = table.optional("observe");
-    let observe = field.map(|field| field.choice(&Observable::ALL));
+/// The observable, and whether it comes from unloadings; of a cantilever the force, which carries the noise, otherwise
+/// the depth.
+fn observe(
+    table: &TableReader<'_>,
+    columns: &TableReader<'_>,
+) -> Result<(Observable, bool), Diagnosis> {
+    if let Some(field) = table.optional("observe") {
+        // The stiffness of an unloading is that at the radius of its contact.
+        let unloading = ("unloading", (Observable::StiffnessAtContactRadius, true));
+        let others = Observable::ALL.map(|(word, of)| (word, (of, false)));
+        return field.choice(&[&others[..], &[unloading]].concat());
+    }
     let default = match columns.optional(Channel::Height.key()) {
         Some(_) => Observable::ForceAtDepth,
         None => Observable::DepthAtForce,
     };
-    Ok(observe.transpose()?.unwrap_or(default))
+    Ok((default, false))
 }
 
 /// Reads the entries of `set`: their keys must be paths; their values are checked by the model.

@@ -97,7 +97,7 @@ impl MeasuredCurve {
         };
         curve.begin_at_zero(data);
         checks::refuse(&curve)?;
-        let more = checks::warnings(&curve, &data.columns);
+        let more = checks::warnings(&curve, data);
         curve.warnings.extend(more);
         Ok(curve)
     }

@@ -21,11 +21,13 @@ pub enum Dimension {
     FrameCompliance,
     /// Seconds.
     Time,
+    /// Metres per second: a length over a time.
+    Speed,
 }
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Length,
         Self::Pressure,
         Self::Force,
@@ -34,6 +36,7 @@ impl Dimension {
         Self::Stiffness,
         Self::FrameCompliance,
         Self::Time,
+        Self::Speed,
     ];
 
     /// Its name in a message.
@@ -48,6 +51,7 @@ impl Dimension {
             Self::Stiffness => "a stiffness",
             Self::FrameCompliance => "a frame compliance",
             Self::Time => "a time",
+            Self::Speed => "a rate",
         }
     }
 
@@ -63,6 +67,7 @@ impl Dimension {
             Self::Stiffness => "N/m",
             Self::FrameCompliance => "m/N",
             Self::Time => "s",
+            Self::Speed => "m/s",
         }
     }
 
@@ -78,6 +83,7 @@ impl Dimension {
             Self::Stiffness => "\"0.04 N/m\"",
             Self::FrameCompliance => "\"0.2 nm/mN\"",
             Self::Time => "\"5 s\"",
+            Self::Speed => "\"0.02 nm/s\"",
         }
     }
 
@@ -97,6 +103,7 @@ impl Dimension {
             Self::Stiffness => &["N/m", "mN/um", "µN/nm", "nN/nm", "a force / a length"],
             Self::FrameCompliance => &["m/N", "nm/mN", "um/N", "a length / a force"],
             Self::Time => &["s", "ms", "us", "µs", "ns", "min", "h"],
+            Self::Speed => &["m/s", "nm/s", "um/h", "a length / a time"],
         }
     }
 
@@ -108,7 +115,11 @@ impl Dimension {
             Self::Length | Self::Pressure => 1e-30..=1e30,
             // Any force, however small, is a valid load; the certificate shows whether it could be solved.
             Self::Force => f64::from_bits(1)..=1e60,
-            Self::Compliance | Self::Stiffness | Self::FrameCompliance | Self::Time => 1e-60..=1e60,
+            Self::Compliance
+            | Self::Stiffness
+            | Self::FrameCompliance
+            | Self::Time
+            | Self::Speed => 1e-60..=1e60,
             Self::Angle => 0.0..=f64::MAX,
         }
     }

@@ -80,6 +80,7 @@ fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
         Dimension::Stiffness => quotient(unit, Dimension::Force, Dimension::Length),
         Dimension::FrameCompliance => quotient(unit, Dimension::Length, Dimension::Force),
         Dimension::Time => one.parse::<Time>().ok().map(|time| time.value),
+        Dimension::Speed => quotient(unit, Dimension::Length, Dimension::Time),
     }
 }
 

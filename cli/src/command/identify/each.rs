@@ -2,7 +2,8 @@
 
 use pellicle::run::Completeness;
 use pellicle_files::json;
-use pellicle_identify::fit_file::{FitFile, Measurements};
+use pellicle_identify::fit_file::Measurements;
+use pellicle_identify::fit_file::evaluation_file::Task;
 
 use super::claim;
 use crate::arguments::IdentifyArguments;
@@ -21,7 +22,11 @@ const FOLDER: &str = "-each";
 ///
 /// [`Failure`] if the fit file is wrong or the results cannot be written; not if a curve is wrong.
 pub fn each(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
-    let file = FitFile::read(&arguments.path, Measurements::Required)?;
+    let file = match Task::read(&arguments.path, Measurements::Required)? {
+        Task::Fit(file) => file,
+        // An evaluation is one of each curve alone.
+        Task::Evaluation(file) => return super::evaluation::evaluate(arguments, &file),
+    };
     if let Some(diagnosis) = file.data.iter().find_map(|table| table.without_files()) {
         return Err(diagnosis.into());
     }

@@ -24,6 +24,10 @@ impl DataTable {
             Err(columns.missing(channel.key(), format!("its column, {why}")))
         };
         match self.observe {
+            _ if self.is_unloading => {
+                need(Channel::Force, "since the unloading is evaluated")?;
+                self.require_depth(table, columns)?;
+            }
             Observable::DepthAtForce | Observable::ForceAtDepth => {
                 need(Channel::Force, "since depth and force are observed")?;
                 self.require_depth(table, columns)?;

@@ -1,0 +1,158 @@
+//! A fit file without unknowns: unloadings that are evaluated by Oliver and Pharr, and nothing is fitted to a model.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::source_file;
+use pellicle::input::span::Source;
+use pellicle::input::table_reader::TableReader;
+use pellicle::input::toml_tree;
+
+use rayon::prelude::*;
+
+use super::{FitFile, FitSources, Measurements, evaluation};
+use crate::indentation::{
+    EvaluatedCurve, EvaluationSettings, IndentationCurve, IndentationError, evaluate,
+};
+use crate::measured::curve::MeasuredCurve;
+use crate::measured::data_table::DataTable;
+use crate::measured::sources::MeasurementSources;
+
+/// A file of unloadings and how they are evaluated.
+#[derive(Debug)]
+pub struct EvaluationFile {
+    /// Title; by default the name of the file.
+    pub title: String,
+    /// The measurements.
+    pub data: Vec<DataTable>,
+    /// How they are evaluated.
+    pub settings: EvaluationSettings,
+}
+
+/// A measured curve and its evaluation.
+#[derive(Debug, Clone)]
+pub struct EvaluatedFile {
+    /// The index of its table.
+    pub table: usize,
+    /// The measurement.
+    pub measured: MeasuredCurve,
+    /// Its numbers, or why there are none.
+    pub evaluated: Result<EvaluatedCurve, IndentationError>,
+}
+
+/// What a fit file asks for.
+#[derive(Debug)]
+pub enum Task {
+    /// Unloadings are evaluated.
+    Evaluation(EvaluationFile),
+    /// A model is fitted.
+    Fit(FitFile),
+}
+
+impl Task {
+    /// Reads a file.
+    ///
+    /// # Errors
+    ///
+    /// An [`Error`](pellicle::Error) if the file cannot be read or is not valid.
+    pub fn read(path: &Path, measurements: Measurements) -> Result<Self, pellicle::Error> {
+        let source = Arc::new(source_file::read(path)?);
+        let stem = source_file::stem(path);
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Self::parse(&source, &stem, &FitSources::in_folder(folder), measurements)
+    }
+
+    /// Reads the text of a file; `sources` supplies its files and arrays. Without `[unknown]` and `[model]` an
+    /// `[evaluation]` stands alone.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::read`].
+    pub fn parse(
+        source: &Arc<Source>,
+        name: &str,
+        sources: &FitSources,
+        measurements: Measurements,
+    ) -> Result<Self, pellicle::Error> {
+        let root = toml_tree::parse(source)?;
+        let table = TableReader::root(&root)?;
+        let has = |key| table.optional(key).is_some();
+        if has("evaluation") && !has("unknown") && !has("model") {
+            let file = EvaluationFile::of(&root, name, &sources.measurements)?;
+            return Ok(Self::Evaluation(file));
+        }
+        FitFile::parse(source, name, sources, measurements).map(Self::Fit)
+    }
+}
+
+impl EvaluationFile {
+    fn of(
+        root: &toml_tree::TomlNode,
+        name: &str,
+        sources: &MeasurementSources,
+    ) -> Result<Self, Diagnosis> {
+        let table = TableReader::root(root)?;
+        table.only(&["title", "data", "evaluation"])?;
+        let title = match table.optional("title") {
+            Some(field) => field.text()?,
+            None => name,
+        };
+        let field = table.required("evaluation", "a table [evaluation]")?;
+        let file = Self {
+            title: title.replace(char::is_control, " "),
+            settings: evaluation::read(&field, sources)?,
+            data: DataTable::read_all(root, sources)?,
+        };
+        let other = file.data.iter().find(|table| !table.is_unloading);
+        match other {
+            Some(table) => Err(table.wanted(
+                "observe",
+                "\"unloading\", since there is an [evaluation] and neither [model] nor [unknown]",
+            )),
+            None => Ok(file),
+        }
+    }
+}
+
+impl EvaluatedFile {
+    /// Evaluates the curves of the tables of unloadings among these.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first file that gives no curve.
+    pub fn all(
+        data: &[DataTable],
+        settings: &EvaluationSettings,
+    ) -> Result<Vec<Self>, Diagnosis> {
+        let tables = data.iter().enumerate();
+        let mut measured = Vec::new();
+        for (table, data) in tables.filter(|(_, data)| data.is_unloading) {
+            let curves = MeasuredCurve::read_all(data)?.into_iter();
+            measured.extend(curves.map(|curve| (table, curve)));
+        }
+        let evaluated = measured.into_par_iter().map(|(table, measured)| Self {
+            table,
+            evaluated: Self::of(&measured, settings),
+            measured,
+        });
+        Ok(evaluated.collect())
+    }
+
+    fn of(
+        measured: &MeasuredCurve,
+        settings: &EvaluationSettings,
+    ) -> Result<EvaluatedCurve, IndentationError> {
+        let contact = measured.before_contact.map(|before| {
+            let first = measured.rows.iter().position(|row| *row >= before.contact_row);
+            (before.contact, first.unwrap_or(0))
+        });
+        let curve = IndentationCurve {
+            time: measured.time(),
+            depth: measured.depth().unwrap_or_default(),
+            force: measured.force().unwrap_or_default(),
+            contact,
+        };
+        evaluate(curve, settings)
+    }
+}
