@@ -43,6 +43,10 @@ pub enum Template {
     FitAfm,
     /// Modulus and hardness from an unloading, by Oliver and Pharr; with --from of yours
     FitUnloading,
+    /// A curve to try `fit-afm` with, approach.txt: a ball of 5 µm on a body of 10 kPa
+    Approach,
+    /// A curve to try `fit-unloading` with, indentation.txt: fused silica of 72 GPa
+    Indentation,
     /// A parameter study: a ball on coatings of several thicknesses under several loads
     Study,
     /// The JSON schema of a case, with which editors complete and check it while it is typed
@@ -66,6 +70,8 @@ impl Template {
             Self::RoughMap => return include_str!("templates/rough-surface.csv").into(),
             Self::Study => return include_str!("templates/study.toml").into(),
             Self::Fit => return include_str!("templates/fit.toml").into(),
+            Self::Approach => return include_str!("templates/approach.txt").into(),
+            Self::Indentation => return include_str!("templates/indentation.txt").into(),
             Self::FitUnloading => return include_str!("templates/fit-unloading.toml").into(),
             Self::FitAfm => return include_str!("templates/fit-afm.toml").into(),
             Self::Cylinders => include_str!("templates/cylinders.toml"),
@@ -100,11 +106,13 @@ impl Template {
     pub fn next(self, path: &str) -> String {
         match self {
             Self::Study => format!("pellicle study {path}"),
-            Self::Fit | Self::FitAfm => format!(
+            Self::Fit => format!(
                 "put your file into it, or let it make one: pellicle identify {path} --simulate --out curve.txt; then \
                  pellicle identify {path}"
             ),
-            Self::FitUnloading => format!("put your file into it, then: pellicle identify {path}"),
+            Self::FitAfm => example("approach", path),
+            Self::Approach | Self::Indentation => format!("pellicle init fit --from {path}"),
+            Self::FitUnloading => example("indentation", path),
             Self::Rough | Self::RoughPeriodic => format!(
                 "pellicle init rough-map --out rough-surface.csv beside it, and pellicle run {path}"
             ),
@@ -114,6 +122,13 @@ impl Template {
             _ => format!("pellicle run {path}"),
         }
     }
+}
+
+/// What to do with the template of a fit that has an example of a curve.
+fn example(curve: &str, path: &str) -> String {
+    format!(
+        "put your file into it, or pellicle init {curve} --out {curve}.txt beside it; then pellicle identify {path}"
+    )
 }
 
 #[cfg(test)]
@@ -152,6 +167,8 @@ mod tests {
                     | Template::Fit
                     | Template::FitAfm
                     | Template::FitUnloading
+                    | Template::Approach
+                    | Template::Indentation
                     | Template::RoughMap
                     | Template::Schema
                     | Template::SummarySchema

@@ -8,11 +8,13 @@ mod column_guess;
 mod data_text;
 mod error;
 mod evaluation_text;
+mod file_names;
 mod group;
 mod history;
 mod model_text;
 mod power_law;
 mod spring_guess;
+mod story;
 mod survey;
 mod words;
 
@@ -73,7 +75,7 @@ impl Draft {
             return Err(failures.into_iter().next().unwrap_or(DraftError::NoFiles));
         };
         let left_out = |error: &DraftError| format!("left out: {error}");
-        let remarks = first.remarks().into_iter();
+        let remarks = first.story().into_iter();
         Ok(Self {
             text: if is_unloading {
                 evaluation_text::fit_file(&groups)

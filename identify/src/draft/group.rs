@@ -3,19 +3,18 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use pellicle::display::{Unit, significant};
+use pellicle::display::Unit;
 use pellicle::input::span::Source;
 
 use super::data_text::{self, Line};
-use super::history::{History, Hold};
+use super::file_names::{named, relative};
 use super::survey::Survey;
-use super::words::{quantity, quoted, seconds};
+use super::words::{quantity, quoted};
 use super::{DraftError, DraftKind};
 use crate::measured::channel::Channel;
 use crate::measured::curve::MeasuredCurve;
 use crate::measured::data_table::DataTable;
 use crate::measured::error::CurveError;
-use crate::measured::sources;
 
 /// A baseline is subtracted if its slope is this many standard errors
 const SLOPE_ERRORS: f64 = 4.0;
@@ -147,11 +146,6 @@ impl Group {
         text
     }
 
-    /// What is to be told at once.
-    pub(super) fn remarks(&self) -> Vec<String> {
-        self.story()
-    }
-
     fn counted(&self) -> String {
         if self.files.len() == 1 && self.count > 1 {
             format!(
@@ -162,69 +156,6 @@ impl Group {
             String::new()
         }
     }
-
-    /// What happens in the first file, in sentences.
-    fn story(&self) -> Vec<String> {
-        let mut story: Vec<String> = Vec::new();
-        if let Some(history) = &self.survey.history {
-            story.push(happened(history));
-            if history.is_plastic() && !self.is_soft {
-                let part = significant(100.0 * history.returned.unwrap_or(0.0), 2);
-                let then = match (self.survey.is_unloading, history.pop_in) {
-                    (true, _) => "it is evaluated by Oliver and Pharr.",
-                    (false, Some(_)) => {
-                        "pellicle init fit-unloading evaluates it by Oliver and Pharr."
-                    }
-                    (false, None) => "the loading is more than elastic contact.",
-                };
-                story.push(format!(
-                    "The unloading gives back {part} % of the work, so an imprint is left: {then}"
-                ));
-            }
-        }
-        story.extend(self.approach());
-        story
-    }
-
-    /// The stretch before the contact.
-    fn approach(&self) -> Option<String> {
-        let before = self.curve.before_contact?;
-        let forces = self.curve.force()?.iter().copied();
-        let largest = forces.fold(0.0, f64::max);
-        let adhesion = before.adhesion(largest).map(|pull_off| {
-            format!(
-                " It is pulled back by {} on the way out: adhesion, which this model lacks.",
-                quantity(pull_off, Unit::Newton)
-            )
-        });
-        Some(format!(
-            "The contact begins near row {}, at {}; before it {} points lie about a line with {} of noise.{}",
-            before.contact_row,
-            quantity(before.contact, Unit::Metre),
-            before.line.points,
-            quantity(before.line.noise, Unit::Newton),
-            adhesion.unwrap_or_default()
-        ))
-    }
-}
-
-fn happened(history: &History) -> String {
-    let (force, row) = history.peak;
-    let hold = |hold: &Hold| {
-        let [from, to] = hold.rows;
-        let time = hold.seconds.map(|time| format!(" of {}", seconds(time)));
-        let force = quantity(hold.force, Unit::Newton);
-        format!(
-            "; hold{} at {force} (rows {from} to {to})",
-            time.unwrap_or_default()
-        )
-    };
-    let holds: String = history.holds.iter().map(hold).collect();
-    let force = quantity(force, Unit::Newton);
-    format!(
-        "{} rows: the largest force is {force} in row {row}{holds}.",
-        history.rows
-    )
 }
 
 /// Reads a curve, with the sign of its depth reversed if that alone makes it one.
@@ -317,80 +248,4 @@ fn shallow_line(force: f64) -> Line {
     );
     let why = "deeper than some 0.08 of its radius a ball is too steep for the model: larger with your radius";
     Line::new(key, why)
-}
-
-/// The names of files as a fit file in a folder has them: a pattern if one matches just them.
-fn named(files: &[PathBuf], folder: &Path) -> Vec<String> {
-    let names: Vec<String> = files.iter().map(|file| relative(file, folder)).collect();
-    pattern(&names, files, folder).map_or(names, |pattern| vec![pattern])
-}
-
-fn pattern(names: &[String], files: &[PathBuf], folder: &Path) -> Option<String> {
-    let (first, others) = names.split_first()?;
-    if others.is_empty() {
-        return None;
-    }
-    let common = |same: &dyn Fn(&str, &str) -> usize| {
-        others
-            .iter()
-            .map(|other| same(first, other))
-            .min()
-            .unwrap_or(0)
-    };
-    let alike = |one: &mut dyn Iterator<Item = char>, other: &mut dyn Iterator<Item = char>| {
-        let pairs = one.zip(other).take_while(|(a, b)| a == b);
-        pairs.map(|(a, _)| a.len_utf8()).sum()
-    };
-    let start = common(&|one, other| alike(&mut one.chars(), &mut other.chars()));
-    let end = common(&|one, other| alike(&mut one.chars().rev(), &mut other.chars().rev()));
-    let shortest = names.iter().map(String::len).min()?;
-    let end = end.min(shortest - start);
-    let folder_end = first.rfind('/').map_or(0, |place| place + 1);
-    let ending = first
-        .rfind('.')
-        .filter(|dot| *dot >= folder_end)
-        .unwrap_or(first.len());
-    let candidates = [
-        format!("{}*{}", &first[..folder_end], &first[ending..]),
-        format!(
-            "{}*{}",
-            first.get(..start)?,
-            first.get(first.len() - end..)?
-        ),
-    ];
-    let canonical = |path: &PathBuf| path.canonicalize().ok();
-    let mut wanted: Vec<_> = files.iter().map(canonical).collect();
-    wanted.sort();
-    candidates.into_iter().find(|pattern| {
-        let mut found: Vec<_> = sources::files(folder, pattern)
-            .iter()
-            .map(canonical)
-            .collect();
-        found.sort();
-        found == wanted
-    })
-}
-
-/// The path of a file from a folder, with slashes; absolute where there is none.
-fn relative(file: &Path, folder: &Path) -> String {
-    let here = if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    };
-    let (Ok(file), Ok(folder)) = (file.canonicalize(), here.canonicalize()) else {
-        return file.to_string_lossy().into_owned();
-    };
-    let (of_file, of_folder): (Vec<_>, Vec<_>) =
-        (file.components().collect(), folder.components().collect());
-    let same = of_file
-        .iter()
-        .zip(&of_folder)
-        .take_while(|(one, other)| one == other)
-        .count();
-    let up = (same..of_folder.len()).map(|_| "..".to_owned());
-    let down = of_file[same..]
-        .iter()
-        .map(|part| part.as_os_str().to_string_lossy().into_owned());
-    up.chain(down).collect::<Vec<_>>().join("/")
 }

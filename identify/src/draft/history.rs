@@ -10,7 +10,7 @@ use crate::measured::segment_rows::branch;
 /// Holds are looked for in the means of so many blocks of rows.
 const BLOCKS: usize = 240;
 /// A force is held while it changes by less than this part of its mean change over a block.
-const HELD: f64 = 0.1;
+const HELD: f64 = 0.03;
 /// A hold has at least so many blocks,
 const SHORTEST_HOLD: usize = 5;
 /// and a force of at least this part of the range: below there is no contact.

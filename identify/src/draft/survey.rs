@@ -109,37 +109,10 @@ impl Survey {
         assume_units(&mut columns, &mut raw);
         let spring = is_cantilever.then(|| SpringGuess::of(stated_spring, &raw));
         if let Some(spring) = &spring {
-            let constant = SpringConstant {
-                mean: spring.value,
-                sd: None,
-                source: SpringSource::BareNumber,
-            };
-            let direction = HeightDirection::FromForce;
-            spring::add_penetration(&mut raw, direction, constant).map_err(curve_error)?;
+            spring.add_penetration(&mut raw).map_err(curve_error)?;
         }
         let history = History::of(&raw);
-        if history
-            .as_ref()
-            .is_some_and(|history| history.pop_in.is_some())
-        {
-            // A stiffness beyond the pop-in is that of an imprint.
-            columns.retain(|column| column.channel != Channel::Stiffness);
-        }
-        let is_imprint = history
-            .as_ref()
-            .is_some_and(|of| of.is_plastic() && of.pop_in.is_none());
-        let has_stiffness = columns
-            .iter()
-            .any(|column| column.channel == Channel::Stiffness);
-        let is_unloading = match kind {
-            DraftKind::Guessed => is_imprint && !is_cantilever && !has_stiffness,
-            DraftKind::Afm => false,
-            DraftKind::Unloading => true,
-        };
-        if is_unloading {
-            columns.retain(|column| column.channel != Channel::Stiffness);
-        }
-        Ok(Self {
+        let mut survey = Self {
             file: file.to_owned(),
             width: table.columns,
             tables: table.tables,
@@ -148,10 +121,29 @@ impl Survey {
             columns,
             spring,
             is_reversed: false,
-            is_unloading,
+            is_unloading: false,
             history,
             stated: table.stated,
-        })
+        };
+        survey.choose_observable(kind);
+        Ok(survey)
+    }
+
+    /// Decides between the unloading, the contact stiffness and the loading: a stiffness beyond a pop-in is that of an
+    /// imprint, an unloading that gives back too little work is that of one, too.
+    fn choose_observable(&mut self, kind: DraftKind) {
+        let has_pop_in = self.history.as_ref().is_some_and(|of| of.pop_in.is_some());
+        let is_plastic = self.history.as_ref().is_some_and(History::is_plastic);
+        let is_elastic = !is_plastic || has_pop_in || self.spring.is_some();
+        self.is_unloading = match kind {
+            DraftKind::Guessed => !is_elastic && !self.has(Channel::Stiffness),
+            DraftKind::Afm => false,
+            DraftKind::Unloading => true,
+        };
+        if has_pop_in || self.is_unloading {
+            self.columns
+                .retain(|column| column.channel != Channel::Stiffness);
+        }
     }
 
     /// Whether a column of this quantity is read.
@@ -350,5 +342,15 @@ impl SpringGuess {
             value: stated.map_or_else(assumed, |stated| stated.value),
             stated: stated.cloned(),
         }
+    }
+
+    /// Adds force and penetration to the columns of a file.
+    fn add_penetration(&self, raw: &mut RawCurve<'_>) -> Result<(), CurveError> {
+        let constant = SpringConstant {
+            mean: self.value,
+            sd: None,
+            source: SpringSource::BareNumber,
+        };
+        spring::add_penetration(raw, HeightDirection::FromForce, constant)
     }
 }
