@@ -31,9 +31,6 @@ impl Evaluation {
     pub fn new(file: &EvaluationFile) -> Result<Self, Failure> {
         let curves = EvaluatedFile::all(&file.data, &file.settings)?;
         let found = EvaluationResult::new(&file.title, &curves, &file.settings);
-        Ok(Self {
-            curves,
-            found,
-        })
+        Ok(Self { curves, found })
     }
 }

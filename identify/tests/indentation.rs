@@ -111,7 +111,7 @@ impl Synthetic {
 
     fn settings(&self) -> EvaluationSettings {
         EvaluationSettings {
-            area: AreaFunction::Polynomial(vec![24.5]),
+            area: Some(AreaFunction::Polynomial(vec![24.5])),
             area_covariance: Vec::new(),
             area_range: None,
             beta: Uncertain::exact(1.0),
@@ -122,6 +122,7 @@ impl Synthetic {
             depth_zero: DepthZero::AsRecorded,
             poisson_ratio: Uncertain::exact(self.ratio),
             indenter: Some(DIAMOND),
+            thinning: 0.0,
         }
     }
 
@@ -173,8 +174,11 @@ fn a_curve_without_noise_gives_its_numbers_to_rounding() {
     };
     let found = exact.evaluated(1).unwrap();
     for (number, truth) in exact.truth() {
-        let value = found.number(number).unwrap().value;
-        assert!((value - truth).abs() <= 1e-6 * truth.abs() + 1e-15, "{number:?}: {value} {truth}");
+        let value = found.numbers.get(number).unwrap().value;
+        assert!(
+            (value - truth).abs() <= 1e-6 * truth.abs() + 1e-15,
+            "{number:?}: {value} {truth}"
+        );
     }
 }
 
@@ -187,7 +191,7 @@ fn the_intervals_hold_in_180_to_196_of_200_curves() {
         let synthetic = random(seed);
         let found = synthetic.evaluated(seed).unwrap();
         for (place, (number, truth)) in synthetic.truth().into_iter().enumerate() {
-            let Uncertain { value, sd } = found.number(number).unwrap();
+            let Uncertain { value, sd } = found.numbers.get(number).unwrap();
             held[place] += usize::from((value - truth).abs() <= 1.96 * sd);
         }
     }

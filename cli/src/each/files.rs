@@ -114,7 +114,7 @@ fn number(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| format!("{value:e}"))
 }
 
-/// The map of an unknown over the positions of the curves, those fitted; none if they have no positions.
+/// The map of an unknown over the positions of the curves, those fitted.
 fn map(result: &EachResult, index: usize) -> Option<PlacesMap> {
     let place = |curve: &EachCurve| {
         let of = curve
@@ -123,7 +123,7 @@ fn map(result: &EachResult, index: usize) -> Option<PlacesMap> {
             .filter(|_| curve.verdict == "fitted");
         Some((curve.position?, of.map(|of| of.value)))
     };
-    let places: Vec<_> = result.curves.iter().map(place).collect::<Option<_>>()?;
+    let places: Vec<_> = result.curves.iter().filter_map(place).collect();
     let (key, unit) = keys(result).into_iter().nth(index)?;
     let farthest = places
         .iter()

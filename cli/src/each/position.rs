@@ -7,39 +7,31 @@ use pellicle_identify::measured::stated::{StatedNumber, StatedQuantity};
 
 use super::EachCurve;
 
-/// Gives the curves their positions, where all of them have one of the same kind; those in names have no unit.
+/// Gives the curves their positions: those that files state, or else those in names, which have no unit.
 pub fn place(curves: &mut [EachCurve], file: &FitFile) {
     let tables = file.data.iter();
-    let stated = tables.flat_map(|table| {
-        table
-            .files
-            .iter()
-            .map(move |path| (path, table.stated(path)))
-    });
-    let stated: Vec<_> = stated
-        .map(|(path, of)| (path.display().to_string(), in_header(&of)))
+    let paths = tables.flat_map(|table| table.files.iter().map(move |path| (table, path)));
+    let stated: Vec<_> = paths
+        .filter_map(|(table, path)| {
+            Some((path.display().to_string(), in_header(&table.stated(path))?))
+        })
         .collect();
-    let of_header = |curve: &EachCurve| {
-        let found = stated.iter().find(|(path, _)| *path == curve.file);
-        found.and_then(|(_, position)| *position)
-    };
-    let of_name = |curve: &EachCurve| in_name(Path::new(&curve.file));
-    let all = |of: &dyn Fn(&EachCurve) -> Option<[f64; 2]>| {
-        curves.iter().map(of).collect::<Option<Vec<_>>>()
-    };
-    let positions = all(&of_header)
-        .or_else(|| all(&of_name))
-        .unwrap_or_default();
-    for (curve, position) in curves.iter_mut().zip(positions) {
-        curve.position = Some(position);
+    for curve in curves {
+        let of_header = stated.iter().find(|(path, _)| *path == curve.file);
+        curve.position = match of_header {
+            None if stated.is_empty() => in_name(Path::new(&curve.file)),
+            found => found.map(|(_, position)| *position),
+        };
     }
 }
 
 /// Whether positions are in metres, as files state them.
 #[must_use]
 pub fn are_in_metres(curves: &[EachCurve]) -> bool {
-    let is_in_name = |curve: &EachCurve| in_name(Path::new(&curve.file)) == curve.position;
-    !curves.iter().all(is_in_name)
+    let is_of_header = |curve: &EachCurve| {
+        curve.position.is_some() && in_name(Path::new(&curve.file)) != curve.position
+    };
+    curves.iter().any(is_of_header)
 }
 
 fn in_header(stated: &[StatedNumber]) -> Option<[f64; 2]> {

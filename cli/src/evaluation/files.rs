@@ -25,13 +25,20 @@ pub fn is_name(name: &str) -> bool {
 ///
 /// [`Failure::File`] if a file cannot be written.
 pub fn write(folder: &Path, of: &mut Evaluation) -> Result<(), Failure> {
-    let writer = WriteProgress::new(pictures::sheets(of), &|_, _| ());
-    let drawings = pictures::write(folder, of, &Style::default(), &writer)?;
+    let writer = WriteProgress::new(pictures::sheets(&of.curves), &|_, _| ());
+    let drawings = pictures::write(
+        folder,
+        (&of.found.title, &of.curves),
+        &Style::default(),
+        &writer,
+    )?;
     let failed = writer.warnings().into_iter();
-    of.found.warnings.extend(failed.map(|warning| WarningResult {
-        code: warning.code,
-        message: warning.message,
-    }));
+    of.found
+        .warnings
+        .extend(failed.map(|warning| WarningResult {
+            code: warning.code,
+            message: warning.message,
+        }));
     let table = table::table(&of.found.indentation);
     whole::write_bytes(&folder.join(table::FILE), table.as_bytes())?;
     let page = report::html(&of.found, &drawings);

@@ -7,7 +7,7 @@ use pellicle_identify::indentation::{EvaluatedCurve, IndentationNumber};
 use pellicle_plot::fit::unloading::{self, UnloadingPanel};
 use pellicle_plot::sheet::style::Style;
 
-use super::{Evaluation, text};
+use super::text;
 use crate::failure::Failure;
 use crate::output::write_progress::WriteProgress;
 
@@ -20,7 +20,11 @@ const POINTS: u32 = 80;
 #[must_use]
 pub fn is_name(name: &str) -> bool {
     let rest = name.strip_prefix(NAME);
-    let rest = rest.and_then(|rest| [".svg", ".png"].iter().find_map(|end| rest.strip_suffix(end)));
+    let rest = rest.and_then(|rest| {
+        [".svg", ".png"]
+            .iter()
+            .find_map(|end| rest.strip_suffix(end))
+    });
     rest.is_some_and(|rest| {
         let number = rest.strip_prefix('-');
         rest.is_empty() || number.is_some_and(|number| number.parse::<usize>().is_ok())
@@ -29,8 +33,12 @@ pub fn is_name(name: &str) -> bool {
 
 /// Number of sheets.
 #[must_use]
-pub fn sheets(of: &Evaluation) -> usize {
-    of.found.indentation.len().div_ceil(unloading::PANELS)
+pub fn sheets(of: &[EvaluatedFile]) -> usize {
+    unloadings(of).count().div_ceil(unloading::PANELS)
+}
+
+fn unloadings(of: &[EvaluatedFile]) -> impl Iterator<Item = (&EvaluatedFile, &EvaluatedCurve)> {
+    of.iter().filter_map(|file| Some((file, file.unloading()?)))
 }
 
 /// Draws and writes the sheets; returns their drawings as SVG.
@@ -40,22 +48,20 @@ pub fn sheets(of: &Evaluation) -> usize {
 /// [`Failure::File`] if a picture cannot be written.
 pub fn write(
     folder: &Path,
-    of: &Evaluation,
+    (title, of): (&str, &[EvaluatedFile]),
     style: &Style,
     writer: &WriteProgress<'_>,
 ) -> Result<Vec<String>, Failure> {
-    let panels = of.curves.iter().filter_map(|file| {
-        let curve = file.evaluated.as_ref().ok()?;
-        Some(panel(file, curve))
-    });
-    let panels: Vec<UnloadingPanel> = panels.collect();
+    let panels: Vec<UnloadingPanel> = unloadings(of)
+        .map(|(file, curve)| panel(file, curve))
+        .collect();
     let mut drawings = Vec::new();
     for (sheet, panels) in panels.chunks(unloading::PANELS).enumerate() {
         let name = match sheet {
             0 => NAME.to_owned(),
             sheet => format!("{NAME}-{}", sheet + 1),
         };
-        let draw = || unloading::draw(&of.found.title, panels, style);
+        let draw = || unloading::draw(title, panels, style);
         drawings.extend(writer.picture(folder, &name, draw)?);
     }
     Ok(drawings)
@@ -74,14 +80,19 @@ fn panel(file: &EvaluatedFile, curve: &EvaluatedCurve) -> UnloadingPanel {
         IndentationNumber::IndentationHardness,
     ];
     let words = words.map(|of| {
-        let number = curve.number(of).map(|number| text::words(of, number));
+        let number = curve.numbers.get(of).map(|number| text::words(of, number));
         format!("{} = {}", of.symbol(), number.unwrap_or_default())
     });
     let name = file.measured.file.file_name().unwrap_or_default();
     UnloadingPanel {
         name: name.to_string_lossy().into_owned(),
         numbers: words.join(", "),
-        points: curve.depth.iter().copied().zip(force.iter().copied()).collect(),
+        points: curve
+            .depth
+            .iter()
+            .copied()
+            .zip(force.iter().copied())
+            .collect(),
         fitted: curve.phases.fitted.clone(),
         law: (0..=POINTS).map(along).collect(),
         // The tangent at the largest force, down to no force.

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use pellicle::summary::PROGRAM;
-use pellicle_identify::fit_file::evaluation_file::EvaluatedFile;
+use pellicle_identify::fit_file::evaluation_file::{Evaluated, EvaluatedFile};
 use pellicle_identify::indentation::{
-    EvaluatedCurve, EvaluationSettings, IndentationNumber, Uncertain,
+    EvaluationSettings, IndentationNumber, IndentationNumbers, Uncertain,
 };
 use serde::{Serialize, Serializer};
 
@@ -47,6 +47,22 @@ pub struct Indentation {
     /// Its numbers by name; null where it does not have one.
     #[serde(flatten, serialize_with = "by_name")]
     pub numbers: Vec<Option<Uncertain>>,
+    /// The only unknown of a fit, from this contact alone, exactly for the layered body.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exact: Option<ExactModulus>,
+}
+
+/// An unknown from a single contact.
+#[derive(Debug, Clone, Serialize)]
+pub struct ExactModulus {
+    /// Its key.
+    pub key: String,
+    /// Its SI unit.
+    pub unit: &'static str,
+    /// Its value; null if no value in its bounds gives the measured stiffness.
+    pub value: Option<f64>,
+    /// Its standard uncertainty.
+    pub sd: Option<f64>,
 }
 
 /// Means over the curves of one table under one largest force, each with the standard deviation of single curves.
@@ -69,77 +85,94 @@ impl EvaluationResult {
     /// Assembles the result.
     #[must_use]
     pub fn new(title: &str, curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Self {
-        let indentation = indentations(curves);
-        let whole = indentation.len() == curves.len();
+        let is_whole = curves.iter().all(|file| file.evaluated.is_ok());
         Self {
             schema: SCHEMA,
             program: PROGRAM,
             version: env!("CARGO_PKG_VERSION"),
             title: title.to_owned(),
-            verdict: if whole { "evaluated" } else { "not-evaluated" },
+            verdict: if is_whole {
+                "evaluated"
+            } else {
+                "not-evaluated"
+            },
+            indentation: indentations(curves),
             repeats: repeats(curves),
-            indentation,
             warnings: warnings::all(curves, settings),
         }
     }
 }
 
-/// The numbers of every curve that has them.
-#[must_use]
-pub fn indentations(curves: &[EvaluatedFile]) -> Vec<Indentation> {
-    let all = curves.iter().enumerate();
-    let of = |(index, file): (usize, &EvaluatedFile)| {
-        Some(Indentation {
-            file: file.measured.file.display().to_string(),
-            curve: index + 1,
-            numbers: numbers(file.evaluated.as_ref().ok()?),
-        })
-    };
-    all.filter_map(of).collect()
+/// A contact: its file, its number among all from 1, and its numbers.
+struct OneContact<'a> {
+    file: &'a EvaluatedFile,
+    curve: usize,
+    numbers: &'a IndentationNumbers,
 }
 
-fn numbers(curve: &EvaluatedCurve) -> Vec<Option<Uncertain>> {
-    IndentationNumber::ALL.map(|of| curve.number(of)).into()
+fn contacts(curves: &[EvaluatedFile]) -> Vec<OneContact<'_>> {
+    let of_file = curves.iter().flat_map(|file| {
+        let contacts = file.evaluated.iter().flat_map(Evaluated::contacts);
+        contacts.map(move |numbers| (file, numbers))
+    });
+    let numbered = of_file.enumerate();
+    numbered
+        .map(|(index, (file, numbers))| OneContact {
+            file,
+            curve: index + 1,
+            numbers,
+        })
+        .collect()
+}
+
+/// The numbers of every contact that has them.
+#[must_use]
+pub fn indentations(curves: &[EvaluatedFile]) -> Vec<Indentation> {
+    let of = |contact: &OneContact<'_>| Indentation {
+        file: contact.file.measured.file.display().to_string(),
+        curve: contact.curve,
+        numbers: IndentationNumber::ALL
+            .map(|of| contact.numbers.get(of))
+            .into(),
+        exact: None,
+    };
+    contacts(curves).iter().map(of).collect()
 }
 
 /// The repeats of each table.
 fn repeats(curves: &[EvaluatedFile]) -> Vec<Repeats> {
-    let mut groups: Vec<(usize, f64, Vec<usize>)> = Vec::new();
-    for (index, file) in curves.iter().enumerate() {
-        let Ok(curve) = &file.evaluated else {
-            continue;
-        };
-        let force = curve.unloading.force;
-        let is_same = |(table, of, _): &&mut (usize, f64, Vec<usize>)| {
-            *table == file.table && (force / *of).max(*of / force) <= SAME_FORCE
+    let mut groups: Vec<(usize, f64, Vec<OneContact<'_>>)> = Vec::new();
+    for contact in contacts(curves) {
+        let force = contact.numbers.get(IndentationNumber::MaxForce);
+        let force = force.unwrap_or_default().value;
+        let table = contact.file.table;
+        let is_same = |(of, largest, _): &&mut (usize, f64, Vec<OneContact<'_>>)| {
+            *of == table && (force / *largest).max(*largest / force) <= SAME_FORCE
         };
         match groups.iter_mut().find(is_same) {
-            Some((_, _, members)) => members.push(index),
-            None => groups.push((file.table, force, vec![index])),
+            Some((_, _, members)) => members.push(contact),
+            None => groups.push((table, force, vec![contact])),
         }
     }
     let groups = groups.into_iter().map(|(_, _, members)| members);
     let several = groups.filter(|members| members.len() > 1);
-    several.map(|members| mean_of(curves, &members)).collect()
+    several.map(|members| mean_of(&members)).collect()
 }
 
-fn mean_of(curves: &[EvaluatedFile], members: &[usize]) -> Repeats {
+fn mean_of(members: &[OneContact<'_>]) -> Repeats {
     let of = |number| {
-        let values = members.iter().map(|index| {
-            let curve = curves[*index].evaluated.as_ref().ok()?;
-            curve.number(number).map(|of| of.value)
-        });
-        let values: Vec<f64> = values.collect::<Option<_>>()?;
+        let values = members.iter().map(|of| of.numbers.get(number));
+        let values: Vec<Uncertain> = values.collect::<Option<_>>()?;
         let count = values.len() as f64;
-        let mean = values.iter().sum::<f64>() / count;
-        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+        let mean = values.iter().map(|of| of.value).sum::<f64>() / count;
+        let squares: f64 = values.iter().map(|of| (of.value - mean).powi(2)).sum();
         Some(Uncertain {
             value: mean,
             sd: (squares / (count - 1.0)).sqrt(),
         })
     };
     Repeats {
-        curves: members.iter().map(|index| index + 1).collect(),
+        curves: members.iter().map(|of| of.curve).collect(),
         numbers: IndentationNumber::ALL.map(of).into(),
     }
 }

@@ -8,20 +8,31 @@ use super::result::Indentation;
 /// Name of the file in a folder of results.
 pub const FILE: &str = "indentation.csv";
 
-/// The table of these curves.
+/// The table of these contacts.
 #[must_use]
-pub fn table(curves: &[Indentation]) -> String {
-    let names = IndentationNumber::ALL.map(|of| {
-        let (name, unit) = (of.name(), of.unit());
-        format!("{name} [{unit}],{name} sd [{unit}]")
-    });
+pub fn table(contacts: &[Indentation]) -> String {
+    let names = IndentationNumber::ALL.map(|of| head(of.name(), of.unit()));
+    let exact = contacts.iter().find_map(|of| of.exact.as_ref());
+    let exact = exact.map(|of| head(&of.key, of.unit));
+    let names: Vec<String> = names.into_iter().chain(exact).collect();
     let row = |of: &Indentation| {
-        let cells = of.numbers.iter().map(|number| match number {
-            Some(number) => format!("{:e},{:e}", number.value, number.sd),
-            None => ",".to_owned(),
+        let numbers = of.numbers.iter().map(|number| match number {
+            Some(number) => cells(Some(number.value), Some(number.sd)),
+            None => cells(None, None),
         });
-        let cells: Vec<String> = cells.collect();
+        let exact = of.exact.as_ref().map(|of| cells(of.value, of.sd));
+        let cells: Vec<String> = numbers.chain(exact).collect();
         format!("{},{},{}\n", text_cell(&of.file), of.curve, cells.join(","))
     };
-    format!("file,curve,{}\n", names.join(",")) + &curves.iter().map(row).collect::<String>()
+    let rows: String = contacts.iter().map(row).collect();
+    format!("file,curve,{}\n{rows}", names.join(","))
+}
+
+fn head(name: &str, unit: &str) -> String {
+    format!("{name} [{unit}],{name} sd [{unit}]")
+}
+
+fn cells(value: Option<f64>, sd: Option<f64>) -> String {
+    let cell = |number: Option<f64>| number.map(|of| format!("{of:e}")).unwrap_or_default();
+    format!("{},{}", cell(value), cell(sd))
 }

@@ -1,6 +1,6 @@
 //! The numbers of an evaluation on the terminal.
 
-use pellicle::display::significant;
+use pellicle::display::{DisplayUnit, significant};
 use pellicle_identify::indentation::{IndentationNumber, Uncertain};
 
 use super::result::{EvaluationResult, Indentation, Repeats};
@@ -36,9 +36,52 @@ pub fn text(result: &EvaluationResult) -> String {
 fn lines(numbers: &[Option<Uncertain>]) -> String {
     let printed = PRINTED.into_iter().filter_map(|of| {
         let place = IndentationNumber::ALL.iter().position(|one| *one == of)?;
-        Some(format!("    {} = {}\n", of.symbol(), words(of, numbers[place]?)))
+        Some(format!(
+            "    {} = {}\n",
+            of.symbol(),
+            words(of, numbers[place]?)
+        ))
     });
     printed.collect()
+}
+
+/// Most contacts that are listed one by one.
+const LISTED: usize = 20;
+
+/// What Oliver and Pharr's formula gives for each contact of a fit, beside its only unknown from that contact alone:
+/// how far the base falsifies the formula. Empty without unloadings.
+#[must_use]
+pub fn beside(contacts: &[Indentation]) -> String {
+    let place = |of| IndentationNumber::ALL.iter().position(|one| *one == of);
+    let words_of = |contact: &Indentation, of: IndentationNumber| {
+        let number = place(of).and_then(|place| contact.numbers[place]);
+        number.map_or(String::new(), |number| words(of, number))
+    };
+    let line = |contact: &Indentation| {
+        let depth = words_of(contact, IndentationNumber::ContactDepth);
+        let modulus = words_of(contact, IndentationNumber::IndentationModulus);
+        let exact = contact
+            .exact
+            .as_ref()
+            .map(|exact| match (exact.value, exact.sd) {
+                (Some(value), Some(sd)) => {
+                    let number = Uncertain { value, sd };
+                    let scale = units::scale(value.abs(), exact.unit);
+                    format!(", exactly {} = {}", exact.key, on_scale(number, &scale))
+                }
+                _ => format!(", no {} in its bounds", exact.key),
+            });
+        format!(
+            "  h_c = {depth}: E_IT = {modulus} by Oliver and Pharr{}\n",
+            exact.unwrap_or_default()
+        )
+    };
+    let mut lines: String = contacts.iter().take(LISTED).map(line).collect();
+    if contacts.len() > LISTED {
+        let more = contacts.len() - LISTED;
+        lines += &format!("  and {more} more contacts, in {}\n", super::table::FILE);
+    }
+    lines
 }
 
 /// A number with its standard uncertainty and unit: `72.01 ± 0.31 GPa`.
@@ -48,13 +91,16 @@ pub fn words(of: IndentationNumber, number: Uncertain) -> String {
         IndentationNumber::Creep | IndentationNumber::ElasticWorkRatio => units::percent(),
         of => units::scale(number.value.abs(), of.unit()),
     };
+    on_scale(number, &scale)
+}
+
+fn on_scale(number: Uncertain, scale: &DisplayUnit) -> String {
     let [value, sd] = [number.value, number.sd].map(|of| of / scale.divisor);
     let sd = if sd > 0.0 {
         format!(" ± {}", significant(sd, 2))
     } else {
         String::new()
     };
-    format!("{}{sd} {}", significant(value, 4), scale.label)
-        .trim_end()
-        .to_owned()
+    let words = format!("{}{sd} {}", significant(value, 4), scale.label);
+    words.trim_end().to_owned()
 }

@@ -1,8 +1,10 @@
 //! What a reader must know of an evaluation.
 
-use pellicle::display::significant;
-use pellicle_identify::fit_file::evaluation_file::EvaluatedFile;
-use pellicle_identify::indentation::{Drift, EvaluationSettings, IndentationNumber, Uncertain};
+use pellicle::display::{count, significant};
+use pellicle_identify::fit_file::evaluation_file::{Evaluated, EvaluatedFile};
+use pellicle_identify::indentation::{
+    Drift, EvaluationSettings, IndentationNumber, IndentationNumbers,
+};
 
 use crate::identification::findings::WarningResult;
 
@@ -21,21 +23,24 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
         for warning in &file.measured.warnings {
             warn(warning.code, warning.message.clone());
         }
-        let curve = match &file.evaluated {
-            Ok(curve) => curve,
+        let evaluated = match &file.evaluated {
+            Ok(evaluated) => evaluated,
             Err(error) => {
                 warn("not-evaluated", error.to_string());
                 continue;
             }
         };
-        if curve.unloading.is_at_bound {
+        let curve = evaluated.unloading();
+        if let Some(curve) = curve.filter(|curve| curve.unloading.is_at_bound) {
             let message = format!(
-                "the exponent of the unloading is held at its bound, {}: within its noise it lies beyond",
-                curve.unloading.exponent
+                "the exponent of the unloading is at its bound, {}, wanted one above 1 and below 2: is `unloading` the right \
+                 part, and does the depth still creep?",
+                significant(curve.unloading.exponent, 4)
             );
             warn("exponent-at-bound", message);
         }
-        if let Some(hold) = curve.drift.as_ref().filter(|hold| hold.bends()) {
+        let hold = curve.and_then(|curve| curve.drift.as_ref());
+        if let Some(hold) = hold.filter(|hold| hold.bends()) {
             let [one, other] = hold.halves.map(|half| significant(half.value * 1e9, 2));
             let message = format!(
                 "the depth drifts by {one} nm/s in the first half of the hold and by {other} nm/s in the second: the body \
@@ -43,30 +48,74 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
             );
             warn("drift-not-steady", message);
         }
-        let depth = curve.number(IndentationNumber::ContactDepth);
-        if let (Some(Uncertain { value, .. }), Some([least, most])) = (depth, settings.area_range)
-            && !(least..=most).contains(&value)
-        {
-            let [value, least, most] = [value, least, most].map(|of| significant(of * 1e9, 4));
+        let depths = evaluated.contacts().iter();
+        let depths = depths.filter_map(|of| of.get(IndentationNumber::ContactDepth));
+        let [least, most] = settings.area_range.unwrap_or([0.0, f64::INFINITY]);
+        let outside: Vec<f64> = depths
+            .map(|of| of.value)
+            .filter(|depth| !(least..=most).contains(depth))
+            .collect();
+        if let Some(first) = outside.first() {
+            let [first, least, most] = [*first, least, most].map(|of| significant(of * 1e9, 4));
             let message = format!(
-                "a contact depth of {value} nm lies outside those of the area function's calibration, {least} to {most} nm"
+                "{}, such as {first} nm, lie outside those of the area function's calibration, {least} to {most} nm",
+                count(outside.len(), "contact depth")
             );
             warn("area-not-calibrated", message);
         }
     }
     found.extend(without_drift(curves, settings));
+    found.extend(pile_up(curves));
     found
 }
 
+/// Above this final depth over the largest, a body that does not harden piles up around its imprint: A. Bolshakov and
+/// G. M. Pharr, J. Mater. Res. 13, 1049 (1998).
+const PILES_UP: f64 = 0.7;
+
+/// That the area may be larger than the area function says.
+fn pile_up(curves: &[EvaluatedFile]) -> Option<WarningResult> {
+    let contacts = curves
+        .iter()
+        .filter_map(|file| file.evaluated.as_ref().ok());
+    let contacts: Vec<_> = contacts.flat_map(Evaluated::contacts).collect();
+    let left = |of: &IndentationNumbers| {
+        let value = |number| of.get(number).map(|of| of.value);
+        let deepest = value(IndentationNumber::MaxDepth)?;
+        let last = value(IndentationNumber::FinalDepth).or_else(|| {
+            // Of a paraboloid's unloading, h_f = h_max − 3/2 P/S.
+            let force = value(IndentationNumber::MaxForce)?;
+            Some(deepest - 1.5 * force / value(IndentationNumber::ContactStiffness)?)
+        });
+        Some(last? / deepest)
+    };
+    let ratios: Vec<f64> = contacts.iter().filter_map(|of| left(of)).collect();
+    let above: Vec<f64> = ratios.iter().copied().filter(|of| *of > PILES_UP).collect();
+    let most = above.iter().copied().fold(0.0, f64::max);
+    (!above.is_empty()).then(|| WarningResult {
+        code: "pile-up".into(),
+        message: format!(
+            "{} of {} keep up to {} % of their depth: a material that hardens little piles up around such imprints, and the \
+             true area is then larger than that of the area function, by up to 60 %; moduli fall by half of that, and \
+             hardnesses by all of it",
+            above.len(),
+            count(ratios.len(), "imprint"),
+            significant(100.0 * most, 2)
+        ),
+    })
+}
+
 /// That no hold tells the drift, and none is taken out.
-fn without_drift(
-    curves: &[EvaluatedFile],
-    settings: &EvaluationSettings,
-) -> Option<WarningResult> {
+fn without_drift(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Option<WarningResult> {
     if settings.drift != Drift::OfHoldIfFound {
         return None;
     }
-    let evaluated = || curves.iter().filter_map(|file| file.evaluated.as_ref().ok());
+    let evaluated = || {
+        let found = curves
+            .iter()
+            .filter_map(|file| file.evaluated.as_ref().ok());
+        found.filter_map(Evaluated::unloading)
+    };
     let without = evaluated().filter(|curve| curve.drift.is_none()).count();
     (without > 0).then(|| WarningResult {
         code: "drift-not-known".into(),

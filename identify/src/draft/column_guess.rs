@@ -110,8 +110,8 @@ fn likeness(channel: Channel, head: &HeaderField) -> Option<i32> {
         (false, false, true) if tells_alone => 20,
         _ => return None,
     };
-    let back = if has(&WAY_BACK) { 6 } else { 0 };
-    let measured = if has(&["measured", "sensor"]) { 1 } else { 0 };
+    let back = 6 * i32::from(has(&WAY_BACK));
+    let measured = i32::from(has(&["measured", "sensor"]));
     Some(likeness - back + measured)
 }
 

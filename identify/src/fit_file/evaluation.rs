@@ -15,6 +15,8 @@ use crate::indentation::{
     AreaFunction, DepthZero, Drift, Epsilon, EvaluationSettings, IndenterMaterial, Tip, TipShape,
     Uncertain,
 };
+use crate::measured::channel::Channel;
+use crate::measured::data_table::DataTable;
 use crate::measured::sources::MeasurementSources;
 
 /// The largest number of coefficients of an area function.
@@ -27,7 +29,7 @@ const EPSILON: f64 = 0.75;
 const AREA: &str = "a list such as [24.5, \"120 nm\"], of a number and coefficients with units of length, length^(3/2), \
     length^(7/4), …, or the file of a calibration";
 
-/// Reads the table; files of calibrations come from `sources`.
+/// Reads the table for these measurements; files of calibrations come from `sources`.
 ///
 /// # Errors
 ///
@@ -35,6 +37,7 @@ const AREA: &str = "a list such as [24.5, \"120 nm\"], of a number and coefficie
 pub fn read(
     field: &ValueReader<'_>,
     sources: &MeasurementSources,
+    data: &[DataTable],
 ) -> Result<EvaluationSettings, Diagnosis> {
     let table = field.clone().table()?;
     table.only(&[
@@ -50,8 +53,11 @@ pub fn read(
         "depth_zero",
         "poisson_ratio",
         "indenter",
+        "thinning",
     ])?;
-    let area = area(&table, sources)?;
+    let mut unloadings = data.iter().filter(|table| table.is_unloading());
+    let are_given = unloadings.all(|table| table.columns.has(Channel::ContactRadius));
+    let area = area(&table, sources, are_given)?;
     let frame = match table.optional("frame_compliance") {
         Some(field) => uncertain(&field, Some(Dimension::FrameCompliance), Sign::NotNegative)?,
         None => area.frame_compliance.unwrap_or_default(),
@@ -78,12 +84,13 @@ pub fn read(
         depth_zero: depth_zero(&table)?,
         poisson_ratio: poisson_ratio(&ratio)?,
         indenter: indenter(&table)?,
+        thinning: thinning(&table)?,
     })
 }
 
 /// An area function with what a calibration tells of it.
 struct Area {
-    function: AreaFunction,
+    function: Option<AreaFunction>,
     covariance: Vec<Vec<f64>>,
     range: Option<[f64; 2]>,
     frame_compliance: Option<Uncertain>,
@@ -92,7 +99,7 @@ struct Area {
 impl From<AreaFunction> for Area {
     fn from(function: AreaFunction) -> Self {
         Self {
-            function,
+            function: Some(function),
             covariance: Vec::new(),
             range: None,
             frame_compliance: None,
@@ -100,12 +107,23 @@ impl From<AreaFunction> for Area {
     }
 }
 
-fn area(table: &TableReader<'_>, sources: &MeasurementSources) -> Result<Area, Diagnosis> {
+/// The area function; none is needed where the instrument gives the radius of every contact.
+fn area(
+    table: &TableReader<'_>,
+    sources: &MeasurementSources,
+    are_given: bool,
+) -> Result<Area, Diagnosis> {
     match (table.optional("area_function"), table.optional("tip")) {
         (Some(_), Some(tip)) => Err(tip.diagnosis(Fault::Wrong {
             found: "tip and area_function".into(),
             wanted: "one of them".into(),
         })),
+        (None, None) if are_given => Ok(Area {
+            function: None,
+            covariance: Vec::new(),
+            range: None,
+            frame_compliance: None,
+        }),
         (None, None) => {
             let wanted = format!("{AREA}; or a `tip`, such as \"berkovich\", with a `tip_radius`");
             Err(table.missing("area_function", wanted))
@@ -168,7 +186,10 @@ fn unit_of_coefficient(k: usize) -> String {
 /// A number with a power of a length: `120 nm`, `-3.1 nm^(3/2)`, `5 um^1.75`.
 fn with_unit(text: &str, power: f64) -> Option<f64> {
     let (number, unit) = text.trim().split_once(char::is_whitespace)?;
-    let number: f64 = number.parse().ok().filter(|number: &f64| number.is_finite())?;
+    let number: f64 = number
+        .parse()
+        .ok()
+        .filter(|number: &f64| number.is_finite())?;
     let (length, written) = match unit.trim().split_once('^') {
         None => (unit.trim(), 1.0),
         Some((length, written)) => {
@@ -204,8 +225,8 @@ fn of_file(
     };
     let bytes = sources.read(&sources.path(name));
     let bytes = bytes.map_err(|error| refused(format!("cannot be read: {error}")))?;
-    let text = String::from_utf8(bytes.into_owned())
-        .map_err(|_| refused("is not a text".into()))?;
+    let text =
+        String::from_utf8(bytes.into_owned()).map_err(|_| refused("is not a text".into()))?;
     let source = Arc::new(Source::new(name.to_owned(), text));
     let read = || -> Result<Area, Diagnosis> {
         let root = toml_tree::parse(&source)?;
@@ -214,8 +235,11 @@ fn of_file(
         let rows = table.required("covariance", "the covariance of the coefficients, SI")?;
         let number = |of: &ValueReader<'_>| of.number("a finite number");
         let row = |of: &ValueReader<'_>| of.items("a row")?.iter().map(number).collect();
-        let covariance: Vec<Vec<f64>> =
-            rows.items("rows of numbers")?.iter().map(row).collect::<Result<_, _>>()?;
+        let covariance: Vec<Vec<f64>> = rows
+            .items("rows of numbers")?
+            .iter()
+            .map(row)
+            .collect::<Result<_, _>>()?;
         if covariance.iter().any(|row| row.len() != covariance.len())
             || covariance.len() != function.len()
         {
@@ -223,13 +247,16 @@ fn of_file(
         }
         let depths = table.required("depths", "the least and the largest contact depth")?;
         let length = |of: &ValueReader<'_>| of.quantity(Dimension::Length, Sign::Positive);
-        let depths: Vec<f64> = depths.items("two depths")?.iter().map(length).collect::<Result<_, _>>()?;
+        let depths: Vec<f64> = depths
+            .items("two depths")?
+            .iter()
+            .map(length)
+            .collect::<Result<_, _>>()?;
         let frame = table.optional("frame_compliance");
-        let frame = frame.map(|of| {
-            uncertain(&of, Some(Dimension::FrameCompliance), Sign::NotNegative)
-        });
+        let frame =
+            frame.map(|of| uncertain(&of, Some(Dimension::FrameCompliance), Sign::NotNegative));
         Ok(Area {
-            function: AreaFunction::Polynomial(function),
+            function: Some(AreaFunction::Polynomial(function)),
             covariance,
             range: match depths[..] {
                 [least, most] => Some([least, most]),
@@ -319,7 +346,10 @@ fn part(table: &TableReader<'_>) -> Result<[f64; 2], Diagnosis> {
         return Ok([0.95, 0.40]);
     };
     let ends = field.items(WANTED)?;
-    let ends: Vec<f64> = ends.iter().map(|end| end.number(WANTED)).collect::<Result<_, _>>()?;
+    let ends: Vec<f64> = ends
+        .iter()
+        .map(|end| end.number(WANTED))
+        .collect::<Result<_, _>>()?;
     match ends[..] {
         [high, low] if high <= 1.0 && low > 0.0 && low < high => Ok([high, low]),
         _ => Err(field.wanted(WANTED)),
@@ -347,10 +377,26 @@ fn depth_zero(table: &TableReader<'_>) -> Result<DepthZero, Diagnosis> {
     match field.value() {
         TomlValue::Text(text) if text == "first contact" => Ok(DepthZero::FirstContact),
         TomlValue::Text(text) if text == "as recorded" => Ok(DepthZero::AsRecorded),
-        TomlValue::Text(text) if quantity::dimension_of(text) != Some(Dimension::Length) => Err(
-            field.wanted("\"first contact\", \"as recorded\" or a depth of the file such as \"3 nm\""),
-        ),
+        TomlValue::Text(text) if quantity::dimension_of(text) != Some(Dimension::Length) => {
+            Err(field.wanted(
+                "\"first contact\", \"as recorded\" or a depth of the file such as \"3 nm\"",
+            ))
+        }
         _ => uncertain(&field, Some(Dimension::Length), Sign::Any).map(DepthZero::At),
+    }
+}
+
+/// The part of the contact depth by which an imprint thins the top layer.
+fn thinning(table: &TableReader<'_>) -> Result<f64, Diagnosis> {
+    const WANTED: &str = "a part of the contact depth between 0 and 1, such as 0.5";
+    let Some(field) = table.optional("thinning") else {
+        return Ok(0.0);
+    };
+    let part = field.number(WANTED)?;
+    if (0.0..=1.0).contains(&part) {
+        Ok(part)
+    } else {
+        Err(field.wanted(WANTED))
     }
 }
 

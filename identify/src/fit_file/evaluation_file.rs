@@ -13,7 +13,8 @@ use rayon::prelude::*;
 
 use super::{FitFile, FitSources, Measurements, evaluation};
 use crate::indentation::{
-    EvaluatedCurve, EvaluationSettings, IndentationCurve, IndentationError, evaluate,
+    EvaluatedCurve, EvaluationSettings, IndentationCurve, IndentationError, IndentationNumbers,
+    evaluate, evaluate_stiffnesses,
 };
 use crate::measured::curve::MeasuredCurve;
 use crate::measured::data_table::DataTable;
@@ -30,6 +31,15 @@ pub struct EvaluationFile {
     pub settings: EvaluationSettings,
 }
 
+/// What an evaluation finds in a measured curve.
+#[derive(Debug, Clone)]
+pub enum Evaluated {
+    /// A load and its unloading.
+    Unloading(Box<EvaluatedCurve>),
+    /// Readings of a continuous stiffness, one contact each.
+    Stiffnesses(Vec<IndentationNumbers>),
+}
+
 /// A measured curve and its evaluation.
 #[derive(Debug, Clone)]
 pub struct EvaluatedFile {
@@ -38,7 +48,27 @@ pub struct EvaluatedFile {
     /// The measurement.
     pub measured: MeasuredCurve,
     /// Its numbers, or why there are none.
-    pub evaluated: Result<EvaluatedCurve, IndentationError>,
+    pub evaluated: Result<Evaluated, IndentationError>,
+}
+
+impl Evaluated {
+    /// The numbers of its contacts.
+    #[must_use]
+    pub fn contacts(&self) -> &[IndentationNumbers] {
+        match self {
+            Self::Unloading(curve) => std::slice::from_ref(&curve.numbers),
+            Self::Stiffnesses(contacts) => contacts,
+        }
+    }
+
+    /// The unloading, if it is one.
+    #[must_use]
+    pub fn unloading(&self) -> Option<&EvaluatedCurve> {
+        match self {
+            Self::Unloading(curve) => Some(curve),
+            Self::Stiffnesses(_) => None,
+        }
+    }
 }
 
 /// What a fit file asks for.
@@ -99,12 +129,13 @@ impl EvaluationFile {
             None => name,
         };
         let field = table.required("evaluation", "a table [evaluation]")?;
+        let data = DataTable::read_all(root, sources)?;
         let file = Self {
             title: title.replace(char::is_control, " "),
-            settings: evaluation::read(&field, sources)?,
-            data: DataTable::read_all(root, sources)?,
+            settings: evaluation::read(&field, sources, &data)?,
+            data,
         };
-        let other = file.data.iter().find(|table| !table.is_unloading);
+        let other = file.data.iter().find(|table| !table.is_unloading());
         match other {
             Some(table) => Err(table.wanted(
                 "observe",
@@ -116,18 +147,21 @@ impl EvaluationFile {
 }
 
 impl EvaluatedFile {
+    /// The unloading, if it is one and has numbers.
+    #[must_use]
+    pub fn unloading(&self) -> Option<&EvaluatedCurve> {
+        self.evaluated.as_ref().ok()?.unloading()
+    }
+
     /// Evaluates the curves of the tables of unloadings among these.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first file that gives no curve.
-    pub fn all(
-        data: &[DataTable],
-        settings: &EvaluationSettings,
-    ) -> Result<Vec<Self>, Diagnosis> {
+    pub fn all(data: &[DataTable], settings: &EvaluationSettings) -> Result<Vec<Self>, Diagnosis> {
         let tables = data.iter().enumerate();
         let mut measured = Vec::new();
-        for (table, data) in tables.filter(|(_, data)| data.is_unloading) {
+        for (table, data) in tables.filter(|(_, data)| data.is_unloading()) {
             let curves = MeasuredCurve::read_all(data)?.into_iter();
             measured.extend(curves.map(|curve| (table, curve)));
         }
@@ -142,17 +176,27 @@ impl EvaluatedFile {
     fn of(
         measured: &MeasuredCurve,
         settings: &EvaluationSettings,
-    ) -> Result<EvaluatedCurve, IndentationError> {
+    ) -> Result<Evaluated, IndentationError> {
+        let depth = measured.depth().unwrap_or_default();
+        let force = measured.force().unwrap_or_default();
+        if let Some(stiffness) = measured.stiffness() {
+            let readings = [depth, force, stiffness];
+            let contacts = evaluate_stiffnesses(readings, measured.contact_radius(), settings)?;
+            return Ok(Evaluated::Stiffnesses(contacts));
+        }
         let contact = measured.before_contact.map(|before| {
-            let first = measured.rows.iter().position(|row| *row >= before.contact_row);
+            let first = measured
+                .rows
+                .iter()
+                .position(|row| *row >= before.contact_row);
             (before.contact, first.unwrap_or(0))
         });
         let curve = IndentationCurve {
             time: measured.time(),
-            depth: measured.depth().unwrap_or_default(),
-            force: measured.force().unwrap_or_default(),
+            depth,
+            force,
             contact,
         };
-        evaluate(curve, settings)
+        evaluate(curve, settings).map(|curve| Evaluated::Unloading(curve.into()))
     }
 }

@@ -33,9 +33,7 @@ impl DriftHold {
         let settled = first + SETTLING * (last - first);
         let middle = f64::midpoint(settled, last);
         let rate = |from: f64, to: f64| {
-            let chosen = points
-                .clone()
-                .filter(|at| (from..=to).contains(&time[*at]));
+            let chosen = points.clone().filter(|at| (from..=to).contains(&time[*at]));
             let (t, h): (Vec<f64>, Vec<f64>) = chosen.map(|at| (time[at], depth[at])).unzip();
             Line::through(&t, &h)
                 .map(|line| line.slope)

@@ -31,7 +31,9 @@ pub enum IndentationError {
         wanted: usize,
     },
     /// No times.
-    #[error("found no column of the time, which a drift wants: name it in `columns`, or set `drift = \"off\"`")]
+    #[error(
+        "found no column of the time, which a drift wants: name it in `columns`, or set `drift = \"off\"`"
+    )]
     NoTime,
     /// No hold.
     #[error(
@@ -83,14 +85,13 @@ pub enum IndentationError {
         /// The bound.
         bound: f64,
     },
-    /// A wrong setting.
-    #[error("found {found} for the {quantity}, wanted {wanted}")]
-    Setting {
-        /// Name of the number.
-        quantity: &'static str,
-        /// Value found.
-        found: f64,
-        /// The values allowed.
-        wanted: &'static str,
-    },
+    /// No area function.
+    #[error("found neither an area function nor a contact radius, wanted one of them")]
+    NoArea,
+    /// No exponent.
+    #[error(
+        "found readings of a stiffness, which have no exponent of an unloading, wanted one for `epsilon = \"exponent\"`: \
+         set a number such as 0.75"
+    )]
+    NoExponent,
 }

@@ -19,6 +19,8 @@ use super::IndentationError;
 pub(super) const EXPONENTS: [f64; 2] = [1.0, 2.0];
 /// The exponents sought, beyond those: an exponent outside by more than its uncertainty is no contact's.
 const SOUGHT: [f64; 2] = [0.5, 5.0];
+/// An exponent is at a bound within this of it: no contact of an imprint is so nearly that of a flat punch.
+const AT_BOUND: f64 = 1e-3;
 /// So many standard deviations outside can be noise.
 const DEVIATIONS: f64 = 3.0;
 /// The slope is sought within this factor of that of a secant.
@@ -39,7 +41,7 @@ pub struct UnloadingFit {
     pub covariance: [[f64; 3]; 3],
     /// Standard deviation of a single depth about the law, m.
     pub noise: f64,
-    /// Whether the exponent is held at a bound, beyond which the noise has carried it.
+    /// Whether the exponent is at a bound, or held there because the noise has carried it beyond.
     pub is_at_bound: bool,
 }
 
@@ -97,7 +99,11 @@ impl UnloadingFit {
             return Err(IndentationError::ExponentAtBound { found, bound });
         }
         if (least..most).contains(&found.exponent) {
-            return Ok(found);
+            let is_at_bound = found.exponent < least + AT_BOUND;
+            return Ok(Self {
+                is_at_bound,
+                ..found
+            });
         }
         let at_bound = Self::within([least, most], depths, forces, largest)?;
         Ok(Self {

@@ -107,11 +107,15 @@ impl CurveSegment {
 
     /// Makes it that of an unloading, whose evaluation needs the loading before it; `table` has it as `segment`.
     pub(super) fn require_whole(&mut self, table: &TableReader<'_>) -> Result<(), Diagnosis> {
-        let given = table.optional("segment").map(ValueReader::table).transpose()?;
+        let given = table
+            .optional("segment")
+            .map(ValueReader::table)
+            .transpose()?;
         for key in ["part", "until"] {
             let field = given.as_ref().and_then(|given| given.optional(key));
             if let Some(field) = field.filter(|field| field.text() != Ok("whole")) {
-                let wanted = "\"whole\", or none: an evaluation finds loading, hold and unloading itself";
+                let wanted =
+                    "\"whole\", or none: an evaluation finds loading, hold and unloading itself";
                 return Err(field.wanted(wanted));
             }
         }

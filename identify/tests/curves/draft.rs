@@ -115,7 +115,10 @@ fn eight_repeats_on_tungsten_are_one_pattern() {
     let file = |k: usize| folder.join(format!("tungsten_sphere_test0{k}.csv"));
     let files: Vec<PathBuf> = (1..=8).map(file).collect();
     let draft = Draft::new(&files, &folder, DraftKind::Guessed).expect("a draft");
-    for wanted in ["# 8 files: repeats", "file = \"tungsten_sphere_test0*.csv\"\n"] {
+    for wanted in [
+        "# 8 files: repeats",
+        "file = \"tungsten_sphere_test0*.csv\"\n",
+    ] {
         assert!(draft.text.contains(wanted), "{}", draft.text);
     }
 }

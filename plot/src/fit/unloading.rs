@@ -54,8 +54,17 @@ pub fn draw(title: &str, panels: &[UnloadingPanel], style: &Style) -> String {
         heading::HEIGHT + rows as f64 * high + 8.0,
     );
     if style.heading == Heading::Shown {
-        let numbers = format!("{}, evaluated by Oliver and Pharr", count(panels.len(), "unloading"));
-        heading::draw(&mut svg, LEFT, columns as f64 * wide - LEFT, title, &numbers);
+        let numbers = format!(
+            "{}, evaluated by Oliver and Pharr",
+            count(panels.len(), "unloading")
+        );
+        heading::draw(
+            &mut svg,
+            LEFT,
+            columns as f64 * wide - LEFT,
+            title,
+            &numbers,
+        );
     }
     for (place, panel) in panels.iter().enumerate() {
         let (column, row) = (place % COLUMNS, place / COLUMNS);
@@ -102,8 +111,8 @@ impl UnloadingPanel {
         });
         panel.draw_axes(svg);
         let text = |svg: &mut Svg, up: f64, words: &str| {
-            let words = heading::fitted(words, WIDE, 16.0);
-            svg.text((place.left, place.top - up), 16.0, Anchor::Start, &words);
+            let words = heading::fitted(words, WIDE, 15.0);
+            svg.text((place.left, place.top - up), 15.0, Anchor::Start, &words);
         };
         text(svg, 36.0, &self.name);
         text(svg, 14.0, &self.numbers);
