@@ -22,6 +22,7 @@ pub mod tables;
 pub mod taken_as_exact;
 pub mod text;
 pub mod units;
+pub mod unloadings;
 pub mod validity;
 pub mod zeros;
 
@@ -29,6 +30,7 @@ use std::sync::Arc;
 
 use pellicle_contact::ContactError;
 use pellicle_identify::fit_file::FitFile;
+use pellicle_identify::fit_file::evaluation_file::EvaluatedFile;
 use pellicle_identify::fit_file::unknown::UnknownCase;
 use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::{
@@ -52,6 +54,8 @@ pub struct Identification {
     pub sources: Vec<CurveSource>,
     /// The table of each curve, by its index.
     pub tables: Vec<usize>,
+    /// The evaluations of unloadings, if they are fitted.
+    pub evaluated: Arc<[EvaluatedFile]>,
     /// The models of the curves.
     pub model: ContactCurves,
     /// The problem: unknowns, nuisances, data and noise.
@@ -84,8 +88,15 @@ impl Identification {
     ///
     /// [`Failure`] if a measurement gives no curve, a model cannot be built, or there are too few points.
     pub fn new(file: FitFile, stop: StopFlag) -> Result<Self, Failure> {
+        let evaluated = match &file.evaluation {
+            Some(settings) => EvaluatedFile::all(&file.data, settings)?,
+            None => Vec::new(),
+        };
         let of_table = |(index, table)| {
-            let sources = CurveSource::of_table(table, &file.nuisances)?;
+            let sources = match &file.evaluation {
+                Some(settings) => vec![unloadings::source((index, table), &evaluated, settings)?],
+                None => CurveSource::of_table(table, &file.nuisances)?,
+            };
             for source in &sources {
                 file.refuse_other_radius(index, &source.measured)?;
             }
@@ -94,7 +105,7 @@ impl Identification {
         let sources = file.data.iter().enumerate().map(of_table);
         let sources: Vec<_> = sources.collect::<Result<_, Failure>>()?;
         let sources = sources.into_iter().flatten().collect();
-        Self::posed(file.into(), sources, None, stop)
+        Self::posed(file.into(), sources, evaluated.into(), None, stop)
     }
 
     /// The problem of these curves, each with the index of its table. The starts are those of the fit file unless
@@ -102,6 +113,7 @@ impl Identification {
     fn posed(
         file: Arc<FitFile>,
         sources: Vec<(usize, CurveSource)>,
+        evaluated: Arc<[EvaluatedFile]>,
         starts: Option<&[f64]>,
         stop: StopFlag,
     ) -> Result<Self, Failure> {
@@ -121,6 +133,10 @@ impl Identification {
                     .map(move |abscissa| (*abscissa, origin))
             });
             let (abscissae, origins): (Vec<f64>, Vec<Option<f64>>) = points.unzip();
+            let thinned = sources
+                .iter()
+                .filter(|(table, _)| *table == index)
+                .flat_map(|(_, source)| source.thinned.iter().copied());
             curves.push(ContactCurve {
                 model: parameters.model.clone(),
                 observable: table.observe,
@@ -128,6 +144,7 @@ impl Identification {
                 own,
                 series: curve_source::series(table),
                 origins: origins.into_iter().flatten().collect(),
+                thinned: unloadings::thinned(&parameters, thinned.collect()),
             });
         }
         let unknowns = file.all_unknowns();
@@ -141,13 +158,14 @@ impl Identification {
             .with_force_scales(spring_constants::scales(&file));
         let (tables, sources): (Vec<usize>, Vec<CurveSource>) = sources.into_iter().unzip();
         let directions = null_directions::common(directions)?;
-        let problem = problem(&file, &sources, starts)?
+        let problem = problem(&file, &sources, &evaluated, starts)?
             .with_null_directions(directions.clone())
             .with_scatter(scatter(&file));
         Ok(Self {
             file,
             sources,
             tables,
+            evaluated,
             model,
             problem,
             directions,
@@ -184,6 +202,7 @@ impl Identification {
 fn problem(
     file: &FitFile,
     sources: &[CurveSource],
+    evaluated: &[EvaluatedFile],
     starts: Option<&[f64]>,
 ) -> Result<Problem, Failure> {
     let curves = sources.iter().map(|source| {
@@ -202,7 +221,7 @@ fn problem(
         let moved = pairs.map(|(unknown, start)| unknown.starting_at(*start));
         unknowns = moved.collect::<Result<_, _>>()?;
     }
-    let noise = curve_source::noise(file, sources)?;
+    let noise = curve_source::noise(file, sources, evaluated)?;
     let told: Vec<_> = sources.iter().map(CurveSource::force_zero).collect();
     let mut linear = file.nuisances.linear(observe(file), &told)?;
     linear.extend(zeros::baseline_slopes(observe(file), sources)?);
@@ -219,7 +238,9 @@ fn observe(file: &FitFile) -> Observable {
 /// Repeats of one table may scatter; the curves of several tables share their parameters.
 fn scatter(file: &FitFile) -> Scatter {
     match &file.data[..] {
-        [table] if table.files.len() >= FEWEST_REPEATS => Scatter::BetweenCurves,
+        [table] if table.files.len() >= FEWEST_REPEATS && !table.is_unloading() => {
+            Scatter::BetweenCurves
+        }
         _ => Scatter::None,
     }
 }

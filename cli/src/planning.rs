@@ -111,6 +111,7 @@ impl<'a> Planning<'a> {
             abscissae: candidate.loads(),
             own: premises.own(&indenter),
             origins: Vec::new(),
+            thinned: None,
             series: 0.0,
         };
         let curves = ContactCurves::new(vec![curve], premises.sought(), CurveOptions::default())?;

@@ -31,6 +31,35 @@ pub enum ContactError {
         /// Value found, in m.
         radius: f64,
     },
+    /// A radius for which an axisymmetric contact is not computed.
+    #[error("found {radius:e} for the radius of an axisymmetric contact, wanted {wanted}")]
+    AxisymmetricRadius {
+        /// Value found, in m.
+        radius: f64,
+        /// The radii allowed.
+        wanted: &'static str,
+    },
+    /// A work of adhesion that is not positive and finite.
+    #[error("found {work} for the work of adhesion, wanted a positive finite number")]
+    WorkOfAdhesion {
+        /// Value found, in J/m².
+        work: f64,
+    },
+    /// A force at which the surfaces have separated.
+    #[error(
+        "found a force of {force:.6e} on an adhesive contact, wanted one above the pull-off force of {pull_off:.6e}"
+    )]
+    BeyondPullOff {
+        /// The force, in N.
+        force: f64,
+        /// The pull-off force, in N.
+        pull_off: f64,
+    },
+    /// A law of adhesion that has no formula for a shape.
+    #[error(
+        "found a shape for which the DMT law has no formula, wanted a paraboloid or a sphere, or the JKR law"
+    )]
+    NoDmtFormula,
     /// A tolerance outside (0, 0.1].
     #[error("found {tolerance} for the tolerance, wanted a number in (0, 0.1]")]
     Tolerance {

@@ -9,6 +9,8 @@
     )
 )]
 
+pub mod adhesion;
+pub mod axisymmetric;
 mod error;
 mod grid;
 mod indenter;

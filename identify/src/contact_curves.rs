@@ -9,6 +9,7 @@ mod curve;
 mod fixed_number;
 mod force_scale;
 mod grid_error;
+mod punch;
 mod reading;
 mod solved_curve;
 mod stiffness;
@@ -21,9 +22,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
 
-pub use curve::{ContactCurve, CurveOptions, Observable, Reading, StopFlag};
+pub use curve::{ContactCurve, CurveOptions, Observable, Reading, StopFlag, Thinned};
 pub use fixed_number::FixedNumber;
 pub use force_scale::ForceScale;
+pub use punch::ParameterAtPoint;
 use solved_curve::{Nodes, SolvedCurve};
 pub use validity::Invalidity;
 
@@ -37,7 +39,8 @@ const STIFFNESS_STEP: f64 = 0.03;
 #[derive(Debug)]
 pub struct ContactCurves {
     curves: Vec<ContactCurve>,
-    nodes: Vec<Nodes>,
+    /// None where no contact is solved.
+    nodes: Vec<Option<Nodes>>,
     parameters: Vec<ModelParameter>,
     /// One entry per curve.
     scales: Vec<Option<ForceScale>>,
@@ -101,7 +104,7 @@ impl ContactCurves {
     /// Number of loads solved for one prediction of all curves.
     #[must_use]
     pub fn loads(&self) -> usize {
-        self.nodes.iter().map(Nodes::len).sum()
+        self.nodes.iter().flatten().map(Nodes::len).sum()
     }
 
     /// Loads solved so far.
@@ -213,19 +216,22 @@ impl ContactCurves {
         let sought = sought.map(|(_, parameter)| parameter).chain(fixed);
         let sought: Vec<ModelParameter> = sought.copied().collect();
         let observable = self.curves[curve].observable;
-        let mut prediction = if observable == Observable::StiffnessAtContactRadius {
-            self.stiffnesses(curve, &model, &sought)?
+        let mut prediction = if let Some(nodes) = &self.nodes[curve] {
+            if observable == Observable::StiffnessAtContactRadius {
+                self.stiffnesses((curve, nodes), &model, &sought)?
+            } else {
+                let solved = self.remembered(curve, parameters, &sought, || {
+                    self.solved(&nodes.with_forces_times(factor), &model, &sought)
+                })?;
+                let series = self.curves[curve].series / factor;
+                observable.of(
+                    &solved,
+                    &observable.true_abscissae(abscissae, factor),
+                    series,
+                )?
+            }
         } else {
-            let solved = self.remembered(curve, parameters, &sought, || {
-                let nodes = self.nodes[curve].with_forces_times(factor);
-                self.solved(&nodes, &model, &sought)
-            })?;
-            let series = self.curves[curve].series / factor;
-            observable.of(
-                &solved,
-                &observable.true_abscissae(abscissae, factor),
-                series,
-            )?
+            self.curves[curve].punch_stiffnesses(&model, &sought)?
         };
         for index in own {
             prediction
@@ -277,7 +283,7 @@ impl ContactCurves {
     /// its own.
     fn stiffnesses(
         &self,
-        curve: usize,
+        (curve, nodes): (usize, &Nodes),
         model: &Model,
         sought: &[ModelParameter],
     ) -> Result<Prediction, ContactError> {
@@ -287,7 +293,7 @@ impl ContactCurves {
             ..
         } = &self.curves[curve];
         let of = |model: &Model| {
-            let solved = self.solved(&self.nodes[curve], model, &[])?;
+            let solved = self.solved(nodes, model, &[])?;
             observable.of(&solved, abscissae, 0.0)
         };
         let mut prediction = of(model)?;

@@ -9,6 +9,7 @@ pub mod report;
 mod stated_radius;
 mod stiffness;
 pub mod unknown;
+mod unloadings;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -25,6 +26,7 @@ use self::model::FitModel;
 use self::nuisance::NuisanceTable;
 use self::report::ReportTable;
 use self::unknown::{UnknownCase, read_unknowns};
+use crate::indentation::EvaluationSettings;
 use crate::measured::data_table::DataTable;
 use crate::measured::sources::MeasurementSources;
 use crate::measured::spring;
@@ -45,6 +47,8 @@ pub struct FitFile {
     pub nuisances: NuisanceTable,
     /// The table `[report]`.
     pub report: ReportTable,
+    /// How unloadings are evaluated, if they are fitted.
+    pub evaluation: Option<EvaluationSettings>,
     /// The radius of the indenter, if the files of the measurements state it and the model has none.
     pub stated_radius: Option<StatedNumber>,
     /// The tree of the file, for diagnoses.
@@ -104,7 +108,15 @@ impl FitFile {
         sources: &FitSources,
         measurements: Measurements,
     ) -> Result<Self, pellicle::Error> {
-        const TABLES: [&str; 6] = ["title", "model", "data", "unknown", "nuisance", "report"];
+        const TABLES: [&str; 7] = [
+            "title",
+            "model",
+            "data",
+            "unknown",
+            "nuisance",
+            "report",
+            "evaluation",
+        ];
         let root = toml_tree::parse(source)?;
         let table = TableReader::root(&root)?;
         table.only(&TABLES)?;
@@ -114,6 +126,14 @@ impl FitFile {
         };
         let model = table.required("model", "a table [model]")?;
         let mut model = FitModel::read(&model, &sources.maps)?;
+        let data = match (table.optional("data"), measurements) {
+            (None, Measurements::Optional) => Vec::new(),
+            _ => DataTable::read_all(&root, &sources.measurements)?,
+        };
+        let evaluation = unloadings::evaluation(&table, &data, &sources.measurements)?;
+        if let Some(settings) = &evaluation {
+            model.give_indenter(settings)?;
+        }
         let stated_radius = if model.lacks_radius() && table.optional("data").is_some() {
             stated_radius::of_files(&root, &sources.measurements)?
         } else {
@@ -132,10 +152,6 @@ impl FitFile {
             None => NuisanceTable::default(),
         };
         let report = optional("report")?.map(|table| ReportTable::read(&table, &parameters));
-        let data = match (table.optional("data"), measurements) {
-            (None, Measurements::Optional) => Vec::new(),
-            _ => DataTable::read_all(&root, &sources.measurements)?,
-        };
         let file = Self {
             title: title.replace(char::is_control, " "),
             data,
@@ -143,6 +159,7 @@ impl FitFile {
             unknowns,
             nuisances,
             report: report.transpose()?.unwrap_or_default(),
+            evaluation,
             stated_radius,
             document: Document::new(&root),
         };

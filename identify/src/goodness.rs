@@ -90,7 +90,8 @@ impl Residuals<'_> {
         let chi_squared = self.chi_squared;
         let chi_squared_p = self
             .known
-            .then(|| chi_squared_above(chi_squared, self.degrees));
+            .then(|| chi_squared_above(chi_squared, self.degrees))
+            .filter(|_| self.degrees > 0.0);
         let runs_p = runs(&self.series);
         let (durbin_watson, durbin_watson_p) = durbin_watson(&self.series);
         let all: Vec<f64> = [
@@ -105,12 +106,17 @@ impl Residuals<'_> {
         .into_iter()
         .flatten()
         .collect();
-        let is_negligible = chi_squared < NEGLIGIBLE * self.degrees;
+        // Without degrees of freedom the model follows any data.
+        let is_negligible = chi_squared < NEGLIGIBLE * self.degrees || self.degrees <= 0.0;
         let worst = all.iter().copied().fold(1.0, f64::min);
         Goodness {
             points: self.points,
             degrees_of_freedom: self.degrees,
-            chi_squared_per_degree: chi_squared / self.degrees,
+            chi_squared_per_degree: if self.degrees > 0.0 {
+                chi_squared / self.degrees
+            } else {
+                0.0
+            },
             chi_squared_p,
             runs_p,
             durbin_watson,

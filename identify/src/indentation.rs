@@ -5,29 +5,35 @@
 //! corrections   h ← h − h₀ − ḣ (t − t₀) − C_f P                                            correction.rs
 //! phases        loading, hold at the largest force, unloading, hold for the drift          phases.rs
 //! unloading     P = α (h − h_f)^m,  S = dP/dh at P_max                                      unloading.rs
-//! contact       h_c = h_max − ε P_max/S,  A(h_c)                                            area_function.rs
-//! modulus       E_r = √π S/(2 β √A),  1/E_r = (1 − ν²)/E_IT + (1 − ν_i²)/E_i                evaluation.rs
+//! area          A(h)                                                                       area_function.rs
+//! contact       h_c = h_max − ε P_max/S,  E_r = √π S/(2 β √A),
+//!               1/E_r = (1 − ν²)/E_IT + (1 − ν_i²)/E_i                                     contact.rs
+//! uncertainty   parts of independent sources                                               evaluation.rs
 //! ```
 //!
 //! W. C. Oliver and G. M. Pharr, J. Mater. Res. 7, 1564 (1992) and 19, 3 (2004); ISO 14577-1:2015.
 
 mod area_function;
+mod contact;
 mod correction;
 mod error;
 mod evaluation;
+mod inputs;
 mod number;
+mod numbers;
 mod phases;
+mod reading;
+mod settings;
 mod uncertain;
 mod unloading;
 
 pub use area_function::{AreaFunction, Tip, TipShape};
 pub use correction::DriftHold;
 pub use error::IndentationError;
-pub use evaluation::{
-    DepthZero, Drift, Epsilon, EvaluatedCurve, EvaluationSettings, IndentationCurve,
-    IndenterMaterial, evaluate,
-};
+pub use evaluation::{EvaluatedCurve, IndentationCurve, evaluate, evaluate_stiffnesses};
 pub use number::IndentationNumber;
+pub use numbers::IndentationNumbers;
 pub use phases::Phases;
+pub use settings::{DepthZero, Drift, Epsilon, EvaluationSettings, IndenterMaterial};
 pub use uncertain::Uncertain;
 pub use unloading::UnloadingFit;

@@ -49,7 +49,7 @@ mod verdict;
 
 pub use contact_curves::{
     ContactCurve, ContactCurves, CurveOptions, FixedNumber, ForceScale, Invalidity, Observable,
-    Reading, StopFlag,
+    ParameterAtPoint, Reading, StopFlag, Thinned,
 };
 pub use curve::Curve;
 pub use departure::Departure;

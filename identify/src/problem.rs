@@ -53,7 +53,9 @@ impl Problem {
         let observed: Vec<f64> = curves.iter().flat_map(Curve::observed).copied().collect();
         let free = columns.iter().filter(|c| c.prior.is_none()).count()
             + unknowns.iter().filter(|u| u.prior().is_none()).count();
-        if observed.len() <= free {
+        // As many points as unknowns leave nothing to estimate the noise from.
+        let spare = usize::from(!noise.is_given());
+        if observed.len() < free + spare {
             return Err(IdentifyError::TooFewPoints {
                 points: observed.len(),
                 wanted: free,

@@ -69,6 +69,7 @@ fn curves(
         own: Vec::new(),
         origins: Vec::new(),
         series: 0.0,
+        thinned: None,
     };
     ContactCurves::new(vec![curve], parameters.to_vec(), CurveOptions::default()).unwrap()
 }
@@ -402,6 +403,7 @@ fn the_contact_radius_of_a_flat_punch_is_no_abscissa() {
         own: Vec::new(),
         origins: Vec::new(),
         series: 0.0,
+        thinned: None,
     };
     let refused = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default());
     let refused = refused.unwrap_err().to_string();

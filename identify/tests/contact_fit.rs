@@ -50,6 +50,7 @@ fn coating(parameters: usize) -> (ContactCurves, Vec<f64>) {
         abscissae: forces.clone(),
         own: Vec::new(),
         origins: Vec::new(),
+        thinned: None,
         series: 0.0,
     };
     let options = CurveOptions::default();

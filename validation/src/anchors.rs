@@ -1,10 +1,10 @@
 //! Reference cases from the literature: punches on layers and square punches.
 
+use pellicle_contact::axisymmetric::punch_stiffness;
 use pellicle_contact::{FlatPunch, Indenter, Load, Profile};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
 use crate::comparison::Comparison;
-use crate::independent::fredholm::{self, AxisymmetricSolution};
 use crate::run::{ContactSetup, ValidationError, ValidationRun, unit_material};
 use crate::section::ValidationSection;
 
@@ -51,8 +51,7 @@ fn layer_on_rigid_base(
     let body = layer(nu)?;
     // Q = 2 E* a D on a half-space
     let unit = 2.0 * body.surface_material().plane_strain_modulus() * radius;
-    let profile = fredholm::AxisymmetricProfile::FlatPunch(1.0);
-    let wanted = AxisymmetricSolution::new(&body, profile, radius)?.force / unit;
+    let wanted = punch_stiffness(&body.clone().into(), radius)?[0] / unit;
     let disc = radius / effective_radius(run, PUNCH)?;
     let found = punch_force(run, &body, disc, PUNCH)? / unit;
     let check = format!("layer on a rigid base, a/H = {radius}, ν = {nu}: κ");
@@ -118,10 +117,8 @@ fn film_of_almost_equal_modulus(run: ValidationRun) -> Result<Vec<Comparison>, V
     let mut rows = Vec::new();
     for thickness in FILMS {
         let wanted = weight_of_film(thickness, nu);
-        let by_equation = derivative(&|change| {
-            let profile = fredholm::AxisymmetricProfile::FlatPunch(1.0);
-            Ok(AxisymmetricSolution::new(&film(thickness, change)?, profile, 1.0)?.force)
-        })?;
+        let by_equation =
+            derivative(&|change| Ok(punch_stiffness(&film(thickness, change)?.into(), 1.0)?[0]))?;
         let by_grid =
             derivative(&|change| punch_force(run, &film(thickness, change)?, disc, PUNCH))?;
         let check = |how| format!("I₀ of a film, H/a = {thickness}: {how}");

@@ -60,3 +60,36 @@ fn contact(case: &AxisymmetricContact) -> Result<ContactSetup, ValidationError> 
     let (grid, load) = ((SIDE, ELEMENTS), Load::Force(case.force));
     Ok(ContactSetup::bare(body, indenter, grid, load))
 }
+
+#[cfg(test)]
+mod tests {
+    use pellicle_contact::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
+
+    use super::*;
+
+    #[test]
+    fn the_integral_equation_reproduces_the_22_digit_penetrations_and_forces() {
+        for case in axisymmetric().unwrap() {
+            let coating = Material::new(case.e1, case.nu1).unwrap();
+            let substrate = Material::new(1.0, case.nu2).unwrap();
+            let body = Foundation::coated(case.thickness, coating, substrate).unwrap();
+            let profile = match case.shape {
+                AxisymmetricIndenter::Paraboloid => AxisymmetricProfile::Paraboloid { radius: 1.0 },
+                AxisymmetricIndenter::Cone => AxisymmetricProfile::Cone {
+                    slope: 1.0,
+                    tip_radius: 0.0,
+                },
+            };
+            let elasticity = AxisymmetricElasticity::new(&body.into());
+            let found = elasticity.contact(profile, 1.0).unwrap();
+            let errors = [
+                found.penetration / case.penetration - 1.0,
+                found.force / case.force - 1.0,
+            ];
+            // Rounding, times the cancellation of stiff coatings.
+            for error in errors {
+                assert!(error.abs() < 1e-11, "{case:?}: {errors:?}");
+            }
+        }
+    }
+}

@@ -6,10 +6,10 @@
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use pellicle_contact::Load;
+use pellicle_contact::axisymmetric::quadrature::{composite, graded};
+use pellicle_contact::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 
-use crate::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
-use crate::independent::{composite, graded};
 use crate::run::{ContactSetup, ValidationError, ValidationRun, paraboloid};
 
 /// Secant steps that find a contact radius to rounding, and two more.
@@ -39,10 +39,11 @@ impl ThinLayer {
     /// Returns `χ` and `ψ` at a contact radius, in thicknesses, from the integral equation.
     ///
     /// # Errors
-    /// Errors of [`AxisymmetricSolution::new`].
+    /// Errors of [`AxisymmetricElasticity::contact`].
     pub fn at_contact_radius(&self, radius: f64) -> Result<[f64; 2], ValidationError> {
-        let profile = AxisymmetricProfile::Paraboloid(1.0);
-        let exact = AxisymmetricSolution::new(&self.foundation()?, profile, radius)?;
+        let profile = AxisymmetricProfile::Paraboloid { radius: 1.0 };
+        let body = AxisymmetricElasticity::new(&self.foundation()?.into());
+        let exact = body.contact(profile, radius)?;
         let chi = exact.penetration.sqrt();
         Ok([chi, 0.75 * exact.force / chi.powi(3)])
     }
@@ -50,7 +51,7 @@ impl ThinLayer {
     /// Returns `ψ(χ)` from the integral equation.
     ///
     /// # Errors
-    /// Errors of [`AxisymmetricSolution::new`].
+    /// Errors of [`AxisymmetricElasticity::contact`].
     pub fn exact(&self, chi: f64) -> Result<f64, ValidationError> {
         // χ grows roughly as a power of the contact radius: secants in the logarithms, starting from Hertz's a = χ.
         let at =

@@ -2,6 +2,7 @@
 
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle_identify::fit_file::FitFile;
+use pellicle_identify::fit_file::evaluation_file::EvaluatedFile;
 use pellicle_identify::fit_file::nuisance::{ForceZero, NuisanceTable, Zero};
 use pellicle_identify::measured::channel::Channel;
 use pellicle_identify::measured::curve::MeasuredCurve;
@@ -12,6 +13,7 @@ use pellicle_identify::{
     Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable, Reading,
 };
 
+use super::unloadings;
 use crate::failure::Failure;
 
 /// The smallest number of points of a curve.
@@ -37,6 +39,8 @@ pub struct CurveSource {
     pub time: Option<Vec<f64>>,
     /// Number of points left out because their abscissa is not positive, where there is no contact.
     pub without_contact: usize,
+    /// What the imprint under each point takes off the thickness of the top layer, m; empty for nothing.
+    pub thinned: Vec<f64>,
     /// The index of each fitted point among those of the measurement.
     points: Vec<usize>,
 }
@@ -104,6 +108,7 @@ impl CurveSource {
             observed: kept(observed),
             time: measured.time().map(kept),
             without_contact: abscissa.len() - in_contact.len(),
+            thinned: Vec::new(),
             points: in_contact,
             measured,
         };
@@ -118,6 +123,24 @@ impl CurveSource {
             return Err(table.diagnosis(&source.measured.file, &error));
         }
         Ok(source)
+    }
+
+    /// A curve of these readings, one for each row of a measurement.
+    #[must_use]
+    pub fn of_readings(
+        measured: MeasuredCurve,
+        [abscissa, observed]: [Vec<f64>; 2],
+        thinned: Vec<f64>,
+    ) -> Self {
+        Self {
+            points: (0..abscissa.len()).collect(),
+            measured,
+            abscissa,
+            observed,
+            time: None,
+            without_contact: 0,
+            thinned,
+        }
     }
 
     /// What the file tells of the zero of its force.
@@ -161,6 +184,11 @@ impl CurveSource {
             abscissa: chosen(&self.abscissa),
             observed: chosen(&self.observed),
             time: self.time.as_deref().map(chosen),
+            thinned: if self.thinned.is_empty() {
+                Vec::new()
+            } else {
+                chosen(&self.thinned)
+            },
             points: kept.iter().map(|point| self.points[*point]).collect(),
             ..self.clone()
         }
@@ -249,12 +277,19 @@ pub fn series(table: &DataTable) -> f64 {
 /// # Errors
 ///
 /// [`Failure`] if two tables have different noise.
-pub fn noise(file: &FitFile, sources: &[CurveSource]) -> Result<Noise, Failure> {
+pub fn noise(
+    file: &FitFile,
+    sources: &[CurveSource],
+    evaluated: &[EvaluatedFile],
+) -> Result<Noise, Failure> {
     let of = |table: &DataTable| (table.observe, table.noise);
     let first = file.data.first().map(of);
     let (observe, noise) = first.unwrap_or_default();
     if let Some(other) = file.data.iter().find(|table| of(table) != (observe, noise)) {
         return Err(other.other_noise().into());
+    }
+    if observe == Observable::UnloadingStiffness {
+        return Ok(unloadings::noise(noise, evaluated, file));
     }
     let (observed, abscissa) = (noise.of(observe.observed()), noise.of(observe.abscissa()));
     // What the forces scatter by before the contact, they scatter by in it.

@@ -38,9 +38,12 @@ pub fn is_name(name: &str) -> bool {
 ///
 /// [`Failure::File`] if a file cannot be written.
 pub fn write(folder: &Path, fitted: &mut FittedFile) -> Result<(), Failure> {
-    let writer = WriteProgress::new(FitPicture::ALL.len(), &|_, _| ());
     let (of, fit, found) = (&fitted.identification, &fitted.fit, &fitted.found);
-    let drawings = pictures::write(folder, of, fit, found, &Style::default(), &writer)?;
+    let sheets = evaluation::pictures::sheets(&of.evaluated);
+    let writer = WriteProgress::new(FitPicture::ALL.len() + sheets, &|_, _| ());
+    let style = Style::default();
+    let drawings = pictures::write(folder, of, fit, found, &style, &writer)?;
+    evaluation::pictures::write(folder, (&found.title, &of.evaluated), &style, &writer)?;
     let failed = writer.warnings().into_iter();
     fitted
         .found

@@ -4,6 +4,7 @@ use pellicle_identify::Fit;
 
 use super::result::FitResult;
 use super::{Identification, tables};
+use crate::evaluation::table;
 
 /// The fit of a fit file.
 #[derive(Debug)]
@@ -29,6 +30,8 @@ impl FittedFile {
         let excluded = tables::excluded(&self.identification);
         let excluded = excluded.map(|table| (tables::EXCLUDED, table));
         let all = tables::all(&self.identification, &self.fit).into_iter();
-        all.chain(excluded).collect()
+        let contacts = &self.found.indentation;
+        let contacts = (!contacts.is_empty()).then(|| (table::FILE, table::table(contacts)));
+        all.chain(excluded).chain(contacts).collect()
     }
 }

@@ -24,6 +24,9 @@ use crate::failure::Failure;
 /// one. As many more leave out those of all fits, for some points may be in and out by turns.
 const MOST_REPETITIONS: usize = 3;
 
+/// The tolerance of a search with a model that is exact to rounding, as that of unloadings.
+const EXACT: f64 = 1e-16;
+
 impl Identification {
     /// Runs the fit; `report` receives the number of predictions after each. The returned identification has the points
     /// of the fit: those of `self` unless some had to be left out.
@@ -104,6 +107,11 @@ impl Identification {
     fn fit(&self, model: &Remembered<'_>, intervals: Intervals) -> Result<Fit, Failure> {
         let options = FitOptions {
             intervals,
+            tolerance: if self.file.evaluation.is_some() {
+                EXACT
+            } else {
+                FitOptions::default().tolerance
+            },
             ..self.file.report.options()
         };
         Ok(identify(model, &self.problem, &options)?)
@@ -140,7 +148,9 @@ impl Identification {
             return Ok(None);
         }
         let starts: Vec<f64> = search.estimates.iter().map(|of| of.value).collect();
-        match Self::posed(self.file.clone(), sources, Some(&starts), self.stop.clone()) {
+        let evaluated = self.evaluated.clone();
+        let (file, stop) = (self.file.clone(), self.stop.clone());
+        match Self::posed(file, sources, evaluated, Some(&starts), stop) {
             // Too few points, or none of them in contact.
             Err(
                 Failure::Identify(IdentifyError::TooFewPoints { .. })

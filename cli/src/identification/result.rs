@@ -14,6 +14,7 @@ use super::findings::{
 };
 use super::taken_as_exact::ExactNumber;
 use super::{Identification, zeros};
+use crate::evaluation::result::Indentation;
 
 /// Name of the file in a folder of results.
 pub const FILE: &str = "fit.json";
@@ -49,6 +50,9 @@ pub struct FitResult {
     pub work: WorkResult,
     /// The curves.
     pub curves: Vec<CurveResult>,
+    /// The contacts of unloadings by Oliver and Pharr; missing in other fits.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub indentation: Vec<Indentation>,
     /// Warnings for the reader.
     pub warnings: Vec<WarningResult>,
 }
@@ -144,6 +148,7 @@ impl FitResult {
         warnings.extend(of.departure_warning(fit));
         warnings.extend(of.outside_warnings());
         warnings.extend(of.causes(fit));
+        warnings.extend(of.evaluation_warnings());
         let (taken_as_exact, failure) = of.taken_as_exact(fit);
         warnings.extend(failure);
         let is_differentiated = !taken_as_exact.is_empty();
@@ -167,6 +172,7 @@ impl FitResult {
                 seconds,
             },
             curves: of.curves(fit),
+            indentation: of.indentation(),
             warnings,
         }
     }

@@ -160,6 +160,7 @@ fn curves(file: &FitFile, data: &DataTable, forces: &[f64]) -> Result<ContactCur
         abscissae: forces.to_vec(),
         own: Vec::new(),
         origins: Vec::new(),
+        thinned: None,
         series: 0.0,
     };
     let options = CurveOptions::default();

@@ -5,6 +5,7 @@ use pellicle::display::significant;
 use super::findings::EstimateResult;
 use super::result::FitResult;
 use super::taken_as_exact::most_critical;
+use crate::evaluation;
 
 /// Describes the result, one line per parameter.
 #[must_use]
@@ -27,9 +28,10 @@ pub fn text(result: &FitResult) -> String {
     let exact = most_critical(&result.taken_as_exact, &result.unknowns);
     let exact = exact.map(|sentence| format!("  {sentence}\n"));
     format!(
-        "{}\n{}{}{quality}{work}",
+        "{}\n{}{}{}{quality}{work}",
         result.title,
         estimates.collect::<String>(),
+        evaluation::text::beside(&result.indentation),
         exact.unwrap_or_default(),
     )
 }

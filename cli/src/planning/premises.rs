@@ -143,7 +143,7 @@ impl<'a> Premises<'a> {
 /// The noise of the fit file. Levels it leaves to be estimated are zero; if it gives none for the observable, the noise
 /// is assumed.
 fn noise(file: &FitFile) -> Result<(NoiseLevels, NoiseSource), Failure> {
-    let noise = curve_source::noise(file, &[])?;
+    let noise = curve_source::noise(file, &[], &[])?;
     let level = |amount| match amount {
         Amount::Given(level) => level,
         Amount::Estimated => 0.0,

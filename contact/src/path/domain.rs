@@ -12,7 +12,7 @@
 //! domain tried: [`choose_side`](crate::choose_side) checks by a solution on a coarse grid whether it is large enough.
 
 pub mod choice;
-mod root_finding;
+pub(crate) mod root_finding;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::LazyLock;

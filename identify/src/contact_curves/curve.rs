@@ -25,6 +25,17 @@ pub struct ContactCurve {
     /// by `D + F/k`. Forces are then observed at approaches, which have no noise of the force in them, and penetrations
     /// at forces, `z − F/k`, have it twice.
     pub series: f64,
+    /// What the imprints under unloadings have displaced of the top layer, if that is allowed for.
+    pub thinned: Option<Thinned>,
+}
+
+/// What imprints have displaced of a layer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Thinned {
+    /// The thickness of the layer.
+    pub thickness: ModelParameter,
+    /// What is taken off it at each point, m.
+    pub off: Vec<f64>,
 }
 
 impl ContactCurve {
@@ -58,6 +69,10 @@ pub enum Observable {
     /// The contact stiffness `S = dQ/dD` (N/m) at penetrations (m).
     #[serde(rename = "stiffness at depth")]
     StiffnessAtDepth,
+    /// The contact stiffness (N/m) at the beginning of unloadings, at the radii (m) of their contacts: that of a flat
+    /// punch, as an imprint nearly fits its indenter (R. B. King, Int. J. Solids Struct. 23, 1657 (1987)).
+    #[serde(rename = "unloading")]
+    UnloadingStiffness,
 }
 
 /// A quantity of a contact that an instrument reads.
@@ -75,7 +90,7 @@ pub enum Reading {
 
 impl Observable {
     /// Every observable, with the words that name it in a fit file.
-    pub const ALL: [(&'static str, Self); 5] = [
+    pub const ALL: [(&'static str, Self); 6] = [
         ("depth at force", Self::DepthAtForce),
         ("force at depth", Self::ForceAtDepth),
         ("stiffness at depth", Self::StiffnessAtDepth),
@@ -84,6 +99,7 @@ impl Observable {
             "stiffness at contact radius",
             Self::StiffnessAtContactRadius,
         ),
+        ("unloading", Self::UnloadingStiffness),
     ];
 
     /// The quantity at whose values the other one is observed.
@@ -92,7 +108,7 @@ impl Observable {
         match self {
             Self::DepthAtForce | Self::StiffnessAtForce => Reading::Force,
             Self::ForceAtDepth | Self::StiffnessAtDepth => Reading::Depth,
-            Self::StiffnessAtContactRadius => Reading::ContactRadius,
+            Self::StiffnessAtContactRadius | Self::UnloadingStiffness => Reading::ContactRadius,
         }
     }
 
@@ -102,9 +118,10 @@ impl Observable {
         match self {
             Self::DepthAtForce => Reading::Depth,
             Self::ForceAtDepth => Reading::Force,
-            Self::StiffnessAtContactRadius | Self::StiffnessAtForce | Self::StiffnessAtDepth => {
-                Reading::Stiffness
-            }
+            Self::StiffnessAtContactRadius
+            | Self::StiffnessAtForce
+            | Self::StiffnessAtDepth
+            | Self::UnloadingStiffness => Reading::Stiffness,
         }
     }
 }

@@ -65,7 +65,7 @@ impl Observable {
                 let changes = point.changes.iter().map(|change| -change * slope);
                 Ok((force, slope, changes.collect()))
             }
-            Self::StiffnessAtContactRadius => {
+            Self::StiffnessAtContactRadius | Self::UnloadingStiffness => {
                 let force = force_at_radius(curve, abscissa)?;
                 let [_, rate] = curve.radius(force);
                 let at = curve.stiffness_at(force);

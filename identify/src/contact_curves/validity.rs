@@ -208,15 +208,18 @@ impl ContactCurves {
         Ok(together)
     }
 
-    /// The state of the contact at the loads of a curve.
+    /// The state of the contact at the loads of a curve; empty where no contact is solved.
     fn conditions(&self, curve: usize, values: &[f64]) -> Result<Vec<Condition>, ContactError> {
+        let Some(nodes) = &self.nodes[curve] else {
+            return Ok(Vec::new());
+        };
         let model = self.model(curve, values)?;
         let ContactCurve {
             observable, series, ..
         } = self.curves[curve];
         let constants = self.constants(values);
         let factor = self.scales[curve].map_or(1.0, |scale| scale.factor(constants));
-        let nodes = self.nodes[curve].with_forces_times(factor);
+        let nodes = nodes.with_forces_times(factor);
         let solved = nodes.domains(&model).into_par_iter();
         let solved = solved.map(|domain| {
             let path = held(&model, domain, self.options.elements)?;

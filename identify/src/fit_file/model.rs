@@ -10,6 +10,7 @@ use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::key_path;
 use pellicle::input::overrides;
 use pellicle::input::source_file;
+use pellicle::input::span::Span;
 use pellicle::input::toml_tree::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
 use pellicle::input::value_reader::ValueReader;
 use pellicle_contact::{ContactError, Model, ModelParameter};
@@ -66,6 +67,36 @@ impl FitModel {
             name,
             cache,
         })
+    }
+
+    /// The place of a table of the case, if it has one of this key.
+    pub(super) fn place_of(&self, key: &str) -> Option<Span> {
+        let TomlValue::Table(root) = &self.root.value else {
+            return None;
+        };
+        root.entry(key).map(|entry| entry.key_span.clone())
+    }
+
+    /// Replaces a table of the case by one of these values.
+    pub(super) fn replace_table(&mut self, key: &str, values: Vec<(&str, TomlValue)>) {
+        let span = self.root.span.clone();
+        let TomlValue::Table(root) = &mut self.root.value else {
+            return;
+        };
+        let entry = |key: &str, value: TomlValue| TomlEntry {
+            key: key.to_owned(),
+            key_span: span.clone(),
+            node: TomlNode {
+                value,
+                span: span.clone(),
+            },
+        };
+        let entries = values.into_iter().map(|(key, value)| entry(key, value));
+        let table = TomlValue::Table(TomlTable {
+            entries: entries.collect(),
+        });
+        root.entries.retain(|entry| entry.key != key);
+        root.entries.push(entry(key, table));
     }
 
     /// Whether the indenter is of a kind with one radius, and has none.

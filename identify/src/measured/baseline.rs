@@ -133,9 +133,9 @@ pub(super) fn subtract(
 
 /// The stretch, and whether it shows itself.
 fn find(raw: &RawCurve<'_>, rows: &[usize], data: &DataTable) -> Option<(BeforeContactRows, bool)> {
-    let is_sought = data.segment.part == Branch::Loading || data.is_unloading;
+    let is_sought = data.segment.part == Branch::Loading || data.is_unloading();
     let (coordinate, forces) = curve(raw).filter(|_| is_sought)?;
-    let rows = if data.is_unloading {
+    let rows = if data.is_unloading() {
         up_to_largest(rows, forces)
     } else {
         rows

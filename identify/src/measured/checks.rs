@@ -70,7 +70,7 @@ pub(super) fn warnings(curve: &MeasuredCurve, data: &DataTable) -> Vec<CurveWarn
                 .into(),
         );
     }
-    let area = relative_area(curve).filter(|_| !data.is_unloading);
+    let area = relative_area(curve).filter(|_| !data.is_unloading());
     if let Some(area) = area.filter(|area| *area > LARGEST_AREA) {
         let message = format!(
             "the force rises ever more slowly with the depth (area under the curve {area:.2} of its rectangle, \

@@ -42,10 +42,8 @@ pub struct DataTable {
     pub baseline: Baseline,
     /// Rows that are left out by hand.
     pub omit: OmittedRows,
-    /// The observable that is compared with the model; of unloadings that which their evaluation gives.
+    /// The observable that is compared with the model.
     pub observe: Observable,
-    /// Whether each file is a load and its unloading, to be evaluated by Oliver and Pharr.
-    pub is_unloading: bool,
     /// The noise.
     pub noise: MeasuredNoise,
     /// The spring constant of a cantilever, if the penetration comes from the height of its piezo.
@@ -140,10 +138,10 @@ impl DataTable {
         let text =
             optional("text")?.map_or(Ok(TextOptions::default()), |t| TextOptions::read(&t))?;
         let columns_read = CurveColumns::read(&columns, optional("units")?.as_ref())?;
-        let (observe, is_unloading) = observe(&table, &columns)?;
+        let observe = observe(&table, &columns)?;
         let mut segment =
             optional("segment")?.map_or(Ok(CurveSegment::default()), |t| CurveSegment::read(&t))?;
-        if is_unloading {
+        if observe == Observable::UnloadingStiffness {
             segment.require_whole(&table)?;
         }
         let mut data = Self {
@@ -160,7 +158,6 @@ impl DataTable {
             baseline: (table.optional("baseline"))
                 .map_or(Ok(Baseline::default()), |field| Baseline::read(&field))?,
             observe,
-            is_unloading,
             noise: optional("noise")?
                 .map_or(Ok(MeasuredNoise::default()), |t| MeasuredNoise::read(&t))?,
             spring_constant: spring.map(|f| SpringConstant::read(&f)).transpose()?,
@@ -194,6 +191,12 @@ impl DataTable {
                 self.diagnosis(&self.files[file], &error)
             })?;
         Ok(())
+    }
+
+    /// Whether its files are loads and their unloadings, or rows with the stiffness of such, which an evaluation reads.
+    #[must_use]
+    pub fn is_unloading(&self) -> bool {
+        self.observe == Observable::UnloadingStiffness
     }
 
     /// The numbers that a file states above its table; none if it cannot be read.
@@ -244,23 +247,15 @@ fn matching(
     Ok(sources.of(field.text()?))
 }
 
-/// The observable, and whether it comes from unloadings; of a cantilever the force, which carries the noise, otherwise
-/// the depth.
-fn observe(
-    table: &TableReader<'_>,
-    columns: &TableReader<'_>,
-) -> Result<(Observable, bool), Diagnosis> {
-    if let Some(field) = table.optional("observe") {
-        // The stiffness of an unloading is that at the radius of its contact.
-        let unloading = ("unloading", (Observable::StiffnessAtContactRadius, true));
-        let others = Observable::ALL.map(|(word, of)| (word, (of, false)));
-        return field.choice(&[&others[..], &[unloading]].concat());
-    }
+/// The observable; of a cantilever the force, which carries the noise, otherwise the depth.
+fn observe(table: &TableReader<'_>, columns: &TableReader<'_>) -> Result<Observable, Diagnosis> {
+    let field = table.optional("observe");
+    let observe = field.map(|field| field.choice(&Observable::ALL));
     let default = match columns.optional(Channel::Height.key()) {
         Some(_) => Observable::ForceAtDepth,
         None => Observable::DepthAtForce,
     };
-    Ok((default, false))
+    Ok(observe.transpose()?.unwrap_or(default))
 }
 
 /// Reads the entries of `set`: their keys must be paths; their values are checked by the model.

@@ -98,6 +98,7 @@ fn of_the_paper(greatest_force: f64, sought: &[usize]) -> Vec<f64> {
         abscissae: forces.clone(),
         own: Vec::new(),
         origins: Vec::new(),
+        thinned: None,
         series: 0.0,
     };
     let all = [young_modulus(0), young_modulus(1), THICKNESS, film];

@@ -75,6 +75,7 @@ impl Coating {
             abscissae: self.forces(),
             own: Vec::new(),
             origins: Vec::new(),
+            thinned: None,
             series: 0.0,
         };
         ContactCurves::new(vec![curve], sought.to_vec(), CurveOptions::default()).unwrap()

@@ -117,6 +117,7 @@ impl Fitted {
             own: Vec::new(),
             origins: Vec::new(),
             series: 0.0,
+            thinned: None,
         };
         let curves = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default()).unwrap();
         curves.predict(&[]).unwrap().value

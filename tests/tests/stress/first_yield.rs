@@ -2,6 +2,9 @@
 
 use std::sync::Arc;
 
+use pellicle_contact::axisymmetric::{
+    AxisymmetricElasticity, AxisymmetricPressure, AxisymmetricProfile,
+};
 use pellicle_contact::{
     BodyPart, BodyStrengths, CriticalLoad, Domain, Load, LoadingPath, Model, Paraboloid, Sliding,
     SolverOptions, StressExtremes, StressModel, critical_loads, solve_path, stress_extremes,
@@ -10,8 +13,7 @@ use pellicle_influence::{Cache, Depth, RadialTables};
 use pellicle_kernel::{Foundation, Material, Side};
 use pellicle_texture::Relief;
 use pellicle_validation::data::contact::{AxisymmetricContact, AxisymmetricIndenter, axisymmetric};
-use pellicle_validation::independent::fredholm::{AxisymmetricProfile, AxisymmetricSolution};
-use pellicle_validation::independent::hankel::fields;
+use pellicle_validation::independent::hankel::{fields, of_contact};
 use rayon::prelude::*;
 
 /// The body of a case.
@@ -31,11 +33,11 @@ fn larger(one: Place, other: Place) -> Place {
 /// planes, then on successively finer ones around the best.
 fn largest(
     body: &Foundation,
-    solution: &AxisymmetricSolution,
+    pressure: &AxisymmetricPressure,
     [top, bottom]: [f64; 2],
     side: Side,
 ) -> Place {
-    let pressure = solution.pressure();
+    let pressure = of_contact(pressure);
     let (mut depths, mut radii) = ([top, bottom], [0.0, 1.3]);
     let mut best = (0.0, [0.0; 2]);
     for _ in 0..6 {
@@ -76,13 +78,19 @@ fn a_coated_body_yields_first_at_the_force_and_place_of_the_independent_integral
     let mut compared = 0;
     for case in cases.iter().filter(is_wanted) {
         let body = body(case);
-        let solution =
-            AxisymmetricSolution::new(&body, AxisymmetricProfile::Paraboloid(1.0), 1.0).unwrap();
+        let paraboloid = AxisymmetricProfile::Paraboloid { radius: 1.0 };
+        let elasticity = AxisymmetricElasticity::new(&body.clone().into());
+        let solution = elasticity.contact(paraboloid, 1.0).unwrap();
         assert!((solution.force / case.force - 1.0).abs() < 1e-11);
         let height = case.thickness;
         // Hankel's integrals are not evaluated up to the surface.
-        let coating = largest(&body, &solution, [0.06, height], Side::Above);
-        let base = largest(&body, &solution, [height, height + 2.0], Side::Below);
+        let coating = largest(&body, &solution.pressure, [0.06, height], Side::Above);
+        let base = largest(
+            &body,
+            &solution.pressure,
+            [height, height + 2.0],
+            Side::Below,
+        );
         let contact = Contact {
             model: Model {
                 tables: Arc::new(RadialTables::build(&body).unwrap()),

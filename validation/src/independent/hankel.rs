@@ -8,11 +8,12 @@
 //! ```
 
 use libm::{j0, j1};
+use pellicle_contact::axisymmetric::AxisymmetricPressure;
+use pellicle_contact::axisymmetric::quadrature::{composite, graded};
 use pellicle_influence::Depth;
 use pellicle_kernel::{Foundation, InPlane};
 
 use super::super::run::ValidationError;
-use super::{composite, graded};
 
 /// An axisymmetric pressure, given by its transform.
 #[derive(Debug, Clone)]
@@ -21,6 +22,15 @@ pub struct RadialPressure<F> {
     pub transform: F,
     /// Radius of the loaded area, m.
     pub radius: f64,
+}
+
+/// Returns the pressure of an axisymmetric contact.
+#[must_use]
+pub fn of_contact(pressure: &AxisymmetricPressure) -> RadialPressure<impl Fn(f64) -> f64 + '_> {
+    RadialPressure {
+        transform: |k: f64| pressure.transform(k),
+        radius: pressure.radius(),
+    }
 }
 
 /// The state at a point of a body in cylindrical coordinates; z into the body, tension positive.

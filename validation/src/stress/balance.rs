@@ -1,10 +1,10 @@
 //! Balance of forces on random stacks: on a box around the load, and of tractions on both sides of interfaces.
 
+use pellicle_contact::axisymmetric::quadrature::composite;
 use pellicle_influence::{Depth, ElementFields, SubsurfaceState};
 use pellicle_kernel::{Base, Foundation, Interface, KernelError, Layer, Material, Side};
 
 use super::super::comparison::Comparison;
-use super::super::independent::composite;
 use super::super::run::{ValidationError, ValidationRun};
 use super::super::section::ValidationSection;
 

@@ -1,9 +1,9 @@
 //! A uniformly loaded circle made of square elements; those on its rim carry the share within the circle.
 
+use pellicle_contact::axisymmetric::quadrature::composite;
 use pellicle_influence::{Depth, ElementFields, SubsurfaceState, SurfaceLoad};
 use pellicle_kernel::Foundation;
 
-use super::super::independent::composite;
 use super::super::run::ValidationError;
 
 /// A circle on the surface under a pressure.

@@ -47,7 +47,8 @@ pub fn evaluate(arguments: &IdentifyArguments, file: &EvaluationFile) -> Result<
     if arguments.json {
         terminal::print(&json(found)?)?;
     }
-    let without = evaluation.curves.len() - found.indentation.len();
+    let without = evaluation.curves.iter();
+    let without = without.filter(|file| file.evaluated.is_err()).count();
     if without == 0 {
         return Ok(Outcome::Done);
     }

@@ -24,7 +24,7 @@ impl DataTable {
             Err(columns.missing(channel.key(), format!("its column, {why}")))
         };
         match self.observe {
-            _ if self.is_unloading => {
+            Observable::UnloadingStiffness => {
                 need(Channel::Force, "since the unloading is evaluated")?;
                 self.require_depth(table, columns)?;
             }

@@ -1,0 +1,337 @@
+//! Forces and penetrations of an adhesive contact over its radius.
+
+use std::cell::RefCell;
+use std::f64::consts::PI;
+
+use super::law::{ADHESION_RANGE, AdhesionLaw};
+use crate::ContactError;
+use crate::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
+use crate::path::domain::root_finding::where_zero;
+
+/// Relative accuracy of the contacts without adhesion (`the_integral_equation_reproduces_the_22_digit…`).
+const ACCURACY: f64 = 1e-11;
+
+/// Relative width at which the search for a least value ends: such a value is flat, so its place is known to the root
+/// of the accuracy.
+const PLACE: f64 = 1e-7;
+
+/// Most steps of the search for a least value: factors of two that cross 90 decades.
+const MOST_STEPS: usize = 300;
+
+/// An adhesive contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AdhesiveContact {
+    /// Contact radius, m.
+    pub radius: f64,
+    /// Force, N; negative where the indenter is pulled.
+    pub force: f64,
+    /// Penetration, m; negative where the surface is pulled above its plane.
+    pub penetration: f64,
+    /// Stiffness `dF/dD` at constant radius, N/m.
+    pub stiffness: f64,
+    /// Elastic energy less w times the contact area, J: `dU/dD = F` along the curve.
+    pub energy: f64,
+    /// Force of the contact without adhesion that has the same radius, N.
+    pub force_without: f64,
+    /// Its penetration, m.
+    pub penetration_without: f64,
+}
+
+/// The contacts of an indenter on a body with a work of adhesion.
+///
+/// ```
+/// use pellicle_contact::adhesion::{AdhesionLaw, AdhesiveCurve};
+/// use pellicle_contact::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
+/// use pellicle_kernel::{Foundation, Material};
+///
+/// let gel = Foundation::half_space(Material::new(10e3, 0.5)?);
+/// let ball = AxisymmetricProfile::Paraboloid { radius: 10e-6 };
+/// let curve = AdhesiveCurve::new(AxisymmetricElasticity::new(&gel.into()), ball, 1e-3, AdhesionLaw::Jkr)?;
+/// // −3/2 π w R; the search ends at 1e-14.
+/// let wanted = -1.5 * std::f64::consts::PI * 1e-3 * 10e-6;
+/// assert!((curve.pull_off().force / wanted - 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct AdhesiveCurve {
+    elasticity: AxisymmetricElasticity,
+    profile: AxisymmetricProfile,
+    /// w, J/m².
+    work: f64,
+    law: AdhesionLaw,
+    pull_off: AdhesiveContact,
+    last: AdhesiveContact,
+}
+
+impl AdhesiveCurve {
+    /// The curve for a work of adhesion w (J/m²).
+    ///
+    /// # Errors
+    /// [`ContactError::WorkOfAdhesion`] if w is not positive and finite, [`ContactError::NoDmtFormula`] for DMT under
+    /// another shape than a paraboloid or a sphere, [`ContactError::AxisymmetricRadius`] if the indenter ends before
+    /// its pull-off, or layers are much thinner than the contact at pull-off is wide.
+    pub fn new(
+        elasticity: AxisymmetricElasticity,
+        profile: AxisymmetricProfile,
+        work: f64,
+        law: AdhesionLaw,
+    ) -> Result<Self, ContactError> {
+        if !(work > 0.0 && work.is_finite()) {
+            return Err(ContactError::WorkOfAdhesion { work });
+        }
+        let start = AdhesiveContact::APART;
+        let mut curve = Self {
+            elasticity,
+            profile,
+            work,
+            law,
+            pull_off: start,
+            last: start,
+        };
+        match law {
+            AdhesionLaw::Dmt => {
+                let radius = match profile {
+                    AxisymmetricProfile::Paraboloid { radius }
+                    | AxisymmetricProfile::Sphere { radius } => radius,
+                    AxisymmetricProfile::Cone { .. } | AxisymmetricProfile::Power { .. } => {
+                        return Err(ContactError::NoDmtFormula);
+                    }
+                };
+                // −2π w R
+                curve.pull_off.force = -2.0 * PI * work * radius;
+                curve.last = curve.pull_off;
+            }
+            AdhesionLaw::Jkr => {
+                curve.pull_off = curve.least(|contact| contact.force)?;
+                curve.last = curve.least(|contact| contact.penetration)?;
+            }
+        }
+        Ok(curve)
+    }
+
+    /// The contact under the least force, where it jumps out if the force is prescribed.
+    #[must_use]
+    pub fn pull_off(&self) -> AdhesiveContact {
+        self.pull_off
+    }
+
+    /// The contact at the least penetration, where it jumps out if the penetration is prescribed.
+    #[must_use]
+    pub fn last_contact(&self) -> AdhesiveContact {
+        self.last
+    }
+
+    /// The contact of this radius (m), stable or not; accurate to 1e-11 of [`AdhesiveContact::force_without`] and
+    /// [`AdhesiveContact::penetration_without`].
+    ///
+    /// # Errors
+    /// Those of [`AxisymmetricElasticity::contact`].
+    pub fn at_radius(&self, radius: f64) -> Result<AdhesiveContact, ContactError> {
+        let without = self.elasticity.contact(self.profile, radius)?;
+        let stiffness = without.punch.stiffness;
+        let area = PI * radius * radius;
+        let (back, pull) = match self.law {
+            // δ = √(2 w dA/dS)
+            AdhesionLaw::Jkr => (
+                (4.0 * PI * radius * self.work / without.punch.stiffness_slope).sqrt(),
+                0.0,
+            ),
+            AdhesionLaw::Dmt => (0.0, self.pull_off.force),
+        };
+        let (force, penetration) = (
+            without.force - stiffness * back + pull,
+            without.penetration - back,
+        );
+        // U = U₀ − F₀ δ + S δ²/2 − w A
+        let energy = match self.law {
+            AdhesionLaw::Jkr => {
+                without.energy - without.force * back + 0.5 * stiffness * back * back
+                    - self.work * area
+            }
+            AdhesionLaw::Dmt => without.energy + pull * penetration,
+        };
+        Ok(AdhesiveContact {
+            radius,
+            force,
+            penetration,
+            stiffness,
+            energy,
+            force_without: without.force,
+            penetration_without: without.penetration,
+        })
+    }
+
+    /// The stable contact under a prescribed force (N).
+    ///
+    /// # Errors
+    /// [`ContactError::BeyondPullOff`] if the force is below that of [`Self::pull_off`]; those of [`Self::at_radius`].
+    pub fn at_force(&self, force: f64) -> Result<AdhesiveContact, ContactError> {
+        let pull_off = self.pull_off.force;
+        if force.is_nan() || force < pull_off {
+            return Err(ContactError::BeyondPullOff { force, pull_off });
+        }
+        self.where_reached(self.pull_off, |contact| contact.force - force)
+    }
+
+    /// The stable contact at a prescribed penetration (m); none if it is below that of [`Self::last_contact`].
+    ///
+    /// # Errors
+    /// Those of [`Self::at_radius`].
+    pub fn at_penetration(
+        &self,
+        penetration: f64,
+    ) -> Result<Option<AdhesiveContact>, ContactError> {
+        if penetration < self.last.penetration {
+            return Ok(None);
+        }
+        let found = self.where_reached(self.last, |contact| contact.penetration - penetration);
+        found.map(Some)
+    }
+
+    /// The work lost by a contact that is made and broken under a prescribed penetration, J.
+    ///
+    /// It jumps in at `D = 0`, where the surfaces meet, and out at the least penetration; the loop between both lies
+    /// below the axis. 0 for DMT, whose contact comes back along the same way.
+    ///
+    /// # Errors
+    /// Those of [`Self::at_radius`].
+    pub fn work_lost(&self) -> Result<f64, ContactError> {
+        let jump_in = self.at_penetration(0.0)?;
+        // −∫ F dD = U(D of the last contact) − U(0)
+        Ok(jump_in.map_or(0.0, |contact| self.last.energy - contact.energy))
+    }
+
+    /// Tabor's number `μ = (R w²/(E*² z₀³))^{1/3}` (D. Tabor 1977): the height of the neck at pull-off over the range
+    /// `z₀` of adhesion, [`ADHESION_RANGE`]. None for shapes without a radius of curvature at the tip.
+    ///
+    /// On layers `E*` is `S/(2a)`, the modulus of the half-space on which a contact as wide has the same stiffness, at
+    /// pull-off by JKR, and under no force by DMT.
+    ///
+    /// # Errors
+    /// Those of [`Self::at_radius`].
+    pub fn tabor_number(&self) -> Result<Option<f64>, ContactError> {
+        let Some(radius) = self.profile.tip_radius() else {
+            return Ok(None);
+        };
+        let contact = match self.law {
+            AdhesionLaw::Jkr => self.pull_off,
+            AdhesionLaw::Dmt => self.at_force(0.0)?,
+        };
+        let modulus = contact.stiffness / (2.0 * contact.radius);
+        // R (w/E*)²/z₀³
+        let cube = radius * (self.work / modulus).powi(2) / ADHESION_RANGE.powi(3);
+        Ok(Some(cube.cbrt()))
+    }
+
+    /// A radius of the order of that at pull-off, m: where adhesion pulls back by the penetration on a half-space.
+    fn scale(&self) -> f64 {
+        let pulled = |a: f64| (2.0 * PI * a * self.work / self.elasticity.modulus()).sqrt();
+        let rim = self.profile.rim();
+        let ratio = |a: f64| {
+            if a < rim {
+                (self.profile.half_space_penetration(a) / pulled(a)).ln()
+            } else {
+                f64::INFINITY
+            }
+        };
+        where_zero(ratio).min(0.5 * rim)
+    }
+
+    /// The contact with the least value: bracketed by factors of two, then by the golden section in the logarithm.
+    fn least(
+        &self,
+        value: impl Fn(&AdhesiveContact) -> f64,
+    ) -> Result<AdhesiveContact, ContactError> {
+        let at = |log: f64| {
+            self.at_radius(log.exp())
+                .map(|contact| (log, value(&contact)))
+        };
+        let two = std::f64::consts::LN_2;
+        let start = at(self.scale().ln())?;
+        let [below, above] = [at(start.0 - two)?, at(start.0 + two)?];
+        let (mut low, mut middle, mut high) = (below, start, above);
+        for _ in 0..MOST_STEPS {
+            if low.1 < middle.1 {
+                (low, middle, high) = (at(low.0 - two)?, low, middle);
+            } else if high.1 < middle.1 {
+                (low, middle, high) = (middle, high, at(high.0 + two)?);
+            } else {
+                break;
+            }
+        }
+        while high.0 - low.0 > PLACE {
+            // The longer part is divided.
+            let golden = 0.381_966_011_250_105_1;
+            let is_right = high.0 - middle.0 > middle.0 - low.0;
+            let end = if is_right { high.0 } else { low.0 };
+            let tried = at(middle.0 + golden * (end - middle.0))?;
+            match (tried.1 < middle.1, is_right) {
+                (true, true) => (low, middle) = (middle, tried),
+                (true, false) => (high, middle) = (middle, tried),
+                (false, true) => high = tried,
+                (false, false) => low = tried,
+            }
+        }
+        self.at_radius(middle.0.exp())
+    }
+
+    /// The contact beyond `first` at which an increasing quantity is no longer negative.
+    fn where_reached(
+        &self,
+        first: AdhesiveContact,
+        excess: impl Fn(&AdhesiveContact) -> f64,
+    ) -> Result<AdhesiveContact, ContactError> {
+        if excess(&first) >= 0.0 {
+            return Ok(first);
+        }
+        let unit = if first.radius > 0.0 {
+            first.radius
+        } else {
+            self.scale()
+        };
+        let failure = RefCell::new(None);
+        let value = |ratio: f64| {
+            let radius = unit * ratio;
+            if radius <= first.radius {
+                return f64::NEG_INFINITY;
+            }
+            match self.at_radius(radius) {
+                Ok(contact) => excess(&contact),
+                // Beyond the rim or the layers: the search turns back.
+                Err(error) => {
+                    *failure.borrow_mut() = Some(error);
+                    f64::INFINITY
+                }
+            }
+        };
+        let ratio = where_zero(value);
+        match self.at_radius((unit * ratio).max(first.radius)) {
+            Err(error) => Err(failure.into_inner().unwrap_or(error)),
+            found => found,
+        }
+    }
+}
+
+impl AdhesiveContact {
+    /// The indenter at the surface, without contact.
+    const APART: Self = Self {
+        radius: 0.0,
+        force: 0.0,
+        penetration: 0.0,
+        stiffness: 0.0,
+        energy: 0.0,
+        force_without: 0.0,
+        penetration_without: 0.0,
+    };
+
+    /// Error of the force (N) and of the penetration (m) at this radius: the accuracy of the contact without adhesion
+    /// times the terms that cancel.
+    #[must_use]
+    pub fn errors(&self) -> [f64; 2] {
+        [
+            (self.force_without, self.force),
+            (self.penetration_without, self.penetration),
+        ]
+        .map(|(without, with)| ACCURACY * (without.abs() + (without - with).abs()))
+    }
+}

@@ -1,0 +1,159 @@
+//! The stiffness of unloadings: that of a flat punch of the contact's radius on the layered body, without a grid.
+
+use pellicle_contact::axisymmetric::AxisymmetricElasticity;
+use pellicle_contact::{ContactError, Model, ModelParameter};
+use pellicle_influence::ElasticBodies;
+
+use super::curve::{ContactCurve, Thinned};
+use crate::Prediction;
+
+/// Relative step of a parameter for differentiating a stiffness, which is exact to 1e-12: an error of 1e-8.
+const STEP: f64 = 1e-4;
+/// Limit on the steps to a parameter, of which ten or so suffice, and its relative accuracy.
+const MOST_STEPS: usize = 100;
+const ACCURACY: f64 = 1e-14;
+
+impl ContactCurve {
+    /// Stiffnesses at the radii of the curve, differentiated by central differences.
+    pub(super) fn punch_stiffnesses(
+        &self,
+        model: &Model,
+        sought: &[ModelParameter],
+    ) -> Result<Prediction, ContactError> {
+        let bodies = model.tables.bodies();
+        let at = self.punches(bodies)?;
+        let mut prediction = Prediction {
+            value: at.iter().map(|[stiffness, _]| *stiffness).collect(),
+            slope: at.iter().map(|[_, slope]| *slope).collect(),
+            ..Prediction::default()
+        };
+        for parameter in sought {
+            let value = model.parameter(*parameter).unwrap_or(f64::NAN);
+            let moved = |factor: f64| {
+                let moved = value * factor;
+                Ok((moved, self.punches(&with(bodies, *parameter, moved)?)?))
+            };
+            let (less, below) = moved(1.0 - STEP)?;
+            // A ratio of one half has no neighbour above.
+            let (more, above) = moved(1.0 + STEP).or_else(|_: ContactError| moved(1.0))?;
+            let pairs = above.iter().zip(&below);
+            let slopes = pairs.map(|([above, _], [below, _])| (above - below) / (more - less));
+            prediction.derivatives.push(slopes.collect());
+        }
+        Ok(prediction)
+    }
+
+    /// The value of a parameter in a range for which the stiffness at one point is the one given (N/m), to 1e-13, with
+    /// `d ln S/d ln θ` there and `d ln S/d ln a`; none if no value in the range gives it.
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError`] where the stiffness cannot be computed.
+    pub fn parameter_at(
+        &self,
+        point: usize,
+        parameter: ModelParameter,
+        [low, high]: [f64; 2],
+        stiffness: f64,
+    ) -> Result<Option<ParameterAtPoint>, ContactError> {
+        let alone = Self {
+            abscissae: vec![self.abscissae[point]],
+            thinned: self.thinned.as_ref().map(|thinned| Thinned {
+                off: vec![thinned.off[point]],
+                ..thinned.clone()
+            }),
+            ..self.clone()
+        };
+        // ln S of ln θ
+        let at = |x: f64| -> Result<[f64; 2], ContactError> {
+            let bodies = with(alone.model.tables.bodies(), parameter, x.exp())?;
+            Ok(alone.punches(&bodies)?[0])
+        };
+        let miss = |x: f64| Ok::<f64, ContactError>((at(x)?[0] / stiffness).ln());
+        let Some(x) = root(miss, [low.ln(), high.ln()])? else {
+            return Ok(None);
+        };
+        let [above, below] = [at(x + STEP)?[0], at(x - STEP)?[0]];
+        let [found, slope] = at(x)?;
+        Ok(Some(ParameterAtPoint {
+            value: x.exp(),
+            by_parameter: (above / below).ln() / (2.0 * STEP),
+            by_radius: slope * alone.abscissae[0] / found,
+        }))
+    }
+
+    /// Stiffness (N/m) and its derivative by the radius at each radius.
+    fn punches(&self, bodies: &ElasticBodies) -> Result<Vec<[f64; 2]>, ContactError> {
+        let whole = AxisymmetricElasticity::new(bodies);
+        let punch = |body: &AxisymmetricElasticity, radius: f64| {
+            let punch = body.punch(radius)?;
+            Ok([punch.stiffness, punch.stiffness_slope])
+        };
+        let at = |(point, radius): (usize, &f64)| {
+            let Some(Thinned { thickness, off }) = &self.thinned else {
+                return punch(&whole, *radius);
+            };
+            let left = value(bodies, *thickness).unwrap_or(f64::NAN) - off[point];
+            let thinned = with(bodies, *thickness, left)?;
+            punch(&AxisymmetricElasticity::new(&thinned), *radius)
+        };
+        self.abscissae.iter().enumerate().map(at).collect()
+    }
+}
+
+/// The value of a parameter of the bodies.
+fn value(bodies: &ElasticBodies, parameter: ModelParameter) -> Option<f64> {
+    match parameter {
+        ModelParameter::Elastic(of) => bodies.parameter(of),
+        ModelParameter::Relief(_) | ModelParameter::Indenter(_) => None,
+    }
+}
+
+/// The bodies with another value of a parameter; those of the indenter's shape do not change them.
+fn with(
+    bodies: &ElasticBodies,
+    parameter: ModelParameter,
+    value: f64,
+) -> Result<ElasticBodies, ContactError> {
+    match parameter {
+        ModelParameter::Elastic(of) => Ok(bodies.with_parameter(of, value)?),
+        ModelParameter::Relief(_) | ModelParameter::Indenter(_) => Ok(bodies.clone()),
+    }
+}
+
+/// A parameter found from the stiffness at one point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ParameterAtPoint {
+    /// Its value.
+    pub value: f64,
+    /// `d ln S/d ln θ`.
+    pub by_parameter: f64,
+    /// `d ln S/d ln a`.
+    pub by_radius: f64,
+}
+
+/// The root of a function that changes its sign between two ends, by false positions with halved ends (the Illinois
+/// method: M. Dowell and P. Jarratt, BIT 11, 168 (1971)); none if it does not.
+fn root(
+    of: impl Fn(f64) -> Result<f64, ContactError>,
+    [mut a, mut b]: [f64; 2],
+) -> Result<Option<f64>, ContactError> {
+    let (mut at_a, mut at_b) = (of(a)?, of(b)?);
+    if at_a * at_b > 0.0 || !(at_a.is_finite() && at_b.is_finite()) {
+        return Ok(None);
+    }
+    for _ in 0..MOST_STEPS {
+        let x = (a * at_b - b * at_a) / (at_b - at_a);
+        let at = of(x)?;
+        if at == 0.0 || (b - a).abs() <= ACCURACY || at.abs() <= ACCURACY {
+            return Ok(Some(x));
+        }
+        if at * at_b < 0.0 {
+            (a, at_a) = (b, at_b);
+        } else {
+            at_a *= 0.5;
+        }
+        (b, at_b) = (x, at);
+    }
+    Ok(Some(b))
+}
