@@ -2,7 +2,7 @@
 
 use pellicle::display::{count, significant};
 
-use super::EachResult;
+use super::{EachCurve, EachResult};
 use crate::identification::findings::EstimateResult;
 use crate::identification::units;
 
@@ -12,51 +12,54 @@ const MOST_LISTED: usize = 20;
 /// A line for each of a few curves, and for each unknown the median and the quartiles of the fitted curves.
 #[must_use]
 pub fn text(result: &EachResult) -> String {
-    let mut text = format!("{}\n", result.title);
-    for curve in result.curves.iter().take(MOST_LISTED) {
-        let unknowns = curve
-            .unknowns
-            .iter()
-            .map(|of| format!("   {}", numbers(of)));
-        let cause = curve.cause.iter().map(|cause| format!("\n      {cause}"));
-        let rest: String = unknowns.chain(cause).collect();
-        text += &format!("  {}: {}{rest}\n", curve.file, curve.verdict);
-    }
-    if result.curves.len() > MOST_LISTED {
-        text += &format!(
-            "  and {} more, in each.csv\n",
-            result.curves.len() - MOST_LISTED
-        );
-    }
-    text += &format!("{}\n", counts(result));
-    let fitted = || {
-        result
-            .curves
-            .iter()
-            .filter(|curve| curve.verdict == "fitted")
+    let listed = result.curves.iter().take(MOST_LISTED).map(line);
+    let more = match result.curves.len().saturating_sub(MOST_LISTED) {
+        0 => String::new(),
+        more => format!("  and {more} more, in each.csv\n"),
     };
-    let keys = fitted()
-        .next()
-        .map(|curve| &curve.unknowns[..])
-        .unwrap_or_default();
-    for (index, of) in keys.iter().enumerate() {
-        let mut values: Vec<f64> = fitted()
-            .filter_map(|curve| Some(curve.unknowns.get(index)?.value))
-            .collect();
-        values.sort_by(f64::total_cmp);
-        let [first, median, third] = [0.25, 0.5, 0.75].map(|part| quantile(&values, part));
-        let scale = units::scale(median, &of.unit);
-        let number = |value: f64| significant(value / scale.divisor, 4);
-        text += &format!(
-            "  {}: median {} {}, half of them from {} to {}\n",
-            of.key,
-            number(median),
-            scale.label,
-            number(first),
-            number(third)
-        );
-    }
-    text
+    let fitted: Vec<&EachCurve> = (result.curves.iter())
+        .filter(|curve| curve.verdict == "fitted")
+        .collect();
+    let unknowns = fitted.first().map(|curve| curve.unknowns.len());
+    let medians = (0..unknowns.unwrap_or(0)).map(|index| median(&fitted, index));
+    format!(
+        "{}\n{}{more}{}\n{}",
+        result.title,
+        listed.collect::<String>(),
+        counts(result),
+        medians.collect::<String>()
+    )
+}
+
+fn line(curve: &EachCurve) -> String {
+    let unknowns = curve
+        .unknowns
+        .iter()
+        .map(|of| format!("   {}", numbers(of)));
+    let cause = curve.cause.iter().map(|cause| format!("\n      {cause}"));
+    let rest: Vec<String> = unknowns.chain(cause).collect();
+    format!("  {}: {}{}\n", curve.file, curve.verdict, rest.concat())
+}
+
+/// Median and quartiles of an unknown.
+fn median(fitted: &[&EachCurve], index: usize) -> String {
+    let all = fitted.iter().filter_map(|curve| curve.unknowns.get(index));
+    let mut values: Vec<f64> = all.clone().map(|of| of.value).collect();
+    values.sort_by(f64::total_cmp);
+    let [first, median, third] = [0.25, 0.5, 0.75].map(|part| quantile(&values, part));
+    let Some(of) = all.clone().next() else {
+        return String::new();
+    };
+    let scale = units::scale(median, &of.unit);
+    let number = |value: f64| significant(value / scale.divisor, 4);
+    format!(
+        "  {}: median {} {}, half of them from {} to {}\n",
+        of.key,
+        number(median),
+        scale.label,
+        number(first),
+        number(third)
+    )
 }
 
 /// How many curves have which verdict.

@@ -95,10 +95,9 @@ fn likeness(channel: Channel, head: &HeaderField) -> Option<i32> {
     let is_named = channel.is_indicated_by(&head.name);
     let has_unit = match head.unit {
         HeaderUnit::Of(dimension) if dimension == channel.dimension() => true,
-        HeaderUnit::Of(_) => return None,
         HeaderUnit::Electrical if channel == Channel::Deflection => false,
-        HeaderUnit::Electrical => return None,
         HeaderUnit::None => false,
+        HeaderUnit::Of(_) | HeaderUnit::Electrical => return None,
     };
     // A length alone may be any of four, a force is a force.
     let tells_alone = channel.dimension() != Dimension::Length;

@@ -3,6 +3,14 @@
 use super::NOT_IN_THE_FILE;
 use super::group::Group;
 
+/// What else the same unloadings give.
+const FILM: &str = "# A film's own modulus, exactly, from the same unloadings at several depths: remove the signs and put yours.\n\
+    # [model.foundation]\n\
+    # substrate = { young_modulus = \"170 GPa\", poisson_ratio = 0.22 }\n\
+    # layer = [{ thickness = \"500 nm\", young_modulus = \"70 GPa\", poisson_ratio = 0.17 }]\n\
+    # [unknown]\n\
+    # \"foundation.layer[0].young_modulus\" = { from = \"1 GPa\", to = \"1 TPa\" }\n";
+
 /// The text of a fit file with these tables.
 pub(super) fn fit_file(groups: &[Group]) -> String {
     let tables: String = groups.iter().map(Group::text).collect();
@@ -20,6 +28,6 @@ pub(super) fn fit_file(groups: &[Group]) -> String {
          epsilon = 0.75  # or \"exponent\"\n\
          beta = 1.0\n\
          # The drift of a hold below half of the largest force is taken out if there is one; drift = \"off\" keeps it.\n\n\
-         {tables}"
+         {tables}{FILM}"
     )
 }

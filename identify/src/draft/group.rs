@@ -30,6 +30,9 @@ const FEWEST_POINTS: usize = 20;
 /// The radius of a ball on a cantilever, m, if the file states none.
 pub(super) const SOFT_RADIUS: f64 = 5e-6;
 
+/// A file and its curve.
+type Member = (Survey, MeasuredCurve);
+
 /// Files that are read in the same way.
 #[derive(Debug)]
 pub(super) struct Group {
@@ -54,7 +57,7 @@ impl Group {
         kind: DraftKind,
         failures: &mut Vec<DraftError>,
     ) -> Vec<Self> {
-        let mut alike: Vec<(Vec<Line>, Vec<(Survey, MeasuredCurve)>)> = Vec::new();
+        let mut alike: Vec<(Vec<Line>, Vec<Member>)> = Vec::new();
         for mut survey in surveys {
             match read_either_way(&mut survey, folder) {
                 Ok(curve) => {
@@ -75,7 +78,7 @@ impl Group {
 
     fn of(
         mut lines: Vec<Line>,
-        mut members: Vec<(Survey, MeasuredCurve)>,
+        mut members: Vec<Member>,
         folder: &Path,
         kind: DraftKind,
     ) -> Option<Self> {
@@ -133,10 +136,8 @@ impl Group {
 
     /// Its tables.
     pub(super) fn text(&self) -> String {
-        let mut text = String::new();
-        for sentence in self.story() {
-            text += &format!("# {sentence}\n");
-        }
+        let story = self.story();
+        let mut text: String = story.iter().flat_map(|one| ["# ", one, "\n"]).collect();
         for file in &self.files {
             let key = Line::new(format!("file = {}", quoted(file)), self.counted());
             text += "[[data]]\n";
@@ -177,9 +178,10 @@ fn read_either_way(survey: &mut Survey, folder: &Path) -> Result<MeasuredCurve, 
 /// Reads a curve with these keys.
 fn read(survey: &Survey, folder: &Path, lines: &[Line]) -> Result<MeasuredCurve, DraftError> {
     let file = || survey.file.clone();
-    let keys: String = lines.iter().map(|line| format!("{}\n", line.key)).collect();
+    let keys: Vec<&str> = lines.iter().map(|line| line.key.as_str()).collect();
+    let keys = keys.join("\n");
     let text = format!(
-        "[[data]]\nfile = {}\n{keys}",
+        "[[data]]\nfile = {}\n{keys}\n",
         quoted(&relative(&survey.file, folder))
     );
     let refused = |message: String| DraftError::Refused {
@@ -197,7 +199,7 @@ fn read(survey: &Survey, folder: &Path, lines: &[Line]) -> Result<MeasuredCurve,
 }
 
 /// The baseline, if all curves show a stretch before the contact and it has a slope.
-fn baseline(members: &[(Survey, MeasuredCurve)]) -> Option<Line> {
+fn baseline(members: &[Member]) -> Option<Line> {
     let before = members
         .iter()
         .map(|(_, curve)| Some((curve.before_contact?, curve)));

@@ -16,12 +16,15 @@ fn drafted(file: &str, kind: DraftKind) -> String {
     let source = Arc::new(Source::new("draft.toml", draft.text.clone()));
     let sources = FitSources::in_folder(&folder);
     let read = Task::parse(&source, "draft", &sources, Measurements::Required);
-    let data = match read.unwrap_or_else(|error| panic!("{error}\n{}", draft.text)) {
+    let read = read.map_err(|error| format!("{error}\n{}", draft.text));
+    let data = match read.expect("a fit file") {
         Task::Fit(file) => file.data,
         Task::Evaluation(file) => file.data,
     };
     for table in &data {
-        MeasuredCurve::read_all(table).unwrap_or_else(|error| panic!("{error}\n{}", draft.text));
+        let curves = MeasuredCurve::read_all(table);
+        let curves = curves.map_err(|error| format!("{error}\n{}", draft.text));
+        curves.expect("curves");
     }
     draft.text
 }

@@ -4,6 +4,7 @@ use pellicle::run::Completeness;
 use pellicle_files::json;
 use pellicle_identify::fit_file::Measurements;
 use pellicle_identify::fit_file::evaluation_file::Task;
+use pellicle_identify::measured::data_table::DataTable;
 
 use super::claim;
 use crate::arguments::IdentifyArguments;
@@ -27,7 +28,7 @@ pub fn each(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
         // An evaluation is one of each curve alone.
         Task::Evaluation(file) => return super::evaluation::evaluate(arguments, &file),
     };
-    if let Some(diagnosis) = file.data.iter().find_map(|table| table.without_files()) {
+    if let Some(diagnosis) = file.data.iter().find_map(DataTable::without_files) {
         return Err(diagnosis.into());
     }
     let folder = claim(arguments, FOLDER)?;
