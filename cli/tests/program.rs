@@ -13,6 +13,7 @@ mod beyond_model;
 mod cache;
 mod cases;
 mod damage;
+mod draft;
 mod files;
 mod guide;
 mod identify;
