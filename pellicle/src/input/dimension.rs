@@ -17,6 +17,8 @@ pub enum Dimension {
     Compliance,
     /// Newtons per metre: a force over a length.
     Stiffness,
+    /// Joules per square metre, the same as newtons per metre.
+    EnergyPerArea,
     /// Metres per newton: a length over a force.
     FrameCompliance,
     /// Seconds.
@@ -25,13 +27,14 @@ pub enum Dimension {
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Length,
         Self::Pressure,
         Self::Force,
         Self::Angle,
         Self::Compliance,
         Self::Stiffness,
+        Self::EnergyPerArea,
         Self::FrameCompliance,
         Self::Time,
     ];
@@ -46,6 +49,7 @@ impl Dimension {
             Self::Angle => "an angle",
             Self::Compliance => "a compliance",
             Self::Stiffness => "a stiffness",
+            Self::EnergyPerArea => "an energy per area",
             Self::FrameCompliance => "a frame compliance",
             Self::Time => "a time",
         }
@@ -61,6 +65,7 @@ impl Dimension {
             Self::Angle => "rad",
             Self::Compliance => "m/Pa",
             Self::Stiffness => "N/m",
+            Self::EnergyPerArea => "J/m^2",
             Self::FrameCompliance => "m/N",
             Self::Time => "s",
         }
@@ -76,6 +81,7 @@ impl Dimension {
             Self::Angle => "\"65.03 deg\"",
             Self::Compliance => "\"5 nm/GPa\"",
             Self::Stiffness => "\"0.04 N/m\"",
+            Self::EnergyPerArea => "\"50 mJ/m^2\"",
             Self::FrameCompliance => "\"0.2 nm/mN\"",
             Self::Time => "\"5 s\"",
         }
@@ -95,6 +101,7 @@ impl Dimension {
             Self::Angle => &["deg", "°", "rad", "gon"],
             Self::Compliance => &["m/Pa", "um/MPa", "nm/GPa", "a length / a pressure"],
             Self::Stiffness => &["N/m", "mN/um", "µN/nm", "nN/nm", "a force / a length"],
+            Self::EnergyPerArea => &["J/m^2", "mJ/m^2", "uJ/m^2", "N/m", "mN/m"],
             Self::FrameCompliance => &["m/N", "nm/mN", "um/N", "a length / a force"],
             Self::Time => &["s", "ms", "us", "µs", "ns", "min", "h"],
         }
@@ -108,7 +115,11 @@ impl Dimension {
             Self::Length | Self::Pressure => 1e-30..=1e30,
             // Any force, however small, is a valid load; the certificate shows whether it could be solved.
             Self::Force => f64::from_bits(1)..=1e60,
-            Self::Compliance | Self::Stiffness | Self::FrameCompliance | Self::Time => 1e-60..=1e60,
+            Self::Compliance
+            | Self::Stiffness
+            | Self::EnergyPerArea
+            | Self::FrameCompliance
+            | Self::Time => 1e-60..=1e60,
             Self::Angle => 0.0..=f64::MAX,
         }
     }
