@@ -322,7 +322,7 @@ impl Case {
         hardness::check(&table, (&foundation, &solver), &load, stress.is_some())?;
         let hardness = solver.hardness.or(foundation.hardness());
         adhesion::refuse(&table, (&surface, &load, &grid), hardness)?;
-        let adhesion = AdhesiveContacts::find(&table, (&foundation, &indenter), &load)?;
+        let adhesion = AdhesiveContacts::find(&table, (&foundation, &surface, &indenter), &load)?;
         Ok(Self {
             title,
             foundation,

@@ -3,15 +3,19 @@
 //! Adhesive contacts are axisymmetric and solved without a grid. The grid solves the contact without adhesion that has
 //! the same radius: the whole pressure by the DMT law, and by JKR all but the tension of a flat punch.
 
-use pellicle_contact::adhesion::{AdhesionLaw, AdhesiveContact, AdhesiveCurve, TaborRange};
+use pellicle_contact::adhesion::{
+    Adhesion, AdhesionLaw, AdhesiveContact, AdhesiveCurve, TaborRange,
+};
 use pellicle_contact::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
 use pellicle_contact::{ContactError, Load};
 use pellicle_influence::ElasticBodies;
+use rayon::prelude::*;
 
 use super::foundation::FoundationCase;
 use super::grid::{BoundaryCase, GridCase};
 use super::indenter::IndenterCase;
 use super::load::LoadCase;
+use super::spring_law::LawCase;
 use super::surface::SurfaceCase;
 use super::warnings::CaseWarning;
 use crate::display::significant;
@@ -68,9 +72,17 @@ pub fn refuse(
     if grid.boundary == BoundaryCase::Periodic {
         return Err(field("grid", "boundary")?.unusable(&BECAUSE, "\"free\""));
     }
-    if *surface != SurfaceCase::Bare {
-        let wanted = "no relief: adhesion is computed for contacts that are circles, on layers without springs";
-        return Err(field("surface", "kind")?.unusable(&BECAUSE, wanted));
+    match surface {
+        SurfaceCase::Bare => {}
+        SurfaceCase::Film(film) if film.law == LawCase::Linear => {}
+        SurfaceCase::Film(_) => {
+            let wanted = "\"linear\": adhesion is computed for linear springs";
+            return Err(field("surface", "law")?.unusable(&BECAUSE, wanted));
+        }
+        _ => {
+            let wanted = "\"bare\" or \"film\": adhesion is computed for contacts that are circles";
+            return Err(field("surface", "kind")?.unusable(&BECAUSE, wanted));
+        }
     }
     if let Some(stress) = root.optional("stress") {
         let wanted = "no stresses: those of the tension of adhesion are not computed";
@@ -95,7 +107,7 @@ impl AdhesiveContacts {
     /// A [`Diagnosis`] of an indenter that cannot adhere, or of a work of adhesion that its shape cannot hold.
     pub fn find(
         root: &TableReader<'_>,
-        (foundation, indenter): (&FoundationCase, &IndenterCase),
+        (foundation, surface, indenter): (&FoundationCase, &SurfaceCase, &IndenterCase),
         load: &LoadCase,
     ) -> Result<Option<Self>, Diagnosis> {
         let Some(work) = load.work_of_adhesion else {
@@ -117,8 +129,12 @@ impl AdhesiveContacts {
             .map_err(|error| kind.refused(&error))?;
         let bodies = ElasticBodies::new(split.foundation, material);
         let law = load.adhesion.unwrap_or_default();
-        let elasticity = AxisymmetricElasticity::new(&bodies);
-        let found = AdhesiveCurve::new(elasticity, profile, work, law);
+        let springs = match surface {
+            SurfaceCase::Film(film) => film.thickness / film.young_modulus,
+            _ => 0.0,
+        };
+        let elasticity = AxisymmetricElasticity::new(&bodies).with_springs(springs);
+        let found = AdhesiveCurve::new(elasticity, profile, Adhesion { work, law });
         let found = found.and_then(|curve| Self::on(&curve, law, &load.loads(f64::NAN)));
         match found {
             Ok(found) => Ok(Some(found)),
@@ -130,7 +146,7 @@ impl AdhesiveContacts {
     }
 
     fn on(curve: &AdhesiveCurve, law: AdhesionLaw, loads: &[Load]) -> Result<Self, ContactError> {
-        let steps = loads.iter().map(|load| match *load {
+        let steps = loads.par_iter().map(|load| match *load {
             Load::Force(force) => curve.at_force(force).map(Some),
             Load::Penetration(penetration) => curve.at_penetration(penetration),
         });
@@ -224,6 +240,31 @@ mod tests {
         assert!((pull / (-2.0 * unit) - 1.0).abs() < 1e-12);
     }
 
+    /// The grid knows nothing of the integral equation.
+    #[test]
+    fn the_grid_s_contact_has_the_radius_and_the_penetration_of_the_integral_equation() {
+        let film =
+            "[surface]\nkind = \"film\"\nthickness = \"0.5 um\"\nyoung_modulus = \"1 MPa\"\n";
+        let layer = "[[foundation.layer]]\nthickness = \"1 um\"\nyoung_modulus = \"10 MPa\"\npoisson_ratio = 0.3\n";
+        for more in [film.to_owned(), layer.to_owned(), format!("{layer}{film}")] {
+            let case = read(BALL, STICKY, &format!("{more}[grid]\nelements = 128")).unwrap();
+            let wanted = case.adhesion.clone().unwrap().steps[0].unwrap();
+            let run = case.solve(&mut ()).unwrap();
+            let step = &run.path.steps[0];
+            let ratios = [
+                step.solution.penetration / wanted.penetration_without,
+                (step.summary.contact_area / std::f64::consts::PI).sqrt() / wanted.radius,
+            ];
+            // Of second order in an element, 1/43 of the radius.
+            for (ratio, error) in ratios.into_iter().zip([2e-4, 2e-3]) {
+                assert!((ratio - 1.0).abs() < error, "{more} {ratios:?}");
+            }
+            let [penetration, force] =
+                [run.summary.steps[0].penetration, run.summary.steps[0].force];
+            assert!(penetration < wanted.penetration_without && (force / 1e-6 - 1.0).abs() < 1e-9);
+        }
+    }
+
     #[test]
     fn what_does_not_adhere_is_refused_with_the_reason() {
         let negative = STICKY.replace("50 mJ", "-50 mJ");
@@ -271,6 +312,12 @@ mod tests {
                 STICKY,
                 "[surface]\nkind = \"cylinders\"\nradius = 1e-6\nheight = 1e-6\nperiod = 5e-6",
                 "contacts that are circles",
+            ),
+            (
+                BALL,
+                STICKY,
+                "[surface]\nkind = \"film\"\nthickness = 1\nyoung_modulus = 1e6\nlaw = \"logarithmic\"",
+                "linear springs",
             ),
             (BALL, STICKY, "[stress]", "tension of adhesion"),
             (BALL, STICKY, "[solver]\nhardness = 1", "with a hardness"),

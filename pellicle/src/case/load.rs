@@ -20,7 +20,7 @@ record! {
         sensitivities: bool = switch().or(false, "false"), "whether derivatives by the parameters of the case are found";
         #[serde(skip_serializing_if = "Option::is_none")]
         work_of_adhesion: Option<f64> = energy_per_area().positive().optional("no adhesion"),
-            "energy to separate a unit area of contact; of axisymmetric indenters on bodies without relief";
+            "energy to separate a unit area of contact; of axisymmetric indenters on bodies without relief but a film";
         #[serde(skip_serializing_if = "Option::is_none")]
         adhesion: Option<AdhesionLaw> = word(LAWS).optional("\"jkr\" with a work of adhesion"),
             "where adhesion acts: inside the contact (soft bodies), or outside (stiff bodies under small radii)";
