@@ -37,7 +37,8 @@ pub struct UnloadingPoint {
     pub exponent: f64,
 }
 
-/// An indenter whose elastic contact at the largest force has the force, the stiffness and the exponent of an unloading.
+/// An indenter whose elastic contact at the largest force has the force, the stiffness and the exponent of an
+/// unloading.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EffectiveIndenter {
     /// Its shape.
