@@ -72,6 +72,24 @@ pub enum Failure {
         /// The fault, if a variable is wrong.
         found: Option<String>,
     },
+    /// No fit can be drafted from the measured curves.
+    #[error(transparent)]
+    Draft(#[from] pellicle_identify::draft::DraftError),
+    /// A template that is not drafted from measured curves.
+    #[error(
+        "found --from with a template of a case, wanted fit, fit-afm or fit-unloading: pellicle init fit --from CURVE"
+    )]
+    NotDrafted,
+    /// Curves of a fit file that give nothing when fitted alone; the others are written.
+    #[error(
+        "{failed} of {total} curves failed: their cause is in each.csv, with the results of the others"
+    )]
+    CurvesFailed {
+        /// Number of curves that failed.
+        failed: usize,
+        /// Number of all curves.
+        total: usize,
+    },
     /// The model of a fit file has no curve.
     #[error("the measurement cannot be simulated: {0}")]
     NotSimulated(String),

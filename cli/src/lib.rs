@@ -17,6 +17,7 @@ mod arguments;
 mod cache;
 mod case_folders;
 mod command;
+mod each;
 mod evaluation;
 mod failure;
 mod fit_and_plan;

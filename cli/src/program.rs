@@ -57,6 +57,7 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
         Command::Influence(arguments) => command::influence::influence(&arguments),
         Command::Stress(arguments) => command::stress::stress(&arguments),
         Command::Surface(arguments) => command::surface::surface(&arguments),
+        Command::Identify(arguments) if arguments.each => command::identify::each::each(&arguments),
         Command::Identify(arguments) if arguments.plan => command::identify::plan::plan(&arguments),
         Command::Identify(arguments) => command::identify::identify(&arguments),
         Command::Plot(arguments) => command::plot::plot(&arguments),

@@ -7,6 +7,7 @@ use pellicle::case::Case;
 use pellicle::declare::schema;
 use pellicle::declare::template::with_other_keys;
 use pellicle::summary::schema::of_summary;
+use pellicle_identify::draft::DraftKind;
 
 /// A case to start from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -38,6 +39,16 @@ pub enum Template {
     RoughPeriodic,
     /// The heights of the cases `rough` and `rough-periodic`, rough-surface.csv
     RoughMap,
+    /// A fit of a modulus to a measured curve of force over depth; with --from of yours
+    Fit,
+    /// A fit of a modulus to an approach of a force microscope; with --from of yours
+    FitAfm,
+    /// Modulus and hardness from an unloading, by Oliver and Pharr; with --from of yours
+    FitUnloading,
+    /// A curve to try `fit-afm` with, approach.txt: a ball of 5 µm on a body of 10 kPa
+    Approach,
+    /// A curve to try `fit-unloading` with, indentation.txt: fused silica of 72 GPa
+    Indentation,
     /// A parameter study: a ball on coatings of several thicknesses under several loads
     Study,
     /// The JSON schema of a case, with which editors complete and check it while it is typed
@@ -60,6 +71,11 @@ impl Template {
             Self::SummarySchema => return schema::text(&of_summary()).into(),
             Self::RoughMap => return include_str!("templates/rough-surface.csv").into(),
             Self::Study => return include_str!("templates/study.toml").into(),
+            Self::Fit => return include_str!("templates/fit.toml").into(),
+            Self::Approach => return include_str!("templates/approach.txt").into(),
+            Self::Indentation => return include_str!("templates/indentation.txt").into(),
+            Self::FitUnloading => return include_str!("templates/fit-unloading.toml").into(),
+            Self::FitAfm => return include_str!("templates/fit-afm.toml").into(),
             Self::Cylinders => include_str!("templates/cylinders.toml"),
             Self::Film => include_str!("templates/film.toml"),
             Self::Coating => include_str!("templates/coating.toml"),
@@ -77,11 +93,29 @@ impl Template {
         format!("{SCHEMA_LINE}{case}").into()
     }
 
+    /// What the curves of a fit are taken for; none if it is not a template of a fit.
+    #[must_use]
+    pub fn draft(self) -> Option<DraftKind> {
+        match self {
+            Self::Fit => Some(DraftKind::Guessed),
+            Self::FitAfm => Some(DraftKind::Afm),
+            Self::FitUnloading => Some(DraftKind::Unloading),
+            _ => None,
+        }
+    }
+
     /// Returns the command to run next, for a template written to the file `path`.
     #[must_use]
     pub fn next(self, path: &str) -> String {
         match self {
             Self::Study => format!("pellicle study {path}"),
+            Self::Fit => format!(
+                "put your file into it, or let it make one: pellicle identify {path} --simulate --out curve.txt; then \
+                 pellicle identify {path}"
+            ),
+            Self::FitAfm => example("approach", path),
+            Self::Approach | Self::Indentation => format!("pellicle init fit --from {path}"),
+            Self::FitUnloading => example("indentation", path),
             Self::Rough | Self::RoughPeriodic => format!(
                 "pellicle init rough-map --out rough-surface.csv beside it, and pellicle run {path}"
             ),
@@ -91,6 +125,13 @@ impl Template {
             _ => format!("pellicle run {path}"),
         }
     }
+}
+
+/// What to do with the template of a fit that has an example of a curve.
+fn example(curve: &str, path: &str) -> String {
+    format!(
+        "put your file into it, or pellicle init {curve} --out {curve}.txt beside it; then pellicle identify {path}"
+    )
 }
 
 #[cfg(test)]
@@ -125,7 +166,15 @@ mod tests {
         for template in Template::value_variants() {
             if matches!(
                 template,
-                Template::Study | Template::RoughMap | Template::Schema | Template::SummarySchema
+                Template::Study
+                    | Template::Fit
+                    | Template::FitAfm
+                    | Template::FitUnloading
+                    | Template::Approach
+                    | Template::Indentation
+                    | Template::RoughMap
+                    | Template::Schema
+                    | Template::SummarySchema
             ) {
                 continue;
             }

@@ -33,7 +33,7 @@ use crate::measured::spring;
 use crate::measured::stated::StatedNumber;
 
 /// A fit file.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct FitFile {
     /// Title; by default the name of the file.
     pub title: String,
@@ -165,6 +165,18 @@ impl FitFile {
         };
         file.refuse_nuisances_of_stiffness(nuisance.as_ref())?;
         Ok(file)
+    }
+
+    /// The same fit of one file of one of its tables alone, by their indices; none if there are no such ones.
+    #[must_use]
+    pub fn alone(&self, table: usize, file: usize) -> Option<Self> {
+        let mut data = self.data.get(table)?.clone();
+        data.files = vec![data.files.get(file)?.clone()];
+        let data = vec![data];
+        Some(Self {
+            data,
+            ..self.clone()
+        })
     }
 
     /// The unknowns, then the parameters of the model that are not known exactly.

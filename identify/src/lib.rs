@@ -15,6 +15,7 @@ mod contact_curves;
 mod curve;
 mod departure;
 mod distribution;
+pub mod draft;
 mod error;
 mod fit;
 pub mod fit_file;

@@ -16,6 +16,7 @@ use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::measured::exclusion::ExclusionReason;
 
 mod cantilevers;
+mod draft;
 mod exports;
 mod instruments;
 mod invented;

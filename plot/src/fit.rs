@@ -5,6 +5,8 @@ mod colours;
 pub mod curve;
 pub mod designs;
 pub mod heading;
+pub mod moduli;
+pub mod places;
 pub mod profiles;
 pub mod repeats;
 pub mod unknown;

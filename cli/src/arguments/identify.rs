@@ -14,7 +14,7 @@ pub struct IdentifyArguments {
     /// The fit file
     #[arg(value_name = "FIT")]
     pub path: PathBuf,
-    /// Folder of the results [default: results/NAME after the fit file, with --plan results/NAME-plan, numbered if that
+    /// Folder of the results [default: results/NAME after the fit file, with --plan results/NAME-plan, with --each results/NAME-each, numbered if that
     /// exists; none with --json]; with --simulate the file to write
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -24,6 +24,9 @@ pub struct IdentifyArguments {
     /// Print the intervals that the design of the fit file would give, in place of a fit; needs no data
     #[arg(long, conflicts_with_all = ["simulate", "accept_misfit"])]
     pub plan: bool,
+    /// Fit each curve alone, in place of a fit of all: a table, and a map where the files state positions
+    #[arg(long, conflicts_with_all = ["plan", "simulate"])]
+    pub each: bool,
     /// Write measurements that the fit file would give, from the values of its model and its noise, in place of a fit
     #[arg(long, requires = "out", conflicts_with_all = ["json", "accept_misfit"])]
     pub simulate: bool,

@@ -1,5 +1,6 @@
 //! `pellicle identify`: fits a model to measured curves and reports the result.
 
+pub mod each;
 pub mod evaluation;
 pub mod plan;
 

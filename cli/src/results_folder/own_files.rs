@@ -11,6 +11,7 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::Value;
 
+use crate::each;
 use crate::identification::{files, result};
 use crate::output::report;
 use crate::planning;
@@ -200,6 +201,7 @@ fn marks_in(folder: &Path) -> impl Iterator<Item = &'static str> {
     let marks = [
         (result::FILE, result::SCHEMA),
         (planning::result::FILE, planning::result::SCHEMA),
+        (each::FILE, each::SCHEMA),
     ];
     let marks = marks
         .into_iter()
@@ -218,9 +220,9 @@ pub fn is_fit_file(entry: &DirEntry) -> bool {
     let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
     let name = entry.file_name();
     !is_folder
-        && name
-            .to_str()
-            .is_some_and(|name| files::is_name(name) || planning::files::is_name(name))
+        && name.to_str().is_some_and(|name| {
+            files::is_name(name) || planning::files::is_name(name) || each::files::is_name(name)
+        })
 }
 
 #[cfg(test)]

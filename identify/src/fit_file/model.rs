@@ -20,7 +20,7 @@ use pellicle_influence::Cache;
 const ROUND: [&str; 3] = ["paraboloid", "sphere", "flat-punch"];
 
 /// The model of a fit: the tree of a case, and its radial tables by shape.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct FitModel {
     root: TomlNode,
     maps: MapSources,

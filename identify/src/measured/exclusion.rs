@@ -49,23 +49,23 @@ pub struct ExcludedRows {
 
 /// The rows kept so far, in order, and the number of those left out.
 #[derive(Debug, Clone, Default)]
-pub(super) struct KeptRows {
+pub(crate) struct KeptRows {
     /// Rows, from 0.
-    pub(super) rows: Vec<usize>,
+    pub(crate) rows: Vec<usize>,
     /// The points left out, by reason.
-    pub(super) excluded: Vec<ExcludedRows>,
+    pub(crate) excluded: Vec<ExcludedRows>,
 }
 
 impl KeptRows {
     /// Keeps the rows for which `keep` is true.
-    pub(super) fn retain(&mut self, reason: ExclusionReason, keep: impl Fn(usize) -> bool) {
+    pub(crate) fn retain(&mut self, reason: ExclusionReason, keep: impl Fn(usize) -> bool) {
         let before = self.rows.len();
         self.rows.retain(|row| keep(*row));
         self.count(reason, before - self.rows.len());
     }
 
     /// Keeps the rows at these positions in the list of kept rows.
-    pub(super) fn keep_places(&mut self, from: usize, to: usize, reasons: [ExclusionReason; 2]) {
+    pub(crate) fn keep_places(&mut self, from: usize, to: usize, reasons: [ExclusionReason; 2]) {
         let (from, to) = (
             from.min(self.rows.len()),
             to.min(self.rows.len()).max(from.min(self.rows.len())),

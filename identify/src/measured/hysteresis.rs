@@ -11,7 +11,7 @@ use super::segment_rows::branch;
 /// An unloading that gives back less than this part of the work of the loading, over the same depths, is not elastic.
 /// Unloadings of the files in the tests give back 79 % (hard body), 59 % (cell), 38 % (steel) and 12 % (tungsten after
 /// its pop-in), elastic ones all of it, but for noise and a drift of the baseline.
-const LEAST_RETURNED: f64 = 0.9;
+pub(crate) const LEAST_RETURNED: f64 = 0.9;
 
 /// Rejects an unloading, given by its rows, after a loading in the same table that was not elastic. If the table has no
 /// loading, a warning says what is not known.
@@ -20,22 +20,10 @@ pub(super) fn check_unloading(
     segment: &CurveSegment,
     unloading: &[usize],
 ) -> Result<Option<CurveWarning>, CurveError> {
-    let (depths, forces) = match (raw.values(Channel::Depth), raw.values(Channel::Force)) {
-        (Some(depths), Some(forces)) if segment.part == Branch::Unloading => (depths, forces),
-        _ => return Ok(None),
-    };
-    let points = |rows: &[usize]| {
-        rows.iter()
-            .map(|row| (depths[*row], forces[*row]))
-            .collect()
-    };
-    let loading = branch(raw, &CurveSegment::default(), &[]);
-    let loading = loading.map(|kept| Branchwise::new(points(&kept.rows)));
-    let returned = loading.ok().and_then(|loading| {
-        let unloading = Branchwise::new(points(unloading));
-        loading.part_returned_by(&unloading)
-    });
-    match returned {
+    if segment.part != Branch::Unloading || !has_both(raw) {
+        return Ok(None);
+    }
+    match part_returned(raw, unloading) {
         Some(part) if part < LEAST_RETURNED => Err(CurveError::Hysteresis { part }),
         Some(_) => Ok(None),
         None => Ok(Some(CurveWarning::new(
@@ -44,6 +32,22 @@ pub(super) fn check_unloading(
              with an imprint, not with the undeformed surface of the model",
         ))),
     }
+}
+
+fn has_both(raw: &RawCurve<'_>) -> bool {
+    raw.values(Channel::Depth).is_some() && raw.values(Channel::Force).is_some()
+}
+
+/// The part of the work of the loading that the unloading, given by its rows, gives back; none where both have no depths
+/// in common.
+pub(crate) fn part_returned(raw: &RawCurve<'_>, unloading: &[usize]) -> Option<f64> {
+    let (depths, forces) = (raw.values(Channel::Depth)?, raw.values(Channel::Force)?);
+    let points = |rows: &[usize]| {
+        let point = |row: &usize| (depths[*row], forces[*row]);
+        Branchwise::new(rows.iter().map(point).collect())
+    };
+    let loading = branch(raw, &CurveSegment::default(), &[]).ok()?;
+    points(&loading.rows).part_returned_by(&points(unloading))
 }
 
 /// The points (m, N) of one branch of a curve, in the order of their depths.

@@ -8,20 +8,20 @@ use super::text_table::TextTable;
 
 /// The columns of a measurement, row by row; invalid numbers are NaN.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct RawCurve<'t> {
+pub(crate) struct RawCurve<'t> {
     /// Values of each quantity, SI.
-    pub(super) channels: Vec<(Channel, Vec<f64>)>,
+    pub(crate) channels: Vec<(Channel, Vec<f64>)>,
     /// Fields of the column of segments; empty if there is none.
-    pub(super) segments: Vec<&'t str>,
+    pub(crate) segments: Vec<&'t str>,
     /// Fields of the column of markers; empty if there is none.
-    pub(super) markers: Vec<&'t str>,
+    pub(crate) markers: Vec<&'t str>,
     /// Number of rows of the table.
-    pub(super) rows: usize,
+    pub(crate) rows: usize,
 }
 
 impl<'t> RawCurve<'t> {
     /// Reads the columns of a table.
-    pub(super) fn read(
+    pub(crate) fn read(
         table: &TextTable<'t>,
         columns: &CurveColumns,
         options: &TextOptions,
@@ -60,19 +60,19 @@ impl<'t> RawCurve<'t> {
     }
 
     /// The values of a quantity, if it has a column.
-    pub(super) fn values(&self, channel: Channel) -> Option<&[f64]> {
+    pub(crate) fn values(&self, channel: Channel) -> Option<&[f64]> {
         let found = self.channels.iter().find(|(found, _)| *found == channel);
         found.map(|(_, values)| values.as_slice())
     }
 
     /// Replaces or adds the values of a quantity.
-    pub(super) fn replace(&mut self, channel: Channel, values: Vec<f64>) {
+    pub(crate) fn replace(&mut self, channel: Channel, values: Vec<f64>) {
         self.channels.retain(|(found, _)| *found != channel);
         self.channels.push((channel, values));
     }
 
     /// The rows in which every quantity has a valid number.
-    pub(super) fn valid_rows(&self) -> Vec<usize> {
+    pub(crate) fn valid_rows(&self) -> Vec<usize> {
         let is_valid = |row: &usize| {
             let value =
                 |(_, values): &(Channel, Vec<f64>)| values.get(*row).is_some_and(|v| v.is_finite());

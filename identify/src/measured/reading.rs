@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use pellicle::input::decode::{Decoded, TextEncoding};
 use pellicle::input::diagnosis::Diagnosis;
 
 use super::baseline;
@@ -71,14 +72,7 @@ impl MeasuredCurve {
 
     /// Reads the bytes of a file.
     fn parse(path: &Path, bytes: &[u8], data: &DataTable) -> Result<Self, CurveError> {
-        let encoding = data.text.encoding;
-        if !encoding.has_zero_bytes(bytes) {
-            refuse_binary(path, bytes)?;
-        }
-        let decoded = encoding.decode(bytes)?;
-        if decoded.text.trim().is_empty() {
-            return Err(CurveError::Empty);
-        }
+        let decoded = decoded(path, bytes, data.text.encoding)?;
         let table = TextTable::find(&decoded.text, &data.text)?;
         let mut raw = RawCurve::read(&table, &data.columns, &data.text)?;
         let mut warnings = of_text(decoded.guessed, &table, data);
@@ -131,6 +125,26 @@ impl MeasuredCurve {
             *old = depth;
         }
     }
+}
+
+/// The text of a file.
+///
+/// # Errors
+///
+/// [`CurveError`] if it is empty, binary or in another encoding.
+pub(crate) fn decoded<'a>(
+    path: &Path,
+    bytes: &'a [u8],
+    encoding: TextEncoding,
+) -> Result<Decoded<'a>, CurveError> {
+    if !encoding.has_zero_bytes(bytes) {
+        refuse_binary(path, bytes)?;
+    }
+    let decoded = encoding.decode(bytes)?;
+    if decoded.text.trim().is_empty() {
+        return Err(CurveError::Empty);
+    }
+    Ok(decoded)
 }
 
 fn points(raw: &RawCurve<'_>, rows: &[usize]) -> Vec<(Channel, Vec<f64>)> {

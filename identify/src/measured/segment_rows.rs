@@ -17,7 +17,7 @@ const FRACTION_OF_UNLOADING: usize = 10;
 
 /// Returns the rows of the branch of a segment, without the omitted ones, which are numbered from 1. The criteria are,
 /// in this order: valid numbers, omitted rows, the value of the segment, its rows, markers and times, and its branch.
-pub(super) fn branch(
+pub(crate) fn branch(
     raw: &RawCurve<'_>,
     segment: &CurveSegment,
     omitted: &[usize],
@@ -47,7 +47,7 @@ pub(super) fn branch(
 }
 
 /// Keeps the rows between the forces of a segment, and before its pop-in.
-pub(super) fn cut(
+pub(crate) fn cut(
     kept: &mut KeptRows,
     raw: &RawCurve<'_>,
     segment: &CurveSegment,

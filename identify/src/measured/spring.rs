@@ -193,7 +193,7 @@ pub fn penetration(approach: &[f64], force: &[f64], spring_constant: f64) -> Vec
 
 /// Orients the heights so that they grow towards the body. Adds the force, if the deflection is measured, and the
 /// penetration at this spring constant.
-pub(super) fn add_penetration(
+pub(crate) fn add_penetration(
     raw: &mut RawCurve<'_>,
     direction: HeightDirection,
     spring: SpringConstant,

@@ -25,6 +25,10 @@ pub enum StatedQuantity {
     SpringConstant,
     /// The radius of the tip, m.
     TipRadius,
+    /// Where on the specimen the curve was measured, along x, m.
+    PositionX,
+    /// The same along y, m.
+    PositionY,
 }
 
 /// A number that a text states above its table.
@@ -80,7 +84,7 @@ impl StatedQuantity {
     fn dimension(self) -> Dimension {
         match self {
             Self::SpringConstant => Dimension::Stiffness,
-            Self::TipRadius => Dimension::Length,
+            Self::TipRadius | Self::PositionX | Self::PositionY => Dimension::Length,
         }
     }
 
@@ -91,6 +95,9 @@ impl StatedQuantity {
         if has(&["nominal"]) {
             return None;
         }
+        if let Some(position) = Self::position(&words) {
+            return Some((position, 1.0));
+        }
         let is_spring = has(&["spring"]) && has(&["constant", "const"]) || words == ["k"];
         let is_spring = is_spring || has(&["springconstant"]);
         if is_spring && !has(&["lateral", "torsional", "support"]) {
@@ -99,6 +106,19 @@ impl StatedQuantity {
         match (has(&BODIES), has(&["radius"]), has(&["diameter"])) {
             (true, true, false) => Some((Self::TipRadius, 1.0)),
             (true, false, true) => Some((Self::TipRadius, 0.5)),
+            _ => None,
+        }
+    }
+}
+
+impl StatedQuantity {
+    /// The coordinate of a name such as `X`, `X-position` or `position x`.
+    fn position(words: &[String]) -> Option<Self> {
+        let is_place = |word: &&String| ["position", "pos", "coordinate"].contains(&word.as_str());
+        let rest: Vec<_> = words.iter().filter(|word| !is_place(word)).collect();
+        match rest[..] {
+            [axis] if axis == "x" => Some(Self::PositionX),
+            [axis] if axis == "y" => Some(Self::PositionY),
             _ => None,
         }
     }
@@ -117,12 +137,19 @@ fn number(line: &str) -> Option<(StatedQuantity, f64)> {
             .find(|unit| !unit.is_empty())
         {
             Some(unit) => quantity::one(unit, quantity.dimension()).ok()?,
-            None if line.starts_with('#') && name.name.to_lowercase().contains("spring") => 1.0,
+            None if line.starts_with('#') && is_bare(&name.name) => 1.0,
             None => return None,
         };
         let value = factor * value * unit;
-        (value > 0.0 && value.is_finite()).then_some((quantity, value))
+        let is_place = [StatedQuantity::PositionX, StatedQuantity::PositionY].contains(&quantity);
+        ((is_place || value > 0.0) && value.is_finite()).then_some((quantity, value))
     })
+}
+
+/// Whether the exports of JPK and afmformats give the quantity of this name without a unit, in SI.
+fn is_bare(name: &str) -> bool {
+    let name = name.to_lowercase();
+    name.contains("spring") || name.contains("position")
 }
 
 /// A number at the beginning of a text, with either decimal mark, and the unit behind it.
@@ -183,6 +210,13 @@ mod tests {
             ("Tip radius (um)\t27.500", TipRadius, 27.5e-6),
             ("Probe Radius: 20 nm", TipRadius, 20e-9),
             ("Bead diameter (um),5", TipRadius, 2.5e-6),
+            ("X, um:\t25.000000", StatedQuantity::PositionX, 25e-6),
+            (
+                "Y-position (um)\t5500.880",
+                StatedQuantity::PositionY,
+                5500.88e-6,
+            ),
+            ("# xPosition: -1.5e-05", StatedQuantity::PositionX, -1.5e-5),
         ] {
             let found = number(line).expect(line);
             assert_eq!(found.0, quantity, "{line}");
@@ -206,6 +240,9 @@ mod tests {
             "Nominal tip radius (nm): 20",
             "  SpringConstant: 0.08",
             "# k: 40",
+            "X (#)\t1",
+            "Z-position (um)\t6833.680",
+            "Piezo position (nm) (Measured)\t-10.3",
         ] {
             assert_eq!(number(line), None, "{line}");
         }

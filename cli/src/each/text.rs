@@ -1,0 +1,133 @@
+//! What every curve gives alone, on the terminal.
+
+use pellicle::display::{count, significant};
+
+use super::{EachCurve, EachResult};
+use crate::identification::findings::EstimateResult;
+use crate::identification::units;
+
+/// So many curves are listed; more are in the table.
+const MOST_LISTED: usize = 20;
+
+/// A line for each of a few curves, and for each unknown the median and the quartiles of the fitted curves.
+#[must_use]
+pub fn text(result: &EachResult) -> String {
+    let listed = result.curves.iter().take(MOST_LISTED).map(line);
+    let more = match result.curves.len().saturating_sub(MOST_LISTED) {
+        0 => String::new(),
+        more => format!("  and {more} more, in each.csv\n"),
+    };
+    let fitted: Vec<&EachCurve> = (result.curves.iter())
+        .filter(|curve| curve.verdict == "fitted")
+        .collect();
+    let unknowns = fitted.first().map(|curve| curve.unknowns.len());
+    let medians = (0..unknowns.unwrap_or(0)).map(|index| median(&fitted, index));
+    format!(
+        "{}\n{}{more}{}\n{}",
+        result.title,
+        listed.collect::<String>(),
+        counts(result),
+        medians.collect::<String>()
+    )
+}
+
+fn line(curve: &EachCurve) -> String {
+    let unknowns = curve
+        .unknowns
+        .iter()
+        .map(|of| format!("   {}", numbers(of)));
+    let cause = curve.cause.iter().map(|cause| format!("\n      {cause}"));
+    let rest: Vec<String> = unknowns.chain(cause).collect();
+    format!("  {}: {}{}\n", curve.file, curve.verdict, rest.concat())
+}
+
+/// Median and quartiles of an unknown.
+fn median(fitted: &[&EachCurve], index: usize) -> String {
+    let all = fitted.iter().filter_map(|curve| curve.unknowns.get(index));
+    let mut values: Vec<f64> = all.clone().map(|of| of.value).collect();
+    values.sort_by(f64::total_cmp);
+    let [first, median, third] = [0.25, 0.5, 0.75].map(|part| quantile(&values, part));
+    let Some(of) = all.clone().next() else {
+        return String::new();
+    };
+    let scale = units::scale(median, &of.unit);
+    let number = |value: f64| significant(value / scale.divisor, 4);
+    format!(
+        "  {}: median {} {}, half of them from {} to {}\n",
+        of.key,
+        number(median),
+        scale.label,
+        number(first),
+        number(third)
+    )
+}
+
+/// How many curves have which verdict.
+#[must_use]
+pub fn counts(result: &EachResult) -> String {
+    let verdicts = [
+        "fitted",
+        "misfit",
+        "outside-model",
+        "not-converged",
+        super::FAILED,
+    ];
+    let counted = verdicts.map(|verdict| (result.count(verdict), verdict));
+    let some: Vec<String> = (counted.iter().filter(|(number, _)| *number > 0))
+        .map(|(number, verdict)| format!("{number} {verdict}"))
+        .collect();
+    let not_begun = match result.not_begun {
+        0 => String::new(),
+        number => format!(", {number} not begun"),
+    };
+    format!(
+        "{}: {}{not_begun}",
+        count(result.curves.len(), "curve"),
+        some.join(", ")
+    )
+}
+
+fn numbers(of: &EstimateResult) -> String {
+    let scale = units::scale(of.value, &of.unit);
+    let number = |value: f64| significant(value / scale.divisor, 4);
+    let [low, high] = of.interval.map(|end| end.map_or("open".to_owned(), number));
+    format!(
+        "{} [{low}, {high}] {}, {}",
+        number(of.value),
+        scale.label,
+        of.verdict
+    )
+}
+
+/// The quantile of sorted values, by a line between the two nearest.
+fn quantile(values: &[f64], part: f64) -> f64 {
+    let place = part * (values.len().max(1) - 1) as f64;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a place in a list"
+    )]
+    let below = place.floor() as usize;
+    let at = |index: usize| {
+        values
+            .get(index.min(values.len().max(1) - 1))
+            .copied()
+            .unwrap_or(f64::NAN)
+    };
+    at(below) + (place - below as f64) * (at(below + 1) - at(below))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quartiles_lie_between_the_nearest_values() {
+        let values = [1.0, 2.0, 3.0, 5.0];
+        assert_eq!(
+            [0.0, 0.5, 0.75, 1.0].map(|part| quantile(&values, part)),
+            [1.0, 2.5, 3.5, 5.0]
+        );
+        assert!(quantile(&[], 0.5).is_nan());
+    }
+}

@@ -1,0 +1,281 @@
+//! Which column holds which quantity, by its name and unit, or by its numbers where the table has no header.
+
+use pellicle::input::dimension::Dimension;
+
+use crate::measured::channel::Channel;
+use crate::measured::header::{HeaderField, HeaderUnit};
+
+/// Words of columns that hold no quantity of the contact.
+const FOREIGN: [&str; 10] = [
+    "lateral",
+    "friction",
+    "torsion",
+    "target",
+    "setpoint",
+    "auxiliary",
+    "raw",
+    "area",
+    "error",
+    "temperature",
+];
+/// Words of columns of the way back.
+const WAY_BACK: [&str; 8] = [
+    "retract",
+    "retraction",
+    "return",
+    "withdraw",
+    "unload",
+    "unloading",
+    "backward",
+    "rt",
+];
+/// Words and symbols that are too short to prove another quantity, but suggest this one.
+const SYMBOLS: [(Channel, &[&str]); 6] = [
+    (Channel::Time, &["t"]),
+    (Channel::Stiffness, &["S", "s"]),
+    (Channel::Force, &["F", "P", "N"]),
+    (Channel::Deflection, &["defl", "Defl"]),
+    (
+        Channel::Height,
+        &["Z", "ramp", "Ramp", "zsnsr", "ZSnsr", "Raw"],
+    ),
+    (Channel::Depth, &["h", "d", "D", "δ", "disp", "Disp"]),
+];
+/// Differences of neighbouring times are equal to this part of their mean.
+const EVEN: f64 = 0.05;
+
+/// A column taken for a quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct ColumnGuess {
+    /// The quantity.
+    pub(super) channel: Channel,
+    /// Its place in the table, from 0.
+    pub(super) place: usize,
+}
+
+/// The columns of a header that are named or measured as these quantities, each used once.
+pub(super) fn of_header(header: &[HeaderField]) -> Vec<ColumnGuess> {
+    // A length is the depth only if it is nothing else.
+    const ORDER: [Channel; 6] = [
+        Channel::Time,
+        Channel::Stiffness,
+        Channel::Force,
+        Channel::Deflection,
+        Channel::Height,
+        Channel::Depth,
+    ];
+    let mut found: Vec<ColumnGuess> = Vec::new();
+    for channel in ORDER {
+        let is_free = |place: &usize| found.iter().all(|taken| taken.place != *place);
+        let ranked = header.iter().enumerate().filter_map(|(place, head)| {
+            let likeness = likeness(channel, head)?;
+            is_free(&place).then_some((likeness, place))
+        });
+        // The first of the most alike.
+        let best = ranked.max_by_key(|(likeness, place)| (*likeness, usize::MAX - place));
+        found.extend(best.map(|(_, place)| ColumnGuess { channel, place }));
+    }
+    found
+}
+
+/// How much a header is like that of a quantity; none if it is not.
+fn likeness(channel: Channel, head: &HeaderField) -> Option<i32> {
+    let is_word = |c: char| !c.is_alphanumeric();
+    let words: Vec<&str> = head.name.split(is_word).filter(|w| !w.is_empty()).collect();
+    let has = |wanted: &[&str]| {
+        words
+            .iter()
+            .any(|word| wanted.contains(&&*word.to_lowercase()))
+    };
+    if has(&FOREIGN) {
+        return None;
+    }
+    let symbols = SYMBOLS.iter().find(|(of, _)| *of == channel);
+    let is_symbol = symbols.is_some_and(|(_, symbols)| words.iter().any(|w| symbols.contains(w)));
+    let is_named = channel.is_indicated_by(&head.name);
+    let has_unit = match head.unit {
+        HeaderUnit::Of(dimension) if dimension == channel.dimension() => true,
+        HeaderUnit::Electrical if channel == Channel::Deflection => false,
+        HeaderUnit::None => false,
+        HeaderUnit::Of(_) | HeaderUnit::Electrical => return None,
+    };
+    // A length alone may be any of four, a force is a force.
+    let tells_alone = channel.dimension() != Dimension::Length;
+    let likeness = match (is_named, is_symbol, has_unit) {
+        (true, _, true) => 40,
+        (true, _, false) => 30,
+        (false, true, true) => 25,
+        (false, true, false) => 15,
+        (false, false, true) if tells_alone => 20,
+        _ => return None,
+    };
+    let back = 6 * i32::from(has(&WAY_BACK));
+    let measured = i32::from(has(&["measured", "sensor"]));
+    Some(likeness - back + measured)
+}
+
+/// The columns of a table without header: two, the steeper of which is the force, and perhaps a time that goes in even
+/// steps. None if there are more.
+pub(super) fn of_numbers(columns: &[Vec<f64>]) -> Option<Vec<ColumnGuess>> {
+    let at = |channel, place| ColumnGuess { channel, place };
+    let all: Vec<usize> = (0..columns.len()).collect();
+    let time = (all.len() == 3).then(|| all.iter().copied().find(|c| is_even(&columns[*c])));
+    let time = time.flatten();
+    let rest: Vec<usize> = all.into_iter().filter(|c| Some(*c) != time).collect();
+    let [one, other] = rest[..] else {
+        return None;
+    };
+    let [depth, force] = if is_convex(&columns[one], &columns[other]) {
+        [one, other]
+    } else {
+        [other, one]
+    };
+    let mut found = vec![at(Channel::Force, force), at(Channel::Depth, depth)];
+    found.extend(time.map(|time| at(Channel::Time, time)));
+    Some(found)
+}
+
+/// Whether numbers rise in even steps.
+fn is_even(values: &[f64]) -> bool {
+    let steps: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+    mean > 0.0 && steps.iter().all(|step| (step - mean).abs() < EVEN * mean)
+}
+
+/// Whether `y` rises ever faster with `x` up to its largest: the middle of its rise lies beyond that of `x`. The force
+/// of a contact does.
+fn is_convex(x: &[f64], y: &[f64]) -> bool {
+    let valid = || {
+        x.iter()
+            .zip(y)
+            .filter(|(x, y)| x.is_finite() && y.is_finite())
+    };
+    let Some((_, peak)) = valid().max_by(|one, other| one.1.total_cmp(other.1)) else {
+        return true;
+    };
+    let Some((x0, y0)) = valid().next() else {
+        return true;
+    };
+    let half = valid().find(|(_, value)| **value >= 0.5 * (y0 + peak));
+    let end = valid().find(|(_, value)| *value >= peak);
+    match (half, end) {
+        (Some((middle, _)), Some((end, _))) => (middle - x0) >= 0.5 * (end - x0),
+        _ => true,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn guessed(names: &[&str]) -> Vec<(&'static str, usize)> {
+        let header: Vec<_> = names.iter().map(|name| HeaderField::new(name)).collect();
+        let mut found: Vec<_> = of_header(&header)
+            .into_iter()
+            .map(|guess| (guess.channel.key(), guess.place + 1))
+            .collect();
+        found.sort_by_key(|(_, place)| *place);
+        found
+    }
+
+    #[test]
+    fn columns_of_instruments_are_found_by_name_and_unit() {
+        for (names, wanted) in [
+            (
+                &[
+                    "Depth (nm)",
+                    "Load (µN)",
+                    "Time (s)",
+                    "Depth (V)",
+                    "Load (V)",
+                ][..],
+                &[("depth", 1), ("force", 2), ("time", 3)][..],
+            ),
+            (
+                &[
+                    "Displacement Into Surface [nm]",
+                    "Load On Sample [mN]",
+                    "Time On Sample [s]",
+                    "Harmonic Contact Stiffness [N/m]",
+                ],
+                &[("depth", 1), ("force", 2), ("time", 3), ("stiffness", 4)],
+            ),
+            (
+                &[
+                    "Time (s)",
+                    "Load (uN)",
+                    "Indentation (nm)",
+                    "Cantilever (nm)",
+                    "Piezo (nm)",
+                    "Auxiliary",
+                ],
+                &[
+                    ("time", 1),
+                    ("force", 2),
+                    ("depth", 3),
+                    ("deflection", 4),
+                    ("height", 5),
+                ],
+            ),
+            (
+                &[
+                    "Retract Z-Sense(nm)",
+                    "Retract Force(nN)",
+                    "Extend Z-Sense(nm)",
+                    "Extend Force(nN)",
+                ],
+                &[("height", 3), ("force", 4)],
+            ),
+            (
+                &[
+                    "force [N]",
+                    "height piezo [m]",
+                    "height measured [m]",
+                    "segment",
+                    "time [s]",
+                ],
+                &[("force", 1), ("height", 3), ("time", 5)],
+            ),
+            (
+                &["Z (nm)", "Deflection (V)"],
+                &[("height", 1), ("deflection", 2)],
+            ),
+            (&["F", "h", "t"], &[("force", 1), ("depth", 2), ("time", 3)]),
+            (
+                &["Calc_Ramp_Ex_nm", "Defl_pN_Ex"],
+                &[("height", 1), ("force", 2)],
+            ),
+            (&["Lateral Force (nN)", "voltage"], &[]),
+        ] {
+            assert_eq!(guessed(names), wanted, "{names:?}");
+        }
+    }
+
+    #[test]
+    fn without_header_the_steeper_of_two_columns_is_the_force() {
+        let depth: Vec<f64> = (0..50)
+            .map(f64::from)
+            .map(|i| i + 0.1 * (3.0 * i).sin())
+            .collect();
+        let force: Vec<f64> = depth.iter().map(|d| d.max(0.0).powf(1.5)).collect();
+        let time: Vec<f64> = (0..50).map(f64::from).collect();
+        let of = |columns: &[&Vec<f64>]| {
+            let columns: Vec<_> = columns.iter().map(|values| (*values).clone()).collect();
+            let mut found = of_numbers(&columns)?;
+            found.sort_by_key(|guess| guess.place);
+            Some(
+                found
+                    .iter()
+                    .map(|guess| guess.channel.key())
+                    .collect::<Vec<_>>(),
+            )
+        };
+        assert_eq!(of(&[&depth, &force]), Some(vec!["depth", "force"]));
+        assert_eq!(of(&[&force, &depth]), Some(vec!["force", "depth"]));
+        assert_eq!(
+            of(&[&time, &depth, &force]),
+            Some(vec!["time", "depth", "force"])
+        );
+        assert_eq!(of(&[&depth, &force, &force, &depth]), None);
+    }
+}

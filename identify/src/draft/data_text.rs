@@ -1,0 +1,146 @@
+//! The text of a drafted `[[data]]` table: its keys, each with what it rests on.
+
+use pellicle::display::Unit;
+
+use super::NOT_IN_THE_FILE;
+use super::survey::{Survey, SurveyedColumn, SurveyedUnit};
+use super::words::{quoted, stated};
+use crate::measured::channel::Channel;
+use crate::measured::separator::DecimalMark;
+
+/// A key with its value and what it rests on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Line {
+    /// `key = value`.
+    pub(super) key: String,
+    /// What it rests on; empty if nothing is to be said.
+    pub(super) why: String,
+}
+
+impl Line {
+    /// A line with what it rests on.
+    pub(super) fn new(key: impl Into<String>, why: impl Into<String>) -> Self {
+        let (key, why) = (key.into(), why.into());
+        Self { key, why }
+    }
+
+    /// The line as text: the comment behind the key if both are short, otherwise above it.
+    pub(super) fn text(&self) -> String {
+        const WIDTH: usize = 100;
+        let Self { key, why } = self;
+        if why.is_empty() {
+            format!("{key}\n")
+        } else if key.chars().count() + why.chars().count() < WIDTH {
+            format!("{key}  # {why}\n")
+        } else {
+            format!("# {why}\n{key}\n")
+        }
+    }
+}
+
+/// The keys of the table of a file that say how it is read.
+pub(super) fn keys(survey: &Survey) -> Vec<Line> {
+    let mut lines = vec![columns(survey)];
+    lines.extend(units(survey));
+    lines.extend(text(survey));
+    if let Some(spring) = &survey.spring {
+        let key = format!(
+            "spring_constant = {}",
+            quoted(&stated(spring.value, Unit::NewtonPerMetre))
+        );
+        let why = match &spring.stated {
+            Some(stated) => format!("line {}: {}", stated.line, stated.text),
+            None => NOT_IN_THE_FILE.to_owned(),
+        };
+        lines.push(Line::new(key, why));
+    }
+    if survey.is_unloading {
+        lines.push(Line::new("observe = \"unloading\"", ""));
+    } else if survey.has(Channel::Stiffness) {
+        let why = "it needs neither the zero of the depth nor an area function";
+        lines.push(Line::new("observe = \"stiffness at force\"", why));
+    }
+    lines
+}
+
+fn columns(survey: &Survey) -> Line {
+    let name = |column: &SurveyedColumn| {
+        let is_plain = !column
+            .heading
+            .contains(|c: char| c.is_control() || c == '\u{fffd}');
+        let name = if column.is_unique && is_plain && !column.heading.is_empty() {
+            quoted(&column.heading)
+        } else {
+            column.number.to_string()
+        };
+        format!("{} = {name}", column.channel.key())
+    };
+    let names: Vec<_> = survey.columns.iter().map(name).collect();
+    let numbers: Vec<_> = survey
+        .columns
+        .iter()
+        .map(|column| column.number.to_string())
+        .collect();
+    let numbers = format!("columns {} of {}", numbers.join(", "), survey.width);
+    let is_named = survey
+        .columns
+        .iter()
+        .all(|column| !column.heading.is_empty());
+    let why = if is_named {
+        numbers
+    } else {
+        format!("{numbers}, which have no names: the force is the one that rises ever faster")
+    };
+    Line::new(format!("columns = {{ {} }}", names.join(", ")), why)
+}
+
+fn units(survey: &Survey) -> Option<Line> {
+    let mut why = "";
+    let mut units = Vec::new();
+    let is_reversed =
+        |column: &SurveyedColumn| survey.is_reversed && column.channel == Channel::Depth;
+    for column in &survey.columns {
+        let key = column.channel.key();
+        match &column.unit {
+            SurveyedUnit::Assumed(unit) => {
+                why = NOT_IN_THE_FILE;
+                let sign = if is_reversed(column) { "-1 " } else { "" };
+                units.push(format!("{key} = {}", quoted(&format!("{sign}{unit}"))));
+            }
+            SurveyedUnit::Sensitivity(value) => {
+                why = "sensitivity of the deflection in m/V, not in the file: put yours";
+                units.push(format!("{key} = {value:e}"));
+            }
+            SurveyedUnit::Stated(unit) if is_reversed(column) => {
+                units.push(format!("{key} = {}", quoted(&format!("-1 {unit}"))));
+            }
+            SurveyedUnit::Stated(_) => {}
+        }
+    }
+    if survey.is_reversed {
+        why = "the depth falls as the force rises, so its sign is reversed; check the units";
+    }
+    (!units.is_empty()).then(|| Line::new(format!("units = {{ {} }}", units.join(", ")), why))
+}
+
+fn text(survey: &Survey) -> Option<Line> {
+    let mut options = Vec::new();
+    let mut why = Vec::new();
+    if survey.decimal == DecimalMark::Comma {
+        options.push("decimal = \",\"".to_owned());
+        why.push("numbers have a comma".to_owned());
+    }
+    if survey.tables > 1 {
+        options.push("table = 1".to_owned());
+        why.push(format!("the first of {} tables in the file", survey.tables));
+    }
+    if let Some(encoding) = survey.encoding {
+        options.push(format!("encoding = {}", quoted(encoding)));
+    }
+    (!options.is_empty()).then(|| {
+        Line::new(
+            format!("text = {{ {} }}", options.join(", ")),
+            why.join("; "),
+        )
+    })
+}

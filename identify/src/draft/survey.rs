@@ -1,0 +1,356 @@
+//! What a measured file is found to be: its text, the columns that it has, its cantilever, and what happens in it.
+
+use std::path::{Path, PathBuf};
+
+use pellicle::input::decode::TextEncoding;
+
+use super::column_guess::{self, ColumnGuess};
+use super::history::History;
+use super::{DraftError, DraftKind, spring_guess};
+use crate::measured::channel::Channel;
+use crate::measured::columns::{ColumnName, ColumnUnit, CurveColumns};
+use crate::measured::error::CurveError;
+use crate::measured::header::{HeaderField, HeaderUnit};
+use crate::measured::raw_curve::RawCurve;
+use crate::measured::reading;
+use crate::measured::separator::DecimalMark;
+use crate::measured::sources::MeasurementSources;
+use crate::measured::spring::{self, HeightDirection, SpringConstant, SpringSource};
+use crate::measured::stated::{StatedNumber, StatedQuantity};
+use crate::measured::text_options::TextOptions;
+use crate::measured::text_table::TextTable;
+
+/// A depth without unit that goes no farther is in micrometres, otherwise in nanometres.
+const SHALLOW: f64 = 5.0;
+
+/// What a measured file is found to be.
+#[derive(Debug, Clone)]
+pub(super) struct Survey {
+    /// The file.
+    pub(super) file: PathBuf,
+    /// Number of columns of its table.
+    pub(super) width: usize,
+    /// Number of tables in it.
+    pub(super) tables: usize,
+    /// Its decimal mark.
+    pub(super) decimal: DecimalMark,
+    /// Its encoding, where it is only guessed.
+    pub(super) encoding: Option<&'static str>,
+    /// What its lines above the table state.
+    pub(super) stated: Vec<StatedNumber>,
+    /// The columns that are read.
+    pub(super) columns: Vec<SurveyedColumn>,
+    /// Its cantilever, if it has one.
+    pub(super) spring: Option<SpringGuess>,
+    /// Whether the sign of the depth is reversed.
+    pub(super) is_reversed: bool,
+    /// Whether its unloading is evaluated, and nothing fitted to a model.
+    pub(super) is_unloading: bool,
+    /// What happens in it.
+    pub(super) history: Option<History>,
+}
+
+/// A column that is read.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct SurveyedColumn {
+    /// Its quantity.
+    pub(super) channel: Channel,
+    /// Its number, from 1.
+    pub(super) number: usize,
+    /// Its heading; empty if there is none.
+    pub(super) heading: String,
+    /// Whether the heading names this column alone.
+    pub(super) is_unique: bool,
+    /// Its unit.
+    pub(super) unit: SurveyedUnit,
+}
+
+/// The unit of a column.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum SurveyedUnit {
+    /// The header states it.
+    Stated(String),
+    /// It is assumed.
+    Assumed(&'static str),
+    /// A deflection in volts has this sensitivity, m/V.
+    Sensitivity(f64),
+}
+
+/// The spring constant of a cantilever, N/m.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct SpringGuess {
+    /// Its value.
+    pub(super) value: f64,
+    /// The line that states it.
+    pub(super) stated: Option<StatedNumber>,
+}
+
+impl Survey {
+    /// Surveys a file.
+    pub(super) fn of(file: &Path, kind: DraftKind) -> Result<Self, DraftError> {
+        let curve_error = |error| DraftError::Curve {
+            file: file.to_owned(),
+            error,
+        };
+        let sources = MeasurementSources::default();
+        let bytes = sources.read(file).map_err(|error| {
+            curve_error(CurveError::Unreadable {
+                cause: error.to_string(),
+            })
+        })?;
+        let decoded = reading::decoded(file, &bytes, TextEncoding::Guessed).map_err(curve_error)?;
+        let (options, table) = table(&decoded.text).map_err(curve_error)?;
+        let guesses = guesses(&table, &options).ok_or_else(|| not_understood(file, &table))?;
+        let stated_spring = StatedNumber::of(StatedQuantity::SpringConstant, &table.stated);
+        let (chosen, is_cantilever) = chosen(&guesses, kind, stated_spring.is_some())
+            .ok_or_else(|| not_understood(file, &table))?;
+        let mut columns = named(&chosen, &table);
+        let mut raw = raw(&table, &columns, &options).map_err(curve_error)?;
+        assume_units(&mut columns, &mut raw);
+        let spring = is_cantilever.then(|| SpringGuess::of(stated_spring, &raw));
+        if let Some(spring) = &spring {
+            spring.add_penetration(&mut raw).map_err(curve_error)?;
+        }
+        let history = History::of(&raw);
+        let mut survey = Self {
+            file: file.to_owned(),
+            width: table.columns,
+            tables: table.tables,
+            decimal: options.decimal,
+            encoding: decoded.guessed,
+            columns,
+            spring,
+            is_reversed: false,
+            is_unloading: false,
+            history,
+            stated: table.stated,
+        };
+        survey.choose_observable(kind);
+        Ok(survey)
+    }
+
+    /// Decides between the unloading, the contact stiffness and the loading: a stiffness beyond a pop-in is that of an
+    /// imprint, an unloading that gives back too little work is that of one, too.
+    fn choose_observable(&mut self, kind: DraftKind) {
+        let has_pop_in = self.history.as_ref().is_some_and(|of| of.pop_in.is_some());
+        let is_plastic = self.history.as_ref().is_some_and(History::is_plastic);
+        let is_elastic = !is_plastic || has_pop_in || self.spring.is_some();
+        self.is_unloading = match kind {
+            DraftKind::Guessed => !is_elastic && !self.has(Channel::Stiffness),
+            DraftKind::Afm => false,
+            DraftKind::Unloading => true,
+        };
+        if has_pop_in || self.is_unloading {
+            self.columns
+                .retain(|column| column.channel != Channel::Stiffness);
+        }
+    }
+
+    /// Whether a column of this quantity is read.
+    pub(super) fn has(&self, channel: Channel) -> bool {
+        self.columns.iter().any(|column| column.channel == channel)
+    }
+
+    /// The line that states the radius of the tip.
+    pub(super) fn stated_radius(&self) -> Option<&StatedNumber> {
+        StatedNumber::of(StatedQuantity::TipRadius, &self.stated)
+    }
+}
+
+/// The table of a text, with the decimal mark that gives one.
+fn table(text: &str) -> Result<(TextOptions, TextTable<'_>), CurveError> {
+    let options = TextOptions::default();
+    match TextTable::find(text, &options) {
+        Err(CurveError::NoTable { hint: Some(_) }) => {
+            let decimal = DecimalMark::Comma;
+            let options = TextOptions { decimal, ..options };
+            TextTable::find(text, &options).map(|table| (options, table))
+        }
+        found => found.map(|table| (options, table)),
+    }
+}
+
+fn guesses(table: &TextTable<'_>, options: &TextOptions) -> Option<Vec<ColumnGuess>> {
+    if !table.header.is_empty() {
+        return Some(column_guess::of_header(&table.header));
+    }
+    let mut columns = vec![Vec::with_capacity(table.rows.len()); table.columns];
+    for row in &table.rows {
+        let fields = table.separator.fields(row);
+        for (place, values) in columns.iter_mut().enumerate() {
+            let number = fields
+                .get(place)
+                .and_then(|field| options.decimal.number(field));
+            values.push(number.unwrap_or(f64::NAN));
+        }
+    }
+    column_guess::of_numbers(&columns)
+}
+
+/// The columns to read, and whether they are those of a cantilever; none if they make no curve.
+fn chosen(
+    guesses: &[ColumnGuess],
+    kind: DraftKind,
+    states_spring: bool,
+) -> Option<(Vec<ColumnGuess>, bool)> {
+    let find = |channel| {
+        guesses
+            .iter()
+            .find(|guess| guess.channel == channel)
+            .copied()
+    };
+    let (force, depth, height) = (
+        find(Channel::Force),
+        find(Channel::Depth),
+        find(Channel::Height),
+    );
+    let load = force.or(find(Channel::Deflection));
+    let prefers_height = kind == DraftKind::Afm || states_spring || depth.is_none();
+    let time = find(Channel::Time);
+    let prefers_height = prefers_height && kind != DraftKind::Unloading;
+    if let (Some(height), Some(load), true) = (height, load, prefers_height) {
+        let columns = [Some(height), Some(load), time];
+        return Some((columns.into_iter().flatten().collect(), true));
+    }
+    let columns = [Some(depth?), Some(force?), find(Channel::Stiffness), time];
+    Some((columns.into_iter().flatten().collect(), false))
+}
+
+fn not_understood(file: &Path, table: &TextTable<'_>) -> DraftError {
+    let headings: Vec<_> = table
+        .header
+        .iter()
+        .map(|head| format!("\"{}\"", head.text))
+        .collect();
+    let columns = match headings[..] {
+        [] => format!("{} columns without names", table.columns),
+        _ => format!("the columns {}", headings.join(", ")),
+    };
+    DraftError::Columns {
+        file: file.to_owned(),
+        columns,
+        wanted: "a force, and a depth or the height of a piezo",
+    }
+}
+
+fn named(chosen: &[ColumnGuess], table: &TextTable<'_>) -> Vec<SurveyedColumn> {
+    let column = |guess: &ColumnGuess| {
+        let head = table.header.get(guess.place);
+        let is_same = |other: &&HeaderField| head.is_some_and(|head| head.text == other.text);
+        SurveyedColumn {
+            channel: guess.channel,
+            number: guess.place + 1,
+            heading: head.map(|head| head.text.clone()).unwrap_or_default(),
+            is_unique: table.header.iter().filter(is_same).count() == 1,
+            unit: match head.map(|head| &head.unit) {
+                Some(HeaderUnit::Of(_)) => SurveyedUnit::Stated(
+                    head.map(|head| head.unit_text.clone()).unwrap_or_default(),
+                ),
+                Some(HeaderUnit::Electrical) => SurveyedUnit::Sensitivity(1.0),
+                _ => SurveyedUnit::Assumed(assumed(guess.channel)),
+            },
+        }
+    };
+    chosen.iter().map(column).collect()
+}
+
+/// The unit in which instruments mostly write a quantity.
+fn assumed(channel: Channel) -> &'static str {
+    match channel {
+        Channel::Force => "mN",
+        Channel::Time => "s",
+        Channel::Stiffness => "N/m",
+        _ => "nm",
+    }
+}
+
+fn raw(
+    table: &TextTable<'_>,
+    columns: &[SurveyedColumn],
+    options: &TextOptions,
+) -> Result<RawCurve<'static>, CurveError> {
+    let channel = |column: &SurveyedColumn| {
+        let unit = match &column.unit {
+            SurveyedUnit::Stated(_) => None,
+            SurveyedUnit::Assumed(unit) => {
+                let size = pellicle::input::quantity::one(unit, column.channel.dimension());
+                Some(ColumnUnit::Value(size.unwrap_or(1.0)))
+            }
+            SurveyedUnit::Sensitivity(value) => Some(ColumnUnit::Value(*value)),
+        };
+        (column.channel, ColumnName::Number(column.number), unit)
+    };
+    let columns = CurveColumns {
+        channels: columns.iter().map(channel).collect(),
+        segment: None,
+        marker: None,
+    };
+    let read = RawCurve::read(table, &columns, options)?;
+    Ok(RawCurve {
+        channels: read.channels,
+        segments: Vec::new(),
+        markers: Vec::new(),
+        rows: read.rows,
+    })
+}
+
+/// Fits the units that no header states to the numbers: shallow depths are in micrometres, the forces of a cantilever
+/// in nanonewtons, and a voltage has a sensitivity.
+fn assume_units(columns: &mut [SurveyedColumn], raw: &mut RawCurve<'_>) {
+    let has_height = columns
+        .iter()
+        .any(|column| column.channel == Channel::Height);
+    for column in columns {
+        let Some(values) = raw.values(column.channel) else {
+            continue;
+        };
+        let valid = values.iter().copied().filter(|value| value.is_finite());
+        let (low, high) = valid.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+            (low.min(v), high.max(v))
+        });
+        let change = match (&column.unit, column.channel) {
+            (SurveyedUnit::Assumed(_), Channel::Depth | Channel::Height | Channel::Deflection)
+                if high - low < SHALLOW * 1e-9 =>
+            {
+                column.unit = SurveyedUnit::Assumed("um");
+                1e3
+            }
+            (SurveyedUnit::Assumed(_), Channel::Force) if has_height => {
+                column.unit = SurveyedUnit::Assumed("nN");
+                1e-6
+            }
+            (SurveyedUnit::Sensitivity(_), _) => {
+                let heights = raw.values(Channel::Height).unwrap_or_default();
+                let sensitivity = spring_guess::sensitivity(heights, values);
+                column.unit = SurveyedUnit::Sensitivity(sensitivity);
+                sensitivity
+            }
+            _ => continue,
+        };
+        let changed = values.iter().map(|value| change * value).collect();
+        raw.replace(column.channel, changed);
+    }
+}
+
+impl SpringGuess {
+    fn of(stated: Option<&StatedNumber>, raw: &RawCurve<'_>) -> Self {
+        let heights = raw.values(Channel::Height).unwrap_or_default();
+        // Without a force, that of a deflection is not steeper than the approach.
+        let forces = raw.values(Channel::Force).unwrap_or_default();
+        let assumed = || spring_guess::spring_constant(heights, forces);
+        Self {
+            value: stated.map_or_else(assumed, |stated| stated.value),
+            stated: stated.cloned(),
+        }
+    }
+
+    /// Adds force and penetration to the columns of a file.
+    fn add_penetration(&self, raw: &mut RawCurve<'_>) -> Result<(), CurveError> {
+        let constant = SpringConstant {
+            mean: self.value,
+            sd: None,
+            source: SpringSource::BareNumber,
+        };
+        spring::add_penetration(raw, HeightDirection::FromForce, constant)
+    }
+}
