@@ -31,8 +31,8 @@ substrate = { young_modulus = "50 GPa", poisson_ratio = 0.17 }
 "#;
 
 /// Means of public tests with a Berkovich tip on 500 nm of thermal oxide on silicon.
-const OXIDE: &str = include_str!("../../../cases/fits/oxide.csv");
-const OXIDE_FIT: &str = include_str!("../../../cases/fits/oxide.toml");
+const OXIDE: &str = include_str!("../../src/templates/oxide.csv");
+const OXIDE_FIT: &str = include_str!("../../src/templates/fit-film.toml");
 
 fn run(fit: &str, data: &[(&str, &str)]) -> (TestFolder, ProgramOutput) {
     let folder = TestFolder::new();
