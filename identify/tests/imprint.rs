@@ -7,6 +7,7 @@ use pellicle::Case;
 use pellicle::input::span::Source;
 use pellicle::run::Run;
 use pellicle_contact::reference::power_law::{self, PowerLawContact};
+use pellicle_identify::fit_file::{FitFile, FitSources, Measurements};
 use pellicle_identify::indentation::{EffectiveIndenter, UnloadingPoint};
 use pellicle_influence::ElasticBodies;
 use pellicle_kernel::{Foundation, Material};
@@ -147,4 +148,25 @@ fn on_a_coating_the_case_has_the_unloadings_force_depth_and_stiffness_and_tells_
     // The coating yields first, below the middle of the contact.
     assert!(coat.resolved && base.resolved && coat.value > base.value);
     assert!((0.0..500e-9).contains(&coat.at[2]) && base.at[2] >= 500e-9);
+}
+
+#[test]
+fn an_exponent_is_sought_where_it_has_neighbours_and_a_cone_has_none_to_seek() {
+    let fit = |exponent: &str| {
+        let text = format!(
+            "[model.foundation]\nsubstrate = {{ young_modulus = \"72 GPa\", poisson_ratio = 0.17 }}\n\
+             [model.indenter]\nkind = \"power\"\nexponent = {exponent}\ncoefficient = \"1 um\"\n\
+             [[data]]\nforces = [\"1 mN\", \"2 mN\", \"5 mN\"]\nnoise = {{ depth = \"1 nm\" }}\n\
+             [unknown]\n\"indenter.exponent\" = {{ from = 0.5, to = 80 }}\n\
+             \"indenter.coefficient\" = {{ from = \"0.1 um\", to = \"10 um\" }}\n"
+        );
+        let source = Arc::new(Source::new("fit.toml", text));
+        let sources = FitSources::in_folder(Path::new(""));
+        FitFile::parse(&source, "fit", &sources, Measurements::Optional)
+    };
+    let unknowns = fit("3.3").unwrap().all_unknowns();
+    assert_eq!(unknowns[0].range, [1.001, 49.0]);
+    assert_eq!([unknowns[0].unit(), unknowns[1].unit()], ["1", "m"]);
+    // At exponent 1 the coefficient is of no effect and the exponent at its end.
+    assert!(fit("1").is_err());
 }
