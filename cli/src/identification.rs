@@ -3,6 +3,7 @@
 pub mod causes;
 pub mod curve_source;
 pub mod deviations;
+mod effective_indenter;
 pub mod files;
 pub mod findings;
 pub mod fitted_file;

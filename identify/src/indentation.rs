@@ -32,7 +32,9 @@ mod unloading;
 pub use area_function::{AreaFunction, Tip, TipShape};
 pub use calibration::{Calibration, CalibrationTask, MeasuredContact, calibrate};
 pub use correction::DriftHold;
-pub use effective_indenter::{EffectiveIndenter, EffectiveIndenterError, UnloadingPoint};
+pub use effective_indenter::{
+    EffectiveIndenter, EffectiveIndenterError, EffectiveIndenterNumbers, UnloadingPoint,
+};
 pub use error::IndentationError;
 pub use evaluation::{EvaluatedCurve, IndentationCurve, evaluate, evaluate_stiffnesses};
 pub use number::IndentationNumber;

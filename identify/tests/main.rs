@@ -5,4 +5,5 @@ mod contact_curves;
 mod contact_fit;
 mod curves;
 mod fits;
+mod imprint;
 mod indentation;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use pellicle::summary::PROGRAM;
 use pellicle_identify::fit_file::evaluation_file::{Evaluated, EvaluatedFile};
 use pellicle_identify::indentation::{
-    EvaluationSettings, IndentationNumber, IndentationNumbers, Uncertain,
+    EffectiveIndenterNumbers, EvaluationSettings, IndentationNumber, IndentationNumbers, Uncertain,
 };
 use serde::{Serialize, Serializer};
 
@@ -50,6 +50,9 @@ pub struct Indentation {
     /// The only unknown of a fit, from this contact alone, exactly for the layered body.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<ExactModulus>,
+    /// The power-law indenter whose elastic contact with the fitted body is that of the unloading.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub effective_indenter: Option<EffectiveIndenterNumbers>,
 }
 
 impl Indentation {
@@ -145,6 +148,7 @@ pub fn indentations(curves: &[EvaluatedFile]) -> Vec<Indentation> {
             .map(|of| contact.numbers.get(of))
             .into(),
         exact: None,
+        effective_indenter: None,
     };
     contacts(curves).iter().map(of).collect()
 }

@@ -152,6 +152,8 @@ impl FitResult {
         let (taken_as_exact, failure) = of.taken_as_exact(fit);
         warnings.extend(failure);
         let is_differentiated = !taken_as_exact.is_empty();
+        let mut indentation = of.indentation();
+        of.add_effective_indenters(fit, &mut indentation);
         Self {
             schema: SCHEMA,
             program: PROGRAM,
@@ -172,7 +174,7 @@ impl FitResult {
                 seconds,
             },
             curves: of.curves(fit),
-            indentation: of.indentation(),
+            indentation,
             warnings,
         }
     }

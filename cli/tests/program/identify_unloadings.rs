@@ -87,6 +87,36 @@ fn an_unloading_gives_modulus_hardness_and_contact_depth_within_a_percent_with_d
 }
 
 #[test]
+fn a_fit_with_a_model_gives_the_effective_indenter_of_each_unloading() {
+    let (_, ran) = run(&format!("{EVALUATION}{MODEL}"), &[("silica.txt", SILICA)]);
+    let found = result(&ran);
+    let of = &found["indentation"][0];
+    let [force, stiffness, exponent, area] =
+        ["max_force", "contact_stiffness", "exponent", "area"].map(|name| value(&of[name]));
+    let indenter = &of["effective_indenter"];
+    let n = 1.0 / (exponent - 1.0);
+    // On a half-space; to the accuracy of the fitted modulus.
+    for (name, wanted) in [
+        ("exponent", n),
+        ("penetration", exponent * force / stiffness),
+        ("contact_radius", (area / std::f64::consts::PI).sqrt()),
+    ] {
+        let error = value(&indenter[name]) / wanted - 1.0;
+        assert!(error.abs() < 1e-8, "{name}: {error:e}");
+    }
+    // n = 1/(m − 1): its uncertainty is n² that of m.
+    let [sd, of_exponent] = [indenter, of].map(|of| number(&of["exponent"]["sd"]));
+    assert!((sd / (n * n * of_exponent) - 1.0).abs() < 1e-4);
+    // f(a) = D/(√π Γ(n/2 + 1)/Γ(n/2 + ½)) lies between those of a cone and a flat punch.
+    let [a, c] = ["contact_radius", "coefficient"].map(|name| value(&indenter[name]));
+    let height = a * (a / c).powf(n - 1.0) / value(&indenter["penetration"]);
+    assert!((0.1..0.64).contains(&height), "{height}");
+    // Without a model there is none.
+    let (_, ran) = run(EVALUATION, &[("silica.txt", SILICA)]);
+    assert!(result(&ran)["indentation"][0]["effective_indenter"].is_null());
+}
+
+#[test]
 fn without_layers_a_fit_gives_the_modulus_of_oliver_and_pharr() {
     let uncertain = r#"{ mean = "0.3 nm/mN", sd = "0.1 nm/mN" }"#;
     let of_frame = EVALUATION.replace("\"0.3 nm/mN\"", uncertain);

@@ -1,6 +1,10 @@
 //! Formulas for paraboloids on thin layers, compared with the integral equation: the numbers of
 //! docs/thin-film-formulas.md.
 
+use std::f64::consts::PI;
+
+use pellicle_contact::adhesion::{AdhesionLaw, AdhesiveCurve};
+use pellicle_contact::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
 use pellicle_kernel::Interface::{Bonded, Frictionless};
 use pellicle_validation::film_formulas::FilmIndenter::{self, Cone, FlatPunch, Paraboloid};
 use pellicle_validation::film_formulas::{PUBLISHED, ThinLayer, polynomial};
@@ -237,6 +241,32 @@ fn the_program_solves_thin_layers_as_the_integral_equation_does() {
             let [chi, wanted] = film.at_contact_radius(Paraboloid, radius).unwrap();
             let error = film.solved(chi, 2.4 * radius).unwrap() / wanted - 1.0;
             assert!(error.abs() < 1e-4, "{film:?} {radius}: {error:e}");
+        }
+    }
+}
+
+/// Work of adhesion over E* H, and pull-off force over πwR of a paraboloid with R = H on a bonded layer with ν = 0.5 and
+/// 0.3.
+const PULL_OFF: [[f64; 3]; 6] = [
+    [1e-4, 1.5004, 1.5003],
+    [1e-3, 1.5041, 1.5027],
+    [1e-2, 1.5349, 1.5230],
+    [0.1, 1.6883, 1.6267],
+    [1.0, 1.9341, 1.7936],
+    [10.0, 2.1445, 1.8966],
+];
+
+#[test]
+fn the_table_of_pull_off_forces_is_reproduced() {
+    for [work, factors @ ..] in PULL_OFF {
+        for (poisson_ratio, printed) in [0.5, 0.3].into_iter().zip(factors) {
+            let body = film(Bonded, poisson_ratio).foundation().unwrap();
+            let body = AxisymmetricElasticity::new(&body.into());
+            let paraboloid = AxisymmetricProfile::Paraboloid { radius: 1.0 };
+            let curve = AdhesiveCurve::new(body, paraboloid, work, AdhesionLaw::Jkr).unwrap();
+            let found = -curve.pull_off().force / (PI * work);
+            // Four digits.
+            assert!((printed - found).abs() < 5.1e-5, "{work}: {found}");
         }
     }
 }
