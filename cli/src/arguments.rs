@@ -208,7 +208,8 @@ pub struct InitArguments {
     /// The template
     #[arg(value_enum, default_value_t)]
     pub kind: Template,
-    /// Draft a fit from measured curves: files, a pattern in quotation marks, or a folder; with fit, fit-afm and fit-unloading
+    /// Draft a fit from measured curves: files, a pattern in quotation marks, or a folder; with fit, fit-afm and
+    /// fit-unloading
     #[arg(long, value_name = "CURVE", num_args = 1..)]
     pub from: Vec<PathBuf>,
     /// Write the template to a new file instead of standard output; with --from [default: NAME.toml beside the curves]

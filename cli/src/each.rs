@@ -62,7 +62,8 @@ pub struct EachCurve {
 }
 
 impl EachResult {
-    /// Fits every curve of a file; one that fails does not stop the others. `report` receives the number of curves done.
+    /// Fits every curve of a file; one that fails does not stop the others. `report` receives the number of curves
+    /// done.
     #[must_use]
     pub fn new(file: &FitFile, stop: &StopFlag, report: &(dyn Fn(usize) + Sync)) -> Self {
         let tables = file.data.iter().enumerate();

@@ -9,6 +9,7 @@ pub mod text;
 pub mod warnings;
 
 use pellicle_identify::fit_file::evaluation_file::{EvaluatedFile, EvaluationFile};
+use pellicle_identify::indentation::Calibration;
 
 use self::result::EvaluationResult;
 use crate::failure::Failure;
@@ -18,6 +19,8 @@ use crate::failure::Failure;
 pub struct Evaluation {
     /// The curves, in the order of the tables and their files.
     pub curves: Vec<EvaluatedFile>,
+    /// The calibration of indenter and frame, if it was asked for.
+    pub calibration: Option<Calibration>,
     /// Its result.
     pub found: EvaluationResult,
 }
@@ -27,10 +30,19 @@ impl Evaluation {
     ///
     /// # Errors
     ///
-    /// [`Failure`] if a measurement gives no curve.
+    /// [`Failure`] if a measurement gives no curve, or the curves no calibration.
     pub fn new(file: &EvaluationFile) -> Result<Self, Failure> {
-        let curves = EvaluatedFile::all(&file.data, &file.settings)?;
-        let found = EvaluationResult::new(&file.title, &curves, &file.settings);
-        Ok(Self { curves, found })
+        let calibration = file.calibration()?;
+        let settings = match &calibration {
+            Some(found) => file.settings.calibrated(found),
+            None => file.settings.clone(),
+        };
+        let curves = EvaluatedFile::all(&file.data, &settings)?;
+        let found = EvaluationResult::new(&file.title, &curves, &settings);
+        Ok(Self {
+            curves,
+            calibration,
+            found,
+        })
     }
 }

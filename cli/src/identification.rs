@@ -225,6 +225,7 @@ fn problem(
     let told: Vec<_> = sources.iter().map(CurveSource::force_zero).collect();
     let mut linear = file.nuisances.linear(observe(file), &told)?;
     linear.extend(zeros::baseline_slopes(observe(file), sources)?);
+    linear.extend(unloadings::nuisances(evaluated, sources)?);
     Ok(Problem::new(curves, unknowns, &linear, noise)?)
 }
 

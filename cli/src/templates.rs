@@ -27,6 +27,8 @@ pub enum Template {
     CubeCorner,
     /// A rounded cone on a coating
     Cone,
+    /// The imprint of an indenter unloaded: a power-law indenter on a coating, with the stresses inside
+    Power,
     /// A flat punch on an elastic layer on a rigid base
     FlatPunch,
     /// A ball on a half-space, to compare with the closed form
@@ -43,6 +45,10 @@ pub enum Template {
     FitAfm,
     /// Modulus and hardness from an unloading, by Oliver and Pharr; with --from of yours
     FitUnloading,
+    /// The modulus of a film from unloadings on a coated body: thermal oxide on silicon
+    FitFilm,
+    /// The unloadings of the fit `fit-film`, oxide.csv
+    Oxide,
     /// A curve to try `fit-afm` with, approach.txt: a ball of 5 µm on a body of 10 kPa
     Approach,
     /// A curve to try `fit-unloading` with, indentation.txt: fused silica of 72 GPa
@@ -71,6 +77,8 @@ impl Template {
             Self::Study => return include_str!("templates/study.toml").into(),
             Self::Fit => return include_str!("templates/fit.toml").into(),
             Self::Approach => return include_str!("templates/approach.txt").into(),
+            Self::FitFilm => return include_str!("templates/fit-film.toml").into(),
+            Self::Oxide => return include_str!("templates/oxide.csv").into(),
             Self::Indentation => return include_str!("templates/indentation.txt").into(),
             Self::FitUnloading => return include_str!("templates/fit-unloading.toml").into(),
             Self::FitAfm => return include_str!("templates/fit-afm.toml").into(),
@@ -81,6 +89,7 @@ impl Template {
             Self::Vickers => include_str!("templates/vickers.toml"),
             Self::CubeCorner => include_str!("templates/cube-corner.toml"),
             Self::Cone => include_str!("templates/cone.toml"),
+            Self::Power => include_str!("templates/power.toml"),
             Self::FlatPunch => include_str!("templates/flat-punch.toml"),
             Self::Hertz => include_str!("templates/hertz.toml"),
             Self::Rough => include_str!("templates/rough.toml"),
@@ -111,6 +120,10 @@ impl Template {
                  pellicle identify {path}"
             ),
             Self::FitAfm => example("approach", path),
+            Self::FitFilm => format!(
+                "pellicle init oxide --out oxide.csv beside it, and pellicle identify {path}"
+            ),
+            Self::Oxide => "pellicle init fit-film".into(),
             Self::Approach | Self::Indentation => format!("pellicle init fit --from {path}"),
             Self::FitUnloading => example("indentation", path),
             Self::Rough | Self::RoughPeriodic => format!(

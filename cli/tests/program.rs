@@ -25,6 +25,7 @@ mod identify_report;
 mod identify_spring;
 mod identify_stiffness;
 mod identify_stopped;
+mod identify_unloadings;
 mod identify_validity;
 mod identify_zeros;
 mod interrupt;

@@ -14,6 +14,11 @@
 //! pulls a paraboloid or sphere with `2π w R`; shape, pressure and penetration are those without adhesion under the
 //! force `F + 2π w R`.
 //!
+//! A film of linear springs between the bodies ([`AxisymmetricElasticity::with_springs`]) is stretched at the edge of a
+//! JKR contact, and releases its energy there; the formulas are the same.
+//!
+//! [`AxisymmetricElasticity::with_springs`]: crate::axisymmetric::AxisymmetricElasticity::with_springs
+//!
 //! Which of both holds is told by [Tabor's number](AdhesiveCurve::tabor_number).
 //!
 //! **Coming into contact and out of it.** Neither law attracts at a distance: the surfaces meet at `D = 0` with no
@@ -25,7 +30,7 @@
 mod curve;
 mod law;
 
-pub use curve::{AdhesiveContact, AdhesiveCurve};
+pub use curve::{Adhesion, AdhesiveContact, AdhesiveCurve};
 pub use law::{ADHESION_RANGE, AdhesionLaw, TaborRange};
 
 #[cfg(test)]

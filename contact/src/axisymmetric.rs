@@ -24,6 +24,7 @@
 mod contact;
 mod elasticity;
 mod equation;
+mod film_equation;
 mod layer_kernel;
 mod pressure;
 mod profile;

@@ -55,6 +55,16 @@ pub enum ContactError {
         /// The pull-off force, in N.
         pull_off: f64,
     },
+    /// A penetration at which the surfaces have separated.
+    #[error(
+        "found a penetration of {penetration:.6e} of an adhesive contact, wanted one above the least of {last:.6e}"
+    )]
+    BeyondLastContact {
+        /// The penetration, in m.
+        penetration: f64,
+        /// The least, in m.
+        last: f64,
+    },
     /// A law of adhesion that has no formula for a shape.
     #[error(
         "found a shape for which the DMT law has no formula, wanted a paraboloid or a sphere, or the JKR law"

@@ -8,6 +8,7 @@
 //! | [`Paraboloid`] | `ρ²/(2R)` |
 //! | [`Sphere`] | `R − √(R² − ρ²)` up to `ρ = R` |
 //! | [`Cone`] | `ρ cot α`, its tip a sphere that touches the side |
+//! | [`PowerLaw`] | `ρⁿ/cⁿ⁻¹` with any exponent n from 1 |
 //! | [`FlatPunch`] | 0 up to its radius |
 //! | [`Plane`] | 0 everywhere |
 //! | [`Pyramid`] | n equal faces, tip and ridges rounded with one radius |
@@ -33,6 +34,7 @@ mod map;
 mod paraboloid;
 mod parameter;
 mod plane;
+mod power_law;
 mod profile;
 mod pyramid;
 mod sphere;
@@ -43,6 +45,7 @@ pub use flat_punch::FlatPunch;
 pub use map::IndenterMap;
 pub use paraboloid::Paraboloid;
 pub use plane::Plane;
+pub use power_law::PowerLaw;
 pub use profile::Profile;
 pub use pyramid::Pyramid;
 pub use sphere::Sphere;
@@ -58,6 +61,8 @@ pub enum Indenter {
     Sphere(Sphere),
     /// A cone, sharp or with a spherical tip.
     Cone(Cone),
+    /// `ρⁿ/cⁿ⁻¹`.
+    PowerLaw(PowerLaw),
     /// The flat end of a circular cylinder.
     FlatPunch(FlatPunch),
     /// A plane without end.
@@ -116,6 +121,7 @@ impl Indenter {
             Self::Paraboloid(shape) => shape,
             Self::Sphere(shape) => shape,
             Self::Cone(shape) => shape,
+            Self::PowerLaw(shape) => shape,
             Self::FlatPunch(shape) => shape,
             Self::Plane(shape) => shape,
             Self::Pyramid(shape) => shape,
@@ -131,6 +137,7 @@ impl Indenter {
             Self::Paraboloid(_)
             | Self::Sphere(_)
             | Self::Cone(_)
+            | Self::PowerLaw(_)
             | Self::FlatPunch(_)
             | Self::Plane(_) => true,
             Self::Pyramid(pyramid) => pyramid.faces().is_multiple_of(2),
@@ -215,6 +222,12 @@ impl From<Sphere> for Indenter {
 impl From<Cone> for Indenter {
     fn from(shape: Cone) -> Self {
         Self::Cone(shape)
+    }
+}
+
+impl From<PowerLaw> for Indenter {
+    fn from(shape: PowerLaw) -> Self {
+        Self::PowerLaw(shape)
     }
 }
 

@@ -28,7 +28,7 @@ pub use error::ContactError;
 pub use grid::region::Boundary;
 pub use indenter::{
     Cone, CustomProfile, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity,
-    Paraboloid, Plane, Profile, Pyramid, Sphere,
+    Paraboloid, Plane, PowerLaw, Profile, Pyramid, Sphere,
 };
 pub use model_parameter::ModelParameter;
 pub use path::{

@@ -8,13 +8,14 @@
 //! All contacts with the half-space obey `dQ/dD = 2 E* a`, all contacts `dU/dD = Q` and `U = ½ ∫ p (D − f) dA`, with
 //! force Q, penetration D, contact radius a and stored energy U; the tests check all of them against these.
 //!
-//! Sources: I. N. Sneddon, Int. J. Eng. Sci. 3, 1965, 47–57 (cone, punch, sphere); K. L. Johnson, Contact Mechanics,
-//! 1985 (Hertz).
+//! Sources: I. N. Sneddon, Int. J. Eng. Sci. 3, 1965, 47–57 (cone, punch, sphere, power law); K. L. Johnson, Contact
+//! Mechanics, 1985 (Hertz).
 
 pub mod cone;
 pub mod flat_punch;
 pub mod hertz;
 pub mod hertz_stress;
+pub mod power_law;
 pub mod sphere;
 pub mod winkler;
 

@@ -4,7 +4,7 @@
 
 use pellicle_contact::{
     Cone, Domain, ForceCurve, Indenter, Load, LoadingPath, Model, ModelParameter, Paraboloid,
-    Pyramid, SolverOptions, Sphere, solve_path,
+    PowerLaw, Pyramid, SolverOptions, Sphere, solve_path,
 };
 use pellicle_influence::{Cache, ElasticBodies, ElasticParameter};
 use pellicle_kernel::{Base, Foundation, FoundationParameter, Interface, Layer, Material};
@@ -40,7 +40,7 @@ fn pillars(young_modulus: f64) -> Cylinders {
     Cylinders::new(spec).unwrap()
 }
 
-/// Ten models that cover every kind of parameter, each with a force and the side of a domain.
+/// Models that cover every kind of parameter, each with a force and the side of a domain.
 #[expect(clippy::too_many_lines, reason = "a list of cases")]
 fn cases() -> Vec<(Model, f64, f64)> {
     let film = |thickness, young| Relief::Film(Film::new(thickness, young).unwrap());
@@ -110,6 +110,15 @@ fn cases() -> Vec<(Model, f64, f64)> {
         ),
         (
             model(
+                &coated(0.1, material(4.0, 0.2), material(1.0, 0.3)).into(),
+                Relief::Bare,
+                PowerLaw::new(3.3, 0.5).unwrap(),
+            ),
+            1e-2,
+            0.8,
+        ),
+        (
+            model(
                 &coated(0.05, material(0.1, 0.5), material(1.0, 0.0)).into(),
                 Relief::Cylinders(pillars(0.7)),
                 paraboloid,
@@ -159,6 +168,15 @@ fn stiffening_cases() -> Vec<(Model, f64, f64)> {
             ),
             2e-2,
             0.6,
+        ),
+        (
+            model(
+                &coated(0.1, material(4.0, 0.2), material(1.0, 0.3)).into(),
+                Relief::Bare,
+                PowerLaw::new(3.3, 0.5).unwrap(),
+            ),
+            1e-2,
+            0.8,
         ),
         (
             model(
@@ -269,6 +287,10 @@ fn along_null_directions_the_penetration_does_not_change() {
     let cases = [
         // The materials of the coating and the gauge, and the compliance of the film.
         (model(&bodies, Relief::Bare, paraboloid.clone()), 2),
+        (
+            model(&bodies, Relief::Bare, PowerLaw::new(3.3, 0.5).unwrap()),
+            2,
+        ),
         (model(&bodies, film.clone(), paraboloid), 3),
         (model(&bodies, film.clone(), sharp[0].clone()), 3),
         (model(&bodies, film.clone(), sharp[1].clone()), 3),

@@ -1,5 +1,5 @@
-//! The evaluation of a load and its unloading by Oliver and Pharr, as ISO 14577-1 describes it: modulus, hardness, creep
-//! and work of an indentation, each with its standard uncertainty.
+//! The evaluation of a load and its unloading by Oliver and Pharr, as ISO 14577-1 describes it: modulus, hardness,
+//! creep and work of an indentation, each with its standard uncertainty.
 //!
 //! ```text
 //! corrections   h ← h − h₀ − ḣ (t − t₀) − C_f P                                            correction.rs
@@ -14,8 +14,10 @@
 //! W. C. Oliver and G. M. Pharr, J. Mater. Res. 7, 1564 (1992) and 19, 3 (2004); ISO 14577-1:2015.
 
 mod area_function;
+mod calibration;
 mod contact;
 mod correction;
+mod effective_indenter;
 mod error;
 mod evaluation;
 mod inputs;
@@ -28,12 +30,14 @@ mod uncertain;
 mod unloading;
 
 pub use area_function::{AreaFunction, Tip, TipShape};
+pub use calibration::{Calibration, CalibrationTask, MeasuredContact, calibrate};
 pub use correction::DriftHold;
+pub use effective_indenter::{EffectiveIndenter, EffectiveIndenterError, UnloadingPoint};
 pub use error::IndentationError;
 pub use evaluation::{EvaluatedCurve, IndentationCurve, evaluate, evaluate_stiffnesses};
 pub use number::IndentationNumber;
 pub use numbers::IndentationNumbers;
 pub use phases::Phases;
-pub use settings::{DepthZero, Drift, Epsilon, EvaluationSettings, IndenterMaterial};
+pub use settings::{DepthZero, Drift, Epsilon, EvaluationSettings, IndenterMaterial, KnownBody};
 pub use uncertain::Uncertain;
 pub use unloading::UnloadingFit;

@@ -123,6 +123,7 @@ impl Synthetic {
             poisson_ratio: Uncertain::exact(self.ratio),
             indenter: Some(DIAMOND),
             thinning: 0.0,
+            calibrate: None,
         }
     }
 

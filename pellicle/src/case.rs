@@ -1,5 +1,6 @@
 //! The case file: one problem in TOML, read into numbers and checked, every default filled in.
 
+pub mod adhesion;
 pub mod builder;
 pub mod caller_shape;
 mod flat;
@@ -31,6 +32,7 @@ use pellicle_contact::{ContactError, Domain, Load, Model, SolverOptions, choose_
 use pellicle_influence::{Cache, Cached, ElasticBodies, InfluenceError};
 use serde::Serialize;
 
+use self::adhesion::AdhesiveContacts;
 use self::foundation::FoundationCase;
 use self::grid::{BoundaryCase, GridCase};
 use self::indenter::IndenterCase;
@@ -76,6 +78,9 @@ pub struct Case {
     /// The requested stresses, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stress: Option<StressCase>,
+    /// The contacts with adhesion, if it has a work of adhesion.
+    #[serde(skip)]
+    pub adhesion: Option<AdhesiveContacts>,
     /// The system of units.
     #[serde(skip)]
     pub units: Units,
@@ -315,6 +320,9 @@ impl Case {
         let solver = read_or_default::<SolverCase>(optional("solver")?, &scope)?;
         let load = LoadCase::read(&required("load")?, &scope)?;
         hardness::check(&table, (&foundation, &solver), &load, stress.is_some())?;
+        let hardness = solver.hardness.or(foundation.hardness());
+        adhesion::refuse(&table, (&surface, &load, &grid), hardness)?;
+        let adhesion = AdhesiveContacts::find(&table, (&foundation, &surface, &indenter), &load)?;
         Ok(Self {
             title,
             foundation,
@@ -325,6 +333,7 @@ impl Case {
             solver,
             output,
             stress,
+            adhesion,
             units,
             document: Document::new(root),
         })
@@ -366,10 +375,15 @@ impl Case {
         self.document.refused(keys, &error).into()
     }
 
-    /// The loads in order, a nominal pressure as the force on the cell.
+    /// The loads that are solved, in order: a nominal pressure is the force on the cell; with adhesion, each is that of
+    /// the contact without it that has the same radius.
     #[must_use]
     pub fn loads(&self) -> Vec<Load> {
-        self.load.loads(self.grid.nominal_area())
+        let given = self.load.loads(self.grid.nominal_area());
+        match &self.adhesion {
+            None => given,
+            Some(adhesion) => adhesion.loads_without(&given),
+        }
     }
 
     /// Returns the domain of the solution, as given or chosen for the loads.

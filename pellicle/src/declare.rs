@@ -15,8 +15,8 @@ pub mod shape;
 pub mod template;
 
 pub use codec::{
-    Codec, angle, compliance, count, force, fraction, length, literal, number, pressure, switch,
-    text, word,
+    Codec, angle, compliance, count, energy_per_area, force, fraction, length, literal, number,
+    pressure, switch, text, word,
 };
 pub use combinators::{either, part, together};
 pub use lists::{list, pair, series, tables};

@@ -245,7 +245,7 @@ pub fn dimensional(value: f64, dimension: Dimension, units: Units) -> String {
         (Dimension::Length, _) => of(Unit::Metre),
         (Dimension::Pressure, _) => of(Unit::Pascal),
         (Dimension::Force, _) => of(Unit::Newton),
-        (Dimension::Stiffness, _) => of(Unit::NewtonPerMetre),
+        (Dimension::Stiffness | Dimension::EnergyPerArea, _) => of(Unit::NewtonPerMetre),
         (_, Units::Consistent) => significant(value, 5),
         (Dimension::Compliance, Units::Si) => format!("{} nm/GPa", significant(value * 1e18, 5)),
         (Dimension::FrameCompliance | Dimension::Time | Dimension::Speed, Units::Si) => {

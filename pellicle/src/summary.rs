@@ -1,5 +1,6 @@
 //! `summary.json`: the numbers of a run, also the output of `run --json`.
 
+pub mod adhesion;
 pub mod area_law;
 pub mod roughness;
 pub mod schema;
@@ -14,6 +15,7 @@ use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+pub use self::adhesion::{AdhesionSummary, AdhesivePoint};
 use self::area_law::AreaLaw;
 use self::roughness::RoughnessSummary;
 pub use self::step::{CertificateSummary, SensitivitySummary, StepSummary, StressSummary};
@@ -62,6 +64,12 @@ pub struct RunSummary {
     pub roughness: Option<RoughnessSummary>,
     /// The loading steps.
     pub steps: Vec<StepSummary>,
+    /// The contact under the least force, with adhesion.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pull_off: Option<AdhesivePoint>,
+    /// More about adhesion.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub adhesion: Option<AdhesionSummary>,
     /// The critical loads, if strengths are given and stresses requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub critical: Option<Vec<CriticalLoad>>,
@@ -203,9 +211,15 @@ impl RunSummary {
         let statuses = path.steps.iter().map(Step::status);
         let roughness = RoughnessSummary::of(case);
         let reference = area_law::reference_pressure(case, path, roughness.as_ref());
-        let steps = path.steps.iter().map(|step| StepSummary {
-            area_law: reference.and_then(|reference| AreaLaw::of(step, reference)),
-            ..StepSummary::from(step)
+        let steps = path.steps.iter().enumerate().map(|(index, step)| {
+            let mut found = StepSummary {
+                area_law: reference.and_then(|reference| AreaLaw::of(step, reference)),
+                ..StepSummary::from(step)
+            };
+            if let Some(adhesion) = &case.adhesion {
+                adhesion::add_to(&mut found, adhesion, index);
+            }
+            found
         });
         Self {
             schema: SCHEMA.into(),
@@ -223,6 +237,11 @@ impl RunSummary {
                 boundary: case.grid.boundary,
             },
             steps: steps.collect(),
+            pull_off: case
+                .adhesion
+                .as_ref()
+                .map(|adhesion| adhesion.pull_off.into()),
+            adhesion: case.adhesion.as_ref().map(AdhesionSummary::from),
             roughness,
             critical: None,
             timing: Timing {

@@ -5,6 +5,7 @@ mod colours;
 pub mod curve;
 pub mod designs;
 pub mod heading;
+pub mod moduli;
 pub mod places;
 pub mod profiles;
 pub mod repeats;

@@ -41,8 +41,9 @@ class Case:
     """One contact problem.
 
     Exactly one of `force`, `forces`, `pressure`, `pressures`, `penetration` and `penetrations` is the load; a pressure
-    is the force over the area of a periodic cell. Numbers are in SI units (m, Pa, N, rad, m/Pa), or in any consistent
-    system if no quantity has a unit; strings such as `"5 nm"` and quantities of pint carry units. Anything left out takes the default of the case file.
+    is the force over the area of a periodic cell. With a `work_of_adhesion` the steps are those of contact with
+    adhesion. Numbers are in SI units (m, Pa, N, rad, m/Pa), or in any consistent system if no quantity has a unit;
+    strings such as `"5 nm"` and quantities of pint carry units. Anything left out takes the default of the case file.
 
     An indenter or a surface may also be a function `f(x, y)` of two arrays (m) that returns heights (m), as in
     `IndenterFunction` and `ReliefFunction`.
@@ -61,6 +62,8 @@ class Case:
         penetration: Quantity | None = None,
         penetrations: Loads | None = None,
         sensitivities: bool = False,
+        work_of_adhesion: Quantity | None = None,
+        adhesion: Literal["jkr", "dmt"] | None = None,
         side: Quantity | None = None,
         sides: Sequence[Quantity] | None = None,
         elements: int | Sequence[int] | None = None,
@@ -81,6 +84,8 @@ class Case:
             "pressures": pressures,
             "penetration": penetration,
             "penetrations": penetrations,
+            "work_of_adhesion": work_of_adhesion,
+            "adhesion": adhesion,
         }
         tables: dict[str, Mapping[str, Any] | None] = {
             "foundation": _table(foundation, Foundation, "foundation"),

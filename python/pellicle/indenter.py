@@ -74,6 +74,18 @@ class CubeCorner(Pyramid):
 
 
 @dataclass(frozen=True)
+class PowerLaw(Indenter):
+    """A body of revolution of height ρⁿ/cⁿ⁻¹: the exponent n from 1 to 50, and the coefficient c in m.
+
+    With n = 2 it is a paraboloid of radius c/2, with n = 1 a cone of slope 1 whatever c is.
+    """
+
+    _kind: ClassVar[str] = "power"
+    exponent: float
+    coefficient: Quantity
+
+
+@dataclass(frozen=True)
 class FlatPunch(Indenter):
     """The flat end of a cylinder of this radius in m."""
 

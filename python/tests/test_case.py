@@ -78,6 +78,7 @@ EVERYTHING = pl.Case(
         (lambda: pl.Sphere("0.5 N"), "radius"),
         (lambda: pl.Sphere(1.0, young_modulus=1.0), "poisson_ratio"),
         (lambda: pl.Cone("91 deg"), "half_angle"),
+        (lambda: pl.PowerLaw(0.5, "1 um"), "exponent"),
         (lambda: pl.Film("1 nm", "hard"), "young_modulus"),
         (lambda: pl.Cylinders(2.0, 1.0, 3.0), "radius"),
         (lambda: pl.Output(formats=["hdf5"]), "formats[0]"),  # type: ignore[list-item]
@@ -113,6 +114,17 @@ def test_every_key_can_be_written_and_read_back() -> None:
     assert resolved["output"] == {"fields": "all", "pictures": "none", "formats": ["npz"]}
 
 
+def test_a_contact_with_adhesion_pulls() -> None:
+    body = pl.Foundation(pl.Material("2 MPa", 0.5))
+    ball = pl.Paraboloid("10 um")
+    case = pl.Case(body, ball, force="1 uN", elements=32, work_of_adhesion="50 mJ/m^2", adhesion="jkr")
+    assert case.resolved["load"] == {"force": 1e-6, "work_of_adhesion": 0.05, "adhesion": "jkr"}
+    path = case.solve()
+    # -3/2 pi w R
+    assert math.isclose(path.summary["pull_off"]["force"], -1.5 * math.pi * 0.05 * 1e-5, rel_tol=1e-10)
+    assert path[0].force == pytest.approx(1e-6, rel=1e-9)
+
+
 def test_a_hardness_limits_the_pressure() -> None:
     body = pl.Foundation(pl.Material(1.0, 0.3))
     case = pl.Case(body, pl.Paraboloid(1.0), force=1e-2, elements=32, hardness=0.1)
@@ -131,6 +143,7 @@ def test_a_hardness_limits_the_pressure() -> None:
         pl.Paraboloid(1.0),
         pl.Sphere(1.0),
         pl.Cone(1.2),
+        pl.PowerLaw(3.2, 1.0),
         pl.Berkovich(),
         pl.Vickers(0.1),
         pl.CubeCorner(0.1, 0.6),
@@ -199,6 +212,7 @@ def fields(*kinds: type[Any]) -> set[str]:
         ("indenter", pl.Paraboloid, {"kind"}, set()),
         ("indenter", pl.Sphere, {"kind"}, set()),
         ("indenter", pl.Cone, {"kind"}, set()),
+        ("indenter", pl.PowerLaw, {"kind"}, set()),
         ("indenter", pl.Berkovich, {"kind"}, set()),
         ("indenter", pl.Vickers, {"kind"}, set()),
         ("indenter", pl.CubeCorner, {"kind"}, set()),

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use pellicle_contact::reference::{cone, flat_punch, hertz, sphere, winkler};
-use pellicle_contact::{Cone, FlatPunch, Indenter, Load, Sphere};
+use pellicle_contact::reference::{cone, flat_punch, hertz, power_law, sphere, winkler};
+use pellicle_contact::{Cone, FlatPunch, Indenter, Load, PowerLaw, Sphere};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{Film, Relief};
 
@@ -25,6 +25,8 @@ pub const SECTION: ValidationSection = ValidationSection {
 const ELEMENTS: usize = 256;
 /// Error of second order: (1/85)² = 1.4e-4 times a factor that depends on where the grid meets the contact's edge.
 const SECOND_ORDER: f64 = 2e-5;
+/// The same under a power law, whose pressure ends more steeply at the edge of the contact.
+const POWER_LAW: f64 = 5e-5;
 /// The centre nearest to the axis is about 1/120 of a radius off it.
 const PEAK: f64 = 2e-4;
 /// The edge of the contact is a staircase: 1/85, reduced by the averaging of its steps.
@@ -33,7 +35,14 @@ const STAIRCASE: f64 = 5e-3;
 const CERTIFIED: f64 = 1e-7;
 
 fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
-    let parts = [hertz_rows, sphere_rows, cone_rows, punch_rows, winkler_rows];
+    let parts = [
+        hertz_rows,
+        sphere_rows,
+        cone_rows,
+        power_rows,
+        punch_rows,
+        winkler_rows,
+    ];
     let rows: Result<Vec<_>, _> = parts.iter().map(|part| part(run)).collect();
     Ok(rows?.concat())
 }
@@ -118,6 +127,21 @@ fn cone_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
             SECOND_ORDER,
         ),
     ])
+}
+
+fn power_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
+    let rows = [1.5, 3.3, 6.0].map(|exponent| {
+        let wanted = power_law::from_contact_radius([exponent, 1.0], 1.0, 0.1);
+        let indenter = Indenter::PowerLaw(PowerLaw::new(exponent, 1.0)?);
+        let contact = on_half_space(indenter, 0.3, Load::Force(wanted.force))?;
+        Ok(Comparison::relative(
+            format!("Power law r^{exponent}: penetration under a force"),
+            wanted.penetration,
+            run.penetration(&contact)?,
+            POWER_LAW,
+        ))
+    });
+    rows.into_iter().collect()
 }
 
 fn punch_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {

@@ -14,8 +14,8 @@ pub struct IdentifyArguments {
     /// The fit file
     #[arg(value_name = "FIT")]
     pub path: PathBuf,
-    /// Folder of the results [default: results/NAME after the fit file, with --plan results/NAME-plan, with --each results/NAME-each, numbered if that
-    /// exists; none with --json]; with --simulate the file to write
+    /// Folder of the results [default: results/NAME after the fit file, with --plan results/NAME-plan, with --each
+    /// results/NAME-each, numbered if that exists; none with --json]; with --simulate the file to write
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Replace the results in an existing folder

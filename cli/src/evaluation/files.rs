@@ -4,6 +4,7 @@ use std::path::Path;
 
 use pellicle_files::json;
 use pellicle_files::whole;
+use pellicle_identify::fit_file::evaluation::calibration_file;
 use pellicle_plot::sheet::style::Style;
 
 use super::{Evaluation, pictures, report, table};
@@ -13,10 +14,13 @@ use crate::identification::result;
 use crate::output;
 use crate::output::write_progress::WriteProgress;
 
+/// Name of the file of a calibration, which another evaluation reads as its `area_function`.
+pub const CALIBRATION: &str = "calibration.toml";
+
 /// Whether an evaluation writes a file of this name, other than those that a fit writes too.
 #[must_use]
 pub fn is_name(name: &str) -> bool {
-    name == table::FILE || pictures::is_name(name)
+    [table::FILE, CALIBRATION].contains(&name) || pictures::is_name(name)
 }
 
 /// Writes the files into a folder; a picture that cannot be drawn becomes a warning of the result.
@@ -41,6 +45,10 @@ pub fn write(folder: &Path, of: &mut Evaluation) -> Result<(), Failure> {
         }));
     let table = table::table(&of.found.indentation);
     whole::write_bytes(&folder.join(table::FILE), table.as_bytes())?;
+    if let Some(calibration) = &of.calibration {
+        let text = calibration_file::text(calibration);
+        whole::write_bytes(&folder.join(CALIBRATION), text.as_bytes())?;
+    }
     let page = report::html(&of.found, &drawings);
     whole::write_bytes(&folder.join(output::report::FILE), page.as_bytes())?;
     let text = json(&of.found)?;

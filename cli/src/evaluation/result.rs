@@ -52,6 +52,16 @@ pub struct Indentation {
     pub exact: Option<ExactModulus>,
 }
 
+impl Indentation {
+    /// One of its numbers; zero where it does not have it.
+    #[must_use]
+    pub fn number(&self, of: IndentationNumber) -> Uncertain {
+        let place = IndentationNumber::ALL.iter().position(|one| *one == of);
+        let found = place.and_then(|place| self.numbers[place]);
+        found.unwrap_or_default()
+    }
+}
+
 /// An unknown from a single contact.
 #[derive(Debug, Clone, Serialize)]
 pub struct ExactModulus {

@@ -3,10 +3,12 @@
 use std::path::Path;
 
 use pellicle::display::{count, significant};
+use pellicle_identify::indentation::{IndentationNumber, Uncertain};
 use pellicle_identify::{Estimate, Exclusion, Fit, FitVerdict, Reading, Role};
 use pellicle_plot::fit::axes;
 use pellicle_plot::fit::curve::{AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
 use pellicle_plot::fit::heading::FitHeading;
+use pellicle_plot::fit::moduli::{Moduli, ModulusAtDepth};
 use pellicle_plot::fit::profiles::Profiles;
 use pellicle_plot::fit::repeats::{Repeated, RepeatsPlot};
 use pellicle_plot::fit::unknown::{Combination, FittedUnknown};
@@ -15,6 +17,7 @@ use rayon::prelude::*;
 
 use super::result::FitResult;
 use super::{Identification, names, units};
+use crate::evaluation::result::Indentation;
 use crate::failure::Failure;
 use crate::output::write_progress::WriteProgress;
 
@@ -27,11 +30,13 @@ pub enum FitPicture {
     Profiles,
     /// The values of each repeat.
     Repeats,
+    /// The modulus from each unloading alone.
+    Moduli,
 }
 
 impl FitPicture {
     /// All pictures, in the order of the report.
-    pub const ALL: [Self; 3] = [Self::Curve, Self::Profiles, Self::Repeats];
+    pub const ALL: [Self; 4] = [Self::Moduli, Self::Curve, Self::Profiles, Self::Repeats];
 
     /// Its name, without extension.
     #[must_use]
@@ -40,6 +45,7 @@ impl FitPicture {
             Self::Curve => "fit-curve",
             Self::Profiles => "fit-profiles",
             Self::Repeats => "fit-repeats",
+            Self::Moduli => "fit-moduli",
         }
     }
 }
@@ -99,6 +105,7 @@ impl FitSubject<'_> {
             FitPicture::Curve => self.curves().draw(style),
             FitPicture::Profiles => self.profiles().draw(style),
             FitPicture::Repeats => self.repeats().draw(style),
+            FitPicture::Moduli => self.moduli().draw(style),
         }
     }
 
@@ -213,6 +220,36 @@ impl FitSubject<'_> {
             head: self.head(),
             names: self.names(),
             unknowns: self.sought().filter_map(repeated).collect(),
+        }
+    }
+
+    /// The moduli of the contacts of unloadings; without points in other fits.
+    fn moduli(&self) -> Moduli {
+        let contacts = &self.found.indentation;
+        let depth = |of: &Indentation| of.number(IndentationNumber::ContactDepth).value;
+        let exact = contacts.iter().filter_map(|of| {
+            let exact = of.exact.as_ref().filter(|exact| exact.unit == "Pa")?;
+            Some(ModulusAtDepth {
+                depth: depth(of),
+                modulus: exact.value?,
+                sd: exact.sd?,
+            })
+        });
+        let formula = contacts.iter().map(|of| {
+            let Uncertain { value, sd } = of.number(IndentationNumber::IndentationModulus);
+            ModulusAtDepth {
+                depth: depth(of),
+                modulus: value,
+                sd,
+            }
+        });
+        let unknown = self.found.unknowns.first();
+        Moduli {
+            head: self.head(),
+            name: unknown.map_or(String::new(), |of| names::of_key(&of.key)),
+            exact: exact.collect(),
+            formula: formula.collect(),
+            interval: unknown.map_or([None; 2], |of| of.interval),
         }
     }
 

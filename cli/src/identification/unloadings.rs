@@ -2,20 +2,26 @@
 
 use std::f64::consts::PI;
 
+use pellicle::display::significant;
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle_identify::fit_file::FitFile;
 use pellicle_identify::fit_file::evaluation_file::{Evaluated, EvaluatedFile};
 use pellicle_identify::fit_file::model::ModelParameters;
+use pellicle_identify::fit_file::unknown::UnknownCase;
 use pellicle_identify::indentation::{
     EvaluationSettings, IndentationNumber, IndentationNumbers, Uncertain,
 };
 use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::measured::noise::MeasuredNoise;
-use pellicle_identify::{Amount, Correlation, Noise, Thinned};
+use pellicle_identify::{
+    Amount, ContactCurve, Correlation, IdentifyError, LinearNuisance, Noise, NuisanceShape,
+    ParameterAtPoint, Scope, Thinned,
+};
 
 use super::Identification;
 use super::curve_source::CurveSource;
 use super::findings::WarningResult;
+use super::{names, units};
 use crate::evaluation::result::{ExactModulus, Indentation, indentations};
 use crate::evaluation::warnings;
 
@@ -71,10 +77,12 @@ impl Identification {
     /// What a reader must know of the evaluations.
     #[must_use]
     pub fn evaluation_warnings(&self) -> Vec<WarningResult> {
-        let settings = self.file.evaluation.as_ref();
-        settings.map_or(Vec::new(), |settings| {
-            warnings::all(&self.evaluated, settings)
-        })
+        let Some(settings) = &self.file.evaluation else {
+            return Vec::new();
+        };
+        let mut found = warnings::all(&self.evaluated, settings);
+        found.extend(self.thinning_effect(settings));
+        found
     }
 
     /// The contacts with their numbers; where the fit has one unknown, with its value from each alone.
@@ -84,23 +92,9 @@ impl Identification {
         let [unknown] = &self.file.all_unknowns()[..] else {
             return found;
         };
-        // In the order of the tables, as the evaluations are.
-        let readings = self
-            .sources
-            .iter()
-            .zip(&self.tables)
-            .flat_map(|(source, table)| {
-                let stiffnesses = source.observed.iter().copied().enumerate();
-                stiffnesses.map(|(point, stiffness)| (*table, point, stiffness))
-            });
+        let alone = self.from_each_alone(unknown, None);
         let files: Vec<&EvaluatedFile> = self.evaluated.iter().collect();
-        let numbers = contacts(&files);
-        for ((found, numbers), (table, point, stiffness)) in
-            found.iter_mut().zip(numbers).zip(readings)
-        {
-            let curve = &self.model.curves()[table];
-            let at = curve.parameter_at(point, unknown.parameter, unknown.range, stiffness);
-            let at = at.ok().flatten();
+        for ((found, numbers), at) in found.iter_mut().zip(contacts(&files)).zip(alone) {
             found.exact = Some(ExactModulus {
                 key: unknown.key.clone(),
                 unit: unknown.unit(),
@@ -112,6 +106,68 @@ impl Identification {
             });
         }
         found
+    }
+
+    /// The value of an unknown from each contact alone, in the order of the evaluations; none where no value in its
+    /// bounds gives the stiffness. `thinning` replaces that of the settings.
+    fn from_each_alone(
+        &self,
+        unknown: &UnknownCase,
+        thinning: Option<f64>,
+    ) -> Vec<Option<ParameterAtPoint>> {
+        let files: Vec<&EvaluatedFile> = self.evaluated.iter().collect();
+        let depth = |of: &IndentationNumbers| of.get(IndentationNumber::ContactDepth);
+        let depths = contacts(&files).map(|of| depth(of).unwrap_or_default().value);
+        // In the order of the tables, as the evaluations are.
+        let readings = self
+            .sources
+            .iter()
+            .zip(&self.tables)
+            .flat_map(|(source, table)| {
+                let stiffnesses = source.observed.iter().copied().enumerate();
+                stiffnesses.map(|(point, stiffness)| (*table, point, stiffness))
+            });
+        let at = |((table, point, stiffness), depth): ((usize, usize, f64), f64)| {
+            let given = &self.model.curves()[table];
+            let mut one = given.at(point);
+            if let Some(part) = thinning {
+                let parameters = self.file.model.with(&self.file.data[table].set).ok()?;
+                one.thinned = thinned(&parameters, vec![part * depth]);
+            }
+            let found = one.parameter_at(unknown.parameter, unknown.range, stiffness);
+            found.ok().flatten()
+        };
+        readings.zip(depths).map(at).collect()
+    }
+
+    /// What the choice of the thinning means for the only unknown of a film; none without layers.
+    fn thinning_effect(&self, settings: &EvaluationSettings) -> Option<WarningResult> {
+        let all = self.file.all_unknowns();
+        let [unknown] = &all[..] else {
+            return None;
+        };
+        let has_layer = |curve: &ContactCurve| !curve.model.tables.foundation().layers().is_empty();
+        if !self.model.curves().iter().any(has_layer) {
+            return None;
+        }
+        let mean = |thinning: f64| {
+            let values = self.from_each_alone(unknown, Some(thinning)).into_iter();
+            let values: Vec<f64> = values.flatten().map(|at| at.value).collect();
+            (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+        };
+        let values = [mean(0.0)?, mean(settings.thinning)?, mean(1.0)?];
+        let scale = units::scale(values[1], unknown.unit());
+        let [none, given, all] = values.map(|value| significant(value / scale.divisor, 4));
+        let (name, unit) = (names::of_key(&unknown.key), scale.label);
+        Some(WarningResult {
+            code: "thinning".into(),
+            message: format!(
+                "how far an imprint thins the film under it is a choice, {} of its depth here, and no part of the interval: \
+                 the mean of the {name} over the contacts is {none} {unit} for none, {given} {unit} for this and {all} \
+                 {unit} for all of it",
+                settings.thinning
+            ),
+        })
     }
 }
 
@@ -127,14 +183,18 @@ pub fn thinned(parameters: &ModelParameters, off: Vec<f64>) -> Option<Thinned> {
     (!off.is_empty()).then_some(Thinned { thickness, off })
 }
 
+/// The relative variance of a contact's modulus from its own curve.
+fn own_variance(of: &IndentationNumbers) -> f64 {
+    let modulus = IndentationNumber::ReducedModulus;
+    of.own_variance(modulus) / of.get(modulus).unwrap_or_default().value.powi(2)
+}
+
 /// The noise of the stiffnesses relative to their values: from their scatter where there are enough, otherwise that of
 /// their evaluations.
 #[must_use]
 pub fn noise(given: MeasuredNoise, evaluated: &[EvaluatedFile], file: &FitFile) -> Noise {
     let files: Vec<&EvaluatedFile> = evaluated.iter().collect();
-    let variances: Vec<f64> = contacts(&files)
-        .map(|of| relative_variance(of, 1.0))
-        .collect();
+    let variances: Vec<f64> = contacts(&files).map(own_variance).collect();
     let count = variances.len();
     let own = (variances.iter().sum::<f64>() / count as f64)
         .sqrt()
@@ -153,14 +213,52 @@ pub fn noise(given: MeasuredNoise, evaluated: &[EvaluatedFile], file: &FitFile) 
     }
 }
 
-/// The variance of `ln S − k ln a`, with `k = d ln S/d ln a` of the model: what the errors of a contact's stiffness and
-/// area leave of its stiffness over the model's.
+/// The variance of `ln S − k ln a − ln β`, with `k = d ln S/d ln a` of the model: what the errors of a contact leave of
+/// its stiffness over the model's.
 fn relative_variance(of: &IndentationNumbers, by_radius: f64) -> f64 {
-    let (stiffness, area) = (IndentationNumber::ContactStiffness, IndentationNumber::Area);
-    let [s, a] = [stiffness, area].map(|number| of.get(number).unwrap_or_default());
+    let (modulus, area) = (IndentationNumber::ReducedModulus, IndentationNumber::Area);
+    let [e, a] = [modulus, area].map(|number| of.get(number).unwrap_or_default());
     let square = |of: Uncertain| (of.sd / of.value).powi(2);
-    let both = of.covariance(stiffness, area) / (s.value * a.value);
-    // ln a = ½ ln A + constant
-    let half = 0.5 * by_radius;
-    (square(s) + half * half * square(a) - 2.0 * half * both).max(0.0)
+    let both = of.covariance(modulus, area) / (e.value * a.value);
+    // ln E_r = ln S − ½ ln A − ln β + constant, and ln a = ½ ln A + constant
+    let more = 0.5 * (1.0 - by_radius);
+    (square(e) + more * more * square(a) + 2.0 * more * both).max(0.0)
+}
+
+/// The sources of uncertainty that all contacts share, as linear nuisances of their stiffnesses: each changes them as
+/// it changes their reduced moduli, by its standard uncertainty times a coefficient of 0 ± 1.
+///
+/// # Errors
+///
+/// [`IdentifyError`] if a number is not finite.
+pub fn nuisances(
+    evaluated: &[EvaluatedFile],
+    sources: &[CurveSource],
+) -> Result<Vec<LinearNuisance>, IdentifyError> {
+    let files: Vec<&EvaluatedFile> = evaluated.iter().collect();
+    let contacts: Vec<&IndentationNumbers> = contacts(&files).collect();
+    let stiffnesses: Vec<f64> = sources.iter().flat_map(|of| of.observed.clone()).collect();
+    let number = IndentationNumber::ReducedModulus;
+    let names = contacts.first().map(|of| of.common_parts(number));
+    let names: Vec<&'static str> = names.into_iter().flatten().map(|(name, _)| name).collect();
+    let mut found = Vec::new();
+    for (place, name) in names.into_iter().enumerate() {
+        let shape = contacts.iter().zip(&stiffnesses).map(|(of, stiffness)| {
+            let part = of
+                .common_parts(number)
+                .nth(place)
+                .map_or(0.0, |(_, part)| part);
+            stiffness * part / of.get(number).unwrap_or_default().value
+        });
+        let shape: Vec<f64> = shape.collect();
+        if shape.iter().any(|change| change.abs() > 0.0) {
+            let nuisance = LinearNuisance::new(
+                format!("evaluation.{name}"),
+                NuisanceShape::Given(shape),
+                Scope::Common,
+            );
+            found.push(nuisance.with_normal_prior(0.0, 1.0)?);
+        }
+    }
+    Ok(found)
 }

@@ -1,5 +1,6 @@
 //! A summary in words, for the terminal.
 
+mod adhesion;
 mod columns;
 pub mod stress;
 
@@ -23,7 +24,7 @@ pub fn text(summary: &RunSummary) -> String {
         [step] => text.push_str(&single(step, summary)),
         _ => text.push_str(&table(summary)),
     }
-    text + &stress::critical(summary)
+    text + &adhesion::curve(summary) + &stress::critical(summary)
 }
 
 /// Lists the warnings, one per line; of more than [`MAX_SHOWN_PER_CODE`] with one code, only the first and the number

@@ -8,15 +8,35 @@ use crate::ContactError;
 use crate::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
 use crate::path::domain::root_finding::where_zero;
 
-/// Relative accuracy of the contacts without adhesion (`the_integral_equation_reproduces_the_22_digit…`).
-const ACCURACY: f64 = 1e-11;
-
 /// Relative width at which the search for a least value ends: such a value is flat, so its place is known to the root
 /// of the accuracy.
 const PLACE: f64 = 1e-7;
 
 /// Most steps of the search for a least value: factors of two that cross 90 decades.
 const MOST_STEPS: usize = 300;
+
+/// A work of adhesion and where it acts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Adhesion {
+    /// Work of adhesion w, J/m².
+    pub work: f64,
+    /// Where it acts.
+    pub law: AdhesionLaw,
+}
+
+impl Adhesion {
+    /// The pull of undeformed shapes by DMT, N: `2π w R`.
+    fn pull(self, profile: AxisymmetricProfile) -> Result<f64, ContactError> {
+        match profile {
+            AxisymmetricProfile::Paraboloid { radius } | AxisymmetricProfile::Sphere { radius } => {
+                Ok(2.0 * PI * self.work * radius)
+            }
+            AxisymmetricProfile::Cone { .. } | AxisymmetricProfile::Power { .. } => {
+                Err(ContactError::NoDmtFormula)
+            }
+        }
+    }
+}
 
 /// An adhesive contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,18 +55,21 @@ pub struct AdhesiveContact {
     pub force_without: f64,
     /// Its penetration, m.
     pub penetration_without: f64,
+    /// Relative accuracy of both.
+    pub accuracy: f64,
 }
 
 /// The contacts of an indenter on a body with a work of adhesion.
 ///
 /// ```
-/// use pellicle_contact::adhesion::{AdhesionLaw, AdhesiveCurve};
+/// use pellicle_contact::adhesion::{Adhesion, AdhesionLaw, AdhesiveCurve};
 /// use pellicle_contact::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
 /// use pellicle_kernel::{Foundation, Material};
 ///
 /// let gel = Foundation::half_space(Material::new(10e3, 0.5)?);
 /// let ball = AxisymmetricProfile::Paraboloid { radius: 10e-6 };
-/// let curve = AdhesiveCurve::new(AxisymmetricElasticity::new(&gel.into()), ball, 1e-3, AdhesionLaw::Jkr)?;
+/// let adhesion = Adhesion { work: 1e-3, law: AdhesionLaw::Jkr };
+/// let curve = AdhesiveCurve::new(AxisymmetricElasticity::new(&gel.into()), ball, adhesion)?;
 /// // −3/2 π w R; the search ends at 1e-14.
 /// let wanted = -1.5 * std::f64::consts::PI * 1e-3 * 10e-6;
 /// assert!((curve.pull_off().force / wanted - 1.0).abs() < 1e-12);
@@ -56,15 +79,13 @@ pub struct AdhesiveContact {
 pub struct AdhesiveCurve {
     elasticity: AxisymmetricElasticity,
     profile: AxisymmetricProfile,
-    /// w, J/m².
-    work: f64,
-    law: AdhesionLaw,
+    adhesion: Adhesion,
     pull_off: AdhesiveContact,
     last: AdhesiveContact,
 }
 
 impl AdhesiveCurve {
-    /// The curve for a work of adhesion w (J/m²).
+    /// The curve.
     ///
     /// # Errors
     /// [`ContactError::WorkOfAdhesion`] if w is not positive and finite, [`ContactError::NoDmtFormula`] for DMT under
@@ -73,32 +94,22 @@ impl AdhesiveCurve {
     pub fn new(
         elasticity: AxisymmetricElasticity,
         profile: AxisymmetricProfile,
-        work: f64,
-        law: AdhesionLaw,
+        adhesion: Adhesion,
     ) -> Result<Self, ContactError> {
+        let work = adhesion.work;
         if !(work > 0.0 && work.is_finite()) {
             return Err(ContactError::WorkOfAdhesion { work });
         }
-        let start = AdhesiveContact::APART;
         let mut curve = Self {
             elasticity,
             profile,
-            work,
-            law,
-            pull_off: start,
-            last: start,
+            adhesion,
+            pull_off: AdhesiveContact::APART,
+            last: AdhesiveContact::APART,
         };
-        match law {
+        match adhesion.law {
             AdhesionLaw::Dmt => {
-                let radius = match profile {
-                    AxisymmetricProfile::Paraboloid { radius }
-                    | AxisymmetricProfile::Sphere { radius } => radius,
-                    AxisymmetricProfile::Cone { .. } | AxisymmetricProfile::Power { .. } => {
-                        return Err(ContactError::NoDmtFormula);
-                    }
-                };
-                // −2π w R
-                curve.pull_off.force = -2.0 * PI * work * radius;
+                curve.pull_off.force = -curve.adhesion.pull(profile)?;
                 curve.last = curve.pull_off;
             }
             AdhesionLaw::Jkr => {
@@ -121,44 +132,12 @@ impl AdhesiveCurve {
         self.last
     }
 
-    /// The contact of this radius (m), stable or not; accurate to 1e-11 of [`AdhesiveContact::force_without`] and
-    /// [`AdhesiveContact::penetration_without`].
+    /// The contact of this radius (m), stable or not; its errors are [`AdhesiveContact::errors`].
     ///
     /// # Errors
     /// Those of [`AxisymmetricElasticity::contact`].
     pub fn at_radius(&self, radius: f64) -> Result<AdhesiveContact, ContactError> {
-        let without = self.elasticity.contact(self.profile, radius)?;
-        let stiffness = without.punch.stiffness;
-        let area = PI * radius * radius;
-        let (back, pull) = match self.law {
-            // δ = √(2 w dA/dS)
-            AdhesionLaw::Jkr => (
-                (4.0 * PI * radius * self.work / without.punch.stiffness_slope).sqrt(),
-                0.0,
-            ),
-            AdhesionLaw::Dmt => (0.0, self.pull_off.force),
-        };
-        let (force, penetration) = (
-            without.force - stiffness * back + pull,
-            without.penetration - back,
-        );
-        // U = U₀ − F₀ δ + S δ²/2 − w A
-        let energy = match self.law {
-            AdhesionLaw::Jkr => {
-                without.energy - without.force * back + 0.5 * stiffness * back * back
-                    - self.work * area
-            }
-            AdhesionLaw::Dmt => without.energy + pull * penetration,
-        };
-        Ok(AdhesiveContact {
-            radius,
-            force,
-            penetration,
-            stiffness,
-            energy,
-            force_without: without.force,
-            penetration_without: without.penetration,
-        })
+        AdhesiveContact::of(&self.elasticity, self.profile, self.adhesion, radius)
     }
 
     /// The stable contact under a prescribed force (N).
@@ -213,19 +192,20 @@ impl AdhesiveCurve {
         let Some(radius) = self.profile.tip_radius() else {
             return Ok(None);
         };
-        let contact = match self.law {
+        let contact = match self.adhesion.law {
             AdhesionLaw::Jkr => self.pull_off,
             AdhesionLaw::Dmt => self.at_force(0.0)?,
         };
         let modulus = contact.stiffness / (2.0 * contact.radius);
         // R (w/E*)²/z₀³
-        let cube = radius * (self.work / modulus).powi(2) / ADHESION_RANGE.powi(3);
+        let cube = radius * (self.adhesion.work / modulus).powi(2) / ADHESION_RANGE.powi(3);
         Ok(Some(cube.cbrt()))
     }
 
     /// A radius of the order of that at pull-off, m: where adhesion pulls back by the penetration on a half-space.
     fn scale(&self) -> f64 {
-        let pulled = |a: f64| (2.0 * PI * a * self.work / self.elasticity.modulus()).sqrt();
+        let pulled =
+            |a: f64| (2.0 * PI * a * self.adhesion.work / self.elasticity.modulus()).sqrt();
         let rim = self.profile.rim();
         let ratio = |a: f64| {
             if a < rim {
@@ -313,6 +293,52 @@ impl AdhesiveCurve {
 }
 
 impl AdhesiveContact {
+    /// The contact of this radius (m), as [`AdhesiveCurve::at_radius`], without the search for the ends of a curve.
+    ///
+    /// # Errors
+    /// [`ContactError::NoDmtFormula`] for DMT under another shape than a paraboloid or a sphere; those of
+    /// [`AxisymmetricElasticity::contact`].
+    pub fn of(
+        elasticity: &AxisymmetricElasticity,
+        profile: AxisymmetricProfile,
+        adhesion: Adhesion,
+        radius: f64,
+    ) -> Result<Self, ContactError> {
+        let without = elasticity.contact(profile, radius)?;
+        let stiffness = without.punch.stiffness;
+        let area = PI * radius * radius;
+        // F, D and U = ∫ F dD
+        let (force, penetration, energy) = match adhesion.law {
+            AdhesionLaw::Jkr => {
+                // δ = √(2 w dA/dS)
+                let back =
+                    (4.0 * PI * radius * adhesion.work / without.punch.stiffness_slope).sqrt();
+                let elastic = without.energy - without.force * back + 0.5 * stiffness * back * back;
+                let energy = elastic - adhesion.work * area;
+                (
+                    without.force - stiffness * back,
+                    without.penetration - back,
+                    energy,
+                )
+            }
+            AdhesionLaw::Dmt => {
+                let pull = adhesion.pull(profile)?;
+                let energy = without.energy - pull * without.penetration;
+                (without.force - pull, without.penetration, energy)
+            }
+        };
+        Ok(Self {
+            radius,
+            force,
+            penetration,
+            stiffness,
+            energy,
+            force_without: without.force,
+            penetration_without: without.penetration,
+            accuracy: elasticity.accuracy(profile),
+        })
+    }
+
     /// The indenter at the surface, without contact.
     const APART: Self = Self {
         radius: 0.0,
@@ -322,6 +348,7 @@ impl AdhesiveContact {
         energy: 0.0,
         force_without: 0.0,
         penetration_without: 0.0,
+        accuracy: 0.0,
     };
 
     /// Error of the force (N) and of the penetration (m) at this radius: the accuracy of the contact without adhesion
@@ -332,6 +359,6 @@ impl AdhesiveContact {
             (self.force_without, self.force),
             (self.penetration_without, self.penetration),
         ]
-        .map(|(without, with)| ACCURACY * (without.abs() + (without - with).abs()))
+        .map(|(without, with)| self.accuracy * (without.abs() + (without - with).abs()))
     }
 }

@@ -38,7 +38,15 @@ fn stack() -> AxisymmetricElasticity {
 }
 
 fn jkr(body: AxisymmetricElasticity, profile: AxisymmetricProfile, work: f64) -> AdhesiveCurve {
-    AdhesiveCurve::new(body, profile, work, AdhesionLaw::Jkr).unwrap()
+    AdhesiveCurve::new(
+        body,
+        profile,
+        Adhesion {
+            work,
+            law: AdhesionLaw::Jkr,
+        },
+    )
+    .unwrap()
 }
 
 fn assert_near(found: f64, wanted: f64, tolerance: f64) {
@@ -96,11 +104,15 @@ fn on_a_half_space_the_contacts_are_those_of_johnson_kendall_and_roberts() {
 #[test]
 fn dmt_takes_the_pull_of_the_undeformed_shape_from_the_force() {
     let (radius, work) = (2.0, 1e-3);
+    let dmt = Adhesion {
+        work,
+        law: AdhesionLaw::Dmt,
+    };
     for profile in [
         AxisymmetricProfile::Paraboloid { radius },
         AxisymmetricProfile::Sphere { radius },
     ] {
-        let curve = AdhesiveCurve::new(half_space(1.0), profile, work, AdhesionLaw::Dmt).unwrap();
+        let curve = AdhesiveCurve::new(half_space(1.0), profile, dmt).unwrap();
         let pull = 2.0 * PI * work * radius;
         assert_near(curve.pull_off().force, -pull, 1e-15);
         let found = curve.at_force(0.0).unwrap();
@@ -116,7 +128,7 @@ fn dmt_takes_the_pull_of_the_undeformed_shape_from_the_force() {
         slope: 0.5,
         tip_radius: 0.0,
     };
-    let refused = AdhesiveCurve::new(half_space(1.0), cone, work, AdhesionLaw::Dmt);
+    let refused = AdhesiveCurve::new(half_space(1.0), cone, dmt);
     assert!(matches!(refused, Err(ContactError::NoDmtFormula)));
 }
 
@@ -154,6 +166,20 @@ fn on_a_film_much_thinner_than_the_contact_the_pull_off_approaches_two() {
     assert!(factors[2] > 1.95, "{factors:?}");
 }
 
+/// On springs alone `F = πa⁴/4Rη − πa²/η √(2wη)`, least at `a² = 2R√(2wη)`: −2π w R.
+#[test]
+fn on_a_bed_of_springs_the_pull_off_is_two() {
+    let (work, compliance) = (1e-3, 1e5);
+    let found = jkr(half_space(1.0).with_springs(compliance), PARABOLOID, work).pull_off();
+    // The half-space adds 1/β, where β = η E*/2a is some 1e4.
+    assert_near(found.force, -2.0 * PI * work, 1e-3);
+    assert_near(
+        found.radius.powi(2),
+        2.0 * (2.0 * work * compliance).sqrt(),
+        2e-3,
+    );
+}
+
 /// Total energy (J) at a penetration (m) and a contact radius (m): elastic energy of the contact with this displacement
 /// inside, less w times the area.
 fn total_energy(
@@ -177,6 +203,8 @@ fn stable_contacts_have_the_least_energy_at_their_penetration() {
         tip_radius: 0.0,
     };
     let cases = [
+        (half_space(1.0).with_springs(0.5), PARABOLOID),
+        (stack().with_springs(0.1), PARABOLOID),
         (half_space(1.0), cone),
         (stack(), cone),
         (stack(), PARABOLOID),
@@ -229,7 +257,14 @@ fn forces_below_the_pull_off_and_works_that_are_not_positive_are_refused() {
     let below = curve.at_force(1.01 * curve.pull_off().force);
     assert!(matches!(below, Err(ContactError::BeyondPullOff { .. })));
     for work in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let refused = AdhesiveCurve::new(half_space(1.0), PARABOLOID, work, AdhesionLaw::Jkr);
+        let refused = AdhesiveCurve::new(
+            half_space(1.0),
+            PARABOLOID,
+            Adhesion {
+                work,
+                law: AdhesionLaw::Jkr,
+            },
+        );
         assert!(matches!(refused, Err(ContactError::WorkOfAdhesion { .. })));
     }
     // The sphere would have to be in contact beyond its equator.

@@ -44,7 +44,7 @@ struct Layers {
 pub(super) struct Density {
     /// t, weight of the rule and g at the nodes.
     pub nodes: Vec<(f64, f64, f64)>,
-    /// g(a).
+    /// g(a), or with springs `Σ n cₙ`: in proportion to the pressure at the edge.
     pub edge: f64,
 }
 
@@ -218,7 +218,7 @@ fn basis([start, end]: [f64; 2], t: f64) -> [f64; POINTS] {
     values.map(|value| value / sum)
 }
 
-fn no_solution(radius: f64) -> ContactError {
+pub(super) fn no_solution(radius: f64) -> ContactError {
     let wanted = "one for which the integral equation has a solution";
     ContactError::AxisymmetricRadius { radius, wanted }
 }

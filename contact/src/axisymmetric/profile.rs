@@ -1,8 +1,7 @@
 //! Shapes of axisymmetric indenters, by the penetration that they need on a half-space.
 
-use std::f64::consts::PI;
-
 use crate::Indenter;
+use crate::reference::power_law::penetration_over_height;
 
 /// A convex shape with a height `f(r)` above its lowest point.
 ///
@@ -58,6 +57,10 @@ impl AxisymmetricProfile {
                 slope: shape.half_angle().tan().recip(),
                 tip_radius: shape.tip_radius(),
             }),
+            Indenter::PowerLaw(shape) => Some(Self::Power {
+                exponent: shape.exponent(),
+                length: shape.coefficient(),
+            }),
             Indenter::FlatPunch(_)
             | Indenter::Plane(_)
             | Indenter::Pyramid(_)
@@ -111,8 +114,7 @@ impl AxisymmetricProfile {
             }
             Self::Power { exponent, length } => {
                 // √π Γ(n/2 + 1)/Γ(n/2 + 1/2) xⁿ/cⁿ⁻¹
-                let [upper, lower] = [1.0, 0.5].map(|shift| libm::lgamma(exponent / 2.0 + shift));
-                PI.sqrt() * (upper - lower).exp() * x * (x / length).powf(exponent - 1.0)
+                penetration_over_height(exponent) * x * (x / length).powf(exponent - 1.0)
             }
         }
     }
@@ -137,7 +139,7 @@ fn seam(slope: f64, tip_radius: f64) -> f64 {
 mod tests {
     use super::super::quadrature::{composite, halved};
     use super::*;
-    use crate::{Cone, Paraboloid, Sphere};
+    use crate::{Cone, Paraboloid, PowerLaw, Sphere};
 
     /// `x ∫ f′/√(x² − r²) dr` with r = x sin θ, by differences of the heights.
     fn by_quadrature(indenter: &Indenter, x: f64, kink: f64) -> f64 {
@@ -162,7 +164,8 @@ mod tests {
     #[test]
     fn the_penetrations_are_sneddon_s_integrals_of_the_slope() {
         let cone = Cone::new(1.1, 0.3).unwrap();
-        let indenters: [(Indenter, f64, f64); 5] = [
+        let indenters: [(Indenter, f64, f64); 6] = [
+            (PowerLaw::new(3.3, 0.8).unwrap().into(), 0.7, 0.0),
             (Paraboloid::new(2.0).unwrap().into(), 0.7, 0.0),
             (Sphere::new(2.0).unwrap().into(), 1.6, 0.0),
             (Cone::new(1.1, 0.0).unwrap().into(), 0.7, 0.0),

@@ -180,20 +180,24 @@ fn the_stiffness_s_slope_is_that_of_the_density_at_the_edge() {
     ];
     for body in bodies {
         for radius in [0.03, 0.4, 2.0, 11.0] {
-            let stiffness = |factor: f64| body.punch(factor * radius).unwrap().stiffness;
-            let step = 1e-3;
-            // A difference of fourth order.
-            let near = stiffness(1.0 + step) - stiffness(1.0 - step);
-            let far = stiffness(1.0 + 2.0 * step) - stiffness(1.0 - 2.0 * step);
-            let difference = (8.0 * near - far) / (12.0 * step * radius);
-            let found = body.punch(radius).unwrap().stiffness_slope;
             // Rounding over the step.
-            assert!(
-                (found / difference - 1.0).abs() < 2e-10,
-                "{radius}: {found} {difference}"
-            );
+            assert_the_slope_is_a_difference(&body, radius, 2e-10);
         }
     }
+}
+
+fn assert_the_slope_is_a_difference(body: &AxisymmetricElasticity, radius: f64, tolerance: f64) {
+    let stiffness = |factor: f64| body.punch(factor * radius).unwrap().stiffness;
+    let step = 1e-3;
+    // A difference of fourth order.
+    let near = stiffness(1.0 + step) - stiffness(1.0 - step);
+    let far = stiffness(1.0 + 2.0 * step) - stiffness(1.0 - 2.0 * step);
+    let difference = (8.0 * near - far) / (12.0 * step * radius);
+    let found = body.punch(radius).unwrap().stiffness_slope;
+    assert!(
+        (found / difference - 1.0).abs() < tolerance,
+        "{radius}: {found} {difference}"
+    );
 }
 
 #[test]
@@ -307,4 +311,73 @@ fn radii_beyond_the_shape_or_the_layers_are_refused() {
     }
     let ball = AxisymmetricProfile::Sphere { radius: 2.0 };
     refused(body.contact(ball, 2.0).map(|found| found.punch));
+}
+
+/// β = η E*/2a far above 1: springs alone, each as high as the indenter presses it.
+#[test]
+fn a_soft_film_is_a_bed_of_springs() {
+    let body = half_space(None).with_springs(1e9);
+    let paraboloid = AxisymmetricProfile::Paraboloid { radius: 2.0 };
+    let found = body.contact(paraboloid, 0.5).unwrap();
+    // D = a²/2R, F = πa⁴/4Rη, S = πa²/η, dS/da = 2πa/η; the half-space adds some 1/β.
+    let wanted = [
+        0.0625,
+        std::f64::consts::PI * 0.0625 / 8e9,
+        std::f64::consts::PI * 0.25e-9,
+        std::f64::consts::PI * 1e-9,
+    ];
+    let found = [
+        found.penetration,
+        found.force,
+        found.punch.stiffness,
+        found.punch.stiffness_slope,
+    ];
+    for (found, wanted) in found.into_iter().zip(wanted) {
+        assert!((found / wanted - 1.0).abs() < 1e-8, "{found:e} {wanted:e}");
+    }
+}
+
+#[test]
+fn through_a_film_force_energy_and_slope_are_integrals_and_derivatives() {
+    for compliance in [3.0, 0.1, 3e-3] {
+        for body in [
+            half_space(None),
+            on_rigid_base(0.5),
+            AxisymmetricElasticity::new(&stack()),
+        ] {
+            let body = body.with_springs(compliance);
+            for radius in [0.3, 2.0] {
+                let paraboloid = AxisymmetricProfile::Paraboloid { radius: 100.0 };
+                assert_the_force_is_the_integral_of_the_stiffness(&body, paraboloid, radius);
+                assert_the_slope_is_a_difference(&body, radius, 1e-8);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_stiff_film_gives_way_to_the_bare_surface() {
+    let stiffness = |compliance| stack_with(compliance).punch(0.3).unwrap().stiffness;
+    let bare = AxisymmetricElasticity::new(&stack())
+        .punch(0.3)
+        .unwrap()
+        .stiffness;
+    let [softer, stiffer] = [1e-3, 1e-4].map(|compliance| 1.0 - stiffness(compliance) / bare);
+    assert!(
+        stiffer > 0.0 && stiffer < 0.2 * softer,
+        "{softer} {stiffer}"
+    );
+}
+
+fn stack_with(compliance: f64) -> AxisymmetricElasticity {
+    AxisymmetricElasticity::new(&stack()).with_springs(compliance)
+}
+
+#[test]
+fn a_film_too_stiff_to_be_resolved_is_refused() {
+    let refused = stack_with(1e-7).punch(1.0);
+    assert!(matches!(
+        refused,
+        Err(crate::ContactError::AxisymmetricRadius { .. })
+    ));
 }

@@ -4,6 +4,8 @@ use std::fmt;
 
 use thiserror::Error;
 
+use super::PowerLaw;
+
 /// A number that the constructor of an indenter checks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -16,6 +18,10 @@ pub enum IndenterQuantity {
     HalfAngle,
     /// Angle between the axis and the faces of a pyramid, rad.
     FaceAngle,
+    /// Exponent n of a power law.
+    Exponent,
+    /// Coefficient c of a power law, m.
+    Coefficient,
 }
 
 impl fmt::Display for IndenterQuantity {
@@ -25,6 +31,8 @@ impl fmt::Display for IndenterQuantity {
             Self::TipRadius => "the radius of the indenter's tip",
             Self::HalfAngle => "the half-angle of the cone",
             Self::FaceAngle => "the angle between the pyramid's axis and faces",
+            Self::Exponent => "the exponent of the indenter's power law",
+            Self::Coefficient => "the coefficient of the indenter's power law",
         })
     }
 }
@@ -58,6 +66,16 @@ pub enum IndenterError {
         /// The quantity.
         quantity: IndenterQuantity,
         /// Its value, rad.
+        found: f64,
+    },
+    /// The exponent of a power law is that of a cusp, or so large that the indenter is hardly different from a punch.
+    #[error(
+        "found {found} for the exponent of the indenter's power law, wanted a number from {} to {}",
+        PowerLaw::LEAST_EXPONENT,
+        PowerLaw::MOST_EXPONENT
+    )]
+    Exponent {
+        /// The exponent.
         found: f64,
     },
     /// A pyramid has too few faces to close, or so many that it is hardly different from a cone.

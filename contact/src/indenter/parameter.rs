@@ -1,26 +1,43 @@
 //! Reading and replacing single numbers of an indenter.
 
 use super::{
-    Cone, FlatPunch, Indenter, IndenterError, IndenterQuantity, Paraboloid, Pyramid, Sphere,
+    Cone, FlatPunch, Indenter, IndenterError, IndenterQuantity, Paraboloid, PowerLaw, Pyramid,
+    Sphere,
 };
 
 impl Indenter {
     /// The numbers on which the height depends smoothly. A flat punch, a map and a custom shape have none, and a sharp
-    /// tip has no tip radius.
+    /// tip has no tip radius. Of a power law, the exponents 1 and 50 have no neighbours on one side, and at exponent 1
+    /// the height does not depend on the coefficient.
     #[must_use]
     pub fn parameters(&self) -> Vec<IndenterQuantity> {
-        use IndenterQuantity::{FaceAngle, HalfAngle, Radius, TipRadius};
-        let all = [Radius, HalfAngle, FaceAngle, TipRadius];
+        use IndenterQuantity::{Coefficient, Exponent, FaceAngle, HalfAngle, Radius, TipRadius};
+        let all = [
+            Radius,
+            HalfAngle,
+            FaceAngle,
+            TipRadius,
+            Exponent,
+            Coefficient,
+        ];
         let is_there = |of: &IndenterQuantity| self.parameter(*of).is_some_and(|value| value > 0.0);
         let all = all.into_iter().filter(is_there);
-        all.filter(|_| !matches!(self, Self::FlatPunch(_)))
-            .collect()
+        let is_smooth = |of: &IndenterQuantity| match self {
+            Self::FlatPunch(_) => false,
+            Self::PowerLaw(shape) => {
+                let exponent = shape.exponent();
+                exponent > PowerLaw::LEAST_EXPONENT
+                    && (exponent < PowerLaw::MOST_EXPONENT || *of == Coefficient)
+            }
+            _ => true,
+        };
+        all.filter(is_smooth).collect()
     }
 
-    /// The value of a number, in m or rad; none if the shape has no such number.
+    /// The value of a number, in m or rad, or without unit; none if the shape has no such number.
     #[must_use]
     pub fn parameter(&self, quantity: IndenterQuantity) -> Option<f64> {
-        use IndenterQuantity::{FaceAngle, HalfAngle, Radius, TipRadius};
+        use IndenterQuantity::{Coefficient, Exponent, FaceAngle, HalfAngle, Radius, TipRadius};
         match (quantity, self) {
             (Radius, Self::Paraboloid(shape)) => Some(shape.radius()),
             (Radius, Self::Sphere(shape)) => Some(shape.radius()),
@@ -29,6 +46,8 @@ impl Indenter {
             (TipRadius, Self::Cone(shape)) => Some(shape.tip_radius()),
             (FaceAngle, Self::Pyramid(shape)) => Some(shape.face_angle()),
             (TipRadius, Self::Pyramid(shape)) => Some(shape.tip_radius()),
+            (Exponent, Self::PowerLaw(shape)) => Some(shape.exponent()),
+            (Coefficient, Self::PowerLaw(shape)) => Some(shape.coefficient()),
             _ => None,
         }
     }
@@ -71,6 +90,11 @@ impl Indenter {
                 or(IndenterQuantity::TipRadius, shape.tip_radius()),
             )?
             .into(),
+            Self::PowerLaw(shape) => PowerLaw::new(
+                or(IndenterQuantity::Exponent, shape.exponent()),
+                or(IndenterQuantity::Coefficient, shape.coefficient()),
+            )?
+            .into(),
             Self::Plane(_) | Self::Map(_) | Self::Custom(_) => self.clone(),
         })
     }
@@ -82,6 +106,7 @@ mod tests {
 
     #[test]
     fn every_parameter_is_listed_read_and_replaced_separately() {
+        use IndenterQuantity::{Coefficient, Exponent};
         let shapes: [Indenter; 4] = [
             Paraboloid::new(0.5).unwrap().into(),
             Sphere::new(0.5).unwrap().into(),
@@ -103,5 +128,15 @@ mod tests {
         assert!(punch.parameters().is_empty());
         let sharp = Indenter::from(Cone::new(1.0, 0.0).unwrap());
         assert_eq!(sharp.parameters(), [IndenterQuantity::HalfAngle]);
+        let wanted: [(f64, &[IndenterQuantity]); 4] = [
+            (1.0, &[]),
+            (1.1, &[Exponent, Coefficient]),
+            (49.0, &[Exponent, Coefficient]),
+            (50.0, &[Coefficient]),
+        ];
+        for (exponent, wanted) in wanted {
+            let shape = Indenter::from(PowerLaw::new(exponent, 1.0).unwrap());
+            assert_eq!(shape.parameters(), wanted);
+        }
     }
 }

@@ -3,12 +3,13 @@
 use super::*;
 use pellicle_texture::{Grid, HeightMap};
 
-fn all() -> [Indenter; 7] {
+fn all() -> [Indenter; 8] {
     let bowl = vec![2.0, 1.0, 2.0, 1.0, 0.5, 1.0, 2.0, 1.0, 2.0];
     [
         Paraboloid::new(2.0).unwrap().into(),
         Sphere::new(2.0).unwrap().into(),
         Cone::new(1.2, 0.3).unwrap().into(),
+        PowerLaw::new(2.5, 1.5).unwrap().into(),
         FlatPunch::new(0.5).unwrap().into(),
         Plane.into(),
         Pyramid::vickers(0.3).unwrap().into(),
@@ -102,32 +103,40 @@ fn samples_on_a_grid_vary_fastest_along_y() {
 
 #[test]
 fn each_parameter_of_a_shape_can_be_replaced() {
-    use IndenterQuantity::{FaceAngle, HalfAngle, Radius, TipRadius};
-    let wanted: [&[IndenterQuantity]; 7] = [
+    use IndenterQuantity::{Coefficient, Exponent, FaceAngle, HalfAngle, Radius, TipRadius};
+    let wanted: [&[IndenterQuantity]; 8] = [
         &[Radius],
         &[Radius],
         &[HalfAngle, TipRadius],
+        &[Exponent, Coefficient],
         &[Radius],
         &[],
         &[FaceAngle, TipRadius],
         &[],
     ];
     for (indenter, wanted) in all().iter().zip(wanted) {
-        for quantity in [Radius, HalfAngle, FaceAngle, TipRadius] {
+        for quantity in [
+            Radius,
+            HalfAngle,
+            FaceAngle,
+            TipRadius,
+            Exponent,
+            Coefficient,
+        ] {
             let Some(own) = indenter.parameter(quantity) else {
                 assert!(!wanted.contains(&quantity), "{indenter:?} {quantity:?}");
-                assert_eq!(indenter.with_parameter(quantity, 0.9).unwrap(), *indenter);
+                assert_eq!(indenter.with_parameter(quantity, 1.1).unwrap(), *indenter);
                 continue;
             };
             assert!(wanted.contains(&quantity), "{indenter:?} {quantity:?}");
-            let other = indenter.with_parameter(quantity, 0.9).unwrap();
-            assert_eq!(other.parameter(quantity), Some(0.9));
+            let other = indenter.with_parameter(quantity, 1.1).unwrap();
+            assert_eq!(other.parameter(quantity), Some(1.1));
             assert_eq!(other.with_parameter(quantity, own).unwrap(), *indenter);
         }
     }
     // A punch's height does not depend on its radius smoothly.
     let smooth = all().map(|indenter| indenter.parameters().len());
-    assert_eq!(smooth, [1, 1, 2, 0, 0, 2, 0]);
+    assert_eq!(smooth, [1, 1, 2, 2, 0, 0, 2, 0]);
 }
 
 #[test]
@@ -137,6 +146,11 @@ fn a_tip_counts_as_sharp_if_rounded_over_less_than_two_elements() {
     let end = 0.3 * 1.2_f64.cos();
     assert_eq!(blunt.distance_to_edge(0.3, 0.4, 0.501 * end), 0.5);
     assert_eq!(blunt.distance_to_edge(0.3, 0.4, 0.499 * end), f64::INFINITY);
+    // The curvature of a power law below 2 is infinite on the axis, but the pressure hardly shows it near 2.
+    for (exponent, distance) in [(1.0, 0.5), (1.5, 0.5), (1.7, f64::INFINITY)] {
+        let shape: Indenter = PowerLaw::new(exponent, 1.0).unwrap().into();
+        assert_eq!(shape.distance_to_edge(0.3, 0.4, 0.01), distance);
+    }
 }
 
 /// A user-defined shape that implements only its height.

@@ -1,6 +1,6 @@
 //! Identities that every closed form satisfies.
 
-use super::{cone, flat_punch, hertz, sphere, winkler};
+use super::{cone, flat_punch, hertz, power_law, sphere, winkler};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const MODULUS: f64 = 3.0;
@@ -17,7 +17,11 @@ struct Form {
     height: fn(f64) -> f64,
 }
 
-const FORMS: [Form; 4] = [
+/// Exponents and coefficients of power laws: between cone and paraboloid, and flatter than both.
+const BLUNT: [f64; 2] = [3.7, 0.8];
+const POINTED: [f64; 2] = [1.4, 0.8];
+
+const FORMS: [Form; 6] = [
     Form {
         name: "hertz",
         contact: |depth| {
@@ -60,6 +64,20 @@ const FORMS: [Form; 4] = [
         height: |_| 0.0,
     },
     Form {
+        name: "blunt power law",
+        contact: |depth| of_power_law(BLUNT, depth),
+        pressure: |distance| power_law::from_penetration(BLUNT, MODULUS, DEPTH).pressure(distance),
+        height: |distance| distance.powf(BLUNT[0]) / BLUNT[1].powf(BLUNT[0] - 1.0),
+    },
+    Form {
+        name: "pointed power law",
+        contact: |depth| of_power_law(POINTED, depth),
+        pressure: |distance| {
+            power_law::from_penetration(POINTED, MODULUS, DEPTH).pressure(distance)
+        },
+        height: |distance| distance.powf(POINTED[0]) / POINTED[1].powf(POINTED[0] - 1.0),
+    },
+    Form {
         name: "winkler",
         contact: |depth| {
             let contact = winkler::from_penetration(RADIUS, COMPLIANCE, depth);
@@ -75,6 +93,15 @@ const FORMS: [Form; 4] = [
         height: |distance| distance * distance / (2.0 * RADIUS),
     },
 ];
+
+fn of_power_law(shape: [f64; 2], depth: f64) -> (f64, f64, f64) {
+    let contact = power_law::from_penetration(shape, MODULUS, depth);
+    (
+        contact.force,
+        contact.strain_energy(),
+        contact.contact_radius,
+    )
+}
 
 /// `∫ g dA` over the disc of radius a: midpoints in θ, ρ = a sin θ, which removes square-root singularities on the rim.
 fn integral(a: f64, integrand: impl Fn(f64) -> f64) -> f64 {
@@ -248,6 +275,11 @@ fn force_and_penetration_give_the_same_contact() {
         flat_punch::from_force(RADIUS, MODULUS, force).penetration,
         DEPTH
     ));
+    for shape in [BLUNT, POINTED] {
+        let force = power_law::from_penetration(shape, MODULUS, DEPTH).force;
+        let found = power_law::from_force(shape, MODULUS, force).penetration;
+        assert!(close(found, DEPTH), "{found}");
+    }
     let force = winkler::from_penetration(RADIUS, COMPLIANCE, DEPTH).force;
     assert!(close(
         winkler::from_force(RADIUS, COMPLIANCE, force).penetration,
@@ -273,15 +305,17 @@ fn prescribed_values_are_returned_bit_for_bit() {
             hertz::from_force(RADIUS, MODULUS, given).force,
             cone::from_force(ANGLE, MODULUS, given).force,
             flat_punch::from_force(RADIUS, MODULUS, given).force,
+            power_law::from_force(BLUNT, MODULUS, given).force,
             winkler::from_force(RADIUS, COMPLIANCE, given).force,
         ];
-        assert_eq!(forces.map(f64::to_bits), [given.to_bits(); 4]);
+        assert_eq!(forces.map(f64::to_bits), [given.to_bits(); 5]);
         let depths = [
             hertz::from_penetration(RADIUS, MODULUS, given).penetration,
             cone::from_penetration(ANGLE, MODULUS, given).penetration,
             flat_punch::from_penetration(RADIUS, MODULUS, given).penetration,
+            power_law::from_penetration(BLUNT, MODULUS, given).penetration,
             winkler::from_penetration(RADIUS, COMPLIANCE, given).penetration,
         ];
-        assert_eq!(depths.map(f64::to_bits), [given.to_bits(); 4]);
+        assert_eq!(depths.map(f64::to_bits), [given.to_bits(); 5]);
     }
 }

@@ -5,13 +5,13 @@
 //! - **Materials**: see [`ElasticBodies::null_directions`](pellicle_influence::ElasticBodies::null_directions).
 //! - **Paraboloid**: with all lengths along the surface times b, `R → b² R`, `H → b H`, `E → E/b` and compliances of
 //!   springs times `b²`. **Sharp cone and pyramid**: with their slope divided by b, `H → b H`, `E → E/b`, compliances
-//!   times `b²`.
+//!   times `b²`. **Power law**: `c → b^(n/(n − 1)) c` in place of R.
 //! - **Springs of a film**: only `η = H_w/E_w` matters if their law is linear.
 
 use pellicle_texture::{Relief, ReliefParameter};
 
 use crate::ModelParameter;
-use crate::{Indenter, IndenterQuantity, Model};
+use crate::{Indenter, IndenterQuantity, Model, PowerLaw};
 
 /// Changes `dθ/dt` of some numbers, each in its own unit.
 pub type ModelDirection = Vec<(ModelParameter, f64)>;
@@ -69,6 +69,14 @@ impl Model {
         let of_angle = |angle: f64| angle.sin() * angle.cos();
         let (quantity, change) = match &self.indenter {
             Indenter::Paraboloid(shape) => (IndenterQuantity::Radius, 2.0 * shape.radius()),
+            // ρⁿ/cⁿ⁻¹ with ρ → b ρ
+            Indenter::PowerLaw(shape) if shape.exponent() > PowerLaw::LEAST_EXPONENT => {
+                let n = shape.exponent();
+                (
+                    IndenterQuantity::Coefficient,
+                    n / (n - 1.0) * shape.coefficient(),
+                )
+            }
             Indenter::Cone(shape) if shape.tip_radius() == 0.0 => {
                 (IndenterQuantity::HalfAngle, of_angle(shape.half_angle()))
             }
@@ -134,6 +142,14 @@ mod tests {
         let step = 1e-6;
         let of_slope = (1.0 / (FRAC_PI_3 + step * change).tan() / slope).ln() / step;
         assert!((of_slope - modulus).abs() < 1e-5, "{of_slope} {modulus}");
+        // D^(1 + 1/n) ~ Q c^(1/n − 1)/E under a power law
+        let (exponent, coefficient) = (3.5, 0.7);
+        let power = PowerLaw::new(exponent, coefficient).unwrap();
+        let [change, _, modulus] = gauge(&model(Relief::Bare, power)).unwrap();
+        let of_penetration = (1.0 / exponent - 1.0) * change / coefficient - modulus;
+        assert!(of_penetration.abs() < 1e-14 && modulus != 0.0);
+        let cone = PowerLaw::new(1.0, coefficient).unwrap();
+        assert!(gauge(&model(Relief::Bare, cone)).is_none());
         // The compliance of a film, η = H/E, scales with b², as R does.
         let film = Film::new(0.01, 3.0).unwrap();
         let on_film = model(Relief::Film(film), Paraboloid::new(radius).unwrap());

@@ -43,31 +43,35 @@ impl ContactCurve {
         Ok(prediction)
     }
 
-    /// The value of a parameter in a range for which the stiffness at one point is the one given (N/m), to 1e-13, with
-    /// `d ln S/d ln θ` there and `d ln S/d ln a`; none if no value in the range gives it.
-    ///
-    /// # Errors
-    ///
-    /// [`ContactError`] where the stiffness cannot be computed.
-    pub fn parameter_at(
-        &self,
-        point: usize,
-        parameter: ModelParameter,
-        [low, high]: [f64; 2],
-        stiffness: f64,
-    ) -> Result<Option<ParameterAtPoint>, ContactError> {
-        let alone = Self {
+    /// The curve of one of its points alone.
+    #[must_use]
+    pub fn at(&self, point: usize) -> Self {
+        Self {
             abscissae: vec![self.abscissae[point]],
             thinned: self.thinned.as_ref().map(|thinned| Thinned {
                 off: vec![thinned.off[point]],
                 ..thinned.clone()
             }),
             ..self.clone()
-        };
+        }
+    }
+
+    /// The value of a parameter in a range for which the stiffness at the first point is the one given (N/m), to 1e-13,
+    /// with `d ln S/d ln θ` there and `d ln S/d ln a`; none if no value in the range gives it.
+    ///
+    /// # Errors
+    ///
+    /// [`ContactError`] where the stiffness cannot be computed.
+    pub fn parameter_at(
+        &self,
+        parameter: ModelParameter,
+        [low, high]: [f64; 2],
+        stiffness: f64,
+    ) -> Result<Option<ParameterAtPoint>, ContactError> {
         // ln S of ln θ
         let at = |x: f64| -> Result<[f64; 2], ContactError> {
-            let bodies = with(alone.model.tables.bodies(), parameter, x.exp())?;
-            Ok(alone.punches(&bodies)?[0])
+            let bodies = with(self.model.tables.bodies(), parameter, x.exp())?;
+            Ok(self.punches(&bodies)?[0])
         };
         let miss = |x: f64| Ok::<f64, ContactError>((at(x)?[0] / stiffness).ln());
         let Some(x) = root(miss, [low.ln(), high.ln()])? else {
@@ -78,7 +82,7 @@ impl ContactCurve {
         Ok(Some(ParameterAtPoint {
             value: x.exp(),
             by_parameter: (above / below).ln() / (2.0 * STEP),
-            by_radius: slope * alone.abscissae[0] / found,
+            by_radius: slope * self.abscissae[0] / found,
         }))
     }
 

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pellicle::input::diagnosis::Diagnosis;
+use pellicle::input::document::Document;
 use pellicle::input::source_file;
 use pellicle::input::span::Source;
 use pellicle::input::table_reader::TableReader;
@@ -13,8 +14,8 @@ use rayon::prelude::*;
 
 use super::{FitFile, FitSources, Measurements, evaluation};
 use crate::indentation::{
-    EvaluatedCurve, EvaluationSettings, IndentationCurve, IndentationError, IndentationNumbers,
-    evaluate, evaluate_stiffnesses,
+    AreaFunction, Calibration, EvaluatedCurve, EvaluationSettings, IndentationCurve,
+    IndentationError, IndentationNumbers, calibrate, evaluate, evaluate_stiffnesses,
 };
 use crate::measured::curve::MeasuredCurve;
 use crate::measured::data_table::DataTable;
@@ -29,6 +30,8 @@ pub struct EvaluationFile {
     pub data: Vec<DataTable>,
     /// How they are evaluated.
     pub settings: EvaluationSettings,
+    /// The tree of the file, for diagnoses.
+    document: Document,
 }
 
 /// What an evaluation finds in a measured curve.
@@ -134,6 +137,7 @@ impl EvaluationFile {
             title: title.replace(char::is_control, " "),
             settings: evaluation::read(&field, sources, &data)?,
             data,
+            document: Document::new(root),
         };
         let other = file.data.iter().find(|table| !table.is_unloading());
         match other {
@@ -143,6 +147,37 @@ impl EvaluationFile {
             )),
             None => Ok(file),
         }
+    }
+}
+
+impl EvaluationFile {
+    /// Calibrates the indenter and the frame, if the file asks for it.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first file that gives no curve, or of the key `calibrate`.
+    pub fn calibration(&self) -> Result<Option<Calibration>, Diagnosis> {
+        let Some(task) = self.settings.calibration_task() else {
+            return Ok(None);
+        };
+        // Neither area nor modulus enter what a calibration reads of a contact.
+        let provisional = EvaluationSettings {
+            area: Some(AreaFunction::Polynomial(vec![1.0])),
+            indenter: None,
+            ..self.settings.clone()
+        };
+        let evaluated = EvaluatedFile::all(&self.data, &provisional)?;
+        let contacts = evaluated
+            .iter()
+            .filter_map(|file| file.evaluated.as_ref().ok());
+        let contacts = contacts.flat_map(Evaluated::contacts);
+        let contacts: Vec<_> = contacts
+            .filter_map(|found| provisional.measured_contact(found))
+            .collect();
+        let found = calibrate(&contacts, task);
+        let refused =
+            |error: IndentationError| self.document.refused(&["evaluation.calibrate"], &error);
+        found.map(Some).map_err(refused)
     }
 }
 

@@ -7,7 +7,7 @@ use pellicle::input::key_path::dotted;
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::toml_tree::{TomlEntry, TomlTable, TomlValue};
 use pellicle::input::value_reader::ValueReader;
-use pellicle_contact::ModelParameter;
+use pellicle_contact::{IndenterQuantity, ModelParameter};
 
 use super::model::ModelParameters;
 use super::prior;
@@ -17,6 +17,9 @@ use crate::{IdentifyError, Prior, Unknown};
 const DEVIATIONS: f64 = 8.0;
 /// Smallest and largest Poisson's ratio that are sought: the fit works with its logarithm, and no ratio exceeds ½.
 const RATIOS: [f64; 2] = [1e-3, 0.499];
+/// Smallest and largest exponent of a power law that are sought: derivatives need neighbours, and at 1 the coefficient
+/// of the indenter is of no effect.
+const EXPONENTS: [f64; 2] = [1.001, 49.0];
 /// The smallest value that is sought, as a fraction of the prior's mean.
 const LEAST_PART: f64 = 1e-3;
 
@@ -27,7 +30,7 @@ pub struct UnknownCase {
     pub key: String,
     /// The parameter of the model.
     pub parameter: ModelParameter,
-    /// Its dimension; none for Poisson's ratio.
+    /// Its dimension; none for Poisson's ratio and an exponent.
     pub dimension: Option<Dimension>,
     /// Smallest and largest value, in SI units.
     pub range: [f64; 2],
@@ -134,10 +137,12 @@ fn range(
         _ => prior::value(table, key, of.dimension, Sign::Positive),
     };
     let range = [bound("from", low)?, bound("to", high)?];
-    Ok(match of.dimension {
-        None => range.map(|ratio| ratio.clamp(RATIOS[0], RATIOS[1])),
-        Some(_) => range,
-    })
+    let [least, most] = match (of.parameter, of.dimension) {
+        (ModelParameter::Indenter(IndenterQuantity::Exponent), _) => EXPONENTS,
+        (_, None) => RATIOS,
+        (_, Some(_)) => return Ok(range),
+    };
+    Ok(range.map(|value| value.clamp(least, most)))
 }
 
 /// Returns the entries of a table with their dotted keys, whether quoted or not.

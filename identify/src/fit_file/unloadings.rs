@@ -19,7 +19,15 @@ pub(super) fn evaluation(
     let unloading = data.iter().find(|table| table.is_unloading());
     match (table.optional("evaluation"), unloading) {
         (None, None) => Ok(None),
-        (Some(field), Some(_)) => evaluation::read(&field, sources, data).map(Some),
+        (Some(field), Some(_)) => {
+            let calibrate = field.clone().table()?.optional("calibrate");
+            match calibrate {
+                Some(field) => {
+                    Err(field.wanted("none in a fit: a calibration is a file of its own"))
+                }
+                None => evaluation::read(&field, sources, data).map(Some),
+            }
+        }
         (Some(field), None) => Err(field.diagnosis(Fault::Wrong {
             found: "an [evaluation]".into(),
             wanted: "one only where a [[data]] has observe = \"unloading\"".into(),

@@ -85,6 +85,16 @@ pub enum IndentationError {
         /// The bound.
         bound: f64,
     },
+    /// Too few contacts for a calibration.
+    #[error(
+        "found {found} contacts with the known body, wanted at least {wanted} for a calibration"
+    )]
+    FewContacts {
+        /// Contacts found.
+        found: usize,
+        /// Contacts wanted.
+        wanted: usize,
+    },
     /// No area function.
     #[error("found neither an area function nor a contact radius, wanted one of them")]
     NoArea,

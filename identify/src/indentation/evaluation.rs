@@ -2,15 +2,15 @@
 //!
 //! Every number is a function of independent sources: the noise of the unloading (three combinations), of the depths at
 //! both ends of the hold and of the works; the rate of the drift, the frame's compliance, the zero of the depth, the
-//! area function, β, ε, and both materials. Each source is moved by its standard uncertainty to both sides, and half the
-//! difference is its part; the parts of independent sources add in squares.
+//! area function, β, ε, and both materials. Each source is moved by its standard uncertainty to both sides, and half
+//! the difference is its part; the parts of independent sources add in squares.
 
 use std::f64::consts::PI;
 
 use super::contact::Contact;
 use super::correction::DriftHold;
 use super::inputs::Inputs;
-use super::numbers::IndentationNumbers;
+use super::numbers::{IndentationNumbers, Source};
 use super::phases::{Phases, drift_hold, phases};
 use super::reading::Reading;
 use super::settings::{DepthZero, Drift, EvaluationSettings};
@@ -50,8 +50,8 @@ pub struct EvaluatedCurve {
 
 /// Evaluates a curve.
 ///
-/// Accuracy: exact for curves that follow the relations; of 200 synthetic curves with noise, drift and a compliant frame
-/// the 95 % intervals hold in 180 to 196 (`tests/indentation.rs`).
+/// Accuracy: exact for curves that follow the relations; of 200 synthetic curves with noise, drift and a compliant
+/// frame the 95 % intervals hold in 180 to 196 (`tests/indentation.rs`).
 ///
 /// # Errors
 ///
@@ -80,10 +80,11 @@ pub fn evaluate(
     let reading = Reading::of(curve, &phases, &inputs)?;
     let mut numbers = IndentationNumbers::exact(reading.numbers(settings, &inputs)?);
     for direction in reading.noise() {
-        numbers.add(&|side| reading.moved(&direction, side).numbers(settings, &inputs))?;
+        let moved = |side| reading.moved(&direction, side).numbers(settings, &inputs);
+        numbers.add(Source::Own, &moved)?;
     }
-    for (uncertain, field) in inputs.sources(settings, [rate, zero]) {
-        numbers.add_source(uncertain, &|side| {
+    for (source, uncertain, field) in inputs.sources(settings, [rate, zero]) {
+        numbers.add_source(source, uncertain, &|side| {
             let moved = inputs.moved(field, side * uncertain.sd);
             let changes_data = moved.changes_data(&inputs);
             let again = changes_data.then(|| Reading::of(curve, &phases, &moved));
@@ -133,8 +134,8 @@ pub fn evaluate_stiffnesses(
             contact.numbers(settings, inputs)
         };
         let mut numbers = IndentationNumbers::exact(values(&inputs)?);
-        for (uncertain, field) in inputs.sources(settings, [Uncertain::exact(0.0), zero]) {
-            numbers.add_source(uncertain, &|side| {
+        for (source, uncertain, field) in inputs.sources(settings, [Uncertain::exact(0.0), zero]) {
+            numbers.add_source(source, uncertain, &|side| {
                 values(&inputs.moved(field, side * uncertain.sd))
             })?;
         }

@@ -1,6 +1,7 @@
 //! The numbers that an evaluation takes from elsewhere than the curve, and their uncertainties.
 
 use super::evaluation::IndentationCurve;
+use super::numbers::Source;
 use super::settings::{Epsilon, EvaluationSettings};
 use super::uncertain::Uncertain;
 
@@ -40,30 +41,40 @@ impl Inputs {
         }
     }
 
-    /// The independent sources with their standard uncertainties.
+    /// The independent sources with their standard uncertainties. Those of the settings are common to all curves.
     pub(super) fn sources(
         self,
         settings: &EvaluationSettings,
         [rate, zero]: [Uncertain; 2],
-    ) -> Vec<(Uncertain, Field)> {
-        let one = Uncertain {
+    ) -> Vec<(Source, Uncertain, Field)> {
+        let area = Uncertain {
             value: 0.0,
             sd: f64::from(u8::from(!settings.area_covariance.is_empty())),
         };
-        let mut sources: Vec<(Uncertain, Field)> = vec![
-            (rate, |of| &mut of.rate),
-            (zero, |of| &mut of.zero),
-            (settings.frame_compliance, |of| &mut of.frame_compliance),
-            (one, |of| &mut of.area),
-            (settings.beta, |of| &mut of.beta),
-            (settings.poisson_ratio, |of| &mut of.poisson_ratio),
+        let (own, common) = (Source::Own, Source::Common);
+        let frame = settings.frame_compliance;
+        let mut sources: Vec<(Source, Uncertain, Field)> = vec![
+            (own, rate, |of| &mut of.rate),
+            (own, zero, |of| &mut of.zero),
+            (common("frame_compliance"), frame, |of| {
+                &mut of.frame_compliance
+            }),
+            (common("area_function"), area, |of| &mut of.area),
+            (common("beta"), settings.beta, |of| &mut of.beta),
         ];
+        let ratio = settings.poisson_ratio;
+        sources.push((common("poisson_ratio"), ratio, |of| &mut of.poisson_ratio));
         if let Epsilon::Fixed(epsilon) = settings.epsilon {
-            sources.push((epsilon, |of| &mut of.epsilon));
+            sources.push((common("epsilon"), epsilon, |of| &mut of.epsilon));
         }
         if let Some(indenter) = settings.indenter {
-            sources.push((indenter.young_modulus, |of| &mut of.indenter[0]));
-            sources.push((indenter.poisson_ratio, |of| &mut of.indenter[1]));
+            let [modulus, ratio] = [indenter.young_modulus, indenter.poisson_ratio];
+            sources.push((common("indenter.young_modulus"), modulus, |of| {
+                &mut of.indenter[0]
+            }));
+            sources.push((common("indenter.poisson_ratio"), ratio, |of| {
+                &mut of.indenter[1]
+            }));
         }
         sources
     }

@@ -8,12 +8,21 @@ const COUNT: usize = IndentationNumber::ALL.len();
 /// The numbers, in the order of [`IndentationNumber::ALL`].
 pub(super) type Values = [Option<f64>; COUNT];
 
+/// Where an uncertainty comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Source {
+    /// The curve itself: its noise, its drift, its zero.
+    Own,
+    /// A number of the settings, which all curves share.
+    Common(&'static str),
+}
+
 /// The numbers of an indentation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndentationNumbers {
     values: Values,
     /// What each independent source adds to each number.
-    parts: Vec<[f64; COUNT]>,
+    parts: Vec<(Source, [f64; COUNT])>,
 }
 
 impl IndentationNumbers {
@@ -31,9 +40,24 @@ impl IndentationNumbers {
     #[must_use]
     pub fn covariance(&self, one: IndentationNumber, other: IndentationNumber) -> f64 {
         let parts = self.parts.iter();
-        parts
-            .map(|part| part[one.place()] * part[other.place()])
-            .sum()
+        let products = parts.map(|(_, part)| part[one.place()] * part[other.place()]);
+        products.sum()
+    }
+
+    /// The variance of a number from its own curve alone.
+    #[must_use]
+    pub fn own_variance(&self, of: IndentationNumber) -> f64 {
+        let own = self.parts.iter().filter(|(from, _)| *from == Source::Own);
+        own.map(|(_, part)| part[of.place()].powi(2)).sum()
+    }
+
+    /// What each source that all curves share adds to a number, with its name: one standard uncertainty of it.
+    pub fn common_parts(&self, of: IndentationNumber) -> impl Iterator<Item = (&'static str, f64)> {
+        let parts = self.parts.iter();
+        parts.filter_map(move |(from, part)| match from {
+            Source::Common(name) => Some((*name, part[of.place()])),
+            Source::Own => None,
+        })
     }
 
     /// Numbers without uncertainty.
@@ -47,6 +71,7 @@ impl IndentationNumbers {
     /// Adds an independent source by the numbers one standard uncertainty to each of its sides.
     pub(super) fn add(
         &mut self,
+        source: Source,
         numbers: &dyn Fn(f64) -> Result<Values, IndentationError>,
     ) -> Result<(), IndentationError> {
         let [above, below] = [numbers(1.0)?, numbers(-1.0)?];
@@ -54,17 +79,18 @@ impl IndentationNumbers {
             (Some(above), Some(below)) => 0.5 * (above - below),
             _ => 0.0,
         };
-        self.parts.push(std::array::from_fn(part));
+        self.parts.push((source, std::array::from_fn(part)));
         Ok(())
     }
 
     pub(super) fn add_source(
         &mut self,
+        source: Source,
         uncertain: Uncertain,
         numbers: &dyn Fn(f64) -> Result<Values, IndentationError>,
     ) -> Result<(), IndentationError> {
         if uncertain.sd > 0.0 {
-            self.add(numbers)?;
+            self.add(source, numbers)?;
         }
         Ok(())
     }

@@ -13,7 +13,8 @@ const HOLD_POINTS: f64 = 5.0;
 /// The force of a hold stays within this part of the largest force, or within so many standard deviations.
 const HOLD_WIDTH: f64 = 5e-4;
 const HOLD_DEVIATIONS: f64 = 4.0;
-/// The force of a hold for the drift stays within this part of the largest force, or within so many standard deviations.
+/// The force of a hold for the drift stays within this part of the largest force, or within so many standard
+/// deviations.
 const DRIFT_WIDTH: f64 = 0.02;
 const DRIFT_DEVIATIONS: f64 = 8.0;
 /// Its own forces lie within so many of their standard deviations.

@@ -1,7 +1,9 @@
 //! How curves are evaluated.
 
 use super::area_function::AreaFunction;
+use super::calibration::{Calibration, CalibrationTask, MeasuredContact};
 use super::uncertain::Uncertain;
+use super::{IndentationNumber, IndentationNumbers};
 
 /// How curves are evaluated.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,6 +32,65 @@ pub struct EvaluationSettings {
     pub indenter: Option<IndenterMaterial>,
     /// The part of the contact depth by which an imprint thins the top layer of a film, in a fit to a layered body.
     pub thinning: f64,
+    /// The body is known, and the area function is sought.
+    pub calibrate: Option<KnownBody>,
+}
+
+/// A body of known modulus, on which an indenter is calibrated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KnownBody {
+    /// Its Young's modulus, Pa.
+    pub young_modulus: f64,
+    /// Number of coefficients of the area function.
+    pub coefficients: usize,
+    /// Whether the compliance of the frame is sought, too.
+    pub seeks_frame: bool,
+}
+
+impl EvaluationSettings {
+    /// What a calibration seeks, if there is one: `β E_r` of the known body and the indenter.
+    #[must_use]
+    pub fn calibration_task(&self) -> Option<CalibrationTask> {
+        let known = self.calibrate?;
+        let compliance = |modulus: f64, ratio: f64| (1.0 - ratio * ratio) / modulus;
+        let indenter = self.indenter.map_or(0.0, |of| {
+            compliance(of.young_modulus.value, of.poisson_ratio.value)
+        });
+        let body = compliance(known.young_modulus, self.poisson_ratio.value);
+        Some(CalibrationTask {
+            modulus: self.beta.value / (body + indenter),
+            coefficients: known.coefficients,
+            frame_compliance: (!known.seeks_frame).then_some(self.frame_compliance.value),
+        })
+    }
+
+    /// The contact as measured that this evaluation has found, with the frame in it.
+    #[must_use]
+    pub fn measured_contact(&self, found: &IndentationNumbers) -> Option<MeasuredContact> {
+        let value = |of| found.get(of).map(|of| of.value);
+        let frame = self.frame_compliance.value;
+        let force = value(IndentationNumber::MaxForce)?;
+        let stiffness = value(IndentationNumber::ContactStiffness)?;
+        let depth = value(IndentationNumber::MaxDepth)?;
+        Some(MeasuredContact {
+            depth: depth + frame * force,
+            force,
+            stiffness: 1.0 / (1.0 / stiffness + frame),
+            epsilon: (depth - value(IndentationNumber::ContactDepth)?) * stiffness / force,
+        })
+    }
+
+    /// The same settings with a calibrated indenter and frame.
+    #[must_use]
+    pub fn calibrated(&self, found: &Calibration) -> Self {
+        Self {
+            area: Some(AreaFunction::Polynomial(found.coefficients.clone())),
+            area_covariance: found.covariance.clone(),
+            area_range: Some(found.depths),
+            frame_compliance: found.frame_compliance,
+            ..self.clone()
+        }
+    }
 }
 
 /// ε of the contact depth `h_max − ε P_max/S`.

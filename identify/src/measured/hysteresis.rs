@@ -38,8 +38,8 @@ fn has_both(raw: &RawCurve<'_>) -> bool {
     raw.values(Channel::Depth).is_some() && raw.values(Channel::Force).is_some()
 }
 
-/// The part of the work of the loading that the unloading, given by its rows, gives back; none where both have no depths
-/// in common.
+/// The part of the work of the loading that the unloading, given by its rows, gives back; none where both have no
+/// depths in common.
 pub(crate) fn part_returned(raw: &RawCurve<'_>, unloading: &[usize]) -> Option<f64> {
     let (depths, forces) = (raw.values(Channel::Depth)?, raw.values(Channel::Force)?);
     let points = |rows: &[usize]| {

@@ -48,6 +48,7 @@ impl Case {
             solver: SolverCase::default(),
             output: OutputCase::default(),
             stress: None,
+            adhesion: None,
             units: Units::Si,
             document: Document::default(),
         })
@@ -158,7 +159,7 @@ impl CaseBuilder {
 
 #[cfg(test)]
 mod tests {
-    use pellicle_contact::{Cone, FlatPunch, Load, Paraboloid, Pyramid, Sphere};
+    use pellicle_contact::{Cone, FlatPunch, Load, Paraboloid, PowerLaw, Pyramid, Sphere};
     use pellicle_kernel::Foundation;
     use pellicle_texture::Film;
 
@@ -197,7 +198,7 @@ mod tests {
     #[test]
     fn every_shape_is_built_as_it_was() {
         let pyramid = Pyramid::cube_corner(1e-8).unwrap();
-        let shapes: [(IndenterCase, pellicle_contact::Indenter); 5] = [
+        let shapes: [(IndenterCase, pellicle_contact::Indenter); 6] = [
             (pyramid.clone().into(), pyramid.into()),
             (
                 Pyramid::vickers(0.0).unwrap().into(),
@@ -210,6 +211,10 @@ mod tests {
             (
                 Paraboloid::new(1e-3).unwrap().into(),
                 Paraboloid::new(1e-3).unwrap().into(),
+            ),
+            (
+                PowerLaw::new(3.2, 1e-6).unwrap().into(),
+                PowerLaw::new(3.2, 1e-6).unwrap().into(),
             ),
             (
                 FlatPunch::new(1e-3).unwrap().into(),

@@ -3,7 +3,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use pellicle_contact::{
-    Cone, FlatPunch, Indenter, IndenterError, IndenterMap, Paraboloid, Plane, Pyramid, Sphere,
+    Cone, FlatPunch, Indenter, IndenterError, IndenterMap, Paraboloid, Plane, PowerLaw, Pyramid,
+    Sphere,
 };
 use pellicle_kernel::{KernelError, Material};
 use serde::Serialize;
@@ -16,8 +17,8 @@ use super::map::{MapCase, Repetition};
 use super::map_sources::MapSources;
 use crate::declare::macros::{kinds, record};
 use crate::declare::{
-    Codec, Kinds, KindsShape, Record, Scope, Shape, angle, length, number, part, pressure,
-    together, word,
+    Codec, Kinds, KindsShape, Record, Scope, Shape, angle, fraction, length, number, part,
+    pressure, together, word,
 };
 use crate::input::diagnosis::Diagnosis;
 use crate::input::dimension::{Dimension, Sign};
@@ -44,6 +45,7 @@ kinds! {
         Berkovich(BerkovichCase)   = "berkovich",   "a three-sided pyramid";
         Vickers(VickersCase)       = "vickers",     "a four-sided pyramid";
         CubeCorner(CubeCornerCase) = "cube-corner", "half a cube on its corner";
+        Power(PowerCase)           = "power",       "a body of revolution of height r^n/c^(n-1), r from its axis";
         FlatPunch(RoundCase)       = "flat-punch",  "a flat cylinder";
         Flat                       = "flat",        "a plane without end, for rough and textured bodies";
         Map(IndenterMapCase)       = "map",         "a measured surface, whose end is its outline unless it rises to both ends as a ball's scan does";
@@ -67,6 +69,15 @@ record! {
     pub struct ConeCase {
         half_angle: f64 = FromAxis, "angle between the axis and the side";
         tip_radius: f64 = length().not_negative().or(0.0, "0, sharp"), "radius of the rounded tip";
+    }
+}
+
+record! {
+    /// A power of the distance from the axis.
+    #[derive(Copy)]
+    pub struct PowerCase {
+        exponent: f64 = fraction(PowerLaw::LEAST_EXPONENT..=PowerLaw::MOST_EXPONENT, "an exponent from 1, a cone, to 50".into()), "n, from 1 to 50; 2 for a paraboloid of radius c/2";
+        coefficient: f64 = length().positive(), "c: the height at this distance from the axis is as large; of no effect if n is 1";
     }
 }
 
@@ -275,6 +286,7 @@ impl IndenterShape {
             Self::Sphere(of) => Sphere::new(of.radius).map(Indenter::from),
             Self::FlatPunch(of) => FlatPunch::new(of.radius).map(Indenter::from),
             Self::Cone(cone) => Cone::new(cone.half_angle, cone.tip_radius).map(Indenter::from),
+            Self::Power(of) => PowerLaw::new(of.exponent, of.coefficient).map(Indenter::from),
             Self::Berkovich(of) => pyramid(3, of.face_angle, of.tip_radius),
             Self::CubeCorner(of) => pyramid(3, of.face_angle, of.tip_radius),
             Self::Vickers(of) => pyramid(4, of.face_angle, of.tip_radius),
@@ -325,6 +337,16 @@ impl From<FlatPunch> for IndenterCase {
     fn from(of: FlatPunch) -> Self {
         let radius = of.radius();
         IndenterShape::FlatPunch(RoundCase { radius }).into()
+    }
+}
+
+impl From<PowerLaw> for IndenterCase {
+    fn from(of: PowerLaw) -> Self {
+        IndenterShape::Power(PowerCase {
+            exponent: of.exponent(),
+            coefficient: of.coefficient(),
+        })
+        .into()
     }
 }
 
@@ -425,6 +447,9 @@ mod tests {
             "kind = \"vickers\"\ntip_radius = -1",
             "kind = \"cone\"\nhalf_angle = \"90 deg\"",
             "kind = \"cone\"",
+            "kind = \"power\"\nexponent = 3",
+            "kind = \"power\"\nexponent = 0.9\ncoefficient = 1",
+            "kind = \"power\"\nexponent = 3\ncoefficient = 0",
             "kind = \"cone\"\nhalf_angle = 1e-8",
             "kind = \"vickers\"\nface_angle = \"89.99999999 deg\"",
             "kind = \"map\"",

@@ -1,9 +1,10 @@
 //! `[load]`: a force, a nominal pressure or a penetration, or a list of one of them.
 
 use pellicle_contact::Load;
+use pellicle_contact::adhesion::AdhesionLaw;
 
 use crate::declare::macros::{one_of, record};
-use crate::declare::{Codec, force, length, part, pressure, series, switch};
+use crate::declare::{Codec, energy_per_area, force, length, part, pressure, series, switch, word};
 
 /// The hint if one load comes from the file and the other from the command line or a study.
 const HELP: &str = "to replace one by the other, replace the whole table: --set load='{ force = \"3 mN\" }', or in a study \"load\" = [{ force = \"3 mN\" }]";
@@ -17,8 +18,16 @@ record! {
         #[serde(flatten)] values: LoadValues = part(), "force, nominal pressure or penetration, or a list of one of them";
         #[serde(skip_serializing_if = "is_false")]
         sensitivities: bool = switch().or(false, "false"), "whether derivatives by the parameters of the case are found";
+        #[serde(skip_serializing_if = "Option::is_none")]
+        work_of_adhesion: Option<f64> = energy_per_area().positive().optional("no adhesion"),
+            "energy to separate a unit area of contact; of axisymmetric indenters on bodies without relief but a film";
+        #[serde(skip_serializing_if = "Option::is_none")]
+        adhesion: Option<AdhesionLaw> = word(LAWS).optional("\"jkr\" with a work of adhesion"),
+            "where adhesion acts: inside the contact (soft bodies), or outside (stiff bodies under small radii)";
     }
 }
+
+const LAWS: &[(&str, AdhesionLaw)] = &[("jkr", AdhesionLaw::Jkr), ("dmt", AdhesionLaw::Dmt)];
 
 one_of! {
     /// The values of a load in SI units or the case's own.
@@ -86,6 +95,8 @@ impl From<LoadValues> for LoadCase {
         Self {
             values,
             sensitivities: false,
+            work_of_adhesion: None,
+            adhesion: None,
         }
     }
 }

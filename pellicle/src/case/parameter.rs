@@ -15,7 +15,7 @@ pub struct CaseParameter {
     pub key: String,
     /// The parameter of the model.
     pub parameter: ModelParameter,
-    /// Its dimension; none for Poisson's ratio.
+    /// Its dimension; none for Poisson's ratio and an exponent.
     pub dimension: Option<Dimension>,
 }
 
@@ -118,13 +118,15 @@ fn of_relief(parameter: ReliefParameter, relief: &Relief) -> (String, Option<Dim
 
 fn of_indenter(quantity: IndenterQuantity) -> Option<(String, Option<Dimension>)> {
     let (name, dimension) = match quantity {
-        IndenterQuantity::Radius => ("radius", Dimension::Length),
-        IndenterQuantity::TipRadius => ("tip_radius", Dimension::Length),
-        IndenterQuantity::HalfAngle => ("half_angle", Dimension::Angle),
-        IndenterQuantity::FaceAngle => ("face_angle", Dimension::Angle),
+        IndenterQuantity::Radius => ("radius", Some(Dimension::Length)),
+        IndenterQuantity::TipRadius => ("tip_radius", Some(Dimension::Length)),
+        IndenterQuantity::HalfAngle => ("half_angle", Some(Dimension::Angle)),
+        IndenterQuantity::FaceAngle => ("face_angle", Some(Dimension::Angle)),
+        IndenterQuantity::Exponent => ("exponent", None),
+        IndenterQuantity::Coefficient => ("coefficient", Some(Dimension::Length)),
         _ => return None,
     };
-    Some((format!("indenter.{name}"), Some(dimension)))
+    Some((format!("indenter.{name}"), dimension))
 }
 
 #[cfg(test)]

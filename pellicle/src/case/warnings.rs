@@ -5,6 +5,7 @@ mod maps;
 use pellicle_contact::{CutOff, Warning};
 
 use super::Case;
+use super::adhesion::AdhesiveContacts;
 use super::foundation::layer::LayerCase;
 use super::key_dimension;
 use crate::input::dimension::Dimension;
@@ -75,6 +76,7 @@ impl Case {
         }
         warnings.extend(maps::of(self, side / self.grid.elements as f64));
         warnings.extend(self.stress_warnings());
+        warnings.extend(self.adhesion.iter().flat_map(AdhesiveContacts::warnings));
         warnings
     }
 

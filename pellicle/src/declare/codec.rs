@@ -163,6 +163,12 @@ pub const fn compliance() -> Quantity {
     Quantity::of(Dimension::Compliance)
 }
 
+/// An energy per area.
+#[must_use]
+pub const fn energy_per_area() -> Quantity {
+    Quantity::of(Dimension::EnergyPerArea)
+}
+
 impl Codec for Quantity {
     type Out = f64;
 

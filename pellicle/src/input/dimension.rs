@@ -17,6 +17,8 @@ pub enum Dimension {
     Compliance,
     /// Newtons per metre: a force over a length.
     Stiffness,
+    /// Joules per square metre, the same as newtons per metre.
+    EnergyPerArea,
     /// Metres per newton: a length over a force.
     FrameCompliance,
     /// Seconds.
@@ -27,13 +29,14 @@ pub enum Dimension {
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Length,
         Self::Pressure,
         Self::Force,
         Self::Angle,
         Self::Compliance,
         Self::Stiffness,
+        Self::EnergyPerArea,
         Self::FrameCompliance,
         Self::Time,
         Self::Speed,
@@ -49,6 +52,7 @@ impl Dimension {
             Self::Angle => "an angle",
             Self::Compliance => "a compliance",
             Self::Stiffness => "a stiffness",
+            Self::EnergyPerArea => "an energy per area",
             Self::FrameCompliance => "a frame compliance",
             Self::Time => "a time",
             Self::Speed => "a rate",
@@ -65,6 +69,7 @@ impl Dimension {
             Self::Angle => "rad",
             Self::Compliance => "m/Pa",
             Self::Stiffness => "N/m",
+            Self::EnergyPerArea => "J/m^2",
             Self::FrameCompliance => "m/N",
             Self::Time => "s",
             Self::Speed => "m/s",
@@ -81,6 +86,7 @@ impl Dimension {
             Self::Angle => "\"65.03 deg\"",
             Self::Compliance => "\"5 nm/GPa\"",
             Self::Stiffness => "\"0.04 N/m\"",
+            Self::EnergyPerArea => "\"50 mJ/m^2\"",
             Self::FrameCompliance => "\"0.2 nm/mN\"",
             Self::Time => "\"5 s\"",
             Self::Speed => "\"0.02 nm/s\"",
@@ -101,6 +107,7 @@ impl Dimension {
             Self::Angle => &["deg", "°", "rad", "gon"],
             Self::Compliance => &["m/Pa", "um/MPa", "nm/GPa", "a length / a pressure"],
             Self::Stiffness => &["N/m", "mN/um", "µN/nm", "nN/nm", "a force / a length"],
+            Self::EnergyPerArea => &["J/m^2", "mJ/m^2", "uJ/m^2", "N/m", "mN/m"],
             Self::FrameCompliance => &["m/N", "nm/mN", "um/N", "a length / a force"],
             Self::Time => &["s", "ms", "us", "µs", "ns", "min", "h"],
             Self::Speed => &["m/s", "nm/s", "um/h", "a length / a time"],
@@ -117,6 +124,7 @@ impl Dimension {
             Self::Force => f64::from_bits(1)..=1e60,
             Self::Compliance
             | Self::Stiffness
+            | Self::EnergyPerArea
             | Self::FrameCompliance
             | Self::Time
             | Self::Speed => 1e-60..=1e60,

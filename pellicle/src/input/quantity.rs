@@ -1,6 +1,6 @@
 //! A quantity with its unit, as a string: `"70 GPa"`, `"5 nm"`, `"2.3 mN"`, `"65.03 deg"`.
 
-use uom::si::f64::{Angle, Force, Length, Pressure, Time};
+use uom::si::f64::{Angle, Area, Energy, Force, Length, Pressure, Time};
 
 use super::dimension::Dimension;
 
@@ -24,8 +24,8 @@ pub enum QuantityError {
     OtherDimension(Dimension),
 }
 
-/// Parses a quantity and returns it in SI units (m, Pa, N, rad, m/Pa, N/m, s), correctly rounded if the unit is a power
-/// of ten of the SI unit.
+/// Parses a quantity and returns it in SI units (m, Pa, N, rad, m/Pa, N/m, J/m², s), correctly rounded if the unit is a
+/// power of ten of the SI unit.
 ///
 /// # Errors
 ///
@@ -78,6 +78,7 @@ fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
         Dimension::Angle => one.parse::<Angle>().ok().map(|angle| angle.value),
         Dimension::Compliance => quotient(unit, Dimension::Length, Dimension::Pressure),
         Dimension::Stiffness => quotient(unit, Dimension::Force, Dimension::Length),
+        Dimension::EnergyPerArea => energy_per_area(unit),
         Dimension::FrameCompliance => quotient(unit, Dimension::Length, Dimension::Force),
         Dimension::Time => one.parse::<Time>().ok().map(|time| time.value),
         Dimension::Speed => quotient(unit, Dimension::Length, Dimension::Time),
@@ -89,6 +90,17 @@ fn quotient(unit: &str, above: Dimension, below: Dimension) -> Option<f64> {
     let (numerator, denominator) = unit.split_once('/')?;
     let numerator = factor(above, &spelling(numerator))?;
     Some(numerator / factor(below, &spelling(denominator))?)
+}
+
+/// The size of an energy over an area, or of a force over a length, in J/m².
+fn energy_per_area(unit: &str) -> Option<f64> {
+    let (energy, area) = unit.split_once('/')?;
+    let energy = format!("1 {}", spelling(energy)).parse::<Energy>();
+    let area = format!("1 {}", spelling(area)).parse::<Area>();
+    match (energy, area) {
+        (Ok(energy), Ok(area)) => Some(energy.value / area.value),
+        _ => factor(Dimension::Stiffness, unit),
+    }
 }
 
 /// Splits the text into the longest prefix that is a number, and the rest.
@@ -117,7 +129,7 @@ fn spelling(unit: &str) -> String {
         .replace("^2", "²")
         .replace("m2", "m²");
     match unit.as_str() {
-        "um" | "uN" | "uPa" | "us" => unit.replacen('u', "\u{b5}", 1),
+        "um" | "uN" | "uPa" | "us" | "uJ" => unit.replacen('u', "\u{b5}", 1),
         "deg" => "°".into(),
         "sec" => "s".into(),
         "angstrom" => "Å".into(),
@@ -273,6 +285,26 @@ mod tests {
         }
         assert_eq!(parse("7 us", Dimension::Time), Ok(7e-6));
         assert_eq!(parse("7 ms", Dimension::Time), Ok(7e-3));
+    }
+
+    #[test]
+    fn a_work_of_adhesion_is_an_energy_per_area_or_a_force_per_length() {
+        let energy = |text| parse(text, Dimension::EnergyPerArea);
+        for text in [
+            "50 mJ/m^2",
+            "50 mJ/m²",
+            "50 mJ/m2",
+            "0.05 J/m^2",
+            "0.05 N/m",
+            "50 mN/m",
+            "5e4 uJ/m^2",
+        ] {
+            assert_eq!(energy(text), Ok(0.05), "{text}");
+        }
+        let force = Err(QuantityError::OtherDimension(Dimension::Force));
+        assert_eq!(energy("50 mN"), force);
+        let found = Err(QuantityError::OtherDimension(Dimension::EnergyPerArea));
+        assert_eq!(parse("50 mJ/m^2", Dimension::Pressure), found);
     }
 
     #[test]

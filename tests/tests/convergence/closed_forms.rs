@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use pellicle_contact::{Cone, FlatPunch, Indenter, Load, LoadingPath, Sphere, reference};
+use pellicle_contact::{Cone, FlatPunch, Indenter, Load, LoadingPath, PowerLaw, Sphere, reference};
 use pellicle_kernel::Foundation;
 use pellicle_tests::convergence::{GRIDS, NoConvergence, demand, observed_order};
 use pellicle_tests::scene::{
@@ -105,6 +105,18 @@ fn a_sharp_cones_penetration_converges_with_order_two() {
     let (side, load) = (3.0 * cone.contact_radius, Load::Force(cone.force));
     let found = errors(indenter, side, load, of_penetration(cone.penetration));
     demand(&found, 1.8, 3e-6).expect("order two");
+}
+
+#[test]
+fn the_penetration_of_power_laws_converges_with_order_two() {
+    for exponent in [1.5, 3.3, 6.0] {
+        let shape = [exponent, 1.0];
+        let contact = reference::power_law::from_contact_radius(shape, 1.0, 0.1);
+        let indenter = Indenter::PowerLaw(PowerLaw::new(exponent, 1.0).expect("a power law"));
+        let load = Load::Force(contact.force);
+        let found = errors(indenter, 0.3, load, of_penetration(contact.penetration));
+        demand(&found, 1.7, 1e-5).expect("order two");
+    }
 }
 
 #[test]

@@ -2,7 +2,8 @@
 //! docs/thin-film-formulas.md.
 
 use pellicle_kernel::Interface::{Bonded, Frictionless};
-use pellicle_validation::film_formulas::{ThinLayer, polynomial};
+use pellicle_validation::film_formulas::FilmIndenter::{self, Cone, FlatPunch, Paraboloid};
+use pellicle_validation::film_formulas::{PUBLISHED, ThinLayer, polynomial};
 
 fn film(interface: pellicle_kernel::Interface, poisson_ratio: f64) -> ThinLayer {
     ThinLayer {
@@ -45,7 +46,7 @@ fn the_table_of_the_page_on_thin_films_is_reproduced() {
     for [chi, psi @ ..] in PSI {
         let films = bonded.into_iter().chain([film(Frictionless, 0.2)]);
         for (film, printed) in films.zip(psi) {
-            let exact = film.exact(chi).unwrap();
+            let exact = film.exact(Paraboloid, chi).unwrap();
             // Five digits.
             assert!(
                 (printed / exact - 1.0).abs() < 5e-5,
@@ -56,8 +57,11 @@ fn the_table_of_the_page_on_thin_films_is_reproduced() {
     let films = [film(Bonded, 0.5), film(Frictionless, 0.5)];
     for [chi, errors @ ..] in ERRORS {
         let found = films.iter().flat_map(|film| {
-            let exact = film.exact(chi).unwrap();
-            let [dimitriadis, series] = [film.dimitriadis().unwrap(), film.series().unwrap()];
+            let exact = film.exact(Paraboloid, chi).unwrap();
+            let [dimitriadis, series] = [
+                film.dimitriadis().unwrap(),
+                film.series(Paraboloid).unwrap(),
+            ];
             let of = |psi: f64| 100.0 * (psi / exact - 1.0);
             [
                 of(polynomial(&dimitriadis, chi)),
@@ -73,21 +77,135 @@ fn the_table_of_the_page_on_thin_films_is_reproduced() {
 
 #[test]
 fn the_series_is_exact_up_to_the_fourth_power() {
-    for film in [
-        film(Bonded, 0.5),
-        film(Bonded, 0.3),
-        film(Frictionless, 0.3),
+    for (indenter, lengths) in [
+        (Paraboloid, [0.16, 0.08]),
+        (Cone, [0.16, 0.08]),
+        (FlatPunch, [0.1, 0.05]),
     ] {
-        let error = |chi| polynomial(&film.series().unwrap(), chi) / film.exact(chi).unwrap() - 1.0;
-        let order = (error(0.16) / error(0.08)).log2();
-        // The fifth and sixth powers, of either sign; a wrong coefficient would leave the fourth at most.
-        assert!(order > 4.5, "{film:?}: {order}");
+        for film in [
+            film(Bonded, 0.5),
+            film(Bonded, 0.3),
+            film(Frictionless, 0.3),
+        ] {
+            let series = film.series(indenter).unwrap();
+            let error = lengths.map(|length| {
+                polynomial(&series, length) / film.exact(indenter, length).unwrap() - 1.0
+            });
+            let order = (error[0] / error[1]).log2();
+            // The fifth and sixth powers, of either sign; a wrong coefficient would leave the fourth at most.
+            assert!(order > 4.5, "{indenter:?} {film:?}: {order}");
+        }
+    }
+}
+
+/// Lengths in thicknesses, and exact ψ of cone and flat punch on a bonded layer with ν = 0.5 and 0.3, each.
+const CONES_AND_PUNCHES: [[f64; 5]; 7] = [
+    [0.1, 1.0787, 1.0599, 1.1260, 1.0954],
+    [0.2, 1.1736, 1.1288, 1.2806, 1.2066],
+    [0.3, 1.2889, 1.2081, 1.4662, 1.3328],
+    [0.5, 1.6002, 1.4024, 1.9329, 1.6240],
+    [1.0, 3.0444, 2.1027, 3.6187, 2.4835],
+    [2.0, 9.3393, 3.9714, 9.1495, 4.3532],
+    [5.0, 74.654, 10.009, 50.140, 10.100],
+];
+
+/// Errors in % of the published formulas and of the series, for the same lengths on a bonded incompressible layer.
+const PUBLISHED_ERRORS: [[f64; 9]; 7] = [
+    [0.1, 0.1, -0.6, 0.0, 0.0, 43.0, 0.1, 0.0, 0.0],
+    [0.2, 0.1, -1.2, 0.1, -0.3, 164.0, 0.1, 0.0, 0.0],
+    [0.3, 0.1, -0.5, 0.1, -1.1, 339.8, 0.2, 0.0, 0.1],
+    [0.5, 0.7, 1.9, -0.1, -4.8, 765.3, 0.6, 0.0, 0.6],
+    [1.0, 14.4, -6.0, 1.4, -22.1, 1608.9, 2.9, 3.5, 4.9],
+    [2.0, 80.1, -2.1, 34.6, -46.0, 2088.4, -6.8, 47.0, 6.8],
+    [
+        5.0, 302.7, 33.7, 198.5, -72.1, 1600.5, -236.4, 261.1, -142.8,
+    ],
+];
+
+#[test]
+fn the_tables_of_cones_and_punches_are_reproduced() {
+    let films = [film(Bonded, 0.5), film(Bonded, 0.3)];
+    for [length, factors @ ..] in CONES_AND_PUNCHES {
+        let found = [Cone, FlatPunch]
+            .into_iter()
+            .flat_map(|indenter| films.map(|film| film.exact(indenter, length).unwrap()));
+        for (printed, exact) in factors.into_iter().zip(found) {
+            assert!((printed / exact - 1.0).abs() < 5e-5, "{length}: {exact}");
+        }
+    }
+    for [length, errors @ ..] in PUBLISHED_ERRORS {
+        let error =
+            |indenter, psi: f64| 100.0 * (psi / films[0].exact(indenter, length).unwrap() - 1.0);
+        let published = PUBLISHED
+            .iter()
+            .map(|of| error(of.indenter, (of.factor)(length)));
+        let series = [Cone, FlatPunch].map(|indenter| {
+            error(
+                indenter,
+                polynomial(&films[0].series(indenter).unwrap(), length),
+            )
+        });
+        for (printed, found) in errors.into_iter().zip(published.chain(series)) {
+            assert!(
+                (printed - found).abs() < 0.051,
+                "{length}: {printed} {found}"
+            );
+        }
+    }
+}
+
+/// Factors of cones on a bonded incompressible layer, and of punches on a bonded layer with ν = 0.3 and 0.5, from
+/// another solution of Fredholm's equation.
+const REFERENCE: [(FilmIndenter, f64, f64, f64); 20] = [
+    (Cone, 0.5, 0.1, 1.0787),
+    (Cone, 0.5, 0.2, 1.17364),
+    (Cone, 0.5, 0.3, 1.28894),
+    (Cone, 0.5, 0.5, 1.60021),
+    (Cone, 0.5, 1.0, 3.04437),
+    (Cone, 0.5, 2.0, 9.33932),
+    (FlatPunch, 0.3, 0.1, 1.095441),
+    (FlatPunch, 0.3, 0.25, 1.267851),
+    (FlatPunch, 0.3, 0.5, 1.624025),
+    (FlatPunch, 0.3, 1.0, 2.483525),
+    (FlatPunch, 0.3, 2.0, 4.353244),
+    (FlatPunch, 0.3, 4.0, 8.178894),
+    (FlatPunch, 0.3, 8.0, 15.868369),
+    (FlatPunch, 0.5, 0.1, 1.125987),
+    (FlatPunch, 0.5, 0.25, 1.36947),
+    (FlatPunch, 0.5, 0.5, 1.932934),
+    (FlatPunch, 0.5, 1.0, 3.618736),
+    (FlatPunch, 0.5, 2.0, 9.14945),
+    (FlatPunch, 0.5, 4.0, 31.52501),
+    (FlatPunch, 0.5, 8.0, 146.320434),
+];
+
+#[test]
+fn factors_of_cones_and_punches_are_those_of_another_solution() {
+    for (indenter, poisson_ratio, length, wanted) in REFERENCE {
+        let found = film(Bonded, poisson_ratio).exact(indenter, length).unwrap();
+        assert!(
+            (found / wanted - 1.0).abs() < 1e-4,
+            "{indenter:?} {length}: {found}"
+        );
+    }
+}
+
+#[test]
+fn the_first_coefficient_of_gavara_and_chadwick_is_half_the_exact_one() {
+    let layer = film(Bonded, 0.5);
+    let [_, exact, ..] = layer.series(Cone).unwrap();
+    let slope = |factor: fn(f64) -> f64| (factor(1e-6) - 1.0) / 1e-6;
+    for of in PUBLISHED.iter().filter(|of| of.indenter == Cone) {
+        let part = if of.name.contains("Gavara") { 0.5 } else { 1.0 };
+        // Dimitriadis' moment is half a percent too large, and the others have it from him.
+        let ratio = slope(of.factor) / exact;
+        assert!((ratio / part - 1.005).abs() < 1e-3, "{}: {ratio}", of.name);
     }
 }
 
 #[test]
 fn the_force_on_a_sliding_layer_depends_on_the_plane_strain_modulus_alone() {
-    let [one, other] = [0.0, 0.5].map(|nu| film(Frictionless, nu).exact(0.8).unwrap());
+    let [one, other] = [0.0, 0.5].map(|nu| film(Frictionless, nu).exact(Paraboloid, 0.8).unwrap());
     assert!((one / other - 1.0).abs() < 1e-12, "{one} {other}");
 }
 
@@ -99,8 +217,8 @@ fn a_very_thin_layer_approaches_its_limit() {
         (film(Bonded, 0.3), 12.0),
         (film(Frictionless, 0.3), 12.0),
     ] {
-        let [near, far] =
-            [chi / 2.0, chi].map(|chi| film.thin_limit(chi) / film.exact(chi).unwrap() - 1.0);
+        let [near, far] = [chi / 2.0, chi]
+            .map(|chi| film.thin_limit(chi) / film.exact(Paraboloid, chi).unwrap() - 1.0);
         assert!(
             far.abs() < 0.08 && far.abs() < 0.6 * near.abs(),
             "{film:?}: {near} {far}"
@@ -116,7 +234,7 @@ fn the_program_solves_thin_layers_as_the_integral_equation_does() {
         film(Frictionless, 0.5),
     ] {
         for radius in [0.3, 1.0, 3.0] {
-            let [chi, wanted] = film.at_contact_radius(radius).unwrap();
+            let [chi, wanted] = film.at_contact_radius(Paraboloid, radius).unwrap();
             let error = film.solved(chi, 2.4 * radius).unwrap() / wanted - 1.0;
             assert!(error.abs() < 1e-4, "{film:?} {radius}: {error:e}");
         }

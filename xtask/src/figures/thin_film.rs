@@ -5,7 +5,7 @@ use pellicle_plot::axes::panel::Axis;
 use pellicle_plot::sheet::colours::{BLUE, GREEN, INK, ORANGE, PURPLE};
 use pellicle_plot::sheet::svg::Dash::{Dashed, Solid};
 use pellicle_validation::ValidationError;
-use pellicle_validation::film_formulas::{ThinLayer, polynomial};
+use pellicle_validation::film_formulas::{FilmIndenter, ThinLayer, polynomial};
 use rayon::prelude::*;
 
 use super::chart::{Chart, ChartLine, CurvePanel, Pen};
@@ -68,7 +68,7 @@ fn lines(film: &ThinLayer) -> Result<Vec<ChartLine>, ValidationError> {
     let [first, last] = CHI;
     let chi = |i| first * (last / first).powf(f64::from(i) / f64::from(POINTS - 1));
     let exact = (0..POINTS).into_par_iter();
-    let exact = exact.map(|i| Ok((chi(i), film.exact(chi(i))?)));
+    let exact = exact.map(|i| Ok((chi(i), film.exact(FilmIndenter::Paraboloid, chi(i))?)));
     let exact = exact.collect::<Result<Vec<_>, ValidationError>>()?;
     let curve = |name: &str, pen: Pen, formula: &dyn Fn(f64) -> f64| {
         let points = exact.iter();
@@ -76,12 +76,12 @@ fn lines(film: &ThinLayer) -> Result<Vec<ChartLine>, ValidationError> {
         ChartLine::new(name, pen, vec![points.collect()])
     };
     let contact = |radius| {
-        let [chi, exact] = film.at_contact_radius(radius)?;
+        let [chi, exact] = film.at_contact_radius(FilmIndenter::Paraboloid, radius)?;
         Ok(vec![(chi, film.solved(chi, 2.4 * radius)? / exact)])
     };
     let contacts = RADII.into_iter().map(contact);
     let contacts = contacts.collect::<Result<Vec<_>, ValidationError>>()?;
-    let series = film.series()?;
+    let series = film.series(FilmIndenter::Paraboloid)?;
     let four_terms = |chi| polynomial(&series, chi);
     let thin = |chi| film.thin_limit(chi);
     let dimitriadis = film.dimitriadis().map(|coefficients| {

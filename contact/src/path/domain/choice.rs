@@ -90,7 +90,11 @@ pub fn choose_side_at(model: &Model, loads: &[Load], hardness: f64) -> Result<f6
 fn is_known_beforehand(model: &Model) -> bool {
     let is_axisymmetric = matches!(
         model.indenter,
-        Indenter::Paraboloid(_) | Indenter::Sphere(_) | Indenter::Cone(_) | Indenter::FlatPunch(_)
+        Indenter::Paraboloid(_)
+            | Indenter::Sphere(_)
+            | Indenter::Cone(_)
+            | Indenter::PowerLaw(_)
+            | Indenter::FlatPunch(_)
     );
     let is_bare = matches!(model.relief, Relief::Bare);
     is_axisymmetric && is_bare && model.tables.foundation().layers().is_empty()
