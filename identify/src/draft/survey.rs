@@ -129,8 +129,9 @@ impl Survey {
         Ok(survey)
     }
 
-    /// Decides between the unloading, the contact stiffness and the loading. After a pop-in all are those of an imprint;
-    /// an unloading that gives back too little work, or a contact that is stiffer than its loading, is that of one, too.
+    /// Decides between the unloading, the contact stiffness and the loading. After a pop-in all are those of an
+    /// imprint; an unloading that gives back too little work, or a contact that is stiffer than its loading, is that of
+    /// one, too.
     fn choose_observable(&mut self, kind: DraftKind) {
         let history = self.history.as_ref();
         let has_pop_in = history.is_some_and(|of| of.pop_in.is_some());
