@@ -156,7 +156,6 @@ fn an_exponent_is_sought_where_it_has_neighbours_and_a_cone_has_none_to_seek() {
         let text = format!(
             "[model.foundation]\nsubstrate = {{ young_modulus = \"72 GPa\", poisson_ratio = 0.17 }}\n\
              [model.indenter]\nkind = \"power\"\nexponent = {exponent}\ncoefficient = \"1 um\"\n\
-             [[data]]\nforces = [\"1 mN\", \"2 mN\", \"5 mN\"]\nnoise = {{ depth = \"1 nm\" }}\n\
              [unknown]\n\"indenter.exponent\" = {{ from = 0.5, to = 80 }}\n\
              \"indenter.coefficient\" = {{ from = \"0.1 um\", to = \"10 um\" }}\n"
         );
@@ -165,8 +164,9 @@ fn an_exponent_is_sought_where_it_has_neighbours_and_a_cone_has_none_to_seek() {
         FitFile::parse(&source, "fit", &sources, Measurements::Optional)
     };
     let unknowns = fit("3.3").unwrap().all_unknowns();
-    assert_eq!(unknowns[0].range, [1.001, 49.0]);
-    assert_eq!([unknowns[0].unit(), unknowns[1].unit()], ["1", "m"]);
+    // In the order of their keys.
+    assert_eq!(unknowns[1].range, [1.001, 49.0]);
+    assert_eq!([unknowns[0].unit(), unknowns[1].unit()], ["m", "1"]);
     // At exponent 1 the coefficient is of no effect and the exponent at its end.
     assert!(fit("1").is_err());
 }

@@ -9,8 +9,8 @@ use super::Identification;
 use crate::evaluation::result::Indentation;
 
 impl Identification {
-    /// Adds to the contacts, in the order of the evaluations, the effective indenters of those that are unloadings. There
-    /// is none where no shape has the exponent of the unloading.
+    /// Adds to the contacts, in the order of the evaluations, the effective indenters of those that are unloadings.
+    /// There is none where no shape has the exponent of the unloading.
     pub(super) fn add_effective_indenters(&self, fit: &Fit, contacts: &mut [Indentation]) {
         let Some(settings) = &self.file.evaluation else {
             return;

@@ -386,6 +386,19 @@ mod tests {
     }
 
     #[test]
+    fn the_imprint_in_an_oxide_of_the_guide_has_its_numbers() {
+        let unloading = UnloadingPoint {
+            force: 6.4032e-3,
+            stiffness: 90.03e3,
+            exponent: 1.3,
+        };
+        let found = EffectiveIndenter::of(&unloading, &oxide_on_silicon()).unwrap();
+        // The digits given there.
+        assert!((found.shape.exponent() - 4.126).abs() < 5e-4);
+        assert!((found.shape.coefficient() - 1.00829e-6).abs() < 5e-12);
+    }
+
+    #[test]
     fn exponents_of_no_shape_are_refused_with_those_that_are_possible() {
         let bodies = oxide_on_silicon();
         let [stiffness, _] = punch_stiffness(&bodies, 460e-9).unwrap();

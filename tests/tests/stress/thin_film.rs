@@ -245,8 +245,8 @@ fn the_program_solves_thin_layers_as_the_integral_equation_does() {
     }
 }
 
-/// Work of adhesion over E* H, and pull-off force over πwR of a paraboloid with R = H on a bonded layer with ν = 0.5 and
-/// 0.3.
+/// Work of adhesion over E* H, and pull-off force over πwR of a paraboloid with R = H on a bonded layer with ν = 0.5
+/// and 0.3.
 const PULL_OFF: [[f64; 3]; 6] = [
     [1e-4, 1.5004, 1.5003],
     [1e-3, 1.5041, 1.5027],
