@@ -27,8 +27,8 @@ const DEPTH_PART: f64 = 0.08;
 const NEIGHBOURS: usize = 9;
 /// So many points must be left.
 const FEWEST_POINTS: usize = 20;
-/// Continuous stiffness is evaluated above this part of the largest force: noise about the zero of the depth may leave no
-/// area of contact.
+/// Continuous stiffness is evaluated above this part of the largest force: noise about the zero of the depth may leave
+/// no area of contact.
 const LEAST_FORCE: f64 = 0.01;
 /// The radius of a ball on a cantilever, m, if the file states none.
 pub(super) const SOFT_RADIUS: f64 = 5e-6;
