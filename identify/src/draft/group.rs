@@ -27,6 +27,9 @@ const DEPTH_PART: f64 = 0.08;
 const NEIGHBOURS: usize = 9;
 /// So many points must be left.
 const FEWEST_POINTS: usize = 20;
+/// Continuous stiffness is evaluated above this part of the largest force: noise about the zero of the depth may leave
+/// no area of contact.
+const LEAST_FORCE: f64 = 0.01;
 /// The radius of a ball on a cantilever, m, if the file states none.
 pub(super) const SOFT_RADIUS: f64 = 5e-6;
 
@@ -101,6 +104,9 @@ impl Group {
         let is_unloading = members.iter().any(|(survey, _)| survey.is_unloading);
         if is_unloading {
             // An evaluation finds loading, hold and unloading itself.
+            let history = members.first().and_then(|(of, _)| of.history.as_ref());
+            let peak = history.map(|of| of.peak.0).filter(|_| is_stiffness);
+            lines.extend(peak.map(|peak| deep_line(LEAST_FORCE * peak)));
         } else if let Some(pop_in) = pop_in.filter(|_| !is_stiffness) {
             let why = format!(
                 "a pop-in of {} in row {}, at {}: before it the contact is elastic",
@@ -241,6 +247,17 @@ fn shallow(survey: &Survey, curve: &MeasuredCurve) -> Option<f64> {
     let near =
         &forces[place.saturating_sub(NEIGHBOURS / 2)..(place + NEIGHBOURS / 2).min(forces.len())];
     (place - first >= FEWEST_POINTS).then(|| near.iter().sum::<f64>() / near.len() as f64)
+}
+
+fn deep_line(force: f64) -> Line {
+    let key = format!(
+        "segment = {{ from = {} }}",
+        quoted(&quantity(force, Unit::Newton))
+    );
+    Line::new(
+        key,
+        "below a hundredth of the largest force the zero of the depth matters most",
+    )
 }
 
 fn shallow_line(force: f64) -> Line {

@@ -69,6 +69,7 @@ fn every_instrument_s_file_gives_a_fit_file_that_is_read() {
             &[
                 "stiffness = \"Harmonic Contact Stiffness [N/m]\"",
                 "every row is a contact",
+                "segment = { from = \"903 uN\" }",
                 "observe = \"unloading\"",
             ],
         ),
