@@ -43,6 +43,7 @@ mod profile;
 mod refinement;
 mod repeats;
 mod result;
+mod retraction;
 mod start;
 mod unknown;
 mod verdict;
@@ -72,5 +73,6 @@ pub use result::{
     BetweenCurves, Coefficient, Estimate, Exclusion, Fit, FitVerdict, FitWarning, FitWork,
     FittedPoints, Stopped,
 };
+pub use retraction::{Control, Retraction};
 pub use unknown::{Coordinate, Role, Unknown};
 pub use verdict::{IDENTIFIED_WITHIN, PRIOR_DRIVEN_ABOVE, Verdict};

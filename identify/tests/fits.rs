@@ -17,6 +17,7 @@ mod outliers;
 mod profile_ends;
 mod reference;
 mod repeats;
+mod retraction;
 mod robustness;
 mod stopped;
 mod told_noise;

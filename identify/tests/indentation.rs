@@ -160,7 +160,7 @@ fn random(seed: u64) -> Synthetic {
         hardness: modulus * between(0.02, 0.1),
         contact_depth: between(60e-9, 1e-6),
         exponent: between(1.2, 1.7),
-        drift: between(0.005e-9, 0.1e-9) * if seed % 2 == 0 { 1.0 } else { -1.0 },
+        drift: between(0.005e-9, 0.1e-9) * if seed.is_multiple_of(2) { 1.0 } else { -1.0 },
         frame: between(0.05e-6, 0.5e-6),
         ..SILICA
     }

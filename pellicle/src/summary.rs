@@ -211,13 +211,14 @@ impl RunSummary {
         let statuses = path.steps.iter().map(Step::status);
         let roughness = RoughnessSummary::of(case);
         let reference = area_law::reference_pressure(case, path, roughness.as_ref());
+        let given = case.load.loads(case.grid.nominal_area());
         let steps = path.steps.iter().enumerate().map(|(index, step)| {
             let mut found = StepSummary {
                 area_law: reference.and_then(|reference| AreaLaw::of(step, reference)),
                 ..StepSummary::from(step)
             };
-            if let Some(adhesion) = &case.adhesion {
-                adhesion::add_to(&mut found, adhesion, index);
+            if let (Some(adhesion), Some(load)) = (&case.adhesion, given.get(index)) {
+                adhesion::add_to(&mut found, adhesion, index, *load);
             }
             found
         });

@@ -35,7 +35,7 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
     let file = match Task::read(&arguments.path, Measurements::Required)? {
         Task::Evaluation(file) => return evaluation::evaluate(arguments, &file),
-        Task::Fit(file) => file,
+        Task::Fit(file) => *file,
     };
     if let (true, Some(out)) = (arguments.simulate, &arguments.out) {
         return simulate(arguments, &file, out);

@@ -69,7 +69,7 @@ mod tests {
         for (name, wanted) in [
             ("map_x03_y12.txt", Some([3.0, 12.0])),
             ("x=1.5,y=-2.txt", Some([1.5, -2.0])),
-            ("X1Y2.csv", None),
+            ("X1Y2.csv", Some([1.0, 2.0])),
             ("cell-x10-y4.csv", Some([10.0, 4.0])),
             ("matrix2-y4.csv", None),
             ("test01.csv", None),

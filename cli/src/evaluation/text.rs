@@ -76,12 +76,11 @@ pub fn beside(contacts: &[Indentation]) -> String {
             exact.unwrap_or_default()
         )
     };
-    let mut lines: String = contacts.iter().take(LISTED).map(line).collect();
-    if contacts.len() > LISTED {
-        let more = contacts.len() - LISTED;
-        lines += &format!("  and {more} more contacts, in {}\n", super::table::FILE);
+    let lines: String = contacts.iter().take(LISTED).map(line).collect();
+    match contacts.len().saturating_sub(LISTED) {
+        0 => lines,
+        more => lines + &format!("  and {more} more contacts, in {}\n", super::table::FILE),
     }
-    lines
 }
 
 /// A number with its standard uncertainty and unit: `72.01 ± 0.31 GPa`.

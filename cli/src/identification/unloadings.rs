@@ -92,7 +92,7 @@ impl Identification {
         let [unknown] = &self.file.all_unknowns()[..] else {
             return found;
         };
-        let alone = self.from_each_alone(unknown, None);
+        let alone = self.alone_at_each(unknown, None);
         let files: Vec<&EvaluatedFile> = self.evaluated.iter().collect();
         for ((found, numbers), at) in found.iter_mut().zip(contacts(&files)).zip(alone) {
             found.exact = Some(ExactModulus {
@@ -110,7 +110,7 @@ impl Identification {
 
     /// The value of an unknown from each contact alone, in the order of the evaluations; none where no value in its
     /// bounds gives the stiffness. `thinning` replaces that of the settings.
-    fn from_each_alone(
+    fn alone_at_each(
         &self,
         unknown: &UnknownCase,
         thinning: Option<f64>,
@@ -151,7 +151,7 @@ impl Identification {
             return None;
         }
         let mean = |thinning: f64| {
-            let values = self.from_each_alone(unknown, Some(thinning)).into_iter();
+            let values = self.alone_at_each(unknown, Some(thinning)).into_iter();
             let values: Vec<f64> = values.flatten().map(|at| at.value).collect();
             (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
         };

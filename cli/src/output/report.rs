@@ -41,6 +41,8 @@ struct RunPage<'a> {
     steps: Vec<StepSection<'a>>,
     /// Sentences on the critical loads, the smallest load first.
     critical: Vec<String>,
+    /// The curve with adhesion, in lines; empty without adhesion.
+    adhesion: String,
     /// Keys of the case and their values.
     case: Vec<(String, String)>,
     coefficients_seconds: String,
@@ -83,6 +85,7 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
         critical: (summary_text::stress::critical(summary).lines())
             .map(str::to_owned)
             .collect(),
+        adhesion: summary_text::adhesion::curve(summary),
         case: case_table::rows(&summary.case, summary.units),
         coefficients_seconds: seconds(summary.timing.coefficients_seconds),
         solve_seconds: seconds(summary.timing.solve_seconds),

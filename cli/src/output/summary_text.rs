@@ -1,6 +1,6 @@
 //! A summary in words, for the terminal.
 
-mod adhesion;
+pub mod adhesion;
 mod columns;
 pub mod stress;
 

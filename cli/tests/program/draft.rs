@@ -386,11 +386,13 @@ fn map() -> TestFolder {
             &approach(seed),
         );
     }
-    let steps: Vec<_> = approach(4)
-        .iter()
-        .map(|[z, f]| [*z, f + 4e-10 * (2e7 * z).sin().signum()])
-        .collect();
-    write("p4.txt", [1.0, 4.0], &steps);
+    // Ever stiffer than Hertz: a base below.
+    let stiffer = |[z, f]: [f64; 2]| {
+        let more = f * f / 4e-9;
+        [z + more / STIFFNESS, f + more]
+    };
+    let stiff: Vec<_> = approach(4).into_iter().map(stiffer).collect();
+    write("p4.txt", [1.0, 4.0], &stiff);
     let ran = folder.run(&["init", "fit", "--from", "p*.txt"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     fs::write(folder.path("p5.txt"), "X (um)\t2\nY (um)\t4\nno curve\n").unwrap();

@@ -33,11 +33,16 @@ const WAY_BACK: [&str; 8] = [
 const SYMBOLS: [(Channel, &[&str]); 6] = [
     (Channel::Time, &["t"]),
     (Channel::Stiffness, &["S", "s"]),
-    (Channel::Force, &["F", "P", "N"]),
+    (
+        Channel::Force,
+        &["F", "P", "N", "Fz", "fz", "Fn", "Prüfkraft"],
+    ),
     (Channel::Deflection, &["defl", "Defl"]),
     (
         Channel::Height,
-        &["Z", "ramp", "Ramp", "zsnsr", "ZSnsr", "Raw"],
+        &[
+            "Z", "ramp", "Ramp", "zsnsr", "ZSnsr", "zsensor", "Zsensor", "zpos", "Zpos",
+        ],
     ),
     (Channel::Depth, &["h", "d", "D", "δ", "disp", "Disp"]),
 ];

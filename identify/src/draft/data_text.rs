@@ -55,7 +55,12 @@ pub(super) fn keys(survey: &Survey) -> Vec<Line> {
         lines.push(Line::new(key, why));
     }
     if survey.is_unloading {
-        lines.push(Line::new("observe = \"unloading\"", ""));
+        let why = if survey.has(Channel::Stiffness) {
+            "continuous stiffness: every row is a contact"
+        } else {
+            ""
+        };
+        lines.push(Line::new("observe = \"unloading\"", why));
     } else if survey.has(Channel::Stiffness) {
         let why = "it needs neither the zero of the depth nor an area function";
         lines.push(Line::new("observe = \"stiffness at force\"", why));

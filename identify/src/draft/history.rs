@@ -20,6 +20,10 @@ const TIMES_AROUND: f64 = 10.0;
 /// so many on each side.
 const AROUND: usize = 12;
 
+/// A contact stiffness up to this many times the slope of the loading is that of an elastic contact; on fused silica,
+/// the most elastic of hard bodies, a Berkovich tip finds 1.2.
+const ELASTIC_RATIO: f64 = 1.1;
+
 /// What happens in a curve.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct History {
@@ -33,6 +37,8 @@ pub(super) struct History {
     pub(super) returned: Option<f64>,
     /// A pop-in of the loading.
     pub(super) pop_in: Option<PopIn>,
+    /// The measured contact stiffness over the slope of the loading: 1 of an elastic contact.
+    stiffness_ratio: Option<f64>,
 }
 
 /// A stretch of nearly constant force.
@@ -80,7 +86,14 @@ impl History {
             holds: holds(raw, forces, &valid),
             returned,
             pop_in: pop_in(raw, forces),
+            stiffness_ratio: stiffness_ratio(raw, forces),
         })
+    }
+
+    /// Whether the contact is stiffer than its loading: a part of the depth is that of an imprint.
+    pub(super) fn is_stiffer_than_loading(&self) -> bool {
+        self.stiffness_ratio
+            .is_some_and(|ratio| ratio > ELASTIC_RATIO)
     }
 
     /// Whether the unloading gives back so little work that the contact has left an imprint.
@@ -125,6 +138,26 @@ fn holds(raw: &RawCurve<'_>, forces: &[f64], valid: &[usize]) -> Vec<Hold> {
         .iter()
         .filter(|[first, last]| last - first + 1 >= SHORTEST_HOLD);
     long.filter_map(hold).collect()
+}
+
+/// The mean contact stiffness over the slope of the force, both over the upper half of the forces of the loading.
+fn stiffness_ratio(raw: &RawCurve<'_>, forces: &[f64]) -> Option<f64> {
+    let (stiffness, depths) = (raw.values(Channel::Stiffness)?, raw.values(Channel::Depth)?);
+    let rows = branch(raw, &CurveSegment::default(), &[]).ok()?.rows;
+    let largest = rows.iter().map(|row| forces[*row]).fold(0.0, f64::max);
+    let upper: Vec<usize> = rows
+        .into_iter()
+        .filter(|row| forces[*row] > 0.5 * largest)
+        .collect();
+    let mean =
+        |values: &[f64]| upper.iter().map(|row| values[*row]).sum::<f64>() / upper.len() as f64;
+    let (d0, f0) = (mean(depths), mean(forces));
+    let (mut product, mut square) = (0.0, 0.0);
+    for row in &upper {
+        product += (depths[*row] - d0) * (forces[*row] - f0);
+        square += (depths[*row] - d0).powi(2);
+    }
+    Some(mean(stiffness) * square / product).filter(|ratio| ratio.is_finite())
 }
 
 /// The largest depth step of the loading if it stands out from the steps of the whole and from those around it: at the

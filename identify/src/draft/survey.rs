@@ -129,18 +129,26 @@ impl Survey {
         Ok(survey)
     }
 
-    /// Decides between the unloading, the contact stiffness and the loading: a stiffness beyond a pop-in is that of an
-    /// imprint, an unloading that gives back too little work is that of one, too.
+    /// Decides between the unloading, the contact stiffness and the loading. After a pop-in all are those of an
+    /// imprint; an unloading that gives back too little work, or a contact that is stiffer than its loading, is that of
+    /// one, too.
     fn choose_observable(&mut self, kind: DraftKind) {
-        let has_pop_in = self.history.as_ref().is_some_and(|of| of.pop_in.is_some());
-        let is_plastic = self.history.as_ref().is_some_and(History::is_plastic);
-        let is_elastic = !is_plastic || has_pop_in || self.spring.is_some();
+        let history = self.history.as_ref();
+        let has_pop_in = history.is_some_and(|of| of.pop_in.is_some());
+        let is_imprint = history.is_some_and(|of| of.is_plastic() || of.is_stiffer_than_loading());
         self.is_unloading = match kind {
-            DraftKind::Guessed => !is_elastic && !self.has(Channel::Stiffness),
+            DraftKind::Guessed => is_imprint && !has_pop_in && self.spring.is_none(),
             DraftKind::Afm => false,
             DraftKind::Unloading => true,
         };
-        if has_pop_in || self.is_unloading {
+        // A file with a stiffness is evaluated at each of its rows.
+        let has_unloading = history.is_some_and(|of| of.returned.is_some());
+        let is_ignored = if self.is_unloading {
+            has_unloading
+        } else {
+            has_pop_in
+        };
+        if is_ignored {
             self.columns
                 .retain(|column| column.channel != Channel::Stiffness);
         }

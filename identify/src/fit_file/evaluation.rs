@@ -93,15 +93,15 @@ fn uncertain(
     dimension: Option<Dimension>,
     sign: Sign,
 ) -> Result<Uncertain, Diagnosis> {
-    let value = |field: &ValueReader<'_>, sign: Sign| match dimension {
-        Some(dimension) => field.quantity(dimension, sign),
-        None => {
-            let value = field.number("a number")?;
-            if sign.allows(value) {
-                Ok(value)
-            } else {
-                Err(field.wanted("a positive number"))
-            }
+    let value = |field: &ValueReader<'_>, sign: Sign| {
+        if let Some(dimension) = dimension {
+            return field.quantity(dimension, sign);
+        }
+        let value = field.number("a number")?;
+        if sign.allows(value) {
+            Ok(value)
+        } else {
+            Err(field.wanted("a positive number"))
         }
     };
     if !field.is_table() {

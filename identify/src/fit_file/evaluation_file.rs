@@ -78,9 +78,9 @@ impl Evaluated {
 #[derive(Debug)]
 pub enum Task {
     /// Unloadings are evaluated.
-    Evaluation(EvaluationFile),
+    Evaluation(Box<EvaluationFile>),
     /// A model is fitted.
-    Fit(FitFile),
+    Fit(Box<FitFile>),
 }
 
 impl Task {
@@ -113,9 +113,10 @@ impl Task {
         let has = |key| table.optional(key).is_some();
         if has("evaluation") && !has("unknown") && !has("model") {
             let file = EvaluationFile::of(&root, name, &sources.measurements)?;
-            return Ok(Self::Evaluation(file));
+            return Ok(Self::Evaluation(file.into()));
         }
-        FitFile::parse(source, name, sources, measurements).map(Self::Fit)
+        let file = FitFile::parse(source, name, sources, measurements)?;
+        Ok(Self::Fit(file.into()))
     }
 }
 

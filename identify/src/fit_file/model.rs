@@ -154,6 +154,10 @@ impl FitModel {
         if case.hardness().is_some() {
             return Err(case.blame(ContactError::WithHardness { what: "fits" }));
         }
+        if case.adhesion.is_some() {
+            let wanted = "none: fits are those of contact without adhesion";
+            return Err(case.document.wanted("load.work_of_adhesion", wanted).into());
+        }
         let model = case.model(&self.cache)?.value;
         let parameters = case.parameters(&model)?;
         Ok(ModelParameters { model, parameters })

@@ -133,7 +133,7 @@ pub fn calibrate(
 /// The areas of contacts for a compliance of the frame.
 struct Areas {
     depths: Vec<f64>,
-    areas: Vec<f64>,
+    values: Vec<f64>,
     count: usize,
 }
 
@@ -151,10 +151,10 @@ impl Areas {
             // A = π S²/(4 β² E_r²)
             (depth, PI * (stiffness / (2.0 * task.modulus)).powi(2))
         };
-        let (depths, areas) = contacts.iter().map(one).unzip();
+        let (depths, values) = contacts.iter().map(one).unzip();
         Self {
             depths,
-            areas,
+            values,
             count: task.coefficients,
         }
     }
@@ -162,7 +162,7 @@ impl Areas {
     /// The powers of the depths over the areas.
     fn columns(&self) -> Vec<Vec<f64>> {
         let column = |k: usize| {
-            let pairs = self.depths.iter().zip(&self.areas);
+            let pairs = self.depths.iter().zip(&self.values);
             pairs
                 .map(|(depth, area)| depth.max(0.0).powf(AreaFunction::power(k)) / area)
                 .collect()
@@ -172,7 +172,7 @@ impl Areas {
 
     fn fitted(&self) -> Fitted {
         let basis = OrthonormalBasis::of(self.columns());
-        let mut rest = vec![1.0; self.areas.len()];
+        let mut rest = vec![1.0; self.values.len()];
         let components = basis.remove_from(&mut rest);
         Fitted {
             coefficients: basis.coefficients(&components),
@@ -187,7 +187,7 @@ impl Areas {
             let terms = columns.iter().zip(coefficients);
             1.0 - terms.map(|(column, c)| c * column[i]).sum::<f64>()
         };
-        (0..self.areas.len()).map(row).collect()
+        (0..self.values.len()).map(row).collect()
     }
 }
 

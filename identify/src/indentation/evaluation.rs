@@ -83,7 +83,7 @@ pub fn evaluate(
         let moved = |side| reading.moved(&direction, side).numbers(settings, &inputs);
         numbers.add(Source::Own, &moved)?;
     }
-    for (source, uncertain, field) in inputs.sources(settings, [rate, zero]) {
+    for (source, uncertain, field) in Inputs::sources(settings, [rate, zero]) {
         numbers.add_source(source, uncertain, &|side| {
             let moved = inputs.moved(field, side * uncertain.sd);
             let changes_data = moved.changes_data(&inputs);
@@ -134,7 +134,7 @@ pub fn evaluate_stiffnesses(
             contact.numbers(settings, inputs)
         };
         let mut numbers = IndentationNumbers::exact(values(&inputs)?);
-        for (source, uncertain, field) in inputs.sources(settings, [Uncertain::exact(0.0), zero]) {
+        for (source, uncertain, field) in Inputs::sources(settings, [Uncertain::exact(0.0), zero]) {
             numbers.add_source(source, uncertain, &|side| {
                 values(&inputs.moved(field, side * uncertain.sd))
             })?;

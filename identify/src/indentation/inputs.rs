@@ -43,7 +43,6 @@ impl Inputs {
 
     /// The independent sources with their standard uncertainties. Those of the settings are common to all curves.
     pub(super) fn sources(
-        self,
         settings: &EvaluationSettings,
         [rate, zero]: [Uncertain; 2],
     ) -> Vec<(Source, Uncertain, Field)> {
@@ -87,7 +86,10 @@ impl Inputs {
     /// Whether these inputs give other depths.
     pub(super) fn changes_data(&self, other: &Self) -> bool {
         let of = |inputs: &Self| [inputs.rate, inputs.zero, inputs.frame_compliance];
-        of(self) != of(other)
+        let pairs = of(self).into_iter().zip(of(other));
+        pairs
+            .into_iter()
+            .any(|(one, other)| (one - other).abs() > 0.0)
     }
 
     /// `h − h₀ − ḣ (t − t₀) − C_f P`, with the time of the first contact.

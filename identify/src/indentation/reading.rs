@@ -12,8 +12,8 @@ use super::settings::EvaluationSettings;
 use super::unloading::UnloadingFit;
 use super::{IndentationError, IndentationNumber, Uncertain};
 
-/// The depth at the end of a hold is that of the line through this last part of it.
-const END_OF_HOLD: f64 = 0.3;
+/// The depth at the end of a hold is that of the line through the last of so many parts of it.
+const END_OF_HOLD: usize = 3;
 /// The depth at its beginning is the mean of so many points.
 const BEGINNING: usize = 3;
 
@@ -48,7 +48,7 @@ impl Reading {
             sd: noise / points.sqrt(),
         };
         let (end, beginning) = if phases.is_held {
-            let first = top.end - ((END_OF_HOLD * top.len() as f64) as usize).max(1);
+            let first = top.end - top.len().div_ceil(END_OF_HOLD);
             let places: Vec<f64> = (first..top.end).map(|at| at as f64).collect();
             let line = Line::through(&places, &depth[first..top.end]);
             let count = BEGINNING.min(top.len());

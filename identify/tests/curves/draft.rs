@@ -66,7 +66,11 @@ fn every_instrument_s_file_gives_a_fit_file_that_is_read() {
         (
             "micromechanics_popin_test012.csv",
             Unloading,
-            &["observe = \"unloading\""],
+            &[
+                "stiffness = \"Harmonic Contact Stiffness [N/m]\"",
+                "every row is a contact",
+                "observe = \"unloading\"",
+            ],
         ),
         (
             "tungsten_sphere_test01.csv",

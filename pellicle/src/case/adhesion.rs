@@ -155,8 +155,15 @@ impl AdhesiveContacts {
             steps: steps.collect::<Result<_, _>>()?,
             pull_off: curve.pull_off(),
             last_contact: curve.last_contact(),
-            zero_load: curve.at_force(0.0)?,
-            jump_in: curve.at_penetration(0.0)?.unwrap_or(curve.last_contact()),
+            // Found to rounding; what is prescribed is exact.
+            zero_load: AdhesiveContact {
+                force: 0.0,
+                ..curve.at_force(0.0)?
+            },
+            jump_in: AdhesiveContact {
+                penetration: 0.0,
+                ..curve.at_penetration(0.0)?.unwrap_or(curve.last_contact())
+            },
             work_lost: curve.work_lost()?,
             tabor_number: curve.tabor_number()?,
         })
@@ -195,7 +202,7 @@ impl AdhesiveContacts {
         if self.law == AdhesionLaw::Jkr {
             warnings.push(CaseWarning {
                 code: "adhesion-fields",
-                message: "fields and pictures are those of the contact without adhesion that has the same radius: the tension that adhesion adds, that of a flat punch, is not in them".into(),
+                message: "fields, pictures and stresses are those of the contact without adhesion that has the same radius: the tension that adhesion adds, that of a flat punch, is not in them".into(),
             });
         }
         warnings

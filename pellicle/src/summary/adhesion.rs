@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use pellicle_contact::ErrorEstimate;
 use pellicle_contact::adhesion::{AdhesionLaw, AdhesiveContact};
+use pellicle_contact::{ErrorEstimate, Load};
 use serde::{Deserialize, Serialize};
 
 use super::StepSummary;
@@ -60,20 +60,34 @@ impl From<&AdhesiveContacts> for AdhesionSummary {
     }
 }
 
-/// Replaces the numbers of a step without adhesion by those of the contact with it.
+/// Replaces the numbers of a step without adhesion by those of the contact with it, under the load of the case.
 ///
 /// The largest pressure by JKR is not known, and NaN: the tension of a flat punch is taken from that of the grid.
-pub(super) fn add_to(step: &mut StepSummary, adhesion: &AdhesiveContacts, index: usize) {
+pub(super) fn add_to(
+    step: &mut StepSummary,
+    adhesion: &AdhesiveContacts,
+    index: usize,
+    given: Load,
+) {
     let Some(contact) = adhesion.steps.get(index).copied().flatten() else {
         return;
     };
     let area = PI * contact.radius * contact.radius;
-    step.force = contact.force;
-    step.penetration = contact.penetration;
+    let [mut force, mut penetration] = contact.errors();
+    let relative = force / (contact.force_without + contact.force.abs()).max(f64::MIN_POSITIVE);
+    (step.force, step.penetration) = (contact.force, contact.penetration);
+    match given {
+        Load::Force(prescribed) => (step.force, force) = (prescribed, 0.0),
+        Load::Penetration(prescribed) => (step.penetration, penetration) = (prescribed, 0.0),
+    }
     step.contact_stiffness = Some(contact.stiffness).filter(|stiffness| *stiffness > 0.0);
     step.summary.contact_radius = contact.radius;
     step.summary.contact_area = area;
-    step.summary.contact_area_between = area;
+    if step.summary.contact_area_on_relief > 0.0 {
+        step.summary.contact_area_on_relief = area;
+    } else {
+        step.summary.contact_area_between = area;
+    }
     step.summary.mean_pressure = if area > 0.0 {
         contact.force / area
     } else {
@@ -86,11 +100,9 @@ pub(super) fn add_to(step: &mut StepSummary, adhesion: &AdhesiveContacts, index:
             resolved: true,
         })
     };
-    let [force, penetration] = contact.errors();
     step.grid_error.force = estimated(force);
     step.grid_error.penetration = estimated(penetration);
-    // The radius is as accurate as the larger of both.
-    let relative = force / (contact.force_without + contact.force.abs()).max(f64::MIN_POSITIVE);
+    // The radius is as accurate as both.
     step.grid_error.contact_area = estimated(2.0 * relative * area);
     if adhesion.law == AdhesionLaw::Jkr {
         step.summary.max_pressure = f64::NAN;

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use pellicle_contact::adhesion::{AdhesionLaw, AdhesiveCurve};
+use pellicle_contact::adhesion::{Adhesion, AdhesionLaw, AdhesiveCurve};
 use pellicle_contact::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
 use pellicle_kernel::Interface::{Bonded, Frictionless};
 use pellicle_validation::film_formulas::FilmIndenter::{self, Cone, FlatPunch, Paraboloid};
@@ -263,7 +263,8 @@ fn the_table_of_pull_off_forces_is_reproduced() {
             let body = film(Bonded, poisson_ratio).foundation().unwrap();
             let body = AxisymmetricElasticity::new(&body.into());
             let paraboloid = AxisymmetricProfile::Paraboloid { radius: 1.0 };
-            let curve = AdhesiveCurve::new(body, paraboloid, work, AdhesionLaw::Jkr).unwrap();
+            let law = AdhesionLaw::Jkr;
+            let curve = AdhesiveCurve::new(body, paraboloid, Adhesion { work, law }).unwrap();
             let found = -curve.pull_off().force / (PI * work);
             // Four digits.
             assert!((printed - found).abs() < 5.1e-5, "{work}: {found}");

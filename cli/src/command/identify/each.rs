@@ -24,7 +24,7 @@ const FOLDER: &str = "-each";
 /// [`Failure`] if the fit file is wrong or the results cannot be written; not if a curve is wrong.
 pub fn each(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     let file = match Task::read(&arguments.path, Measurements::Required)? {
-        Task::Fit(file) => file,
+        Task::Fit(file) => *file,
         // An evaluation is one of each curve alone.
         Task::Evaluation(file) => return super::evaluation::evaluate(arguments, &file),
     };

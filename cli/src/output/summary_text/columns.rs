@@ -24,8 +24,16 @@ impl TextColumns {
         self.text.push('\n');
     }
 
-    /// Adds a number of a step, if the step has it, with its grid error.
+    /// Adds a number of a step, if the step has it and it is known, with its grid error.
     pub fn number(&mut self, of: &Quantity, step: &StepSummary, run: &RunSummary) {
+        let is_unknown = match (of.value)(step) {
+            Some(Value::Number(number)) => number.is_nan(),
+            Some(Value::Place(at)) => at.iter().any(|place| place.is_nan()),
+            _ => false,
+        };
+        if is_unknown {
+            return;
+        }
         if let Some(words) = of.words(step, run) {
             self.push(&of.title(), &words, &self.error(of, step));
         }

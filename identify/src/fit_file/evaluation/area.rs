@@ -78,28 +78,33 @@ pub(super) fn coefficients(field: &ValueReader<'_>) -> Result<Vec<f64>, Diagnosi
     if items.len() > MOST_COEFFICIENTS {
         return Err(field.wanted(format!("at most {MOST_COEFFICIENTS} coefficients")));
     }
-    let read = |(k, item): (usize, &ValueReader<'_>)| match item.value() {
-        TomlValue::Text(text) => with_unit(text, 2.0 - AreaFunction::power(k)).ok_or_else(|| {
-            item.wanted(format!(
-                "a number with a unit such as {}",
-                unit_of_coefficient(k)
-            ))
-        }),
-        _ => {
-            let value = item.number("a finite number")?;
-            if k == 0 && value <= 0.0 {
-                return Err(item.wanted("a positive number, 24.5 for a Berkovich pyramid"));
-            }
-            if k > 0 && value != 0.0 {
-                return Err(item.wanted(format!(
-                    "its unit, {}, as in \"{value} {0}\"",
-                    unit_of_coefficient(k).trim_matches('"')
-                )));
-            }
-            Ok(value)
-        }
-    };
+    let read = |(k, item): (usize, &ValueReader<'_>)| coefficient(k, item);
     items.iter().enumerate().map(read).collect()
+}
+
+/// Reads coefficient `k`, m^(2 − power).
+fn coefficient(k: usize, item: &ValueReader<'_>) -> Result<f64, Diagnosis> {
+    const FIRST: &str = "a positive number, 24.5 for a Berkovich pyramid";
+    if let (1.., TomlValue::Text(text)) = (k, item.value()) {
+        return with_unit(text, 2.0 - AreaFunction::power(k)).ok_or_else(|| {
+            let unit = unit_of_coefficient(k);
+            item.wanted(format!("a number with a unit such as {unit}"))
+        });
+    }
+    let value = item.number(if k == 0 {
+        FIRST
+    } else {
+        "a number with its unit"
+    })?;
+    if k == 0 && value <= 0.0 {
+        return Err(item.wanted(FIRST));
+    }
+    if k > 0 && value != 0.0 {
+        let unit = unit_of_coefficient(k);
+        let unit = unit.trim_matches('"');
+        return Err(item.wanted(format!("its unit, {unit}, as in \"{value} {unit}\"")));
+    }
+    Ok(value)
 }
 
 /// The unit of coefficient `k`, in quotes: `nm`, `nm^(3/2)`, `nm^(7/4)`.
@@ -136,6 +141,10 @@ fn with_unit(text: &str, power: f64) -> Option<f64> {
     ((written - power).abs() < 1e-9).then(|| number * length.powf(power))
 }
 
+/// Description of the expected angle.
+const ANGLE: &str =
+    "the angle between axis and side, above 0 and below 90 deg, such as \"70.3 deg\"";
+
 fn tip(table: &TableReader<'_>, field: &ValueReader<'_>) -> Result<Tip, Diagnosis> {
     /// A shape that needs no angle, or one that does.
     #[derive(Clone, Copy)]
@@ -150,8 +159,6 @@ fn tip(table: &TableReader<'_>, field: &ValueReader<'_>) -> Result<Tip, Diagnosi
         ("cone", Word::Cone),
         ("sphere", Word::Shape(TipShape::Sphere)),
     ])?;
-    const ANGLE: &str =
-        "the angle between axis and side, above 0 and below 90 deg, such as \"70.3 deg\"";
     let shape = match (word, table.optional("angle")) {
         (Word::Shape(_), Some(angle)) => {
             return Err(angle.wanted("none: only a cone has an angle of its own"));

@@ -72,7 +72,7 @@ pub(super) fn read(
     let bytes = bytes.map_err(|error| refused(format!("cannot be read: {error}")))?;
     let text =
         String::from_utf8(bytes.into_owned()).map_err(|_| refused("is not a text".into()))?;
-    let source = Arc::new(Source::new(name.to_owned(), text));
+    let source = Arc::new(Source::new(name, text));
     let read = || -> Result<Area, Diagnosis> {
         let root = toml_tree::parse(&source)?;
         let table = TableReader::root(&root)?;
