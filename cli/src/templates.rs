@@ -180,6 +180,8 @@ mod tests {
                     | Template::Fit
                     | Template::FitAfm
                     | Template::FitUnloading
+                    | Template::FitFilm
+                    | Template::Oxide
                     | Template::Approach
                     | Template::Indentation
                     | Template::RoughMap
