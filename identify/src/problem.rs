@@ -243,13 +243,15 @@ mod tests {
             Problem::new(vec![curve(5)], vec![x(), x()], &[], noise),
             Err(IdentifyError::Twice { .. })
         ));
-        assert!(matches!(
-            Problem::new(vec![curve(2)], vec![x()], &[LinearNuisance::shift()], noise),
-            Err(IdentifyError::TooFewPoints {
-                points: 2,
-                wanted: 2
-            })
-        ));
+        // Two points determine two parameters, but not their noise.
+        let shift = [LinearNuisance::shift()];
+        let of = |points, noise| Problem::new(vec![curve(points)], vec![x()], &shift, noise);
+        assert!(of(2, noise).is_ok());
+        for (points, noise) in [(1, noise), (2, Noise::default())] {
+            let found = of(points, noise);
+            let wanted = matches!(found, Err(IdentifyError::TooFewPoints { wanted: 2, .. }));
+            assert!(wanted, "{points}");
+        }
         assert!(matches!(
             Problem::new(vec![curve(2)], vec![], &[], noise),
             Err(IdentifyError::NoUnknown)

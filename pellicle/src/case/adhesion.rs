@@ -26,7 +26,7 @@ use crate::input::table_reader::TableReader;
 const BECAUSE: &str = "with load.work_of_adhesion";
 
 /// The shapes that can adhere.
-const SHAPES: &str = "\"paraboloid\", \"sphere\" or \"cone\": adhesion is computed for contacts that are circles and grow with the load";
+const SHAPES: &str = "\"paraboloid\", \"sphere\", \"cone\" or \"power\": adhesion is computed for contacts that are circles and grow with the load";
 
 /// The contacts of a case with adhesion.
 #[derive(Debug, Clone, PartialEq)]
