@@ -161,8 +161,8 @@ mod tests {
     #[test]
     fn sharp_tips_have_the_areas_and_surfaces_of_the_standard() {
         let sharp = |shape| AreaFunction::Tip(Tip { shape, radius: 0.0 });
-        // ISO 14577-1: 24.50 and 24.50 projected, 26.43 the surface of a Vickers pyramid. A Berkovich pyramid's angle is
-        // given to 0.01 degrees, which is 0.02 of its area.
+        // ISO 14577-1: 24.50 and 24.50 projected, 26.43 the surface of a Vickers pyramid. The angle of a Berkovich
+        // pyramid is given to 0.01 degrees, which is 0.02 of its area.
         assert!((sharp(TipShape::Berkovich).area(1.0) - 24.5).abs() < 1e-2);
         assert!((sharp(TipShape::Vickers).area(1.0) - 24.5).abs() < 5e-3);
         assert!((sharp(TipShape::Vickers).surface(1.0) - 26.43).abs() < 5e-3);
