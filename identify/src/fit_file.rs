@@ -16,7 +16,6 @@ use std::sync::Arc;
 
 use pellicle::case::map_sources::MapSources;
 use pellicle::input::document::Document;
-use pellicle::input::source_file;
 use pellicle::input::span::Source;
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::toml_tree;
@@ -85,23 +84,11 @@ pub enum Measurements {
 }
 
 impl FitFile {
-    /// Reads the file.
-    ///
-    /// # Errors
-    ///
-    /// An [`Error`](pellicle::Error) if the file or its case cannot be read, or one of them is not valid.
-    pub fn read(path: &Path, measurements: Measurements) -> Result<Self, pellicle::Error> {
-        let source = Arc::new(source_file::read(path)?);
-        let stem = source_file::stem(path);
-        let folder = path.parent().unwrap_or(Path::new(""));
-        Self::parse(&source, &stem, &FitSources::in_folder(folder), measurements)
-    }
-
     /// Reads the text of a fit file; `sources` supplies its files and arrays.
     ///
     /// # Errors
     ///
-    /// As [`Self::read`].
+    /// An [`Error`](pellicle::Error) if the text or its case cannot be read, or one of them is not valid.
     pub fn parse(
         source: &Arc<Source>,
         name: &str,

@@ -3,6 +3,7 @@
 //!
 //! ```text
 //! corrections   h ← h − h₀ − ḣ (t − t₀) − C_f P                                            correction.rs
+//! zero          where the loading, extrapolated, begins                                    first_contact.rs
 //! phases        loading, hold at the largest force, unloading, hold for the drift          phases.rs
 //! unloading     P = α (h − h_f)^m,  S = dP/dh at P_max                                      unloading.rs
 //! area          A(h)                                                                       area_function.rs
@@ -20,6 +21,7 @@ mod correction;
 mod effective_indenter;
 mod error;
 mod evaluation;
+mod first_contact;
 mod inputs;
 mod number;
 mod numbers;

@@ -133,7 +133,7 @@ impl Synthetic {
             time: Some(&time),
             depth: &depth,
             force: &force,
-            contact: None,
+            first_contact: None,
         };
         evaluate(curve, &self.settings())
     }
@@ -181,6 +181,68 @@ fn a_curve_without_noise_gives_its_numbers_to_rounding() {
             "{number:?}: {value} {truth}"
         );
     }
+}
+
+#[test]
+fn a_loading_tells_where_the_contact_begins() {
+    let [mut time, mut depth, mut force] = SILICA.curve(3);
+    let evaluated = |[time, depth, force]: [&[f64]; 3], first, zero| {
+        let curve = IndentationCurve {
+            time: Some(time),
+            depth,
+            force,
+            first_contact: first,
+        };
+        let settings = EvaluationSettings {
+            depth_zero: zero,
+            ..SILICA.settings()
+        };
+        evaluate(curve, &settings).unwrap()
+    };
+    // A depth that is off is told, and taken out on demand.
+    depth.iter_mut().for_each(|depth| *depth += 10e-9);
+    let all = [&time[..], &depth, &force];
+    let begins = evaluated(all, None, DepthZero::FirstContactIfFound)
+        .begins
+        .unwrap();
+    assert!(
+        (begins.value - 10e-9).abs() < 3.0 * begins.sd && begins.sd < 1e-9,
+        "{begins:?}"
+    );
+    let found = evaluated(all, None, DepthZero::FirstContact).numbers;
+    let contact = found.get(IndentationNumber::ContactDepth).unwrap();
+    assert!(
+        (contact.value - 180e-9).abs() < 3.0 * contact.sd,
+        "{contact:?}"
+    );
+    // After a stretch without contact it is taken out by default.
+    let before = 100;
+    time.iter_mut().for_each(|time| *time += 5.0);
+    for list in [&mut time, &mut depth, &mut force] {
+        list.splice(0..0, vec![0.0; before]);
+    }
+    for i in 0..before {
+        time[i] = 0.05 * (1 + i) as f64;
+        depth[i] = 10e-9 - 60e-9 * (1.0 - i as f64 / before as f64);
+    }
+    let all = [&time[..], &depth, &force];
+    let found = evaluated(all, Some(before), DepthZero::FirstContactIfFound).numbers;
+    let contact = found.get(IndentationNumber::ContactDepth).unwrap();
+    assert!(
+        (contact.value - 180e-9).abs() < 3.0 * contact.sd,
+        "{contact:?}"
+    );
+}
+
+#[test]
+fn a_short_hold_after_a_slow_unloading_gives_the_drift() {
+    let slow = Synthetic {
+        times: [60.0, 5.0, 90.0, 20.0],
+        ..SILICA
+    };
+    let found = slow.evaluated(1).unwrap();
+    let Uncertain { value, sd } = found.numbers.get(IndentationNumber::DriftRate).unwrap();
+    assert!((value - slow.drift).abs() < 3.0 * sd, "{value} ± {sd}");
 }
 
 /// 95 % intervals of normal errors hold in 186 to 195 of 200 with 90 % probability; the noise, of which only 90 points

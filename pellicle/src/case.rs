@@ -17,6 +17,7 @@ pub mod output;
 pub mod parameter;
 pub mod parts;
 pub mod periodic;
+mod problem;
 pub mod solver;
 pub mod spring_law;
 pub mod stress;
@@ -28,8 +29,8 @@ pub mod with_units;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use pellicle_contact::{ContactError, Domain, Load, Model, SolverOptions, choose_side_at};
-use pellicle_influence::{Cache, Cached, ElasticBodies, InfluenceError};
+use pellicle_contact::ContactError;
+use pellicle_influence::InfluenceError;
 use serde::Serialize;
 
 use self::adhesion::AdhesiveContacts;
@@ -373,93 +374,6 @@ impl Case {
             _ => return error.into(),
         };
         self.document.refused(keys, &error).into()
-    }
-
-    /// The loads that are solved, in order: a nominal pressure is the force on the cell; with adhesion, each is that of
-    /// the contact without it that has the same radius.
-    #[must_use]
-    pub fn loads(&self) -> Vec<Load> {
-        let given = self.load.loads(self.grid.nominal_area());
-        match &self.adhesion {
-            None => given,
-            Some(adhesion) => adhesion.loads_without(&given),
-        }
-    }
-
-    /// Returns the domain of the solution, as given or chosen for the loads.
-    ///
-    /// # Errors
-    ///
-    /// [`Error`] if none can be chosen, or the square of the stresses does not fit in it.
-    pub fn domain(&self, model: &Model) -> Result<Domain, Error> {
-        let side = self.side(model).map_err(|error| self.blame(error))?;
-        self.check_extent(side)?;
-        Ok(match (self.grid.cell(), self.grid.side) {
-            (Some(cell), _) => cell,
-            (None, Some(_)) => Domain::Side(side),
-            (None, None) => Domain::Chosen(side),
-        })
-    }
-
-    /// Checks that the square of the requested stresses fits in a domain of this side.
-    ///
-    /// # Errors
-    ///
-    /// A [`Diagnosis`] of its key if not.
-    pub fn check_extent(&self, side: f64) -> Result<(), Diagnosis> {
-        let extent = self.stress.as_ref().and_then(|stress| stress.extent);
-        if extent.is_none_or(|extent| extent <= side) {
-            return Ok(());
-        }
-        let wanted = format!("{}, chosen from the load", stress::extent_wanted(side));
-        Err(self.document.wanted("stress.extent", &wanted))
-    }
-
-    /// The longer side of the domain, m.
-    ///
-    /// # Errors
-    ///
-    /// [`ContactError`] if none can be chosen.
-    pub fn side(&self, model: &Model) -> Result<f64, ContactError> {
-        match self.grid.longer_side() {
-            Some(side) => Ok(side),
-            None => choose_side_at(model, &self.loads(), self.solver_options().hardness),
-        }
-    }
-
-    /// The hardness at which the pressure is cut, Pa.
-    #[must_use]
-    pub fn hardness(&self) -> Option<f64> {
-        self.solver.hardness.or(self.foundation.hardness())
-    }
-
-    /// The options of the solver. If stresses are requested, coarse pressures are kept: they give the errors of the
-    /// stresses.
-    #[must_use]
-    pub fn solver_options(&self) -> SolverOptions {
-        SolverOptions {
-            coarse_pressures: self.stress.is_some(),
-            hardness: self.hardness().unwrap_or(f64::INFINITY),
-            ..self.solver.options()
-        }
-    }
-
-    /// The model of the case, and whether its radial tables came from the cache.
-    ///
-    /// # Errors
-    ///
-    /// [`Error`] if the tables of this foundation cannot be built.
-    pub fn model(&self, cache: &Cache) -> Result<Cached<Model>, Error> {
-        let foundation = self.foundation.split()?.foundation;
-        let (relief, indenter) = (self.surface.build()?, self.indenter.build()?);
-        let bodies = ElasticBodies::new(foundation, self.indenter.build_material()?);
-        let tables = cache.radial_tables_of(&bodies)?;
-        Ok(tables.map(|tables| Model {
-            tables,
-            relief,
-            indenter,
-            cache: cache.clone(),
-        }))
     }
 }
 

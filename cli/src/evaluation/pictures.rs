@@ -69,7 +69,6 @@ pub fn write(
 
 fn panel(file: &EvaluatedFile, curve: &EvaluatedCurve) -> UnloadingPanel {
     let law = &curve.unloading;
-    let force = file.measured.force().unwrap_or_default();
     let (last, deepest) = (law.final_depth(), law.depth);
     let along = |k: u32| {
         let depth = last + (deepest - last) * f64::from(k) / f64::from(POINTS);
@@ -91,7 +90,7 @@ fn panel(file: &EvaluatedFile, curve: &EvaluatedCurve) -> UnloadingPanel {
             .depth
             .iter()
             .copied()
-            .zip(force.iter().copied())
+            .zip(curve.force.iter().copied())
             .collect(),
         fitted: curve.phases.fitted.clone(),
         law: (0..=POINTS).map(along).collect(),

@@ -3,7 +3,8 @@
 use pellicle::display::{count, significant};
 use pellicle_identify::fit_file::evaluation_file::{Evaluated, EvaluatedFile};
 use pellicle_identify::indentation::{
-    Drift, EvaluationSettings, IndentationNumber, IndentationNumbers,
+    DepthZero, Drift, EvaluatedCurve, EvaluationSettings, IndentationNumber, IndentationNumbers,
+    Uncertain,
 };
 
 use crate::identification::findings::WarningResult;
@@ -48,6 +49,11 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
             );
             warn("drift-not-steady", message);
         }
+        let is_confirmed = settings.depth_zero == DepthZero::AsRecorded;
+        let off = curve.filter(|_| !is_confirmed).and_then(zero_off);
+        if let Some(message) = off {
+            warn("depth-zero", message);
+        }
         let depths = evaluated.contacts().iter();
         let depths = depths.filter_map(|of| of.get(IndentationNumber::ContactDepth));
         let [least, most] = settings.area_range.unwrap_or([0.0, f64::INFINITY]);
@@ -67,6 +73,25 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
     found.extend(without_drift(curves, settings));
     found.extend(pile_up(curves));
     found
+}
+
+/// A loading begins elsewhere than at zero if it does so by more than this part of the contact depth, which changes a
+/// modulus by as much, and by so many standard uncertainties.
+const ZERO_PART: f64 = 0.03;
+const ZERO_DEVIATIONS: f64 = 4.0;
+
+/// That the loading does not begin at the zero of the depth.
+fn zero_off(curve: &EvaluatedCurve) -> Option<String> {
+    let Uncertain { value, sd } = curve.begins?;
+    let depth = curve.numbers.get(IndentationNumber::ContactDepth)?.value;
+    let least = (ZERO_PART * depth).max(ZERO_DEVIATIONS * sd);
+    let [value, sd] = [value, sd].map(|of| significant(of * 1e9, 2));
+    (curve.begins?.value.abs() > least).then(|| {
+        format!(
+            "the loading, extrapolated, begins at {value} ± {sd} nm, not at zero: is the zero of the depth right? \
+             `depth_zero = \"first contact\"` takes this out, \"as recorded\" confirms the file's"
+        )
+    })
 }
 
 /// Above this final depth over the largest, a body that does not harden piles up around its imprint: A. Bolshakov and

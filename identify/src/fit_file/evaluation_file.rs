@@ -220,18 +220,19 @@ impl EvaluatedFile {
             let contacts = evaluate_stiffnesses(readings, measured.contact_radius(), settings)?;
             return Ok(Evaluated::Stiffnesses(contacts));
         }
-        let contact = measured.before_contact.map(|before| {
-            let first = measured
-                .rows
-                .iter()
-                .position(|row| *row >= before.contact_row);
-            (before.contact, first.unwrap_or(0))
+        let before = measured.before_contact;
+        // The force without contact is no force.
+        let offset = before.map_or(0.0, |before| before.zero()[0]);
+        let force: Vec<f64> = force.iter().map(|force| force - offset).collect();
+        let first = before.map(|before| {
+            let rows = measured.rows.iter();
+            rows.take_while(|row| **row < before.contact_row).count()
         });
         let curve = IndentationCurve {
             time: measured.time(),
             depth,
-            force,
-            contact,
+            force: &force,
+            first_contact: first,
         };
         evaluate(curve, settings).map(|curve| Evaluated::Unloading(curve.into()))
     }

@@ -47,7 +47,7 @@ impl FitModel {
     pub fn read(field: &ValueReader<'_>, maps: &MapSources) -> Result<Self, pellicle::Error> {
         let table = field.clone().table()?;
         let cache = Cache::of_shapes();
-        let (mut root, maps, name) = if let Some(case) = table.optional("case") {
+        let (root, maps, name) = if let Some(case) = table.optional("case") {
             table.only(&["case"])?;
             let path = maps.folder().join(case.text()?);
             let root = toml_tree::parse(&Arc::new(source_file::read(&path)?))?;
@@ -60,13 +60,17 @@ impl FitModel {
         } else {
             (field.node().clone(), maps.clone(), "model".to_owned())
         };
-        give_load(&mut root);
-        Ok(Self {
+        let mut model = Self {
             root,
             maps,
             name,
             cache,
-        })
+        };
+        // A case has a load; a fit does not use it.
+        if model.place_of("load").is_none() {
+            model.replace_table("load", vec![("force", TomlValue::Float(1.0))]);
+        }
+        Ok(model)
     }
 
     /// The place of a table of the case, if it has one of this key.
@@ -217,28 +221,4 @@ impl ModelParameters {
     pub fn value(&self, of: &CaseParameter) -> Option<f64> {
         self.model.parameter(of.parameter)
     }
-}
-
-/// Adds a load to a case that has none; a fit does not use it.
-fn give_load(root: &mut TomlNode) {
-    let span = root.span.clone();
-    let TomlValue::Table(table) = &mut root.value else {
-        return;
-    };
-    if table.entry("load").is_some() {
-        return;
-    }
-    let entry = |key: &str, value: TomlValue| TomlEntry {
-        key: key.to_owned(),
-        key_span: span.clone(),
-        node: TomlNode {
-            value,
-            span: span.clone(),
-        },
-    };
-    let force = entry("force", TomlValue::Float(1.0));
-    let load = TomlValue::Table(TomlTable {
-        entries: vec![force],
-    });
-    table.entries.push(entry("load", load));
 }

@@ -14,20 +14,19 @@
 //! On a half-space `n = 1/(m − 1)`. On layers the exponent m is not that of a half-space, and the same three conditions
 //! hold with the layered body's contact.
 
+mod numbers;
+
 use pellicle_contact::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
 use pellicle_contact::{ContactError, PowerLaw};
 use pellicle_influence::ElasticBodies;
-use serde::Serialize;
 use thiserror::Error;
 
-use super::{IndentationNumber, IndentationNumbers, Uncertain};
+pub use numbers::EffectiveIndenterNumbers;
 
 /// Most steps to the contact radius or the exponent, which take five to fifteen.
 const MOST_STEPS: usize = 100;
 /// Relative accuracy of both: that of the contact, 1e-11.
 const PRECISION: f64 = 1e-12;
-/// Relative step of stiffness and exponent in differences: an error of its square, 1e-8.
-const STEP: f64 = 1e-4;
 /// A step to the contact radius is at most this factor.
 const FARTHEST: f64 = 4.0;
 
@@ -52,19 +51,6 @@ pub struct EffectiveIndenter {
     pub contact_radius: f64,
     /// Penetration at the largest force, m: `h_max − h_f`.
     pub penetration: f64,
-}
-
-/// The numbers of an effective indenter, with the standard uncertainties that those of stiffness and exponent leave.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct EffectiveIndenterNumbers {
-    /// Exponent n of the shape.
-    pub exponent: Uncertain,
-    /// Coefficient c of the shape, m.
-    pub coefficient: Uncertain,
-    /// Contact radius at the largest force, m.
-    pub contact_radius: Uncertain,
-    /// Penetration at the largest force, m.
-    pub penetration: Uncertain,
 }
 
 /// Why an unloading has no effective indenter.
@@ -164,60 +150,6 @@ impl EffectiveIndenter {
             self.contact_radius,
             self.penetration,
         ]
-    }
-}
-
-impl EffectiveIndenterNumbers {
-    /// The effective indenter of an evaluated unloading of these bodies, whose stiffness is `beta` times that of a flat
-    /// punch; none if it has no exponent, as readings of a continuous stiffness.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`EffectiveIndenter::of`].
-    pub fn of(
-        numbers: &IndentationNumbers,
-        beta: f64,
-        bodies: &ElasticBodies,
-    ) -> Result<Option<Self>, EffectiveIndenterError> {
-        use IndentationNumber::{ContactStiffness, Exponent, MaxForce};
-        let found = [MaxForce, ContactStiffness, Exponent].map(|of| numbers.get(of));
-        let [Some(force), Some(stiffness), Some(exponent)] = found else {
-            return Ok(None);
-        };
-        let at = |by_stiffness: f64, by_exponent: f64| {
-            let unloading = UnloadingPoint {
-                force: force.value,
-                stiffness: stiffness.value / beta * (1.0 + by_stiffness),
-                exponent: exponent.value * (1.0 + by_exponent),
-            };
-            EffectiveIndenter::of(&unloading, bodies).map(|found| found.numbers())
-        };
-        let value = at(0.0, 0.0)?;
-        let slopes = [
-            [at(STEP, 0.0)?, at(-STEP, 0.0)?],
-            [at(0.0, STEP)?, at(0.0, -STEP)?],
-        ];
-        let relative = |one, other, scale: f64| numbers.covariance(one, other) / scale;
-        let (s, m) = (stiffness.value, exponent.value);
-        let variance = [
-            relative(ContactStiffness, ContactStiffness, s * s),
-            relative(ContactStiffness, Exponent, s * m),
-            relative(Exponent, Exponent, m * m),
-        ];
-        let number = |k: usize| {
-            let [s, m] = slopes.map(|[more, less]| (more[k] - less[k]) / (2.0 * STEP));
-            let square = s * s * variance[0] + 2.0 * s * m * variance[1] + m * m * variance[2];
-            Uncertain {
-                value: value[k],
-                sd: square.max(0.0).sqrt(),
-            }
-        };
-        Ok(Some(Self {
-            exponent: number(0),
-            coefficient: number(1),
-            contact_radius: number(2),
-            penetration: number(3),
-        }))
     }
 }
 

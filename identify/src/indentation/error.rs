@@ -41,9 +41,10 @@ pub enum IndentationError {
          \"off\"`, or give the rate, such as \"0.02 nm/s\""
     )]
     NoHold,
-    /// No stretch before the contact.
+    /// No loading to extrapolate.
     #[error(
-        "found no stretch before the contact, which `depth_zero = \"first contact\"` wants: set \"as recorded\" or a depth"
+        "found too few points of the loading below 0.3 of the largest force, which `depth_zero = \"first contact\"` wants: \
+         set \"as recorded\" or a depth"
     )]
     NoContact,
     /// An area that is not positive.

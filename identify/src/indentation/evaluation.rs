@@ -9,6 +9,7 @@ use std::f64::consts::PI;
 
 use super::contact::Contact;
 use super::correction::DriftHold;
+use super::first_contact::first_contact;
 use super::inputs::Inputs;
 use super::numbers::{IndentationNumbers, Source};
 use super::phases::{Phases, drift_hold, phases};
@@ -29,8 +30,8 @@ pub struct IndentationCurve<'a> {
     pub depth: &'a [f64],
     /// Forces, N.
     pub force: &'a [f64],
-    /// The depth at which the contact begins, m, with the place of its first point, if the file shows it.
-    pub contact: Option<(f64, usize)>,
+    /// The place of the first point in contact, if the file shows a stretch before it.
+    pub first_contact: Option<usize>,
 }
 
 /// A curve with its numbers.
@@ -46,6 +47,10 @@ pub struct EvaluatedCurve {
     pub drift: Option<DriftHold>,
     /// Depths after all corrections, m.
     pub depth: Vec<f64>,
+    /// Forces, N.
+    pub force: Vec<f64>,
+    /// Where the loading, extrapolated, begins, m, after all corrections; none of a loading too short to tell.
+    pub begins: Option<Uncertain>,
 }
 
 /// Evaluates a curve.
@@ -62,20 +67,26 @@ pub fn evaluate(
 ) -> Result<EvaluatedCurve, IndentationError> {
     let phases = phases(curve.force, settings.unloading, FEWEST_POINTS)?;
     let (rate, drift) = rate(curve, settings.drift, &phases)?;
-    let zero = match (settings.depth_zero, curve.contact) {
-        (DepthZero::At(zero), _) => zero,
-        (DepthZero::FirstContact | DepthZero::FirstContactIfFound, Some((depth, _))) => {
-            Uncertain::exact(depth)
-        }
-        (DepthZero::AsRecorded, _) | (DepthZero::FirstContactIfFound, None) => {
-            Uncertain::exact(0.0)
-        }
-        (DepthZero::FirstContact, None) => return Err(IndentationError::NoContact),
+    let unshifted = Inputs {
+        rate: rate.value,
+        ..Inputs::of(settings)
+    };
+    let start = curve.first_contact.unwrap_or(0);
+    let loading = unshifted.corrected(curve);
+    let begins = first_contact(&loading, curve.force, start, &phases.top);
+    let is_sought = match settings.depth_zero {
+        DepthZero::FirstContact => true,
+        DepthZero::FirstContactIfFound => curve.first_contact.is_some(),
+        DepthZero::AsRecorded | DepthZero::At(_) => false,
+    };
+    let zero = match settings.depth_zero {
+        DepthZero::At(zero) => zero,
+        _ if is_sought => begins.ok_or(IndentationError::NoContact)?,
+        _ => Uncertain::exact(0.0),
     };
     let inputs = Inputs {
-        rate: rate.value,
         zero: zero.value,
-        ..Inputs::of(settings)
+        ..unshifted
     };
     let reading = Reading::of(curve, &phases, &inputs)?;
     let mut numbers = IndentationNumbers::exact(reading.numbers(settings, &inputs)?);
@@ -96,8 +107,13 @@ pub fn evaluate(
         numbers,
         unloading: reading.unloading,
         depth: inputs.corrected(curve),
+        force: curve.force.to_vec(),
         phases,
         drift,
+        begins: begins.map(|begins| Uncertain {
+            value: begins.value - zero.value,
+            ..begins
+        }),
     })
 }
 

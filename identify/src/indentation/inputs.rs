@@ -94,7 +94,7 @@ impl Inputs {
 
     /// `h − h₀ − ḣ (t − t₀) − C_f P`, with the time of the first contact.
     pub(super) fn corrected(&self, curve: IndentationCurve<'_>) -> Vec<f64> {
-        let (_, first) = curve.contact.unwrap_or_default();
+        let first = curve.first_contact.unwrap_or(0);
         let times = curve.time.unwrap_or_default();
         let start = times.get(first).copied().unwrap_or(0.0);
         let pairs = curve.depth.iter().zip(curve.force).enumerate();

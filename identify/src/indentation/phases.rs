@@ -23,8 +23,8 @@ const STEADY_DEVIATIONS: f64 = 4.0;
 const NORMAL_OVER_MEDIAN: f64 = 1.4826;
 /// It is below this part of the largest force, and above that, where the indenter may have lost the contact.
 const DRIFT_FORCES: Range<f64> = 0.02..0.6;
-/// It takes at least this part of the time of the whole unloading down to it, and has so many points.
-const DRIFT_TIME: f64 = 0.5;
+/// It lasts so many times as long as the unloading takes to fall by that width, and has so many points.
+const DRIFT_PASSAGES: f64 = 3.0;
 const DRIFT_POINTS: usize = 10;
 
 /// The phases of a curve, as places of its points.
@@ -135,13 +135,15 @@ pub(super) fn drift_hold(time: &[f64], force: &[f64], phases: &Phases) -> Option
         let found = longest(&time[range.clone()], &force[range.clone()], width, level)?;
         let found = steady(found.start + range.start..found.end + range.start, force);
         let duration = time[found.end - 1] - time[found.start];
-        // What the unloading takes from its start to this force.
-        let travel = if found.start > phases.top.end {
-            time[found.start] - time[phases.top.end - 1]
+        // What the unloading takes from its start to this force, or the loading from no force.
+        let (travel, fall) = if found.start >= phases.top.end {
+            let fall = level - median(&force[found.clone()]);
+            (time[found.start] - time[phases.top.end - 1], fall)
         } else {
-            time[found.start] - time[0]
+            (time[found.start] - time[0], median(&force[found.clone()]))
         };
-        (duration >= DRIFT_TIME * travel && found.len() >= DRIFT_POINTS).then_some(found)
+        let passage = travel * width / fall;
+        (duration >= DRIFT_PASSAGES * passage && found.len() >= DRIFT_POINTS).then_some(found)
     })
 }
 

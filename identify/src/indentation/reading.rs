@@ -77,7 +77,7 @@ impl Reading {
                 sd: noise * weights.sqrt(),
             }
         };
-        let first = curve.contact.map_or(0, |(_, first)| first);
+        let first = curve.first_contact.unwrap_or(0);
         let loading = work(first..top.end);
         let back = work(top.end - 1..phases.end + 1);
         Ok(Self {

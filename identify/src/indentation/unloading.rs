@@ -12,7 +12,7 @@ use crate::{
     Problem, Unknown, identify,
 };
 
-use super::IndentationError;
+use super::{IndentationError, Uncertain};
 
 /// The exponents of contacts: above 1, that of a flat punch, up to 2, that of a cone. G. M. Pharr and A. Bolshakov,
 /// J. Mater. Res. 17, 2660 (2002), find 1.2 to 1.6.
@@ -112,8 +112,8 @@ impl UnloadingFit {
         })
     }
 
-    /// Fits the law with an exponent in a range.
-    fn within(
+    /// Fits the law with an exponent in a range, to points from the deepest on.
+    pub(super) fn within(
         range: [f64; 2],
         depths: &[f64],
         forces: &[f64],
@@ -173,6 +173,21 @@ impl UnloadingFit {
     #[must_use]
     pub fn final_depth(&self) -> f64 {
         self.depth - self.exponent * self.force / self.stiffness
+    }
+
+    /// The depth (m) at which the law has no force, with its standard uncertainty.
+    pub(super) fn without_force(&self) -> Uncertain {
+        let span = self.force / self.stiffness;
+        // h₁ − m P₁/S by S, m and h₁
+        let slopes = [self.exponent * span / self.stiffness, -span, 1.0];
+        let rows = self.covariance.iter().zip(slopes);
+        let variance: f64 = rows
+            .flat_map(|(row, a)| row.iter().zip(slopes).map(move |(c, b)| a * c * b))
+            .sum();
+        Uncertain {
+            value: self.final_depth(),
+            sd: variance.max(0.0).sqrt(),
+        }
     }
 
     /// The force (N) of the law at a depth (m).

@@ -5,7 +5,8 @@ use std::time::Instant;
 use pellicle::run::Completeness;
 use pellicle_files::json;
 use pellicle_identify::IdentifyError;
-use pellicle_identify::fit_file::{FitFile, Measurements};
+use pellicle_identify::fit_file::Measurements;
+use pellicle_identify::fit_file::evaluation_file::Task;
 
 use super::{claim, progress};
 use crate::arguments::IdentifyArguments;
@@ -26,7 +27,10 @@ const FOLDER: &str = "-plan";
 /// [`Failure`] if the fit file is wrong, no curve can be solved, or the results cannot be written.
 pub fn plan(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
     let start = Instant::now();
-    let file = FitFile::read(&arguments.path, Measurements::Optional)?;
+    let Task::Fit(file) = Task::read(&arguments.path, Measurements::Optional)? else {
+        let reason = "an [evaluation] alone has no [model] to plan for";
+        return Err(Failure::NotPlanned(reason.into()));
+    };
     let folder = claim(arguments, FOLDER)?;
     threads::set(arguments.threads)?;
     threads::begin();
