@@ -122,6 +122,7 @@ impl Identification {
         let mut directions = Vec::new();
         for (index, table) in file.data.iter().enumerate() {
             let parameters = file.model.with(&table.set)?;
+            unloadings::refuse_pressed_through(&file, index, &parameters, &evaluated)?;
             let own = parameters.given_in(&table.set);
             directions.push(null_directions::of(&parameters, &own, index));
             let of_table = sources.iter().filter(|(table, _)| *table == index);

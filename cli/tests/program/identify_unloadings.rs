@@ -164,6 +164,37 @@ fn an_oxide_on_silicon_has_one_modulus_at_all_depths_where_the_formula_rises_by_
 }
 
 #[test]
+fn a_film_of_another_unit_is_refused_or_its_trend_is_told() {
+    let (_, ran) = run(
+        &OXIDE_FIT.replace("500 nm", "50 nm"),
+        &[("oxide.csv", OXIDE)],
+    );
+    assert_eq!(ran.code, Some(2), "{}", ran.stderr);
+    let said = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("foundation.layer[0].thickness"), "{said}");
+    assert!(
+        said.contains("a top layer of 50.000 nm and 4 deeper contacts"),
+        "{said}"
+    );
+    // As thick as nothing knows of its base, it has the moduli of the formula.
+    let (_, ran) = run(
+        &OXIDE_FIT.replace("500 nm", "500 um"),
+        &[("oxide.csv", OXIDE)],
+    );
+    assert!(
+        result(&ran)["warnings"].to_string().contains("\"trend\""),
+        "{}",
+        ran.stderr
+    );
+    let (_, ran) = run(OXIDE_FIT, &[("oxide.csv", OXIDE)]);
+    assert!(
+        !result(&ran)["warnings"].to_string().contains("\"trend\""),
+        "{}",
+        ran.stderr
+    );
+}
+
+#[test]
 fn a_calibration_on_a_known_body_gives_another_evaluation_its_area_function_and_frame() {
     // Readings of a continuous stiffness: A = 24.5 h² + 300 nm h, C_f = 0.3 nm/mN, E_r of silica under diamond.
     let reduced = 1.0 / ((1.0 - 0.17_f64.powi(2)) / 72e9 + (1.0 - 0.07_f64.powi(2)) / 1141e9);

@@ -125,7 +125,9 @@ impl UnloadingFit {
         let last = depths.len() - 1;
         let secant = (forces[0] - forces[last]) / (depths[0] - depths[last]);
         if !(secant > 0.0 && secant.is_finite()) {
-            return Err(failed(&"the depth does not fall with the force"));
+            return Err(failed(
+                &"with drift and frame taken out the depth does not fall with the force: are both right?",
+            ));
         }
         let length = depths[0] - depths[last];
         let [low, high] = [-REACH, REACH].map(|reach| depths[0] + reach * length);
