@@ -110,12 +110,12 @@ impl UnloadingPanel {
             svg.broken_lines(&tangent, Stroke::new(colours::INK, 1.2), Dash::Dashed);
         });
         panel.draw_axes(svg);
-        let text = |svg: &mut Svg, up: f64, words: &str| {
-            let words = heading::fitted(words, WIDE, 15.0);
-            svg.text((place.left, place.top - up), 15.0, Anchor::Start, &words);
+        let text = |svg: &mut Svg, (up, size): (f64, f64), words: &str| {
+            let words = heading::fitted(words, WIDE, size);
+            svg.text((place.left, place.top - up), size, Anchor::Start, &words);
         };
-        text(svg, 36.0, &self.name);
-        text(svg, 14.0, &self.numbers);
+        text(svg, (36.0, 15.0), &self.name);
+        text(svg, (14.0, 13.0), &self.numbers);
     }
 }
 
