@@ -1,5 +1,6 @@
 //! The fit of a fit file: its measurements and model are posed as a problem, solved, and reported.
 
+mod adhesion;
 pub mod causes;
 pub mod curve_source;
 pub mod deviations;
@@ -89,14 +90,17 @@ impl Identification {
     ///
     /// [`Failure`] if a measurement gives no curve, a model cannot be built, or there are too few points.
     pub fn new(file: FitFile, stop: StopFlag) -> Result<Self, Failure> {
+        adhesion::refuse_readings(&file)?;
         let evaluated = match &file.evaluation {
             Some(settings) => EvaluatedFile::all(&file.data, settings)?,
             None => Vec::new(),
         };
         let of_table = |(index, table)| {
-            let sources = match &file.evaluation {
-                Some(settings) => vec![unloadings::source((index, table), &evaluated, settings)?],
-                None => CurveSource::of_table(table, &file.nuisances)?,
+            let sources = if let Some(settings) = &file.evaluation {
+                vec![unloadings::source((index, table), &evaluated, settings)?]
+            } else {
+                let adhesion = file.model.with(&table.set)?.adhesion;
+                CurveSource::of_table(table, &file.nuisances, adhesion)?
             };
             for source in &sources {
                 file.refuse_other_radius(index, &source.measured)?;
@@ -105,7 +109,8 @@ impl Identification {
         };
         let sources = file.data.iter().enumerate().map(of_table);
         let sources: Vec<_> = sources.collect::<Result<_, Failure>>()?;
-        let sources = sources.into_iter().flatten().collect();
+        let sources: Vec<_> = sources.into_iter().flatten().collect();
+        adhesion::require_pull_off(&file, &sources)?;
         Self::posed(file.into(), sources, evaluated.into(), None, stop)
     }
 
@@ -147,6 +152,7 @@ impl Identification {
                 series: curve_source::series(table),
                 origins: origins.into_iter().flatten().collect(),
                 thinned: unloadings::thinned(&parameters, thinned.collect()),
+                adhesion: parameters.adhesion,
             });
         }
         let unknowns = file.all_unknowns();

@@ -112,6 +112,7 @@ impl<'a> Planning<'a> {
             own: premises.own(&indenter),
             origins: Vec::new(),
             thinned: None,
+            adhesion: None,
             series: 0.0,
         };
         let curves = ContactCurves::new(vec![curve], premises.sought(), CurveOptions::default())?;

@@ -17,6 +17,7 @@ mod draft;
 mod files;
 mod guide;
 mod identify;
+mod identify_adhesion;
 mod identify_exact;
 mod identify_noise;
 mod identify_plan;

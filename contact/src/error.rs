@@ -246,6 +246,12 @@ pub enum ContactError {
         /// Largest line of the certificate.
         worst: f64,
     },
+    /// Adhesion of a contact that is no circle, or does not grow with the load.
+    #[error(
+        "found a contact that is no circle or does not grow with the load, wanted a tip of revolution on a body \
+         without relief but a film of linear springs"
+    )]
+    NotAxisymmetric,
     /// A parameter that a model does not have.
     #[error("found no {wanted:?} in the model, wanted a number of its bodies, relief or indenter")]
     NoParameter {

@@ -14,4 +14,6 @@ pub enum ModelParameter {
     Relief(ReliefParameter),
     /// A parameter of the indenter's shape.
     Indenter(IndenterQuantity),
+    /// The work of adhesion, J/m²: of an [`Adhesion`](crate::adhesion::Adhesion) beside a model, which has none itself.
+    WorkOfAdhesion,
 }

@@ -5,6 +5,7 @@
 //! `D = dE/dQ`, `dD/dQ` and `∂D/∂θ` at every point. As the parameters change, each load's domain scales with its
 //! contact, so the same elements stay in contact and no jump comes from one that enters.
 
+mod adhesive;
 mod curve;
 mod fixed_number;
 mod force_scale;
@@ -19,9 +20,11 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use pellicle_contact::adhesion::{Adhesion, AdhesiveCurve};
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
 
+use adhesive::AdhesiveModel;
 pub use curve::{ContactCurve, CurveOptions, Observable, Reading, StopFlag, Thinned};
 pub use fixed_number::FixedNumber;
 pub use force_scale::ForceScale;
@@ -71,7 +74,7 @@ impl ContactCurves {
         options: CurveOptions,
     ) -> Result<Self, ContactError> {
         for wanted in &parameters {
-            let has = |curve: &ContactCurve| curve.model.parameter(*wanted).is_some();
+            let has = |curve: &ContactCurve| curve.has(*wanted);
             if !curves.iter().any(has) {
                 return Err(ContactError::NoParameter { wanted: *wanted });
             }
@@ -131,23 +134,59 @@ impl ContactCurves {
     ///
     /// As [`Model::with_parameters`].
     pub fn model(&self, curve: usize, parameters: &[f64]) -> Result<Model, ContactError> {
-        let own: BTreeSet<usize> = self.own(curve).collect();
-        let pairs = self
-            .parameters
-            .iter()
-            .copied()
-            .zip(parameters.iter().copied());
-        let sought = pairs.enumerate().filter(|(index, _)| !own.contains(index));
-        let values: Vec<_> = sought.map(|(_, pair)| pair).collect();
+        let mut values = self.values_of(curve, parameters);
+        values.retain(|(parameter, _)| *parameter != ModelParameter::WorkOfAdhesion);
         self.curves[curve].model.with_parameters(&values)
+    }
+
+    /// A curve with its model and its adhesion at these parameters.
+    fn curve_at(&self, curve: usize, parameters: &[f64]) -> Result<ContactCurve, ContactError> {
+        let values = self.values_of(curve, parameters);
+        let work = values
+            .iter()
+            .find(|(of, _)| *of == ModelParameter::WorkOfAdhesion);
+        let given = &self.curves[curve];
+        let with_work = |adhesion: Adhesion| Adhesion {
+            work: work.map_or(adhesion.work, |(_, work)| *work),
+            ..adhesion
+        };
+        Ok(ContactCurve {
+            model: self.model(curve, parameters)?,
+            adhesion: given.adhesion.map(with_work),
+            ..given.clone()
+        })
+    }
+
+    /// The contacts with adhesion of a curve at these parameters; none without adhesion.
+    ///
+    /// # Errors
+    ///
+    /// As [`AdhesiveCurve::new`].
+    pub fn adhesive(
+        &self,
+        curve: usize,
+        parameters: &[f64],
+    ) -> Result<Option<AdhesiveCurve>, ContactError> {
+        let values = self.values_of(curve, parameters);
+        let model = AdhesiveModel::of(&self.curves[curve], &values)?;
+        model.map(|model| model.curve()).transpose()
+    }
+
+    /// The parameters of a curve with these values.
+    fn values_of(&self, curve: usize, parameters: &[f64]) -> Vec<(ModelParameter, f64)> {
+        let own: BTreeSet<usize> = self.own(curve).collect();
+        let parameters = parameters.iter().copied();
+        let pairs = self.parameters.iter().copied().zip(parameters);
+        let sought = pairs.enumerate().filter(|(index, _)| !own.contains(index));
+        sought.map(|(_, pair)| pair).collect()
     }
 
     /// The parameters that do not change a curve: its own, and those that its model does not have.
     fn own(&self, curve: usize) -> impl Iterator<Item = usize> + '_ {
-        let ContactCurve { model, own, .. } = &self.curves[curve];
+        let of = &self.curves[curve];
         let parameters = self.parameters.iter().enumerate();
         let is_own = |(_, parameter): &(usize, &ModelParameter)| {
-            own.contains(parameter) || model.parameter(**parameter).is_none()
+            of.own.contains(parameter) || !of.has(**parameter)
         };
         parameters.filter(is_own).map(|(index, _)| index)
     }
@@ -209,21 +248,27 @@ impl ContactCurves {
         if self.options.stop.is_raised() {
             return Err(ContactError::Cancelled { step: 0 });
         }
-        let model = self.model(curve, parameters)?;
         let own: BTreeSet<usize> = self.own(curve).collect();
         let all = self.parameters.iter().enumerate();
         let sought = all.filter(|(index, _)| !own.contains(index));
         let sought = sought.map(|(_, parameter)| parameter).chain(fixed);
         let sought: Vec<ModelParameter> = sought.copied().collect();
-        let observable = self.curves[curve].observable;
-        let mut prediction = if let Some(nodes) = &self.nodes[curve] {
+        let of = &self.curves[curve];
+        let observable = of.observable;
+        let values = self.values_of(curve, parameters);
+        let mut prediction = if let Some(adhesive) = AdhesiveModel::of(of, &values)? {
+            let series = of.series / factor;
+            let abscissae = observable.true_abscissae(abscissae, factor);
+            adhesive.predicted(observable.abscissa(), (&abscissae, series), &sought)?
+        } else if let Some(nodes) = &self.nodes[curve] {
+            let model = self.model(curve, parameters)?;
             if observable == Observable::StiffnessAtContactRadius {
                 self.stiffnesses((curve, nodes), &model, &sought)?
             } else {
                 let solved = self.remembered(curve, parameters, &sought, || {
                     self.solved(&nodes.with_forces_times(factor), &model, &sought)
                 })?;
-                let series = self.curves[curve].series / factor;
+                let series = of.series / factor;
                 observable.of(
                     &solved,
                     &observable.true_abscissae(abscissae, factor),
@@ -231,7 +276,7 @@ impl ContactCurves {
                 )?
             }
         } else {
-            self.curves[curve].punch_stiffnesses(&model, &sought)?
+            of.punch_stiffnesses(&self.model(curve, parameters)?, &sought)?
         };
         for index in own {
             prediction

@@ -15,6 +15,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pellicle::case::map_sources::MapSources;
+use pellicle::case::parameter::WORK_OF_ADHESION;
 use pellicle::input::document::Document;
 use pellicle::input::span::Source;
 use pellicle::input::table_reader::TableReader;
@@ -171,6 +172,20 @@ impl FitFile {
     pub fn all_unknowns(&self) -> Vec<UnknownCase> {
         let nuisances = self.nuisances.parameters.iter();
         self.unknowns.iter().chain(nuisances).cloned().collect()
+    }
+
+    /// Refuses a model with adhesion for a purpose in words.
+    ///
+    /// # Errors
+    ///
+    /// A diagnosis at its work of adhesion.
+    pub fn refuse_adhesion(&self, purpose: &str) -> Result<(), pellicle::Error> {
+        if self.model.parameters()?.adhesion.is_none() {
+            return Ok(());
+        }
+        let key = format!("model.{WORK_OF_ADHESION}");
+        let wanted = format!("none {purpose}: only contact without adhesion can be");
+        Err(self.document.wanted(&key, &wanted).into())
     }
 
     /// The SI unit of an estimate of a fit; `index` counts all unknowns, then the spring constants.

@@ -43,7 +43,6 @@ mod profile;
 mod refinement;
 mod repeats;
 mod result;
-mod retraction;
 mod start;
 mod unknown;
 mod verdict;
@@ -73,6 +72,5 @@ pub use result::{
     BetweenCurves, Coefficient, Estimate, Exclusion, Fit, FitVerdict, FitWarning, FitWork,
     FittedPoints, Stopped,
 };
-pub use retraction::{Control, Retraction};
 pub use unknown::{Coordinate, Role, Unknown};
 pub use verdict::{IDENTIFIED_WITHIN, PRIOR_DRIVEN_ABOVE, Verdict};

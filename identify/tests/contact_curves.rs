@@ -70,6 +70,7 @@ fn curves(
         origins: Vec::new(),
         series: 0.0,
         thinned: None,
+        adhesion: None,
     };
     ContactCurves::new(vec![curve], parameters.to_vec(), CurveOptions::default()).unwrap()
 }
@@ -404,6 +405,7 @@ fn the_contact_radius_of_a_flat_punch_is_no_abscissa() {
         origins: Vec::new(),
         series: 0.0,
         thinned: None,
+        adhesion: None,
     };
     let refused = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default());
     let refused = refused.unwrap_err().to_string();

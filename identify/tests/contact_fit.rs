@@ -51,6 +51,7 @@ fn coating(parameters: usize) -> (ContactCurves, Vec<f64>) {
         own: Vec::new(),
         origins: Vec::new(),
         thinned: None,
+        adhesion: None,
         series: 0.0,
     };
     let options = CurveOptions::default();

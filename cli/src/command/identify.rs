@@ -32,6 +32,7 @@ use crate::{interrupt, terminal, threads};
 /// [`Failure`] if the fit file or a measurement is wrong, the results cannot be written, or the model has no
 /// prediction at all.
 pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
+    threads::set(arguments.threads)?;
     let start = Instant::now();
     let file = match Task::read(&arguments.path, Measurements::Required)? {
         Task::Evaluation(file) => return evaluation::evaluate(arguments, &file),
@@ -41,7 +42,6 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
         return simulate(arguments, &file, out);
     }
     let folder = claim(arguments, "")?;
-    threads::set(arguments.threads)?;
     threads::begin();
     let line = progress(arguments);
     let report = |stage| {
@@ -91,7 +91,6 @@ pub fn identify(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
 
 /// Writes measurements simulated from the fit file; for several tables, one numbered file each.
 fn simulate(arguments: &IdentifyArguments, file: &FitFile, out: &Path) -> Result<Outcome, Failure> {
-    threads::set(arguments.threads)?;
     let seed = arguments.seed.unwrap_or(file.report.seed);
     for table in 0..file.data.len() {
         let found = simulation::measurement(file, table, seed)?;

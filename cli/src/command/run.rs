@@ -36,11 +36,11 @@ const LOOK: Duration = Duration::from_millis(20);
 ///
 /// [`Failure`] if the case is wrong, the results cannot be written, or the contact cannot be computed.
 pub fn run(arguments: &RunArguments) -> Result<Outcome, Failure> {
+    threads::set(arguments.threads)?;
     let start = Instant::now();
     let mut case = Case::read(&arguments.case.path, &arguments.case.sets)?;
     arguments.output.replace(&mut case.output);
     let folder = claim(arguments)?;
-    threads::set(arguments.threads)?;
     let mut line = progress_line(arguments, case.solver.tolerance);
     let tables = Instant::now();
     let cache = cache::open();

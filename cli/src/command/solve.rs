@@ -30,8 +30,8 @@ use crate::{cache, terminal, threads};
 ///
 /// [`Failure`] if the case file cannot be read as TOML, or standard input or output fails.
 pub fn solve(arguments: &SolveArguments) -> Result<Outcome, Failure> {
-    let base = BaseCase::read(&arguments.case.path, &arguments.case.sets)?;
     threads::set(arguments.threads)?;
+    let base = BaseCase::read(&arguments.case.path, &arguments.case.sets)?;
     let stream = Stream {
         base,
         cache: cache::open_for_many(),

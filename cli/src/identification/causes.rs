@@ -40,6 +40,10 @@ impl Identification {
 
     /// The pull-off of a curve.
     fn adhesion(&self) -> Option<String> {
+        let mut curves = self.model.curves().iter();
+        if curves.any(|curve| curve.adhesion.is_some()) {
+            return None;
+        }
         self.sources.iter().find_map(|source| {
             let forces = source.measured.force()?.iter().copied();
             let largest = forces.fold(0.0, f64::max);
@@ -47,7 +51,8 @@ impl Identification {
             let scale = units::scale(pull_off, "N");
             Some(format!(
                 "adhesion: the force of {} falls {} {} below its baseline, which this model does not follow; \
-                 segment.from at some three times that force lessens its effect",
+                 segment.from at some three times that force lessens its effect, and load.work_of_adhesion in [model] \
+                 is one that follows it",
                 source.measured.file.display(),
                 significant(pull_off / scale.divisor, 2),
                 scale.label,

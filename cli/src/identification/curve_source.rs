@@ -1,11 +1,14 @@
 //! A measured curve as used in a fit: abscissae, observed values and noise.
 
 use pellicle::input::diagnosis::Diagnosis;
+use pellicle_contact::adhesion::Adhesion;
 use pellicle_identify::fit_file::FitFile;
 use pellicle_identify::fit_file::evaluation_file::EvaluatedFile;
 use pellicle_identify::fit_file::nuisance::{ForceZero, NuisanceTable, Zero};
+use pellicle_identify::measured::baseline::is_pull_off;
 use pellicle_identify::measured::channel::Channel;
 use pellicle_identify::measured::curve::MeasuredCurve;
+use pellicle_identify::measured::curve_segment::Branch;
 use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::measured::error::CurveError;
 use pellicle_identify::measured::noise::NoiseCorrelation;
@@ -39,6 +42,8 @@ pub struct CurveSource {
     pub time: Option<Vec<f64>>,
     /// Number of points left out because their abscissa is not positive, where there is no contact.
     pub without_contact: usize,
+    /// Whether it begins or ends at the pull-off of a contact with adhesion.
+    pub has_pull_off: bool,
     /// What the imprint under each point takes off the thickness of the top layer, m; empty for nothing.
     pub thinned: Vec<f64>,
     /// The index of each fitted point among those of the measurement.
@@ -72,10 +77,14 @@ impl CurveSource {
     /// # Errors
     ///
     /// [`Failure`] if a file gives no curve.
-    pub fn of_table(table: &DataTable, nuisances: &NuisanceTable) -> Result<Vec<Self>, Failure> {
+    pub fn of_table(
+        table: &DataTable,
+        nuisances: &NuisanceTable,
+        adhesion: Option<Adhesion>,
+    ) -> Result<Vec<Self>, Failure> {
         let sources = MeasuredCurve::read_all(table)?.into_iter();
         sources
-            .map(|measured| Ok(Self::of(measured, table, nuisances)?))
+            .map(|measured| Ok(Self::of(measured, table, nuisances, adhesion)?))
             .collect()
     }
 
@@ -83,7 +92,9 @@ impl CurveSource {
         measured: MeasuredCurve,
         table: &DataTable,
         nuisances: &NuisanceTable,
+        adhesion: Option<Adhesion>,
     ) -> Result<Self, Diagnosis> {
+        let adhering = adhesion.and_then(|_| with_adhesion(&measured, table.segment.part));
         let is_approach =
             table.observe == Observable::ForceAtDepth && measured.approach().is_some();
         let x = if is_approach {
@@ -94,7 +105,9 @@ impl CurveSource {
         let y = table.observe.observed().into();
         let values = |channel| measured.values(channel).unwrap_or_default();
         let (abscissa, observed) = (values(x), values(y));
+        let has_pull_off = adhering.is_some();
         let in_contact = match table.observe.abscissa() {
+            _ if has_pull_off => adhering.unwrap_or_default(),
             // A fit with the zero of the depth finds the contact itself.
             Reading::Depth if nuisances.seeks_depth_zero(table.observe) => {
                 (0..abscissa.len()).collect()
@@ -108,6 +121,7 @@ impl CurveSource {
             observed: kept(observed),
             time: measured.time().map(kept),
             without_contact: abscissa.len() - in_contact.len(),
+            has_pull_off,
             thinned: Vec::new(),
             points: in_contact,
             measured,
@@ -139,6 +153,7 @@ impl CurveSource {
             observed,
             time: None,
             without_contact: 0,
+            has_pull_off: false,
             thinned,
         }
     }
@@ -149,7 +164,7 @@ impl CurveSource {
         let Some(before) = self.measured.before_contact else {
             return ForceZero::Unknown;
         };
-        let is_before = |point: &usize| self.measured.rows[*point] < before.contact_row;
+        let is_before = |point: &usize| before.has(self.measured.rows[*point]);
         let in_fit = self.points.iter().filter(|point| is_before(point)).count();
         if in_fit >= FEWEST_POINTS {
             return ForceZero::InFit;
@@ -257,8 +272,30 @@ fn after_contact(
     let half = NEIGHBOURS / 2;
     let around = |point: usize| point.saturating_sub(half)..(point + half + 1).min(forces.len());
     let is_unclear = |point: &usize| mean(&forces[around(*point)]) <= least;
+    if before.is_after {
+        let first = (0..forces.len()).find(is_unclear);
+        return (0..first.unwrap_or(forces.len())).collect();
+    }
     let first = (0..forces.len()).rev().find(is_unclear);
     (first.map_or(0, |point| point + 1)..forces.len()).collect()
+}
+
+/// The points of a contact with adhesion between its largest force and its lowest one, where it has jumped in or is
+/// about to jump out; not the lowest itself, which its noise has chosen. None without a force clearly below its zero.
+fn with_adhesion(measured: &MeasuredCurve, part: Branch) -> Option<Vec<usize>> {
+    let forces = measured.force()?;
+    let lowest = (0..forces.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]))?;
+    let largest = forces.iter().copied().fold(0.0, f64::max);
+    let [zero, noise] = measured
+        .before_contact
+        .map_or([0.0; 2], |before| [before.zero()[0], before.line.noise]);
+    if !is_pull_off(zero - forces[lowest], noise, largest) {
+        return None;
+    }
+    Some(match part {
+        Branch::Unloading => (0..lowest).collect(),
+        Branch::Loading | Branch::Whole => (lowest + 1..forces.len()).collect(),
+    })
 }
 
 /// The compliance in series with the contact, m/N: that of a cantilever.

@@ -1,7 +1,7 @@
 //! The directions in parameter space along which no predicted curve changes, by the keys of the case.
 
 use pellicle::case::parameter::CaseParameter;
-use pellicle_contact::ModelParameter;
+use pellicle_contact::{ModelDirection, ModelParameter};
 use pellicle_identify::fit_file::model::ModelParameters;
 use pellicle_identify::{IdentifyError, NullDirections};
 
@@ -35,7 +35,14 @@ pub fn named(
     let names = all
         .iter()
         .map(|of| name(of).unwrap_or_else(|| of.key.clone()));
+    let of_bodies = |direction: &ModelDirection| {
+        direction
+            .iter()
+            .all(|(of, _)| !matches!(of, ModelParameter::Indenter(_)))
+    };
+    // Lengths and forces that scale together change what adhesion adds.
     let vectors = parameters.model.null_directions().into_iter();
+    let vectors = vectors.filter(|direction| parameters.adhesion.is_none() || of_bodies(direction));
     let vectors = vectors.map(|direction| {
         let entry = |parameter: ModelParameter| {
             let found = direction.iter().find(|(of, _)| *of == parameter);

@@ -45,6 +45,7 @@ pub struct Simulation {
 /// beyond the model.
 pub fn measurement(file: &FitFile, table: usize, seed: u64) -> Result<Simulation, Failure> {
     let data = &file.data[table];
+    file.refuse_adhesion("to simulate")?;
     let forces = forces(file, data)?;
     let curves = curves(file, data, &forces)?;
     let depths = curves.predict(&[]).map_err(|error| match error {
@@ -161,6 +162,7 @@ fn curves(file: &FitFile, data: &DataTable, forces: &[f64]) -> Result<ContactCur
         own: Vec::new(),
         origins: Vec::new(),
         thinned: None,
+        adhesion: None,
         series: 0.0,
     };
     let options = CurveOptions::default();

@@ -72,6 +72,7 @@ impl<'a> Premises<'a> {
     ///
     /// [`Failure`] if the tables of the fit file disagree, or if their observable cannot be planned.
     pub fn new(file: &'a FitFile, candidates: &[CandidateCurve]) -> Result<Self, Failure> {
+        file.refuse_adhesion("to plan")?;
         let observe = (file.data.first()).map_or(Observable::default(), |table| table.observe);
         if let (Reading::Stiffness, Some(table)) = (observe.observed(), file.data.first()) {
             let wanted = "\"depth at force\" or \"force at depth\" to plan";

@@ -80,6 +80,8 @@ pub struct AdhesiveCurve {
     elasticity: AxisymmetricElasticity,
     profile: AxisymmetricProfile,
     adhesion: Adhesion,
+    /// Compliance in series, m/N.
+    series: f64,
     pull_off: AdhesiveContact,
     last: AdhesiveContact,
 }
@@ -104,6 +106,7 @@ impl AdhesiveCurve {
             elasticity,
             profile,
             adhesion,
+            series: 0.0,
             pull_off: AdhesiveContact::APART,
             last: AdhesiveContact::APART,
         };
@@ -118,6 +121,25 @@ impl AdhesiveCurve {
             }
         }
         Ok(curve)
+    }
+
+    /// The same contacts behind a spring of a compliance c (m/N), such as a cantilever, whose end approaches by
+    /// `D + c F`: a prescribed penetration is then that of the end of the spring, and the contact jumps out the nearer
+    /// to the pull-off the softer the spring.
+    ///
+    /// # Errors
+    /// Those of [`Self::at_radius`].
+    pub fn behind_spring(mut self, compliance: f64) -> Result<Self, ContactError> {
+        self.series = compliance;
+        if self.adhesion.law == AdhesionLaw::Jkr {
+            self.last = self.least(|contact| contact.penetration + compliance * contact.force)?;
+        }
+        Ok(self)
+    }
+
+    /// The penetration of the end of the spring, m.
+    fn approach(&self, contact: &AdhesiveContact) -> f64 {
+        contact.penetration + self.series * contact.force
     }
 
     /// The contact under the least force, where it jumps out if the force is prescribed.
@@ -160,10 +182,10 @@ impl AdhesiveCurve {
         &self,
         penetration: f64,
     ) -> Result<Option<AdhesiveContact>, ContactError> {
-        if penetration < self.last.penetration {
+        if penetration < self.approach(&self.last) {
             return Ok(None);
         }
-        let found = self.where_reached(self.last, |contact| contact.penetration - penetration);
+        let found = self.where_reached(self.last, |contact| self.approach(contact) - penetration);
         found.map(Some)
     }
 
@@ -176,8 +198,9 @@ impl AdhesiveCurve {
     /// Those of [`Self::at_radius`].
     pub fn work_lost(&self) -> Result<f64, ContactError> {
         let jump_in = self.at_penetration(0.0)?;
-        // −∫ F dD = U(D of the last contact) − U(0)
-        Ok(jump_in.map_or(0.0, |contact| self.last.energy - contact.energy))
+        // F d(D + c F) = d(U + c F²/2), and −∫ F d(D + c F) from the last contact to that at 0
+        let energy = |of: &AdhesiveContact| of.energy + 0.5 * self.series * of.force.powi(2);
+        Ok(jump_in.map_or(0.0, |contact| energy(&self.last) - energy(&contact)))
     }
 
     /// Tabor's number `μ = (R w²/(E*² z₀³))^{1/3}` (D. Tabor 1977): the height of the neck at pull-off over the range

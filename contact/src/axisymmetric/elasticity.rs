@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_2_PI, PI};
 
 use pellicle_influence::ElasticBodies;
+use pellicle_texture::Relief;
 
 use super::equation::{Density, Equation};
 use super::film_equation::FilmEquation;
@@ -70,6 +71,18 @@ impl AxisymmetricElasticity {
     #[must_use]
     pub fn modulus(&self) -> f64 {
         self.modulus
+    }
+
+    /// The same with the springs of a relief that is the same everywhere; none if its springs are not.
+    #[must_use]
+    pub fn on_relief(self, relief: &Relief) -> Option<Self> {
+        match relief {
+            Relief::Bare => Some(self),
+            Relief::Film(film) if film.spring_law().is_linear() => {
+                Some(self.with_springs(film.thickness() / film.young_modulus()))
+            }
+            _ => None,
+        }
     }
 
     /// Relative accuracy of forces and penetrations: 1e-11; with springs 1e-6, or 1e-4 under cones and power laws,

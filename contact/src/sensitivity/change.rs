@@ -43,7 +43,7 @@ impl Model {
                 .ok_or(ContactError::NoParameter { wanted })?;
             let derivative = match wanted {
                 ModelParameter::Elastic(of) => Some(self.tables.derivative(of)?),
-                ModelParameter::Relief(_) | ModelParameter::Indenter(_) => None,
+                _ => None,
             };
             Ok((wanted, value, derivative))
         };

@@ -25,6 +25,7 @@ impl Model {
             ModelParameter::Elastic(of) => self.tables.bodies().parameter(of),
             ModelParameter::Relief(of) => self.relief.parameter(of),
             ModelParameter::Indenter(of) => self.indenter.parameter(of),
+            ModelParameter::WorkOfAdhesion => None,
         }
     }
 
@@ -56,6 +57,9 @@ impl Model {
                 }
                 ModelParameter::Indenter(of) => {
                     model.indenter = model.indenter.with_parameter(of, *value)?;
+                }
+                wanted @ ModelParameter::WorkOfAdhesion => {
+                    return Err(ContactError::NoParameter { wanted });
                 }
             }
         }

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use pellicle_contact::adhesion::Adhesion;
 use pellicle_contact::{Model, ModelParameter};
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +28,9 @@ pub struct ContactCurve {
     pub series: f64,
     /// What the imprints under unloadings have displaced of the top layer, if that is allowed for.
     pub thinned: Option<Thinned>,
+    /// Adhesion, of a work that the parameters may replace; none for a contact without. The curve is then the branch
+    /// from the jump-out on: points before it do not belong here.
+    pub adhesion: Option<Adhesion>,
 }
 
 /// What imprints have displaced of a layer.
@@ -39,6 +43,15 @@ pub struct Thinned {
 }
 
 impl ContactCurve {
+    /// Whether a parameter belongs to the model or its adhesion.
+    #[must_use]
+    pub fn has(&self, parameter: ModelParameter) -> bool {
+        match parameter {
+            ModelParameter::WorkOfAdhesion => self.adhesion.is_some(),
+            _ => self.model.parameter(parameter).is_some(),
+        }
+    }
+
     /// The abscissae of all points, counted from these origins; no origins are zeros.
     pub(super) fn abscissae_from(&self, origins: &[f64]) -> Vec<f64> {
         let mut abscissae = self.abscissae.clone();

@@ -109,7 +109,7 @@ impl ContactCurve {
 fn value(bodies: &ElasticBodies, parameter: ModelParameter) -> Option<f64> {
     match parameter {
         ModelParameter::Elastic(of) => bodies.parameter(of),
-        ModelParameter::Relief(_) | ModelParameter::Indenter(_) => None,
+        _ => None,
     }
 }
 
@@ -121,7 +121,7 @@ fn with(
 ) -> Result<ElasticBodies, ContactError> {
     match parameter {
         ModelParameter::Elastic(of) => Ok(bodies.with_parameter(of, value)?),
-        ModelParameter::Relief(_) | ModelParameter::Indenter(_) => Ok(bodies.clone()),
+        _ => Ok(bodies.clone()),
     }
 }
 

@@ -49,7 +49,7 @@ enum NodeEnds {
 impl Nodes {
     /// Loads that cover the points of a curve; none if its readings need no contact solved.
     pub fn of(curve: &ContactCurve, options: &CurveOptions) -> Result<Option<Self>, ContactError> {
-        if curve.observable == Observable::UnloadingStiffness {
+        if curve.observable == Observable::UnloadingStiffness || curve.adhesion.is_some() {
             return Ok(None);
         }
         let abscissae = curve.abscissae_from(&curve.origins);

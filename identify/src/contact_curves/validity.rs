@@ -14,6 +14,7 @@ use pellicle_contact::{
 };
 use rayon::prelude::*;
 
+use super::adhesive::AdhesiveModel;
 use super::{ContactCurve, ContactCurves, CurveOptions, Observable, Reading, solved_curve::held};
 use crate::{Fit, Prediction};
 
@@ -42,6 +43,8 @@ pub enum Invalidity {
     Steep,
     /// The contact is less than [`FEWEST_ELEMENTS`] across on the coarser of the two grids.
     Unresolved,
+    /// The contact has jumped out: its force or its penetration is below that of the last contact with adhesion.
+    LetGo,
     /// The prediction may be wrong by more than half a standard deviation of the noise.
     Inaccurate,
 }
@@ -56,6 +59,7 @@ impl fmt::Display for Invalidity {
             Self::Squeezed => "springs squeezed by more than their height",
             Self::Steep => "indenter too steep where the contact ends",
             Self::Unresolved => "contact not resolved by the grid",
+            Self::LetGo => "beyond the pull-off of the model",
             Self::Inaccurate => "error of the prediction above half the noise",
         })
     }
@@ -139,10 +143,18 @@ impl ContactCurves {
             .collect();
         let mut found = Vec::new();
         for (index, curve) in self.curves.iter().enumerate() {
-            let conditions = self.conditions(index, &values)?;
-            let invalid = |abscissa: &f64| invalid(&conditions, *abscissa);
             let origins = self.origins_of(index, &at_fit.origins);
-            found.extend(curve.abscissae_from(origins).iter().map(invalid));
+            let abscissae = curve.abscissae_from(origins);
+            if let Some(invalid) = self.invalid_with_adhesion(index, &values, &abscissae)? {
+                found.extend(invalid);
+                continue;
+            }
+            let conditions = self.conditions(index, &values)?;
+            found.extend(
+                abscissae
+                    .iter()
+                    .map(|abscissa| invalid(&conditions, *abscissa)),
+            );
         }
         let pairs = found.into_iter().zip(inaccurate);
         Ok(pairs
@@ -167,20 +179,45 @@ impl ContactCurves {
         Ok(found)
     }
 
+    /// As [`Self::invalid_points`] for a curve with adhesion, whose layers and indenter are judged by the contact
+    /// without adhesion that has the same radius; none for other curves.
+    fn invalid_with_adhesion(
+        &self,
+        index: usize,
+        values: &[f64],
+        abscissae: &[f64],
+    ) -> Result<Option<Vec<Option<Invalidity>>>, ContactError> {
+        let curve = self.curve_at(index, values)?;
+        let Some(adhesive) = AdhesiveModel::of(&curve, &[])? else {
+            return Ok(None);
+        };
+        let forces = adhesive.forces_without(&curve, abscissae)?;
+        let without = ContactCurve {
+            observable: Observable::DepthAtForce,
+            abscissae: forces.iter().copied().flatten().collect(),
+            adhesion: None,
+            origins: Vec::new(),
+            series: 0.0,
+            ..curve
+        };
+        let without = Self::new(vec![without], Vec::new(), self.options.clone())?;
+        let conditions = without.conditions(0, &[])?;
+        let judge = |force: &Option<f64>| match force {
+            None => Some(Invalidity::LetGo),
+            Some(force) => {
+                invalid(&conditions, *force).filter(|reason| *reason != Invalidity::Unresolved)
+            }
+        };
+        Ok(Some(forces.iter().map(judge).collect()))
+    }
+
     /// Predicts the same points from the same origins, with a finer grid and more loads.
     pub(super) fn finer(
         &self,
         values: &[f64],
         origins: &[f64],
     ) -> Result<Prediction, ContactError> {
-        let curves = self.curves.iter().enumerate();
-        let curves = curves.map(|(index, curve)| {
-            let model = self.model(index, values)?;
-            Ok(ContactCurve {
-                model,
-                ..curve.clone()
-            })
-        });
+        let curves = (0..self.curves.len()).map(|index| self.curve_at(index, values));
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use pellicle::case::Case;
 use pellicle::case::map_sources::MapSources;
-use pellicle::case::parameter::CaseParameter;
+use pellicle::case::parameter::{CaseParameter, WORK_OF_ADHESION};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::key_path;
 use pellicle::input::overrides;
@@ -13,6 +13,7 @@ use pellicle::input::source_file;
 use pellicle::input::span::Span;
 use pellicle::input::toml_tree::{self, TomlEntry, TomlNode, TomlTable, TomlValue};
 use pellicle::input::value_reader::ValueReader;
+use pellicle_contact::adhesion::Adhesion;
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use pellicle_influence::Cache;
 
@@ -33,6 +34,8 @@ pub struct FitModel {
 pub struct ModelParameters {
     /// The model.
     pub model: Model,
+    /// Its adhesion, if any.
+    pub adhesion: Option<Adhesion>,
     /// The parameters.
     pub parameters: Vec<CaseParameter>,
 }
@@ -66,10 +69,11 @@ impl FitModel {
             name,
             cache,
         };
-        // A case has a load; a fit does not use it.
+        // A case has a load; a fit uses its adhesion only.
         if model.place_of("load").is_none() {
             model.replace_table("load", vec![("force", TomlValue::Float(1.0))]);
         }
+        model.give_adhesion_a_load();
         Ok(model)
     }
 
@@ -101,6 +105,32 @@ impl FitModel {
         });
         root.entries.retain(|entry| entry.key != key);
         root.entries.push(entry(key, table));
+    }
+
+    /// Adds a penetration to a load that is but a work of adhesion: with adhesion there is a contact at none.
+    fn give_adhesion_a_load(&mut self) {
+        const ADHESION: [&str; 2] = ["work_of_adhesion", "adhesion"];
+        let TomlValue::Table(root) = &mut self.root.value else {
+            return;
+        };
+        let Some(load) = root.entry_mut("load") else {
+            return;
+        };
+        let span = load.node.span.clone();
+        let TomlValue::Table(load) = &mut load.node.value else {
+            return;
+        };
+        let is_adhesion = |entry: &TomlEntry| ADHESION.contains(&entry.key.as_str());
+        if !load.entries.is_empty() && load.entries.iter().all(is_adhesion) {
+            load.entries.push(TomlEntry {
+                key: "penetration".to_owned(),
+                key_span: span.clone(),
+                node: TomlNode {
+                    value: TomlValue::Float(0.0),
+                    span,
+                },
+            });
+        }
     }
 
     /// Whether the indenter is of a kind with one radius, and has none.
@@ -158,13 +188,17 @@ impl FitModel {
         if case.hardness().is_some() {
             return Err(case.blame(ContactError::WithHardness { what: "fits" }));
         }
-        if case.adhesion.is_some() {
-            let wanted = "none: fits are those of contact without adhesion";
-            return Err(case.document.wanted("load.work_of_adhesion", wanted).into());
-        }
         let model = case.model(&self.cache)?.value;
         let parameters = case.parameters(&model)?;
-        Ok(ModelParameters { model, parameters })
+        let adhesion = case.load.work_of_adhesion.map(|work| Adhesion {
+            work,
+            law: case.load.adhesion.unwrap_or_default(),
+        });
+        Ok(ModelParameters {
+            model,
+            adhesion,
+            parameters,
+        })
     }
 
     /// Returns the model of the unchanged case.
@@ -203,6 +237,13 @@ impl ModelParameters {
         field: &ValueReader<'_>,
         key: &str,
     ) -> Result<&CaseParameter, Diagnosis> {
+        let lacks_adhesion = key_path::parts(key) == key_path::parts(WORK_OF_ADHESION);
+        if lacks_adhesion && self.adhesion.is_none() {
+            return Err(field.unusable(
+                &"without load.work_of_adhesion in the model",
+                "it there as well, such as \"50 mJ/m^2\": the contact adheres, and the search starts there",
+            ));
+        }
         self.find(key).ok_or_else(|| {
             let keys: Vec<&str> = self.parameters.iter().map(|of| of.key.as_str()).collect();
             field.unknown_key(key, &keys)
@@ -219,6 +260,9 @@ impl ModelParameters {
     /// The value of a parameter in the case.
     #[must_use]
     pub fn value(&self, of: &CaseParameter) -> Option<f64> {
-        self.model.parameter(of.parameter)
+        match of.parameter {
+            ModelParameter::WorkOfAdhesion => self.adhesion.map(|adhesion| adhesion.work),
+            parameter => self.model.parameter(parameter),
+        }
     }
 }

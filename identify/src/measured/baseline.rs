@@ -31,8 +31,10 @@ pub struct BeforeContactRows {
     pub line: BeforeContact,
     /// Whether the line is subtracted from all forces.
     pub is_subtracted: bool,
-    /// The first row in contact, from 1.
+    /// The row of the contact's point next to the stretch, from 1: the first one, or the last one of an unloading.
     pub contact_row: usize,
+    /// Whether the stretch comes after the contact, as that of an unloading.
+    pub is_after: bool,
     /// The depth, or the approach of a cantilever, at the break where the contact seems to begin, m.
     pub contact: f64,
     /// How far the lowest force of the file, on the way in or out, lies below the line, N: adhesion.
@@ -77,6 +79,16 @@ impl Baseline {
 }
 
 impl BeforeContactRows {
+    /// Whether a row, from 1, lies on its side of the contact.
+    #[must_use]
+    pub fn has(&self, row: usize) -> bool {
+        if self.is_after {
+            row > self.contact_row
+        } else {
+            row < self.contact_row
+        }
+    }
+
     /// The force without contact where it begins, and its standard error, N: what is left after a subtraction.
     #[must_use]
     pub fn zero(&self) -> [f64; 2] {
@@ -91,13 +103,18 @@ impl BeforeContactRows {
     /// The pull-off, N, if there is one beyond the noise.
     #[must_use]
     pub fn adhesion(&self, largest_force: f64) -> Option<f64> {
-        let least = (PULL_OFF_NOISE * self.line.noise).max(PULL_OFF_PART * largest_force);
-        Some(self.pull_off).filter(|found| *found > least)
+        Some(self.pull_off).filter(|found| is_pull_off(*found, self.line.noise, largest_force))
     }
 }
 
-/// Finds the stretch before the contact of a loading, in these rows, and subtracts its line from the forces, if a table
-/// asks for it.
+/// Whether a force so far below the zero (N) is a pull-off rather than noise.
+#[must_use]
+pub fn is_pull_off(below: f64, noise: f64, largest_force: f64) -> bool {
+    below > (PULL_OFF_NOISE * noise).max(PULL_OFF_PART * largest_force)
+}
+
+/// Finds the stretch before the contact of a loading, or after that of an unloading, in these rows, and subtracts its
+/// line from the forces, if a table asks for it.
 pub(super) fn subtract(
     raw: &mut RawCurve<'_>,
     rows: &[usize],
@@ -133,19 +150,23 @@ pub(super) fn subtract(
 
 /// The stretch, and whether it shows itself.
 fn find(raw: &RawCurve<'_>, rows: &[usize], data: &DataTable) -> Option<(BeforeContactRows, bool)> {
-    let is_sought = data.segment.part == Branch::Loading || data.is_unloading();
-    let (coordinate, forces) = curve(raw).filter(|_| is_sought)?;
-    let rows = if data.is_unloading() {
-        up_to_largest(rows, forces)
-    } else {
-        rows
+    let (coordinate, forces) = curve(raw)?;
+    let is_after = data.segment.part == Branch::Unloading;
+    let rows: Vec<usize> = match data.segment.part {
+        _ if data.is_unloading() => up_to_largest(rows, forces).to_vec(),
+        Branch::Loading => rows.to_vec(),
+        // From its end on, as an approach.
+        Branch::Unloading => rows.iter().rev().copied().collect(),
+        Branch::Whole => return None,
     };
+    let rows = &rows;
     let [x, y] = [coordinate, forces].map(|values| chosen(values, rows));
     let line = BeforeContact::find(&x, &y)?;
     let below = |(x, force): (&f64, &f64)| line.force_at(*x) - force;
     let depths = coordinate.iter().zip(forces).map(below);
     let found = BeforeContactRows {
         contact_row: rows.get(line.first_in_contact)? + 1,
+        is_after,
         contact: line.contact,
         is_subtracted: false,
         pull_off: depths.fold(0.0, f64::max),

@@ -7,10 +7,12 @@
 //! F = a + b x + A (x − c)₊ᵖ,   p = 1, 3/2 or 2,
 //! ```
 //!
+//! unless adhesion pulls the surfaces together there and the lowest force tells the place,
 //! with the `c` and the `p` of the least squares, over blocks of neighbouring points. `x` is the height of the piezo
 //! where there is one, for a baseline runs along it, otherwise the depth. A fit then finds the contact itself; this one
 //! only says which points lie before it.
 
+use super::baseline::is_pull_off;
 use crate::orthonormal_basis::{OrthonormalBasis, dot};
 
 /// The stretch before the contact of a curve.
@@ -63,9 +65,12 @@ impl BeforeContact {
     /// Finds the stretch before the contact of a loading; none if there are too few points before the break.
     #[must_use]
     pub fn find(coordinate: &[f64], forces: &[f64]) -> Option<Self> {
-        let (x, y) = (blocks(coordinate), blocks(forces));
-        let contact = contact(&x, &y)?;
-        let first = coordinate.iter().rposition(|x| *x < contact)? + 1;
+        let (contact, first) = if let Some(jump) = jump(forces) {
+            (coordinate[jump], jump)
+        } else {
+            let contact = contact(&blocks(coordinate), &blocks(forces))?;
+            (contact, coordinate.iter().rposition(|x| *x < contact)? + 1)
+        };
         let start = coordinate[..first]
             .iter()
             .copied()
@@ -184,6 +189,20 @@ pub(crate) fn dependence(residual: &[f64]) -> f64 {
     } else {
         (1.0 + persistence) / (1.0 - persistence)
     }
+}
+
+/// The place of the lowest force, if adhesion has pulled it there: far below the forces of the first half of those
+/// before it.
+fn jump(forces: &[f64]) -> Option<usize> {
+    let place = (0..forces.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]))?;
+    let far = &forces[..place / 2];
+    if far.len() < FEWEST_POINTS {
+        return None;
+    }
+    let mean = far.iter().sum::<f64>() / far.len() as f64;
+    let variance = far.iter().map(|force| (force - mean).powi(2)).sum::<f64>() / far.len() as f64;
+    let largest = forces.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    is_pull_off(mean - forces[place], variance.sqrt(), largest - mean).then_some(place)
 }
 
 /// The break of a curve in two pieces; none if its second piece does not rise.

@@ -99,6 +99,7 @@ fn of_the_paper(greatest_force: f64, sought: &[usize]) -> Vec<f64> {
         own: Vec::new(),
         origins: Vec::new(),
         thinned: None,
+        adhesion: None,
         series: 0.0,
     };
     let all = [young_modulus(0), young_modulus(1), THICKNESS, film];

@@ -76,6 +76,7 @@ impl Coating {
             own: Vec::new(),
             origins: Vec::new(),
             thinned: None,
+            adhesion: None,
             series: 0.0,
         };
         ContactCurves::new(vec![curve], sought.to_vec(), CurveOptions::default()).unwrap()

@@ -118,6 +118,7 @@ impl Fitted {
             origins: Vec::new(),
             series: 0.0,
             thinned: None,
+            adhesion: None,
         };
         let curves = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default()).unwrap();
         curves.predict(&[]).unwrap().value

@@ -2,18 +2,23 @@
 
 use pellicle_contact::adhesion::{Adhesion, AdhesionLaw, AdhesiveCurve};
 use pellicle_contact::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
+use pellicle_contact::{Model, ModelParameter, Paraboloid};
 use pellicle_identify::{
-    Control, Curve, Fit, FitOptions, ForwardModel, LinearNuisance, Noise, Problem, Retraction,
-    Unknown, Verdict, identify,
+    ContactCurve, ContactCurves, Curve, CurveOptions, Fit, FitOptions, ForwardModel,
+    LinearNuisance, Noise, Observable, Problem, Unknown, Verdict, identify,
 };
-use pellicle_influence::{ElasticBodies, ElasticParameter};
+use pellicle_influence::{Cache, ElasticBodies, ElasticParameter};
 use pellicle_kernel::{Base, Foundation, FoundationParameter, Interface, Layer, Material};
+
+use pellicle_texture::Relief;
 
 use super::toys::Normals;
 
-const MODULUS: ElasticParameter =
-    ElasticParameter::Foundation(FoundationParameter::YoungModulus { body: 0 });
-const BALL: AxisymmetricProfile = AxisymmetricProfile::Paraboloid { radius: 10e-6 };
+const MODULUS: ModelParameter = ModelParameter::Elastic(ElasticParameter::Foundation(
+    FoundationParameter::YoungModulus { body: 0 },
+));
+const RADIUS: f64 = 10e-6;
+const BALL: AxisymmetricProfile = AxisymmetricProfile::Paraboloid { radius: RADIUS };
 
 /// A gel of 2e6 Pa, and a work of adhesion of 0.05 J/m².
 const TRUTH: [f64; 2] = [2e6, 0.05];
@@ -40,20 +45,31 @@ fn curve(bodies: &ElasticBodies, law: AdhesionLaw) -> AdhesiveCurve {
     AdhesiveCurve::new(AxisymmetricElasticity::new(bodies), BALL, adhesion).unwrap()
 }
 
+/// Observed readings of a retraction with the compliance of a cantilever.
 fn retraction(
     bodies: &ElasticBodies,
     law: AdhesionLaw,
-    control: Control,
+    (observable, series): (Observable, f64),
     abscissae: Vec<f64>,
-) -> Retraction {
-    Retraction {
-        bodies: bodies.clone(),
-        profile: BALL,
-        law,
-        sought: vec![MODULUS],
-        control,
+) -> ContactCurves {
+    let cache = Cache::of_shapes();
+    let curve = ContactCurve {
+        model: Model {
+            tables: cache.radial_tables_of(bodies).unwrap().value,
+            relief: Relief::Bare,
+            indenter: Paraboloid::new(RADIUS).unwrap().into(),
+            cache,
+        },
+        adhesion: Some(Adhesion { work: 1.0, law }),
+        observable,
+        series,
         abscissae,
-    }
+        own: Vec::new(),
+        origins: Vec::new(),
+        thinned: None,
+    };
+    let sought = vec![MODULUS, ModelParameter::WorkOfAdhesion];
+    ContactCurves::new(vec![curve], sought, CurveOptions::default()).unwrap()
 }
 
 /// 40 points from a part of the least penetration to 1 µm.
@@ -73,31 +89,45 @@ fn a_retraction_is_the_branch_of_the_curve() {
     ] {
         let curve = curve(&bodies, law);
         let forces = [0.8, 0.3, -0.5, -10.0].map(|part| part * curve.pull_off().force);
-        let found = retraction(&bodies, law, Control::Force, forces.to_vec());
-        let predicted = found.predict(&TRUTH).unwrap();
-        let scale = curve.at_force(forces[3]).unwrap().penetration;
-        for (force, depth) in forces.into_iter().zip(&predicted.value) {
-            let wanted = curve.at_force(force).unwrap().penetration;
-            assert!(
-                (depth - wanted).abs() < 1e-8 * scale,
-                "{law:?} {force} {depth} {wanted}"
-            );
-        }
-        for (unknown, column) in predicted.derivatives.iter().enumerate() {
-            let at = |factor: f64| {
-                let mut changed = TRUTH;
-                changed[unknown] *= factor;
-                found.predict(&changed).unwrap().value
-            };
-            let (more, less) = (at(1.0001), at(0.9999));
-            for ((more, less), slope) in more.iter().zip(&less).zip(column) {
-                let wanted = (more - less) / (0.0002 * TRUTH[unknown]);
-                // The square of the step, near the pull-off some hundred times as large.
+        let depths = forces.map(|force| curve.at_force(force).unwrap().penetration);
+        // As stiff as a cantilever that bends by the penetration.
+        let series = depths[3] / forces[3];
+        let approaches = [0, 1, 2, 3].map(|i| depths[i] + series * forces[i]);
+        for (observed, abscissae, wanted) in [
+            ((Observable::DepthAtForce, 0.0), forces, depths),
+            ((Observable::ForceAtDepth, 0.0), depths, forces),
+            ((Observable::ForceAtDepth, series), approaches, forces),
+        ] {
+            let found = retraction(&bodies, law, observed, abscissae.to_vec());
+            let predicted = found.predict(&TRUTH).unwrap();
+            for (found, wanted_here) in predicted.value.iter().zip(wanted) {
+                let error = (found - wanted_here).abs();
                 assert!(
-                    (slope - wanted).abs() < 1e-4 * wanted.abs(),
-                    "{unknown} {slope:e} {wanted:e}"
+                    error < 1e-8 * wanted[3],
+                    "{law:?} {observed:?} {found} {wanted_here}"
                 );
             }
+            derivatives_are_those_of_differences(&found);
+        }
+    }
+}
+
+fn derivatives_are_those_of_differences(curves: &ContactCurves) {
+    let predicted = curves.predict(&TRUTH).unwrap();
+    for (unknown, column) in predicted.derivatives.iter().enumerate() {
+        let at = |factor: f64| {
+            let mut changed = TRUTH;
+            changed[unknown] *= factor;
+            curves.predict(&changed).unwrap().value
+        };
+        let (more, less) = (at(1.0001), at(0.9999));
+        for ((more, less), slope) in more.iter().zip(&less).zip(column) {
+            let wanted = (more - less) / (0.0002 * TRUTH[unknown]);
+            // The square of the step, near the pull-off some hundred times as large.
+            assert!(
+                (slope - wanted).abs() < 1e-4 * wanted.abs(),
+                "{unknown} {slope:e} {wanted:e}"
+            );
         }
     }
 }
@@ -107,13 +137,13 @@ fn fit(bodies: &ElasticBodies, seed: u64) -> Fit {
     let model = retraction(
         bodies,
         AdhesionLaw::Jkr,
-        Control::Penetration,
+        (Observable::ForceAtDepth, 0.0),
         penetrations(bodies, 0.7),
     );
     let mut normals = Normals::new(seed);
     let forces = model.predict(&TRUTH).unwrap().value;
     let noisy = forces.iter().map(|force| force + 30e-9 * normals.next());
-    let curve = Curve::new(model.abscissae.clone(), noisy.collect()).unwrap();
+    let curve = Curve::new(model.curves()[0].abscissae.clone(), noisy.collect()).unwrap();
     let unknowns = [("E", [5e5, 8e6], 1.5e6), ("w", [0.01, 0.3], 0.08)];
     let unknowns = unknowns.map(|(name, range, start)| {
         Unknown::positive(name, range)

@@ -129,11 +129,9 @@ impl AdhesiveContacts {
             .map_err(|error| kind.refused(&error))?;
         let bodies = ElasticBodies::new(split.foundation, material);
         let law = load.adhesion.unwrap_or_default();
-        let springs = match surface {
-            SurfaceCase::Film(film) => film.thickness / film.young_modulus,
-            _ => 0.0,
-        };
-        let elasticity = AxisymmetricElasticity::new(&bodies).with_springs(springs);
+        let relief = surface.build().map_err(|error| kind.refused(&error))?;
+        let elasticity = AxisymmetricElasticity::new(&bodies).on_relief(&relief);
+        let elasticity = elasticity.ok_or_else(|| kind.refused(&ContactError::NotAxisymmetric))?;
         let found = AdhesiveCurve::new(elasticity, profile, Adhesion { work, law });
         let found = found.and_then(|curve| Self::on(&curve, law, &load.loads(f64::NAN)));
         match found {

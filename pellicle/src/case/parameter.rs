@@ -8,6 +8,9 @@ use pellicle_texture::{Relief, ReliefParameter};
 use super::Case;
 use crate::input::dimension::Dimension;
 
+/// The key of the work of adhesion.
+pub const WORK_OF_ADHESION: &str = "load.work_of_adhesion";
+
 /// A parameter of a case and of its model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseParameter {
@@ -34,8 +37,8 @@ pub fn unit(dimension: Option<Dimension>) -> &'static str {
 }
 
 impl Case {
-    /// Returns all parameters of the case's model on which a solution depends smoothly. Those of graded layers are left
-    /// out: each stands for many layers of the model.
+    /// Returns all parameters of the case's model on which a solution depends smoothly, and its work of adhesion. Those
+    /// of graded layers are left out: each stands for many layers of the model.
     ///
     /// # Errors
     ///
@@ -48,6 +51,7 @@ impl Case {
                 ModelParameter::Elastic(of) => of_bodies(of, &keys)?,
                 ModelParameter::Relief(of) => of_relief(of, &model.relief),
                 ModelParameter::Indenter(of) => of_indenter(of)?,
+                ModelParameter::WorkOfAdhesion => return None,
             };
             Some(CaseParameter {
                 key,
@@ -55,7 +59,12 @@ impl Case {
                 dimension,
             })
         });
-        Ok(named.collect())
+        let adhesion = self.load.work_of_adhesion.map(|_| CaseParameter {
+            key: WORK_OF_ADHESION.into(),
+            parameter: ModelParameter::WorkOfAdhesion,
+            dimension: Some(Dimension::EnergyPerArea),
+        });
+        Ok(named.chain(adhesion).collect())
     }
 
     /// The keys of the model's layers and its substrate; none for the sublayers of a graded layer.

@@ -23,6 +23,7 @@ const FOLDER: &str = "-each";
 ///
 /// [`Failure`] if the fit file is wrong or the results cannot be written; not if a curve is wrong.
 pub fn each(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
+    threads::set(arguments.threads)?;
     let file = match Task::read(&arguments.path, Measurements::Required)? {
         Task::Fit(file) => *file,
         // An evaluation is one of each curve alone.
@@ -32,7 +33,6 @@ pub fn each(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
         return Err(diagnosis.into());
     }
     let folder = claim(arguments, FOLDER)?;
-    threads::set(arguments.threads)?;
     threads::begin();
     let total = file
         .data

@@ -102,6 +102,7 @@ impl Premises<'_> {
         };
         Ok(ModelParameters {
             model,
+            adhesion: self.base.adhesion,
             parameters: self.base.parameters.clone(),
         })
     }
