@@ -6,6 +6,7 @@ use pellicle_kernel::{FoundationParameter, KernelError};
 use pellicle_texture::{Relief, ReliefParameter};
 
 use super::Case;
+use super::foundation::FoundationCase;
 use crate::input::dimension::Dimension;
 
 /// A parameter of a case and of its model.
@@ -41,11 +42,23 @@ impl Case {
     ///
     /// [`KernelError`] if a graded layer cannot be split.
     pub fn parameters(&self, model: &Model) -> Result<Vec<CaseParameter>, KernelError> {
-        let keys = self.layer_keys()?;
+        let foundation = layer_keys(
+            &self.foundation,
+            ["foundation.substrate", "foundation.layer"],
+        )?;
+        let indenter = match &self.indenter.body {
+            Some(body) => layer_keys(&body.as_foundation(), body.paths())?,
+            None => Vec::new(),
+        };
         let all = model.parameters().into_iter();
         let named = all.filter_map(|parameter| {
             let (key, dimension) = match parameter {
-                ModelParameter::Elastic(of) => of_bodies(of, &keys)?,
+                ModelParameter::Elastic(ElasticParameter::Foundation(of)) => {
+                    of_body(of, &foundation)?
+                }
+                ModelParameter::Elastic(ElasticParameter::Counterbody(of)) => {
+                    of_body(of, &indenter)?
+                }
                 ModelParameter::Relief(of) => of_relief(of, &model.relief),
                 ModelParameter::Indenter(of) => of_indenter(of)?,
             };
@@ -57,37 +70,30 @@ impl Case {
         });
         Ok(named.collect())
     }
-
-    /// The keys of the model's layers and its substrate; none for the sublayers of a graded layer.
-    fn layer_keys(&self) -> Result<Vec<Option<String>>, KernelError> {
-        let splits = self.foundation.split()?.splits;
-        let of_layer = |i: usize| match splits.iter().find(|split| split.layer == i) {
-            Some(graded) => vec![None; graded.sublayers],
-            None => vec![Some(format!("foundation.layer[{i}]"))],
-        };
-        let substrate = Some("foundation.substrate".to_owned());
-        let layers = (0..self.foundation.layer.len()).flat_map(of_layer);
-        Ok(layers.chain([substrate]).collect())
-    }
 }
 
-fn of_bodies(
-    parameter: ElasticParameter,
+/// The keys of the model's layers and its substrate, at these paths; none for the sublayers of a graded layer.
+fn layer_keys(
+    body: &FoundationCase,
+    [substrate, layers]: [&str; 2],
+) -> Result<Vec<Option<String>>, KernelError> {
+    let splits = body.split()?.splits;
+    let of_layer = |i: usize| match splits.iter().find(|split| split.layer == i) {
+        Some(graded) => vec![None; graded.sublayers],
+        None => vec![Some(format!("{layers}[{i}]"))],
+    };
+    let of_layers = (0..body.layer.len()).flat_map(of_layer);
+    Ok(of_layers.chain([Some(substrate.to_owned())]).collect())
+}
+
+fn of_body(
+    parameter: FoundationParameter,
     keys: &[Option<String>],
 ) -> Option<(String, Option<Dimension>)> {
     use FoundationParameter::{
         NormalCompliance, PoissonRatio, ShearCompliance, Thickness, YoungModulus,
     };
-    let of = match parameter {
-        ElasticParameter::Foundation(of) => of,
-        ElasticParameter::CounterbodyYoungModulus => {
-            return Some(("indenter.young_modulus".into(), Some(Dimension::Pressure)));
-        }
-        ElasticParameter::CounterbodyPoissonRatio => {
-            return Some(("indenter.poisson_ratio".into(), None));
-        }
-    };
-    let (body, name, dimension) = match of {
+    let (body, name, dimension) = match parameter {
         YoungModulus { body } => (body, "young_modulus", Some(Dimension::Pressure)),
         PoissonRatio { body } => (body, "poisson_ratio", None),
         Thickness { layer } => (layer, "thickness", Some(Dimension::Length)),
