@@ -8,6 +8,7 @@ use pellicle::Run as SolvedCase;
 use pellicle::case::stress::StressCase;
 use pellicle::input::span::Source;
 use pellicle::summary::WarningSummary;
+use pellicle_cli::Failure;
 use pellicle_cli::solved::{self, StressFields};
 use pellicle_contact::SampledModel;
 use pyo3::exceptions::PyIndexError;
@@ -128,9 +129,10 @@ impl Solution {
             let bodies = (&case.foundation, Some(&case.indenter));
             let stress = StressCase::parse(&source, bodies, path.grid.side())?;
             let body = stress.body;
-            Ok(StressFields::new(case, path, step, &stress)?.map(|found| (found, body)))
+            let found = StressFields::new(case, path, step, &stress)?;
+            Ok::<_, Failure>(found.map(|found| (found, body)))
         })?;
-        let found: Option<_> = found.map_err(|error: Failure| Refusal::from(error))?;
+        let found: Option<_> = found.map_err(Refusal::from)?;
         let (found, body) = found.ok_or_else(|| PyIndexError::new_err(step))?;
         let bodies = body.of(&case.foundation, Some(&case.indenter));
         let names = bodies.body_names().into_iter();

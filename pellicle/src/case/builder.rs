@@ -70,8 +70,8 @@ impl CaseBuilder {
         self
     }
 
-    /// The elastic body of the indenter, a [`Material`](pellicle_kernel::Material) or layers as a [`Foundation`](pellicle_kernel::Foundation); it
-    /// is rigid without one.
+    /// The elastic body of the indenter, a [`Material`](pellicle_kernel::Material) or layers as a
+    /// [`Foundation`](pellicle_kernel::Foundation); it is rigid without one.
     #[must_use]
     pub fn elastic_indenter(mut self, body: impl Into<IndenterBody>) -> Self {
         self.0.indenter.body = Some(body.into());

@@ -172,15 +172,9 @@ force = 0.1
 
     #[test]
     fn every_parameter_except_those_of_graded_layers_has_its_key() {
-        let source = Arc::new(Source::new("case.toml", CASE.into()));
-        let read = |sets: &[String]| Case::parse(&source, "case", Path::new(""), sets).unwrap();
-        let case = read(&[]);
-        let model = |case: &Case| case.model(&Cache::none()).unwrap().value;
-        let parameters = case.parameters(&model(&case)).unwrap();
-        let keys: Vec<&str> = parameters.iter().map(|of| of.key.as_str()).collect();
-        assert_eq!(
-            keys,
-            [
+        check(
+            CASE,
+            &[
                 "foundation.layer[1].young_modulus",
                 "foundation.layer[1].poisson_ratio",
                 "foundation.layer[1].thickness",
@@ -193,8 +187,48 @@ force = 0.1
                 "surface.thickness",
                 "indenter.face_angle",
                 "indenter.tip_radius",
-            ]
+            ],
         );
+    }
+
+    #[test]
+    fn the_parameters_of_a_layered_indenter_have_keys_of_its_body() {
+        let of_body = r#"body = { substrate = "rigid", layer = [
+            { thickness = 0.1, young_modulus = { from = 10, to = 2, profile = "linear" }, poisson_ratio = 0.2 },
+            { thickness = 0.2, young_modulus = 4, poisson_ratio = 0.25, interface = { normal_compliance = 0.1, shear_compliance = 0.0 } },
+        ] }"#;
+        let of_half_space = "young_modulus = 100\npoisson_ratio = 0.1";
+        let text = CASE.replace(of_half_space, of_body);
+        check(
+            &text,
+            &[
+                "foundation.layer[1].young_modulus",
+                "foundation.layer[1].poisson_ratio",
+                "foundation.layer[1].thickness",
+                "foundation.layer[1].interface.normal_compliance",
+                "foundation.substrate.young_modulus",
+                "foundation.substrate.poisson_ratio",
+                "indenter.body.layer[1].young_modulus",
+                "indenter.body.layer[1].poisson_ratio",
+                "indenter.body.layer[1].thickness",
+                "indenter.body.layer[1].interface.normal_compliance",
+                "surface.young_modulus",
+                "surface.thickness",
+                "indenter.face_angle",
+                "indenter.tip_radius",
+            ],
+        );
+    }
+
+    /// The keys, each of which sets the number that it names.
+    fn check(text: &str, wanted: &[&str]) {
+        let source = Arc::new(Source::new("case.toml", text.into()));
+        let read = |sets: &[String]| Case::parse(&source, "case", Path::new(""), sets).unwrap();
+        let case = read(&[]);
+        let model = |case: &Case| case.model(&Cache::none()).unwrap().value;
+        let parameters = case.parameters(&model(&case)).unwrap();
+        let keys: Vec<&str> = parameters.iter().map(|of| of.key.as_str()).collect();
+        assert_eq!(keys, wanted);
         for CaseParameter { key, parameter, .. } in parameters {
             let value = model(&case).parameter(parameter).unwrap() * 1.01;
             let other = model(&read(&[format!("{key}={value}")]));

@@ -40,7 +40,7 @@ record! {
 record! {
     /// An indenter with layers.
     pub struct LayeredIndenter {
-        body: FoundationCase = table(BODY), "layers and substrate of the indenter, from its surface inwards, as those of the foundation; in place of `young_modulus` and `poisson_ratio`";
+        body: FoundationCase = table(BODY), "its layers and substrate, as those of the foundation, in place of the two constants";
     }
     check |of: &LayeredIndenter, table: &TableReader<'_>, _: &Scope<'_>| {
         if !of.body.is_rigid() {
@@ -64,7 +64,7 @@ impl IndenterBody {
     pub(super) fn declare(table: &mut TableShape) {
         together::<ElasticConstants>().declare("", "", table);
         let body = crate::declare::table::<FoundationCase>(BODY);
-        let body = body.optional("as `young_modulus` says, or rigid");
+        let body = body.optional("the two constants, or rigid");
         let meaning = LayeredIndenter::shape().fields[0].meaning;
         body.declare("body", meaning, table);
     }
@@ -188,15 +188,15 @@ mod tests {
         for (text, wanted) in [
             (
                 format!("body = {{ {STEEL} }}\nyoung_modulus = 1e9\npoisson_ratio = 0.3"),
-                "key `body`: found a table beside young_modulus, wanted either a body or the constants of a half-space",
+                "key `body`: found a table, beside young_modulus, wanted either a body or the constants of a half-space",
             ),
             (
                 format!("body = {{ {COATED} }}"),
-                "key `body.substrate`: missing",
+                "key `body.substrate`: found no such key, wanted { young_modulus = .., poisson_ratio = .. }",
             ),
             (
                 "body = { substrate = \"rigid\" }".into(),
-                "key `body.substrate`: found \"rigid\" without layers on it, wanted layers too",
+                "key `body.substrate`: found \"rigid\", without layers on it, wanted layers too",
             ),
             (
                 format!("body = {{ {STEEL}, {} }}", COATED.replace("2e-6", "-2e-6")),
