@@ -20,7 +20,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
-use pellicle_influence::{CoefficientTable, Origin, RadialTables, SurfaceElasticity, love};
+use pellicle_influence::{CoefficientTable, ElasticBody, Origin, RadialTables, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief};
 use rayon::prelude::*;
 
@@ -64,7 +64,7 @@ pub struct LoadingPath {
     pub solve_seconds: f64,
     /// Whether the observer cancelled; then only the loads before the first unfinished one are included.
     pub interrupted: bool,
-    /// The foundation, with its radial tables.
+    /// The foundation and the indenter's body, with their radial tables.
     pub tables: Arc<RadialTables>,
     /// The boundary condition of the square.
     pub boundary: Boundary,
@@ -107,21 +107,34 @@ impl LoadingPath {
             &initial_gap(&geometry.indenter_profile, geometry.relief.profile()),
             *penetration,
         );
-        if let Some(counterbody) = self.counterbody() {
+        if let Some(counterbody) = self.alone(ElasticBody::Counterbody) {
             let own = self::displacement(Arc::new(counterbody), &all, pressure);
             add_scaled(&mut surface.displacement, -1.0, &own);
         }
         Some(surface)
     }
 
-    /// The elasticity of the indenter alone; none if it is rigid.
-    fn counterbody(&self) -> Option<SurfaceElasticity> {
-        let bodies = self.tables.bodies().counterbody_alone()?;
-        let material = bodies.foundation().surface_material();
+    /// The elasticity of one body alone; none if it is rigid.
+    fn alone(&self, body: ElasticBody) -> Option<SurfaceElasticity> {
+        let foundation = self.tables.bodies().of(body);
+        if foundation.is_rigid() {
+            return None;
+        }
         let side = self.grid.element_side();
-        let coefficient = |offset| love::coefficient(&material, side, offset);
+        let coefficient = |offset| self.tables.coefficient_of(body, side, offset);
         let table = CoefficientTable::from_fn(side, self.grid.size(), coefficient).ok()?;
-        Some(SurfaceElasticity::new(Arc::new(table), bodies))
+        Some(SurfaceElasticity::new(Arc::new(table), foundation.clone()))
+    }
+
+    /// The same contact seen from one of its bodies, which becomes the foundation: the same pressures, and the stresses
+    /// inside that body.
+    #[must_use]
+    pub fn seen_from(&self, body: ElasticBody) -> Self {
+        let mut path = self.clone();
+        if body == ElasticBody::Counterbody {
+            path.tables = Arc::new(self.tables.swapped());
+        }
+        path
     }
 }
 

@@ -17,7 +17,7 @@ use std::sync::Arc;
 use pellicle_contact::{
     Domain, Indenter, Load, LoadingPath, Model, SolverOptions, Warning, solve_path,
 };
-use pellicle_influence::{Cache, RadialTables};
+use pellicle_influence::{Cache, ElasticBodies, RadialTables};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::Relief;
 
@@ -33,8 +33,9 @@ fn model(foundation: &Foundation, indenter: Indenter) -> Model {
 
 /// The same under an indenter of this material.
 fn with_elastic_indenter(model: &Model, material: Material) -> Model {
+    let bodies = ElasticBodies::new(model.tables.foundation().clone(), material);
     Model {
-        tables: Arc::new(model.tables.with_counterbody(Some(material))),
+        tables: Arc::new(RadialTables::of_bodies(&bodies).unwrap()),
         ..model.clone()
     }
 }

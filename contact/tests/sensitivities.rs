@@ -87,6 +87,18 @@ fn cases() -> Vec<(Model, f64, f64)> {
         ),
         (
             model(
+                &ElasticBodies::new(
+                    coated(0.1, material(5.0, 0.2), material(1.0, 0.3)),
+                    stack(&three, half_space(2.0, 0.3)),
+                ),
+                Relief::Bare,
+                paraboloid,
+            ),
+            3e-3,
+            0.7,
+        ),
+        (
+            model(
                 &stack(&sprung, half_space(1.0, 0.35)).into(),
                 Relief::Bare,
                 Sphere::new(1.0).unwrap(),
@@ -241,7 +253,7 @@ fn derivatives_agree_with_differences_between_solutions_of_the_same_contact_set(
             let is_ratio = matches!(
                 parameter,
                 ModelParameter::Elastic(
-                    ElasticParameter::CounterbodyPoissonRatio
+                    ElasticParameter::Counterbody(FoundationParameter::PoissonRatio { .. })
                         | ElasticParameter::Foundation(FoundationParameter::PoissonRatio { .. })
                 )
             );

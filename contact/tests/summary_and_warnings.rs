@@ -170,6 +170,7 @@ fn too_few_elements_per_radius_or_thickness_are_warned_about() {
         Warning::LayerUnderResolved {
             layer: 1,
             elements_per_thickness,
+            ..
         },
     ] = warnings[..]
     else {

@@ -22,7 +22,7 @@ use serde::de::DeserializeOwned;
 use self::disk::Disk;
 use self::memory::Memory;
 use crate::radial::{RadialFunctions, accurate_functions};
-use crate::{CoefficientTable, ElasticBodies, InfluenceError, RadialTables};
+use crate::{CoefficientTable, ElasticBodies, ElasticBody, InfluenceError, RadialTables};
 
 pub use report::{CacheWarning, Cached, Origin, Usage};
 
@@ -130,13 +130,57 @@ impl Cache {
         &self,
         foundation: &Foundation,
     ) -> Result<Cached<Arc<RadialTables>>, InfluenceError> {
-        let tables = |functions| Arc::new(RadialTables::new(foundation, functions));
-        if !RadialTables::has_functions(foundation) {
-            let (value, origin) = (tables(None), Origin::Immediate);
+        self.radial_tables_of(&foundation.clone().into())
+    }
+
+    /// The radial tables of a foundation under a counterbody.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`RadialTables::of_bodies`]; the cache adds none.
+    pub fn radial_tables_of(
+        &self,
+        bodies: &ElasticBodies,
+    ) -> Result<Cached<Arc<RadialTables>>, InfluenceError> {
+        let [foundation, counterbody] = bodies.each();
+        let [own, other] = [self.functions(foundation)?, self.functions(counterbody)?];
+        Ok(Cached {
+            value: Arc::new(RadialTables::new(bodies, [own.value, other.value])?),
+            origin: own.origin.max(other.origin),
+        })
+    }
+
+    /// The same, without tabulating a body again that is one of these tables'.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::radial_tables_of`].
+    pub fn radial_tables_like(
+        &self,
+        known: &RadialTables,
+        bodies: &ElasticBodies,
+    ) -> Result<Arc<RadialTables>, InfluenceError> {
+        let functions = |body: ElasticBody| {
+            if known.bodies().of(body) == bodies.of(body) {
+                return Ok(known.functions(body).cloned());
+            }
+            self.functions(bodies.of(body)).map(|found| found.value)
+        };
+        let [own, other] = ElasticBody::ALL.map(functions);
+        Ok(Arc::new(RadialTables::new(bodies, [own?, other?])?))
+    }
+
+    /// The radial functions of one body; none if it is homogeneous or rigid.
+    fn functions(
+        &self,
+        body: &Foundation,
+    ) -> Result<Cached<Option<Arc<RadialFunctions>>>, InfluenceError> {
+        if !RadialTables::has_functions(body) {
+            let (value, origin) = (None, Origin::Immediate);
             return Ok(Cached { value, origin });
         }
-        let shape = self.0.by_shape.then(|| shape::of(foundation)).transpose()?;
-        let tabulated = shape.as_ref().unwrap_or(foundation);
+        let shape = self.0.by_shape.then(|| shape::of(body)).transpose()?;
+        let tabulated = shape.as_ref().unwrap_or(body);
         let request = Request {
             key: key("radial tables", tabulated),
             bytes: LARGEST_TABLES,
@@ -144,21 +188,7 @@ impl Cache {
         };
         let compute = || accurate_functions(tabulated);
         let functions = self.get(&self.0.functions, &request, compute)?;
-        Ok(functions.map(|functions| tables(Some(functions))))
-    }
-
-    /// The radial tables of a foundation under a counterbody.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Self::radial_tables`].
-    pub fn radial_tables_of(
-        &self,
-        bodies: &ElasticBodies,
-    ) -> Result<Cached<Arc<RadialTables>>, InfluenceError> {
-        let counterbody = bodies.counterbody().copied();
-        let tables = self.radial_tables(bodies.foundation())?;
-        Ok(tables.map(|tables| Arc::new(tables.with_counterbody(counterbody))))
+        Ok(functions.map(Some))
     }
 
     /// The coefficients of the `size` × `size` elements of side `element_side` (m) of one grid.

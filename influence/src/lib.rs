@@ -87,7 +87,7 @@ mod subsurface;
 mod surface_elasticity;
 mod transform;
 
-pub use bodies::{ElasticBodies, ElasticDirection, ElasticParameter};
+pub use bodies::{ElasticBodies, ElasticBody, ElasticDirection, ElasticParameter};
 pub use cache::{Cache, CacheWarning, Cached, Origin, Usage};
 pub use coefficient_table::CoefficientTable;
 pub use element::{direct, love};

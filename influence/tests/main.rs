@@ -1,5 +1,6 @@
 //! Tests of coefficients, operators, stresses inside and the cache.
 
+mod bodies;
 mod cache;
 mod coefficients;
 mod derivative;

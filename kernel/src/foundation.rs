@@ -71,6 +71,26 @@ impl Foundation {
         }
     }
 
+    /// A body that does not deform, `C = 0`: one of two bodies in contact, of which the other is elastic.
+    ///
+    /// It has neither layers nor parameters; the modulus of its [surface](Self::surface_material) is infinite.
+    #[must_use]
+    pub fn rigid() -> Self {
+        Self {
+            layers: Vec::new(),
+            base: Base::Rigid,
+            surface_material: Material::RIGID,
+            thickness: 0.0,
+            response: Response::HalfSpace,
+        }
+    }
+
+    /// Whether it does not deform.
+    #[must_use]
+    pub fn is_rigid(&self) -> bool {
+        self.layers.is_empty() && self.base == Base::Rigid
+    }
+
     /// One bonded layer, a `coating` of `thickness` (m), on a half-space, the `substrate`.
     ///
     /// # Errors
@@ -107,7 +127,7 @@ impl Foundation {
         }
     }
 
-    /// The material at the surface: of the first layer, or of the half-space.
+    /// The material at the surface: of the first layer, or of the half-space; of infinite modulus on a rigid body.
     #[must_use]
     pub fn surface_material(&self) -> Material {
         self.surface_material
@@ -189,6 +209,19 @@ impl Foundation {
     }
 }
 
+impl From<Material> for Foundation {
+    fn from(material: Material) -> Self {
+        Self::half_space(material)
+    }
+}
+
+impl From<Option<Material>> for Foundation {
+    /// A half-space, or a rigid body if there is no material.
+    fn from(material: Option<Material>) -> Self {
+        material.map_or_else(Self::rigid, Self::half_space)
+    }
+}
+
 /// Largest ratio of the shear moduli of neighbours, far beyond any pair of materials. The squares of such ratios and
 /// the products of a few layers neither overflow nor underflow.
 const LARGEST_RATIO: f64 = 1e30;
@@ -227,6 +260,17 @@ mod tests {
             Foundation::new(vec![], Base::Rigid),
             Err(KernelError::NothingElastic)
         );
+    }
+
+    #[test]
+    fn a_rigid_body_has_no_compliance_and_no_parameters() {
+        let body = Foundation::rigid();
+        for k in [0.0, 1e-9, 1.0, 1e300] {
+            assert!(body.compliance(k).abs() <= 0.0, "{k}");
+        }
+        assert!(body.is_rigid() && body.parameters().is_empty());
+        assert!(body.null_directions().is_empty() && body.confined_compliance().abs() <= 0.0);
+        assert!(!Foundation::from(material(1.0, 0.3)).is_rigid());
     }
 
     #[test]

@@ -19,6 +19,12 @@ pub struct Material {
 }
 
 impl Material {
+    /// The limit of an infinite modulus: the surface of a body that does not deform.
+    pub(crate) const RIGID: Self = Self {
+        young_modulus: f64::INFINITY,
+        poisson_ratio: 0.0,
+    };
+
     /// A material of Young's modulus `E` (Pa, positive) and Poisson's ratio `ν` in [0, 0.5].
     ///
     /// Both ends are allowed: `ν = 0.5` is incompressible and needs no special care anywhere in

@@ -26,6 +26,7 @@ pub mod unit_slip;
 pub mod warnings;
 pub mod with_units;
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -41,7 +42,7 @@ use self::load::LoadCase;
 use self::map_sources::MapSources;
 use self::output::OutputCase;
 use self::solver::SolverCase;
-use self::stress::StressCase;
+use self::stress::{StressCase, StressedBody};
 use self::surface::SurfaceCase;
 use crate::declare::{Field, Kinds, Presence, Record, Scope, Shape, TableShape};
 use crate::error::Error;
@@ -298,10 +299,13 @@ impl Case {
         let grid = read_or_default::<GridCase>(optional("grid")?, &scope)?;
         (scope.elements, scope.side) = (grid.elements, grid.longer_side());
         let output = read_or_default::<OutputCase>(optional("output")?, &scope)?;
-        let stress = optional("stress")?;
-        let stress = stress.map(|table| StressCase::read(&table, &scope));
-        let stress = stress.transpose()?;
         let mut indenter = IndenterCase::read(&required("indenter")?, &scope)?;
+        if indenter.body.is_none() {
+            foundation.refuse_rigid(&required("foundation")?)?;
+        }
+        let stress = optional("stress")?;
+        let stress = stress.map(|table| StressCase::read_of(&table, Some(&indenter), &scope));
+        let stress = stress.transpose()?;
         match (grid.boundary, grid.both_sides()) {
             (BoundaryCase::Periodic, Some(sides)) => {
                 periodic::fit(&table, &foundation, sides, &mut surface, &mut indenter)?;
@@ -320,8 +324,14 @@ impl Case {
         let units = units.fold(Units::of(root), Units::or);
         let solver = read_or_default::<SolverCase>(optional("solver")?, &scope)?;
         let load = LoadCase::read(&required("load")?, &scope)?;
-        hardness::check(&table, (&foundation, &solver), &load, stress.is_some())?;
-        let hardness = solver.hardness.or(foundation.hardness());
+        let stressed = stress
+            .as_ref()
+            .map(|stress| stress.body.of(&foundation, Some(&indenter)));
+        let has_critical_loads = stressed.is_some_and(|body| body.has_strengths());
+        let bodies = (&foundation, &indenter, &solver);
+        hardness::check(&table, bodies, &load, has_critical_loads)?;
+        let of_bodies = || foundation.hardness_against(&indenter);
+        let hardness = solver.hardness.or_else(of_bodies);
         adhesion::refuse(&table, (&surface, &load, &grid), hardness)?;
         let adhesion = AdhesiveContacts::find(&table, (&foundation, &surface, &indenter), &load)?;
         Ok(Self {
@@ -340,6 +350,16 @@ impl Case {
         })
     }
 
+    /// The body inside which stresses are requested, by default the foundation.
+    #[must_use]
+    pub fn stressed(&self) -> Cow<'_, FoundationCase> {
+        let body = self
+            .stress
+            .as_ref()
+            .map_or_else(StressedBody::default, |stress| stress.body);
+        body.of(&self.foundation, Some(&self.indenter))
+    }
+
     /// Returns the failure of a solution, with the key to change if the case is at fault.
     #[must_use]
     pub fn blame(&self, error: ContactError) -> Error {
@@ -355,6 +375,8 @@ impl Case {
                 "solver.hardness",
                 "foundation.layer[0].hardness",
                 "foundation.substrate.hardness",
+                "indenter.body.layer[0].hardness",
+                "indenter.body.substrate.hardness",
             ],
             ContactError::BeyondGaps { .. } => &["load.penetration", "load.penetrations"],
             ContactError::NothingCanTouch { .. } => {

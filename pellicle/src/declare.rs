@@ -18,7 +18,7 @@ pub use codec::{
     Codec, angle, compliance, count, energy_per_area, force, fraction, length, literal, number,
     pressure, switch, text, word,
 };
-pub use combinators::{either, part, together};
+pub use combinators::{either, part, table, together};
 pub use lists::{list, pair, series, tables};
 pub use shape::{Field, KindsShape, Presence, Shape, TableShape};
 

@@ -315,10 +315,14 @@ impl RunSummary {
         self.case["surface"]["kind"] != "bare"
     }
 
-    /// The number of layers, each with an interface below.
+    /// The number of layers of the body inside which stresses are computed, each with an interface below.
     #[must_use]
     pub fn layers(&self) -> usize {
-        let layers = self.case["foundation"]["layer"].as_array();
+        let body = match self.case["stress"]["body"].as_str() {
+            Some("indenter") => &self.case["indenter"]["body"],
+            _ => &self.case["foundation"],
+        };
+        let layers = body["layer"].as_array();
         layers.map_or(0, Vec::len)
     }
 

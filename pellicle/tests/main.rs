@@ -3,3 +3,4 @@
 mod documents;
 mod maps;
 mod periodic;
+mod two_bodies;

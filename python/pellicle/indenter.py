@@ -1,10 +1,11 @@
-"""The indenters of a case. Each may be elastic: give both `young_modulus` in Pa and `poisson_ratio`, or neither."""
+"""The indenters of a case. Each may be elastic: give both `young_modulus` in Pa and `poisson_ratio`, or a `body`."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
+from .body import Foundation
 from .height_map import HeightMap
 from .quantity import Quantity
 from .table import Table
@@ -12,11 +13,12 @@ from .table import Table
 
 @dataclass(frozen=True)
 class Indenter(Table):
-    """An indenter, rigid unless it has a Young's modulus (Pa) and a Poisson's ratio."""
+    """An indenter, rigid unless it has a Young's modulus (Pa) and a Poisson's ratio, or a `body` with layers."""
 
     _part: ClassVar[str | None] = "indenter"
     young_modulus: Quantity | None = field(default=None, kw_only=True)
     poisson_ratio: float | None = field(default=None, kw_only=True)
+    body: Foundation | None = field(default=None, kw_only=True)
 
 
 @dataclass(frozen=True)

@@ -67,7 +67,7 @@ impl Foundation {
             let grid = Grid::new(side, size)?;
             check_length(pressure.len(), grid.len())?;
             let source = Arc::new(Source::new("stress", text));
-            let stress = StressCase::parse(&source, &self.case, side)?;
+            let stress = StressCase::parse(&source, (&self.case, None), side)?;
             let tables = shared.cache.radial_tables(&self.foundation)?.value;
             let field = StressField::of(tables, grid, &pressure, stress.sliding());
             StressFields::of(

@@ -8,6 +8,7 @@ use pellicle::Run as SolvedCase;
 use pellicle::case::stress::StressCase;
 use pellicle::input::span::Source;
 use pellicle::summary::WarningSummary;
+use pellicle_cli::Failure;
 use pellicle_cli::solved::{self, StressFields};
 use pellicle_contact::SampledModel;
 use pyo3::exceptions::PyIndexError;
@@ -125,12 +126,20 @@ impl Solution {
         let (case, path) = (&self.case, &self.solved.path);
         let found = Threads::work(py, || {
             let source = Arc::new(Source::new("stress", text));
-            let stress = StressCase::parse(&source, &case.foundation, path.grid.side())?;
-            StressFields::new(case, path, step, &stress)
+            let bodies = (&case.foundation, Some(&case.indenter));
+            let stress = StressCase::parse(&source, bodies, path.grid.side())?;
+            let body = stress.body;
+            let found = StressFields::new(case, path, step, &stress)?;
+            Ok::<_, Failure>(found.map(|found| (found, body)))
         })?;
-        let found = found.map_err(Refusal::from)?;
-        let found = found.ok_or_else(|| PyIndexError::new_err(step))?;
-        Ok(Planes::new(found, &case.foundation.body_names()))
+        let found: Option<_> = found.map_err(Refusal::from)?;
+        let (found, body) = found.ok_or_else(|| PyIndexError::new_err(step))?;
+        let bodies = body.of(&case.foundation, Some(&case.indenter));
+        let names = bodies.body_names().into_iter();
+        let names: Vec<_> = names
+            .map(|name| format!("{}{name}", body.prefix()))
+            .collect();
+        Ok(Planes::new(found, &names))
     }
 
     /// Profile and mask of the relief.

@@ -114,6 +114,27 @@ def test_every_key_can_be_written_and_read_back() -> None:
     assert resolved["output"] == {"fields": "all", "pictures": "none", "formats": ["npz"]}
 
 
+def test_an_indenter_may_have_layers_and_stresses_inside() -> None:
+    steel, carbon = pl.Material("210 GPa", 0.3), pl.Layer("2 um", pl.Material("300 GPa", 0.2))
+    coated = pl.Foundation(steel, [carbon])
+    case = pl.Case(
+        pl.Foundation("rigid"),
+        pl.Paraboloid("3 mm", body=coated),
+        force="1 N",
+        elements=32,
+        stress=pl.Stress(body="indenter"),
+    )
+    assert pl.Case.from_string(case.to_toml()) == case
+    assert case.resolved["indenter"]["body"]["layer"][0]["thickness"] == 2e-6
+    on_coated = pl.Case(coated, pl.Paraboloid("3 mm"), force="1 N", elements=32, stress=pl.Stress())
+    inside, wanted = case.solve()[0], on_coated.solve()[0]
+    assert inside.penetration == wanted.penetration
+    names = [body["name"] for body in inside.summary["stress"]["bodies"]]
+    assert names == ["indenter.layer[0]", "indenter.substrate"]
+    with pytest.raises(pl.CaseError):
+        pl.Case(coated, pl.Paraboloid("3 mm"), force="1 N", stress=pl.Stress(body="indenter"))
+
+
 def test_a_contact_with_adhesion_pulls() -> None:
     body = pl.Foundation(pl.Material("2 MPa", 0.5))
     ball = pl.Paraboloid("10 um")
@@ -230,7 +251,7 @@ def test_no_table_of_the_case_file_has_keys_that_its_class_lacks(
     known = keys_that_the_reader_knows(place, **values)
     assert (fields(kind) | more) - less == known
     of_maps = {"interpolation", "holes", "level", "edges", "origin"}
-    assert known - more - set(SI_UNITS) <= of_maps | {"lattice", "law", "fields", "pictures", "formats", "only"}
+    assert known - more - set(SI_UNITS) <= of_maps | {"lattice", "law", "fields", "pictures", "formats", "only", "body"}
 
 
 def test_layers_loads_grid_and_solver_have_the_keys_of_the_case_file() -> None:

@@ -1,6 +1,10 @@
 //! `pellicle check`: the case as resolved, and estimates of the work of solving it.
 
+use std::borrow::Cow;
+
 use pellicle::case::Case;
+use pellicle::case::foundation::FoundationCase;
+use pellicle::case::foundation::layer::LayerCase;
 use pellicle::case::grid::GridCase;
 use pellicle::case::map::MapCase;
 use pellicle::case::surface::SurfaceCase;
@@ -115,13 +119,21 @@ impl Estimates {
 
     /// Adds the number of homogeneous layers into which each graded layer is split.
     fn graded(&mut self, case: &Case) -> Result<(), Failure> {
-        for split in case.foundation.split()?.splits {
-            let (sublayers, error) = (split.sublayers, significant(split.error, 2));
-            let name = format!("layer {}, graded, is split into", split.layer);
-            self.add(
-                &name,
-                &format!("{sublayers}, relative error of C(k) {error}"),
-            );
+        let other = case.indenter.foundation();
+        let bodies = [
+            (Some(Cow::Borrowed(&case.foundation)), ""),
+            (other, " of the indenter"),
+        ];
+        for (body, of) in bodies {
+            let splits = body.map(|body| body.split()).transpose()?;
+            for split in splits.into_iter().flat_map(|split| split.splits) {
+                let (sublayers, error) = (split.sublayers, significant(split.error, 2));
+                let name = format!("layer {}{of}, graded, is split into", split.layer);
+                self.add(
+                    &name,
+                    &format!("{sublayers}, relative error of C(k) {error}"),
+                );
+            }
         }
         Ok(())
     }
@@ -137,8 +149,8 @@ impl Estimates {
             .map(|step| step.summary.contact_radius);
         let radius = trial.filter(|radius| *radius > 0.0);
         let radius = radius.unwrap_or(forecast.side / 3.0);
-        let foundation = case.foundation.split()?.foundation;
-        let planes = stress.planes(&case.foundation, &foundation, radius);
+        let body = case.stressed();
+        let planes = stress.planes(&body, &body.split()?.foundation, radius);
         let extent = stress.side(radius, forecast.side);
         let size = case.grid.elements as f64 * extent / forecast.side;
         #[expect(
@@ -154,7 +166,7 @@ impl Estimates {
         );
         let deepest = planes.last().map_or(0.0, |plane| plane.depth.z);
         self.add("  down to", &quantity(deepest, Unit::Metre, case.units));
-        let strengths = case.foundation.criteria().len();
+        let strengths = body.criteria().len();
         if strengths > 0 {
             let words = format!("{strengths}, each by solving some ten more loads");
             self.add("critical loads", &words);
@@ -211,8 +223,16 @@ impl Estimates {
 
 /// The lengths that a grid should resolve.
 fn features(case: &Case) -> Vec<(String, f64)> {
-    let layers = case.foundation.layer.iter().enumerate();
-    let thickness = layers.map(|(i, layer)| (format!("thickness of layer {i}"), layer.thickness));
+    let of_body = |body: &FoundationCase, of: &str| {
+        let layers = body.layer.iter().enumerate();
+        let thickness = |(i, layer): (usize, &LayerCase)| {
+            (format!("thickness of layer {i}{of}"), layer.thickness)
+        };
+        layers.map(thickness).collect::<Vec<_>>()
+    };
+    let other = case.indenter.foundation();
+    let other = other.map_or_else(Vec::new, |body| of_body(&body, " of the indenter"));
+    let thickness = of_body(&case.foundation, "").into_iter().chain(other);
     let relief = match &case.surface {
         SurfaceCase::Cylinders(cylinders) => vec![
             ("radius of a cylinder".to_owned(), cylinders.radius),

@@ -6,7 +6,7 @@ use pellicle::case::Case;
 use pellicle::input::units::Units;
 use pellicle_contact::Model;
 use pellicle_files::json;
-use pellicle_influence::direct;
+use pellicle_influence::{ElasticBody, direct};
 use serde::Serialize;
 
 use crate::arguments::InfluenceArguments;
@@ -66,7 +66,8 @@ fn coefficients(
         let coefficient = if arguments.direct {
             direct::coefficient(model.tables.foundation(), element_side, distance)?
         } else {
-            model.tables.foundation_coefficient(element_side, distance)
+            let of = ElasticBody::Foundation;
+            model.tables.coefficient_of(of, element_side, distance)
         };
         Ok(CoefficientRow {
             offset,

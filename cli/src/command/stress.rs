@@ -3,13 +3,13 @@
 use pellicle::Watching;
 use pellicle::case::Case;
 use pellicle::case::foundation::depths::BodyPlane;
-use pellicle::case::stress::StressCase;
+use pellicle::case::stress::{StressCase, StressedBody};
 use pellicle::forecast::need::Need;
 use pellicle::input::units::Units;
 use pellicle::memory::MemoryBudget;
 use pellicle_contact::{Model, Status, StressField, solve_path};
 use pellicle_files::json;
-use pellicle_influence::{Depth, SubsurfaceState};
+use pellicle_influence::{Depth, ElasticBody, SubsurfaceState};
 use serde::Serialize;
 
 use crate::arguments::StressArguments;
@@ -63,10 +63,11 @@ pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
     let model = case.model(&cache)?.value;
     threads::begin();
     let (field, status, side) = solve(&case, &model, step, arguments.json)?;
-    let foundation = model.tables.foundation();
+    let bodies = model.tables.bodies();
+    let (body, foundation) = (case.stressed(), bodies.of(stressed(&case)));
     let mut rows = Vec::new();
     for [x, y, z] in &arguments.points {
-        for plane in case.foundation.planes(foundation, *z) {
+        for plane in body.planes(foundation, *z) {
             let state = state(&field, [*x, *y], plane.depth)?;
             rows.push(PointRow::new([*x, *y, *z], plane, &state));
         }
@@ -84,6 +85,14 @@ pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
     Ok(outcome(status))
 }
 
+/// The body inside which the points lie.
+fn stressed(case: &Case) -> ElasticBody {
+    let stress = case.stress.as_ref();
+    stress
+        .map_or_else(StressedBody::default, |stress| stress.body)
+        .into()
+}
+
 /// The requested step, by default the last.
 fn step(case: &Case, requested: Option<usize>) -> Result<usize, Failure> {
     let last = case.load.steps().saturating_sub(1);
@@ -95,7 +104,7 @@ fn step(case: &Case, requested: Option<usize>) -> Result<usize, Failure> {
 
 /// Rejects a point inside a rigid base before anything is solved.
 fn check_depths(case: &Case, points: &[[f64; 3]]) -> Result<(), Failure> {
-    let bottom = case.foundation.bottom();
+    let bottom = case.stressed().bottom();
     let is_outside = |point: &&[f64; 3]| {
         let planes_end = bottom * (1.0 + pellicle::case::foundation::FoundationCase::NEAR);
         point[2] > planes_end
@@ -140,7 +149,8 @@ fn solve(
     )
     .map_err(|error| case.blame(error))?;
     let sliding = case.stress.as_ref().map(StressCase::sliding);
-    let field = StressField::new(&path, 0, sliding.unwrap_or_default());
+    let seen = path.seen_from(stressed(case));
+    let field = StressField::new(&seen, 0, sliding.unwrap_or_default());
     match (field, path.steps.first()) {
         (Some(field), Some(step)) => Ok((field, step.status(), path.grid.side())),
         // There is no step if the user stopped.

@@ -66,7 +66,7 @@ pub fn of_stresses(case: &Case, planes: usize, size: usize) -> f64 {
         return 0.0;
     }
     let plane = (size * size) as f64;
-    let interfaces = case.foundation.layer.len() as f64;
+    let interfaces = case.stressed().layer.len() as f64;
     let bytes = case.output.formats.iter().map(|format| match format {
         Format::Nc => STRESS_NC * planes as f64 * plane,
         Format::Vti => STRESS_VTR * planes as f64 * plane,

@@ -87,6 +87,11 @@ pub fn write(
     writer: &WriteProgress<'_>,
 ) -> Result<Vec<StressDrawings>, Failure> {
     let wanted = wanted(case, path.steps.len());
+    let seen = case
+        .stress
+        .as_ref()
+        .map(|stress| path.seen_from(stress.body.into()));
+    let path = seen.as_ref().unwrap_or(path);
     let geometry = (wanted.iter().any(|wanted| wanted.is_pictured)).then(|| path.geometry());
     let mut drawn = Vec::new();
     for wanted in wanted {
@@ -130,6 +135,7 @@ fn write_step(
         summary.steps[*step].summary.contact_radius,
         summary.grid.side,
     );
+    let (body, prefix) = (case.stressed(), stress.body.prefix());
     let foundation = path.tables.foundation();
     let is_of_fields = |format: &&Format| **format != Format::Npz;
     let of_fields: Vec<_> = formats.iter().filter(is_of_fields).collect();
@@ -137,15 +143,16 @@ fn write_step(
         files: !of_fields.is_empty(),
         view: wanted.is_pictured || of_fields.len() < formats.len(),
     };
-    let wanted = planes::wanted(&stress, &case.foundation, foundation, radius, uses);
+    let wanted = planes::wanted(&stress, &body, foundation, radius, uses);
     let filed: Vec<_> = wanted.iter().filter(|wanted| wanted.is_filed).collect();
     let mut computed = field.planes(stress.side(radius, summary.grid.side));
     let centres = computed.centres().to_vec();
+    let names = body.body_names().into_iter();
     let head = StressHead {
         summary,
         step: *step,
         stress: &stress,
-        bodies: case.foundation.body_names(),
+        bodies: names.map(|name| format!("{prefix}{name}")).collect(),
         centres: &centres,
         planes: &filed.iter().map(|wanted| wanted.plane).collect::<Vec<_>>(),
     };
@@ -157,10 +164,10 @@ fn write_step(
     };
     let mut files = of_fields.iter().map(begin).collect::<Result<Vec<_>, _>>()?;
     let line = section_line(&summary.steps[*step], &stress);
-    let drawn = stress.drawn_planes(&case.foundation, foundation, radius);
+    let drawn = stress.drawn_planes(&body, foundation, radius);
     let reach = SectionDepths {
         deepest: drawn.last().map_or(0.0, |plane| plane.depth.z),
-        bottoms: case.foundation.bottoms(foundation),
+        bottoms: body.bottoms(foundation),
     };
     let mut collector = ViewCollector::new(line, &centres, reach);
     let mut values = PlaneValues::new(centres.len());

@@ -7,7 +7,7 @@ use pellicle_texture::Relief;
 
 use super::equation::{Density, Equation};
 use super::film_equation::FilmEquation;
-use super::layer_kernel::{LayerKernel, modulus};
+use super::layer_kernel::LayerKernel;
 use super::{AxisymmetricContact, AxisymmetricPressure, AxisymmetricProfile, PunchContact};
 use crate::ContactError;
 
@@ -17,7 +17,7 @@ const PIECES: f64 = 4.0;
 /// Relative step of the radius in the derivative of a stiffness: rounding and the fourth order leave 1e-11.
 const STEP: f64 = 1e-3;
 
-/// Layers and an indenter's material, prepared for any contact radius and shape. The layers' kernel is found once, for
+/// Two bodies with their layers, prepared for any contact radius and shape. The layers' kernel is found once, for
 /// radii as they are asked for.
 ///
 /// ```
@@ -53,7 +53,7 @@ impl AxisymmetricElasticity {
     #[must_use]
     pub fn new(bodies: &ElasticBodies) -> Self {
         Self {
-            modulus: modulus(bodies),
+            modulus: bodies.surface_modulus(),
             kernel: LayerKernel::new(bodies),
             springs: None,
         }
@@ -67,7 +67,7 @@ impl AxisymmetricElasticity {
         Self { springs, ..self }
     }
 
-    /// `E*` of the surfaces in contact, Pa: `1/E* = 1/E₁* + 1/E_i*` of the topmost material and the indenter.
+    /// `E*` of the surfaces in contact, Pa: `1/E* = 1/E₁* + 1/E_i*` of the topmost materials.
     #[must_use]
     pub fn modulus(&self) -> f64 {
         self.modulus

@@ -27,11 +27,11 @@ const MOST_HALVINGS: u32 = 8;
 /// Intervals, each twice as long as the one before.
 pub(super) const OCTAVES: u32 = 12;
 
-/// `2/π M(y)` of the layers of a body.
+/// `2/π M(y)` of the layers of both bodies.
 #[derive(Debug, Clone)]
 pub(super) struct LayerKernel {
     bodies: ElasticBodies,
-    /// Thickness of the top layer, m.
+    /// Thickness of the thinner of the top layers, m.
     pub thickness: f64,
     octaves: [OnceLock<Vec<Polynomial>>; OCTAVES as usize],
 }
@@ -51,10 +51,9 @@ pub(super) struct KernelTable<'a>(Vec<&'a Polynomial>);
 impl LayerKernel {
     /// None if there are no layers.
     pub fn new(bodies: &ElasticBodies) -> Option<Self> {
-        let top = bodies.foundation().layers().first()?;
         Some(Self {
+            thickness: bodies.thinnest_top()?,
             bodies: bodies.clone(),
-            thickness: top.thickness(),
             octaves: [const { OnceLock::new() }; OCTAVES as usize],
         })
     }
@@ -86,31 +85,12 @@ impl LayerKernel {
         // One piece per half period of the fastest wave.
         let waves: Vec<(f64, f64)> = composite(&graded(DECAY / self.thickness, PI / end))
             .into_iter()
-            .map(|(k, weight)| (k, FRAC_2_PI * weight * self.response_minus_one(k)))
+            .map(|(k, weight)| (k, FRAC_2_PI * weight * self.bodies.response_minus_one(k)))
             .collect();
         let mut pieces = Vec::new();
         Polynomial::fit([start, end], &waves, MOST_HALVINGS, &mut pieces);
         pieces
     }
-
-    /// `Φ − 1` of both bodies: the counterbody only adds to the modulus of the surfaces.
-    fn response_minus_one(&self, wavenumber: f64) -> f64 {
-        let foundation = self.bodies.foundation();
-        let own = foundation.surface_material().plane_strain_modulus();
-        modulus(&self.bodies) / own * foundation.response_minus_one(wavenumber)
-    }
-}
-
-/// `E*` of the surfaces in contact, Pa: `1/E* = 1/E₁* + 1/E_i*`.
-pub(super) fn modulus(bodies: &ElasticBodies) -> f64 {
-    let own = bodies
-        .foundation()
-        .surface_material()
-        .plane_strain_modulus();
-    bodies.counterbody().map_or(own, |material| {
-        let other = material.plane_strain_modulus();
-        own / (1.0 + own / other)
-    })
 }
 
 impl Polynomial {

@@ -207,10 +207,7 @@ fn unloaded_radius(model: &Model, loads: &[Load]) -> f64 {
         Load::Penetration(penetration) => penetration.abs(),
         Load::Force(_) => 0.0,
     });
-    let lengths = [
-        model.tables.foundation().thickness(),
-        hangs.fold(0.0, f64::max),
-    ];
+    let lengths = [model.tables.bodies().thickness(), hangs.fold(0.0, f64::max)];
     let height = lengths.into_iter().find(|length| *length > 0.0);
     radius_at(model, height.unwrap_or(1.0))
 }

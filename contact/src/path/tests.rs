@@ -1,5 +1,6 @@
 //! Short paths, whose results agree with their own pressures.
 
+use pellicle_influence::ElasticBodies;
 use pellicle_kernel::Material;
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice};
 
@@ -147,12 +148,18 @@ fn pressures_of_three_coarser_grids_are_kept_on_request_and_work_is_reported_by_
     }
 }
 
+/// The tables of a model under an elastic indenter.
+fn under(model: &Model, own: Material) -> Arc<RadialTables> {
+    let bodies = ElasticBodies::new(model.tables.foundation().clone(), own);
+    Arc::new(RadialTables::of_bodies(&bodies).unwrap())
+}
+
 #[test]
 fn each_of_two_equal_bodies_is_displaced_by_half_the_total() {
     let rigid = model(Relief::Bare, ball());
     let own = Material::new(1.0, 0.0).unwrap();
     let equal = Model {
-        tables: Arc::new(rigid.tables.with_counterbody(Some(own))),
+        tables: under(&rigid, own),
         ..rigid
     };
     let (depth, domain) = (0.04, Domain::Side(1.0));

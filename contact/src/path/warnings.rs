@@ -1,6 +1,6 @@
 //! Warnings about a result: limits of the grid and of the model.
 
-use pellicle_influence::RadialTables;
+use pellicle_influence::{ElasticBody, RadialTables};
 use pellicle_texture::{Grid, Relief};
 
 use crate::{
@@ -55,32 +55,38 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
             });
         }
     }
-    let layers = model.tables.foundation().layers();
-    let moduli = layers.iter().map(|layer| layer.material().young_modulus());
-    let moduli: Vec<_> = moduli.collect();
-    for (layer, found) in layers.iter().enumerate() {
-        let beside = [layer.checked_sub(1), Some(layer + 1)]
-            .into_iter()
-            .flatten();
-        let mut beside = beside.filter_map(|i| moduli.get(i));
-        let alike = 1.0 / MOST_ALIKE..MOST_ALIKE;
-        // Part of a graded layer, which is resolved if the whole of it is.
-        if beside.any(|modulus| alike.contains(&(modulus / moduli[layer]))) {
-            continue;
-        }
-        let elements_per_thickness = found.thickness() / grid.element_side();
-        if elements_per_thickness < FEWEST_ELEMENTS_PER_THICKNESS {
-            warnings.push(Warning::LayerUnderResolved {
-                layer,
-                elements_per_thickness,
-            });
-        }
-    }
+    let bodies = ElasticBody::ALL.into_iter();
+    warnings.extend(bodies.flat_map(|of| unresolved_layers(model, grid, of)));
     let (found, wanted) = (model.tables.error_estimate(), RadialTables::GOAL);
     if found > wanted * (1.0 + ESTIMATED_TO) {
         warnings.push(Warning::CoefficientAccuracy { found, wanted });
     }
     warnings
+}
+
+/// The layers of a body that elements do not resolve.
+fn unresolved_layers(model: &Model, grid: &Grid, of: ElasticBody) -> Vec<Warning> {
+    let layers = model.tables.bodies().of(of).layers();
+    let moduli = layers.iter().map(|layer| layer.material().young_modulus());
+    let moduli: Vec<_> = moduli.collect();
+    let warning = |layer: usize| {
+        let beside = [layer.checked_sub(1), Some(layer + 1)];
+        let mut beside = beside.into_iter().flatten().filter_map(|i| moduli.get(i));
+        let alike = 1.0 / MOST_ALIKE..MOST_ALIKE;
+        // Part of a graded layer, which is resolved if the whole of it is.
+        if beside.any(|modulus| alike.contains(&(modulus / moduli[layer]))) {
+            return None;
+        }
+        let elements_per_thickness = layers[layer].thickness() / grid.element_side();
+        (elements_per_thickness < FEWEST_ELEMENTS_PER_THICKNESS).then_some(
+            Warning::LayerUnderResolved {
+                of,
+                layer,
+                elements_per_thickness,
+            },
+        )
+    };
+    (0..layers.len()).filter_map(warning).collect()
 }
 
 /// All warnings about a path.
@@ -311,9 +317,10 @@ fn limits(index: usize, step: &Step) -> Option<Warning> {
         });
     }
     step.limits.iter().find_map(|found| match found.limit {
-        ModelLimit::LayerThickness { layer } if found.ratio > LARGEST_STRAIN => {
+        ModelLimit::LayerThickness { of, layer } if found.ratio > LARGEST_STRAIN => {
             Some(Warning::LayerShortening {
                 step: index,
+                of,
                 layer,
                 part: found.ratio,
             })

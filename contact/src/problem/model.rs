@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::{Cache, Cached, RadialTables, Sector, SurfaceElasticity};
+use pellicle_influence::{Cache, Cached, ElasticBody, RadialTables, Sector, SurfaceElasticity};
 use pellicle_texture::{Grid, Relief, SampledRelief};
 use rayon::prelude::*;
 
@@ -14,7 +14,7 @@ use crate::{
 /// An indenter above a relief on an elastic foundation, without a grid or load.
 #[derive(Debug, Clone)]
 pub struct Model {
-    /// Radial tables of the foundation, and of an elastic indenter as its counterbody. Shared, because they do not
+    /// Radial tables of the foundation, and of the indenter's body as its counterbody. Shared, because they do not
     /// depend on the grid.
     pub tables: Arc<RadialTables>,
     /// The relief on the surface.
@@ -47,6 +47,17 @@ pub(crate) struct SampledRegion {
 }
 
 impl Model {
+    /// The model with this body as the foundation: the same pressures, and the stresses inside that body. The relief
+    /// and the indenter's shape are the same, since only the gap between the bodies matters.
+    #[must_use]
+    pub fn seen_from(&self, body: ElasticBody) -> Self {
+        let mut model = self.clone();
+        if body == ElasticBody::Counterbody {
+            model.tables = Arc::new(self.tables.swapped());
+        }
+        model
+    }
+
     /// Samples the geometry on a grid of `size` × `size` elements over a square of side `side` (m).
     ///
     /// # Errors

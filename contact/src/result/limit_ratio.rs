@@ -1,19 +1,28 @@
 //! The limits of linear elasticity, and a number of a contact over one of them.
 
+use pellicle_influence::ElasticBody;
+
 /// What a contact cannot exceed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelLimit {
     /// A layer cannot be shortened by its whole thickness.
     LayerThickness {
+        /// The body that has the layer.
+        of: ElasticBody,
         /// Layer, counted from the surface, from 0.
         layer: usize,
     },
-    /// The indenter cannot be below the top of a rigid base.
-    RigidBase,
+    /// The surface of a body cannot be below the top of its rigid base.
+    RigidBase {
+        /// The body.
+        of: ElasticBody,
+    },
     /// An indenter cannot be sunk by more than its own radius where linear elasticity holds.
     IndenterRadius,
     /// A body cannot carry a mean pressure above its Young's modulus.
     Modulus {
+        /// The body that has the layer or the base.
+        of: ElasticBody,
         /// Layer, counted from the surface, from 0; the number of layers for the base.
         body: usize,
     },

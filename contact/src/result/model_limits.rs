@@ -6,9 +6,11 @@
 //! | limit | number | divided by | counts if |
 //! |---|---|---|---|
 //! | [`LayerThickness`](ModelLimit::LayerThickness) | shortening of a layer below the deepest or most pressed point | its thickness | there are layers |
-//! | [`RigidBase`](ModelLimit::RigidBase) | displacement of the surface, which on a bare body is that of the indenter | depth of the base | the base is rigid |
+//! | [`RigidBase`](ModelLimit::RigidBase) | displacement of the surface, on a bare body that of a rigid indenter | depth of the base | the base is rigid |
 //! | [`IndenterRadius`](ModelLimit::IndenterRadius) | penetration | radius of a sphere, paraboloid or punch | the indenter's own part of it is large, see below |
 //! | [`Modulus`](ModelLimit::Modulus) | mean pressure that reaches a layer or the base | its Young's modulus | it is thicker than the pressure is wide |
+//!
+//! Both bodies are examined, each below the same pressure.
 //!
 //! A penetration may exceed a small indenter's radius where a stiff skin sinks as a whole. The contact then is narrow
 //! ([`NARROW`]) or, under a punch, its pressure small ([`SMALL_PRESSURE`]). A layer thinner than its pressure is wide
@@ -18,7 +20,7 @@
 use std::cell::OnceCell;
 use std::f64::consts::PI;
 
-use pellicle_influence::{LayerColumn, LayerCompression};
+use pellicle_influence::{ElasticBodies, ElasticBody, LayerColumn, LayerCompression};
 use pellicle_texture::{Grid, Relief};
 
 use crate::{Boundary, Indenter, LimitRatio, Model, ModelLimit, PeakPlace, Step};
@@ -38,8 +40,16 @@ pub(crate) struct ModelLimits<'a> {
     model: &'a Model,
     grid: Grid,
     boundary: Boundary,
-    /// Made on first use; none if the kernel cannot compute them.
-    tables: OnceCell<Option<LayerCompression>>,
+    /// Of each body; made on first use; none if the kernel cannot compute them.
+    tables: [OnceCell<Option<LayerCompression>>; 2],
+}
+
+/// A body in a solved contact.
+struct PressedBody<'a> {
+    bodies: &'a ElasticBodies,
+    of: ElasticBody,
+    /// Its layers below the places where they may be shortened most; none where nothing is.
+    columns: Vec<LayerColumn>,
 }
 
 impl<'a> ModelLimits<'a> {
@@ -48,19 +58,31 @@ impl<'a> ModelLimits<'a> {
             model,
             grid,
             boundary,
-            tables: OnceCell::new(),
+            tables: [const { OnceCell::new() }; 2],
         }
     }
 
     /// The numbers of a step over their limits, at most one of each kind: the largest.
     pub fn ratios(&mut self, step: &Step) -> Vec<LimitRatio> {
-        let columns = self.columns(step);
-        let modulus = self.modulus(step, &columns);
-        let pressed = modulus.map_or(0.0, |found| found.ratio);
+        let bodies = self.model.tables.bodies();
+        let elastic = ElasticBody::ALL.into_iter().zip(&self.tables);
+        let elastic = elastic.filter(|(of, _)| !bodies.of(*of).is_rigid());
+        let pressed = elastic.map(|(of, tables)| PressedBody {
+            bodies,
+            of,
+            columns: self.columns(of, tables, step),
+        });
+        let pressed: Vec<_> = pressed.collect();
+        let modulus = largest(pressed.iter().filter_map(|body| body.modulus(step)));
+        let carried = modulus.map_or(0.0, |found| found.ratio);
         [
-            self.thickness(&columns),
-            self.rigid_base(step, &columns),
-            self.indenter_radius(step, pressed),
+            largest(pressed.iter().filter_map(PressedBody::thickness)),
+            largest(
+                pressed
+                    .iter()
+                    .filter_map(|body| self.rigid_base(step, body)),
+            ),
+            self.indenter_radius(step, carried),
             modulus,
         ]
         .into_iter()
@@ -68,44 +90,30 @@ impl<'a> ModelLimits<'a> {
         .collect()
     }
 
-    /// The largest shortening of a layer over its thickness.
-    fn thickness(&self, columns: &[LayerColumn]) -> Option<LimitRatio> {
-        let layers = self.model.tables.foundation().layers();
-        let of_column = |column: &LayerColumn| {
-            let shortenings = column.shortenings.iter().zip(layers).enumerate();
-            let ratios = shortenings.map(|(layer, (shortening, of))| LimitRatio {
-                limit: ModelLimit::LayerThickness { layer },
-                ratio: shortening / of.thickness(),
-            });
-            ratios.collect::<Vec<_>>()
-        };
-        largest(columns.iter().flat_map(of_column))
-    }
-
     /// The displacement of the surface over the depth of a rigid base.
-    fn rigid_base(&self, step: &Step, columns: &[LayerColumn]) -> Option<LimitRatio> {
-        let foundation = self.model.tables.foundation();
-        if foundation.base_material().is_some() {
+    fn rigid_base(&self, step: &Step, pressed: &PressedBody<'_>) -> Option<LimitRatio> {
+        if pressed.bodies.of(pressed.of).base_material().is_some() {
             return None;
         }
-        let displacement = if self.has_known_surface() {
+        let displacement = if self.has_known_surface(pressed.of) {
             // Where the indenter's lowest point presses; D is exact.
             step.solution.penetration
         } else {
-            let all = columns.iter().map(|column| column.shortenings.iter().sum());
+            let all = pressed.columns.iter();
+            let all = all.map(|column| column.shortenings.iter().sum());
             all.fold(0.0, f64::max)
         };
         Some(LimitRatio {
-            limit: ModelLimit::RigidBase,
-            ratio: displacement / foundation.thickness(),
+            limit: ModelLimit::RigidBase { of: pressed.of },
+            ratio: displacement / pressed.bodies.of(pressed.of).thickness(),
         })
     }
 
-    /// Whether the layers' surface in contact is the indenter's, so that its displacement is known.
-    fn has_known_surface(&self) -> bool {
+    /// Whether a body's surface in contact is the other's, which does not deform, so that its displacement is known.
+    fn has_known_surface(&self, of: ElasticBody) -> bool {
         self.model.relief == Relief::Bare
             && self.boundary == Boundary::Free
-            && self.model.tables.bodies().counterbody().is_none()
+            && self.model.tables.bodies().of(of.other()).is_rigid()
     }
 
     /// The penetration over the radius of the indenter, if that part of it is its own.
@@ -123,36 +131,14 @@ impl<'a> ModelLimits<'a> {
         })
     }
 
-    /// The mean pressure that reaches a body over its modulus, the largest of the bodies thicker than it is wide.
-    fn modulus(&self, step: &Step, columns: &[LayerColumn]) -> Option<LimitRatio> {
-        let (force, mean) = (step.solution.force, step.summary.mean_pressure);
-        let foundation = self.model.tables.foundation();
-        let (layers, base) = (foundation.layers(), foundation.base_material());
-        let ratio = |body: usize| {
-            let pressure = match body.checked_sub(1) {
-                None => mean,
-                Some(above) => {
-                    let reaching = columns.iter().map(|column| column.pressures[above]);
-                    reaching.fold(0.0, f64::max).min(mean)
-                }
-            };
-            let (material, thickness) = match layers.get(body) {
-                Some(layer) => (layer.material(), layer.thickness()),
-                None => (base?, f64::INFINITY),
-            };
-            // F = π a² p
-            let is_wider = (force / (PI * pressure)).sqrt() > thickness;
-            (pressure > 0.0 && !is_wider).then(|| LimitRatio {
-                limit: ModelLimit::Modulus { body },
-                ratio: pressure / material.young_modulus(),
-            })
-        };
-        largest((0..=layers.len()).filter_map(ratio))
-    }
-
-    /// The layers below the places of a step at which they may be shortened most; none where nothing is.
-    fn columns(&mut self, step: &Step) -> Vec<LayerColumn> {
-        let foundation = self.model.tables.foundation();
+    /// A body's layers below the places of a step at which they may be shortened most; none where nothing is.
+    fn columns(
+        &self,
+        of: ElasticBody,
+        tables: &OnceCell<Option<LayerCompression>>,
+        step: &Step,
+    ) -> Vec<LayerColumn> {
+        let foundation = self.model.tables.bodies().of(of);
         let (layers, base) = (foundation.layers().iter(), foundation.base_material());
         let moduli = layers.map(|layer| layer.material().young_modulus());
         let moduli = moduli.chain(base.map(|base| base.young_modulus()));
@@ -161,9 +147,9 @@ impl<'a> ModelLimits<'a> {
         if foundation.layers().is_empty() || is_negligible {
             return Vec::new();
         }
-        let known = base.is_none() && self.has_known_surface();
+        let known = base.is_none() && self.has_known_surface(of);
         let (side, grid) = (self.grid.element_side(), self.grid);
-        let tables = self.tables.get_or_init(|| {
+        let tables = tables.get_or_init(|| {
             LayerCompression::new(foundation, [side / 2.0, 2.0 * grid.side()]).ok()
         });
         let Some(tables) = tables else {
@@ -177,12 +163,56 @@ impl<'a> ModelLimits<'a> {
             if !known {
                 return column;
             }
-            // The surface lies on the indenter, and the base does not move.
+            // The surface lies on the other body, and the base does not move.
             let height = self.model.indenter.height(place[0], place[1]);
             let displacement = step.solution.penetration - height;
             scaled(column, displacement)
         });
         columns.collect()
+    }
+}
+
+impl PressedBody<'_> {
+    /// The largest shortening of a layer over its thickness.
+    fn thickness(&self) -> Option<LimitRatio> {
+        let (of, layers) = (self.of, self.bodies.of(self.of).layers());
+        let of_column = |column: &LayerColumn| {
+            let shortenings = column.shortenings.iter().zip(layers).enumerate();
+            let ratios = shortenings.map(|(layer, (shortening, found))| LimitRatio {
+                limit: ModelLimit::LayerThickness { of, layer },
+                ratio: shortening / found.thickness(),
+            });
+            ratios.collect::<Vec<_>>()
+        };
+        largest(self.columns.iter().flat_map(of_column))
+    }
+
+    /// The mean pressure that reaches a layer or the base over its modulus, the largest of those thicker than it is
+    /// wide.
+    fn modulus(&self, step: &Step) -> Option<LimitRatio> {
+        let (force, mean) = (step.solution.force, step.summary.mean_pressure);
+        let body = self.bodies.of(self.of);
+        let (layers, base) = (body.layers(), body.base_material());
+        let ratio = |body: usize| {
+            let pressure = match body.checked_sub(1) {
+                None => mean,
+                Some(above) => {
+                    let reaching = self.columns.iter().map(|column| column.pressures[above]);
+                    reaching.fold(0.0, f64::max).min(mean)
+                }
+            };
+            let (material, thickness) = match layers.get(body) {
+                Some(layer) => (layer.material(), layer.thickness()),
+                None => (base?, f64::INFINITY),
+            };
+            // F = π a² p
+            let is_wider = (force / (PI * pressure)).sqrt() > thickness;
+            (pressure > 0.0 && !is_wider).then(|| LimitRatio {
+                limit: ModelLimit::Modulus { of: self.of, body },
+                ratio: pressure / material.young_modulus(),
+            })
+        };
+        largest((0..=layers.len()).filter_map(ratio))
     }
 }
 

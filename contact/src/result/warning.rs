@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use pellicle_influence::ElasticBody;
+
 use crate::{
     ContactSlope, CutOff, LimitRatio, ModelLimit, PeakPlace,
     result::map_resolution::FEWEST_ELEMENTS_PER_WAVE,
@@ -62,6 +64,8 @@ pub enum Warning {
     },
     /// A layer much thinner than an element, whose own stiffness the grid cannot resolve.
     LayerUnderResolved {
+        /// The body that has the layer.
+        of: ElasticBody,
         /// Layer, counted from the surface, from 0.
         layer: usize,
         /// Thickness over the side of an element.
@@ -100,6 +104,8 @@ pub enum Warning {
     LayerShortening {
         /// Loading step, counted from 0.
         step: usize,
+        /// The body that has the layer.
+        of: ElasticBody,
         /// Layer, counted from the surface, from 0.
         layer: usize,
         /// Its largest shortening over its thickness.
@@ -166,6 +172,14 @@ impl Warning {
     }
 }
 
+/// ` of the indenter`; nothing of the foundation.
+fn of_body(body: ElasticBody) -> &'static str {
+    match body {
+        ElasticBody::Foundation => "",
+        ElasticBody::Counterbody => " of the indenter",
+    }
+}
+
 /// `1 element`, `2 elements`.
 fn counted(elements: usize) -> String {
     let ending = if elements == 1 { "" } else { "s" };
@@ -206,39 +220,48 @@ fn times(ratio: f64) -> String {
 }
 
 impl LimitRatio {
-    /// The number in words, with the name of each layer or the base, counted from the surface from 0.
+    /// The number in words, with the name of each body's layers and base, counted from the surface from 0.
     #[must_use]
-    pub fn words(&self, name: &dyn Fn(usize) -> String) -> String {
+    pub fn words(&self, name: &dyn Fn(ElasticBody, usize) -> String) -> String {
         let times = times(self.ratio);
         match self.limit {
-            ModelLimit::LayerThickness { layer } => {
+            ModelLimit::LayerThickness { of, layer } => {
                 format!(
                     "{} is shortened by {times} times its thickness",
-                    name(layer)
+                    name(of, layer)
                 )
             }
-            ModelLimit::RigidBase => {
-                format!("the surface is pressed to {times} times the depth of the rigid base")
+            ModelLimit::RigidBase { of } => {
+                let surface = match of {
+                    ElasticBody::Foundation => "the surface",
+                    ElasticBody::Counterbody => "the indenter's surface",
+                };
+                format!("{surface} is pressed to {times} times the depth of the rigid base")
             }
             ModelLimit::IndenterRadius => {
                 format!("the indenter is sunk by {times} times its radius")
             }
-            ModelLimit::Modulus { body } => format!(
+            ModelLimit::Modulus { of, body } => format!(
                 "{} carries a mean pressure of {times} times its Young's modulus",
-                name(body)
+                name(of, body)
             ),
         }
     }
 }
 
 impl Warning {
-    /// The sentence, with the name of each layer or the base, counted from the surface from 0.
+    /// The sentence, with the name of each body's layers and base, counted from the surface from 0.
     #[must_use]
-    pub fn words(&self, name: &dyn Fn(usize) -> String) -> String {
+    pub fn words(&self, name: &dyn Fn(ElasticBody, usize) -> String) -> String {
         match *self {
-            Self::LayerShortening { step, layer, part } => format!(
+            Self::LayerShortening {
+                step,
+                of,
+                layer,
+                part,
+            } => format!(
                 "step {step}: {} is shortened by {:.0} % of its thickness, beyond small strains",
-                name(layer),
+                name(of, layer),
                 100.0 * part
             ),
             Self::BeyondModel { step, beyond } => {
@@ -299,11 +322,13 @@ impl fmt::Display for Warning {
                 decimals(elements_per_wave, 1)
             ),
             Self::LayerUnderResolved {
+                of,
                 layer,
                 elements_per_thickness,
             } => write!(
                 f,
-                "layer {layer} is {} elements thick: the grid barely resolves it",
+                "layer {layer}{} is {} elements thick: the grid barely resolves it",
+                of_body(of),
                 decimals(elements_per_thickness, 3)
             ),
             Self::CoefficientAccuracy { found, wanted } => write!(
@@ -323,7 +348,9 @@ impl fmt::Display for Warning {
                 "the indenter's slope is {slope:.2} at every depth, beyond small strains"
             ),
             Self::LayerShortening { .. } | Self::BeyondModel { .. } => {
-                f.write_str(&self.words(&|body| format!("body {body}, counted from the surface,")))
+                let name =
+                    |of, body| format!("body {body}{}, counted from the surface,", of_body(of));
+                f.write_str(&self.words(&name))
             }
             Self::NotConverged {
                 step,
@@ -372,6 +399,7 @@ mod tests {
     #[test]
     fn small_values_are_not_printed_as_zero() {
         let layer = Warning::LayerUnderResolved {
+            of: ElasticBody::Foundation,
             layer: 0,
             elements_per_thickness: 3.2e-5,
         };

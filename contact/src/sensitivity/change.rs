@@ -90,7 +90,7 @@ pub struct Changed {
 /// Derivatives by one number θ on a grid, per unit of θ.
 pub enum Change {
     /// `K_θ`.
-    Coefficients(SurfaceElasticity),
+    Coefficients(Box<SurfaceElasticity>),
     /// Derivatives of the springs, and `g0_θ`, N² values.
     Geometry {
         springs: SpringChange,
@@ -108,7 +108,8 @@ impl Change {
         let coefficient = |offset| derivative.coefficient(side, offset);
         let table = Arc::new(CoefficientTable::from_fn(side, grid.size(), coefficient)?);
         let bodies = model.tables.bodies().clone();
-        Ok(Self::Coefficients(SurfaceElasticity::new(table, bodies)))
+        let elasticity = SurfaceElasticity::new(table, bodies);
+        Ok(Self::Coefficients(Box::new(elasticity)))
     }
 
     fn of_geometry(

@@ -1,7 +1,5 @@
 //! The parameters of a model, one by one: read, or replaced.
 
-use std::sync::Arc;
-
 use crate::{ContactError, Model, ModelParameter};
 
 impl Model {
@@ -63,11 +61,8 @@ impl Model {
                 }
             }
         }
-        let before = self.tables.bodies();
-        if bodies.foundation() != before.foundation() {
-            model.tables = self.cache.radial_tables_of(&bodies)?.value;
-        } else if bodies != *before {
-            model.tables = Arc::new(self.tables.with_counterbody(bodies.counterbody().copied()));
+        if bodies != *self.tables.bodies() {
+            model.tables = self.cache.radial_tables_like(&self.tables, &bodies)?;
         }
         Ok(model)
     }

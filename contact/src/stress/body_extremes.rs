@@ -22,7 +22,7 @@ pub struct BodyUtilisation {
 /// The extremes in one body; none of a quantity that is not wanted.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BodyStress {
-    /// `layer[0]`, …, or `substrate`.
+    /// `layer[0]`, …, or `substrate`; in an indenter `indenter.layer[0]`, …
     pub name: String,
     /// Largest von Mises stress.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -76,6 +76,21 @@ pub struct StressExtremes {
     pub bodies: Vec<BodyStress>,
     /// From the surface down.
     pub interfaces: Vec<InterfaceStress>,
+}
+
+/// The name of an interface in the body of a part of this name, such as `indenter.layer[0]`.
+pub(crate) fn interface_name(part: Option<&str>, index: usize) -> String {
+    let body = part.and_then(|part| part.rsplit_once('.'));
+    let prefix = body.map_or(String::new(), |(body, _)| format!("{body}."));
+    format!("{prefix}interface[{index}]")
+}
+
+impl StressExtremes {
+    /// The name of an interface in results: `interface[0]`, or `indenter.interface[0]` in an indenter.
+    #[must_use]
+    pub fn interface_name(&self, index: usize) -> String {
+        interface_name(self.bodies.first().map(|body| body.name.as_str()), index)
+    }
 }
 
 /// Finds the extremes of the stresses in the bodies and on the interfaces under the pressure of a step.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::body_extremes::{BodyStress, InterfaceStress, StressExtremes};
+use super::body_extremes::{BodyStress, InterfaceStress, StressExtremes, interface_name};
 use super::extreme::Extreme;
 use super::extreme_finder::ExtremeFinder;
 use super::load_search::{LoadSearch, LoadSearchResult, Solved};
@@ -171,7 +171,8 @@ fn criteria(
     }
     for (index, interface) in stress.interfaces.iter().enumerate() {
         let (strengths, depth) = (interface.strengths, interface.depth);
-        let (name, range) = (format!("interface[{}]", interface.index), [depth; 2]);
+        let part = stress.bodies.first().map(|body| body.name.as_str());
+        let (name, range) = (interface_name(part, interface.index), [depth; 2]);
         let known = |of: fn(&InterfaceStress) -> Option<Extreme<2>>| {
             let steps = extremes.iter().map(|step| of(&step.interfaces[index]));
             steps

@@ -21,6 +21,15 @@ impl Sliding {
         let (sin, cos) = self.direction.sin_cos();
         [self.friction * cos, self.friction * sin]
     }
+
+    /// The sliding that the other body feels: the opposite traction.
+    #[must_use]
+    pub fn opposite(self) -> Self {
+        Self {
+            friction: -self.friction,
+            ..self
+        }
+    }
 }
 
 /// Strengths of a body, in Pa; none if no critical load is wanted.

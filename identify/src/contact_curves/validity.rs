@@ -92,7 +92,7 @@ const BEYOND: [Invalidity; 4] = [
 fn reason(limit: ModelLimit) -> Invalidity {
     match limit {
         ModelLimit::LayerThickness { .. } => Invalidity::LayerThickness,
-        ModelLimit::RigidBase => Invalidity::RigidBase,
+        ModelLimit::RigidBase { .. } => Invalidity::RigidBase,
         ModelLimit::IndenterRadius => Invalidity::IndenterRadius,
         ModelLimit::Modulus { .. } => Invalidity::Modulus,
     }

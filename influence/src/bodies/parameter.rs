@@ -1,8 +1,8 @@
 //! The parameters of two elastic bodies, one by one: read, or replaced.
 
-use pellicle_kernel::{FoundationParameter, KernelError, Material};
+use pellicle_kernel::FoundationParameter;
 
-use super::ElasticBodies;
+use super::{ElasticBodies, ElasticBody};
 use crate::error::InfluenceError;
 
 /// One parameter of [`ElasticBodies`].
@@ -10,41 +10,46 @@ use crate::error::InfluenceError;
 pub enum ElasticParameter {
     /// A parameter of the foundation.
     Foundation(FoundationParameter),
-    /// Young's modulus `E_i` of the counterbody, Pa.
-    CounterbodyYoungModulus,
-    /// Poisson's ratio `ν_i` of the counterbody.
-    CounterbodyPoissonRatio,
+    /// A parameter of the counterbody; the only body of a half-space is number 0.
+    Counterbody(FoundationParameter),
+}
+
+impl ElasticParameter {
+    /// A parameter of one of the bodies.
+    #[must_use]
+    pub fn new(body: ElasticBody, of: FoundationParameter) -> Self {
+        match body {
+            ElasticBody::Foundation => Self::Foundation(of),
+            ElasticBody::Counterbody => Self::Counterbody(of),
+        }
+    }
+
+    /// The body, and its parameter.
+    #[must_use]
+    pub fn parts(self) -> (ElasticBody, FoundationParameter) {
+        match self {
+            Self::Foundation(of) => (ElasticBody::Foundation, of),
+            Self::Counterbody(of) => (ElasticBody::Counterbody, of),
+        }
+    }
 }
 
 impl ElasticBodies {
     /// All parameters, the foundation's first.
     #[must_use]
     pub fn parameters(&self) -> Vec<ElasticParameter> {
-        let of_foundation = self.foundation().parameters();
-        let of_counterbody = [
-            ElasticParameter::CounterbodyYoungModulus,
-            ElasticParameter::CounterbodyPoissonRatio,
-        ];
-        let of_counterbody = of_counterbody.into_iter();
-        let is_there = |_: &ElasticParameter| self.counterbody().is_some();
-        let of_foundation = of_foundation.into_iter().map(ElasticParameter::Foundation);
-        of_foundation
-            .chain(of_counterbody.filter(is_there))
-            .collect()
+        let of_body = |body: ElasticBody| {
+            let parameters = self.of(body).parameters().into_iter();
+            parameters.map(move |of| ElasticParameter::new(body, of))
+        };
+        ElasticBody::ALL.into_iter().flat_map(of_body).collect()
     }
 
     /// The value of one parameter, in SI units; `None` if there is no such body.
     #[must_use]
     pub fn parameter(&self, parameter: ElasticParameter) -> Option<f64> {
-        match parameter {
-            ElasticParameter::Foundation(of) => self.foundation().parameter(of),
-            ElasticParameter::CounterbodyYoungModulus => {
-                self.counterbody().map(Material::young_modulus)
-            }
-            ElasticParameter::CounterbodyPoissonRatio => {
-                self.counterbody().map(Material::poisson_ratio)
-            }
-        }
+        let (body, of) = parameter.parts();
+        self.of(body).parameter(of)
     }
 
     /// The same bodies with another value of one parameter.
@@ -52,24 +57,18 @@ impl ElasticBodies {
     /// # Errors
     ///
     /// [`InfluenceError::Kernel`]: the errors of
-    /// [`Foundation::with_parameter`](pellicle_kernel::Foundation::with_parameter) and [`Material::new`], or
-    /// [`KernelError::NothingElastic`] if the counterbody is rigid.
+    /// [`Foundation::with_parameter`](pellicle_kernel::Foundation::with_parameter).
     pub fn with_parameter(
         &self,
         parameter: ElasticParameter,
         value: f64,
     ) -> Result<Self, InfluenceError> {
-        if let ElasticParameter::Foundation(of) = parameter {
-            let foundation = self.foundation().with_parameter(of, value)?;
-            return Ok(Self::new(foundation, self.counterbody().copied()));
-        }
-        let material = self.counterbody().ok_or(KernelError::NothingElastic)?;
-        let changed = if parameter == ElasticParameter::CounterbodyYoungModulus {
-            Material::new(value, material.poisson_ratio())
-        } else {
-            Material::new(material.young_modulus(), value)
-        };
-        Ok(Self::new(self.foundation().clone(), Some(changed?)))
+        let (body, of) = parameter.parts();
+        let changed = self.of(body).with_parameter(of, value)?;
+        Ok(match body {
+            ElasticBody::Foundation => Self::new(changed, self.counterbody().clone()),
+            ElasticBody::Counterbody => Self::new(self.foundation().clone(), changed),
+        })
     }
 }
 
@@ -95,7 +94,7 @@ mod tests {
         }
         let rigid = ElasticBodies::from(foundation);
         assert_eq!(rigid.parameters().len(), 2);
-        let modulus = ElasticParameter::CounterbodyYoungModulus;
+        let modulus = ElasticParameter::Counterbody(FoundationParameter::YoungModulus { body: 0 });
         assert_eq!(rigid.parameter(modulus), None);
         assert!(rigid.with_parameter(modulus, 1.0).is_err());
     }

@@ -11,7 +11,7 @@
 //! so `K` is exact for the grid, like the coefficients of a single square. The mean displacement of a half-space under
 //! a mean pressure is infinite; it is left out, so displacements are measured from the mean plane of its deformed
 //! surface and `S(0) = 0`. On a rigid base `S(0)` is the shortening of layers that have no room to widen, whatever the
-//! counterbody: [`ElasticBodies::mean_compliance`]. `C` of the foundation is [tabulated](compliance_table) over the
+//! other body: [`ElasticBodies::mean_compliance`]. `C` of each body is [tabulated](compliance_table) over the
 //! cell's waves, so a stack of a hundred sublayers costs little more than one layer.
 
 mod alias_sum;
@@ -301,7 +301,7 @@ mod tests {
         let size = 8;
         for (layers, wanted) in stacks {
             let foundation = Foundation::new(layers, Base::Rigid).unwrap();
-            for counterbody in [None, Some(material(0.01, 0.3))] {
+            for counterbody in [Foundation::rigid(), material(0.01, 0.3).into()] {
                 let bodies = ElasticBodies::new(foundation.clone(), counterbody);
                 let mut found = vec![0.0; size * size];
                 let mut operator = PeriodicOperator::new(&bodies, 1.0, [size; 2]);

@@ -1,11 +1,12 @@
 //! Derivatives of coefficients with respect to a parameter of the bodies.
 
+use std::sync::Arc;
+
 use pellicle_kernel::{Base, Foundation, FoundationParameter};
 
 use super::functions::RadialFunctions;
 use super::tables::{RadialTables, layered_coefficient};
-use crate::bodies::{ElasticBodies, ElasticParameter};
-use crate::element::love;
+use crate::bodies::{ElasticBody, ElasticParameter};
 use crate::error::InfluenceError;
 use crate::response::ResponseTable;
 
@@ -26,7 +27,7 @@ const TOLERANCE: f64 = 2e-12;
 /// ∂k/∂θ = (k̃ − k)/w − k ∂ ln E₁*/∂θ
 /// ```
 ///
-/// A counterbody's part is inversely proportional to its `E*`.
+/// Only the part of the body that has the parameter changes.
 ///
 /// Accuracy: `θ ∂k/∂θ` to 1e-9 of k (`tests/derivative.rs`); for Poisson's ratio, `∂k/∂ν`.
 ///
@@ -50,9 +51,11 @@ const TOLERANCE: f64 = 2e-12;
 #[derive(Clone, Debug)]
 pub struct CoefficientDerivative {
     tables: RadialTables,
+    /// The body that has the parameter.
+    body: ElasticBody,
     moved: Option<Moved>,
-    /// `∂ ln E*/∂θ` of the foundation's surface and of the counterbody.
-    of_modulus: [f64; 2],
+    /// `∂ ln E*/∂θ` of the body's surface.
+    of_modulus: f64,
 }
 
 /// The functions of a response moved along its derivative.
@@ -73,17 +76,15 @@ impl RadialTables {
         &self,
         parameter: ElasticParameter,
     ) -> Result<CoefficientDerivative, InfluenceError> {
-        let moved = match parameter {
-            ElasticParameter::Foundation(of) => {
-                let derivative = self.foundation().response_derivative(of)?;
-                Moved::along(self, of, |k| derivative.value(k))
-            }
-            _ => None,
-        };
+        let (body, of) = parameter.parts();
+        let foundation = self.bodies().of(body);
+        let derivative = foundation.response_derivative(of)?;
+        let functions = self.functions(body).map(Arc::as_ref);
         Ok(CoefficientDerivative {
             tables: self.clone(),
-            moved,
-            of_modulus: by_moduli(self.bodies(), parameter),
+            body,
+            moved: Moved::along((foundation, functions), of, |k| derivative.value(k)),
+            of_modulus: by_modulus(foundation, of),
         })
     }
 }
@@ -92,27 +93,23 @@ impl CoefficientDerivative {
     /// `∂k/∂θ`, m/Pa per unit of θ, of elements of side `element_side` (m), `offset` elements apart.
     #[must_use]
     pub fn coefficient(&self, element_side: f64, offset: [usize; 2]) -> f64 {
-        let coefficient = self.tables.foundation_coefficient(element_side, offset);
+        let coefficient = self.tables.coefficient_of(self.body, element_side, offset);
         let of_response = self.moved.as_ref().map_or(0.0, |moved| {
-            let foundation = self.tables.foundation();
+            let foundation = self.tables.bodies().of(self.body);
             let there = layered_coefficient(foundation, &moved.functions, element_side, offset);
             (there - coefficient) / moved.by
         });
-        let of_counterbody = self.tables.bodies().counterbody().map_or(0.0, |material| {
-            self.of_modulus[1] * love::coefficient(material, element_side, offset)
-        });
-        of_response - coefficient * self.of_modulus[0] - of_counterbody
+        of_response - coefficient * self.of_modulus
     }
 }
 
 impl Moved {
     /// `None` if the response does not depend on the parameter.
     fn along(
-        tables: &RadialTables,
+        (foundation, functions): (&Foundation, Option<&RadialFunctions>),
         parameter: FoundationParameter,
         derivative: impl Fn(f64) -> f64,
     ) -> Option<Self> {
-        let foundation = tables.foundation();
         let thickness = Some(foundation.thickness()).filter(|thickness| *thickness > 0.0)?;
         let waves = SAMPLES.map(|i| 10_f64.powf(f64::from(i) / 8.0) / thickness);
         let relative = waves.map(|k| (derivative(k) / foundation.response(k)).abs());
@@ -127,7 +124,7 @@ impl Moved {
         let response = ResponseTable::of(foundation, moved, limit, TOLERANCE);
         Some(Self {
             by,
-            functions: RadialFunctions::of_response(&response, tables.functions()),
+            functions: RadialFunctions::of_response(&response, functions),
         })
         .filter(|_| steepest > 0.0)
     }
@@ -141,17 +138,14 @@ fn unit(foundation: &Foundation, parameter: FoundationParameter) -> f64 {
     }
 }
 
-/// `∂ ln E*/∂θ` of the foundation's surface and of the counterbody, with `E* = E/(1 − ν²)`.
-fn by_moduli(bodies: &ElasticBodies, parameter: ElasticParameter) -> [f64; 2] {
-    use ElasticParameter::{CounterbodyPoissonRatio, CounterbodyYoungModulus, Foundation};
-    let value = bodies.parameter(parameter).unwrap_or(f64::NAN);
-    let of_modulus = 1.0 / value;
-    let of_ratio = 2.0 * value / ((1.0 - value) * (1.0 + value));
+/// `∂ ln E*/∂θ` of the surface, with `E* = E/(1 − ν²)`.
+fn by_modulus(foundation: &Foundation, parameter: FoundationParameter) -> f64 {
+    let value = foundation.parameter(parameter).unwrap_or(f64::NAN);
     match parameter {
-        Foundation(FoundationParameter::YoungModulus { body: 0 }) => [of_modulus, 0.0],
-        Foundation(FoundationParameter::PoissonRatio { body: 0 }) => [of_ratio, 0.0],
-        CounterbodyYoungModulus => [0.0, of_modulus],
-        CounterbodyPoissonRatio => [0.0, of_ratio],
-        Foundation(_) => [0.0, 0.0],
+        FoundationParameter::YoungModulus { body: 0 } => 1.0 / value,
+        FoundationParameter::PoissonRatio { body: 0 } => {
+            2.0 * value / ((1.0 - value) * (1.0 + value))
+        }
+        _ => 0.0,
     }
 }

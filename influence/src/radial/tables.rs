@@ -3,11 +3,11 @@
 
 use std::sync::Arc;
 
-use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+use pellicle_kernel::{Base, Foundation, Interface, KernelError, Layer};
 
 use super::element_integrals::{far_integral, fit_borders, near_integral};
 use super::functions::RadialFunctions;
-use crate::bodies::ElasticBodies;
+use crate::bodies::{ElasticBodies, ElasticBody};
 use crate::element::love;
 use crate::error::InfluenceError;
 
@@ -19,8 +19,8 @@ const LARGEST_ERROR: f64 = 1e-8;
 /// Largest ratio of the total thickness of the layers to that of the top one: a film of atoms on a planet.
 const LARGEST_RATIO: f64 = 1e16;
 
-/// Radial tables of one foundation, which give the coefficient of any element size and offset in a thousandth of the
-/// time of direct quadrature or less.
+/// Radial tables of one foundation, or of two bodies in contact, which give the coefficient of any element size and
+/// offset in a thousandth of the time of direct quadrature or less.
 ///
 /// ```
 /// use pellicle_influence::{RadialTables, love};
@@ -36,8 +36,9 @@ const LARGEST_RATIO: f64 = 1e16;
 #[derive(Clone, Debug, PartialEq)]
 pub struct RadialTables {
     bodies: ElasticBodies,
-    /// `None` for a homogeneous body, whose coefficients are Love's.
-    functions: Option<Arc<RadialFunctions>>,
+    /// Of the foundation and of the counterbody. `None` for a homogeneous body, whose coefficients are Love's, and for
+    /// a rigid one.
+    functions: [Option<Arc<RadialFunctions>>; 2],
     /// Factor of every coefficient: 1, except when a check is tested.
     factor: f64,
 }
@@ -57,26 +58,46 @@ impl RadialTables {
     /// need not be positive definite; [`InfluenceError::LayerThicknesses`] if the layers together are more than 1e16
     /// times as thick as the top one.
     pub fn build(foundation: &Foundation) -> Result<Self, InfluenceError> {
-        let functions = Self::has_functions(foundation).then(|| accurate_functions(foundation));
-        Ok(Self::new(foundation, functions.transpose()?.map(Arc::new)))
+        Self::of_bodies(&foundation.clone().into())
+    }
+
+    /// The same for a foundation under a counterbody, whose coefficients add.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::build`], and [`KernelError::NothingElastic`] if both bodies are rigid.
+    pub fn of_bodies(bodies: &ElasticBodies) -> Result<Self, InfluenceError> {
+        let functions = |body: &Foundation| {
+            let functions = Self::has_functions(body).then(|| accurate_functions(body));
+            Ok::<_, InfluenceError>(functions.transpose()?.map(Arc::new))
+        };
+        let [foundation, counterbody] = bodies.each();
+        Self::new(bodies, [functions(foundation)?, functions(counterbody)?])
     }
 
     /// The tables with these functions; a homogeneous body has none.
-    pub(crate) fn new(foundation: &Foundation, functions: Option<Arc<RadialFunctions>>) -> Self {
-        Self {
-            bodies: foundation.clone().into(),
+    pub(crate) fn new(
+        bodies: &ElasticBodies,
+        functions: [Option<Arc<RadialFunctions>>; 2],
+    ) -> Result<Self, InfluenceError> {
+        if bodies.are_rigid() {
+            return Err(KernelError::NothingElastic.into());
+        }
+        Ok(Self {
+            bodies: bodies.clone(),
             functions,
             factor: 1.0,
-        }
+        })
     }
 
-    /// The tables of the same foundation under an elastic counterbody, or a rigid one. Nothing is tabulated again:
-    /// every coefficient grows by that of the counterbody, [`love::coefficient`](crate::love::coefficient).
+    /// The same bodies, the counterbody as the foundation: every coefficient is the same.
     #[must_use]
-    pub fn with_counterbody(&self, counterbody: Option<Material>) -> Self {
+    pub fn swapped(&self) -> Self {
+        let [foundation, counterbody] = &self.functions;
         Self {
-            bodies: ElasticBodies::new(self.foundation().clone(), counterbody),
-            ..self.clone()
+            bodies: self.bodies.swapped(),
+            functions: [counterbody.clone(), foundation.clone()],
+            factor: self.factor,
         }
     }
 
@@ -112,26 +133,28 @@ impl RadialTables {
     }
 
     fn true_coefficient(&self, element_side: f64, offset: [usize; 2]) -> f64 {
-        let of_foundation = self.foundation_coefficient(element_side, offset);
-        match self.bodies.counterbody() {
-            Some(material) => of_foundation + love::coefficient(material, element_side, offset),
-            None => of_foundation,
-        }
+        let of_body = |body| self.coefficient_of(body, element_side, offset);
+        of_body(ElasticBody::Foundation) + of_body(ElasticBody::Counterbody)
     }
 
-    /// The foundation's part of a coefficient, m/Pa: all of it under a rigid counterbody.
+    /// One body's part of a coefficient, m/Pa; 0 of a rigid one.
     #[must_use]
-    pub fn foundation_coefficient(&self, element_side: f64, offset: [usize; 2]) -> f64 {
-        let foundation = self.foundation();
-        match &self.functions {
-            Some(functions) => layered_coefficient(foundation, functions, element_side, offset),
-            None => love::coefficient(&foundation.surface_material(), element_side, offset),
+    pub fn coefficient_of(&self, body: ElasticBody, element_side: f64, offset: [usize; 2]) -> f64 {
+        let of = self.bodies.of(body);
+        match self.functions(body) {
+            Some(functions) => layered_coefficient(of, functions, element_side, offset),
+            None if of.is_rigid() => 0.0,
+            None => love::coefficient(&of.surface_material(), element_side, offset),
         }
     }
 
     /// The functions of a layered body.
-    pub(super) fn functions(&self) -> Option<&RadialFunctions> {
-        self.functions.as_deref()
+    pub(crate) fn functions(&self, body: ElasticBody) -> Option<&Arc<RadialFunctions>> {
+        let [foundation, counterbody] = &self.functions;
+        match body {
+            ElasticBody::Foundation => foundation.as_ref(),
+            ElasticBody::Counterbody => counterbody.as_ref(),
+        }
     }
 
     /// The foundation of the tables.
@@ -157,12 +180,12 @@ impl RadialTables {
     ///   uniform pressure, up to the logarithm of the radius.
     ///
     /// It adds the tails of the expansions, rounding, and the errors of the rules over an element, with margins; a
-    /// deliberate error counts, too.
+    /// deliberate error counts, too. Of two layered bodies it is the larger.
     #[must_use]
     pub fn error_estimate(&self) -> f64 {
-        let functions = self.functions.as_ref();
-        let own = functions.map_or(f64::EPSILON, |functions| functions.worst().error);
-        own + (self.factor - 1.0).abs()
+        let functions = self.functions.iter().flatten();
+        let errors = functions.map(|functions| functions.worst().error);
+        errors.fold(f64::EPSILON, f64::max) + (self.factor - 1.0).abs()
     }
 }
 
@@ -208,10 +231,10 @@ pub(crate) fn accurate_functions(
     })
 }
 
-/// Whether every layer is bonded to the next and made of the base's material.
+/// Whether every layer is bonded to the next and made of the base's material, or there is none.
 fn is_homogeneous(foundation: &Foundation) -> bool {
     let Base::HalfSpace(base) = foundation.base() else {
-        return false;
+        return foundation.is_rigid();
     };
     let same = |layer: &Layer| layer.material() == base && layer.interface() == Interface::Bonded;
     foundation.layers().iter().all(same)

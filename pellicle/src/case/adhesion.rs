@@ -124,10 +124,10 @@ impl AdhesiveContacts {
             return Err(kind.unusable(&BECAUSE, SHAPES));
         };
         let split = foundation.split().map_err(|error| given.refused(&error))?;
-        let material = indenter
-            .build_material()
+        let body = indenter
+            .build_body()
             .map_err(|error| kind.refused(&error))?;
-        let bodies = ElasticBodies::new(split.foundation, material);
+        let bodies = ElasticBodies::new(split.foundation, body);
         let law = load.adhesion.unwrap_or_default();
         let relief = surface.build().map_err(|error| kind.refused(&error))?;
         let elasticity = AxisymmetricElasticity::new(&bodies).on_relief(&relief);

@@ -6,13 +6,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use pellicle_kernel::Material;
 use serde::ser::Error as _;
 
 use super::Case;
 use super::foundation::FoundationCase;
 use super::grid::{BoundaryCase, GridCase};
-use super::indenter::{ElasticConstants, IndenterCase};
+use super::indenter::IndenterCase;
+use super::indenter::body::IndenterBody;
 use super::load::LoadCase;
 use super::output::OutputCase;
 use super::solver::SolverCase;
@@ -70,13 +70,11 @@ impl CaseBuilder {
         self
     }
 
-    /// The material of the indenter, which is rigid without one.
+    /// The elastic body of the indenter, a [`Material`](pellicle_kernel::Material) or layers as a
+    /// [`Foundation`](pellicle_kernel::Foundation); it is rigid without one.
     #[must_use]
-    pub fn elastic_indenter(mut self, material: Material) -> Self {
-        self.0.indenter.material = Some(ElasticConstants {
-            young_modulus: material.young_modulus(),
-            poisson_ratio: material.poisson_ratio(),
-        });
+    pub fn elastic_indenter(mut self, body: impl Into<IndenterBody>) -> Self {
+        self.0.indenter.body = Some(body.into());
         self
     }
 
@@ -160,7 +158,7 @@ impl CaseBuilder {
 #[cfg(test)]
 mod tests {
     use pellicle_contact::{Cone, FlatPunch, Load, Paraboloid, PowerLaw, Pyramid, Sphere};
-    use pellicle_kernel::Foundation;
+    use pellicle_kernel::{Foundation, Material};
     use pellicle_texture::Film;
 
     use super::*;

@@ -66,7 +66,7 @@ mod tests {
     fn a_shape_passed_in_is_used_only_where_the_case_asks_for_one() {
         let case = read(CASE, &with_shape()).unwrap();
         assert_eq!(case.indenter.build().unwrap().height(3.0, 4.0), 6.25);
-        assert!(case.indenter.build_material().unwrap().is_some());
+        assert!(case.indenter.body.is_some());
         let other = CASE.replace("\"function\"", "\"sphere\"\nradius = 7.0");
         let ball = read(&other, &with_shape()).unwrap();
         assert_eq!(ball.indenter.build().unwrap().height(0.0, 7.0), 7.0);

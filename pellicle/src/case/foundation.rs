@@ -14,6 +14,7 @@ use pellicle_kernel::{Base, Foundation, KernelError};
 use self::layer::LayerCase;
 use self::strength::BodyStrengthCase;
 use self::substrate::SubstrateCase;
+use super::indenter::IndenterCase;
 use crate::declare::macros::record;
 use crate::declare::{Codec, Record, Scope, tables};
 use crate::input::diagnosis::Diagnosis;
@@ -34,7 +35,7 @@ record! {
     };
 }
 
-const LAYERS: &str = "a list of tables, each [[foundation.layer]]";
+const LAYERS: &str = "a list of tables, one a layer, such as [[foundation.layer]]";
 
 /// A foundation whose graded layers are split into homogeneous ones.
 #[derive(Debug, Clone)]
@@ -71,8 +72,28 @@ impl FoundationCase {
     pub fn parse(source: &Arc<Source>) -> Result<Self, Diagnosis> {
         let root = toml_tree::parse(source)?;
         let table = TableReader::root(&root)?;
-        let foundation = table.required("foundation", "a table [foundation]")?;
-        Self::read(&foundation.table()?, &Scope::default())
+        let table = table
+            .required("foundation", "a table [foundation]")?
+            .table()?;
+        let foundation = Self::read(&table, &Scope::default())?;
+        foundation.refuse_rigid(&table)?;
+        Ok(foundation)
+    }
+
+    /// Refuses a foundation that does not deform, on which no rigid body can be pressed.
+    pub(super) fn refuse_rigid(&self, table: &TableReader<'_>) -> Result<(), Diagnosis> {
+        if self.is_rigid() {
+            return Err(table
+                .required("substrate", "")?
+                .refused(&KernelError::NothingElastic));
+        }
+        Ok(())
+    }
+
+    /// Whether it is a rigid base without layers.
+    #[must_use]
+    pub fn is_rigid(&self) -> bool {
+        self.layer.is_empty() && self.substrate == SubstrateCase::Rigid
     }
 
     /// The foundation itself, with its graded layers split.
@@ -103,6 +124,10 @@ impl FoundationCase {
             below = layers;
         }
         splits.reverse();
+        if self.is_rigid() {
+            let foundation = Foundation::rigid();
+            return Ok(SplitFoundation { foundation, splits });
+        }
         let foundation = Foundation::new(below, base).map_err(|error| {
             let found = match error {
                 KernelError::ModulusRatio { layer, .. } => layer,
@@ -115,7 +140,7 @@ impl FoundationCase {
         Ok(SplitFoundation { foundation, splits })
     }
 
-    /// Young's modulus at the surface, Pa; none for a bare rigid base, which is not a foundation.
+    /// Young's modulus at the surface, Pa; none for a bare rigid base.
     #[must_use]
     pub fn surface_young_modulus(&self) -> Option<f64> {
         match (self.layer.first(), self.substrate) {
@@ -133,6 +158,16 @@ impl FoundationCase {
             (None, SubstrateCase::Elastic(material)) => material.strength.hardness,
             (None, SubstrateCase::Rigid) => None,
         }
+    }
+
+    /// Hardness of the softer of its surface and the indenter's, Pa.
+    #[must_use]
+    pub fn hardness_against(&self, indenter: &IndenterCase) -> Option<f64> {
+        let other = indenter.foundation().and_then(|body| body.hardness());
+        [self.hardness(), other]
+            .into_iter()
+            .flatten()
+            .reduce(f64::min)
     }
 
     /// The names of the bodies in results.

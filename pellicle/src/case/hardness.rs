@@ -1,6 +1,7 @@
 //! The check that the other tables of a case are compatible with a hardness.
 
 use super::foundation::FoundationCase;
+use super::indenter::IndenterCase;
 use super::load::LoadCase;
 use super::solver::SolverCase;
 use crate::input::diagnosis::Diagnosis;
@@ -13,23 +14,17 @@ use crate::input::table_reader::TableReader;
 /// A [`Diagnosis`] of the incompatible key.
 pub fn check(
     root: &TableReader<'_>,
-    (foundation, solver): (&FoundationCase, &SolverCase),
+    (foundation, indenter, solver): (&FoundationCase, &IndenterCase, &SolverCase),
     load: &LoadCase,
-    has_stress: bool,
+    has_critical_loads: bool,
 ) -> Result<(), Diagnosis> {
-    let Some(hardness) = solver.hardness.or(foundation.hardness()) else {
+    let of_bodies = foundation.hardness_against(indenter);
+    let Some(hardness) = solver.hardness.or(of_bodies) else {
         return Ok(());
     };
     let field = |table: &str, key: &str| root.required(table, "")?.table()?.required(key, "");
-    if let Some(other) = foundation
-        .hardness()
-        .filter(|other| other.total_cmp(&hardness).is_ne())
-    {
-        let body = if foundation.layer.is_empty() {
-            "foundation.substrate.hardness"
-        } else {
-            "foundation.layer[0].hardness"
-        };
+    if let Some(other) = of_bodies.filter(|other| other.total_cmp(&hardness).is_ne()) {
+        let body = key_of(foundation, indenter);
         let reason = format!("while {body} is {other:e}");
         let wanted = "one hardness of the surface, here or there";
         return Err(field("solver", "hardness")?.unusable(&reason, wanted));
@@ -39,11 +34,29 @@ pub fn check(
         let wanted = "false: derivatives are those of elastic contact";
         return Err(field("load", "sensitivities")?.unusable(&because, wanted));
     }
-    if has_stress && foundation.has_strengths() {
+    if has_critical_loads {
         let wanted = "stresses without strengths: critical loads are those of elastic contact";
         return Err(root.required("stress", "")?.unusable(&because, wanted));
     }
     Ok(())
+}
+
+/// The key of the smaller hardness of both surfaces.
+fn key_of(foundation: &FoundationCase, indenter: &IndenterCase) -> String {
+    let other = indenter.foundation().filter(|other| {
+        let [own, other] = [foundation.hardness(), other.hardness()];
+        other.is_some_and(|other| own.is_none_or(|own| other < own))
+    });
+    let (path, body) = match &other {
+        Some(other) => ("indenter.body", other.as_ref()),
+        None => ("foundation", foundation),
+    };
+    let part = if body.layer.is_empty() {
+        "substrate"
+    } else {
+        "layer[0]"
+    };
+    format!("{path}.{part}.hardness")
 }
 
 #[cfg(test)]

@@ -1,27 +1,27 @@
 //! `[indenter]`: the body pressed into the surface.
 
+pub mod body;
 mod of_shape;
 
+use std::borrow::Cow;
 use std::f64::consts::FRAC_PI_2;
 
 use pellicle_contact::{
     Cone, FlatPunch, Indenter, IndenterError, IndenterMap, Paraboloid, Plane, PowerLaw, Pyramid,
     Sphere,
 };
-use pellicle_kernel::{KernelError, Material};
+use pellicle_kernel::{Foundation, KernelError};
 use serde::Serialize;
 
+use self::body::IndenterBody;
 use super::caller_shape::{self, CallerShape};
-use super::foundation::substrate::POISSON_RATIO;
+use super::foundation::FoundationCase;
 use super::height_limits::HeightLimits;
 use super::map::preparation::is_default;
 use super::map::{MapCase, Repetition};
 use super::map_sources::MapSources;
 use crate::declare::macros::{kinds, record};
-use crate::declare::{
-    Codec, Kinds, KindsShape, Record, Scope, Shape, angle, fraction, length, number, part,
-    pressure, together, word,
-};
+use crate::declare::{Codec, Kinds, KindsShape, Scope, Shape, angle, fraction, length, part, word};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
@@ -33,9 +33,9 @@ pub struct IndenterCase {
     /// Its shape.
     #[serde(flatten)]
     pub shape: IndenterShape,
-    /// Its material; none if it is rigid.
+    /// Its elastic body; none if it is rigid.
     #[serde(flatten)]
-    pub material: Option<ElasticConstants>,
+    pub body: Option<IndenterBody>,
 }
 
 kinds! {
@@ -141,20 +141,6 @@ impl IndenterMapCase {
     }
 }
 
-record! {
-    /// The elastic constants of an indenter.
-    #[derive(Copy)]
-    pub struct ElasticConstants {
-        young_modulus: f64 = pressure().positive(), "Young's modulus of the indenter";
-        poisson_ratio: f64 = number(POISSON_RATIO), "Poisson's ratio of the indenter";
-    }
-    check |of: &ElasticConstants, table: &TableReader<'_>, _: &Scope<'_>| {
-        // The modulus is known to be positive here, so only the ratio can be rejected.
-        let refused = |error| Err(table.required("poisson_ratio", "")?.refused(&error));
-        Material::new(of.young_modulus, of.poisson_ratio).map_or_else(refused, |_| Ok(()))
-    };
-}
-
 /// Angles from the axis. A needle sharper than the lower limit (0.1 degrees) is far beyond small slopes and cannot be
 /// drawn; a cone blunter than the upper limit (10⁻⁴ degrees from flat) is flat.
 const ANGLES: std::ops::RangeInclusive<f64> = 1.745e-3..=FRAC_PI_2 - 1.745e-6;
@@ -188,7 +174,7 @@ impl IndenterCase {
     #[must_use]
     pub fn shape_of_table() -> KindsShape {
         let mut kinds = <IndenterShape as Kinds>::shape();
-        together::<ElasticConstants>().declare("", "", &mut kinds.shared);
+        IndenterBody::declare(&mut kinds.shared);
         kinds
     }
 
@@ -200,7 +186,7 @@ impl IndenterCase {
     pub fn read(table: &TableReader<'_>, scope: &Scope<'_>) -> Result<Self, Diagnosis> {
         Ok(Self {
             shape: IndenterShape::read_shape(table, scope)?,
-            material: together::<ElasticConstants>().take("", table, scope)?,
+            body: IndenterBody::read(table, scope)?,
         })
     }
 
@@ -213,14 +199,20 @@ impl IndenterCase {
         self.shape.build()
     }
 
-    /// The material, if it is elastic.
+    /// The elastic body; [rigid](Foundation::rigid) without one.
     ///
     /// # Errors
     ///
     /// [`KernelError`] if a value is invalid.
-    pub fn build_material(&self) -> Result<Option<Material>, KernelError> {
-        let build = |of: ElasticConstants| Material::new(of.young_modulus, of.poisson_ratio);
-        self.material.map(build).transpose()
+    pub fn build_body(&self) -> Result<Foundation, KernelError> {
+        let body = self.body.as_ref().map(IndenterBody::build);
+        Ok(body.transpose()?.unwrap_or_else(Foundation::rigid))
+    }
+
+    /// The elastic body as a foundation of the case; none if it is rigid.
+    #[must_use]
+    pub fn foundation(&self) -> Option<Cow<'_, FoundationCase>> {
+        self.body.as_ref().map(IndenterBody::as_foundation)
     }
 
     /// The measured map, if the indenter is given by one.
@@ -255,7 +247,7 @@ impl IndenterCase {
 
 impl IndenterShape {
     fn read_shape(table: &TableReader<'_>, scope: &Scope<'_>) -> Result<Self, Diagnosis> {
-        let elastic = ElasticConstants::shape().keys();
+        let elastic = IndenterBody::keys();
         let kind = table.optional("kind");
         let shape = scope.maps.and_then(MapSources::indenter);
         if let Some(shape) = kind
@@ -320,26 +312,6 @@ mod tests {
     fn read(text: &str) -> Result<IndenterShape, String> {
         let read = |table: TableReader<'_>| IndenterCase::read(&table, &Scope::default());
         read_table(text, read).map(|case| case.shape)
-    }
-
-    #[test]
-    fn an_elastic_indenter_requires_both_constants() {
-        let read = |constants: &str| {
-            let text = format!("kind = \"paraboloid\"\nradius = 1\n{constants}");
-            read_table(&text, |table| IndenterCase::read(&table, &Scope::default()))
-        };
-        let diamond = read("young_modulus = \"1141 GPa\"\npoisson_ratio = 0.07").unwrap();
-        let expected = Material::new(1141e9, 0.07).unwrap();
-        assert_eq!(diamond.build_material(), Ok(Some(expected)));
-        assert_eq!(read("").unwrap().build_material(), Ok(None));
-        for faulty in [
-            "young_modulus = 1",
-            "poisson_ratio = 0.3",
-            "young_modulus = 0\npoisson_ratio = 0.3",
-            "young_modulus = 1\npoisson_ratio = 0.6",
-        ] {
-            assert!(read(faulty).is_err(), "{faulty}");
-        }
     }
 
     #[test]

@@ -6,6 +6,7 @@ use pellicle_kernel::{FoundationParameter, KernelError};
 use pellicle_texture::{Relief, ReliefParameter};
 
 use super::Case;
+use super::foundation::FoundationCase;
 use crate::input::dimension::Dimension;
 
 /// The key of the work of adhesion.
@@ -44,11 +45,23 @@ impl Case {
     ///
     /// [`KernelError`] if a graded layer cannot be split.
     pub fn parameters(&self, model: &Model) -> Result<Vec<CaseParameter>, KernelError> {
-        let keys = self.layer_keys()?;
+        let foundation = layer_keys(
+            &self.foundation,
+            ["foundation.substrate", "foundation.layer"],
+        )?;
+        let indenter = match &self.indenter.body {
+            Some(body) => layer_keys(&body.as_foundation(), body.paths())?,
+            None => Vec::new(),
+        };
         let all = model.parameters().into_iter();
         let named = all.filter_map(|parameter| {
             let (key, dimension) = match parameter {
-                ModelParameter::Elastic(of) => of_bodies(of, &keys)?,
+                ModelParameter::Elastic(ElasticParameter::Foundation(of)) => {
+                    of_body(of, &foundation)?
+                }
+                ModelParameter::Elastic(ElasticParameter::Counterbody(of)) => {
+                    of_body(of, &indenter)?
+                }
                 ModelParameter::Relief(of) => of_relief(of, &model.relief),
                 ModelParameter::Indenter(of) => of_indenter(of)?,
                 ModelParameter::WorkOfAdhesion => return None,
@@ -66,37 +79,30 @@ impl Case {
         });
         Ok(named.chain(adhesion).collect())
     }
-
-    /// The keys of the model's layers and its substrate; none for the sublayers of a graded layer.
-    fn layer_keys(&self) -> Result<Vec<Option<String>>, KernelError> {
-        let splits = self.foundation.split()?.splits;
-        let of_layer = |i: usize| match splits.iter().find(|split| split.layer == i) {
-            Some(graded) => vec![None; graded.sublayers],
-            None => vec![Some(format!("foundation.layer[{i}]"))],
-        };
-        let substrate = Some("foundation.substrate".to_owned());
-        let layers = (0..self.foundation.layer.len()).flat_map(of_layer);
-        Ok(layers.chain([substrate]).collect())
-    }
 }
 
-fn of_bodies(
-    parameter: ElasticParameter,
+/// The keys of the model's layers and its substrate, at these paths; none for the sublayers of a graded layer.
+fn layer_keys(
+    body: &FoundationCase,
+    [substrate, layers]: [&str; 2],
+) -> Result<Vec<Option<String>>, KernelError> {
+    let splits = body.split()?.splits;
+    let of_layer = |i: usize| match splits.iter().find(|split| split.layer == i) {
+        Some(graded) => vec![None; graded.sublayers],
+        None => vec![Some(format!("{layers}[{i}]"))],
+    };
+    let of_layers = (0..body.layer.len()).flat_map(of_layer);
+    Ok(of_layers.chain([Some(substrate.to_owned())]).collect())
+}
+
+fn of_body(
+    parameter: FoundationParameter,
     keys: &[Option<String>],
 ) -> Option<(String, Option<Dimension>)> {
     use FoundationParameter::{
         NormalCompliance, PoissonRatio, ShearCompliance, Thickness, YoungModulus,
     };
-    let of = match parameter {
-        ElasticParameter::Foundation(of) => of,
-        ElasticParameter::CounterbodyYoungModulus => {
-            return Some(("indenter.young_modulus".into(), Some(Dimension::Pressure)));
-        }
-        ElasticParameter::CounterbodyPoissonRatio => {
-            return Some(("indenter.poisson_ratio".into(), None));
-        }
-    };
-    let (body, name, dimension) = match of {
+    let (body, name, dimension) = match parameter {
         YoungModulus { body } => (body, "young_modulus", Some(Dimension::Pressure)),
         PoissonRatio { body } => (body, "poisson_ratio", None),
         Thickness { layer } => (layer, "thickness", Some(Dimension::Length)),
@@ -175,15 +181,9 @@ force = 0.1
 
     #[test]
     fn every_parameter_except_those_of_graded_layers_has_its_key() {
-        let source = Arc::new(Source::new("case.toml", CASE.into()));
-        let read = |sets: &[String]| Case::parse(&source, "case", Path::new(""), sets).unwrap();
-        let case = read(&[]);
-        let model = |case: &Case| case.model(&Cache::none()).unwrap().value;
-        let parameters = case.parameters(&model(&case)).unwrap();
-        let keys: Vec<&str> = parameters.iter().map(|of| of.key.as_str()).collect();
-        assert_eq!(
-            keys,
-            [
+        check(
+            CASE,
+            &[
                 "foundation.layer[1].young_modulus",
                 "foundation.layer[1].poisson_ratio",
                 "foundation.layer[1].thickness",
@@ -196,8 +196,48 @@ force = 0.1
                 "surface.thickness",
                 "indenter.face_angle",
                 "indenter.tip_radius",
-            ]
+            ],
         );
+    }
+
+    #[test]
+    fn the_parameters_of_a_layered_indenter_have_keys_of_its_body() {
+        let of_body = r#"body = { substrate = "rigid", layer = [
+            { thickness = 0.1, young_modulus = { from = 10, to = 2, profile = "linear" }, poisson_ratio = 0.2 },
+            { thickness = 0.2, young_modulus = 4, poisson_ratio = 0.25, interface = { normal_compliance = 0.1, shear_compliance = 0.0 } },
+        ] }"#;
+        let of_half_space = "young_modulus = 100\npoisson_ratio = 0.1";
+        let text = CASE.replace(of_half_space, of_body);
+        check(
+            &text,
+            &[
+                "foundation.layer[1].young_modulus",
+                "foundation.layer[1].poisson_ratio",
+                "foundation.layer[1].thickness",
+                "foundation.layer[1].interface.normal_compliance",
+                "foundation.substrate.young_modulus",
+                "foundation.substrate.poisson_ratio",
+                "indenter.body.layer[1].young_modulus",
+                "indenter.body.layer[1].poisson_ratio",
+                "indenter.body.layer[1].thickness",
+                "indenter.body.layer[1].interface.normal_compliance",
+                "surface.young_modulus",
+                "surface.thickness",
+                "indenter.face_angle",
+                "indenter.tip_radius",
+            ],
+        );
+    }
+
+    /// The keys, each of which sets the number that it names.
+    fn check(text: &str, wanted: &[&str]) {
+        let source = Arc::new(Source::new("case.toml", text.into()));
+        let read = |sets: &[String]| Case::parse(&source, "case", Path::new(""), sets).unwrap();
+        let case = read(&[]);
+        let model = |case: &Case| case.model(&Cache::none()).unwrap().value;
+        let parameters = case.parameters(&model(&case)).unwrap();
+        let keys: Vec<&str> = parameters.iter().map(|of| of.key.as_str()).collect();
+        assert_eq!(keys, wanted);
         for CaseParameter { key, parameter, .. } in parameters {
             let value = model(&case).parameter(parameter).unwrap() * 1.01;
             let other = model(&read(&[format!("{key}={value}")]));

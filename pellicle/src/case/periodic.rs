@@ -124,12 +124,14 @@ fn refuse_what_is_not_computed(root: &TableReader<'_>) -> Result<(), Diagnosis> 
     }
 }
 
-/// The half-space whose mean displacement in a cell is infinite, with what bounds it; none on a rigid base under a
-/// rigid indenter.
+/// The half-space whose mean displacement in a cell is infinite, with what bounds it; none between rigid bases.
 fn half_space(foundation: &FoundationCase, indenter: &IndenterCase) -> Option<&'static str> {
     match foundation.substrate {
         SubstrateCase::Elastic(_) => Some("the substrate's, unless it is \"rigid\""),
-        SubstrateCase::Rigid => (indenter.material.is_some()).then_some("an elastic indenter's"),
+        SubstrateCase::Rigid => {
+            let other = indenter.foundation()?;
+            (other.substrate != SubstrateCase::Rigid).then_some("an elastic indenter's")
+        }
     }
 }
 

@@ -63,7 +63,8 @@ impl Case {
     /// The hardness at which the pressure is cut, Pa.
     #[must_use]
     pub fn hardness(&self) -> Option<f64> {
-        self.solver.hardness.or(self.foundation.hardness())
+        let given = self.solver.hardness;
+        given.or_else(|| self.foundation.hardness_against(&self.indenter))
     }
 
     /// The options of the solver. If stresses are requested, coarse pressures are kept: they give the errors of the
@@ -85,7 +86,7 @@ impl Case {
     pub fn model(&self, cache: &Cache) -> Result<Cached<Model>, Error> {
         let foundation = self.foundation.split()?.foundation;
         let (relief, indenter) = (self.surface.build()?, self.indenter.build()?);
-        let bodies = ElasticBodies::new(foundation, self.indenter.build_material()?);
+        let bodies = ElasticBodies::new(foundation, self.indenter.build_body()?);
         let tables = cache.radial_tables_of(&bodies)?;
         Ok(tables.map(|tables| Model {
             tables,

@@ -2,18 +2,22 @@
 
 mod depths;
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use pellicle_contact::{
     BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
     StressQuantity,
 };
+use pellicle_influence::ElasticBody;
 use pellicle_kernel::Foundation;
+use serde::Serialize;
 
 use super::foundation::FoundationCase;
 use super::foundation::depths::BodyPlane;
 use super::foundation::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::foundation::substrate::SubstrateCase;
+use super::indenter::IndenterCase;
 use crate::declare::codec::Number;
 use crate::declare::macros::record;
 use crate::declare::{Codec, Record, Scope, angle, fraction, length, list, series, word};
@@ -28,6 +32,9 @@ record! {
     /// The requested stresses; every value is in SI units or the case's own.
     #[derive(Default)]
     pub struct StressCase {
+        #[serde(skip_serializing_if = "StressedBody::is_foundation")]
+        body: StressedBody = word(BODIES).or(StressedBody::Foundation, "\"foundation\""),
+            "the body inside which stresses are computed; depths of the indenter are measured into it";
         #[serde(skip_serializing_if = "Option::is_none")]
         depths: Option<Vec<f64>> = series(length(), MAX_DEPTHS).each(within_the_body).map(increasing)
             .optional("chosen through layers and base, down to two contact radii"),
@@ -44,6 +51,69 @@ record! {
     }
 }
 
+/// The body inside which stresses are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum StressedBody {
+    /// The foundation.
+    #[default]
+    Foundation,
+    /// The indenter.
+    Indenter,
+}
+
+const BODIES: &[(&str, StressedBody)] = &[
+    ("foundation", StressedBody::Foundation),
+    ("indenter", StressedBody::Indenter),
+];
+
+impl StressedBody {
+    /// Whether it is the foundation.
+    #[must_use]
+    pub fn is_foundation(&self) -> bool {
+        *self == Self::Foundation
+    }
+
+    /// This body of a case; a rigid one if the indenter is rigid.
+    #[must_use]
+    pub fn of<'a>(
+        self,
+        foundation: &'a FoundationCase,
+        indenter: Option<&'a IndenterCase>,
+    ) -> Cow<'a, FoundationCase> {
+        let rigid = || {
+            Cow::Owned(FoundationCase {
+                substrate: SubstrateCase::Rigid,
+                layer: Vec::new(),
+            })
+        };
+        match self {
+            Self::Foundation => Cow::Borrowed(foundation),
+            Self::Indenter => indenter
+                .and_then(IndenterCase::foundation)
+                .unwrap_or_else(rigid),
+        }
+    }
+
+    /// What precedes the names of its layers in results.
+    #[must_use]
+    pub fn prefix(self) -> &'static str {
+        match self {
+            Self::Foundation => "",
+            Self::Indenter => "indenter.",
+        }
+    }
+}
+
+impl From<StressedBody> for ElasticBody {
+    fn from(body: StressedBody) -> Self {
+        match body {
+            StressedBody::Foundation => Self::Foundation,
+            StressedBody::Indenter => Self::Counterbody,
+        }
+    }
+}
+
 /// More depths than this are a mistake.
 const MAX_DEPTHS: usize = 1000;
 
@@ -51,14 +121,15 @@ const MAX_DEPTHS: usize = 1000;
 const MAX_FRICTION: f64 = 10.0;
 
 impl StressCase {
-    /// Reads the table `[stress]` of a text for a body on a domain of this side.
+    /// Reads the table `[stress]` of a text for a body, and the indenter pressed on it if there is one, on a domain of
+    /// this side.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first invalid key.
     pub fn parse(
         source: &Arc<Source>,
-        foundation: &FoundationCase,
+        (foundation, indenter): (&FoundationCase, Option<&IndenterCase>),
         side: f64,
     ) -> Result<Self, Diagnosis> {
         let root = toml_tree::parse(source)?;
@@ -69,15 +140,49 @@ impl StressCase {
             side: Some(side),
             ..Scope::default()
         };
-        Self::read(&stress.table()?, &scope)
+        Self::read_of(&stress.table()?, indenter, &scope)
     }
 
-    /// The requested sliding.
+    /// Reads the table of a case for the body that it names.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] of the first invalid key, or of a body that does not deform.
+    pub fn read_of(
+        table: &TableReader<'_>,
+        indenter: Option<&IndenterCase>,
+        scope: &Scope<'_>,
+    ) -> Result<Self, Diagnosis> {
+        let Some(foundation) = scope.foundation else {
+            return Self::read(table, scope);
+        };
+        let name = table.optional("body");
+        let body = name.as_ref().map(|name| name.choice(BODIES)).transpose()?;
+        let body = body.unwrap_or_default().of(foundation, indenter);
+        if body.is_rigid() {
+            let Some(name) = name else {
+                let wanted = "\"indenter\": the foundation is rigid".to_owned();
+                return Err(table.missing("body", wanted));
+            };
+            return Err(name.unusable(&"which is rigid", "a body that deforms"));
+        }
+        let scope = Scope {
+            foundation: Some(&body),
+            ..*scope
+        };
+        Self::read(table, &scope)
+    }
+
+    /// The requested sliding, which drags the indenter the other way than the foundation.
     #[must_use]
     pub fn sliding(&self) -> Sliding {
-        Sliding {
+        let sliding = Sliding {
             friction: self.friction,
             direction: self.direction,
+        };
+        match self.body {
+            StressedBody::Foundation => sliding,
+            StressedBody::Indenter => sliding.opposite(),
         }
     }
 
@@ -112,7 +217,7 @@ impl StressCase {
             sliding: self.sliding(),
             bodies: bodies
                 .map(|((name, (top, bottom)), strength)| BodyPart {
-                    name,
+                    name: format!("{}{name}", self.body.prefix()),
                     top,
                     bottom,
                     strengths: strength.into(),

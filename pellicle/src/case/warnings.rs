@@ -3,6 +3,7 @@
 mod maps;
 
 use pellicle_contact::{CutOff, Warning};
+use pellicle_influence::ElasticBody;
 
 use super::Case;
 use super::adhesion::AdhesiveContacts;
@@ -59,11 +60,28 @@ impl Case {
                 ..
             } => warning.to_string() + &maps::tilt_of_cut_off(self.indenter.map()),
             Warning::LayerShortening { .. } | Warning::BeyondModel { .. } => {
-                let names = self.foundation.names_of_split();
-                let name = |body: usize| names.get(body).cloned().unwrap_or_default();
+                let name = |of, body: usize| {
+                    let mut names = self.names_of_split(of).into_iter();
+                    names.nth(body).unwrap_or_default()
+                };
                 warning.words(&name)
             }
             _ => with_key(warning),
+        }
+    }
+
+    /// The names of a body's layers and base, those of a graded layer with their number of all.
+    fn names_of_split(&self, of: ElasticBody) -> Vec<String> {
+        let other = self.indenter.foundation();
+        match (of, other) {
+            (ElasticBody::Foundation, _) => self.foundation.names_of_split(),
+            (ElasticBody::Counterbody, Some(body)) if !body.layer.is_empty() => {
+                let names = body.names_of_split().into_iter();
+                names
+                    .map(|name| format!("{name} of the indenter"))
+                    .collect()
+            }
+            (ElasticBody::Counterbody, _) => vec!["the indenter".to_owned()],
         }
     }
 
@@ -84,7 +102,9 @@ impl Case {
     fn stress_warnings(&self) -> Option<CaseWarning> {
         let warn = |code, message| Some(CaseWarning { code, message });
         let Some(stress) = &self.stress else {
-            return self.foundation.has_strengths().then_some(CaseWarning {
+            let other = self.indenter.foundation();
+            let other = other.is_some_and(|body| body.has_strengths());
+            return (other || self.foundation.has_strengths()).then_some(CaseWarning {
                 code: "unused-strength",
                 message:
                     "strengths are given but not used: add a table [stress] to compute stresses"
@@ -92,7 +112,7 @@ impl Case {
             });
         };
         let slides = |layer: &LayerCase| layer.slides();
-        let lowest = self.foundation.layer.iter().rposition(slides)?;
+        let lowest = self.stressed().layer.iter().rposition(slides)?;
         if stress.friction == 0.0 {
             return None;
         }

@@ -204,6 +204,38 @@ impl<V: Codec, T: Record, O> Codec for Either<V, T, O> {
     }
 }
 
+/// A table of a record.
+#[derive(Debug, Clone, Copy)]
+pub struct Nested<T> {
+    wanted: &'static str,
+    record: PhantomData<fn() -> T>,
+}
+
+/// A table of a record; wanted in these words if the key is missing.
+#[must_use]
+pub const fn table<T: Record>(wanted: &'static str) -> Nested<T> {
+    Nested {
+        wanted,
+        record: PhantomData,
+    }
+}
+
+impl<T: Record> Codec for Nested<T> {
+    type Out = T;
+
+    fn shape(&self) -> Shape {
+        Shape::Table(T::shape())
+    }
+
+    fn wanted(&self) -> String {
+        self.wanted.into()
+    }
+
+    fn read(&self, value: &ValueReader<'_>, scope: &Scope<'_>) -> Result<T, Diagnosis> {
+        T::read(&value.clone().table()?, scope)
+    }
+}
+
 /// The fields of a record among those of another table.
 #[derive(Debug, Clone, Copy)]
 pub struct Part<T>(PhantomData<fn() -> T>);

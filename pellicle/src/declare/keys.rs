@@ -59,12 +59,22 @@ pub fn markdown(root: &TableShape) -> String {
 }
 
 fn section(text: &mut String, path: &str, table: &TableShape) {
+    rows(text, table);
+    inside(text, path, table);
+}
+
+/// The table of the fields.
+fn rows(text: &mut String, table: &TableShape) {
     let rows: Vec<_> = table.fields.iter().map(|field| row(field, table)).collect();
     if !rows.is_empty() {
         *text += "| key | value | meaning | if missing |\n|---|---|---|---|\n";
         rows.iter().for_each(|row| *text += row);
         text.push('\n');
     }
+}
+
+/// The tables within a table.
+fn inside(text: &mut String, path: &str, table: &TableShape) {
     for field in &table.fields {
         let path = match path {
             "" => field.key.to_owned(),
@@ -88,7 +98,7 @@ fn inner(text: &mut String, path: &str, meaning: &str, shape: &Shape) {
         }
         Shape::Kinds(kinds) => {
             add(text, &format!("### `[{path}]`: {meaning}\n\n"));
-            section(text, path, &kinds.shared);
+            rows(text, &kinds.shared);
             for (word, meaning, table) in &kinds.kinds {
                 let default = if kinds.default == Some(*word) {
                     ", the default"
@@ -101,6 +111,7 @@ fn inner(text: &mut String, path: &str, meaning: &str, shape: &Shape) {
                 );
                 section(text, path, table);
             }
+            inside(text, path, &kinds.shared);
         }
         Shape::Either(shapes) => {
             let tables = shapes.iter().filter_map(|shape| match shape {

@@ -52,7 +52,8 @@ impl StressCost {
     #[must_use]
     pub fn of(case: &Case, trial: &LoadingPath, products: f64) -> Option<Self> {
         let stress = case.stress.as_ref()?;
-        let model = stress.model(&case.foundation, trial.tables.foundation());
+        let trial = &trial.seen_from(stress.body.into());
+        let model = stress.model(&case.stressed(), trial.tables.foundation());
         let slides = usize::from(stress.friction > 0.0);
         let elements = case.grid.elements;
         let loaded: Vec<LoadedElements> = (0..trial.steps.len())

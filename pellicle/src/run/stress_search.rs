@@ -34,7 +34,10 @@ pub fn find(
     let Some(stress) = &case.stress else {
         return Ok(None);
     };
-    let stress = stress.model(&case.foundation, path.tables.foundation());
+    let (body, of) = (case.stressed(), stress.body.into());
+    // The pressure is the same on both bodies.
+    let (model, path) = (&model.seen_from(of), &path.seen_from(of));
+    let stress = stress.model(&body, path.tables.foundation());
     let count = path.steps.len();
     let mut of_step = |step| {
         if monitor.told(Event::StressesOf(step, count)) == Signal::Cancel {
@@ -44,7 +47,7 @@ pub fn find(
     };
     let steps: Result<Vec<_>, _> = (0..count).map(&mut of_step).collect();
     let steps = steps.map_err(|error| case.blame(error))?;
-    if !case.foundation.has_strengths() {
+    if !body.has_strengths() {
         let critical = None;
         return Ok(Some(Stresses { steps, critical }));
     }

@@ -34,12 +34,19 @@ impl StressFields {
         step: usize,
         stress: &StressCase,
     ) -> Result<Option<Self>, Failure> {
+        let path = &path.seen_from(stress.body.into());
         let Some(field) = StressField::new(path, step, stress.sliding()) else {
             return Ok(None);
         };
         let contact_radius = path.steps[step].summary.contact_radius;
-        let foundation = (&case.foundation, path.tables.foundation());
-        Self::of(foundation, &field, contact_radius, stress).map(Some)
+        let body = stress.body.of(&case.foundation, Some(&case.indenter));
+        Self::of(
+            (&body, path.tables.foundation()),
+            &field,
+            contact_radius,
+            stress,
+        )
+        .map(Some)
     }
 
     /// Computes the fields that `stress` requests under a contact of this radius (m), in a foundation given by the case

@@ -180,6 +180,9 @@ fn depth(at: [f64; 3], element_side: f64, units: Units) -> String {
 
 /// Names a body or interface of a summary; a single layer is the coating.
 fn place(name: &str, layers: usize) -> String {
+    if let Some(name) = name.strip_prefix("indenter.") {
+        return format!("{} of the indenter", place(name, layers));
+    }
     let index = |prefix: &str| name.strip_prefix(prefix)?.strip_suffix(']');
     match (index("layer["), index("interface[")) {
         (Some(_), _) if layers == 1 => "the coating".into(),

@@ -97,7 +97,7 @@ fn is_known_beforehand(model: &Model) -> bool {
             | Indenter::FlatPunch(_)
     );
     let is_bare = matches!(model.relief, Relief::Bare);
-    is_axisymmetric && is_bare && model.tables.foundation().layers().is_empty()
+    is_axisymmetric && is_bare && !model.tables.bodies().have_layers()
 }
 
 /// The verdict of a trial on its square, ordered by the size of square required.

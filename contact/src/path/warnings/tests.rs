@@ -98,7 +98,8 @@ fn a_step_is_warned_about_for_its_certificate_springs_peak_or_slope() {
         (0.99, vec!["layer-shortening"]),
         (1.0, vec!["beyond-model"]),
     ] {
-        let limit = ModelLimit::LayerThickness { layer: 0 };
+        let of = ElasticBody::Foundation;
+        let limit = ModelLimit::LayerThickness { of, layer: 0 };
         step.limits = vec![crate::LimitRatio { limit, ratio }];
         assert_eq!(codes(&model, &step), found);
     }
@@ -204,6 +205,7 @@ fn pillars_and_layers_that_elements_do_not_resolve_are_warned_about() {
             Warning::LayerUnderResolved {
                 layer,
                 elements_per_thickness,
+                ..
             } => (*layer, *elements_per_thickness),
             other => panic!("{other:?}"),
         });

@@ -110,7 +110,7 @@ fn a_layer_on_a_rigid_base_is_shortened_by_the_penetration() {
             let found = of_layer(step);
             // Between the axis and the nearest centre a ball rises by less than 1e-3 of its depth.
             assert!((found / depth - 1.0).abs() < 2e-3, "{depth} {found}");
-            let base = ratio(step, |limit| limit == ModelLimit::RigidBase).unwrap();
+            let base = ratio(step, |limit| matches!(limit, ModelLimit::RigidBase { .. })).unwrap();
             assert!((base / depth - 1.0).abs() < 1e-12, "{depth} {base}");
             let wanted = if depth < 1.0 {
                 Status::Certified
@@ -172,7 +172,10 @@ fn a_mean_pressure_above_the_modulus_of_what_carries_it_is_beyond_the_model() {
     let half_space = Foundation::half_space(material(1.0, 0.3));
     let path = solved(&half_space, steep, &[Load::Penetration(1.0)]);
     let wanted = 1.0 / (0.91 * 2.0 * 0.42_f64.tan());
-    let found = ratio(&path.steps[0], |of| of == ModelLimit::Modulus { body: 0 }).unwrap();
+    let found = ratio(&path.steps[0], |of| {
+        matches!(of, ModelLimit::Modulus { body: 0, .. })
+    })
+    .unwrap();
     assert!(
         wanted > 1.0 && (found / wanted - 1.0).abs() < 0.02,
         "{found} {wanted}"
@@ -181,7 +184,10 @@ fn a_mean_pressure_above_the_modulus_of_what_carries_it_is_beyond_the_model() {
     // Under a thin stiff coat the body below it carries the same pressure.
     let coated = body(&[[0.01, 50.0, 0.3]], Base::HalfSpace(material(1.0, 0.3)));
     let path = solved(&coated, FlatPunch::new(1.0).unwrap(), &[Load::Force(10.0)]);
-    let found = ratio(&path.steps[0], |of| of == ModelLimit::Modulus { body: 1 }).unwrap();
+    let found = ratio(&path.steps[0], |of| {
+        matches!(of, ModelLimit::Modulus { body: 1, .. })
+    })
+    .unwrap();
     // On the axis of a punch the pressure is half of its mean, 3.2, and up to its mean farther down.
     assert!((1.5..3.2).contains(&found), "{found}");
     assert_eq!(path.steps[0].status(), Status::BeyondModel);

@@ -14,6 +14,7 @@ use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 use std::sync::LazyLock;
 
 use libm::erfc;
+use pellicle_kernel::Foundation;
 use rayon::prelude::*;
 
 use super::compliance_table::ComplianceTable;
@@ -47,7 +48,7 @@ pub type NodeWeights = [f64; NODES];
 
 impl AliasSum {
     /// The sums for elements of half side `a`, from the compliance over the waves of their cell.
-    pub fn new(bodies: &ElasticBodies, compliance: &ComplianceTable<'_>, half_side: f64) -> Self {
+    pub fn new(bodies: &ElasticBodies, compliance: &ComplianceTable, half_side: f64) -> Self {
         if compliance.is_homogeneous_beyond(FRAC_PI_2 / half_side) {
             // All aliases are shorter.
             return Self::on_homogeneous(bodies, half_side);
@@ -70,11 +71,9 @@ impl AliasSum {
 
     /// The sums on the surface materials alone.
     fn on_homogeneous(bodies: &ElasticBodies, half_side: f64) -> Self {
-        let foundation = bodies.foundation();
-        let moduli =
-            std::iter::once(foundation.surface_material()).chain(bodies.counterbody().copied());
+        let of_surface = |body: &Foundation| 2.0 / body.surface_material().plane_strain_modulus();
         // 2/(E* k) of the surface materials alone
-        let homogeneous: f64 = moduli.map(|body| 2.0 / body.plane_strain_modulus()).sum();
+        let homogeneous: f64 = bodies.each().map(of_surface).iter().sum();
         let value = |of_node: &f64| homogeneous * half_side * of_node;
         Self {
             values: HOMOGENEOUS.each_ref().map(|row| row.each_ref().map(value)),
@@ -143,7 +142,7 @@ pub fn weights(x: f64) -> NodeWeights {
 
 #[cfg(test)]
 mod tests {
-    use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
+    use pellicle_kernel::{Base, Interface, Layer, Material};
 
     use super::*;
 

@@ -126,7 +126,10 @@ fn an_invalid_grading_is_reported_at_its_key() {
 fn layers_may_rest_on_a_rigid_base() {
     let foundation = read(&format!("substrate = \"rigid\"\n{LAYER}")).unwrap();
     assert_eq!(foundation.substrate, SubstrateCase::Rigid);
-    assert!(read("substrate = \"rigid\"").is_err());
+    // A base alone may lie below an elastic indenter.
+    assert!(read("substrate = \"rigid\"").unwrap().is_rigid());
+    let alone = Source::new("case.toml", "[foundation]\nsubstrate = \"rigid\"".into());
+    assert!(FoundationCase::parse(&Arc::new(alone)).is_err());
 }
 
 #[test]

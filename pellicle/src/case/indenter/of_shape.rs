@@ -8,10 +8,7 @@ use super::{
 
 impl From<IndenterShape> for IndenterCase {
     fn from(shape: IndenterShape) -> Self {
-        Self {
-            shape,
-            material: None,
-        }
+        Self { shape, body: None }
     }
 }
 

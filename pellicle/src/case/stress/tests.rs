@@ -169,7 +169,7 @@ fn invalid_stress_tables_are_rejected_with_what_is_wanted() {
         ("direction = \"5 nm\"", "wanted a finite angle"),
         (
             "frictoin = 1",
-            "one of depths, extent, friction, direction, only",
+            "one of body, depths, extent, friction, direction, only",
         ),
         (
             "only = []",

@@ -3,6 +3,7 @@
 use pellicle_contact::{Criterion, CriticalLoad, CriticalStatus, Extreme, StressQuantity};
 
 use crate::case::Case;
+use crate::case::stress::StressedBody;
 use crate::input::units::Units;
 use crate::result::extremes::{OF_BODIES, OF_INTERFACES};
 use crate::result::quantity::cell;
@@ -13,6 +14,8 @@ use crate::summary::{RunSummary, StepSummary};
 pub struct StressColumns {
     /// Names of bodies, from the surface down.
     bodies: Vec<String>,
+    /// What precedes the names of interfaces.
+    prefix: &'static str,
     /// Indices of interfaces.
     interfaces: Vec<usize>,
     /// The quantities that are wanted.
@@ -90,7 +93,16 @@ impl StressColumns {
             let has_it = interfaces.any(|interface| (of.value)(interface).is_some());
             has_it.then_some(of.quantity)
         });
+        let is_indenter = extremes
+            .interface_name(0)
+            .starts_with(StressedBody::Indenter.prefix());
+        let body = if is_indenter {
+            StressedBody::Indenter
+        } else {
+            StressedBody::Foundation
+        };
         Self {
+            prefix: body.prefix(),
             quantities: of_bodies.chain(of_interfaces).collect(),
             bodies: (stress.extremes.bodies.iter())
                 .map(|body| body.name.clone())
@@ -112,20 +124,27 @@ impl StressColumns {
             self.quantities.extend(is_new.then_some(quantity));
         }
         // The substrate is the last, whatever the number of layers.
-        for name in case.foundation.body_names() {
+        let (body, prefix) = (case.stressed(), stress.body.prefix());
+        self.prefix = prefix;
+        for name in body.body_names() {
+            let name = format!("{prefix}{name}");
             let is_new = !self.bodies.contains(&name);
-            let last = self.bodies.iter().position(|body| body == SUBSTRATE);
+            let last = self
+                .bodies
+                .iter()
+                .position(|body| body.ends_with(SUBSTRATE));
             let place = last.unwrap_or(self.bodies.len());
             if is_new {
                 self.bodies.insert(place, name);
             }
         }
-        for index in 0..case.foundation.layer.len() {
+        for index in 0..body.layer.len() {
             if !self.interfaces.contains(&index) {
                 self.interfaces.push(index);
             }
         }
-        for criterion in case.foundation.criteria() {
+        for (name, criterion) in body.criteria() {
+            let criterion = (format!("{prefix}{name}"), criterion);
             if !self.critical.contains(&criterion) {
                 self.critical.push(criterion);
             }
@@ -146,7 +165,7 @@ impl StressColumns {
         });
         let of_interfaces = self.interfaces.iter().flat_map(|index| {
             let wanted = OF_INTERFACES.iter().filter(|of| self.wants(of.quantity));
-            let name = move |name| format!("{name} interface[{index}]");
+            let name = move |name| format!("{name} {}interface[{index}]", self.prefix);
             wanted.map(move |of| Estimated::header(&name(of.name), pascal))
         });
         let critical = self.critical.iter().flat_map(|(name, criterion)| {
