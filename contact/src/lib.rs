@@ -27,8 +27,8 @@ mod vector;
 pub use error::ContactError;
 pub use grid::region::Boundary;
 pub use indenter::{
-    Cone, CustomProfile, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity,
-    Paraboloid, Plane, PowerLaw, Profile, Pyramid, Sphere,
+    Cone, CustomProfile, EllipticParaboloid, FlatPunch, Indenter, IndenterError, IndenterMap,
+    IndenterQuantity, Paraboloid, Plane, PowerLaw, Profile, Pyramid, Sphere,
 };
 pub use model_parameter::ModelParameter;
 pub use path::{

@@ -2,6 +2,7 @@
 
 mod dilute;
 mod domain;
+mod ellipse;
 mod hardness;
 mod levels;
 mod mirror;
