@@ -84,6 +84,7 @@ pub use stress::{
         BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
     },
     quantity::StressQuantity,
+    residual::ResidualStress,
     search_work::{LoadedElements, SearchWork, critical_work, search_work},
     unresolved::UnresolvedStresses,
 };

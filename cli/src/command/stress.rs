@@ -142,7 +142,14 @@ fn solve(
     let sliding = case.stress.as_ref().map(StressCase::sliding);
     let field = StressField::new(&path, 0, sliding.unwrap_or_default());
     match (field, path.steps.first()) {
-        (Some(field), Some(step)) => Ok((field, step.status(), path.grid.side())),
+        (Some(field), Some(step)) => {
+            let residual = case.foundation.residual_stress(path.tables.foundation());
+            Ok((
+                field.with_residual(residual),
+                step.status(),
+                path.grid.side(),
+            ))
+        }
         // There is no step if the user stopped.
         _ => Err(pellicle_contact::ContactError::Cancelled { step }.into()),
     }

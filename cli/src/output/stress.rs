@@ -126,11 +126,12 @@ fn write_step(
     let Some(field) = StressField::new(path, *step, stress.sliding()) else {
         return Ok(None);
     };
+    let foundation = path.tables.foundation();
+    let field = field.with_residual(case.foundation.residual_stress(foundation));
     let radius = block_radius(
         summary.steps[*step].summary.contact_radius,
         summary.grid.side,
     );
-    let foundation = path.tables.foundation();
     let is_of_fields = |format: &&Format| **format != Format::Npz;
     let of_fields: Vec<_> = formats.iter().filter(is_of_fields).collect();
     let uses = PlaneUses {
