@@ -23,6 +23,7 @@ mod sensitivity;
 pub mod solver;
 mod stress;
 mod vector;
+pub mod wear;
 
 pub use error::ContactError;
 pub use grid::region::Boundary;

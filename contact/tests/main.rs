@@ -18,3 +18,4 @@ mod solvers;
 mod stiffening;
 mod stress;
 mod summary_and_warnings;
+mod wear;
