@@ -69,8 +69,8 @@ impl Relief {
         }
     }
 
-    /// Young's modulus of springs as long as the relief is high, Pa: their compliance is the height over it. None if the
-    /// surface is the body's own, or if its springs have a compliance without a height.
+    /// Young's modulus of springs as long as the relief is high, Pa: their compliance is the height over it. None if
+    /// the surface is the body's own, or if its springs have a compliance without a height.
     #[must_use]
     pub fn spring_modulus(&self) -> Option<f64> {
         match self {

@@ -57,6 +57,10 @@ struct SigmaRow {
 /// computed.
 pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
+    if case.wear.is_some() {
+        let wanted = "none: stresses are computed under surfaces without wear";
+        return Err(pellicle::Error::from(case.document.wanted("wear", wanted)).into());
+    }
     let step = step(&case, arguments.step)?;
     check_depths(&case, &arguments.points)?;
     let cache = cache::open();

@@ -41,7 +41,8 @@ fn states_on_the_axis_are_shifted_along_the_surface_and_nothing_else() {
         let [xx, yy, zz, ..] = alone.stress;
         assert_eq!(both.stress[..3], [xx + own, yy + own, zz]);
         assert_eq!(both.stress[3..], alone.stress[3..]);
-        assert_eq!(both.displacement, alone.displacement);
+        let moved = |state: &SubsurfaceState| state.displacement.map(f64::to_bits);
+        assert_eq!(moved(&both), moved(&alone));
         // |σ_zz − σ_xx| on the axis.
         assert_relative_eq!(both.von_mises(), (zz - xx - own).abs(), max_relative = 1e-9);
     }
@@ -88,7 +89,7 @@ fn the_tension_beside_the_contact_and_the_stress_far_from_it_are_shifted() {
     let own = -2.0 * peak;
     let stress = with_residual(BodyStrengths::default(), own);
     let body = stress_extremes(&path, 0, &stress).unwrap().bodies.remove(0);
-    assert_eq!(body.max_principal.unwrap().value, 0.0);
+    assert!(body.max_principal.unwrap().value.abs() == 0.0);
     assert!(body.max_von_mises.unwrap().value >= -own);
     // Under the contact: σ_r − (1 + 2ν)/2 p₀ on the surface of the axis.
     let least = body.min_principal.unwrap().value;

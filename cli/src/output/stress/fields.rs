@@ -42,8 +42,8 @@ impl StressFields {
         Self::of(foundation, field, contact_radius, stress).map(Some)
     }
 
-    /// Computes the fields that `stress` requests, with the residual stress of the layers, under a contact of this radius
-    /// (m), in a foundation given by the case and as split.
+    /// Computes the fields that `stress` requests, with the residual stress of the layers, under a contact of this
+    /// radius (m), in a foundation given by the case and as split.
     ///
     /// # Errors
     ///
