@@ -8,3 +8,4 @@ pub mod extremes;
 pub mod histograms;
 pub mod spectrum;
 pub mod subject;
+pub mod wear;

@@ -59,7 +59,7 @@ fn stresses(coating: Option<f64>, friction: f64) -> StressModel {
         },
         bodies: bodies.collect(),
         interfaces: interfaces.into_iter().collect(),
-        only: None,
+        ..StressModel::default()
     }
 }
 

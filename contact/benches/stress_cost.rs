@@ -78,7 +78,7 @@ fn stresses(foundation: &Foundation, friction: f64) -> StressModel {
         },
         bodies: bodies.collect(),
         interfaces: interfaces.collect(),
-        only: None,
+        ..StressModel::default()
     }
 }
 

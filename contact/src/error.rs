@@ -105,6 +105,21 @@ pub enum ContactError {
         /// The quantity asked for.
         what: &'static str,
     },
+    /// A number of a wear that is not valid.
+    #[error("found {found} for the {quantity} of the wear, wanted {wanted}")]
+    Wear {
+        /// The number.
+        quantity: &'static str,
+        /// Its value.
+        found: f64,
+        /// The values allowed.
+        wanted: &'static str,
+    },
+    /// Wear of springs that stiffen as they shorten.
+    #[error(
+        "found wear of springs with a logarithmic law, wanted linear springs, whose length is known"
+    )]
+    WearOfStiffening,
     /// A quantity that a periodic cell does not have, or that is not computed for one.
     #[error("found {what} in a periodic cell, wanted none: they are those of a single contact")]
     Periodic {

@@ -6,6 +6,7 @@
 //! | shape | height |
 //! |---|---|
 //! | [`Paraboloid`] | `ρ²/(2R)` |
+//! | [`EllipticParaboloid`] | `x²/(2Rx) + y²/(2Ry)` |
 //! | [`Sphere`] | `R − √(R² − ρ²)` up to `ρ = R` |
 //! | [`Cone`] | `ρ cot α`, its tip a sphere that touches the side |
 //! | [`PowerLaw`] | `ρⁿ/cⁿ⁻¹` with any exponent n from 1 |
@@ -28,6 +29,7 @@
 //! ```
 
 mod cone;
+mod elliptic_paraboloid;
 mod error;
 mod flat_punch;
 mod map;
@@ -40,6 +42,7 @@ mod pyramid;
 mod sphere;
 
 pub use cone::Cone;
+pub use elliptic_paraboloid::EllipticParaboloid;
 pub use error::{IndenterError, IndenterQuantity};
 pub use flat_punch::FlatPunch;
 pub use map::IndenterMap;
@@ -57,6 +60,8 @@ use std::sync::Arc;
 pub enum Indenter {
     /// `ρ²/(2R)`.
     Paraboloid(Paraboloid),
+    /// `x²/(2Rx) + y²/(2Ry)`.
+    EllipticParaboloid(EllipticParaboloid),
     /// A sphere up to its equator.
     Sphere(Sphere),
     /// A cone, sharp or with a spherical tip.
@@ -119,6 +124,7 @@ impl Indenter {
     fn shape(&self) -> &dyn Profile {
         match self {
             Self::Paraboloid(shape) => shape,
+            Self::EllipticParaboloid(shape) => shape,
             Self::Sphere(shape) => shape,
             Self::Cone(shape) => shape,
             Self::PowerLaw(shape) => shape,
@@ -135,6 +141,7 @@ impl Indenter {
     pub fn is_mirrored(&self) -> bool {
         match self {
             Self::Paraboloid(_)
+            | Self::EllipticParaboloid(_)
             | Self::Sphere(_)
             | Self::Cone(_)
             | Self::PowerLaw(_)
@@ -210,6 +217,12 @@ impl Profile for Indenter {
 impl From<Paraboloid> for Indenter {
     fn from(shape: Paraboloid) -> Self {
         Self::Paraboloid(shape)
+    }
+}
+
+impl From<EllipticParaboloid> for Indenter {
+    fn from(shape: EllipticParaboloid) -> Self {
+        Self::EllipticParaboloid(shape)
     }
 }
 

@@ -23,12 +23,13 @@ mod sensitivity;
 pub mod solver;
 mod stress;
 mod vector;
+pub mod wear;
 
 pub use error::ContactError;
 pub use grid::region::Boundary;
 pub use indenter::{
-    Cone, CustomProfile, FlatPunch, Indenter, IndenterError, IndenterMap, IndenterQuantity,
-    Paraboloid, Plane, PowerLaw, Profile, Pyramid, Sphere,
+    Cone, CustomProfile, EllipticParaboloid, FlatPunch, Indenter, IndenterError, IndenterMap,
+    IndenterQuantity, Paraboloid, Plane, PowerLaw, Profile, Pyramid, Sphere,
 };
 pub use model_parameter::ModelParameter;
 pub use path::{
@@ -84,6 +85,7 @@ pub use stress::{
         BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
     },
     quantity::StressQuantity,
+    residual::ResidualStress,
     search_work::{LoadedElements, SearchWork, critical_work, search_work},
     unresolved::UnresolvedStresses,
 };

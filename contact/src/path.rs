@@ -77,6 +77,19 @@ pub struct LoadingPath {
 }
 
 impl LoadingPath {
+    /// This path without its steps, and these.
+    pub(crate) fn take_steps(mut self) -> (Self, Vec<Step>) {
+        let steps = std::mem::take(&mut self.steps);
+        (self, steps)
+    }
+
+    /// Adds the step of another path on the same grid, with its time.
+    pub(crate) fn append(&mut self, step: Step, other: &Self) {
+        self.steps.push(step);
+        self.coefficients_seconds += other.coefficients_seconds;
+        self.solve_seconds += other.solve_seconds;
+    }
+
     /// Samples relief and indenter on the finest grid; a path does not store them.
     #[must_use]
     pub fn geometry(&self) -> SampledModel {
@@ -100,13 +113,20 @@ impl LoadingPath {
         } = &self.steps.get(step)?.solution;
         let all = Region::of_grid(&self.grid, self.boundary);
         let displacement = displacement(elasticity.clone(), &all, pressure);
+        let relief = &geometry.relief;
+        let worn = (self.steps[step].wear.as_ref()).map(|wear| wear.applied(&self.relief, relief));
+        let (profile, compliance) = match &worn {
+            Some(worn) => (&worn.profile[..], &worn.compliance[..]),
+            None => (relief.profile(), relief.compliance()),
+        };
         let mut surface = DeformedSurface::new(
             displacement,
             (pressure, self.hardness),
-            (geometry.relief.spring_law(), geometry.relief.compliance()),
-            &initial_gap(&geometry.indenter_profile, geometry.relief.profile()),
+            (relief.spring_law(), compliance),
+            &initial_gap(&geometry.indenter_profile, profile),
             *penetration,
         );
+        surface.worn_profile = worn.map_or(Vec::new(), |worn| worn.profile);
         if let Some(counterbody) = self.alone(ElasticBody::Counterbody) {
             let own = self::displacement(Arc::new(counterbody), &all, pressure);
             add_scaled(&mut surface.displacement, -1.0, &own);

@@ -1,4 +1,5 @@
-//! Closed forms: contact of axisymmetric indenters with a homogeneous half-space, and with a Winkler foundation.
+//! Closed forms: contact of axisymmetric indenters and of elliptic paraboloids with a homogeneous half-space, and with
+//! a Winkler foundation.
 //!
 //! Each module holds one struct with the numbers of a contact and one function for each way to specify it. The elastic
 //! half-space enters only through its plane-strain modulus `E* = E/(1 − ν²)` (Pa), because the indenter is rigid.
@@ -12,6 +13,7 @@
 //! Mechanics, 1985 (Hertz).
 
 pub mod cone;
+pub mod elliptic_hertz;
 pub mod flat_punch;
 pub mod hertz;
 pub mod hertz_stress;

@@ -15,6 +15,7 @@ pub mod peak;
 pub mod point;
 pub mod rough_contact;
 pub mod step;
+pub mod step_wear;
 pub mod summary;
 pub mod warning;
 pub mod work;

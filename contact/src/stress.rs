@@ -15,6 +15,7 @@ mod peak_search;
 mod plane_scan;
 mod pressure_blocks;
 pub mod quantity;
+pub mod residual;
 pub mod search_work;
 mod solved_loads;
 pub mod unresolved;
@@ -27,6 +28,6 @@ const MOST_MOVES: usize = 8;
     clippy::cast_possible_truncation,
     reason = "places of elements are far below the largest integer"
 )]
-fn nearest(x: f64) -> isize {
+pub(crate) fn nearest(x: f64) -> isize {
     x.round() as isize
 }

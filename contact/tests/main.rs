@@ -2,6 +2,7 @@
 
 mod dilute;
 mod domain;
+mod ellipse;
 mod hardness;
 mod levels;
 mod mirror;
@@ -18,3 +19,4 @@ mod stiffening;
 mod stress;
 mod summary_and_warnings;
 mod two_bodies;
+mod wear;

@@ -5,6 +5,7 @@
 
 mod critical_loads;
 mod extremes;
+mod residual;
 mod sliding_edge;
 
 use std::sync::Arc;
@@ -93,7 +94,7 @@ fn sliding_coating(thickness: f64) -> StressModel {
             depth: thickness,
             strengths: InterfaceStrengths::default(),
         }],
-        only: None,
+        ..StressModel::default()
     }
 }
 

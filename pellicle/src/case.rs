@@ -24,6 +24,7 @@ pub mod stress;
 pub mod surface;
 pub mod unit_slip;
 pub mod warnings;
+pub mod wear;
 pub mod with_units;
 
 use std::borrow::Cow;
@@ -44,6 +45,7 @@ use self::output::OutputCase;
 use self::solver::SolverCase;
 use self::stress::{StressCase, StressedBody};
 use self::surface::SurfaceCase;
+use self::wear::WearCase;
 use crate::declare::{Field, Kinds, Presence, Record, Scope, Shape, TableShape};
 use crate::error::Error;
 use crate::input::diagnosis::Diagnosis;
@@ -80,6 +82,9 @@ pub struct Case {
     /// The requested stresses, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stress: Option<StressCase>,
+    /// The wear of the surface, if any.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wear: Option<WearCase>,
     /// The contacts with adhesion, if it has a work of adhesion.
     #[serde(skip)]
     pub adhesion: Option<AdhesiveContacts>,
@@ -200,6 +205,12 @@ impl Case {
             "requests the stresses inside",
             or("no stresses"),
             table(StressCase::shape()),
+        );
+        add(
+            "wear",
+            "wears the surface over a sliding distance",
+            or("no wear"),
+            table(WearCase::shape()),
         );
         case
     }
@@ -333,6 +344,13 @@ impl Case {
         let of_bodies = || foundation.hardness_against(&indenter);
         let hardness = solver.hardness.or_else(of_bodies);
         adhesion::refuse(&table, (&surface, &load, &grid), hardness)?;
+        let wear = optional("wear")?;
+        let wear = wear
+            .map(|table| WearCase::read(&table, &scope))
+            .transpose()?;
+        if let Some(wear) = &wear {
+            wear::check(&table, wear, (&foundation, &surface, &load), hardness)?;
+        }
         let adhesion = AdhesiveContacts::find(&table, (&foundation, &surface, &indenter), &load)?;
         Ok(Self {
             title,
@@ -344,6 +362,7 @@ impl Case {
             solver,
             output,
             stress,
+            wear,
             adhesion,
             units,
             document: Document::new(root),

@@ -16,7 +16,7 @@ pub mod template;
 
 pub use codec::{
     Codec, angle, compliance, count, energy_per_area, force, fraction, length, literal, number,
-    pressure, switch, text, word,
+    pressure, switch, text, wear_coefficient, word,
 };
 pub use combinators::{either, part, table, together};
 pub use lists::{list, pair, series, tables};

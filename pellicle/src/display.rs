@@ -13,6 +13,8 @@ pub enum Unit {
     Metre,
     /// m²
     SquareMetre,
+    /// m³
+    CubicMetre,
     /// Pa
     Pascal,
     /// N
@@ -23,9 +25,10 @@ pub enum Unit {
 
 impl Unit {
     /// All units.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Metre,
         Self::SquareMetre,
+        Self::CubicMetre,
         Self::Pascal,
         Self::Newton,
         Self::NewtonPerMetre,
@@ -36,6 +39,7 @@ impl Unit {
     pub fn ascii(self) -> &'static str {
         match self {
             Self::SquareMetre => "m^2",
+            Self::CubicMetre => "m^3",
             _ => self.symbol(),
         }
     }
@@ -46,6 +50,7 @@ impl Unit {
         match self {
             Self::Metre => "m",
             Self::SquareMetre => "m²",
+            Self::CubicMetre => "m³",
             Self::Pascal => "Pa",
             Self::Newton => "N",
             Self::NewtonPerMetre => "N/m",
@@ -54,7 +59,11 @@ impl Unit {
 
     /// The power of the prefix: 1 µm² is (10⁻⁶ m)².
     fn power(self) -> i32 {
-        if self == Self::SquareMetre { 2 } else { 1 }
+        match self {
+            Self::SquareMetre => 2,
+            Self::CubicMetre => 3,
+            _ => 1,
+        }
     }
 }
 
@@ -248,7 +257,13 @@ pub fn dimensional(value: f64, dimension: Dimension, units: Units) -> String {
         (Dimension::Stiffness | Dimension::EnergyPerArea, _) => of(Unit::NewtonPerMetre),
         (_, Units::Consistent) => significant(value, 5),
         (Dimension::Compliance, Units::Si) => format!("{} nm/GPa", significant(value * 1e18, 5)),
-        (Dimension::FrameCompliance | Dimension::Time | Dimension::Speed, Units::Si) => {
+        (
+            Dimension::FrameCompliance
+            | Dimension::WearCoefficient
+            | Dimension::Time
+            | Dimension::Speed,
+            Units::Si,
+        ) => {
             format!("{} {}", significant(value, 5), dimension.si_unit())
         }
     }

@@ -48,7 +48,9 @@ pub use monitor::{Event, Monitor, Watching};
 pub use run::{Completeness, Run};
 
 /// The types from which a case is built in code.
-pub use pellicle_contact::{Cone, FlatPunch, Load, Paraboloid, PowerLaw, Pyramid, Sphere};
+pub use pellicle_contact::{
+    Cone, EllipticParaboloid, FlatPunch, Load, Paraboloid, PowerLaw, Pyramid, Sphere,
+};
 pub use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 pub use pellicle_texture::{CylinderSpec, Cylinders, Film};
 

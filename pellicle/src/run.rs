@@ -5,6 +5,7 @@ pub mod stress_search;
 
 use std::time::Instant;
 
+use pellicle_contact::wear::solve_wear;
 use pellicle_contact::{ContactError, Domain, LoadingPath, Model, solve_path};
 use pellicle_influence::Cache;
 
@@ -121,16 +122,20 @@ pub fn path(
     monitor: &mut dyn Monitor,
 ) -> Result<LoadingPath, Error> {
     let (loads, options) = (case.loads(), case.solver_options());
-    let elements = case.grid.elements;
-    solve_path(
-        model,
-        domain,
-        elements,
-        &loads,
-        &options,
-        &mut Watching(monitor),
-    )
-    .map_err(|error| case.blame(error))
+    let (elements, watching) = (case.grid.elements, &mut Watching(monitor));
+    let solved = match (&case.wear, &loads[..]) {
+        (Some(wear), [load]) => solve_wear(
+            model,
+            domain,
+            elements,
+            *load,
+            &wear.build(),
+            &options,
+            watching,
+        ),
+        _ => solve_path(model, domain, elements, &loads, &options, watching),
+    };
+    solved.map_err(|error| case.blame(error))
 }
 
 /// Turns a search for stresses that the user stopped into none; it is not a failure.
@@ -159,7 +164,7 @@ pub fn complete(
 ) -> Result<Completeness, Error> {
     let mut completeness = Completeness::Whole;
     if path.interrupted {
-        let (done, steps) = (path.steps.len(), case.load.steps());
+        let (done, steps) = (path.steps.len(), case.steps());
         let message = format!("stopped by the user after {done} of {steps} loading steps");
         summary.warnings.push(stopped(message));
         completeness = Completeness::Part;

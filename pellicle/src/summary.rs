@@ -6,6 +6,7 @@ pub mod roughness;
 pub mod schema;
 mod step;
 mod warning;
+mod wear;
 
 use std::time::Instant;
 
@@ -18,7 +19,9 @@ use serde_json::Value;
 pub use self::adhesion::{AdhesionSummary, AdhesivePoint};
 use self::area_law::AreaLaw;
 use self::roughness::RoughnessSummary;
-pub use self::step::{CertificateSummary, SensitivitySummary, StepSummary, StressSummary};
+pub use self::step::{
+    CertificateSummary, SensitivitySummary, StepSummary, StressSummary, WearSummary,
+};
 pub use self::warning::WarningSummary;
 use crate::case::Case;
 use crate::case::grid::BoundaryCase;
@@ -99,6 +102,15 @@ pub struct GridSummary {
 }
 
 impl GridSummary {
+    /// Side of the domain along x, m.
+    #[must_use]
+    pub fn side_along_x(&self) -> f64 {
+        match self.lengths {
+            None => self.side,
+            Some([x, _]) => x as f64 * self.element_side,
+        }
+    }
+
     /// Elements along x and y, in words.
     #[must_use]
     pub fn elements_in_words(&self) -> String {
@@ -212,11 +224,15 @@ impl RunSummary {
         let roughness = RoughnessSummary::of(case);
         let reference = area_law::reference_pressure(case, path, roughness.as_ref());
         let given = case.load.loads(case.grid.nominal_area());
+        let unworn = case.wear.as_ref().map(|_| path.geometry());
         let steps = path.steps.iter().enumerate().map(|(index, step)| {
             let mut found = StepSummary {
                 area_law: reference.and_then(|reference| AreaLaw::of(step, reference)),
                 ..StepSummary::from(step)
             };
+            if let (Some(of), Some(wear), Some(unworn)) = (&mut found.wear, &step.wear, &unworn) {
+                of.section = wear::section(unworn, wear);
+            }
             if let (Some(adhesion), Some(load)) = (&case.adhesion, given.get(index)) {
                 adhesion::add_to(&mut found, adhesion, index, *load);
             }

@@ -4,3 +4,4 @@ pub mod area_law;
 pub mod convergence;
 pub mod curve;
 pub mod spectrum;
+pub mod wear;

@@ -53,7 +53,7 @@ from .judgement import Certificate, Estimate, GridError, ResultWarning, Sensitiv
 from .likelihood import Likelihood
 from .measurement import Baseline, Data, Noise, Segment, SpringConstant, Text
 from .operator import ElasticOperator, compliance, influence_coefficients
-from .options import Output, Range, Stress
+from .options import Output, Range, Stress, Wear
 from .parameter_study import Study, StudyTable, study
 from .problem import DiscreteProblem, Judgement
 from .progress import FitProgress, Progress, StudyProgress
@@ -145,6 +145,7 @@ __all__ = [
     "TextureError",
     "Unknown",
     "Vickers",
+    "Wear",
     "Work",
     "__version__",
     "compliance",

@@ -62,13 +62,15 @@ class Spring(Table):
 class Layer(Table):
     """A layer: its thickness in m, its material, and its interface with the body below.
 
-    Only the material of a layer may have a `Grading` as its Young's modulus. Interface strengths are in Pa.
+    Only the material of a layer may have a `Grading` as its Young's modulus. Interface strengths are in Pa,
+    as is the residual stress, the same along x and y and positive in tension, which adds to the stresses inside.
     """
 
     _part: ClassVar[str] = "layer"
     thickness: Quantity
     material: Material
     interface: Literal["bonded", "frictionless"] | Spring | None = None
+    residual_stress: Quantity | None = None
     interface_shear_strength: Quantity | None = None
     interface_tensile_strength: Quantity | None = None
 

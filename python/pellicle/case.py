@@ -22,7 +22,7 @@ from .function import CheckedFunction, Function, IndenterFunction, ReliefFunctio
 from .height_map import HeightMap
 from .indenter import Indenter
 from .judgement import ResultWarning
-from .options import Output, Range, Stress
+from .options import Output, Range, Stress, Wear
 from .progress import Progress, Report, reporting
 from .quantity import Quantity
 from .step import Step, main_numbers
@@ -72,6 +72,7 @@ class Case:
         method: Literal["gradient", "active-set"] | None = None,
         hardness: Quantity | None = None,
         stress: Stress | None = None,
+        wear: Wear | None = None,
         output: Output | None = None,
         title: str | None = None,
     ) -> None:
@@ -95,6 +96,7 @@ class Case:
             "grid": _given({"side": side, "sides": sides, "elements": elements, "boundary": boundary}) or None,
             "solver": _given({"tolerance": tolerance, "method": method, "hardness": hardness}) or None,
             "stress": None if stress is None else _table(stress, Stress, "stress"),
+            "wear": None if wear is None else _table(wear, Wear, "wear"),
             "output": None if output is None else _table(output, Output, "output"),
         }
         arrays: dict[str, npt.NDArray[np.float64]] = {}

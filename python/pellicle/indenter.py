@@ -23,10 +23,12 @@ class Indenter(Table):
 
 @dataclass(frozen=True)
 class Paraboloid(Indenter):
-    """A paraboloid of revolution of height ρ²/(2R), with R the radius of curvature in m."""
+    """A paraboloid of revolution of height ρ²/(2R), with R the radius of curvature in m, or, with `radii` in its place,
+    of height x²/(2Rx) + y²/(2Ry)."""
 
     _kind: ClassVar[str] = "paraboloid"
-    radius: Quantity
+    radius: Quantity | None = None
+    radii: tuple[Quantity, Quantity] | None = None
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ FIELDS: dict[str, tuple[str | None, str]] = {
     "displacement": ("m", "displacement u of the body's surface, positive into the body"),
     "gap": ("m", "gap g between the indenter and the surface"),
     "shortening": ("m", "shortening w* of the relief"),
-    "profile": ("m", "profile f* of the relief: 0 on the tops, negative between them"),
+    "profile": ("m", "profile f* of the relief: 0 on the unworn tops, negative between them and where it is worn"),
     "plastic_depth": ("m", "plastic depth where the pressure is cut at the hardness"),
     "mask": (None, "whether the element belongs to the relief"),
     "contact": (None, "whether the element carries pressure"),

@@ -25,6 +25,10 @@ class Range(Table):
     spacing: Literal["linear", "log"] = "linear"
 
 
+Distances: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
+"""Several sliding distances: a list, an array or a range."""
+
+
 Depths: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
 """Several depths: a list, an array or a range."""
 
@@ -57,6 +61,20 @@ class Stress(Table):
     direction: Quantity | None = None
     only: Sequence[StressName] | None = None
     body: Literal["foundation", "indenter"] | None = None
+
+
+@dataclass(frozen=True)
+class Wear(Table):
+    """Wears the surface over a sliding distance: depth = coefficient × pressure × distance, everywhere.
+
+    The `coefficient` is in m²/N; exactly one of `distance` and `distances` (m) is given, and each distance is a step.
+    `tolerance` is the error of the depths in each step over the largest depth.
+    """
+
+    coefficient: Quantity
+    distance: Quantity | None = None
+    distances: Distances | None = None
+    tolerance: float | None = None
 
 
 @dataclass(frozen=True)

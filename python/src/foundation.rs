@@ -72,7 +72,7 @@ impl Foundation {
             let field = StressField::of(tables, grid, &pressure, stress.sliding());
             StressFields::of(
                 (&self.case, &self.foundation),
-                &field,
+                field,
                 contact_radius,
                 &stress,
             )

@@ -241,6 +241,7 @@ def fields(*kinds: type[Any]) -> set[str]:
         ("indenter", pl.Flat, {"kind"}, set()),
         ("indenter", pl.IndenterMap, {"kind", "file"}, {"heights"}),
         ("stress", pl.Stress, set(), set()),
+        ("wear", pl.Wear, set(), set()),
         ("output", pl.Output, set(), set()),
     ],
 )
@@ -259,7 +260,7 @@ def test_layers_loads_grid_and_solver_have_the_keys_of_the_case_file() -> None:
     assert keys_that_the_reader_knows("foundation.layer[0]") == layer
     arguments = pl.Case.__init__.__annotations__.keys() - {"return"}
     of_tables = [keys_that_the_reader_knows(table) for table in ("load", "grid", "solver")]
-    tables = {"foundation", "indenter", "surface", "stress", "output", "title"}
+    tables = {"foundation", "indenter", "surface", "stress", "wear", "output", "title"}
     assert arguments == set().union(tables, *of_tables)
 
 

@@ -50,6 +50,40 @@ impl Relief {
         }
     }
 
+    /// Returns the compliance η at the given points, m/Pa; 0 off the relief.
+    #[must_use]
+    pub fn compliance_at(&self, points: &[[f64; 2]]) -> Vec<f64> {
+        let each = |of: &dyn Fn([f64; 2]) -> f64| points.iter().map(|point| of(*point)).collect();
+        match self {
+            Self::Bare => vec![0.0; points.len()],
+            Self::Cylinders(cylinders) => each(&|point| {
+                if cylinders.contains(point) {
+                    cylinders.compliance()
+                } else {
+                    0.0
+                }
+            }),
+            Self::Film(film) => vec![film.compliance(); points.len()],
+            Self::Map(map) => each(&|point| map.compliance_at(point)),
+            Self::Custom(custom) => custom.compliance(points),
+        }
+    }
+
+    /// Young's modulus of springs as long as the relief is high, Pa: their compliance is the height over it. None if
+    /// the surface is the body's own, or if its springs have a compliance without a height.
+    #[must_use]
+    pub fn spring_modulus(&self) -> Option<f64> {
+        match self {
+            Self::Cylinders(cylinders) => Some(cylinders.spec().young_modulus),
+            Self::Film(film) => Some(film.young_modulus()),
+            Self::Map(map) => match map.compliance() {
+                MapCompliance::YoungModulus(modulus) => Some(modulus),
+                MapCompliance::Uniform(_) => None,
+            },
+            Self::Bare | Self::Custom(_) => None,
+        }
+    }
+
     /// Samples mask, surface profile and compliance at the centres of the grid's elements.
     #[must_use]
     pub fn sample(&self, grid: &Grid) -> SampledRelief {

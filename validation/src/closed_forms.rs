@@ -2,8 +2,10 @@
 
 use std::f64::consts::PI;
 
-use pellicle_contact::reference::{cone, flat_punch, hertz, power_law, sphere, winkler};
-use pellicle_contact::{Cone, FlatPunch, Indenter, Load, PowerLaw, Sphere};
+use pellicle_contact::reference::{
+    cone, elliptic_hertz, flat_punch, hertz, power_law, sphere, winkler,
+};
+use pellicle_contact::{Cone, EllipticParaboloid, FlatPunch, Indenter, Load, PowerLaw, Sphere};
 use pellicle_kernel::{Foundation, Material};
 use pellicle_texture::{Film, Relief};
 
@@ -23,6 +25,8 @@ pub const SECTION: ValidationSection = ValidationSection {
 /// Elements per side. The domains are two and a half to three contact radii wide, so an element is about 1/90 of a
 /// radius.
 const ELEMENTS: usize = 256;
+/// The same for an ellipse of semi-axes in the ratio 4.5, of which the shorter one has 26 elements.
+const ELLIPSE: f64 = 1e-4;
 /// Error of second order: (1/85)² = 1.4e-4 times a factor that depends on where the grid meets the contact's edge.
 const SECOND_ORDER: f64 = 2e-5;
 /// The same under a power law, whose pressure ends more steeply at the edge of the contact.
@@ -37,6 +41,7 @@ const CERTIFIED: f64 = 1e-7;
 fn rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
     let parts = [
         hertz_rows,
+        ellipse_rows,
         sphere_rows,
         cone_rows,
         power_rows,
@@ -85,6 +90,25 @@ fn hertz_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
         row("contact area", PI * a * a, area, STAIRCASE),
         // dQ/dD = 2 E* a
         row("contact stiffness", 2.0 * a, stiffness, STAIRCASE),
+    ])
+}
+
+fn ellipse_rows(run: ValidationRun) -> Result<Vec<Comparison>, ValidationError> {
+    let wanted = elliptic_hertz::from_force([10.0, 1.0], 1.0, 1e-3);
+    let indenter = EllipticParaboloid::new([10.0, 1.0])?.into();
+    let side = 2.2 * wanted.semi_axes[0];
+    let path = run.solve(&on_half_space(indenter, side, Load::Force(wanted.force))?)?;
+    let step = &path.steps[0];
+    let row = |what: &str, wanted, found| {
+        Comparison::relative(format!("Hertz, radii 10:1: {what}"), wanted, found, ELLIPSE)
+    };
+    Ok(vec![
+        row("penetration", wanted.penetration, step.solution.penetration),
+        row(
+            "largest pressure",
+            wanted.peak_pressure,
+            step.summary.max_pressure,
+        ),
     ])
 }
 

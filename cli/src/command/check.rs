@@ -77,7 +77,7 @@ fn estimates(case: &Case, forecast: &Forecast, chosen: bool) -> Result<String, F
     }
     lines.graded(case)?;
     lines.maps(case, element_side);
-    lines.add("loading steps", &case.load.steps().to_string());
+    lines.add("loading steps", &case.steps().to_string());
     lines.add("memory, about", &display::memory(forecast.need.bytes));
     let [planes, size] = lines.stresses(case, forecast)?;
     let disk = disk_space::bytes(case) + disk_space::of_stresses(case, planes, size);

@@ -57,6 +57,10 @@ struct SigmaRow {
 /// computed.
 pub fn stress(arguments: &StressArguments) -> Result<Outcome, Failure> {
     let case = Case::read(&arguments.case.path, &arguments.case.sets)?;
+    if case.wear.is_some() {
+        let wanted = "none: stresses are computed under surfaces without wear";
+        return Err(pellicle::Error::from(case.document.wanted("wear", wanted)).into());
+    }
     let step = step(&case, arguments.step)?;
     check_depths(&case, &arguments.points)?;
     let cache = cache::open();
@@ -152,7 +156,14 @@ fn solve(
     let seen = path.seen_from(stressed(case));
     let field = StressField::new(&seen, 0, sliding.unwrap_or_default());
     match (field, path.steps.first()) {
-        (Some(field), Some(step)) => Ok((field, step.status(), path.grid.side())),
+        (Some(field), Some(step)) => {
+            let residual = case.stressed().residual_stress(seen.tables.foundation());
+            Ok((
+                field.with_residual(residual),
+                step.status(),
+                path.grid.side(),
+            ))
+        }
         // There is no step if the user stopped.
         _ => Err(pellicle_contact::ContactError::Cancelled { step }.into()),
     }

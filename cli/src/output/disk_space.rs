@@ -73,7 +73,7 @@ pub fn of_stresses(case: &Case, planes: usize, size: usize) -> f64 {
         Format::Npz => STRESS_NPZ * (interfaces * plane + (planes * size) as f64),
         Format::Gsf => 0.0,
     });
-    let steps = case.load.steps();
+    let steps = case.steps();
     let of_fields =
         case.output.fields.count(steps) as f64 * bytes.fold(0.0, |sum, bytes| sum + bytes);
     let of_pictures = STRESS_SECTION + STRESS_INTERFACE * interfaces;
@@ -83,7 +83,7 @@ pub fn of_stresses(case: &Case, planes: usize, size: usize) -> f64 {
 /// Estimates the disk space of a run of a case without its stresses, in bytes.
 #[must_use]
 pub fn bytes(case: &Case) -> f64 {
-    let steps = case.load.steps();
+    let steps = case.steps();
     let OutputCase {
         fields, pictures, ..
     } = case.output;
@@ -126,7 +126,7 @@ fn of_a_step_in_report(case: &Case) -> f64 {
 }
 
 fn of_the_run(case: &Case, pictures: bool) -> f64 {
-    let has_curve = case.load.steps() > 1;
+    let has_curve = case.steps() > 1;
     let has_grids = case.grid.elements >= MIN_ELEMENTS_OF_SEVERAL_GRIDS;
     let curve = f64::from(u8::from(pictures && has_curve)) * CURVE;
     curve + f64::from(u8::from(pictures && has_grids)) * CONVERGENCE

@@ -18,13 +18,14 @@ use rayon::prelude::*;
 use super::surface_figure::SurfaceFigure;
 use super::write_progress::WriteProgress;
 use crate::failure::Failure;
-use crate::picture::{area_law, convergence, curve, extremes, histograms, spectrum, subject};
+use crate::picture::{area_law, convergence, curve, extremes, histograms, spectrum, subject, wear};
 
 /// The pictures of a run as a whole.
 const CURVE: &str = "curve";
 const CONVERGENCE: &str = "convergence";
 const SPECTRUM: &str = "spectrum";
 const AREA_LAW: &str = "area-law";
+const WEAR: &str = "wear";
 
 /// A picture of a loading step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -131,6 +132,8 @@ pub struct RunDrawings {
     pub spectrum: Option<String>,
     /// Contact fraction over reduced pressure of a rough contact.
     pub area_law: Option<String>,
+    /// The section of a surface as it wears.
+    pub wear: Option<String>,
 }
 
 /// The pictures of the stresses of a step.
@@ -222,6 +225,7 @@ pub fn drawn_run(summary: &RunSummary) -> RunDrawings {
         convergence: draw_convergence(summary, &Style::default()),
         spectrum: draw_spectrum(summary, &Style::default()),
         area_law: draw_area_law(summary, &Style::default()),
+        wear: draw_wear(summary, &Style::default()),
     }
 }
 
@@ -229,8 +233,7 @@ pub fn drawn_run(summary: &RunSummary) -> RunDrawings {
 fn draw_curve(summary: &RunSummary, style: &Style) -> Option<String> {
     let of_run = curve::of_run(summary, summary.title.clone());
     let worst = curve::worst(summary.steps.iter());
-    let has_several = summary.steps.len() > 1;
-    has_several.then(|| plot::run::curve::draw(of_run, worst, summary.units, style))
+    has_curve(summary).then(|| plot::run::curve::draw(of_run, worst, summary.units, style))
 }
 
 fn draw_convergence(summary: &RunSummary, style: &Style) -> Option<String> {
@@ -241,6 +244,17 @@ fn draw_convergence(summary: &RunSummary, style: &Style) -> Option<String> {
 fn draw_spectrum(summary: &RunSummary, style: &Style) -> Option<String> {
     let (title, maps) = (&summary.title, spectrum::of_run(summary));
     plot::run::spectrum::draw(title, &maps, summary.units, style)
+}
+
+/// Whether there are several loads; the steps of a wear have one.
+fn has_curve(summary: &RunSummary) -> bool {
+    summary.steps.len() > 1 && summary.steps.iter().all(|step| step.wear.is_none())
+}
+
+fn draw_wear(summary: &RunSummary, style: &Style) -> Option<String> {
+    let (title, sections) = (&summary.title, wear::of_run(summary));
+    let domain = (summary.grid.side_along_x(), summary.units);
+    plot::run::wear::draw(title, &sections, domain, style)
 }
 
 fn draw_area_law(summary: &RunSummary, style: &Style) -> Option<String> {
@@ -308,19 +322,21 @@ pub fn run(
         convergence: one(CONVERGENCE, drawn(CONVERGENCE, draw_convergence))?,
         spectrum: one(SPECTRUM, drawn(SPECTRUM, draw_spectrum))?,
         area_law: one(AREA_LAW, drawn(AREA_LAW, draw_area_law))?,
+        wear: one(WEAR, drawn(WEAR, draw_wear))?,
     })
 }
 
 /// The pictures of a run as a whole, and whether there is something to draw.
-fn of_a_run(summary: &RunSummary) -> [(&'static str, bool); 4] {
+fn of_a_run(summary: &RunSummary) -> [(&'static str, bool); 5] {
     let has_grids = plot::run::convergence::is_drawn(&convergence::of_run(summary));
     let has_maps = plot::run::spectrum::is_drawn(&spectrum::of_run(summary));
     let has_area_law = plot::run::area_law::is_drawn(&area_law::of_run(summary));
     [
-        (CURVE, summary.steps.len() > 1),
+        (CURVE, has_curve(summary)),
         (CONVERGENCE, has_grids),
         (SPECTRUM, has_maps),
         (AREA_LAW, has_area_law),
+        (WEAR, plot::run::wear::is_drawn(&wear::of_run(summary))),
     ]
 }
 

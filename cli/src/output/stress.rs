@@ -131,12 +131,13 @@ fn write_step(
     let Some(field) = StressField::new(path, *step, stress.sliding()) else {
         return Ok(None);
     };
+    let (body, prefix) = (case.stressed(), stress.body.prefix());
+    let foundation = path.tables.foundation();
+    let field = field.with_residual(body.residual_stress(foundation));
     let radius = block_radius(
         summary.steps[*step].summary.contact_radius,
         summary.grid.side,
     );
-    let (body, prefix) = (case.stressed(), stress.body.prefix());
-    let foundation = path.tables.foundation();
     let is_of_fields = |format: &&Format| **format != Format::Npz;
     let of_fields: Vec<_> = formats.iter().filter(is_of_fields).collect();
     let uses = PlaneUses {

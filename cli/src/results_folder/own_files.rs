@@ -17,11 +17,12 @@ use crate::output::report;
 use crate::planning;
 
 /// Files written once per run, and their extensions.
-const OF_A_RUN: [(&str, &[&str]); 4] = [
+const OF_A_RUN: [(&str, &[&str]); 5] = [
     ("curve", &["svg", "png"]),
     ("convergence", &["svg", "png"]),
     ("spectrum", &["svg", "png"]),
     ("area-law", &["svg", "png"]),
+    ("wear", &["svg", "png"]),
 ];
 
 /// Files written once per step: the word before the number of the step, and the extensions.

@@ -50,6 +50,9 @@ impl AxisymmetricProfile {
             Indenter::Paraboloid(shape) => Some(Self::Paraboloid {
                 radius: shape.radius(),
             }),
+            Indenter::EllipticParaboloid(shape) => shape
+                .common_radius()
+                .map(|radius| Self::Paraboloid { radius }),
             Indenter::Sphere(shape) => Some(Self::Sphere {
                 radius: shape.radius(),
             }),

@@ -12,6 +12,10 @@ use super::PowerLaw;
 pub enum IndenterQuantity {
     /// Radius of a paraboloid, sphere or flat punch, m.
     Radius,
+    /// Radius of curvature of an elliptic paraboloid along x, m.
+    RadiusAlongX,
+    /// Radius of curvature of an elliptic paraboloid along y, m.
+    RadiusAlongY,
     /// Radius of a rounded tip, m.
     TipRadius,
     /// Angle between the axis and the side of a cone, rad.
@@ -28,6 +32,8 @@ impl fmt::Display for IndenterQuantity {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Self::Radius => "the indenter's radius",
+            Self::RadiusAlongX => "the indenter's radius along x",
+            Self::RadiusAlongY => "the indenter's radius along y",
             Self::TipRadius => "the radius of the indenter's tip",
             Self::HalfAngle => "the half-angle of the cone",
             Self::FaceAngle => "the angle between the pyramid's axis and faces",

@@ -1,8 +1,8 @@
 //! Reading and replacing single numbers of an indenter.
 
 use super::{
-    Cone, FlatPunch, Indenter, IndenterError, IndenterQuantity, Paraboloid, PowerLaw, Pyramid,
-    Sphere,
+    Cone, EllipticParaboloid, FlatPunch, Indenter, IndenterError, IndenterQuantity, Paraboloid,
+    PowerLaw, Pyramid, Sphere,
 };
 
 impl Indenter {
@@ -11,9 +11,14 @@ impl Indenter {
     /// the height does not depend on the coefficient.
     #[must_use]
     pub fn parameters(&self) -> Vec<IndenterQuantity> {
-        use IndenterQuantity::{Coefficient, Exponent, FaceAngle, HalfAngle, Radius, TipRadius};
+        use IndenterQuantity::{
+            Coefficient, Exponent, FaceAngle, HalfAngle, Radius, RadiusAlongX, RadiusAlongY,
+            TipRadius,
+        };
         let all = [
             Radius,
+            RadiusAlongX,
+            RadiusAlongY,
             HalfAngle,
             FaceAngle,
             TipRadius,
@@ -37,9 +42,14 @@ impl Indenter {
     /// The value of a number, in m or rad, or without unit; none if the shape has no such number.
     #[must_use]
     pub fn parameter(&self, quantity: IndenterQuantity) -> Option<f64> {
-        use IndenterQuantity::{Coefficient, Exponent, FaceAngle, HalfAngle, Radius, TipRadius};
+        use IndenterQuantity::{
+            Coefficient, Exponent, FaceAngle, HalfAngle, Radius, RadiusAlongX, RadiusAlongY,
+            TipRadius,
+        };
         match (quantity, self) {
             (Radius, Self::Paraboloid(shape)) => Some(shape.radius()),
+            (RadiusAlongX, Self::EllipticParaboloid(shape)) => Some(shape.radii()[0]),
+            (RadiusAlongY, Self::EllipticParaboloid(shape)) => Some(shape.radii()[1]),
             (Radius, Self::Sphere(shape)) => Some(shape.radius()),
             (Radius, Self::FlatPunch(shape)) => Some(shape.radius()),
             (HalfAngle, Self::Cone(shape)) => Some(shape.half_angle()),
@@ -77,6 +87,11 @@ impl Indenter {
         let or = |wanted: IndenterQuantity, own: f64| if quantity == wanted { value } else { own };
         Ok(match self {
             Self::Paraboloid(_) => Paraboloid::new(value)?.into(),
+            Self::EllipticParaboloid(shape) => EllipticParaboloid::new([
+                or(IndenterQuantity::RadiusAlongX, shape.radii()[0]),
+                or(IndenterQuantity::RadiusAlongY, shape.radii()[1]),
+            ])?
+            .into(),
             Self::Sphere(_) => Sphere::new(value)?.into(),
             Self::FlatPunch(_) => FlatPunch::new(value)?.into(),
             Self::Cone(shape) => Cone::new(
@@ -107,8 +122,9 @@ mod tests {
     #[test]
     fn every_parameter_is_listed_read_and_replaced_separately() {
         use IndenterQuantity::{Coefficient, Exponent};
-        let shapes: [Indenter; 4] = [
+        let shapes: [Indenter; 5] = [
             Paraboloid::new(0.5).unwrap().into(),
+            EllipticParaboloid::new([0.5, 2.0]).unwrap().into(),
             Sphere::new(0.5).unwrap().into(),
             Cone::new(0.9, 0.5).unwrap().into(),
             Pyramid::berkovich(0.5).unwrap().into(),

@@ -3,10 +3,11 @@
 use super::*;
 use pellicle_texture::{Grid, HeightMap};
 
-fn all() -> [Indenter; 8] {
+fn all() -> [Indenter; 9] {
     let bowl = vec![2.0, 1.0, 2.0, 1.0, 0.5, 1.0, 2.0, 1.0, 2.0];
     [
         Paraboloid::new(2.0).unwrap().into(),
+        EllipticParaboloid::new([2.0, 0.7]).unwrap().into(),
         Sphere::new(2.0).unwrap().into(),
         Cone::new(1.2, 0.3).unwrap().into(),
         PowerLaw::new(2.5, 1.5).unwrap().into(),
@@ -103,9 +104,12 @@ fn samples_on_a_grid_vary_fastest_along_y() {
 
 #[test]
 fn each_parameter_of_a_shape_can_be_replaced() {
-    use IndenterQuantity::{Coefficient, Exponent, FaceAngle, HalfAngle, Radius, TipRadius};
-    let wanted: [&[IndenterQuantity]; 8] = [
+    use IndenterQuantity::{
+        Coefficient, Exponent, FaceAngle, HalfAngle, Radius, RadiusAlongX, RadiusAlongY, TipRadius,
+    };
+    let wanted: [&[IndenterQuantity]; 9] = [
         &[Radius],
+        &[RadiusAlongX, RadiusAlongY],
         &[Radius],
         &[HalfAngle, TipRadius],
         &[Exponent, Coefficient],
@@ -117,6 +121,8 @@ fn each_parameter_of_a_shape_can_be_replaced() {
     for (indenter, wanted) in all().iter().zip(wanted) {
         for quantity in [
             Radius,
+            RadiusAlongX,
+            RadiusAlongY,
             HalfAngle,
             FaceAngle,
             TipRadius,
@@ -136,7 +142,7 @@ fn each_parameter_of_a_shape_can_be_replaced() {
     }
     // A punch's height does not depend on its radius smoothly.
     let smooth = all().map(|indenter| indenter.parameters().len());
-    assert_eq!(smooth, [1, 1, 2, 2, 0, 0, 2, 0]);
+    assert_eq!(smooth, [1, 2, 1, 2, 2, 0, 0, 2, 0]);
 }
 
 #[test]

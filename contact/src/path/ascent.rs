@@ -53,6 +53,7 @@ impl Ascent {
             slope: result.slope,
             limits: Vec::new(),
             coarser: self.coarser,
+            wear: None,
         }
     }
 }

@@ -17,6 +17,8 @@ pub struct DeformedSurface {
     /// Plastic depth `max(0, −g)` where the pressure is at the hardness, in m, 0 elsewhere: the depth by which the
     /// elastic surface overlaps the indenter. Empty without a hardness.
     pub plastic_depth: Vec<f64>,
+    /// Profile `f*` after wear, in m; empty without wear, where it is that of the relief.
+    pub worn_profile: Vec<f64>,
 }
 
 impl DeformedSurface {
@@ -54,6 +56,7 @@ impl DeformedSurface {
             shortening,
             gap,
             plastic_depth,
+            worn_profile: Vec::new(),
         }
     }
 }

@@ -116,12 +116,22 @@ impl<'a> ModelLimits<'a> {
             && self.model.tables.bodies().of(of.other()).is_rigid()
     }
 
-    /// The penetration over the radius of the indenter, if that part of it is its own.
+    /// The penetration over the radius of the indenter, of two the smaller, if that part of it is its own.
     fn indenter_radius(&self, step: &Step, pressed: f64) -> Option<LimitRatio> {
         let is_wide = |radius: f64| step.summary.contact_radius > NARROW * radius;
         let radius = match &self.model.indenter {
             Indenter::Sphere(sphere) if is_wide(sphere.radius()) => sphere.radius(),
             Indenter::Paraboloid(of) if is_wide(of.radius()) => of.radius(),
+            Indenter::EllipticParaboloid(of) => {
+                let [x, y] = of.radii();
+                let smaller = x.min(y);
+                // The semi-axis along it: A = π a b
+                let across = step.summary.contact_area / (PI * step.summary.contact_radius);
+                if across <= NARROW * smaller {
+                    return None;
+                }
+                smaller
+            }
             Indenter::FlatPunch(punch) if pressed > SMALL_PRESSURE => punch.radius(),
             _ => return None,
         };

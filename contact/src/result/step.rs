@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     ContactSlope, GridError, LimitRatio, RoughContact, Solution, Summary, Work,
-    result::cut_off::CutOff,
+    result::{cut_off::CutOff, step_wear::StepWear},
 };
 
 /// The solution of one load. It is converged if its certificate is satisfied.
@@ -34,6 +34,8 @@ pub struct Step {
     /// The pressures of the next coarser grids, coarsest first; empty unless
     /// [requested](crate::SolverOptions::coarse_pressures).
     pub coarser: Vec<CoarsePressure>,
+    /// The wear up to here; none without wear.
+    pub wear: Option<StepWear>,
 }
 
 /// The pressure under a load on a grid coarser than the finest.
@@ -56,7 +58,8 @@ impl Step {
     /// The status of the step.
     #[must_use]
     pub fn status(&self) -> Status {
-        if !self.solution.certificate.is_satisfied() {
+        let on_the_way = self.wear.as_ref().is_none_or(|wear| wear.is_certified);
+        if !self.solution.certificate.is_satisfied() || !on_the_way {
             Status::NotConverged
         } else if self.beyond().is_some() {
             Status::BeyondModel

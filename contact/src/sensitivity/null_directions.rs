@@ -3,9 +3,9 @@
 //! They follow from the equations, not from data:
 //!
 //! - **Materials**: see [`ElasticBodies::null_directions`](pellicle_influence::ElasticBodies::null_directions).
-//! - **Paraboloid**: with all lengths along the surface times b, `R → b² R`, `H → b H`, `E → E/b` and compliances of
-//!   springs times `b²`. **Sharp cone and pyramid**: with their slope divided by b, `H → b H`, `E → E/b`, compliances
-//!   times `b²`. **Power law**: `c → b^(n/(n − 1)) c` in place of R.
+//! - **Paraboloid**: with all lengths along the surface times b, `R → b² R` (both radii of an elliptic one), `H → b H`,
+//!   `E → E/b` and compliances of springs times `b²`. **Sharp cone and pyramid**: with their slope divided by b, `H → b
+//!   H`, `E → E/b`, compliances times `b²`. **Power law**: `c → b^(n/(n − 1)) c` in place of R.
 //! - **Springs of a film**: only `η = H_w/E_w` matters if their law is linear.
 
 use pellicle_texture::{Relief, ReliefParameter};
@@ -49,7 +49,8 @@ impl Model {
 
     /// A scaling of lengths along the surface; none if the indenter or the relief has a length scale of its own.
     fn gauge(&self) -> Option<ModelDirection> {
-        let of_indenter = self.gauge_of_indenter()?;
+        let of_indenter = self.gauge_of_indenter()?.into_iter();
+        let of_indenter = of_indenter.map(|(of, change)| (ModelParameter::Indenter(of), change));
         let of_relief = match &self.relief {
             Relief::Bare => None,
             // η → b² η
@@ -61,14 +62,21 @@ impl Model {
         let elastic = self.tables.bodies().scaling(1.0, -1.0).into_iter();
         let elastic = elastic.map(|(of, change)| (ModelParameter::Elastic(of), change));
         let of_relief = of_relief.map(|(of, change)| (ModelParameter::Relief(of), change));
-        Some(elastic.chain(of_relief).chain([of_indenter]).collect())
+        Some(elastic.chain(of_relief).chain(of_indenter).collect())
     }
 
-    fn gauge_of_indenter(&self) -> Option<(ModelParameter, f64)> {
+    fn gauge_of_indenter(&self) -> Option<Vec<(IndenterQuantity, f64)>> {
         // d cot α = −cot α dt:  dα = sin α cos α dt
         let of_angle = |angle: f64| angle.sin() * angle.cos();
         let (quantity, change) = match &self.indenter {
             Indenter::Paraboloid(shape) => (IndenterQuantity::Radius, 2.0 * shape.radius()),
+            Indenter::EllipticParaboloid(shape) => {
+                let [x, y] = shape.radii();
+                return Some(vec![
+                    (IndenterQuantity::RadiusAlongX, 2.0 * x),
+                    (IndenterQuantity::RadiusAlongY, 2.0 * y),
+                ]);
+            }
             // ρⁿ/cⁿ⁻¹ with ρ → b ρ
             Indenter::PowerLaw(shape) if shape.exponent() > PowerLaw::LEAST_EXPONENT => {
                 let n = shape.exponent();
@@ -85,7 +93,7 @@ impl Model {
             }
             _ => return None,
         };
-        Some((ModelParameter::Indenter(quantity), change))
+        Some(vec![(quantity, change)])
     }
 }
 
@@ -135,6 +143,10 @@ mod tests {
         let [change, _, modulus] =
             gauge(&model(Relief::Bare, Paraboloid::new(radius).unwrap())).unwrap();
         assert!((change / radius + 2.0 * modulus).abs() < 1e-14 && modulus != 0.0);
+        // Both radii of an ellipse grow alike.
+        let ellipse = crate::EllipticParaboloid::new([radius, 3.0 * radius]).unwrap();
+        let [both, _, modulus] = gauge(&model(Relief::Bare, ellipse)).unwrap();
+        assert!((both / (4.0 * radius) + 2.0 * modulus).abs() < 1e-14 && modulus != 0.0);
         // D² ~ Q cot α/E under a cone of half angle α to the axis; the same under a pyramid.
         let cone = Cone::new(FRAC_PI_3, 0.0).unwrap();
         let [change, _, modulus] = gauge(&model(Relief::Bare, cone)).unwrap();

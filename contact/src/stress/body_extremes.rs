@@ -135,6 +135,7 @@ pub fn stress_extremes(
         .filter(|target| !target.quantities.is_empty())
         .collect();
     let finder = ExtremeFinder::new(path, &path.steps[step], stress.sliding);
+    let finder = finder.with_residual(&stress.residual);
     let mut rough = ExtremeFinder::rough_depths(path, stress.sliding)?;
     let mut found = finder.find(&mut rough, &targets)?.into_iter();
     let mut next = |quantities: &[StressQuantity]| Found {

@@ -17,6 +17,8 @@ use crate::{ContactError, Domain, LoadingPath, Model, Observer, SolverOptions};
 pub enum CriticalStatus {
     /// Under the critical force.
     Met,
+    /// Without any load: the residual stress reaches the strength alone.
+    AtRest,
     /// Under no load up to the largest of the path.
     #[default]
     NotReached,
@@ -38,7 +40,7 @@ pub struct CriticalLoad {
     /// Whether the strength is reached; the default in a file older than this field.
     #[serde(default)]
     pub status: CriticalStatus,
-    /// The smallest force at which the strength is reached, in N; none if the status says otherwise.
+    /// The smallest force at which the strength is reached, in N, 0 at rest; none if the status says otherwise.
     pub force: Option<f64>,
     /// The penetration under this force, in m.
     pub penetration: Option<f64>,
@@ -97,6 +99,11 @@ pub fn critical_loads(
     let mut rough = ExtremeFinder::rough_depths(path, stress.sliding)?;
     let mut found = Vec::new();
     for criterion in criteria(stress, extremes)? {
+        let at_rest = criterion.at_rest(stress);
+        if at_rest >= criterion.strength {
+            found.push(criterion.failed_at_rest(at_rest));
+            continue;
+        }
         let steps = path.steps.iter().zip(&criterion.known);
         let solved = steps.map(|(step, extreme)| Solved {
             force: step.solution.force,
@@ -114,12 +121,14 @@ pub fn critical_loads(
             sliding: stress.sliding,
             target: &criterion.target,
             strength: criterion.strength,
+            residual: &stress.residual,
+            at_rest,
             solved,
-            follows: true,
+            follows: stress.residual.is_none(),
             rough: &mut rough,
         };
         let outcome = search.search()?;
-        found.push(criterion.into_critical_load(&outcome));
+        found.push(criterion.into_critical_load(&outcome, at_rest));
     }
     Ok(found)
 }
@@ -192,19 +201,43 @@ fn criteria(
 }
 
 impl CriterionSearch {
+    /// The stress without a load, Pa.
+    fn at_rest(&self, stress: &StressModel) -> f64 {
+        let at_rest = self
+            .target
+            .at_rest(self.criterion.quantity(), &stress.residual);
+        at_rest.max(0.0)
+    }
+
+    /// The critical load of a body that fails without one.
+    fn failed_at_rest(self, at_rest: f64) -> CriticalLoad {
+        CriticalLoad {
+            criterion: self.criterion,
+            name: self.name,
+            strength: self.strength,
+            status: CriticalStatus::AtRest,
+            force: Some(0.0),
+            penetration: Some(0.0),
+            at: None,
+            estimate: Some(0.0),
+            resolved: true,
+            utilisation: at_rest / self.strength,
+        }
+    }
+
     /// Turns the result of a search into a critical load.
-    fn into_critical_load(self, outcome: &LoadSearchResult) -> CriticalLoad {
+    fn into_critical_load(self, outcome: &LoadSearchResult, at_rest: f64) -> CriticalLoad {
         let (met, last) = match outcome {
             LoadSearchResult::Met { solved, exponent } => (Some((solved, exponent)), Some(solved)),
             LoadSearchResult::Missed(last) => (None, last.as_ref()),
         };
         let extreme = last.map(|solved| solved.extreme);
-        // δQ/Q = δσ/σ / n
+        // δQ/Q = δσ/(σ − σ₀) / n, σ₀ the stress without a load
         let error = met.and_then(|(solved, exponent)| {
             let Extreme {
                 value, estimate, ..
             } = solved.extreme;
-            Some(solved.force * estimate? / value.abs() / exponent)
+            Some(solved.force * estimate? / (value - at_rest).abs() / exponent)
         });
         let utilisation = extreme.map_or(0.0, |extreme| extreme.value.max(0.0) / self.strength);
         CriticalLoad {

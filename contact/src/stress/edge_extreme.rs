@@ -1,5 +1,7 @@
 //! The largest tension at the edge of the contact as an extreme of the topmost body.
 
+use pellicle_influence::Depth;
+
 use super::edge_tension::{EdgeContact, edge_tension, edge_tension_from, edge_tension_near};
 use super::extreme::Extreme;
 use super::field::StressField;
@@ -36,7 +38,8 @@ pub fn edge_extreme(
         Wanted::Value(Some(from)) => edge_tension_from(&contact, from)?,
         Wanted::Value(None) | Wanted::Error(_) => edge_tension(&contact)?,
     };
-    let Some(found) = found.filter(|found| found.value > 0.0) else {
+    let residual = field.residual().at(Depth::below(0.0));
+    let Some(found) = found.filter(|found| found.value + residual > 0.0) else {
         return Ok(None);
     };
     let on_coarser = match wanted {
@@ -64,7 +67,8 @@ pub fn edge_extreme(
     });
     let [x, y] = found.at;
     Ok(Some(Extreme {
-        value: found.value,
+        // Both principal stresses along a free surface are shifted alike.
+        value: found.value + residual,
         at: [x, y, 0.0],
         resolved: found.is_resolved && (estimate.is_some() || matches!(wanted, Wanted::Value(_))),
         estimate,

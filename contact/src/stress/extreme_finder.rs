@@ -19,6 +19,7 @@ use super::plane_scan::{
 };
 use super::pressure_blocks::doublings;
 use super::quantity::StressQuantity;
+use super::residual::ResidualStress;
 use crate::{ContactError, LoadingPath, Step};
 
 /// Stresses under blocks of elements differ by up to this part from those under elements.
@@ -66,6 +67,16 @@ impl<'a> ExtremeFinder<'a> {
         }
     }
 
+    /// The same with what the bodies carry without a load.
+    pub fn with_residual(self, residual: &ResidualStress) -> Self {
+        let with = |field: StressField| field.with_residual(residual.clone());
+        Self {
+            field: with(self.field),
+            coarser: self.coarser.into_iter().map(with).collect(),
+            ..self
+        }
+    }
+
     /// The depths of a search, which the searches under other loads on the same body may use.
     pub fn rough_depths(path: &LoadingPath, sliding: Sliding) -> Result<RoughDepths, ContactError> {
         let (foundation, side) = (path.tables.foundation(), path.grid.element_side());
@@ -80,13 +91,14 @@ impl<'a> ExtremeFinder<'a> {
     ) -> Result<Vec<Vec<Extreme<3>>>, ContactError> {
         if self.field.loaded().size == 0 {
             let unloaded = |target: &Target| {
-                let nowhere = Extreme {
-                    value: 0.0,
+                let quantities = target.quantities.iter();
+                let nowhere = quantities.map(|quantity| Extreme {
+                    value: target.at_rest(*quantity, self.field.residual()),
                     at: [0.0, 0.0, target.top],
                     resolved: true,
                     estimate: Some(0.0),
-                };
-                vec![nowhere; target.quantities.len()]
+                });
+                nowhere.collect()
             };
             return Ok(targets.iter().map(unloaded).collect());
         }
@@ -114,7 +126,8 @@ impl<'a> ExtremeFinder<'a> {
             for (quantity, peak) in target.quantities.iter().zip(peaks) {
                 let values = self.values(&mut shared, *quantity, &depths, peak)?;
                 let judged = self.judged(peak, &values);
-                of_target.push(self.judged_beside_edge((*quantity, is_on_top), judged)?);
+                let judged = self.judged_beside_edge((*quantity, is_on_top), judged)?;
+                of_target.push(self.or_far_away(judged, target, *quantity));
             }
             found.push(of_target);
         }

@@ -8,7 +8,11 @@ use pellicle_influence::{
 use pellicle_texture::Grid;
 
 use super::model::Sliding;
+use super::residual::ResidualStress;
 use crate::{Boundary, LoadingPath};
+
+/// `σ_xx` and `σ_yy` among the fields of a plane.
+const NORMAL_STRESSES: [usize; 2] = [3, 4];
 
 /// The displacements and stresses under the pressure of one loading step, and under sliding.
 #[derive(Debug, Clone)]
@@ -16,6 +20,7 @@ pub struct StressField {
     tables: Arc<RadialTables>,
     grid: Grid,
     tractions: [f64; 2],
+    residual: ResidualStress,
     loaded: LoadedSquare,
 }
 
@@ -50,8 +55,15 @@ impl StressField {
             tables,
             grid,
             tractions: sliding.tractions(),
+            residual: ResidualStress::default(),
             loaded: LoadedSquare::of(grid.size(), pressure),
         }
+    }
+
+    /// The same field with what the bodies carry without a load.
+    #[must_use]
+    pub fn with_residual(self, residual: ResidualStress) -> Self {
+        Self { residual, ..self }
     }
 
     /// The grid of the pressures.
@@ -62,6 +74,10 @@ impl StressField {
 
     pub(super) fn tables(&self) -> &RadialTables {
         &self.tables
+    }
+
+    pub(super) fn residual(&self) -> &ResidualStress {
+        &self.residual
     }
 
     pub(super) fn tractions(&self) -> [f64; 2] {
@@ -106,7 +122,10 @@ impl StressField {
         let loaded = self.loaded.elements(self.grid);
         let states = points.iter();
         Ok(states
-            .map(|point| fields.sum_over(&loaded, self.tractions, *point))
+            .map(|point| {
+                let loaded = fields.sum_over(&loaded, self.tractions, *point);
+                self.residual.added(loaded, depth)
+            })
             .collect())
     }
 
@@ -154,6 +173,7 @@ impl StressField {
             centres: (first..first + count)
                 .map(|i| self.grid.centre(i))
                 .collect(),
+            residual: self.residual.clone(),
             cut: vec![0.0; count * count],
         }
     }
@@ -213,6 +233,7 @@ pub struct StressPlanes {
     computed: usize,
     before: usize,
     centres: Vec<f64>,
+    residual: ResidualStress,
     cut: Vec<f64>,
 }
 
@@ -237,17 +258,25 @@ impl StressPlanes {
             computed,
             before,
             cut,
+            residual,
             ..
         } = self;
         let shown = self.centres.len();
+        let residual = residual.at(depth);
         self.fields.fields_on(depth, |field, values| {
-            if shown == *computed {
+            let own = if NORMAL_STRESSES.contains(&field) {
+                residual
+            } else {
+                0.0
+            };
+            if shown == *computed && own == 0.0 {
                 take(field, values);
                 return;
             }
             for (row, cut) in cut.chunks_exact_mut(shown).enumerate() {
                 let start = (*before + row) * *computed + *before;
                 cut.copy_from_slice(&values[start..start + shown]);
+                cut.iter_mut().for_each(|stress| *stress += own);
             }
             take(field, cut);
         })

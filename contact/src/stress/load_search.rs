@@ -3,7 +3,8 @@
 //! A stress grows roughly as a power of the load, so the secant between two solved loads in logarithms finds a strength
 //! in a few steps. Each step solves a contact on its own grids and follows the peak of its stress from the nearest load
 //! solved before. The whole body is searched again, and the error found, where the strength is met; if the peak is then
-//! another one, it is searched under every further load.
+//! another one, it is searched under every further load. With residual stress, of which the largest may lie far from
+//! the contact, every load is searched, and the power is that of what the load adds.
 
 use pellicle_influence::RoughDepths;
 
@@ -11,6 +12,7 @@ use super::extreme::Extreme;
 use super::extreme_finder::ExtremeFinder;
 use super::model::Sliding;
 use super::plane_scan::Target;
+use super::residual::ResidualStress;
 use super::solved_loads::SolvedLoads;
 use crate::{ContactError, Domain, Load, LoadingPath, Step, choose_side};
 
@@ -65,6 +67,10 @@ pub struct LoadSearch<'a, 'b> {
     pub target: &'a Target,
     /// Strength, in Pa.
     pub strength: f64,
+    /// What the bodies carry without a load.
+    pub residual: &'a ResidualStress,
+    /// The stress without a load, below the strength, in Pa.
+    pub at_rest: f64,
     /// Solved loads, sorted by rising force.
     pub solved: Vec<Solved>,
     /// Whether peaks are followed from one load to the next.
@@ -225,8 +231,9 @@ impl LoadSearch<'_, '_> {
         (exponent.is_finite() && exponent > 0.0).then_some(exponent)
     }
 
+    /// The part of the strength that the load itself takes, above what the body carries without one.
     fn utilisation(&self, solved: &Solved) -> f64 {
-        solved.extreme.value.max(0.0) / self.strength
+        (solved.extreme.value - self.at_rest).max(0.0) / (self.strength - self.at_rest)
     }
 
     /// One domain for loads up to `force`: the given one, or one chosen for this force.
@@ -267,7 +274,7 @@ impl LoadSearch<'_, '_> {
         let step = only_step(&path)?;
         let followed = match self.expected(step.summary.contact_radius, force) {
             Some(place) if self.follows => {
-                let finder = ExtremeFinder::new(&path, step, self.sliding);
+                let finder = self.finder(&path, step);
                 finder.follow(self.rough, self.target, place)?
             }
             _ => None,
@@ -313,8 +320,12 @@ impl LoadSearch<'_, '_> {
     /// The extreme in the whole body, with its error.
     fn search_body(&mut self, path: &LoadingPath, step: &Step) -> Result<Extreme<3>, ContactError> {
         let targets = std::slice::from_ref(self.target);
-        let finder = ExtremeFinder::new(path, step, self.sliding);
+        let finder = self.finder(path, step);
         Ok(finder.find(self.rough, targets)?[0][0])
+    }
+
+    fn finder<'p>(&self, path: &'p LoadingPath, step: &'p Step) -> ExtremeFinder<'p> {
+        ExtremeFinder::new(path, step, self.sliding).with_residual(self.residual)
     }
 
     /// Where the peak is expected under a force with a contact of this radius: as far from the axis and the top of the

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::quantity::StressQuantity;
+use super::residual::ResidualStress;
 
 /// Sliding of the indenter along the surface: a traction `q = μ p` that drags the surface with the indenter, uncoupled
 /// from the pressure (Goodman's approximation).
@@ -83,6 +84,8 @@ pub struct StressModel {
     pub bodies: Vec<BodyPart>,
     /// Interfaces from the surface down, including one with a rigid base.
     pub interfaces: Vec<InterfacePart>,
+    /// What the bodies carry without a load.
+    pub residual: ResidualStress,
     /// The quantities whose extremes are wanted; none for all.
     pub only: Option<Vec<StressQuantity>>,
 }

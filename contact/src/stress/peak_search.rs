@@ -13,6 +13,7 @@ use super::field::StressField;
 use super::neighbourhood::Neighbourhood;
 use super::pressure_blocks::{PressureBlocks, doublings};
 use super::quantity::StressQuantity;
+use super::residual::ResidualStress;
 
 /// Offsets tabulated beyond those needed initially, in elements.
 const SLACK: usize = 8;
@@ -76,7 +77,8 @@ impl<'a> PeakSearch<'a> {
         depth: Depth,
     ) -> Result<SubsurfaceState, InfluenceError> {
         let (side, friction) = (self.field.grid().element_side(), self.field.tractions());
-        rough.sum_over(&self.loaded, side, friction, (point, depth))
+        let loaded = rough.sum_over(&self.loaded, side, friction, (point, depth))?;
+        Ok(self.field.residual().added(loaded, depth))
     }
 
     /// The same by a sum over blocks of elements.
@@ -88,7 +90,8 @@ impl<'a> PeakSearch<'a> {
     ) -> Result<SubsurfaceState, InfluenceError> {
         let blocks = self.blocks(doublings);
         let friction = self.field.tractions();
-        rough.sum_over(&blocks.loaded(), blocks.side, friction, (point, depth))
+        let loaded = rough.sum_over(&blocks.loaded(), blocks.side, friction, (point, depth))?;
+        Ok(self.field.residual().added(loaded, depth))
     }
 
     /// The value under the centre nearest to (x, y).
@@ -229,7 +232,7 @@ impl<'a> PeakSearch<'a> {
         self.planes.push(plane);
         let last = self.planes.len() - 1;
         let plane = &mut self.planes[last];
-        plane.compute(&blocks, places);
+        plane.compute(&blocks, self.field.residual(), places);
         Ok(plane)
     }
 
@@ -248,7 +251,12 @@ impl<'a> PeakSearch<'a> {
 
 impl Plane {
     /// Computes the stresses under the centres of these blocks that are not known yet.
-    fn compute(&mut self, blocks: &PressureBlocks, places: &[[isize; 2]]) {
+    fn compute(
+        &mut self,
+        blocks: &PressureBlocks,
+        residual: &ResidualStress,
+        places: &[[isize; 2]],
+    ) {
         let missing: Vec<_> = places
             .iter()
             .filter(|place| !self.known.contains_key(*place))
@@ -257,7 +265,7 @@ impl Plane {
             .into_par_iter()
             .map(|place| {
                 let state = self.stresses.at(&blocks.pressure, blocks.size, *place);
-                (*place, state)
+                (*place, residual.added(state, self.depth))
             })
             .collect();
         self.known.extend(found);

@@ -19,6 +19,7 @@ use super::field::StressField;
 use super::neighbourhood::{Neighbourhood, OFFSETS, lagrange};
 use super::pressure_blocks::{PressureBlocks, doublings};
 use super::quantity::StressQuantity;
+use super::residual::ResidualStress;
 
 /// The stresses among the fields of a plane.
 const STRESSES: [usize; 6] = [3, 4, 5, 6, 7, 8];
@@ -63,6 +64,19 @@ pub struct StartingPoint {
 }
 
 impl Target {
+    /// Whether this is an interface.
+    pub fn is_interface(&self) -> bool {
+        self.top >= self.bottom
+    }
+
+    /// The largest value of a quantity without a load, Pa; on an interface there is none.
+    pub fn at_rest(&self, quantity: StressQuantity, residual: &ResidualStress) -> f64 {
+        if self.is_interface() {
+            return 0.0;
+        }
+        quantity.of(&residual.state(Depth::below(self.top)))
+    }
+
     /// The depths to examine, from the top down, under a loaded square of side `loaded` (m) with elements of side
     /// `element` (m).
     ///
@@ -70,7 +84,7 @@ impl Target {
     /// scale of the depth.
     pub fn depths(&self, loaded: f64, element: f64) -> Vec<Depth> {
         let (top, bottom) = (self.top, self.bottom.min(self.top + REACH * loaded));
-        if top >= bottom {
+        if self.is_interface() {
             return vec![Depth::above(top)];
         }
         let mut depths = vec![Depth::below(top)];
@@ -297,6 +311,7 @@ struct BlockPlanes {
     /// x and y (m) of the first block.
     first: [f64; 2],
     side: f64,
+    residual: ResidualStress,
     /// Those of the last plane.
     stresses: PlaneStresses,
 }
@@ -322,6 +337,7 @@ impl BlockPlanes {
             shown,
             first: first.map(|first| first - margin as f64 * side),
             side,
+            residual: field.residual().clone(),
             stresses: PlaneStresses::zeros(shown),
         }
     }
@@ -329,11 +345,15 @@ impl BlockPlanes {
     /// Computes the stresses on a plane.
     fn move_to(&mut self, rough: &mut RoughDepths, depth: Depth) -> Result<(), InfluenceError> {
         let Self {
-            fields, stresses, ..
+            fields,
+            residual,
+            stresses,
+            ..
         } = self;
         fields.rough_fields_on(rough, depth, &STRESSES, |field, values| {
             stresses.take(field - STRESSES[0], values);
         })?;
+        stresses.add_equibiaxial(residual.at(depth));
         stresses.find_invariants();
         Ok(())
     }

@@ -50,7 +50,7 @@ fn stresses(foundation: &Foundation, sliding: Sliding) -> StressModel {
         sliding,
         bodies: bodies.collect(),
         interfaces: interfaces.collect(),
-        only: None,
+        ..StressModel::default()
     }
 }
 

@@ -33,7 +33,8 @@ impl Depth {
     }
 
     /// Whether the depth lies above an interface at depth `bottom` (m), or on its upper side.
-    pub(super) fn is_above(&self, bottom: f64) -> bool {
+    #[must_use]
+    pub fn is_above(&self, bottom: f64) -> bool {
         self.z < bottom || (self.z <= bottom && self.side == Side::Above)
     }
 

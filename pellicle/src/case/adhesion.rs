@@ -301,6 +301,12 @@ mod tests {
                 "contacts that are circles",
             ),
             (
+                "kind = \"paraboloid\"\nradii = [1, 2]",
+                STICKY,
+                "",
+                "contacts that are circles",
+            ),
+            (
                 "kind = \"flat-punch\"\nradius = 1",
                 STICKY,
                 "",

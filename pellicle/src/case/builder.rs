@@ -48,6 +48,7 @@ impl Case {
             solver: SolverCase::default(),
             output: OutputCase::default(),
             stress: None,
+            wear: None,
             adhesion: None,
             units: Units::Si,
             document: Document::default(),

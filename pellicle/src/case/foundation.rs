@@ -8,7 +8,7 @@ pub mod substrate;
 
 use std::sync::Arc;
 
-use pellicle_contact::Criterion;
+use pellicle_contact::{Criterion, ResidualStress};
 use pellicle_kernel::{Base, Foundation, KernelError};
 
 use self::layer::LayerCase;
@@ -168,6 +168,13 @@ impl FoundationCase {
             .into_iter()
             .flatten()
             .reduce(f64::min)
+    }
+
+    /// The residual stress of the layers, at the depths of the `foundation`.
+    #[must_use]
+    pub fn residual_stress(&self, foundation: &Foundation) -> ResidualStress {
+        let stresses = self.layer.iter().map(|layer| layer.residual_stress);
+        ResidualStress::new(self.bottoms(foundation).into_iter().zip(stresses))
     }
 
     /// The names of the bodies in results.

@@ -7,8 +7,8 @@ use std::borrow::Cow;
 use std::f64::consts::FRAC_PI_2;
 
 use pellicle_contact::{
-    Cone, FlatPunch, Indenter, IndenterError, IndenterMap, Paraboloid, Plane, PowerLaw, Pyramid,
-    Sphere,
+    Cone, EllipticParaboloid, FlatPunch, Indenter, IndenterError, IndenterMap, Paraboloid, Plane,
+    PowerLaw, Pyramid, Sphere,
 };
 use pellicle_kernel::{Foundation, KernelError};
 use serde::Serialize;
@@ -20,8 +20,10 @@ use super::height_limits::HeightLimits;
 use super::map::preparation::is_default;
 use super::map::{MapCase, Repetition};
 use super::map_sources::MapSources;
-use crate::declare::macros::{kinds, record};
-use crate::declare::{Codec, Kinds, KindsShape, Scope, Shape, angle, fraction, length, part, word};
+use crate::declare::macros::{kinds, one_of, record};
+use crate::declare::{
+    Codec, Kinds, KindsShape, Scope, Shape, angle, fraction, length, pair, part, word,
+};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
@@ -41,7 +43,7 @@ pub struct IndenterCase {
 kinds! {
     /// The shape of an indenter.
     pub enum IndenterShape {
-        Paraboloid(RoundCase)      = "paraboloid",  "a paraboloid of revolution";
+        Paraboloid(ParaboloidCase) = "paraboloid",  "a paraboloid, of revolution or with two radii of curvature";
         Sphere(RoundCase)          = "sphere",      "a ball";
         Cone(ConeCase)             = "cone",        "a cone, sharp or with a rounded tip";
         Berkovich(BerkovichCase)   = "berkovich",   "a three-sided pyramid";
@@ -61,9 +63,20 @@ record! {
     /// A shape with one radius.
     #[derive(Copy)]
     pub struct RoundCase {
-        radius: f64 = length().positive(), "radius; of a paraboloid, its radius of curvature";
+        radius: f64 = length().positive(), "radius";
     }
 }
+
+one_of! {
+    /// The curvature of a paraboloid.
+    #[derive(Copy)]
+    pub enum ParaboloidCase, "exactly one of radius and radii", None;
+    radius: Radius(f64) = length().positive(), "radius of curvature of a paraboloid of revolution";
+    radii: Radii([f64; 2]) = pair(length().positive(), RADII), "radii of curvature along x and y; the contact is an ellipse";
+}
+
+/// What is wanted for two radii.
+const RADII: &str = "a list of two positive lengths, [along x, along y]";
 
 record! {
     /// A cone.
@@ -276,7 +289,12 @@ impl IndenterShape {
     /// [`IndenterError`] if a value is invalid.
     pub fn build(&self) -> Result<Indenter, IndenterError> {
         match self {
-            Self::Paraboloid(of) => Paraboloid::new(of.radius).map(Indenter::from),
+            Self::Paraboloid(ParaboloidCase::Radius(radius)) => {
+                Paraboloid::new(*radius).map(Indenter::from)
+            }
+            Self::Paraboloid(ParaboloidCase::Radii(radii)) => {
+                EllipticParaboloid::new(*radii).map(Indenter::from)
+            }
             Self::Sphere(of) => Sphere::new(of.radius).map(Indenter::from),
             Self::FlatPunch(of) => FlatPunch::new(of.radius).map(Indenter::from),
             Self::Cone(cone) => Cone::new(cone.half_angle, cone.tip_radius).map(Indenter::from),
@@ -349,6 +367,10 @@ mod tests {
             "kind = \"paraboloid\"",
             "kind = \"parabola\"\nradius = 1",
             "kind = \"paraboloid\"\nradius = 0",
+            "kind = \"paraboloid\"\nradius = 1\nradii = [1, 2]",
+            "kind = \"paraboloid\"\nradii = [1, 0]",
+            "kind = \"paraboloid\"\nradii = [1, 2, 3]",
+            "kind = \"sphere\"\nradii = [1, 2]",
             "kind = \"paraboloid\"\nradius = 1\ntip_radius = 1",
             "kind = \"vickers\"\ntip_radius = -1",
             "kind = \"cone\"\nhalf_angle = \"90 deg\"",

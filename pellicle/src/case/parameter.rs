@@ -134,6 +134,8 @@ fn of_relief(parameter: ReliefParameter, relief: &Relief) -> (String, Option<Dim
 fn of_indenter(quantity: IndenterQuantity) -> Option<(String, Option<Dimension>)> {
     let (name, dimension) = match quantity {
         IndenterQuantity::Radius => ("radius", Some(Dimension::Length)),
+        IndenterQuantity::RadiusAlongX => ("radii[0]", Some(Dimension::Length)),
+        IndenterQuantity::RadiusAlongY => ("radii[1]", Some(Dimension::Length)),
         IndenterQuantity::TipRadius => ("tip_radius", Some(Dimension::Length)),
         IndenterQuantity::HalfAngle => ("half_angle", Some(Dimension::Angle)),
         IndenterQuantity::FaceAngle => ("face_angle", Some(Dimension::Angle)),
@@ -243,5 +245,23 @@ force = 0.1
             let other = model(&read(&[format!("{key}={value}")]));
             assert_eq!(other.parameter(parameter), Some(value), "{key}");
         }
+    }
+
+    #[test]
+    fn each_radius_of_an_ellipse_is_replaced_and_named_by_its_key() {
+        let text = CASE.replace(
+            "kind = \"berkovich\"\ntip_radius = 0.3",
+            "kind = \"paraboloid\"\nradii = [0.3, 2]",
+        );
+        let source = Arc::new(Source::new("case.toml", text));
+        let set = ["indenter.radii[1]=5".to_owned()];
+        let case = Case::parse(&source, "case", Path::new(""), &set).unwrap();
+        let model = case.model(&Cache::none()).unwrap().value;
+        let parameters = case.parameters(&model).unwrap();
+        let values = parameters.iter().filter_map(|of| {
+            let value = model.parameter(of.parameter)?;
+            Some((of.key.strip_prefix("indenter.radii")?, value))
+        });
+        assert_eq!(values.collect::<Vec<_>>(), [("[0]", 0.3), ("[1]", 5.0)]);
     }
 }

@@ -19,6 +19,13 @@ impl Case {
         }
     }
 
+    /// The number of steps: of loads, or of the distances of a wear.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        let distances = self.wear.as_ref().map(|wear| wear.distances.list().len());
+        distances.unwrap_or_else(|| self.load.steps())
+    }
+
     /// Returns the domain of the solution, as given or chosen for the loads.
     ///
     /// # Errors

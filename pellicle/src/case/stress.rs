@@ -230,6 +230,7 @@ impl StressCase {
                     strengths: layer.interface_strength.into(),
                 })
                 .collect(),
+            residual: case.residual_stress(foundation),
             only: self.only.clone(),
         }
     }

@@ -163,6 +163,12 @@ pub const fn compliance() -> Quantity {
     Quantity::of(Dimension::Compliance)
 }
 
+/// A wear coefficient, of any sign.
+#[must_use]
+pub const fn wear_coefficient() -> Quantity {
+    Quantity::of(Dimension::WearCoefficient)
+}
+
 /// An energy per area.
 #[must_use]
 pub const fn energy_per_area() -> Quantity {

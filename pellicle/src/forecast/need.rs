@@ -68,7 +68,7 @@ impl Need {
     #[must_use]
     pub fn of(case: &Case, model: &Model, writers: usize, trial: Option<&LoadingPath>) -> Self {
         let share = trial.map_or(1.0, contact_share);
-        let (elements, steps) = (case.grid.elements, case.load.steps());
+        let (elements, steps) = (case.grid.elements, case.steps());
         let (options, boundary) = (case.solver_options(), case.grid.boundary.into());
         let grid = Grid::oblong(1.0, case.grid.lengths().unwrap_or([elements; 2]));
         let images = grid.map_or(1, |grid| {

@@ -21,6 +21,8 @@ pub enum Dimension {
     EnergyPerArea,
     /// Metres per newton: a length over a force.
     FrameCompliance,
+    /// Square metres per newton: a worn volume over a force and a distance.
+    WearCoefficient,
     /// Seconds.
     Time,
     /// Metres per second: a length over a time.
@@ -29,7 +31,7 @@ pub enum Dimension {
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Length,
         Self::Pressure,
         Self::Force,
@@ -38,6 +40,7 @@ impl Dimension {
         Self::Stiffness,
         Self::EnergyPerArea,
         Self::FrameCompliance,
+        Self::WearCoefficient,
         Self::Time,
         Self::Speed,
     ];
@@ -54,6 +57,7 @@ impl Dimension {
             Self::Stiffness => "a stiffness",
             Self::EnergyPerArea => "an energy per area",
             Self::FrameCompliance => "a frame compliance",
+            Self::WearCoefficient => "a wear coefficient",
             Self::Time => "a time",
             Self::Speed => "a rate",
         }
@@ -71,6 +75,7 @@ impl Dimension {
             Self::Stiffness => "N/m",
             Self::EnergyPerArea => "J/m^2",
             Self::FrameCompliance => "m/N",
+            Self::WearCoefficient => "m^2/N",
             Self::Time => "s",
             Self::Speed => "m/s",
         }
@@ -88,6 +93,7 @@ impl Dimension {
             Self::Stiffness => "\"0.04 N/m\"",
             Self::EnergyPerArea => "\"50 mJ/m^2\"",
             Self::FrameCompliance => "\"0.2 nm/mN\"",
+            Self::WearCoefficient => "\"1e-15 m^2/N\"",
             Self::Time => "\"5 s\"",
             Self::Speed => "\"0.02 nm/s\"",
         }
@@ -109,6 +115,7 @@ impl Dimension {
             Self::Stiffness => &["N/m", "mN/um", "µN/nm", "nN/nm", "a force / a length"],
             Self::EnergyPerArea => &["J/m^2", "mJ/m^2", "uJ/m^2", "N/m", "mN/m"],
             Self::FrameCompliance => &["m/N", "nm/mN", "um/N", "a length / a force"],
+            Self::WearCoefficient => &["m^2/N", "um^2/N", "mm^3/Nm", "mm^3/N/m"],
             Self::Time => &["s", "ms", "us", "µs", "ns", "min", "h"],
             Self::Speed => &["m/s", "nm/s", "um/h", "a length / a time"],
         }
@@ -126,6 +133,7 @@ impl Dimension {
             | Self::Stiffness
             | Self::EnergyPerArea
             | Self::FrameCompliance
+            | Self::WearCoefficient
             | Self::Time
             | Self::Speed => 1e-60..=1e60,
             Self::Angle => 0.0..=f64::MAX,

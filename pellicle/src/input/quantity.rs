@@ -1,6 +1,6 @@
 //! A quantity with its unit, as a string: `"70 GPa"`, `"5 nm"`, `"2.3 mN"`, `"65.03 deg"`.
 
-use uom::si::f64::{Angle, Area, Energy, Force, Length, Pressure, Time};
+use uom::si::f64::{Angle, Area, Energy, Force, Length, Pressure, Time, Volume};
 
 use super::dimension::Dimension;
 
@@ -80,6 +80,7 @@ fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
         Dimension::Stiffness => quotient(unit, Dimension::Force, Dimension::Length),
         Dimension::EnergyPerArea => energy_per_area(unit),
         Dimension::FrameCompliance => quotient(unit, Dimension::Length, Dimension::Force),
+        Dimension::WearCoefficient => wear_coefficient(unit),
         Dimension::Time => one.parse::<Time>().ok().map(|time| time.value),
         Dimension::Speed => quotient(unit, Dimension::Length, Dimension::Time),
     }
@@ -101,6 +102,26 @@ fn energy_per_area(unit: &str) -> Option<f64> {
         (Ok(energy), Ok(area)) => Some(energy.value / area.value),
         _ => factor(Dimension::Stiffness, unit),
     }
+}
+
+/// The size of an area over a force, or of a volume over a force and a length, in m²/N: `m^2/N`, `mm^3/Nm`.
+fn wear_coefficient(unit: &str) -> Option<f64> {
+    let (above, below) = unit.split_once('/')?;
+    let above = above
+        .trim()
+        .replace('\u{3bc}', "\u{b5}")
+        .replace("um", "µm");
+    let area = format!("1 {}", spelling(&above)).parse::<Area>();
+    if let (Ok(area), Some(force)) = (area, factor(Dimension::Force, &spelling(below))) {
+        return Some(area.value / force);
+    }
+    let volume = above.replace("^3", "³").replace("m3", "m³");
+    let volume = format!("1 {volume}");
+    let volume = volume.parse::<Volume>().ok()?.value;
+    let below = below.trim().trim_start_matches('(').trim_end_matches(')');
+    let force = below.strip_suffix('m')?;
+    let force = force.trim_end_matches([' ', '/', '*', '·']);
+    Some(volume / factor(Dimension::Force, &spelling(force))?)
 }
 
 /// Splits the text into the longest prefix that is a number, and the rest.

@@ -22,7 +22,7 @@ pub struct Fields<'a> {
     pub shortening: &'a [f64],
     /// Plastic depth where the pressure is cut at a hardness, m; empty without a hardness.
     pub plastic_depth: &'a [f64],
-    /// Profile `f*` of the relief, m: 0 on the tops, negative between them.
+    /// Profile `f*` of the relief, m: 0 on the unworn tops, negative between them and where it is worn.
     pub profile: &'a [f64],
     /// Whether an element belongs to the relief.
     pub mask: &'a [bool],
@@ -85,7 +85,7 @@ pub const NUMBERS: [NumberField; 6] = [
     NumberField {
         name: "profile",
         unit: "m",
-        meaning: "profile f* of the relief: 0 on the tops, negative between them",
+        meaning: "profile f* of the relief: 0 on the unworn tops, negative between them and where it is worn",
         of_hardness: false,
         values: |fields| fields.profile,
     },
@@ -145,7 +145,10 @@ impl<'a> Fields<'a> {
             gap: &surface.gap,
             shortening: &surface.shortening,
             plastic_depth: &surface.plastic_depth,
-            profile: geometry.relief.profile(),
+            profile: match &surface.worn_profile[..] {
+                [] => geometry.relief.profile(),
+                worn => worn,
+            },
             mask: geometry.relief.mask(),
         }
     }

@@ -33,6 +33,7 @@ macro_rules! quantities {
 
 const METRE: Measure = Measure::Of(Unit::Metre);
 const AREA: Measure = Measure::Of(Unit::SquareMetre);
+const VOLUME: Measure = Measure::Of(Unit::CubicMetre);
 const PASCAL: Measure = Measure::Of(Unit::Pascal);
 const NEWTON: Measure = Measure::Of(Unit::Newton);
 const STIFFNESS: Measure = Measure::Of(Unit::NewtonPerMetre);
@@ -88,6 +89,15 @@ quantities! {
     "plastic_depth" "plastic depth" "" METRE, Hardness
         "largest depth of the indenter below the elastic surface where the pressure is cut at the hardness"
         = |step| step.summary.plastic_depth;
+    "wear.distance" "sliding distance" "s" METRE, Wear
+        "sliding distance over which the surface has worn"
+        = |step| Some(step.wear.as_ref()?.distance);
+    "wear.volume" "worn volume" "" VOLUME, Wear
+        "volume that the surface has lost, on one periodic cell"
+        = |step| Some(step.wear.as_ref()?.volume);
+    "wear.max_depth" "depth of wear" "" METRE, Wear
+        "largest depth that the surface has lost"
+        = |step| Some(step.wear.as_ref()?.max_depth);
     "rough_contact.nominal_area" "nominal area" "" AREA, Rough
         "area of the periodic cell, or of the convex hull of the contact"
         = |step| Some(step.rough_contact.as_ref()?.nominal_area);

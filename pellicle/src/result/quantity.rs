@@ -73,6 +73,8 @@ pub enum Part {
     Nominal,
     /// Those with a hardness.
     Hardness,
+    /// Those with wear.
+    Wear,
     /// Those with a measured map.
     Rough,
     /// Every result: how well its equations are solved, and at what cost.
@@ -88,6 +90,7 @@ impl Part {
             Self::Touching => "with contact",
             Self::Nominal => "in a periodic cell or with a measured map",
             Self::Hardness => "with a hardness",
+            Self::Wear => "with wear",
             Self::Rough => "with a measured map",
         }
     }
@@ -109,6 +112,7 @@ impl Part {
             Self::Contact | Self::Touching | Self::Relief | Self::Solution => true,
             Self::Nominal => has_map || case.grid.boundary == BoundaryCase::Periodic,
             Self::Hardness => case.hardness().is_some(),
+            Self::Wear => case.wear.is_some(),
             Self::Rough => has_map,
         }
     }

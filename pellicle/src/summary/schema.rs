@@ -66,8 +66,9 @@ fn add(step: &mut Value, quantity: &Quantity) {
         table["properties"] = Value::Object(Map::new());
     }
     table["properties"][key] = property;
-    // What not every result has is left out there; a table of rough contact is left out as a whole.
-    let is_required = quantity.part.is_everywhere() || quantity.part == Part::Rough;
+    // What not every result has is left out there; a table of rough contact or wear is left out as a whole.
+    let is_required =
+        quantity.part.is_everywhere() || matches!(quantity.part, Part::Rough | Part::Wear);
     if let Some(required) = table["required"].as_array_mut().filter(|_| is_required) {
         required.push(key.into());
     }

@@ -45,6 +45,9 @@ pub struct StepSummary {
     /// The largest stresses inside, if requested.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stress: Option<StressSummary>,
+    /// The wear up to here, if there is any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wear: Option<WearSummary>,
 }
 
 /// The lines of a certificate, and its verdict in place of the tolerance.
@@ -70,6 +73,23 @@ pub struct StressSummary {
     /// The extremes in bodies and on interfaces.
     #[serde(flatten)]
     pub extremes: StressExtremes,
+}
+
+/// The wear of a step.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WearSummary {
+    /// Sliding distance, m.
+    #[serde(deserialize_with = "nan_from_null")]
+    pub distance: f64,
+    /// Worn volume, m³, of one cell if the domain is periodic.
+    #[serde(deserialize_with = "nan_from_null")]
+    pub volume: f64,
+    /// Largest depth of wear, m.
+    #[serde(deserialize_with = "nan_from_null")]
+    pub max_depth: f64,
+    /// Heights after wear along x through the axis, at equally spaced points across the domain, m.
+    #[serde(default)]
+    pub section: Vec<f64>,
 }
 
 /// The derivatives of a step with respect to one parameter θ of the case.
@@ -125,6 +145,12 @@ impl From<&Step> for StepSummary {
             grid_error: step.grid_error.clone(),
             sensitivities: None,
             stress: None,
+            wear: step.wear.as_ref().map(|wear| WearSummary {
+                distance: wear.distance,
+                volume: wear.volume,
+                max_depth: wear.max_depth,
+                section: Vec::new(),
+            }),
         }
     }
 }

@@ -143,13 +143,13 @@ fn stress(height: f64, strength: f64) -> StressModel {
         },
     };
     StressModel {
-        only: None,
         sliding: Sliding::default(),
         bodies: vec![
             part("layer[0]", 0.0, height, None),
             part("substrate", height, f64::INFINITY, Some(strength)),
         ],
         interfaces: Vec::new(),
+        ..StressModel::default()
     }
 }
 

@@ -106,7 +106,7 @@ fn largest(path: &LoadingPath, wanted: &HertzContact) -> Result<[Comparison; 2],
             strengths: BodyStrengths::default(),
         }],
         interfaces: Vec::new(),
-        only: None,
+        ..StressModel::default()
     };
     let extremes = stress_extremes(path, 0, &model)?;
     let found = extremes

@@ -42,25 +42,26 @@ impl StressFields {
         let body = stress.body.of(&case.foundation, Some(&case.indenter));
         Self::of(
             (&body, path.tables.foundation()),
-            &field,
+            field,
             contact_radius,
             stress,
         )
         .map(Some)
     }
 
-    /// Computes the fields that `stress` requests under a contact of this radius (m), in a foundation given by the case
-    /// and as split.
+    /// Computes the fields that `stress` requests, with the residual stress of the layers, under a contact of this
+    /// radius (m), in a foundation given by the case and as split.
     ///
     /// # Errors
     ///
     /// [`Failure`] if a field cannot be computed.
     pub fn of(
         (case, foundation): (&FoundationCase, &Foundation),
-        field: &StressField,
+        field: StressField,
         contact_radius: f64,
         stress: &StressCase,
     ) -> Result<Self, Failure> {
+        let field = field.with_residual(case.residual_stress(foundation));
         let side = field.grid().side();
         let radius = block_radius(contact_radius, side);
         let planes = stress.planes(case, foundation, radius);

@@ -125,6 +125,12 @@ impl CriticalWords {
     /// `the coating yields first at 3.2 mN ± 0.1 mN (grid), 0.48 µm below the surface on the axis`
     fn met(&self, load: &CriticalLoad, force: f64, is_first: bool) -> String {
         let (what, verb) = (place(&load.name, self.layers), verb(load.criterion));
+        if load.status == CriticalStatus::AtRest {
+            let ratio = significant(load.utilisation, 3);
+            return format!(
+                "{what} {verb} without any load: its residual stress alone is {ratio} of its strength"
+            );
+        }
         let first = if is_first { " first" } else { "" };
         let newtons = quantity(force, Unit::Newton, self.units);
         let note = match load.estimate {
@@ -149,7 +155,10 @@ impl CriticalWords {
         let (what, verb) = (place(&load.name, self.layers), verb(load.criterion));
         let when = match load.status {
             CriticalStatus::BelowSmallest => "already at the smallest load tried".to_owned(),
-            CriticalStatus::Met | CriticalStatus::BeyondModel | CriticalStatus::NotReached => {
+            CriticalStatus::AtRest
+            | CriticalStatus::Met
+            | CriticalStatus::BeyondModel
+            | CriticalStatus::NotReached => {
                 let largest = quantity(self.largest_force, Unit::Newton, self.units);
                 format!("under no load up to {largest}")
             }

@@ -135,25 +135,28 @@ fn the_relative_error_of_a_critical_load_is_that_of_the_stress_over_its_exponent
         extreme: extreme(value),
         followed_on: None,
     };
-    let met = search().into_critical_load(&LoadSearchResult::Met {
-        solved: solved(4.0),
-        exponent: 0.5,
-    });
+    let met = search().into_critical_load(
+        &LoadSearchResult::Met {
+            solved: solved(4.0),
+            exponent: 0.5,
+        },
+        0.0,
+    );
     // 6 · (0.1/4)/0.5
     assert!((met.estimate.unwrap() - 0.3).abs() < 1e-15);
     let numbers = (met.force, met.penetration, met.at, met.utilisation);
     assert_eq!(numbers, (Some(6.0), Some(0.3), Some([0.5; 3]), 1.0));
     assert_eq!(met.status, CriticalStatus::Met);
-    let missed = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(1.0))));
+    let missed = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(1.0))), 0.0);
     let numbers = (missed.force, missed.penetration, missed.at, missed.estimate);
     assert_eq!(numbers, (None, None, None, None));
     assert_eq!((missed.utilisation, missed.resolved), (0.25, true));
     assert_eq!(missed.status, CriticalStatus::NotReached);
-    let exceeded = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(8.0))));
+    let exceeded = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(8.0))), 0.0);
     assert_eq!(exceeded.status, CriticalStatus::BelowSmallest);
-    let pulled = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(-1.0))));
+    let pulled = search().into_critical_load(&LoadSearchResult::Missed(Some(solved(-1.0))), 0.0);
     assert_eq!(pulled.utilisation, 0.0);
-    let unloaded = search().into_critical_load(&LoadSearchResult::Missed(None));
+    let unloaded = search().into_critical_load(&LoadSearchResult::Missed(None), 0.0);
     assert_eq!((unloaded.utilisation, unloaded.resolved), (0.0, false));
 }
 

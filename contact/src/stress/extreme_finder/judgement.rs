@@ -5,6 +5,7 @@ use crate::result::peak::place_near;
 use crate::stress::edge_extreme::{Wanted, edge_extreme, is_near_edge};
 use crate::stress::extreme::Extreme;
 use crate::stress::peak_search::StressPeak;
+use crate::stress::plane_scan::Target;
 use crate::stress::quantity::StressQuantity;
 use crate::{ContactError, ErrorEstimate, PeakPlace};
 
@@ -57,6 +58,28 @@ impl ExtremeFinder<'_> {
                 ..sampled
             },
         })
+    }
+
+    /// Replaces an extreme in a body with residual stress that is larger far from the contact: by the value there, at a
+    /// corner of the domain.
+    pub(super) fn or_far_away(
+        &self,
+        near: Extreme<3>,
+        target: &Target,
+        quantity: StressQuantity,
+    ) -> Extreme<3> {
+        let residual = self.field.residual();
+        let value = target.at_rest(quantity, residual);
+        if residual.is_none() || target.is_interface() || value <= near.value {
+            return near;
+        }
+        let corner = 0.5 * self.field.grid().side();
+        Extreme {
+            value,
+            at: [corner, corner, target.top],
+            resolved: true,
+            estimate: Some(0.0),
+        }
     }
 
     /// Returns the extreme with its error, from pairs of elements per side and value.

@@ -5,6 +5,9 @@ use pellicle_texture::Relief;
 use super::*;
 use crate::{Model, Observer, Paraboloid, SolverOptions, stress::quantity::StressQuantity};
 
+static NO_RESIDUAL: std::sync::LazyLock<ResidualStress> =
+    std::sync::LazyLock::new(ResidualStress::default);
+
 fn solved(force: f64, value: f64) -> Solved {
     Solved {
         force,
@@ -44,6 +47,8 @@ fn search<'a, 'b>(
         sliding: Sliding::default(),
         target,
         strength,
+        residual: &NO_RESIDUAL,
+        at_rest: 0.0,
         solved,
         follows: true,
         rough,

@@ -36,6 +36,14 @@ impl PlaneStresses {
         self.stresses[stress].copy_from_slice(values);
     }
 
+    /// Adds the same stress to `σ_xx` and `σ_yy` everywhere.
+    pub fn add_equibiaxial(&mut self, own: f64) {
+        if own != 0.0 {
+            let [xx, yy, ..] = &mut self.stresses;
+            xx.iter_mut().chain(yy).for_each(|stress| *stress += own);
+        }
+    }
+
     /// Computes what bounds the quantities.
     pub fn find_invariants(&mut self) {
         let [xx, yy, zz, xy, xz, yz] = &self.stresses;

@@ -22,6 +22,9 @@ record! {
         poisson_ratio: f64 = number(POISSON_RATIO), "Poisson's ratio";
         interface: InterfaceCase = InterfaceCase::codec().or(InterfaceCase::BONDED, "\"bonded\""),
             "the interface below the layer";
+        #[serde(skip_serializing_if = "is_none")]
+        residual_stress: f64 = pressure().or(0.0, "0"),
+            "what the layer carries without a load, the same along x and y; tension is positive";
         #[serde(flatten)] strength: BodyStrengthCase = part(), "its strength";
         #[serde(flatten)] interface_strength: InterfaceStrengthCase = part(), "strength of the interface below";
     }
@@ -31,6 +34,11 @@ record! {
         let material = layer.material(layer.young_modulus.at_top());
         material.map_or_else(refused, |_| Ok(()))
     };
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde's signature")]
+fn is_none(stress: &f64) -> bool {
+    *stress == 0.0
 }
 
 /// The interface between a layer and the body below.
@@ -130,6 +138,7 @@ impl From<Layer> for LayerCase {
             young_modulus: ModulusCase::Uniform(material.young_modulus),
             poisson_ratio: material.poisson_ratio,
             interface: layer.interface().into(),
+            residual_stress: 0.0,
             strength: material.strength,
             interface_strength: InterfaceStrengthCase::default(),
         }

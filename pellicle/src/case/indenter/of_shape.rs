@@ -1,9 +1,12 @@
 //! The tables of indenters built in code: their shapes are those of the physics.
 
-use pellicle_contact::{Cone, FlatPunch, Paraboloid, PowerLaw, Pyramid, Sphere};
+use pellicle_contact::{
+    Cone, EllipticParaboloid, FlatPunch, Paraboloid, PowerLaw, Pyramid, Sphere,
+};
 
 use super::{
-    BerkovichCase, ConeCase, IndenterCase, IndenterShape, PowerCase, RoundCase, VickersCase,
+    BerkovichCase, ConeCase, IndenterCase, IndenterShape, ParaboloidCase, PowerCase, RoundCase,
+    VickersCase,
 };
 
 impl From<IndenterShape> for IndenterCase {
@@ -14,8 +17,13 @@ impl From<IndenterShape> for IndenterCase {
 
 impl From<Paraboloid> for IndenterCase {
     fn from(of: Paraboloid) -> Self {
-        let radius = of.radius();
-        IndenterShape::Paraboloid(RoundCase { radius }).into()
+        IndenterShape::Paraboloid(ParaboloidCase::Radius(of.radius())).into()
+    }
+}
+
+impl From<EllipticParaboloid> for IndenterCase {
+    fn from(of: EllipticParaboloid) -> Self {
+        IndenterShape::Paraboloid(ParaboloidCase::Radii(of.radii())).into()
     }
 }
 

@@ -224,6 +224,7 @@ fn word(criterion: Criterion) -> &'static str {
 fn status_word(status: CriticalStatus) -> &'static str {
     match status {
         CriticalStatus::Met => "met",
+        CriticalStatus::AtRest => "at-rest",
         CriticalStatus::NotReached => "not-reached",
         CriticalStatus::BelowSmallest => "below-smallest",
         CriticalStatus::BeyondModel => "beyond-model",

@@ -1,0 +1,110 @@
+//! The relief as it is after some wear, known at the element centres of one grid.
+
+use std::sync::Arc;
+
+use pellicle_texture::{Grid, Relief, ReliefShape};
+
+/// A relief lowered by the depth of wear, its springs shorter by the same, and softer by what a step wears.
+///
+/// Between the centres of the grid, as coarser grids need, depths are interpolated; at the centres they are exact.
+#[derive(Debug, Clone)]
+pub struct WornRelief {
+    pub base: Relief,
+    pub grid: Grid,
+    /// Depth of wear, m.
+    pub depth: Arc<Vec<f64>>,
+    /// By how much springs are shorter, m.
+    pub shorter: Arc<Vec<f64>>,
+    /// Compliance of the wear itself, m/Pa; none outside a step.
+    pub softer: Option<Arc<Vec<f64>>>,
+}
+
+impl WornRelief {
+    /// The value at a point of a field on the grid, by bilinear interpolation; beyond the outer centres that of the
+    /// nearest.
+    fn value(&self, field: &[f64], point: [f64; 2]) -> f64 {
+        let lengths = self.grid.lengths();
+        let [(i, u), (j, v)] = [0, 1].map(|axis: usize| {
+            let last = lengths[axis] - 1;
+            let place = (point[axis] - self.grid.centre_along(axis, 0)) / self.grid.element_side();
+            let place = place.clamp(0.0, last as f64);
+            // A centre itself is met to rounding.
+            let nearest = place.round();
+            if (place - nearest).abs() < ON_CENTRE {
+                return (crate::stress::nearest(nearest).unsigned_abs(), 0.0);
+            }
+            let first = crate::stress::nearest(place.floor())
+                .unsigned_abs()
+                .min(last);
+            (first, place - place.floor())
+        });
+        let at =
+            |i: usize, j: usize| field[i.min(lengths[0] - 1) * lengths[1] + j.min(lengths[1] - 1)];
+        let along = |i: usize| {
+            if v == 0.0 {
+                at(i, j)
+            } else {
+                (1.0 - v) * at(i, j) + v * at(i, j + 1)
+            }
+        };
+        if u == 0.0 {
+            along(i)
+        } else {
+            (1.0 - u) * along(i) + u * along(i + 1)
+        }
+    }
+}
+
+/// A point within this part of an element of a centre is the centre.
+const ON_CENTRE: f64 = 1e-6;
+
+impl ReliefShape for WornRelief {
+    fn profile(&self, points: &[[f64; 2]]) -> Vec<f64> {
+        let base = self.base.profile_at(points).into_iter().zip(points);
+        base.map(|(profile, point)| profile - self.value(&self.depth, *point))
+            .collect()
+    }
+
+    fn compliance(&self, points: &[[f64; 2]]) -> Vec<f64> {
+        let per_length = self.base.spring_modulus().map_or(0.0, f64::recip);
+        let base = self.base.compliance_at(points).into_iter().zip(points);
+        base.map(|(compliance, point)| {
+            // η = (h − d)/E
+            let springs = (compliance - per_length * self.value(&self.shorter, *point)).max(0.0);
+            let softer = self.softer.as_ref();
+            springs + softer.map_or(0.0, |softer| self.value(softer, *point))
+        })
+        .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pellicle_texture::Film;
+
+    #[test]
+    fn depths_lower_the_profile_and_shorten_the_springs() {
+        let grid = Grid::new(2.0, 2).unwrap();
+        let worn = WornRelief {
+            base: Relief::Film(Film::new(1.0, 4.0).unwrap()),
+            grid,
+            depth: Arc::new(vec![0.0, 0.2, 0.4, 2.0]),
+            shorter: Arc::new(vec![0.0, 0.2, 0.4, 2.0]),
+            softer: Some(Arc::new(vec![0.0, 0.0, 1.0, 0.0])),
+        };
+        let centres = grid.sample(false, |point| point);
+        assert_eq!(worn.profile(&centres), [0.0, -0.2, -0.4, -2.0]);
+        let compliance = worn.compliance(&centres);
+        let wanted = [0.25, 0.2, 1.15, 0.0];
+        for (found, wanted) in compliance.iter().zip(wanted) {
+            assert!((found - wanted).abs() < 1e-15, "{compliance:?}");
+        }
+        // Between the centres, and beyond the outer ones.
+        let between = worn.profile(&[[0.0, 0.0], [9.0, 9.0], [-0.5, 0.25]]);
+        let wanted = [-0.65, -2.0, -0.15];
+        for (found, wanted) in between.iter().zip(wanted) {
+            assert!((found - wanted).abs() < 1e-15, "{between:?}");
+        }
+    }
+}
