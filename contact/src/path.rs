@@ -187,6 +187,7 @@ fn solve_on_domains(
     loop {
         let grid = domain.grid(side, elements)?;
         warnings::check_elements(model, &grid, loads)?;
+        check_averaging(options.averaging_length, &grid)?;
         if let Err(refused) =
             capacity::check(model, (&grid, domain.boundary()), loads, options.hardness)
         {
@@ -213,6 +214,20 @@ fn solve_on_domains(
         }
         enlargements -= 1;
         side *= ENLARGEMENT;
+    }
+}
+
+/// Refuses to average the pressure over less than an element.
+fn check_averaging(length: Option<f64>, grid: &Grid) -> Result<(), ContactError> {
+    let element_side = grid.element_side();
+    // True for NaN.
+    let is_shorter = |length: &f64| !(*length >= element_side);
+    match length.filter(is_shorter) {
+        Some(length) => Err(ContactError::AveragingLength {
+            length,
+            element_side,
+        }),
+        None => Ok(()),
     }
 }
 

@@ -17,3 +17,4 @@ mod solvers;
 mod stiffening;
 mod stress;
 mod summary_and_warnings;
+mod texture;
