@@ -47,7 +47,7 @@ class StepNumbers:
 
     @property
     def max_averaged_pressure(self) -> float:
-        """Largest pressure averaged over a disc of the diameter mean_pressure_over; 0 without contact, Pa; None if not given."""
+        """Largest pressure averaged over a disc as wide as mean_pressure_over, Pa; None if not given."""
         return number(self._summary["max_averaged_pressure"])
 
     @property

@@ -246,7 +246,8 @@ def test_no_table_of_the_case_file_has_keys_that_its_class_lacks(
     known = keys_that_the_reader_knows(place, **values)
     assert (fields(kind) | more) - less == known
     of_maps = {"interpolation", "holes", "level", "edges", "origin"}
-    assert known - more - set(SI_UNITS) <= of_maps | {"lattice", "law", "profile", "fields", "pictures", "formats", "only"}
+    words = {"lattice", "law", "profile", "fields", "pictures", "formats", "only"}
+    assert known - more - set(SI_UNITS) <= of_maps | words
 
 
 def test_layers_loads_grid_and_solver_have_the_keys_of_the_case_file() -> None:

@@ -51,6 +51,28 @@ pub struct Grooves {
 /// Relative slack on the width: an element whose centre lies on a wall up to rounding belongs to the plane.
 const WALL_SLACK: f64 = 1e-12;
 
+/// The largest radius of an arc at the edge of a wall at this angle to the plane (radians), as long as this (m): it
+/// touches both at the distance `r tan(φ/2)` from the edge.
+fn largest_arc(angle: f64, length: f64) -> f64 {
+    if length > 0.0 {
+        length / (0.5 * angle).tan()
+    } else {
+        0.0
+    }
+}
+
+impl GrooveSpec {
+    /// Angle of the walls to the plane, radians, and their length, m; no length of a sine, which has none.
+    fn wall(&self) -> [f64; 2] {
+        let half = 0.5 * self.width;
+        match self.profile {
+            GrooveProfile::Rectangular => [FRAC_PI_2, self.depth],
+            GrooveProfile::V => [(self.depth / half).atan(), half.hypot(self.depth)],
+            GrooveProfile::Sine => [0.0, 0.0],
+        }
+    }
+}
+
 impl Grooves {
     /// Checks a description and builds the grooves.
     ///
@@ -79,30 +101,13 @@ impl Grooves {
         if width > period || leaves_nothing {
             return Err(TextureError::WideGroove { width, period });
         }
-        let half = 0.5 * width;
-        let angle = match profile {
-            GrooveProfile::Rectangular => FRAC_PI_2,
-            GrooveProfile::V => (depth / half).atan(),
-            GrooveProfile::Sine => 0.0,
-        };
-        // t = r tan(φ/2) is at most the length of the wall.
-        let wall = match profile {
-            GrooveProfile::Rectangular => depth,
-            GrooveProfile::V => half.hypot(depth),
-            GrooveProfile::Sine => 0.0,
-        };
-        let largest = if wall > 0.0 {
-            wall / (0.5 * angle).tan()
-        } else {
-            0.0
-        };
+        let [angle, length] = spec.wall();
+        let largest = largest_arc(angle, length);
         if edge_radius > largest * (1.0 + WALL_SLACK) {
-            return Err(TextureError::EdgeRadius {
-                found: edge_radius,
-                largest,
-            });
+            let found = edge_radius;
+            return Err(TextureError::EdgeRadius { found, largest });
         }
-        let edge = Rounding::of_wall(edge_radius, half, angle);
+        let edge = Rounding::of_wall(edge_radius, 0.5 * width, angle);
         let opening = 2.0 * edge.ends[1];
         if opening > period {
             return Err(TextureError::RoundedOverlap {

@@ -142,25 +142,12 @@ impl RowSums {
         let first = [0, 1].map(|axis: usize| centres[axis].start - margin);
         let [height, width] =
             [0, 1].map(|axis: usize| centres[axis].len() + 2 * margin.unsigned_abs());
-        let at = |place: [isize; 2]| {
-            let place = if field.region.repeats() {
-                [0, 1].map(|axis: usize| place[axis].rem_euclid(lengths[axis]))
-            } else {
-                place
-            };
-            let is_in = |axis: usize| (0..lengths[axis]).contains(&place[axis]);
-            if is_in(0) && is_in(1) {
-                whole[(place[0] * lengths[1] + place[1]).unsigned_abs()]
-            } else {
-                0.0
-            }
-        };
         let rows = (0..height.cast_signed()).map(|row| first[0] + row);
         let columns = || (0..width.cast_signed()).map(|column| first[1] + column);
-        let pressure: Vec<f64> = rows
-            .flat_map(|row| columns().map(move |column| [row, column]))
-            .map(at)
-            .collect();
+        let places = rows.flat_map(|row| columns().map(move |column| [row, column]));
+        let repeats = field.region.repeats();
+        let at = |place| image(place, lengths, repeats).map_or(0.0, |element| whole[element]);
+        let pressure: Vec<f64> = places.map(at).collect();
         let sums = pressure.chunks_exact(width).flat_map(|row| {
             let before = row.iter().scan(0.0, |sum, p| {
                 *sum += p;
@@ -202,6 +189,16 @@ impl RowSums {
         };
         disc.iter().map(of_row).sum()
     }
+}
+
+/// The element at a place of a grid with these lengths, or its image if the grid repeats; none elsewhere.
+fn image(place: Place, lengths: [isize; 2], repeats: bool) -> Option<usize> {
+    let along = |axis: usize| {
+        let (i, length) = (place[axis], lengths[axis]);
+        let i = if repeats { i.rem_euclid(length) } else { i };
+        (0..length).contains(&i).then_some(i.unsigned_abs())
+    };
+    Some(along(0)? * lengths[1].unsigned_abs() + along(1)?)
 }
 
 /// Rows and columns of the smallest rectangle with all elements that press; none without.

@@ -146,9 +146,9 @@ impl GridError {
             .rev()
             .take(2)
             .any(|level| level.peak_place != PeakPlace::Inside);
-        let of_some = |value: &dyn Fn(&LevelValues) -> Option<f64>,
-                       convergence: ExpectedConvergence,
-                       more: f64| {
+        let of = |value: fn(&LevelValues) -> Option<f64>,
+                  convergence: ExpectedConvergence,
+                  more: f64| {
             let values = levels.iter();
             let values = values.filter_map(|level| Some((level.elements, value(level)?)));
             let found = estimate(&values.collect::<Vec<_>>(), convergence)?;
@@ -162,19 +162,16 @@ impl GridError {
             let estimate = found.estimate + besides + more;
             Some(ErrorEstimate { estimate, ..found })
         };
-        let of = |value: fn(&LevelValues) -> f64, convergence: ExpectedConvergence, more: f64| {
-            of_some(&|level| Some(value(level)), convergence, more)
-        };
         let peak = of(
-            |level| level.max_pressure,
+            |level| Some(level.max_pressure),
             if is_edge_peak { EDGE } else { convergence },
             0.0,
         );
         Self {
-            penetration: of(|level| level.penetration, convergence, 0.0),
-            force: of(|level| level.force, convergence, 0.0),
+            penetration: of(|level| Some(level.penetration), convergence, 0.0),
+            force: of(|level| Some(level.force), convergence, 0.0),
             contact_area: of(
-                |level| level.contact_area,
+                |level| Some(level.contact_area),
                 convergence,
                 last.edge_uncertainty,
             ),
@@ -183,7 +180,7 @@ impl GridError {
                 ..peak
             }),
             // Bounded at an edge too.
-            max_averaged_pressure: of_some(&|level| level.averaged_pressure, convergence, 0.0),
+            max_averaged_pressure: of(|level| level.averaged_pressure, convergence, 0.0),
             elements_per_wave: None,
             levels,
         }

@@ -82,8 +82,8 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Summarises a solved contact under the force `force` (N), with the pressure averaged over discs of a diameter (m),
-    /// if any.
+    /// Summarises a solved contact under the force `force` (N), with the pressure averaged over discs of this diameter
+    /// (m), if any.
     pub(crate) fn of(field: &ContactField<'_>, force: f64, averaging: Option<f64>) -> Self {
         let (region, grid) = (field.region, field.grid);
         let (size, lengths) = (grid.row(), grid.lengths());

@@ -5,7 +5,7 @@ use super::foundation::substrate::SubstrateCase;
 use super::indenter::IndenterCase;
 use super::map::preparation::EdgesCase;
 use super::map::{MapCase, Repetition};
-use super::surface::{CylindersCase, DimplesCase, LatticeCase, SurfaceCase};
+use super::surface::{LatticeCase, SurfaceCase};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::table_reader::TableReader;
 
@@ -72,8 +72,12 @@ fn refuse_pattern(
     if fits([x, 0.0], x) && fits([0.0, y], y) {
         return Ok(());
     }
-    if matches!(surface, SurfaceCase::Cylinders(CylindersCase { lattice, .. }) | SurfaceCase::Dimples(DimplesCase { lattice, .. }) if *lattice != LatticeCase::Square)
-    {
+    let lattice = match surface {
+        SurfaceCase::Cylinders(cylinders) => cylinders.lattice,
+        SurfaceCase::Dimples(dimples) => dimples.lattice,
+        _ => LatticeCase::Square,
+    };
+    if lattice != LatticeCase::Square {
         return Err(unusable(root, "surface", &["lattice"], "\"square\""));
     }
     let wanted = "a period that divides the sides of the cell, along the pattern's rotation";
