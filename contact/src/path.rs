@@ -220,9 +220,9 @@ fn solve_on_domains(
 /// Refuses to average the pressure over less than an element.
 fn check_averaging(length: Option<f64>, grid: &Grid) -> Result<(), ContactError> {
     let element_side = grid.element_side();
-    // True for NaN.
-    let is_shorter = |length: &f64| !(*length >= element_side);
-    match length.filter(is_shorter) {
+    match length {
+        // False for NaN.
+        Some(length) if length >= element_side => Ok(()),
         Some(length) => Err(ContactError::AveragingLength {
             length,
             element_side,

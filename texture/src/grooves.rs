@@ -132,7 +132,7 @@ impl Grooves {
     /// Distance from a vector (m) to the nearest one that moves the grooves onto themselves, m.
     #[must_use]
     pub fn distance_to_translation(&self, vector: [f64; 2]) -> f64 {
-        self.to_nearest(self.placement.turned_back(vector)[0])
+        self.distance_along(self.placement.turned_back(vector)[0])
     }
 
     /// Depth below the plane at a point, m.
@@ -197,10 +197,10 @@ impl Grooves {
 
     /// Distance from a point to the middle of the nearest groove, m.
     fn distance_to_middle(&self, point: [f64; 2]) -> f64 {
-        self.to_nearest(self.placement.local(point)[0])
+        self.distance_along(self.placement.local(point)[0])
     }
 
-    fn to_nearest(&self, u: f64) -> f64 {
+    fn distance_along(&self, u: f64) -> f64 {
         let period = self.spec.period;
         (u - period * (u / period).round()).abs()
     }

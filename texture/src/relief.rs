@@ -58,7 +58,7 @@ impl Relief {
     #[must_use]
     pub fn sample(&self, grid: &Grid) -> SampledRelief {
         let is_mirrored = self.is_mirrored();
-        self.sampled(Elements {
+        self.sampled(&Elements {
             count: grid.len(),
             patterned: &|point: &Patterned| grid.sample(is_mirrored, point),
             lines: [0, 1].map(|axis| grid.centres_from(axis, 0)),
@@ -73,7 +73,7 @@ impl Relief {
     #[must_use]
     pub fn sample_from(&self, grid: &Grid, first: [usize; 2]) -> SampledRelief {
         let lengths = [0, 1].map(|axis| grid.lengths()[axis] - first[axis]);
-        self.sampled(Elements {
+        self.sampled(&Elements {
             count: lengths.iter().product(),
             patterned: &|point: &Patterned| grid.sample_from(first, point),
             lines: [0, 1].map(|axis| grid.centres_from(axis, first[axis])),
@@ -81,7 +81,7 @@ impl Relief {
         })
     }
 
-    fn sampled(&self, elements: Elements<'_>) -> SampledRelief {
+    fn sampled(&self, elements: &Elements<'_>) -> SampledRelief {
         let everywhere = |value: f64| vec![value; elements.count];
         let law = self.spring_law();
         match self {
