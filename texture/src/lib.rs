@@ -1,5 +1,5 @@
-//! Geometry of textured surfaces: cylinders, dimples and grooves in patterns, films and measured height maps, sampled on
-//! a grid of square elements.
+//! Geometry of textured surfaces: cylinders, dimples and grooves in patterns, films and measured height maps, sampled
+//! on a grid of square elements.
 //!
 //! The crate answers one question: at every element of a [`Grid`], does the surface carry relief, how high does it
 //! stand and how soft is it? The answer is a [`SampledRelief`] of three fields: the mask, the surface profile `f*` (m,
