@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use pellicle::Completeness;
 use pellicle::case::Case;
+use pellicle::case::output::OutputCase;
 use pellicle::summary::RunSummary;
 use pellicle_contact::LoadingPath;
 use pellicle_files::whole::Existing;
@@ -88,9 +89,7 @@ fn is_of(written: &Value, case: &Case) -> bool {
         case.grid.take_side(side);
     }
     let without_output = |mut case: Value| {
-        if let Some(table) = case.as_object_mut() {
-            table.remove("output");
-        }
+        OutputCase::leave_out_files(&mut case);
         case
     };
     let case = serde_json::to_value(case).map(without_output);

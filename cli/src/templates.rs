@@ -15,6 +15,8 @@ pub enum Template {
     /// A ball on a coating with a pattern of pillars
     #[default]
     Cylinders,
+    /// A ball on a hard coating with dimples
+    Dimples,
     /// A Berkovich pyramid on a coating with a soft film
     Film,
     /// A ball on a hard coating: a load-penetration curve
@@ -83,6 +85,7 @@ impl Template {
             Self::FitUnloading => return include_str!("templates/fit-unloading.toml").into(),
             Self::FitAfm => return include_str!("templates/fit-afm.toml").into(),
             Self::Cylinders => include_str!("templates/cylinders.toml"),
+            Self::Dimples => include_str!("templates/dimples.toml"),
             Self::Film => include_str!("templates/film.toml"),
             Self::Coating => include_str!("templates/coating.toml"),
             Self::Berkovich => include_str!("templates/berkovich.toml"),

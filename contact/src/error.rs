@@ -238,6 +238,16 @@ pub enum ContactError {
         /// A side that would hold it, in m.
         wanted: f64,
     },
+    /// A disc smaller than an element, over which no pressure can be averaged.
+    #[error(
+        "found {length:e} for the length over which the pressure is averaged, wanted at least the side of an element, {element_side:e}"
+    )]
+    AveragingLength {
+        /// The diameter of the disc, in m.
+        length: f64,
+        /// Side of an element, in m.
+        element_side: f64,
+    },
     /// The contact reached the edge of every domain tried.
     #[error(
         "found contact at the edge of a domain of side {side:e}, the last of {trials} tried, wanted a larger one: give its side"

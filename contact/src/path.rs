@@ -220,6 +220,7 @@ fn solve_on_domains(
     loop {
         let grid = domain.grid(side, elements)?;
         warnings::check_elements(model, &grid, loads)?;
+        check_averaging(options.averaging_length, &grid)?;
         if let Err(refused) =
             capacity::check(model, (&grid, domain.boundary()), loads, options.hardness)
         {
@@ -246,6 +247,20 @@ fn solve_on_domains(
         }
         enlargements -= 1;
         side *= ENLARGEMENT;
+    }
+}
+
+/// Refuses to average the pressure over less than an element.
+fn check_averaging(length: Option<f64>, grid: &Grid) -> Result<(), ContactError> {
+    let element_side = grid.element_side();
+    match length {
+        // False for NaN.
+        Some(length) if length >= element_side => Ok(()),
+        Some(length) => Err(ContactError::AveragingLength {
+            length,
+            element_side,
+        }),
+        None => Ok(()),
     }
 }
 

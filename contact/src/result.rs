@@ -1,5 +1,6 @@
 //! The result of a solution: its certificate, its summary and its errors.
 
+pub mod averaged_pressure;
 pub mod certificate;
 pub mod contact_field;
 pub mod contact_shape;

@@ -54,6 +54,9 @@ pub struct SolverOptions {
     /// Hardness of the surface, in Pa, at which a path limits the pressure; infinite for no limit. A solver of one
     /// grid's problem uses the [problem's](DiscreteProblem::hardness) instead.
     pub hardness: f64,
+    /// Diameter, in m, of the disc over which a path averages the pressure for the
+    /// [largest averaged one](crate::Summary::max_averaged_pressure); none for no average.
+    pub averaging_length: Option<f64>,
 }
 
 impl Default for SolverOptions {
@@ -66,6 +69,7 @@ impl Default for SolverOptions {
             mirror_symmetry: true,
             coarse_pressures: false,
             hardness: f64::INFINITY,
+            averaging_length: None,
         }
     }
 }

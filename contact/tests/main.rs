@@ -18,5 +18,6 @@ mod solvers;
 mod stiffening;
 mod stress;
 mod summary_and_warnings;
+mod texture;
 mod two_bodies;
 mod wear;

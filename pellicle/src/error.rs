@@ -82,6 +82,9 @@ impl Error {
             Self::Contact(ContactError::DomainTooSmall { .. }) => {
                 clean(&format!("Error: {self} (`grid.side`)"))
             }
+            Self::Contact(ContactError::AveragingLength { .. }) => {
+                clean(&format!("Error: {self} (`output.mean_pressure_over`)"))
+            }
             other => clean(&format!("Error: {other}")),
         }
     }

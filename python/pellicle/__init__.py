@@ -60,7 +60,7 @@ from .progress import FitProgress, Progress, StudyProgress
 from .quantity import Quantity
 from .step import Step
 from .stresses import StressFields
-from .surface import Bare, Cylinders, Film, ReliefMap, Rough, Surface
+from .surface import Bare, Cylinders, Dimples, Film, Grooves, ReliefMap, Rough, Surface
 from .waiting import Interrupted
 
 __all__ = [
@@ -78,6 +78,7 @@ __all__ = [
     "Cylinders",
     "Data",
     "Design",
+    "Dimples",
     "DiscreteProblem",
     "ElasticOperator",
     "Error",
@@ -94,6 +95,7 @@ __all__ = [
     "Foundation",
     "Grading",
     "GridError",
+    "Grooves",
     "HeightMap",
     "Identification",
     "IdentifyError",

@@ -77,6 +77,8 @@ class GridError:
     """The numbers on each grid, coarsest first."""
     elements_per_wave: float | None = None
     """Elements to the shortest wave of a measured map around the contact; below 5 nothing is resolved."""
+    max_averaged_pressure: Estimate | None = None
+    """That of the largest averaged pressure; none without `mean_pressure_over`."""
 
     @classmethod
     def of(cls, summary: Mapping[str, Any]) -> GridError:
@@ -88,6 +90,7 @@ class GridError:
             max_pressure=Estimate.of(summary.get("max_pressure")),
             levels=tuple(summary["levels"]),
             elements_per_wave=summary.get("elements_per_wave"),
+            max_averaged_pressure=Estimate.of(summary.get("max_averaged_pressure")),
         )
 
 

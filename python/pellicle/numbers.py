@@ -46,6 +46,11 @@ class StepNumbers:
         return (number(self._summary["max_pressure_at"][0]), number(self._summary["max_pressure_at"][1]))
 
     @property
+    def max_averaged_pressure(self) -> float:
+        """Largest pressure averaged over a disc as wide as mean_pressure_over, Pa; None if not given."""
+        return number(self._summary["max_averaged_pressure"])
+
+    @property
     def mean_pressure(self) -> float:
         """Force over contact area, never above the largest pressure; 0 without contact, Pa."""
         return number(self._summary["mean_pressure"])

@@ -79,9 +79,14 @@ class Wear(Table):
 
 @dataclass(frozen=True)
 class Output(Table):
-    """The fields, pictures and formats that `pellicle run` writes for this case; without effect in Python."""
+    """What `pellicle run` writes for this case, which has no effect in Python, and a length in m.
+
+    `mean_pressure_over` is the diameter of a disc over which the pressure is averaged: the largest average of each
+    step is its `max_averaged_pressure`.
+    """
 
     _part: ClassVar[str] = "output"
     fields: Literal["all", "last", "none"] | None = None
     pictures: Literal["all", "last", "none"] | None = None
     formats: Sequence[Literal["npz", "vti", "nc", "gsf"]] | None = None
+    mean_pressure_over: Quantity | None = None

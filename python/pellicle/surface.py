@@ -12,6 +12,9 @@ from .table import Table
 Law: TypeAlias = Literal["linear", "logarithmic"]
 """How springs shorten: in proportion to the pressure, or never beyond their length."""
 
+Lattice: TypeAlias = Literal["square", "hexagonal"]
+"""Where equal round features stand: with four or with six neighbours each."""
+
 
 @dataclass(frozen=True)
 class Surface(Table):
@@ -29,20 +32,68 @@ class Bare(Surface):
 
 @dataclass(frozen=True)
 class Cylinders(Surface):
-    """Elastic cylinders of equal radius and height on a lattice of this period, all in m.
+    """Elastic cylinders of equal radius and height on a lattice, all lengths in m.
 
-    `offset` shifts the axis of one cylinder from that of the indenter, in m. The Young's modulus (Pa) defaults
-    to that of the top layer.
+    The lattice has a period, or the `area_fraction` that the cylinders cover. `offset` shifts the axis of one
+    cylinder from that of the indenter, and `rotation` (radians) turns the lattice about it. `edge_radius` rounds the
+    edges of the tops. The Young's modulus (Pa) defaults to that of the top layer.
     """
 
     _kind: ClassVar[str] = "cylinders"
     radius: Quantity
     height: Quantity
-    period: Quantity
-    lattice: Literal["square", "hexagonal"] | None = None
+    period: Quantity | None = None
+    lattice: Lattice | None = None
     offset: tuple[Quantity, Quantity] | None = None
     young_modulus: Quantity | None = None
     law: Law | None = None
+    area_fraction: float | None = field(default=None, kw_only=True)
+    rotation: Quantity | None = field(default=None, kw_only=True)
+    edge_radius: Quantity | None = field(default=None, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Dimples(Surface):
+    """Dimples on a lattice: spherical caps below the plane, with the radius of the rim and the depth in m.
+
+    The lattice has a period, or the `area_fraction` that the rims enclose. `edge_radius` rounds the rims. Without a
+    Young's modulus (Pa) they are in the body's own surface, with one they lie between springs, each as long as the
+    height above the deepest point.
+    """
+
+    _kind: ClassVar[str] = "dimples"
+    radius: Quantity
+    depth: Quantity
+    period: Quantity | None = None
+    lattice: Lattice | None = None
+    offset: tuple[Quantity, Quantity] | None = None
+    young_modulus: Quantity | None = None
+    law: Law | None = None
+    area_fraction: float | None = field(default=None, kw_only=True)
+    rotation: Quantity | None = field(default=None, kw_only=True)
+    edge_radius: Quantity | None = field(default=None, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Grooves(Surface):
+    """Straight grooves below the plane, with their width and depth in m.
+
+    They have a period, or the `area_fraction` that is their width over it. They run along y; `rotation` (radians)
+    turns them. `edge_radius` rounds their edges. Without a Young's modulus (Pa) they are in the body's own surface,
+    with one they lie between springs, each as long as the height above the deepest point.
+    """
+
+    _kind: ClassVar[str] = "grooves"
+    width: Quantity
+    depth: Quantity
+    period: Quantity | None = None
+    profile: Literal["rectangular", "v", "sine"] | None = None
+    offset: tuple[Quantity, Quantity] | None = None
+    young_modulus: Quantity | None = None
+    law: Law | None = None
+    area_fraction: float | None = field(default=None, kw_only=True)
+    rotation: Quantity | None = field(default=None, kw_only=True)
+    edge_radius: Quantity | None = field(default=None, kw_only=True)
 
 
 @dataclass(frozen=True)

@@ -50,7 +50,15 @@ EVERYTHING = pl.Case(
     ),
     pl.Cone("70 deg", "400 nm", young_modulus="1141 GPa", poisson_ratio=0.07),
     surface=pl.Cylinders(
-        "5 nm", "2 nm", "20 nm", lattice="hexagonal", offset=("1 nm", 0.0), young_modulus="1 GPa", law="logarithmic"
+        "5 nm",
+        "2 nm",
+        "20 nm",
+        lattice="hexagonal",
+        offset=("1 nm", 0.0),
+        young_modulus="1 GPa",
+        law="logarithmic",
+        rotation="15 deg",
+        edge_radius="0.5 nm",
     ),
     forces=pl.Range("1 uN", "1 mN", 4, "log"),
     sensitivities=True,
@@ -61,7 +69,7 @@ EVERYTHING = pl.Case(
     stress=pl.Stress(
         depths=["5 nm", 0], extent="8 um", friction=0.3, direction="30 deg", only=get_args(StressName)
     ),
-    output=pl.Output(fields="all", pictures="none", formats=["npz"]),
+    output=pl.Output(fields="all", pictures="none", formats=["npz"], mean_pressure_over="2 nm"),
     title='a "quoted" title',
 )
 
@@ -81,6 +89,9 @@ EVERYTHING = pl.Case(
         (lambda: pl.PowerLaw(0.5, "1 um"), "exponent"),
         (lambda: pl.Film("1 nm", "hard"), "young_modulus"),
         (lambda: pl.Cylinders(2.0, 1.0, 3.0), "radius"),
+        (lambda: pl.Cylinders(1.0, 1.0, 3.0, edge_radius=1.1), "edge_radius"),
+        (lambda: pl.Dimples(1.0, 0.1, area_fraction=0.8), "area_fraction"),
+        (lambda: pl.Grooves(2.0, 0.1, 1.9), "width"),
         (lambda: pl.Output(formats=["hdf5"]), "formats[0]"),  # type: ignore[list-item]
     ],
 )
@@ -111,7 +122,8 @@ def test_every_key_can_be_written_and_read_back() -> None:
     assert resolved["load"] == {"forces": [1e-6, 1e-5, 1e-4, 1e-3], "sensitivities": True}
     assert resolved["stress"]["depths"] == [0.0, 5e-9]
     assert resolved["stress"]["only"] == list(get_args(StressName))
-    assert resolved["output"] == {"fields": "all", "pictures": "none", "formats": ["npz"]}
+    files = {"fields": "all", "pictures": "none", "formats": ["npz"]}
+    assert resolved["output"] == files | {"mean_pressure_over": 2e-9}
 
 
 def test_an_indenter_may_have_layers_and_stresses_inside() -> None:
@@ -180,6 +192,8 @@ def test_a_hardness_limits_the_pressure() -> None:
         pl.Bare(),
         pl.Film(0.1, 1.0),
         pl.Cylinders(0.1, 0.1, 0.5),
+        pl.Dimples(0.1, 0.02, area_fraction=0.2),
+        pl.Grooves(0.1, 0.02, 0.5, "v", young_modulus=1.0),
         pl.Rough([[0.0, 0.1], [0.1, 0.0]], sides=(1.0, 1.0)),
         pl.ReliefMap([[0.0, 0.1], [0.1, 0.0]], side=1.0, compliance=0.1),
     ],
@@ -228,6 +242,8 @@ def fields(*kinds: type[Any]) -> set[str]:
         ("foundation.substrate", pl.Material, set(), set()),
         ("surface", pl.Film, {"kind"}, set()),
         ("surface", pl.Cylinders, {"kind"}, set()),
+        ("surface", pl.Dimples, {"kind"}, set()),
+        ("surface", pl.Grooves, {"kind"}, set()),
         ("surface", pl.Rough, {"kind", "file"}, {"heights"}),
         ("surface", pl.ReliefMap, {"kind", "file"}, {"heights"}),
         ("indenter", pl.Paraboloid, {"kind"}, set()),
@@ -252,7 +268,8 @@ def test_no_table_of_the_case_file_has_keys_that_its_class_lacks(
     known = keys_that_the_reader_knows(place, **values)
     assert (fields(kind) | more) - less == known
     of_maps = {"interpolation", "holes", "level", "edges", "origin"}
-    assert known - more - set(SI_UNITS) <= of_maps | {"lattice", "law", "fields", "pictures", "formats", "only", "body"}
+    words = {"lattice", "law", "profile", "fields", "pictures", "formats", "only", "body"}
+    assert known - more - set(SI_UNITS) <= of_maps | words
 
 
 def test_layers_loads_grid_and_solver_have_the_keys_of_the_case_file() -> None:

@@ -190,3 +190,16 @@ def test_too_little_memory_is_an_error_with_its_numbers(case: pl.Case) -> None:
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert found.stdout.startswith("True found ") and "fewer elements" in found.stdout
+
+
+def test_the_largest_average_is_a_number_of_a_step_if_a_length_is_given() -> None:
+    body = pl.Foundation(pl.Material("210 GPa", 0.3))
+    dimples = pl.Dimples("20 um", "2 um", area_fraction=0.2, edge_radius="30 um", rotation="15 deg")
+    output = pl.Output(mean_pressure_over="20 um")
+    case = pl.Case(body, pl.Paraboloid("5 mm"), surface=dimples, force="20 N", elements=64, output=output)
+    step = case.solve()[0]
+    average = step.max_averaged_pressure
+    assert average is not None and step.mean_pressure < average < step.max_pressure
+    assert step.grid_error.max_averaged_pressure is not None
+    plain = pl.Case(body, pl.Paraboloid("5 mm"), surface=dimples, force="20 N", elements=64).solve()[0]
+    assert plain.max_averaged_pressure is None and plain.max_pressure == step.max_pressure

@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use pellicle::case::Case;
+use pellicle::case::output::OutputCase;
 use pellicle::input::dimension::Dimension;
 use pellicle::input::key_path;
 use pellicle::input::quantity;
@@ -17,9 +18,6 @@ use crate::StudyError;
 
 /// The key that names a file.
 const FILE: &str = "file";
-
-/// The table that is left out: the choice of files does not change the solution.
-const OUTPUT: &str = "output";
 
 /// Hashes everything on which the results of a study depend: version of the program, base case, keys, values, contents
 /// of the maps, system of units, and first line of the table.
@@ -70,9 +68,7 @@ pub fn of(study: &Study, valid: (usize, &Case), header: &str) -> Result<String, 
 /// The case with all defaults, without the choice of files.
 fn resolved(case: &Case) -> Result<Vec<u8>, StudyError> {
     let mut case = serde_json::to_value(case)?;
-    if let Some(table) = case.as_object_mut() {
-        table.remove(OUTPUT);
-    }
+    OutputCase::leave_out_files(&mut case);
     Ok(serde_json::to_vec(&case)?)
 }
 

@@ -12,4 +12,5 @@ mod layer_between;
 mod loading;
 mod numbers;
 mod refinement;
+mod rounded;
 mod section;

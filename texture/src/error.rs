@@ -10,14 +10,22 @@ use thiserror::Error;
 pub enum Quantity {
     /// Side of the square domain, m.
     Side,
-    /// Radius of a cylinder, m.
+    /// Radius of a cylinder or of the rim of a dimple, m.
     Radius,
     /// Height of a cylinder, m.
     Height,
-    /// Distance between the axes of neighbouring cylinders, m.
+    /// Distance between neighbouring cylinders, dimples or grooves, m.
     Period,
-    /// Position of the cylinder nearest to the axis, m.
+    /// Position of a cylinder, a dimple or a groove, m.
     Offset,
+    /// Rotation of a pattern, radians.
+    Rotation,
+    /// Depth of a recess, m.
+    Depth,
+    /// Width of a groove, m.
+    Width,
+    /// Radius of the arcs that round edges, m.
+    EdgeRadius,
     /// Thickness of a film, m.
     Thickness,
     /// Young's modulus of the relief, Pa.
@@ -32,10 +40,14 @@ impl fmt::Display for Quantity {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Self::Side => "the side of the domain",
-            Self::Radius => "the radius of a cylinder",
+            Self::Radius => "the radius of a cylinder or a rim",
             Self::Height => "the height of a cylinder",
-            Self::Period => "the period of the cylinders",
-            Self::Offset => "the offset of the cylinders",
+            Self::Period => "the period of the pattern",
+            Self::Offset => "the offset of the pattern",
+            Self::Rotation => "the rotation of the pattern",
+            Self::Depth => "the depth of a recess",
+            Self::Width => "the width of a groove",
+            Self::EdgeRadius => "the edge radius",
             Self::Thickness => "the thickness of the film",
             Self::YoungModulus => "Young's modulus of the relief",
             Self::Compliance => "the compliance of the relief",
@@ -88,14 +100,54 @@ pub enum TextureError {
         /// The most that [`Grid`](crate::Grid) accepts.
         largest: usize,
     },
-    /// Neighbouring cylinders overlap.
+    /// Neighbouring cylinders or rims overlap.
     #[error(
-        "found {radius:?} for the radius of overlapping cylinders, wanted at most half the period of {period:?}"
+        "found {radius:?} for the radius of overlapping circles, wanted at most half the period of {period:?}"
     )]
     Overlap {
-        /// Radius of a cylinder, m.
+        /// Radius of a cylinder or a rim, m.
         radius: f64,
         /// Period of the lattice, m.
+        period: f64,
+    },
+    /// The arcs that round an edge are longer than what they round.
+    #[error(
+        "found {found:?} for the edge radius, wanted at most {largest:?}, with which nothing of the edge is left"
+    )]
+    EdgeRadius {
+        /// The edge radius, m.
+        found: f64,
+        /// The largest that fits, m.
+        largest: f64,
+    },
+    /// Neighbouring recesses overlap once their edges are rounded.
+    #[error(
+        "found {found:?} for the edge radius, wanted less: rounded recesses are {width:?} wide, more than the period of {period:?}"
+    )]
+    RoundedOverlap {
+        /// The edge radius, m.
+        found: f64,
+        /// Width of a recess with its roundings, m.
+        width: f64,
+        /// Period of the pattern, m.
+        period: f64,
+    },
+    /// A dimple is deeper than half a sphere.
+    #[error(
+        "found {depth:?} for the depth of a dimple, wanted at most the radius of its rim, {radius:?}: half a sphere"
+    )]
+    DeepDimple {
+        /// The depth, m.
+        depth: f64,
+        /// Radius of the rim, m.
+        radius: f64,
+    },
+    /// Grooves overlap, or leave nothing between vertical walls.
+    #[error("found {width:?} for the width of a groove, wanted less than the period of {period:?}")]
+    WideGroove {
+        /// The width, m.
+        width: f64,
+        /// Period of the grooves, m.
         period: f64,
     },
     /// The number of samples is not the product of the map's shape, or the map is empty.

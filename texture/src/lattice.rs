@@ -1,4 +1,4 @@
-//! The two planar lattices on which cylinders stand.
+//! The two planar lattices on which round features stand: cylinders and dimples.
 //!
 //! Both are described by a rectangular cell: it has one centre at its corner and, for the hexagonal lattice, another in
 //! its middle. The nearest point of a rectangular lattice is found exactly by rounding each coordinate, so the nearest
@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-/// Arrangement of the cylinders in the plane; the period T is the distance between neighbouring centres.
+/// Arrangement of round features in the plane; the period T is the distance between neighbouring centres.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lattice {
     /// Centres at `T (m, n)`: four neighbours each.
@@ -54,6 +54,23 @@ impl Lattice {
             // 2π r²/(√3 T²)
             Self::Hexagonal => 2.0 * disc / 3.0_f64.sqrt(),
         }
+    }
+
+    /// The period (m) at which discs of a radius (m) cover this fraction of the plane:
+    /// `T = r √(π/φ)` (square) or `r √(2π/(√3 φ))` (hexagonal).
+    #[must_use]
+    pub fn period_of(self, radius: f64, area_fraction: f64) -> f64 {
+        let cell = match self {
+            Self::Square => 1.0,
+            Self::Hexagonal => 0.75_f64.sqrt(),
+        };
+        radius * (PI / (cell * area_fraction)).sqrt()
+    }
+
+    /// The fraction of the plane that touching discs cover: `π/4` (square) or `π/√12` (hexagonal).
+    #[must_use]
+    pub fn largest_area_fraction(self) -> f64 {
+        self.area_fraction(0.5, 1.0)
     }
 }
 
@@ -104,6 +121,19 @@ mod tests {
             assert!((half - 1.0).abs() < 1e-15, "rounding of the angle: {half}");
         }
         assert_eq!(Lattice::Square.distance_to_centre(2.0, [1.0, 0.0]), 1.0);
+    }
+
+    #[test]
+    fn the_period_of_an_area_fraction_gives_it_back() {
+        for lattice in [Lattice::Square, Lattice::Hexagonal] {
+            for fraction in [0.01, 0.3, lattice.largest_area_fraction()] {
+                let period = lattice.period_of(2.0, fraction);
+                let found = lattice.area_fraction(2.0, period);
+                assert!((found / fraction - 1.0).abs() < 1e-14, "{found}");
+            }
+            let touching = lattice.period_of(2.0, lattice.largest_area_fraction());
+            assert!((touching - 4.0).abs() < 1e-14, "{touching}");
+        }
     }
 
     #[test]

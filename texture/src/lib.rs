@@ -1,5 +1,5 @@
-//! Geometry of textured surfaces: periodic cylinders, films and measured height maps, sampled on a grid of square
-//! elements.
+//! Geometry of textured surfaces: cylinders, dimples and grooves in patterns, films and measured height maps, sampled
+//! on a grid of square elements.
 //!
 //! The crate answers one question: at every element of a [`Grid`], does the surface carry relief, how high does it
 //! stand and how soft is it? The answer is a [`SampledRelief`] of three fields: the mask, the surface profile `f*` (m,
@@ -44,9 +44,11 @@
 
 mod custom_relief;
 mod cylinders;
+mod dimples;
 mod error;
 mod film;
 mod grid;
+mod grooves;
 mod height_map;
 mod interpolation;
 mod lattice;
@@ -55,9 +57,13 @@ mod mean_plane;
 mod nan_from_null;
 mod parameter;
 mod patch;
+mod pattern;
+mod placement;
+mod recesses;
 mod relief;
 mod relief_map;
 mod roughness;
+mod rounding;
 mod sampled;
 mod slope_spectrum;
 mod spring_law;
@@ -66,9 +72,11 @@ mod summit;
 
 pub use custom_relief::{CustomRelief, ReliefShape, mean_points};
 pub use cylinders::{CylinderSpec, Cylinders};
+pub use dimples::Dimples;
 pub use error::{Quantity, TextureError};
 pub use film::Film;
 pub use grid::Grid;
+pub use grooves::{GrooveProfile, GrooveSpec, Grooves};
 pub use height_map::HeightMap;
 pub use interpolation::Interpolation;
 pub use lattice::Lattice;
@@ -76,6 +84,8 @@ pub use map_rim::RimStep;
 pub use mean_plane::MeanPlane;
 pub use nan_from_null::nan_from_null;
 pub use parameter::ReliefParameter;
+pub use pattern::Pattern;
+pub use recesses::{RecessShape, Recesses};
 pub use relief::Relief;
 pub use relief_map::{MapCompliance, ReliefMap};
 pub use roughness::{DerivativeSource, MapRim, PowerSpectrum, Roughness};

@@ -1,6 +1,5 @@
 //! Parameters of a relief that change its springs or heights but not its outline: reading and replacing them.
 
-use crate::cylinders::{CylinderSpec, Cylinders};
 use crate::error::TextureError;
 use crate::film::Film;
 use crate::relief::Relief;
@@ -9,7 +8,7 @@ use crate::relief_map::{MapCompliance, ReliefMap};
 /// One parameter of a [`Relief`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ReliefParameter {
-    /// Young's modulus of a film, of cylinders or of a map that has one, Pa.
+    /// Young's modulus of a film, of cylinders, or of recesses or a map that have one, Pa.
     YoungModulus,
     /// Height of cylinders or thickness of a film, m.
     Height,
@@ -37,7 +36,8 @@ impl Relief {
         match (parameter, self) {
             (YoungModulus, Self::Film(film)) => Some(film.young_modulus()),
             (YoungModulus, Self::Cylinders(cylinders)) => Some(cylinders.young_modulus()),
-            (Height, _) => self.height(),
+            (YoungModulus, Self::Recesses(recesses)) => recesses.young_modulus(),
+            (Height, Self::Film(_) | Self::Cylinders(_)) => self.height(),
             (_, Self::Map(map)) => match (parameter, map.compliance()) {
                 (YoungModulus, MapCompliance::YoungModulus(value))
                 | (Compliance, MapCompliance::Uniform(value)) => Some(value),
@@ -52,7 +52,7 @@ impl Relief {
     ///
     /// # Errors
     ///
-    /// As [`Film::new`], [`Cylinders::new`] and [`ReliefMap::new`].
+    /// As [`Film::new`], [`Cylinders::new`](crate::Cylinders::new) and [`ReliefMap::new`].
     pub fn with_parameter(
         &self,
         parameter: ReliefParameter,
@@ -72,14 +72,11 @@ impl Relief {
                 )?;
                 Self::Film(if is_linear { other } else { other.stiffening() })
             }
-            Self::Cylinders(cylinders) => {
-                let other = Cylinders::new(CylinderSpec {
-                    height: or(ReliefParameter::Height, cylinders.height()),
-                    young_modulus: or(ReliefParameter::YoungModulus, cylinders.young_modulus()),
-                    ..cylinders.spec()
-                })?;
-                Self::Cylinders(if is_linear { other } else { other.stiffening() })
-            }
+            Self::Cylinders(cylinders) => Self::Cylinders(cylinders.with_springs(
+                or(ReliefParameter::Height, cylinders.height()),
+                or(ReliefParameter::YoungModulus, cylinders.young_modulus()),
+            )?),
+            Self::Recesses(recesses) => Self::Recesses(recesses.with_springs(value)?),
             Self::Map(map) => {
                 let compliance = match map.compliance() {
                     MapCompliance::Uniform(_) => MapCompliance::Uniform(value),
@@ -99,7 +96,7 @@ impl Relief {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Lattice;
+    use crate::{CylinderSpec, Cylinders, Lattice};
 
     #[test]
     fn every_parameter_is_listed_read_and_replaced_independently() {

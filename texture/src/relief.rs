@@ -6,8 +6,9 @@ use crate::custom_relief::{CustomRelief, ReliefShape};
 use crate::cylinders::Cylinders;
 use crate::film::Film;
 use crate::grid::Grid;
+use crate::recesses::Recesses;
 use crate::relief_map::{MapCompliance, ReliefMap};
-use crate::sampled::SampledRelief;
+use crate::sampled::{SampledRelief, level};
 use crate::spring_law::SpringLaw;
 
 /// The relief on top of the foundation.
@@ -18,6 +19,8 @@ pub enum Relief {
     Bare,
     /// Equal cylinders on a lattice.
     Cylinders(Cylinders),
+    /// A plane with dimples or grooves.
+    Recesses(Recesses),
     /// A film over the whole surface.
     Film(Film),
     /// A measured height map.
@@ -39,11 +42,12 @@ impl Relief {
         match self {
             Self::Bare | Self::Film(_) => vec![0.0; points.len()],
             Self::Cylinders(cylinders) => {
-                let depth = |is_top: bool| if is_top { 0.0 } else { -cylinders.height() };
-                let points = points.iter();
-                points
-                    .map(|point| depth(cylinders.contains(*point)))
-                    .collect()
+                let depths = points.iter().map(|point| cylinders.depth_at(*point));
+                depths.map(level).collect()
+            }
+            Self::Recesses(recesses) => {
+                let depths = points.iter().map(|point| recesses.depth_at(*point));
+                depths.map(level).collect()
             }
             Self::Map(map) => points.iter().map(|point| map.profile_at(*point)).collect(),
             Self::Custom(custom) => custom.profile(points),
@@ -58,7 +62,14 @@ impl Relief {
             Self::Bare => vec![0.0; points.len()],
             Self::Cylinders(cylinders) => each(&|point| {
                 if cylinders.contains(point) {
-                    cylinders.compliance()
+                    cylinders.compliance_at_depth(cylinders.depth_at(point))
+                } else {
+                    0.0
+                }
+            }),
+            Self::Recesses(recesses) => each(&|point| {
+                if recesses.contains(point) {
+                    recesses.compliance_at_depth(recesses.depth_at(point))
                 } else {
                     0.0
                 }
@@ -75,6 +86,7 @@ impl Relief {
     pub fn spring_modulus(&self) -> Option<f64> {
         match self {
             Self::Cylinders(cylinders) => Some(cylinders.spec().young_modulus),
+            Self::Recesses(recesses) => recesses.young_modulus(),
             Self::Film(film) => Some(film.young_modulus()),
             Self::Map(map) => match map.compliance() {
                 MapCompliance::YoungModulus(modulus) => Some(modulus),
@@ -87,12 +99,13 @@ impl Relief {
     /// Samples mask, surface profile and compliance at the centres of the grid's elements.
     #[must_use]
     pub fn sample(&self, grid: &Grid) -> SampledRelief {
-        self.sampled(
-            grid.len(),
-            |cylinders| grid.sample(self.is_mirrored(), |point| cylinders.contains(point)),
-            [0, 1].map(|axis| grid.centres_from(axis, 0)),
-            || grid.sample(false, |point| point),
-        )
+        let is_mirrored = self.is_mirrored();
+        self.sampled(&Elements {
+            count: grid.len(),
+            patterned: &|point: &Patterned| grid.sample(is_mirrored, point),
+            lines: [0, 1].map(|axis| grid.centres_from(axis, 0)),
+            centres: &|| grid.sample(false, |point| point),
+        })
     }
 
     /// Samples the elements from a row and a column on, in the order of [`Grid::sample_from`].
@@ -101,60 +114,46 @@ impl Relief {
     /// As [`Grid::sample_from`].
     #[must_use]
     pub fn sample_from(&self, grid: &Grid, first: [usize; 2]) -> SampledRelief {
-        self.sampled(
-            [0, 1]
-                .map(|axis| grid.lengths()[axis] - first[axis])
-                .iter()
-                .product(),
-            |cylinders| grid.sample_from(first, |point| cylinders.contains(point)),
-            [0, 1].map(|axis| grid.centres_from(axis, first[axis])),
-            || grid.sample_from(first, |point| point),
-        )
+        let lengths = [0, 1].map(|axis| grid.lengths()[axis] - first[axis]);
+        self.sampled(&Elements {
+            count: lengths.iter().product(),
+            patterned: &|point: &Patterned| grid.sample_from(first, point),
+            lines: [0, 1].map(|axis| grid.centres_from(axis, first[axis])),
+            centres: &|| grid.sample_from(first, |point| point),
+        })
     }
 
-    /// Samples the relief at `count` elements, given a function that samples the mask of cylinders, the coordinates of
-    /// the rows and columns, and the element centres.
-    fn sampled(
-        &self,
-        count: usize,
-        outline: impl Fn(&Cylinders) -> Vec<bool>,
-        [x, y]: [Vec<f64>; 2],
-        centres: impl Fn() -> Vec<[f64; 2]>,
-    ) -> SampledRelief {
-        let everywhere = |value: f64| vec![value; count];
+    fn sampled(&self, elements: &Elements<'_>) -> SampledRelief {
+        let everywhere = |value: f64| vec![value; elements.count];
         let law = self.spring_law();
         match self {
             Self::Bare => SampledRelief {
-                mask: vec![false; count],
+                mask: vec![false; elements.count],
                 profile: everywhere(0.0),
                 compliance: everywhere(0.0),
                 law,
             },
             Self::Cylinders(cylinders) => {
-                let mask = outline(cylinders);
-                let choose = |on_top: f64, between: f64| {
-                    let values = mask.par_iter();
-                    values
-                        .map(|on| if *on { on_top } else { between })
-                        .collect()
-                };
-                SampledRelief {
-                    profile: choose(0.0, -cylinders.height()),
-                    compliance: choose(cylinders.compliance(), 0.0),
-                    mask,
-                    law,
-                }
+                let at = |point| (cylinders.contains(point), cylinders.depth_at(point));
+                let springs = |depth| cylinders.compliance_at_depth(depth);
+                SampledRelief::of_depths(&(elements.patterned)(&at), springs, law)
+            }
+            Self::Recesses(recesses) => {
+                let at = |point| (recesses.contains(point), recesses.depth_at(point));
+                let springs = |depth| recesses.compliance_at_depth(depth);
+                SampledRelief::of_depths(&(elements.patterned)(&at), springs, law)
             }
             Self::Film(film) => SampledRelief {
-                mask: vec![true; count],
+                mask: vec![true; elements.count],
                 profile: everywhere(0.0),
                 compliance: everywhere(film.compliance()),
                 law,
             },
             Self::Map(map) => {
-                let heights = map.map().at_crossings([&x, &y]);
+                let [x, y] = &elements.lines;
+                let heights = map.map().at_crossings([x, y]);
                 SampledRelief {
-                    mask: vec![true; count],
+                    mask: vec![true; elements.count],
                     compliance: match map.compliance() {
                         MapCompliance::Uniform(compliance) => everywhere(compliance),
                         MapCompliance::YoungModulus(_) => {
@@ -167,9 +166,9 @@ impl Relief {
                 }
             }
             Self::Custom(custom) => {
-                let centres = centres();
+                let centres = (elements.centres)();
                 SampledRelief {
-                    mask: vec![true; count],
+                    mask: vec![true; elements.count],
                     profile: custom.profile(&centres),
                     compliance: custom.compliance(&centres),
                     law,
@@ -184,26 +183,31 @@ impl Relief {
         match self {
             Self::Bare | Self::Custom(_) => SpringLaw::LINEAR,
             Self::Cylinders(cylinders) => cylinders.spring_law(),
+            Self::Recesses(recesses) => recesses.spring_law(),
             Self::Film(film) => film.spring_law(),
             Self::Map(map) => map.spring_law(),
         }
     }
 
-    /// Fraction of the plane that carries relief: closed form for cylinders, 0 for a bare surface, 1 otherwise.
+    /// Fraction of the plane that carries relief: closed form for cylinders and between vertical walls of grooves, 0
+    /// for a bare surface, 1 otherwise.
     #[must_use]
     pub fn area_fraction(&self) -> f64 {
         match self {
             Self::Bare => 0.0,
             Self::Cylinders(cylinders) => cylinders.area_fraction(),
+            Self::Recesses(recesses) => recesses.area_fraction(),
             Self::Film(_) | Self::Map(_) | Self::Custom(_) => 1.0,
         }
     }
 
-    /// Height h of the cylinders or thickness of the film, m; `None` for a bare surface and where it varies.
+    /// Length of the longest springs, m: height h of the cylinders, thickness of the film, depth of recesses between
+    /// springs; `None` without springs and on a map or a user-defined shape.
     #[must_use]
     pub fn height(&self) -> Option<f64> {
         match self {
             Self::Bare | Self::Map(_) | Self::Custom(_) => None,
+            Self::Recesses(recesses) => recesses.young_modulus().map(|_| recesses.depth()),
             Self::Cylinders(cylinders) => Some(cylinders.height()),
             Self::Film(film) => Some(film.thickness()),
         }
@@ -215,17 +219,52 @@ impl Relief {
     pub fn distance_to_outline(&self, point: [f64; 2]) -> Option<f64> {
         match self {
             Self::Cylinders(cylinders) => Some(cylinders.distance_to_rim(point)),
+            Self::Recesses(recesses) => recesses.distance_to_wall(point),
             Self::Bare | Self::Film(_) | Self::Map(_) | Self::Custom(_) => None,
         }
     }
 
-    /// Distance from the point to the nearest ridge of the relief, m; infinite if it has none. See
+    /// Distance from the point to the nearest edge at an outline of the relief, m: at least half the width of the arc
+    /// that rounds it, so that an edge is far on a grid that resolves its arc; `None` if there is no outline.
+    #[must_use]
+    pub fn distance_to_edge(&self, point: [f64; 2]) -> Option<f64> {
+        match self {
+            Self::Cylinders(cylinders) => Some(cylinders.distance_to_edge(point)),
+            Self::Recesses(recesses) => recesses.distance_to_edge(point),
+            Self::Bare | Self::Film(_) | Self::Map(_) | Self::Custom(_) => None,
+        }
+    }
+
+    /// Half the width of the features of a pattern, m: the radius of cylinders and dimples, half the width of grooves;
+    /// none of another relief.
+    #[must_use]
+    pub fn feature_radius(&self) -> Option<f64> {
+        match self {
+            Self::Cylinders(cylinders) => Some(cylinders.radius()),
+            Self::Recesses(recesses) => Some(recesses.half_width()),
+            Self::Bare | Self::Film(_) | Self::Map(_) | Self::Custom(_) => None,
+        }
+    }
+
+    /// Distance from the point to the nearest ridge of the relief, m; infinite if it has none. The edge of a dimple or
+    /// of a V is one unless it is rounded; for a map see
     /// [`HeightMap::distance_to_ridge`](crate::HeightMap::distance_to_ridge).
     #[must_use]
     pub fn distance_to_ridge(&self, point: [f64; 2]) -> f64 {
         match self {
             Self::Map(map) => map.map().distance_to_ridge(point),
+            Self::Recesses(recesses) => recesses.distance_to_ridge(point),
             Self::Bare | Self::Film(_) | Self::Cylinders(_) | Self::Custom(_) => f64::INFINITY,
+        }
+    }
+
+    /// Distance from a vector (m) to the nearest one that moves a pattern onto itself, m; none of another relief.
+    #[must_use]
+    pub fn distance_to_translation(&self, vector: [f64; 2]) -> Option<f64> {
+        match self {
+            Self::Cylinders(cylinders) => Some(cylinders.pattern().distance_to_translation(vector)),
+            Self::Recesses(recesses) => Some(recesses.distance_to_translation(vector)),
+            Self::Bare | Self::Film(_) | Self::Map(_) | Self::Custom(_) => None,
         }
     }
 
@@ -237,9 +276,24 @@ impl Relief {
         match self {
             Self::Bare | Self::Film(_) => true,
             Self::Cylinders(cylinders) => cylinders.is_mirrored(),
+            Self::Recesses(recesses) => recesses.is_mirrored(),
             Self::Map(_) | Self::Custom(_) => false,
         }
     }
+}
+
+/// Whether a point lies on the relief of a pattern, and its depth below the plane of the tops, m.
+type Patterned<'a> = dyn Fn([f64; 2]) -> (bool, f64) + Sync + 'a;
+
+/// The elements at which a relief is sampled.
+struct Elements<'a> {
+    count: usize,
+    /// Samples a pattern at all of them.
+    patterned: &'a dyn Fn(&Patterned<'_>) -> Vec<(bool, f64)>,
+    /// Coordinates of their rows and columns, m.
+    lines: [Vec<f64>; 2],
+    /// Their centres, m.
+    centres: &'a dyn Fn() -> Vec<[f64; 2]>,
 }
 
 #[cfg(test)]

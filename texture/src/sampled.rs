@@ -1,5 +1,7 @@
 //! The sampled relief that a solver uses: three fields on a grid and the spring law.
 
+use rayon::prelude::*;
+
 use crate::spring_law::SpringLaw;
 
 /// The relief at the centres of a grid's elements: mask, surface profile and compliance, N² values each, index
@@ -13,6 +15,21 @@ pub struct SampledRelief {
 }
 
 impl SampledRelief {
+    /// The relief of a pattern, from whether each element lies on it and the depth (m) below the plane of the tops.
+    pub(crate) fn of_depths(
+        samples: &[(bool, f64)],
+        springs: impl Fn(f64) -> f64 + Send + Sync,
+        law: SpringLaw,
+    ) -> Self {
+        let depths = samples.par_iter().map(|(_, depth)| *depth);
+        Self {
+            mask: samples.par_iter().map(|(is_on, _)| *is_on).collect(),
+            profile: depths.clone().map(level).collect(),
+            compliance: depths.map(springs).collect(),
+            law,
+        }
+    }
+
     /// Whether each element lies on the relief: on a cylinder's top, under a film, on a map; never on a bare surface.
     #[must_use]
     pub fn mask(&self) -> &[bool] {
@@ -49,4 +66,9 @@ impl SampledRelief {
     pub fn mask_fraction(&self) -> f64 {
         self.mask.iter().filter(|&&on| on).count() as f64 / self.mask.len() as f64
     }
+}
+
+/// The profile at a depth below the plane of the tops, m: never the negative zero.
+pub(crate) fn level(depth: f64) -> f64 {
+    0.0 - depth
 }

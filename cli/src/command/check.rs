@@ -236,7 +236,15 @@ fn features(case: &Case) -> Vec<(String, f64)> {
     let relief = match &case.surface {
         SurfaceCase::Cylinders(cylinders) => vec![
             ("radius of a cylinder".to_owned(), cylinders.radius),
-            ("period of the cylinders".to_owned(), cylinders.period),
+            ("period of the cylinders".to_owned(), cylinders.period()),
+        ],
+        SurfaceCase::Dimples(dimples) => vec![
+            ("radius of a dimple".to_owned(), dimples.radius),
+            ("period of the dimples".to_owned(), dimples.period()),
+        ],
+        SurfaceCase::Grooves(grooves) => vec![
+            ("width of a groove".to_owned(), grooves.width),
+            ("period of the grooves".to_owned(), grooves.period()),
         ],
         SurfaceCase::Map(_)
         | SurfaceCase::Function(_)

@@ -290,6 +290,7 @@ fn relief_compliance(model: &Model, a: f64) -> Option<[f64; 2]> {
         Relief::Bare => return None,
         Relief::Map(map) => if_any(map.mean_compliance())?,
         Relief::Custom(custom) => if_any(custom.mean_compliance(a))?,
+        Relief::Recesses(recesses) => if_any(recesses.mean_compliance())?,
         Relief::Film(film) => [film.compliance(), 0.0],
         // A cylinder also indents the foundation, by about C(1/r) more than a uniform pressure would.
         Relief::Cylinders(cylinders) => {

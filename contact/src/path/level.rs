@@ -170,7 +170,7 @@ impl Level {
         let (solution, region, effort) = self.solve_from(start, load, options, watch)?;
         let field = self.field(model, &region, &solution.pressure);
         Ok(LevelResult {
-            summary: Summary::of(&field, solution.force),
+            summary: Summary::of(&field, solution.force, options.averaging_length),
             rough: None,
             slope: None,
             solution,
@@ -359,6 +359,7 @@ impl LevelResult {
             contact_area: self.summary.contact_area,
             edge_uncertainty: self.summary.edge_uncertainty,
             max_pressure: self.summary.max_pressure,
+            averaged_pressure: self.summary.max_averaged_pressure,
             peak_place: self.summary.peak_place,
             meets_outline: self.summary.meets_outline,
         }

@@ -1,7 +1,7 @@
 //! Warnings about a result: limits of the grid and of the model.
 
 use pellicle_influence::{ElasticBody, RadialTables};
-use pellicle_texture::{Grid, Relief};
+use pellicle_texture::Grid;
 
 use crate::{
     Boundary, ContactError, ContactSlope, Domain, Indenter, Load, Model, ModelLimit, Profile as _,
@@ -47,8 +47,8 @@ pub(crate) const EDGE_MARGIN: usize = 3;
 #[must_use]
 pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    if let Relief::Cylinders(cylinders) = &model.relief {
-        let elements_per_radius = cylinders.radius() / grid.element_side();
+    if let Some(radius) = model.relief.feature_radius() {
+        let elements_per_radius = radius / grid.element_side();
         if elements_per_radius < FEWEST_ELEMENTS_PER_RADIUS {
             warnings.push(Warning::TextureUnderResolved {
                 elements_per_radius,

@@ -42,6 +42,9 @@ pub struct LevelValues {
     /// Largest pressure, in Pa.
     #[serde(deserialize_with = "nan_from_null")]
     pub max_pressure: f64,
+    /// Largest pressure averaged over a disc, in Pa; none if no diameter is stated, or an element is wider.
+    #[serde(skip)]
+    pub averaged_pressure: Option<f64>,
     /// The place of the largest pressure.
     #[serde(skip)]
     pub peak_place: PeakPlace,
@@ -74,6 +77,9 @@ pub struct GridError {
     pub contact_area: Option<ErrorEstimate>,
     /// Error of the largest pressure, in Pa. Never resolved at an edge, where it grows with the grid.
     pub max_pressure: Option<ErrorEstimate>,
+    /// Error of the largest averaged pressure, in Pa; none without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_averaged_pressure: Option<ErrorEstimate>,
     /// Elements to the shortest wave of the gap around the contact; none without a measured map. With
     /// [fewer](FEWEST_ELEMENTS_PER_WAVE) no number is resolved.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -140,29 +146,32 @@ impl GridError {
             .rev()
             .take(2)
             .any(|level| level.peak_place != PeakPlace::Inside);
-        let of = |value: fn(&LevelValues) -> f64, convergence: ExpectedConvergence, more: f64| {
-            let values = levels.iter().map(|level| (level.elements, value(level)));
+        let of = |value: fn(&LevelValues) -> Option<f64>,
+                  convergence: ExpectedConvergence,
+                  more: f64| {
+            let values = levels.iter();
+            let values = values.filter_map(|level| Some((level.elements, value(level)?)));
             let found = estimate(&values.collect::<Vec<_>>(), convergence)?;
             // A prescribed value has no error.
             let is_settled = found.estimate == 0.0;
             let besides = if is_settled {
                 0.0
             } else {
-                accuracy * value(last).abs()
+                accuracy * value(last)?.abs()
             };
             let estimate = found.estimate + besides + more;
             Some(ErrorEstimate { estimate, ..found })
         };
         let peak = of(
-            |level| level.max_pressure,
+            |level| Some(level.max_pressure),
             if is_edge_peak { EDGE } else { convergence },
             0.0,
         );
         Self {
-            penetration: of(|level| level.penetration, convergence, 0.0),
-            force: of(|level| level.force, convergence, 0.0),
+            penetration: of(|level| Some(level.penetration), convergence, 0.0),
+            force: of(|level| Some(level.force), convergence, 0.0),
             contact_area: of(
-                |level| level.contact_area,
+                |level| Some(level.contact_area),
                 convergence,
                 last.edge_uncertainty,
             ),
@@ -170,6 +179,8 @@ impl GridError {
                 resolved: peak.resolved && !is_edge_peak,
                 ..peak
             }),
+            // Bounded at an edge too.
+            max_averaged_pressure: of(|level| level.averaged_pressure, convergence, 0.0),
             elements_per_wave: None,
             levels,
         }
@@ -203,6 +214,7 @@ impl GridError {
             force: unresolved(found.force),
             contact_area: unresolved(found.contact_area),
             max_pressure: unresolved(found.max_pressure),
+            max_averaged_pressure: unresolved(found.max_averaged_pressure),
             ..found
         }
     }

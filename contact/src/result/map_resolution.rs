@@ -80,7 +80,7 @@ impl<'a> MapResolution<'a> {
         let relief = match &self.model.relief {
             Relief::Map(relief) => Some(of_map(relief.map())),
             Relief::Custom(_) => Some(self.grid.element_side() / (SPACING * POINTS_PER_ELEMENT)),
-            Relief::Bare | Relief::Cylinders(_) | Relief::Film(_) => None,
+            Relief::Bare | Relief::Cylinders(_) | Relief::Recesses(_) | Relief::Film(_) => None,
         };
         let indenter = match &self.model.indenter {
             Indenter::Map(indenter) => Some(of_map(indenter.map())),

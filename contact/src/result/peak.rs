@@ -21,9 +21,9 @@ pub enum PeakPlace {
     /// Inside the contact, away from sharp features.
     #[default]
     Inside,
-    /// The outline of the relief.
+    /// The edge at an outline of the relief, sharp or with an arc that the grid does not resolve.
     Outline,
-    /// A ridge between the samples of a relief's map.
+    /// A ridge of a relief: between the samples of a map, or the sharp edge of a dimple or a V-shaped groove.
     Ridge,
     /// A rim, a tip or a ridge of the indenter.
     IndenterEdge,
@@ -70,7 +70,7 @@ impl Peak {
 /// Returns the sharp feature near a point, by geometry alone, on a grid of elements of side `side` (m).
 pub fn place_near(relief: &Relief, indenter: &Indenter, side: f64, point: [f64; 2]) -> PeakPlace {
     let is_near = |distance: f64| distance.abs() < ELEMENTS_FROM_EDGE * side;
-    if relief.distance_to_outline(point).is_some_and(is_near) {
+    if relief.distance_to_edge(point).is_some_and(is_near) {
         PeakPlace::Outline
     } else if is_near(relief.distance_to_ridge(point)) {
         PeakPlace::Ridge
@@ -83,7 +83,7 @@ pub fn place_near(relief: &Relief, indenter: &Indenter, side: f64, point: [f64; 
 
 /// Returns how much higher the vertex is than the middle, and where it lies; none if a neighbour is not in contact or
 /// no vertex lies within an element.
-fn vertex(around: &impl Fn(Place) -> f64) -> Option<(f64, [f64; 2])> {
+pub fn vertex(around: &impl Fn(Place) -> f64) -> Option<(f64, [f64; 2])> {
     let mut least = f64::INFINITY;
     for i in -1..=1 {
         for j in -1..=1 {

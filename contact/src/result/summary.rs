@@ -6,6 +6,7 @@ use pellicle_texture::nan_from_null;
 use serde::{Deserialize, Serialize};
 
 use crate::{
+    result::averaged_pressure,
     result::contact_field::ContactField,
     result::contact_shape::ContactShape,
     result::not_stored,
@@ -29,6 +30,10 @@ pub struct Summary {
     /// The place of the largest pressure.
     #[serde(skip)]
     pub peak_place: PeakPlace,
+    /// Largest pressure averaged over a disc of the [stated diameter](crate::SolverOptions::averaging_length), in Pa;
+    /// none without one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_averaged_pressure: Option<f64>,
     /// Force over contact area, in Pa; 0 without contact. It is never above the largest pressure: where the area
     /// follows from an outline and is smaller than that of the elements in contact, it is the largest pressure.
     #[serde(deserialize_with = "nan_from_null")]
@@ -77,8 +82,9 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Summarises a solved contact under the force `force` (N).
-    pub(crate) fn of(field: &ContactField<'_>, force: f64) -> Self {
+    /// Summarises a solved contact under the force `force` (N), with the pressure averaged over discs of this diameter
+    /// (m), if any.
+    pub(crate) fn of(field: &ContactField<'_>, force: f64, averaging: Option<f64>) -> Self {
         let (region, grid) = (field.region, field.grid);
         let (size, lengths) = (grid.row(), grid.lengths());
         let law = field.model.relief.spring_law();
@@ -117,6 +123,7 @@ impl Summary {
             max_pressure,
             max_pressure_at: grid.point([0; 2]),
             peak_place: PeakPlace::Inside,
+            max_averaged_pressure: averaging.map(|_| 0.0),
             mean_pressure: 0.0,
             nominal_pressure: (region.repeats()).then(|| force / grid.area()),
             contact_area: 0.0,
@@ -143,6 +150,8 @@ impl Summary {
             max_pressure: peak.pressure,
             max_pressure_at: region.first_image_of_point(peak.at),
             peak_place: peak.place,
+            max_averaged_pressure: averaging
+                .and_then(|over| averaged_pressure::largest(field, over)),
             mean_pressure: (force / shape.area).min(peak.pressure),
             contact_area: shape.area,
             edge_uncertainty: shape.uncertainty,

@@ -47,7 +47,7 @@ pub enum Warning {
         /// Largest shortening over height.
         times: f64,
     },
-    /// Few elements per radius of a cylinder.
+    /// Few elements per radius of a cylinder or a dimple, or per half width of a groove.
     TextureUnderResolved {
         /// Elements per radius.
         elements_per_radius: f64,
@@ -309,7 +309,7 @@ impl fmt::Display for Warning {
                 elements_per_radius,
             } => write!(
                 f,
-                "{} elements per cylinder radius are few; use more elements or a smaller side",
+                "{} elements per radius of a cylinder or dimple, or per half width of a groove, are few; use more elements or a smaller side",
                 decimals(elements_per_radius, 1)
             ),
             Self::MapUnderResolved {
@@ -378,7 +378,7 @@ fn unresolved_peak(
         PeakPlace::Inside => "is not resolved by the grid",
         PeakPlace::Outline => "sits at the outline of the relief and grows with the grid",
         PeakPlace::Ridge => {
-            "sits at a ridge between the samples of the map and grows with the grid"
+            "sits at a ridge of the map or at the sharp edge of a recess and grows with the grid"
         }
         PeakPlace::IndenterEdge => "sits at an edge of the indenter and grows with the grid",
     })?;

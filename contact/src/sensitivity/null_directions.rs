@@ -57,7 +57,9 @@ impl Model {
             Relief::Film(film) => {
                 Some((ReliefParameter::YoungModulus, -2.0 * film.young_modulus()))
             }
-            Relief::Cylinders(_) | Relief::Map(_) | Relief::Custom(_) => return None,
+            Relief::Cylinders(_) | Relief::Recesses(_) | Relief::Map(_) | Relief::Custom(_) => {
+                return None;
+            }
         };
         let elastic = self.tables.bodies().scaling(1.0, -1.0).into_iter();
         let elastic = elastic.map(|(of, change)| (ModelParameter::Elastic(of), change));

@@ -88,6 +88,12 @@ pub fn refuse(
         let wanted = "no stresses: those of the tension of adhesion are not computed";
         return Err(stress.unusable(&BECAUSE, wanted));
     }
+    if let Some(output) = root.optional("output")
+        && let Some(over) = output.table()?.optional("mean_pressure_over")
+    {
+        let wanted = "no length: the pressure with the tension of adhesion is not averaged";
+        return Err(over.unusable(&BECAUSE, wanted));
+    }
     if load.sensitivities {
         let wanted = "false: derivatives are those of contact without adhesion";
         return Err(field("load", "sensitivities")?.unusable(&BECAUSE, wanted));
@@ -332,6 +338,12 @@ mod tests {
             ),
             (BALL, STICKY, "[stress]", "tension of adhesion"),
             (BALL, STICKY, "[solver]\nhardness = 1", "with a hardness"),
+            (
+                BALL,
+                STICKY,
+                "[output]\nmean_pressure_over = 1e-6",
+                "not averaged",
+            ),
             (
                 BALL,
                 STICKY,

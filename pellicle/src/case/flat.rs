@@ -24,12 +24,16 @@ pub fn check(
     let (reason, wanted) = match surface {
         SurfaceCase::Bare | SurfaceCase::Film(_) => (
             "a plane without end on a smooth body, whose contact has no edge",
-            "kind = \"flat-punch\" with a radius, or a surface of kind \"rough\", \"map\" or \"cylinders\"",
+            "kind = \"flat-punch\" with a radius, or a surface of kind \"rough\", \"map\", \"cylinders\", \"dimples\" or \"grooves\"",
         ),
-        SurfaceCase::Cylinders(_) if is_free => (
-            "a plane without end on cylinders without end, which no force presses",
-            "grid.boundary = \"periodic\" with a force on one cell, or kind = \"flat-punch\" with a radius",
-        ),
+        SurfaceCase::Cylinders(_) | SurfaceCase::Dimples(_) | SurfaceCase::Grooves(_)
+            if is_free =>
+        {
+            (
+                "a plane without end on a pattern without end, which no force presses",
+                "grid.boundary = \"periodic\" with a force on one cell, or kind = \"flat-punch\" with a radius",
+            )
+        }
         SurfaceCase::Function(_) if is_free && grid.side.is_none() => (
             "a plane without end on a relief without end",
             "grid.side, the side of the square that it is pressed on",

@@ -1,19 +1,23 @@
 //! `[output]`: the fields and pictures that a run writes.
 
 use serde::Serialize;
+use serde_json::Value;
 
 use crate::declare::macros::record;
-use crate::declare::{Codec, list, word};
+use crate::declare::{Codec, length, list, word};
 
 record! {
-    /// The files that a run writes in addition to summary, curve and report.
-    #[derive(Eq)]
+    /// The files that a run writes in addition to summary, curve and report, and a number beyond those that every run
+    /// has.
     pub struct OutputCase {
         fields: Steps = word(STEPS).or(Steps::Last, "\"last\""), "loading steps whose fields are written";
         pictures: Steps = word(STEPS).or(Steps::Last, "\"last\""),
             "loading steps whose pictures are drawn; with \"none\", those of the whole run are left out too";
         formats: Vec<Format> = list(word(FORMATS), FORMATS_WANTED).map(distinct).or(vec![Format::Npz], "[\"npz\"]"),
             "formats of the fields";
+        #[serde(skip_serializing_if = "Option::is_none")]
+        mean_pressure_over: Option<f64> = length().positive().optional("none"),
+            "diameter of a disc over which the pressure is averaged: the largest average is a result beside the largest pressure";
     }
 }
 
@@ -96,11 +100,26 @@ impl Default for OutputCase {
             fields: Steps::Last,
             pictures: Steps::Last,
             formats: vec![Format::Npz],
+            mean_pressure_over: None,
         }
     }
 }
 
 impl OutputCase {
+    /// Removes the choice of files from a case as JSON: it changes no result.
+    pub fn leave_out_files(case: &mut Value) {
+        let Some(Value::Object(output)) = case.get_mut("output") else {
+            return;
+        };
+        for key in ["fields", "pictures", "formats"] {
+            output.remove(key);
+        }
+        let is_empty = output.is_empty();
+        if let Some(case) = case.as_object_mut().filter(|_| is_empty) {
+            case.remove("output");
+        }
+    }
+
     /// Sets the formats, dropping duplicates.
     pub fn set_formats(&mut self, formats: &[Format]) {
         self.formats = formats.to_vec();
@@ -140,6 +159,22 @@ mod tests {
     }
 
     #[test]
+    fn only_the_choice_of_files_is_left_out_of_what_changes_results() {
+        let left = |text: &str| {
+            let output = serde_json::to_value(read(text).unwrap()).unwrap();
+            let mut case = serde_json::json!({ "title": "a", "output": output });
+            OutputCase::leave_out_files(&mut case);
+            case.to_string()
+        };
+        assert_eq!(left("fields = \"all\""), r#"{"title":"a"}"#);
+        let over = left("mean_pressure_over = 0.5");
+        assert_eq!(over, r#"{"title":"a","output":{"mean_pressure_over":0.5}}"#);
+        let mut without = serde_json::json!({ "title": "a" });
+        OutputCase::leave_out_files(&mut without);
+        assert_eq!(without.to_string(), r#"{"title":"a"}"#);
+    }
+
+    #[test]
     fn invalid_steps_and_formats_are_rejected_with_the_valid_choices() {
         for (text, wanted) in [
             ("fields = \"lats\"", "\"all\", \"last\", \"none\""),
@@ -148,6 +183,7 @@ mod tests {
             ("formats = []", "fields = \"none\""),
             ("formats = \"npz\"", "a list of"),
             ("picture = \"all\"", "fields, pictures, formats"),
+            ("mean_pressure_over = \"0 um\"", "a positive length"),
         ] {
             let message = read(text).unwrap_err();
             assert!(message.contains(wanted), "{message}");

@@ -30,19 +30,7 @@ pub fn fit(
     if let Some(half_space) = half_space(foundation, indenter) {
         refuse_penetration(root, half_space)?;
     }
-    if let SurfaceCase::Cylinders(cylinders) = surface {
-        let fits = sides.into_iter().all(|side| {
-            let count = side / cylinders.period;
-            (count - count.round()).abs() <= LEEWAY * count && count > 0.5
-        });
-        if cylinders.lattice != LatticeCase::Square {
-            return Err(unusable(root, "surface", &["lattice"], "\"square\""));
-        }
-        if !fits {
-            let wanted = "a period that divides the sides of the cell";
-            return Err(unusable(root, "surface", &["period"], wanted));
-        }
-    }
+    refuse_pattern(root, surface, sides)?;
     let repetition = indenter.repetition();
     let maps = [
         ("surface", surface.map_mut(), Repetition::InPlace),
@@ -66,6 +54,35 @@ pub fn fit(
         map.repeat(how);
     }
     Ok(())
+}
+
+/// Rejects a pattern that does not continue from one cell to the next.
+fn refuse_pattern(
+    root: &TableReader<'_>,
+    surface: &SurfaceCase,
+    [x, y]: [f64; 2],
+) -> Result<(), Diagnosis> {
+    let Ok(relief) = surface.build() else {
+        return Ok(());
+    };
+    let fits = |vector: [f64; 2], side: f64| {
+        let misfit = relief.distance_to_translation(vector);
+        misfit.is_none_or(|misfit| misfit <= LEEWAY * side)
+    };
+    if fits([x, 0.0], x) && fits([0.0, y], y) {
+        return Ok(());
+    }
+    let lattice = match surface {
+        SurfaceCase::Cylinders(cylinders) => cylinders.lattice,
+        SurfaceCase::Dimples(dimples) => dimples.lattice,
+        _ => LatticeCase::Square,
+    };
+    if lattice != LatticeCase::Square {
+        return Err(unusable(root, "surface", &["lattice"], "\"square\""));
+    }
+    let wanted = "a period that divides the sides of the cell, along the pattern's rotation";
+    let keys = ["period", "area_fraction"];
+    Err(unusable(root, "surface", &keys, wanted))
 }
 
 /// Rejects a nominal pressure on a square that does not repeat: the area on which it acts is that of the cell.

@@ -81,6 +81,7 @@ impl Case {
         SolverOptions {
             coarse_pressures: self.stress.is_some(),
             hardness: self.hardness().unwrap_or(f64::INFINITY),
+            averaging_length: self.output.mean_pressure_over,
             ..self.solver.options()
         }
     }

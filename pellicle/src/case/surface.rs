@@ -1,18 +1,22 @@
 //! `[surface]`: the relief of springs that the foundation carries.
 
+mod patterns;
+
 use pellicle_texture::{
-    CustomRelief, CylinderSpec, Cylinders, Film, Lattice, MapCompliance, Relief, ReliefMap,
-    TextureError,
+    CustomRelief, Cylinders, Film, MapCompliance, Relief, ReliefMap, TextureError,
 };
 use serde::Serialize;
 
+pub use self::patterns::{
+    CylindersCase, DimplesCase, GrooveProfileCase, GroovesCase, LatticeCase, SpacingCase,
+};
 use super::caller_shape::{self, CallerShape};
 use super::map::MapCase;
 use super::map_sources::MapSources;
 use super::spring_law::LawCase;
 use crate::declare::macros::{kinds, one_of, record};
 use crate::declare::{
-    Codec, Kinds, Presence, Scope, Shape, compliance, length, pair, part, pressure, word,
+    Codec, Kinds, Presence, Scope, Shape, compliance, length, part, pressure, word,
 };
 use crate::input::diagnosis::{Diagnosis, Fault};
 use crate::input::dimension::{Dimension, Sign};
@@ -24,6 +28,8 @@ kinds! {
     pub enum SurfaceCase default "bare" {
         Bare                     = "bare",      "the body's plane surface";
         Cylinders(CylindersCase) = "cylinders", "periodic elastic cylinders";
+        Dimples(DimplesCase)     = "dimples",   "spherical caps below the plane, in a pattern";
+        Grooves(GroovesCase)     = "grooves",   "straight channels below the plane, in a pattern";
         Film(FilmCase)           = "film",      "a film that covers everything";
         Map(ReliefMapCase)       = "map",       "a measured relief of springs on the body";
         Rough(MapCase)           = "rough",     "the body's own measured surface";
@@ -31,27 +37,6 @@ kinds! {
     outside {
         Function(ReliefFunctionCase), "a relief given by the caller's functions";
     }
-}
-
-record! {
-    /// Periodic elastic cylinders.
-    #[derive(Copy)]
-    pub struct CylindersCase {
-        radius: f64 = length().positive(), "radius of a cylinder";
-        height: f64 = length().positive(), "height of a cylinder";
-        period: f64 = length().positive(), "distance between neighbouring axes";
-        lattice: LatticeCase = word(LATTICES).or(LatticeCase::Square, "\"square\""), "arrangement of the axes";
-        offset: [f64; 2] = pair(length(), "a list of two lengths, [x, y]").or([0.0, 0.0], "[0, 0]"),
-            "position of one axis relative to the indenter's";
-        young_modulus: f64 = pressure().positive().or_else(of_the_surface, "that of the body's top"),
-            "Young's modulus of the cylinders";
-        law: LawCase = word(LawCase::WORDS).or(LawCase::Linear, "\"linear\""), "law of the springs";
-    }
-    check |cylinders: &CylindersCase, table: &TableReader<'_>, _: &Scope<'_>| {
-        // Every number is in range here, so only an overlap can be rejected.
-        let refused = |error| Err(table.required("radius", "")?.refused(&error));
-        cylinders.build().map_or_else(refused, |_| Ok(()))
-    };
 }
 
 record! {
@@ -134,21 +119,6 @@ pub struct ReliefFunctionCase {
     pub compliance: Option<f64>,
 }
 
-/// The lattice of the cylinders.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum LatticeCase {
-    /// Four neighbours each.
-    Square,
-    /// Six neighbours each.
-    Hexagonal,
-}
-
-const LATTICES: &[(&str, LatticeCase)] = &[
-    ("square", LatticeCase::Square),
-    ("hexagonal", LatticeCase::Hexagonal),
-];
-
 /// The requirement on a map whose springs stiffen.
 const NO_HEIGHT: &str =
     "\"linear\", or young_modulus in place of compliance, with which springs have a height";
@@ -184,6 +154,8 @@ impl SurfaceCase {
         match self {
             Self::Bare => Ok(Relief::Bare),
             Self::Cylinders(cylinders) => cylinders.build().map(Relief::Cylinders),
+            Self::Dimples(dimples) => dimples.build().map(Relief::Recesses),
+            Self::Grooves(grooves) => grooves.build().map(Relief::Recesses),
             Self::Film(film) => film.build().map(Relief::Film),
             Self::Map(map) => map.build().map(Relief::Map),
             Self::Function(function) => function.build().map(Relief::Custom),
@@ -255,27 +227,6 @@ impl ReliefMapCase {
     }
 }
 
-impl CylindersCase {
-    fn build(&self) -> Result<Cylinders, TextureError> {
-        let lattice = match self.lattice {
-            LatticeCase::Square => Lattice::Square,
-            LatticeCase::Hexagonal => Lattice::Hexagonal,
-        };
-        let cylinders = Cylinders::new(CylinderSpec {
-            lattice,
-            radius: self.radius,
-            height: self.height,
-            period: self.period,
-            offset: self.offset,
-            young_modulus: self.young_modulus,
-        })?;
-        Ok(match self.law {
-            LawCase::Linear => cylinders,
-            LawCase::Logarithmic => cylinders.stiffening(),
-        })
-    }
-}
-
 /// Adds to the diagnosis of a rough surface with springs that it has none.
 fn springs_need_a_map(table: &TableReader<'_>, diagnosis: Diagnosis) -> Diagnosis {
     const SPRINGS: [&str; 3] = ["compliance", "young_modulus", LawCase::KEY];
@@ -305,18 +256,7 @@ impl From<Film> for SurfaceCase {
 
 impl From<Cylinders> for SurfaceCase {
     fn from(of: Cylinders) -> Self {
-        Self::Cylinders(CylindersCase {
-            radius: of.radius(),
-            height: of.height(),
-            period: of.period(),
-            lattice: match of.lattice() {
-                Lattice::Square => LatticeCase::Square,
-                Lattice::Hexagonal => LatticeCase::Hexagonal,
-            },
-            offset: of.offset(),
-            young_modulus: of.young_modulus(),
-            law: of.spring_law().into(),
-        })
+        Self::Cylinders(of.into())
     }
 }
 

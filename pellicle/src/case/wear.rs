@@ -104,6 +104,8 @@ pub fn check(
     }
     let law = match surface {
         SurfaceCase::Cylinders(of) => of.law,
+        SurfaceCase::Dimples(of) => of.law,
+        SurfaceCase::Grooves(of) => of.law,
         SurfaceCase::Film(of) => of.law,
         SurfaceCase::Map(of) => of.law,
         SurfaceCase::Bare | SurfaceCase::Rough(_) | SurfaceCase::Function(_) => LawCase::Linear,

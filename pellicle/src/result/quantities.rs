@@ -56,6 +56,9 @@ quantities! {
     "max_pressure_at" "max pressure at" "x, y" PLACE, Contact
         "where the pressure is largest, the first of several equal places"
         = |step| Some(step.summary.max_pressure_at);
+    "max_averaged_pressure" "max averaged pressure" "" PASCAL, Averaged
+        "largest pressure averaged over a disc as wide as mean_pressure_over"
+        = |step| step.summary.max_averaged_pressure, within |error| error.max_averaged_pressure;
     "mean_pressure" "mean pressure" "" PASCAL, Contact
         "force over contact area, never above the largest pressure; 0 without contact"
         = |step| Some(step.summary.mean_pressure);

@@ -71,6 +71,8 @@ pub enum Part {
     Relief,
     /// Those with a nominal area: of a periodic cell or a measured map.
     Nominal,
+    /// Those with a length over which the pressure is averaged.
+    Averaged,
     /// Those with a hardness.
     Hardness,
     /// Those with wear.
@@ -89,6 +91,7 @@ impl Part {
             Self::Contact | Self::Relief | Self::Solution => "always",
             Self::Touching => "with contact",
             Self::Nominal => "in a periodic cell or with a measured map",
+            Self::Averaged => "with output.mean_pressure_over",
             Self::Hardness => "with a hardness",
             Self::Wear => "with wear",
             Self::Rough => "with a measured map",
@@ -111,6 +114,7 @@ impl Part {
         match self {
             Self::Contact | Self::Touching | Self::Relief | Self::Solution => true,
             Self::Nominal => has_map || case.grid.boundary == BoundaryCase::Periodic,
+            Self::Averaged => case.output.mean_pressure_over.is_some(),
             Self::Hardness => case.hardness().is_some(),
             Self::Wear => case.wear.is_some(),
             Self::Rough => has_map,

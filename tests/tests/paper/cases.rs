@@ -42,6 +42,9 @@ pub enum Coating {
 pub enum PaperCase {
     /// Fig. 2: soft coating, small load.
     Fig2a,
+    /// Fig. 2(a) on a square just larger than the contact, with edges of the cylinders rounded by so many percent of
+    /// their height.
+    Rounded(u8),
     /// Fig. 2: stiff coating, small load.
     Fig2b,
     /// Fig. 2: soft coating, six times the load.
@@ -101,6 +104,7 @@ impl PaperCase {
         let [soft, stiff] = [Coating::Soft, Coating::Stiff];
         match self {
             Self::Fig2a => textured(soft, 1.0, 80, 0.08, &[0.3571e-4]),
+            Self::Rounded(percent) => rounded(percent),
             Self::Fig2b => textured(stiff, 1.0, 80, 0.08, &[0.3571e-5]),
             Self::Fig2c => textured(soft, 1.0, 80, 0.12, &[2.1426e-4]),
             Self::Fig2d => textured(stiff, 1.0, 80, 0.14, &[2.1426e-5]),
@@ -155,6 +159,16 @@ fn textured(
     let model = model(&body(coating, young_modulus), relief, paraboloid(1.0));
     let loads = forces.iter().copied().map(Load::Force).collect();
     (model, Domain::Side(side), loads)
+}
+
+/// Fig. 2(a) with rounded cylinders.
+fn rounded(percent: u8) -> (Model, Domain, Vec<Load>) {
+    let (mut model, domain, loads) = textured(Coating::Soft, 1.0, 80, 0.034, &[0.3571e-4]);
+    if let Relief::Cylinders(cylinders) = model.relief {
+        let rounded = cylinders.rounded(f64::from(percent) / 100.0 * HEIGHT);
+        model.relief = Relief::Cylinders(rounded.expect("at most the height"));
+    }
+    (model, domain, loads)
 }
 
 /// A Berkovich pyramid with a tip radius of 400 nm on the stiff coating of 10 nm, in SI units.

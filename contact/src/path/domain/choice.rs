@@ -204,7 +204,10 @@ fn judge(
 fn is_resolved_by(model: &Model, grid: &Grid) -> bool {
     let is_relief_resolved = match &model.relief {
         Relief::Bare | Relief::Film(_) => true,
-        Relief::Cylinders(cylinders) => cylinders.radius() >= grid.element_side(),
+        Relief::Cylinders(_) | Relief::Recesses(_) => {
+            let radius = model.relief.feature_radius();
+            radius.is_some_and(|radius| radius >= grid.element_side())
+        }
         Relief::Map(_) | Relief::Custom(_) => false,
     };
     is_relief_resolved

@@ -1,7 +1,7 @@
 //! Warnings at their thresholds.
 
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
-use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice};
+use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
 use super::*;
 use crate::{Domain, Paraboloid, SolverOptions, solve_path};

@@ -13,6 +13,7 @@ fn levels(values: &[f64]) -> Vec<LevelValues> {
             contact_area: values[l],
             edge_uncertainty: 0.0,
             max_pressure: values[l],
+            averaged_pressure: None,
             peak_place: PeakPlace::Inside,
             meets_outline: false,
         })

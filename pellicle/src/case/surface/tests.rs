@@ -108,3 +108,100 @@ fn invalid_surfaces_are_rejected() {
         assert!(read(&format!("{CYLINDERS}{change}")).is_err(), "{change}");
     }
 }
+
+const DIMPLES: &str = "kind = \"dimples\"\nradius = 1\ndepth = 0.2\n";
+const GROOVES: &str = "kind = \"grooves\"\nwidth = 1\ndepth = 0.2\n";
+
+#[test]
+fn impossible_patterns_are_refused_at_the_key_that_makes_them_so() {
+    let cylinders: &[_] = &[
+        ("edge_radius = 1.1", "edge_radius", "at most 1.0"),
+        ("edge_radius = -1", "edge_radius", "found -1"),
+    ];
+    let dimples: &[_] = &[
+        ("period = 1.9", "radius", "overlapping circles"),
+        ("area_fraction = 1", "area_fraction", "between 0 and 1"),
+        ("area_fraction = 0.8", "area_fraction", "at most 0.7854"),
+        (
+            "area_fraction = 0.91\nlattice = \"hexagonal\"",
+            "area_fraction",
+            "at most 0.9069",
+        ),
+        (
+            "period = 3\narea_fraction = 0.1",
+            "area_fraction",
+            "found period and area_fraction",
+        ),
+        ("", "period", "exactly one of period and area_fraction"),
+        (
+            "period = 2.1\nedge_radius = 1",
+            "edge_radius",
+            "more than the period",
+        ),
+        ("period = 3\nlaw = \"logarithmic\"", "law", "young_modulus"),
+    ];
+    let grooves: &[_] = &[
+        ("period = 0.9", "width", "less than the period"),
+        (
+            "period = 2\nedge_radius = 0.3",
+            "edge_radius",
+            "at most 0.2",
+        ),
+        (
+            "period = 2\nprofile = \"sine\"\nedge_radius = 0.1",
+            "edge_radius",
+            "at most 0",
+        ),
+        ("area_fraction = 0", "area_fraction", "between 0 and 1"),
+    ];
+    let all = [
+        (CYLINDERS, cylinders),
+        (DIMPLES, dimples),
+        (GROOVES, grooves),
+    ];
+    for (kind, faults) in all {
+        for (more, key, reason) in faults {
+            let message = read(&format!("{kind}{more}")).unwrap_err();
+            let names_the_key = message.contains(&format!("key `{key}`"));
+            assert!(
+                names_the_key && message.contains(reason),
+                "{more}: {message}"
+            );
+        }
+    }
+    let deep = read(&DIMPLES.replace("0.2", "1.2\nperiod = 3")).unwrap_err();
+    assert!(
+        deep.contains("key `depth`") && deep.contains("half a sphere"),
+        "{deep}"
+    );
+}
+
+#[test]
+fn a_pattern_is_the_same_by_its_period_and_by_its_area_fraction() {
+    let build = |text: String| read(&text).unwrap().build().unwrap();
+    for (kind, period, fraction) in [
+        (DIMPLES, 4.0, std::f64::consts::PI / 16.0),
+        (GROOVES, 4.0, 0.25),
+    ] {
+        let relief = build(format!("{kind}area_fraction = {fraction}"));
+        for vector in [[period, 0.0], [0.0, period]] {
+            let misfit = relief.distance_to_translation(vector).unwrap();
+            assert!(misfit < 1e-14, "{kind}: {misfit}");
+        }
+    }
+}
+
+#[test]
+fn recesses_are_in_the_bodys_own_surface_unless_they_have_a_modulus() {
+    let springs = |more: &str| {
+        let relief = read(&format!("{DIMPLES}period = 3\n{more}"))
+            .unwrap()
+            .build();
+        relief.unwrap().height()
+    };
+    assert_eq!(springs(""), None);
+    assert_eq!(
+        springs("young_modulus = 1\nlaw = \"logarithmic\""),
+        Some(0.2)
+    );
+}
