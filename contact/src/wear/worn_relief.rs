@@ -23,8 +23,8 @@ pub struct WornRelief {
 }
 
 impl WornRelief {
-    /// The value at a point of a field on the grid, by bilinear interpolation between elements that can wear; beyond the
-    /// outer centres that of the nearest.
+    /// The value at a point of a field on the grid, by bilinear interpolation between elements that can wear; beyond
+    /// the outer centres that of the nearest.
     fn value(&self, field: &[f64], point: [f64; 2]) -> f64 {
         let lengths = self.grid.lengths();
         let [(i, u), (j, v)] = [0, 1].map(|axis: usize| {
