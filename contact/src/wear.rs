@@ -185,6 +185,8 @@ struct WearRun<'a> {
     grid: Grid,
     /// Largest depth of wear of each element, m: the height of its spring, infinite without one.
     most: Vec<f64>,
+    /// Whether an element can wear.
+    wears: Arc<Vec<bool>>,
     distance: f64,
     depth: Vec<f64>,
     /// The latest pressures, Pa.
@@ -232,6 +234,7 @@ impl<'a> WearRun<'a> {
                 ..options
             },
             grid,
+            wears: Arc::new(most.iter().map(|most| *most > 0.0).collect()),
             most,
             distance: 0.0,
             depth: vec![0.0; grid.len()],
@@ -446,6 +449,7 @@ impl<'a> WearRun<'a> {
         Relief::custom(WornRelief {
             base: self.model.relief.clone(),
             grid: self.grid,
+            wears: self.wears.clone(),
             depth: Arc::new(depth.to_vec()),
             shorter: Arc::new(shorter.to_vec()),
             softer: softer.map(Arc::new),

@@ -6,11 +6,14 @@ use pellicle_texture::{Grid, Relief, ReliefShape};
 
 /// A relief lowered by the depth of wear, its springs shorter by the same, and softer by what a step wears.
 ///
-/// Between the centres of the grid, as coarser grids need, depths are interpolated; at the centres they are exact.
+/// Between the centres of the grid, as coarser grids need, depths are interpolated between elements that can wear; at
+/// the centres they are exact.
 #[derive(Debug, Clone)]
 pub struct WornRelief {
     pub base: Relief,
     pub grid: Grid,
+    /// Whether an element can wear: those between the tops of a relief cannot.
+    pub wears: Arc<Vec<bool>>,
     /// Depth of wear, m.
     pub depth: Arc<Vec<f64>>,
     /// By how much springs are shorter, m.
@@ -20,8 +23,8 @@ pub struct WornRelief {
 }
 
 impl WornRelief {
-    /// The value at a point of a field on the grid, by bilinear interpolation; beyond the outer centres that of the
-    /// nearest.
+    /// The value at a point of a field on the grid, by bilinear interpolation between elements that can wear; beyond
+    /// the outer centres that of the nearest.
     fn value(&self, field: &[f64], point: [f64; 2]) -> f64 {
         let lengths = self.grid.lengths();
         let [(i, u), (j, v)] = [0, 1].map(|axis: usize| {
@@ -38,20 +41,35 @@ impl WornRelief {
                 .min(last);
             (first, place - place.floor())
         });
-        let at =
-            |i: usize, j: usize| field[i.min(lengths[0] - 1) * lengths[1] + j.min(lengths[1] - 1)];
-        let along = |i: usize| {
-            if v == 0.0 {
-                at(i, j)
-            } else {
-                (1.0 - v) * at(i, j) + v * at(i, j + 1)
-            }
-        };
-        if u == 0.0 {
-            along(i)
-        } else {
-            (1.0 - u) * along(i) + u * along(i + 1)
+        if u == 0.0 && v == 0.0 {
+            return field[i * lengths[1] + j];
         }
+        let (mut sum, mut total) = (0.0, 0.0);
+        for (row, of_row) in [(i, 1.0 - u), (i + 1, u)] {
+            for (column, of_column) in [(j, 1.0 - v), (j + 1, v)] {
+                let element = row.min(lengths[0] - 1) * lengths[1] + column.min(lengths[1] - 1);
+                if self.wears[element] {
+                    sum += of_row * of_column * field[element];
+                    total += of_row * of_column;
+                }
+            }
+        }
+        if total > 0.0 { sum / total } else { 0.0 }
+    }
+
+    /// The values at some points of a relief with these compliances there; 0 between its tops.
+    fn values(&self, field: &[f64], compliances: &[f64], points: &[[f64; 2]]) -> Vec<f64> {
+        let has_springs = self.base.spring_modulus().is_some();
+        let points = points.iter().zip(compliances);
+        points
+            .map(|(point, compliance)| {
+                if has_springs && *compliance == 0.0 {
+                    0.0
+                } else {
+                    self.value(field, *point)
+                }
+            })
+            .collect()
     }
 }
 
@@ -60,21 +78,27 @@ const ON_CENTRE: f64 = 1e-6;
 
 impl ReliefShape for WornRelief {
     fn profile(&self, points: &[[f64; 2]]) -> Vec<f64> {
-        let base = self.base.profile_at(points).into_iter().zip(points);
-        base.map(|(profile, point)| profile - self.value(&self.depth, *point))
-            .collect()
+        let depths = self.values(&self.depth, &self.base.compliance_at(points), points);
+        let base = self.base.profile_at(points).into_iter().zip(depths);
+        base.map(|(profile, depth)| profile - depth).collect()
     }
 
     fn compliance(&self, points: &[[f64; 2]]) -> Vec<f64> {
         let per_length = self.base.spring_modulus().map_or(0.0, f64::recip);
-        let base = self.base.compliance_at(points).into_iter().zip(points);
-        base.map(|(compliance, point)| {
-            // η = (h − d)/E
-            let springs = (compliance - per_length * self.value(&self.shorter, *point)).max(0.0);
-            let softer = self.softer.as_ref();
-            springs + softer.map_or(0.0, |softer| self.value(softer, *point))
-        })
-        .collect()
+        let base = self.base.compliance_at(points);
+        let shorter = self.values(&self.shorter, &base, points);
+        // η = (h − d)/E
+        let springs = base.iter().zip(shorter);
+        let mut sum: Vec<f64> = springs
+            .map(|(compliance, shorter)| (compliance - per_length * shorter).max(0.0))
+            .collect();
+        if let Some(softer) = &self.softer {
+            let softer = self.values(softer, &base, points);
+            sum.iter_mut()
+                .zip(softer)
+                .for_each(|(sum, softer)| *sum += softer);
+        }
+        sum
     }
 }
 
@@ -89,6 +113,7 @@ mod tests {
         let worn = WornRelief {
             base: Relief::Film(Film::new(1.0, 4.0).unwrap()),
             grid,
+            wears: Arc::new(vec![true; 4]),
             depth: Arc::new(vec![0.0, 0.2, 0.4, 2.0]),
             shorter: Arc::new(vec![0.0, 0.2, 0.4, 2.0]),
             softer: Some(Arc::new(vec![0.0, 0.0, 1.0, 0.0])),
