@@ -53,4 +53,5 @@ mod study_fields;
 mod study_report;
 mod surface;
 mod tables;
+mod two_bodies;
 mod writing;

@@ -1,6 +1,8 @@
 //! Limits of solved contacts, from closed forms, exact fields, and the definition.
 
-use pellicle_influence::Depth;
+use std::sync::Arc;
+
+use pellicle_influence::{Depth, ElasticBodies, RadialTables};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material, Side};
 use pellicle_texture::Film;
 
@@ -120,6 +122,45 @@ fn a_layer_on_a_rigid_base_is_shortened_by_the_penetration() {
             assert_eq!(step.status(), wanted, "{depth}");
         }
     }
+}
+
+#[test]
+fn the_layer_of_an_indenter_is_pressed_through_as_that_of_a_foundation() {
+    let gel = body(&[[1e-6, 1e6, 0.45]], Base::Rigid);
+    let on_rigid = Model::on(&gel, Relief::Bare, Sphere::new(1e-3).unwrap());
+    let under_rigid = on_rigid.seen_from(ElasticBody::Counterbody);
+    let loads = [0.5, 2.0].map(|depth| Load::Penetration(depth * 1e-6));
+    let options = SolverOptions::default();
+    let solved = |model: &Model| {
+        solve_path(model, Domain::Automatic, 64, &loads, &options, &mut ()).unwrap()
+    };
+    let (own, others) = (solved(&on_rigid), solved(&under_rigid));
+    let of = ElasticBody::Counterbody;
+    for (own, other) in own.steps.iter().zip(&others.steps) {
+        let base = ratio(other, |limit| limit == ModelLimit::RigidBase { of }).unwrap();
+        let layer = ModelLimit::LayerThickness { of, layer: 0 };
+        let layer = ratio(other, |limit| limit == layer).unwrap();
+        assert!((layer - of_layer(own)).abs() <= 0.0 && base > 0.4);
+        assert_eq!(own.status(), other.status());
+    }
+    assert_eq!(others.steps[1].status(), Status::BeyondModel);
+}
+
+#[test]
+fn a_soft_indenter_carries_no_more_than_its_modulus() {
+    let hard = Foundation::half_space(material(1000.0, 0.3));
+    let bodies = ElasticBodies::new(hard.clone(), material(1.0, 0.3));
+    let model = Model {
+        tables: Arc::new(RadialTables::of_bodies(&bodies).unwrap()),
+        ..Model::on(&hard, Relief::Bare, Cone::new(0.42, 0.0).unwrap())
+    };
+    let (loads, options) = ([Load::Penetration(1.0)], SolverOptions::default());
+    let path = solve_path(&model, Domain::Automatic, 64, &loads, &options, &mut ()).unwrap();
+    let soft = ModelLimit::Modulus {
+        of: ElasticBody::Counterbody,
+        body: 0,
+    };
+    assert!(ratio(&path.steps[0], |limit| limit == soft).unwrap() > 1.0);
 }
 
 #[test]
