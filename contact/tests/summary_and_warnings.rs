@@ -210,6 +210,7 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
             Warning::DomainEdge { step, elements } => (step, elements as f64),
             Warning::CutOff { step, .. } => (step, 0.0),
             Warning::FilmShortening { step, times } => (step, times),
+            Warning::WornThrough { step, area } => (step, area),
             Warning::PeakNotResolved { step, change, .. } => (step, change),
             Warning::SteepIndenter { step, slope } => (step, slope.value()),
             Warning::LayerShortening { step, part, .. } => (step, part),

@@ -125,7 +125,7 @@ fn overlapping_cylinders_are_refused() {
     let expected = Expected {
         key: "`surface.radius`",
         line: 13,
-        found: "2.6e-8 for the radius of overlapping cylinders",
+        found: "2.6e-8 for the radius of overlapping circles",
         wanted: "at most half the period",
     };
     refuses("radius = \"20 nm\"", "radius = \"26 nm\"", &expected);

@@ -235,7 +235,7 @@ fn check_gives_the_warnings_of_the_solution() {
     };
     warns(
         &["surface.radius=5 nm"],
-        "0.4 elements per cylinder radius are few",
+        "0.4 elements per radius of a cylinder",
     );
     warns(
         &["foundation.layer.0.thickness=0.1 nm"],
@@ -259,7 +259,7 @@ fn check_gives_the_warnings_of_the_solution() {
         quiet
             .stderr
             .lines()
-            .filter(|line| !line.contains("cylinder radius"))
+            .filter(|line| !line.contains("radius of a cylinder"))
             .count(),
         0
     );

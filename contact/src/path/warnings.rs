@@ -232,6 +232,7 @@ fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
     [
         not_converged,
         shortening(model, index, step),
+        worn_through(index, step),
         peak(index, step),
         steepness(index, step),
         limits(index, step),
@@ -251,6 +252,11 @@ pub fn relative_shortening(model: &Model, step: &Step) -> Option<f64> {
 fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
     let times = relative_shortening(model, step)?;
     (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
+}
+
+fn worn_through(index: usize, step: &Step) -> Option<Warning> {
+    let area = step.wear.as_ref()?.worn_through;
+    (area > 0.0).then_some(Warning::WornThrough { step: index, area })
 }
 
 /// Warns of an unresolved peak; never on a single grid or where the peak is the hardness.

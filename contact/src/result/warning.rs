@@ -47,6 +47,13 @@ pub enum Warning {
         /// Largest shortening over height.
         times: f64,
     },
+    /// The relief is worn through in places.
+    WornThrough {
+        /// Loading step, counted from 0.
+        step: usize,
+        /// Area that is worn through, m².
+        area: f64,
+    },
     /// Few elements per radius of a cylinder or a dimple, or per half width of a groove.
     TextureUnderResolved {
         /// Elements per radius.
@@ -138,6 +145,7 @@ impl Warning {
             Self::CutOff { .. } => "cut-off",
             Self::DomainMuchLarger { .. } => "domain-much-larger",
             Self::FilmShortening { .. } => "film-shortening",
+            Self::WornThrough { .. } => "worn-through",
             Self::TextureUnderResolved { .. } => "texture-under-resolved",
             Self::MapUnderResolved { .. } => "map-under-resolved",
             Self::LayerUnderResolved { .. } => "layer-under-resolved",
@@ -157,6 +165,7 @@ impl Warning {
             Self::DomainEdge { step, .. }
             | Self::CutOff { step, .. }
             | Self::FilmShortening { step, .. }
+            | Self::WornThrough { step, .. }
             | Self::MapUnderResolved { step, .. }
             | Self::PeakNotResolved { step, .. }
             | Self::SteepIndenter { step, .. }
@@ -304,6 +313,10 @@ impl fmt::Display for Warning {
             Self::FilmShortening { step, times } => write!(
                 f,
                 "step {step}: the relief shortens by {times:.2} times its height, beyond what linear springs describe: choose a logarithmic law"
+            ),
+            Self::WornThrough { step, area } => write!(
+                f,
+                "step {step}: {area:.3e} m² of the relief are worn through: the body below does not wear here, so less is worn than coefficient times force times distance"
             ),
             Self::TextureUnderResolved {
                 elements_per_radius,

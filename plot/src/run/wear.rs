@@ -121,7 +121,7 @@ mod tests {
         let svg = drawn(&sections).unwrap();
         assert_eq!(svg.matches("after ").count(), MOST);
         assert!(
-            svg.contains("after 0 m") && svg.contains("after 19 m"),
+            svg.contains("after 0 m") && svg.contains("after 19.000 m"),
             "{svg}"
         );
         assert!(drawn(&[]).is_none() && drawn(&sections[..1]).is_some());

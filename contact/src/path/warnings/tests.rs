@@ -4,6 +4,7 @@ use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
 use super::*;
+use crate::wear::StepWear;
 use crate::{Domain, Paraboloid, SolverOptions, solve_path};
 
 #[test]
@@ -82,6 +83,20 @@ fn a_step_is_warned_about_for_its_certificate_springs_peak_or_slope() {
     };
     assert_eq!(times, 1.5);
     step.summary.largest_shortening = 0.0;
+    let worn = |worn_through: f64| StepWear {
+        distance: 1.0,
+        volume: 1e-9,
+        max_depth: 1e-3,
+        depth: Vec::new(),
+        worn_through,
+        is_certified: true,
+        contacts: 2,
+    };
+    for (area, found) in [(0.0, vec![]), (0.25, vec!["worn-through"])] {
+        step.wear = Some(worn(area));
+        assert_eq!(codes(&model, &step), found);
+    }
+    step.wear = None;
     // f = ρ²/4: a slope of ρ/2
     let slope = step.slope.unwrap().value();
     assert!((slope / (step.summary.contact_radius / 2.0) - 1.0).abs() < 1e-6);
