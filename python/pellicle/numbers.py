@@ -46,9 +46,9 @@ class StepNumbers:
         return (number(self._summary["max_pressure_at"][0]), number(self._summary["max_pressure_at"][1]))
 
     @property
-    def max_averaged_pressure(self) -> float:
+    def max_averaged_pressure(self) -> float | None:
         """Largest pressure averaged over a disc as wide as mean_pressure_over, Pa; None if not given."""
-        return number(self._summary["max_averaged_pressure"])
+        return None if self._summary.get("max_averaged_pressure") is None else number(self._summary["max_averaged_pressure"])
 
     @property
     def mean_pressure(self) -> float:

@@ -92,7 +92,7 @@ fn property(of: &Quantity) -> String {
             "tuple[float, float]",
             format!("(number({found}[0]), number({found}[1]))"),
         ),
-        (_, Part::Touching | Part::Nominal | Part::Hardness) => (
+        (_, Part::Touching | Part::Nominal | Part::Hardness | Part::Averaged) => (
             "float | None",
             format!("None if self._summary.get(\"{key}\") is None else number({found})"),
         ),
