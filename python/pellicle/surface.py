@@ -31,12 +31,23 @@ class Bare(Surface):
 
 
 @dataclass(frozen=True)
-class Cylinders(Surface):
+class Pattern(Surface):
+    """Equal features in a pattern, which has a period or an `area_fraction`.
+
+    `offset` shifts one of them from the indenter's axis, `rotation` (radians) turns the pattern about it, and
+    `edge_radius` rounds the edges.
+    """
+
+    area_fraction: float | None = field(default=None, kw_only=True)
+    rotation: Quantity | None = field(default=None, kw_only=True)
+    edge_radius: Quantity | None = field(default=None, kw_only=True)
+
+
+@dataclass(frozen=True)
+class Cylinders(Pattern):
     """Elastic cylinders of equal radius and height on a lattice, all lengths in m.
 
-    The lattice has a period, or the `area_fraction` that the cylinders cover. `offset` shifts the axis of one
-    cylinder from that of the indenter, and `rotation` (radians) turns the lattice about it. `edge_radius` rounds the
-    edges of the tops. The Young's modulus (Pa) defaults to that of the top layer.
+    The `area_fraction` is that of their tops. The Young's modulus (Pa) defaults to that of the top layer.
     """
 
     _kind: ClassVar[str] = "cylinders"
@@ -47,18 +58,14 @@ class Cylinders(Surface):
     offset: tuple[Quantity, Quantity] | None = None
     young_modulus: Quantity | None = None
     law: Law | None = None
-    area_fraction: float | None = field(default=None, kw_only=True)
-    rotation: Quantity | None = field(default=None, kw_only=True)
-    edge_radius: Quantity | None = field(default=None, kw_only=True)
 
 
 @dataclass(frozen=True)
-class Dimples(Surface):
+class Dimples(Pattern):
     """Dimples on a lattice: spherical caps below the plane, with the radius of the rim and the depth in m.
 
-    The lattice has a period, or the `area_fraction` that the rims enclose. `edge_radius` rounds the rims. Without a
-    Young's modulus (Pa) they are in the body's own surface, with one they lie between springs, each as long as the
-    height above the deepest point.
+    The `area_fraction` is what the rims enclose. Without a Young's modulus (Pa) they are in the body's own surface,
+    with one they lie between springs, each as long as the height above the deepest point.
     """
 
     _kind: ClassVar[str] = "dimples"
@@ -69,18 +76,15 @@ class Dimples(Surface):
     offset: tuple[Quantity, Quantity] | None = None
     young_modulus: Quantity | None = None
     law: Law | None = None
-    area_fraction: float | None = field(default=None, kw_only=True)
-    rotation: Quantity | None = field(default=None, kw_only=True)
-    edge_radius: Quantity | None = field(default=None, kw_only=True)
 
 
 @dataclass(frozen=True)
-class Grooves(Surface):
+class Grooves(Pattern):
     """Straight grooves below the plane, with their width and depth in m.
 
-    They have a period, or the `area_fraction` that is their width over it. They run along y; `rotation` (radians)
-    turns them. `edge_radius` rounds their edges. Without a Young's modulus (Pa) they are in the body's own surface,
-    with one they lie between springs, each as long as the height above the deepest point.
+    The `area_fraction` is their width over the period. They run along y until they are turned. Without a Young's
+    modulus (Pa) they are in the body's own surface, with one they lie between springs, each as long as the height above
+    the deepest point.
     """
 
     _kind: ClassVar[str] = "grooves"
@@ -91,9 +95,6 @@ class Grooves(Surface):
     offset: tuple[Quantity, Quantity] | None = None
     young_modulus: Quantity | None = None
     law: Law | None = None
-    area_fraction: float | None = field(default=None, kw_only=True)
-    rotation: Quantity | None = field(default=None, kw_only=True)
-    edge_radius: Quantity | None = field(default=None, kw_only=True)
 
 
 @dataclass(frozen=True)

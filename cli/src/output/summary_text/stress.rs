@@ -1,5 +1,6 @@
 //! Stresses and critical loads in words.
 
+use pellicle::case::stress::StressedBody;
 use pellicle::display::{Unit, error_of, position, quantity, settled, significant};
 use pellicle::input::units::Units;
 use pellicle::result::extremes::{OF_BODIES, OF_INTERFACES};
@@ -19,13 +20,24 @@ impl TextColumns {
             });
             self.limited(&format!("stress in {}", body.name), limited);
         }
+        let indenter = StressedBody::Indenter.prefix();
+        let is_of_indenter =
+            (stress.extremes.bodies.iter()).any(|of| of.name.starts_with(indenter));
         for interface in &stress.extremes.interfaces {
             let limited = OF_INTERFACES.iter().filter_map(|of| {
                 let limit = of.limit?;
                 let used = (limit.used)(&interface.utilisation);
                 Some((of.name, (of.value)(interface)?, limit.strength, used))
             });
-            self.limited(&format!("stress on interface {}", interface.index), limited);
+            let of = if is_of_indenter {
+                " of the indenter"
+            } else {
+                ""
+            };
+            self.limited(
+                &format!("stress on interface {}{of}", interface.index),
+                limited,
+            );
         }
     }
 
