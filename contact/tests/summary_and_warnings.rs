@@ -222,6 +222,7 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
                 ..
             } => (step, elements_per_wave),
             Warning::TextureUnderResolved { .. }
+            | Warning::DeepRecesses { .. }
             | Warning::LayerUnderResolved { .. }
             | Warning::DomainMuchLarger { .. }
             | Warning::SteepTip { .. }

@@ -345,3 +345,22 @@ fn wear_that_is_not_computed_is_refused() {
         assert!(matches!(found, ContactError::Wear { .. }), "{found}");
     }
 }
+
+/// A ball far worn in has the volume of its cap, `V = π a⁴/(4R)`, whatever the elasticity: the domain grows with it.
+#[test]
+fn a_domain_that_was_chosen_grows_with_the_contact_that_is_worn_in() {
+    let ball = model(1.0, Relief::Bare, Paraboloid::new(1.0).unwrap());
+    let (load, options) = (Load::Force(1e-6), SolverOptions::default());
+    let volume: f64 = 1e-6;
+    let wear = wear(&[volume / 1e-6], 1e-2);
+    let path = solve_wear(&ball, Domain::Automatic, 32, load, &wear, &options, &mut ()).unwrap();
+    let found = &steps(path.clone())[0];
+    let radius = (4.0 * volume / std::f64::consts::PI).powf(0.25);
+    assert!((found.1.volume / volume - 1.0).abs() < 1e-12);
+    assert!(
+        (found.0.summary.contact_radius / radius - 1.0).abs() < 0.05,
+        "{found:?}"
+    );
+    assert!(path.grid.side() > 2.0 * radius);
+    assert!((found.1.max_depth / (radius * radius / 2.0) - 1.0).abs() < 0.05);
+}

@@ -31,8 +31,6 @@ use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use pellicle_contact::ContactError;
-use pellicle_influence::InfluenceError;
 use serde::Serialize;
 
 use self::adhesion::AdhesiveContacts;
@@ -377,44 +375,6 @@ impl Case {
             .as_ref()
             .map_or_else(StressedBody::default, |stress| stress.body);
         body.of(&self.foundation, Some(&self.indenter))
-    }
-
-    /// Returns the failure of a solution, with the key to change if the case is at fault.
-    #[must_use]
-    pub fn blame(&self, error: ContactError) -> Error {
-        let keys: &[&str] = match &error {
-            ContactError::ElementsTooLarge { .. } => &["grid.side"],
-            ContactError::BeyondHardness { .. } => &[
-                "load.force",
-                "load.forces",
-                "load.pressure",
-                "load.pressures",
-            ],
-            ContactError::WithHardness { .. } => &[
-                "solver.hardness",
-                "foundation.layer[0].hardness",
-                "foundation.substrate.hardness",
-                "indenter.body.layer[0].hardness",
-                "indenter.body.substrate.hardness",
-            ],
-            ContactError::BeyondGaps { .. } => &["load.penetration", "load.penetrations"],
-            ContactError::NothingCanTouch { .. } => {
-                &["indenter.radius", "indenter.file", "indenter.kind"]
-            }
-            ContactError::FieldValue { .. } => &[
-                "indenter.file",
-                "indenter.radius",
-                "indenter.tip_radius",
-                "indenter.kind",
-            ],
-            ContactError::Influence(InfluenceError::CoefficientNotFinite { .. }) => &[
-                "grid.side",
-                "foundation.layer[0].thickness",
-                "foundation.substrate",
-            ],
-            _ => return error.into(),
-        };
-        self.document.refused(keys, &error).into()
     }
 }
 

@@ -1,11 +1,13 @@
 //! Short paths, whose results agree with their own pressures.
 
-use pellicle_influence::ElasticBodies;
+use std::sync::Arc;
+
+use pellicle_influence::{ElasticBodies, RadialTables};
 use pellicle_kernel::Material;
-use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice};
+use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
 
 use super::*;
-use crate::{Paraboloid, Pyramid};
+use crate::{Indenter, Paraboloid, Pyramid};
 
 /// A half-space under an indenter.
 fn model(relief: Relief, indenter: impl Into<Indenter>) -> Model {

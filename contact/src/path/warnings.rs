@@ -1,7 +1,7 @@
 //! Warnings about a result: limits of the grid and of the model.
 
 use pellicle_influence::{ElasticBody, RadialTables};
-use pellicle_texture::Grid;
+use pellicle_texture::{Grid, Relief};
 
 use crate::{
     Boundary, ContactError, ContactSlope, Domain, Indenter, Load, Model, ModelLimit, Profile as _,
@@ -53,6 +53,12 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
             warnings.push(Warning::TextureUnderResolved {
                 elements_per_radius,
             });
+        }
+    }
+    if let Relief::Recesses(recesses) = &model.relief {
+        let slope = recesses.depth() / recesses.half_width();
+        if recesses.young_modulus().is_none() && slope > LARGEST_SLOPE {
+            warnings.push(Warning::DeepRecesses { slope });
         }
     }
     let bodies = ElasticBody::ALL.into_iter();

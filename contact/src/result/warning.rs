@@ -1,16 +1,10 @@
 //! Warnings about a result that is otherwise sound.
 
-use std::fmt;
+mod words;
 
 use pellicle_influence::ElasticBody;
 
-use crate::{
-    ContactSlope, CutOff, LimitRatio, ModelLimit, PeakPlace,
-    result::map_resolution::FEWEST_ELEMENTS_PER_WAVE,
-};
-
-/// A smaller relative change would be printed as 0.0 %.
-const SMALLEST_CHANGE: f64 = 5e-4;
+use crate::{ContactSlope, CutOff, LimitRatio, PeakPlace};
 
 /// A warning about the model or the grid, with its numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,6 +52,11 @@ pub enum Warning {
     TextureUnderResolved {
         /// Elements per radius.
         elements_per_radius: f64,
+    },
+    /// Recesses in the body's own surface are as deep as they are wide, or nearly so.
+    DeepRecesses {
+        /// Depth over half the width.
+        slope: f64,
     },
     /// Few elements to the shortest wave of the gap under a measured map: the grid misses summits, and none of its
     /// numbers is resolved.
@@ -146,6 +145,7 @@ impl Warning {
             Self::DomainMuchLarger { .. } => "domain-much-larger",
             Self::FilmShortening { .. } => "film-shortening",
             Self::WornThrough { .. } => "worn-through",
+            Self::DeepRecesses { .. } => "deep-recesses",
             Self::TextureUnderResolved { .. } => "texture-under-resolved",
             Self::MapUnderResolved { .. } => "map-under-resolved",
             Self::LayerUnderResolved { .. } => "layer-under-resolved",
@@ -174,269 +174,10 @@ impl Warning {
             | Self::NotConverged { step, .. } => Some(*step),
             Self::DomainMuchLarger { .. }
             | Self::SteepTip { .. }
+            | Self::DeepRecesses { .. }
             | Self::TextureUnderResolved { .. }
             | Self::LayerUnderResolved { .. }
             | Self::CoefficientAccuracy { .. } => None,
         }
-    }
-}
-
-/// ` of the indenter`; nothing of the foundation.
-fn of_body(body: ElasticBody) -> &'static str {
-    match body {
-        ElasticBody::Foundation => "",
-        ElasticBody::Counterbody => " of the indenter",
-    }
-}
-
-/// `1 element`, `2 elements`.
-fn counted(elements: usize) -> String {
-    let ending = if elements == 1 { "" } else { "s" };
-    format!("{elements} element{ending}")
-}
-
-/// Formats a number with `places` decimals, or with two digits if it would be printed as zero: `0.4`, `3.2e-5`.
-fn decimals(value: f64, places: i32) -> String {
-    if value.abs() < 10_f64.powi(-places) {
-        format!("{value:.1e}")
-    } else {
-        format!("{value:.*}", places.unsigned_abs() as usize)
-    }
-}
-
-fn in_words(slope: ContactSlope) -> String {
-    match slope {
-        ContactSlope::AtEdge(slope) if slope.is_infinite() => {
-            "the contact reaches the indenter's equator, where its slope is infinite".into()
-        }
-        ContactSlope::AtEdge(slope) => {
-            format!("the indenter's slope is {slope:.2} at the edge of the contact")
-        }
-        ContactSlope::RootMeanSquare(slope) => {
-            format!("the root-mean-square slope of the surfaces in contact is {slope:.2}")
-        }
-    }
-}
-
-/// A ratio with three digits: `1.03`, `456`, `2.9e6`.
-fn times(ratio: f64) -> String {
-    match ratio {
-        ..10.0 => format!("{ratio:.2}"),
-        ..100.0 => format!("{ratio:.1}"),
-        ..1e4 => format!("{ratio:.0}"),
-        _ => format!("{ratio:.1e}"),
-    }
-}
-
-impl LimitRatio {
-    /// The number in words, with the name of each body's layers and base, counted from the surface from 0.
-    #[must_use]
-    pub fn words(&self, name: &dyn Fn(ElasticBody, usize) -> String) -> String {
-        let times = times(self.ratio);
-        match self.limit {
-            ModelLimit::LayerThickness { of, layer } => {
-                format!(
-                    "{} is shortened by {times} times its thickness",
-                    name(of, layer)
-                )
-            }
-            ModelLimit::RigidBase { of } => {
-                let surface = match of {
-                    ElasticBody::Foundation => "the surface",
-                    ElasticBody::Counterbody => "the indenter's surface",
-                };
-                format!("{surface} is pressed to {times} times the depth of the rigid base")
-            }
-            ModelLimit::IndenterRadius => {
-                format!("the indenter is sunk by {times} times its radius")
-            }
-            ModelLimit::Modulus { of, body } => format!(
-                "{} carries a mean pressure of {times} times its Young's modulus",
-                name(of, body)
-            ),
-        }
-    }
-}
-
-impl Warning {
-    /// The sentence, with the name of each body's layers and base, counted from the surface from 0.
-    #[must_use]
-    pub fn words(&self, name: &dyn Fn(ElasticBody, usize) -> String) -> String {
-        match *self {
-            Self::LayerShortening {
-                step,
-                of,
-                layer,
-                part,
-            } => format!(
-                "step {step}: {} is shortened by {:.0} % of its thickness, beyond small strains",
-                name(of, layer),
-                100.0 * part
-            ),
-            Self::BeyondModel { step, beyond } => {
-                format!("step {step}: beyond the model: {}", beyond.words(name))
-            }
-            _ => self.to_string(),
-        }
-    }
-}
-
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::DomainEdge { step, elements } => write!(
-                f,
-                "step {step}: the contact comes within {} of the edge of the domain; choose a larger side",
-                counted(elements)
-            ),
-            Self::CutOff { step, by } => write!(
-                f,
-                "step {step}: the contact is cut off by {}",
-                match by {
-                    CutOff::Domain => "the edge of the domain: choose a larger side, or none",
-                    CutOff::ReliefMap =>
-                        "the end of the surface's map: the surface beyond it is unknown",
-                    CutOff::IndenterMap =>
-                        "the end of the indenter's map: the indenter beyond it is unknown",
-                }
-            ),
-            Self::DomainMuchLarger {
-                elements,
-                radius,
-                side,
-                wanted,
-            } => write!(
-                f,
-                "the contact, of radius about {radius:.2e}, is {} wide: a domain of side {side:.3e} is far too large; choose a side near {wanted:.2e}, or none",
-                counted(elements)
-            ),
-            Self::FilmShortening { step, times } => write!(
-                f,
-                "step {step}: the relief shortens by {times:.2} times its height, beyond what linear springs describe: choose a logarithmic law"
-            ),
-            Self::WornThrough { step, area } => write!(
-                f,
-                "step {step}: {area:.3e} m² of the relief are worn through: the body below does not wear here, so less is worn than coefficient times force times distance"
-            ),
-            Self::TextureUnderResolved {
-                elements_per_radius,
-            } => write!(
-                f,
-                "{} elements per radius of a cylinder or dimple, or per half width of a groove, are few; use more elements or a smaller side",
-                decimals(elements_per_radius, 1)
-            ),
-            Self::MapUnderResolved {
-                step,
-                elements_per_wave,
-                wanted,
-            } => write!(
-                f,
-                "step {step}: {} elements to the shortest wave of the map miss its summits: areas and pressures may be wrong many times over, and no error is known; choose at least {FEWEST_ELEMENTS_PER_WAVE} to a wave, which are {wanted} elements per side",
-                decimals(elements_per_wave, 1)
-            ),
-            Self::LayerUnderResolved {
-                of,
-                layer,
-                elements_per_thickness,
-            } => write!(
-                f,
-                "layer {layer}{} is {} elements thick: the grid barely resolves it",
-                of_body(of),
-                decimals(elements_per_thickness, 3)
-            ),
-            Self::CoefficientAccuracy { found, wanted } => write!(
-                f,
-                "the influence coefficients of these layers are accurate to {found:.1e}, wanted {wanted:.0e}: all numbers are uncertain by about as much"
-            ),
-            Self::PeakNotResolved {
-                step,
-                change,
-                place,
-            } => unresolved_peak(f, step, change, place),
-            Self::SteepIndenter { step, slope } => {
-                write!(f, "step {step}: {}, beyond small strains", in_words(slope))
-            }
-            Self::SteepTip { slope } => write!(
-                f,
-                "the indenter's slope is {slope:.2} at every depth, beyond small strains"
-            ),
-            Self::LayerShortening { .. } | Self::BeyondModel { .. } => {
-                let name =
-                    |of, body| format!("body {body}{}, counted from the surface,", of_body(of));
-                f.write_str(&self.words(&name))
-            }
-            Self::NotConverged {
-                step,
-                worst,
-                tolerance,
-            } => {
-                write!(
-                    f,
-                    "step {step} did not converge: certificate {worst:.1e}, wanted {tolerance:.1e}"
-                )
-            }
-        }
-    }
-}
-
-/// The sentence on a largest pressure that changed by this part from the previous grid.
-fn unresolved_peak(
-    f: &mut fmt::Formatter<'_>,
-    step: usize,
-    change: f64,
-    place: PeakPlace,
-) -> fmt::Result {
-    write!(f, "step {step}: the largest pressure ")?;
-    f.write_str(match place {
-        PeakPlace::Inside => "is not resolved by the grid",
-        PeakPlace::Outline => "sits at the outline of the relief and grows with the grid",
-        PeakPlace::Ridge => {
-            "sits at a ridge of the map or at the sharp edge of a recess and grows with the grid"
-        }
-        PeakPlace::IndenterEdge => "sits at an edge of the indenter and grows with the grid",
-    })?;
-    if change < SMALLEST_CHANGE {
-        return Ok(());
-    }
-    write!(
-        f,
-        "; it changed by {:.1} % from the previous grid",
-        100.0 * change
-    )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn small_values_are_not_printed_as_zero() {
-        let layer = Warning::LayerUnderResolved {
-            of: ElasticBody::Foundation,
-            layer: 0,
-            elements_per_thickness: 3.2e-5,
-        };
-        assert!(
-            layer.to_string().contains("is 3.2e-5 elements thick"),
-            "{layer}"
-        );
-        let texture = |elements_per_radius| Warning::TextureUnderResolved {
-            elements_per_radius,
-        };
-        assert!(texture(0.004).to_string().starts_with("4.0e-3 elements"));
-        assert!(texture(2.5).to_string().starts_with("2.5 elements"));
-        assert_eq!(
-            [0, 1, 2].map(counted),
-            ["0 elements", "1 element", "2 elements"]
-        );
-    }
-
-    #[test]
-    fn a_warning_about_a_load_reports_its_step() {
-        let warning = Warning::DomainEdge {
-            step: 3,
-            elements: 1,
-        };
-        assert_eq!(warning.step(), Some(3));
     }
 }

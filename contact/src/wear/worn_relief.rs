@@ -7,7 +7,7 @@ use pellicle_texture::{Grid, Relief, ReliefShape};
 /// A relief lowered by the depth of wear, its springs shorter by the same, and softer by what a step wears.
 ///
 /// Between the centres of the grid, as coarser grids need, depths are interpolated between elements that can wear; at
-/// the centres they are exact.
+/// the centres they are exact. Beyond the grid nothing is worn, as nothing is pressed.
 #[derive(Debug, Clone)]
 pub struct WornRelief {
     pub base: Relief,
@@ -23,10 +23,14 @@ pub struct WornRelief {
 }
 
 impl WornRelief {
-    /// The value at a point of a field on the grid, by bilinear interpolation between elements that can wear; beyond
-    /// the outer centres that of the nearest.
+    /// The value at a point of a field on the grid, by bilinear interpolation between elements that can wear; between
+    /// the outer centres and the edge that of the nearest, and beyond the edge 0.
     fn value(&self, field: &[f64], point: [f64; 2]) -> f64 {
         let lengths = self.grid.lengths();
+        let beyond = |axis: usize| point[axis].abs() > self.grid.sides()[axis] / 2.0;
+        if beyond(0) || beyond(1) {
+            return 0.0;
+        }
         let [(i, u), (j, v)] = [0, 1].map(|axis: usize| {
             let last = lengths[axis] - 1;
             let place = (point[axis] - self.grid.centre_along(axis, 0)) / self.grid.element_side();
@@ -125,9 +129,9 @@ mod tests {
         for (found, wanted) in compliance.iter().zip(wanted) {
             assert!((found - wanted).abs() < 1e-15, "{compliance:?}");
         }
-        // Between the centres, and beyond the outer ones.
-        let between = worn.profile(&[[0.0, 0.0], [9.0, 9.0], [-0.5, 0.25]]);
-        let wanted = [-0.65, -2.0, -0.15];
+        // Between the centres, between the outer ones and the edge, and beyond it.
+        let between = worn.profile(&[[0.0, 0.0], [0.9, 0.9], [-0.5, 0.25], [1.1, 0.9]]);
+        let wanted = [-0.65, -2.0, -0.15, 0.0];
         for (found, wanted) in between.iter().zip(wanted) {
             assert!((found - wanted).abs() < 1e-15, "{between:?}");
         }

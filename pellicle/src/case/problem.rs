@@ -1,7 +1,7 @@
 //! The problem that a case poses: its model, its loads, its domain, and the options of the solver.
 
 use pellicle_contact::{ContactError, Domain, Load, Model, SolverOptions, choose_side_at};
-use pellicle_influence::{Cache, Cached, ElasticBodies};
+use pellicle_influence::{Cache, Cached, ElasticBodies, InfluenceError};
 
 use super::{Case, stress};
 use crate::error::Error;
@@ -102,5 +102,44 @@ impl Case {
             indenter,
             cache: cache.clone(),
         }))
+    }
+
+    /// Returns the failure of a solution, with the key to change if the case is at fault.
+    #[must_use]
+    pub fn blame(&self, error: ContactError) -> Error {
+        let keys: &[&str] = match &error {
+            ContactError::ElementsTooLarge { .. } => &["grid.side"],
+            ContactError::BeyondHardness { .. } => &[
+                "load.force",
+                "load.forces",
+                "load.pressure",
+                "load.pressures",
+            ],
+            ContactError::WithHardness { .. } => &[
+                "solver.hardness",
+                "foundation.layer[0].hardness",
+                "foundation.substrate.hardness",
+                "indenter.body.layer[0].hardness",
+                "indenter.body.substrate.hardness",
+            ],
+            ContactError::BeyondGaps { .. } => &["load.penetration", "load.penetrations"],
+            ContactError::NothingCanTouch { .. } => {
+                &["indenter.radius", "indenter.file", "indenter.kind"]
+            }
+            ContactError::FieldValue { .. } => &[
+                "indenter.file",
+                "indenter.radius",
+                "indenter.tip_radius",
+                "indenter.kind",
+            ],
+            ContactError::Influence(InfluenceError::CoefficientNotFinite { .. }) => &[
+                "grid.side",
+                "foundation.layer[0].thickness",
+                "foundation.substrate",
+            ],
+            ContactError::AveragingLength { .. } => &["output.mean_pressure_over"],
+            _ => return error.into(),
+        };
+        self.document.refused(keys, &error).into()
     }
 }

@@ -1,7 +1,9 @@
 //! Warnings at their thresholds.
 
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
-use pellicle_texture::{CylinderSpec, Cylinders, Film, Lattice, Relief};
+use pellicle_texture::{
+    CylinderSpec, Cylinders, Dimples, Film, Lattice, Pattern, RecessShape, Recesses, Relief,
+};
 
 use super::*;
 use crate::wear::StepWear;
@@ -333,4 +335,23 @@ fn elements_are_too_large_if_none_has_its_centre_under_the_indenter() {
     };
     assert_eq!((side, wanted), (1.6, SIDE_PER_RADIUS * radius));
     assert!((element_side - 0.1).abs() < 1e-15 && (radius / 0.06 - 1.0).abs() < 0.02);
+}
+
+#[test]
+fn deep_recesses_in_the_bodys_own_surface_are_told_of() {
+    let pattern = Pattern::new(Lattice::Square, 1.0, [0.0; 2]).unwrap();
+    let told = |depth: f64, springs: bool| {
+        let dimples = Dimples::new(pattern, 0.3, depth, 0.0).unwrap();
+        let recesses = Recesses::from(RecessShape::Dimples(dimples));
+        let recesses = if springs {
+            recesses.with_springs(1.0).unwrap()
+        } else {
+            recesses
+        };
+        let ball = Paraboloid::new(2.0).unwrap();
+        let model = Model::on_half_space([1.0, 0.0], Relief::Recesses(recesses), ball);
+        let found = model_warnings(&model, &Grid::new(2.0, 64).unwrap());
+        found.iter().any(|of| of.code() == "deep-recesses")
+    };
+    assert!(told(0.1, false) && !told(0.08, false) && !told(0.1, true));
 }

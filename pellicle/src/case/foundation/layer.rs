@@ -12,6 +12,9 @@ use crate::input::table_reader::TableReader;
 
 const MODULUS: &str = "a positive pressure such as \"70 GPa\", a bare number, or { from = .., to = .., profile = \"linear\" }";
 
+/// A residual stress beyond this part of the modulus is a wrong unit: films crack or peel at some hundredths of it.
+const LARGEST_RESIDUAL_STRAIN: f64 = 0.1;
+
 record! {
     /// One layer and the interface below it.
     #[derive(Copy)]
@@ -31,8 +34,12 @@ record! {
     check |layer: &LayerCase, table: &TableReader<'_>, _: &Scope<'_>| {
         // The modulus is known to be positive here, so only the ratio can be rejected.
         let refused = |error| Err(table.required("poisson_ratio", POISSON_RATIO)?.refused(&error));
-        let material = layer.material(layer.young_modulus.at_top());
-        material.map_or_else(refused, |_| Ok(()))
+        let modulus = layer.young_modulus.at_top();
+        if layer.residual_stress.abs() > LARGEST_RESIDUAL_STRAIN * modulus {
+            let wanted = "at most a tenth of the Young's modulus: strains are small";
+            return Err(table.required("residual_stress", wanted)?.wanted(wanted));
+        }
+        layer.material(modulus).map_or_else(refused, |_| Ok(()))
     };
 }
 

@@ -179,3 +179,16 @@ fn invalid_foundations_are_rejected() {
         assert!(read(text).is_err(), "{text}");
     }
 }
+
+#[test]
+fn a_residual_stress_beyond_small_strains_is_reported_at_its_key() {
+    let with = |stress: &str| read(&format!("{SUBSTRATE}{LAYER}residual_stress = \"{stress}\""));
+    assert_eq!(with("-5 GPa").unwrap().layer[0].residual_stress, -5e9);
+    for stress in ["-8 GPa", "8 GPa", "2000 GPa"] {
+        let message = with(stress).unwrap_err();
+        assert!(
+            message.contains("key `layer[0].residual_stress`") && message.contains("a tenth"),
+            "{message}"
+        );
+    }
+}
