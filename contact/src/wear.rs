@@ -117,10 +117,10 @@ pub fn solve_wear(
             None => solve_path(model, domain, elements, &[load], options, &mut watch)?,
         };
         let mut run = WearRun::new(model, (domain, elements), load, (wear, *options), &first);
-        let mut found = run.all(first, &mut watch)?;
+        let is_too_small = |step: &Step| enlargements > 0 && step.cut_off == Some(CutOff::Domain);
+        let mut found = run.until(is_too_small, first, &mut watch)?;
         found.interrupted |= watch.is_cancelled;
-        let by_domain = |step: &Step| step.cut_off == Some(CutOff::Domain);
-        if found.interrupted || enlargements == 0 || !found.steps.iter().any(by_domain) {
+        if found.interrupted || !found.steps.iter().any(is_too_small) {
             let loads = vec![load; found.steps.len()];
             found.warnings = warnings(model, &found.grid, domain, &loads, &found.steps);
             return Ok(found);

@@ -106,9 +106,10 @@ impl<'a> WearRun<'a> {
         run
     }
 
-    /// The contacts at all distances.
-    pub fn all(
+    /// The contacts at all distances; if `is_enough` is true of one, it is the last.
+    pub fn until(
         &mut self,
+        is_enough: impl Fn(&Step) -> bool,
         unworn: LoadingPath,
         watch: &mut OfDistance<'_>,
     ) -> Result<LoadingPath, ContactError> {
@@ -133,8 +134,12 @@ impl<'a> WearRun<'a> {
                 break;
             };
             self.pressure.clone_from(&step.solution.pressure);
+            let is_last = is_enough(&step);
             let step = self.with_wear(step);
             found.append(step, &path);
+            if is_last {
+                break;
+            }
         }
         Ok(found)
     }
