@@ -48,8 +48,45 @@ pub struct AdhesiveModel {
     adhesion: Adhesion,
 }
 
-/// Force, N, and penetration, m, or approach of the end of a compliance.
+/// What is prescribed of a contact.
+#[derive(Debug, Clone, Copy)]
+enum Prescribed {
+    /// The force, N.
+    Force,
+    /// The approach, m, of the end of this compliance (m/N) in series.
+    Approach(f64),
+}
+
+/// What is prescribed, and what is read: force (N) and penetration (m), or approach (m) and force.
 type Pair = [f64; 2];
+
+impl Prescribed {
+    /// What a reading prescribes behind a compliance in series. A depth at a force is that of the contact alone, however
+    /// it was measured.
+    fn new(reading: Reading, series: f64) -> Self {
+        match reading {
+            Reading::Force => Self::Force,
+            _ => Self::Approach(series),
+        }
+    }
+
+    fn pair(self, of: &AdhesiveContact) -> Pair {
+        match self {
+            Self::Force => [of.force, of.penetration],
+            Self::Approach(compliance) => [of.penetration + compliance * of.force, of.force],
+        }
+    }
+}
+
+/// Contacts along the branch.
+struct AdhesiveBranch {
+    nodes: Nodes,
+    contacts: Vec<AdhesiveContact>,
+    /// Prescribed and read, at the nodes.
+    pairs: Vec<Pair>,
+    /// What is prescribed at the jump-out.
+    end: f64,
+}
 
 impl AdhesiveModel {
     /// The model of a curve with other values of some numbers; none if the curve has no adhesion.
@@ -111,97 +148,95 @@ impl AdhesiveModel {
     /// The readings at these abscissae, and their derivatives by the numbers sought; `series` as in [`ContactCurve`].
     pub fn predicted(
         &self,
-        abscissa: Reading,
+        reading: Reading,
         (abscissae, series): (&[f64], f64),
         sought: &[ModelParameter],
     ) -> Result<Prediction, ContactError> {
-        // A depth at a force is that of the contact alone, however it was measured.
-        let compliance = match abscissa {
-            Reading::Force => 0.0,
-            _ => series,
-        };
-        let (nodes, _) = self.nodes(abscissa, (abscissae, compliance))?;
-        let pair = |of: &AdhesiveContact| [of.force, of.penetration + compliance * of.force];
-        let contacts = self.contacts(&nodes.radii)?;
-        let branch: Vec<Pair> = contacts.iter().map(pair).collect();
+        let prescribed = Prescribed::new(reading, series);
+        let branch = self.branch(prescribed, abscissae)?;
         let column = |parameter: &ModelParameter| match parameter {
-            ModelParameter::WorkOfAdhesion => Ok(self.by_work(&contacts, compliance)),
-            _ => self.by(*parameter, &nodes, pair),
+            ModelParameter::WorkOfAdhesion => Ok(self.by_work(&branch.contacts, prescribed)),
+            _ => self.by(*parameter, &branch.nodes, prescribed),
         };
         let columns: Vec<Vec<Pair>> = sought.iter().map(column).collect::<Result<_, _>>()?;
-        let mut found = nodes.read(abscissa, abscissae, (&branch, &columns));
-        if abscissa == Reading::Force {
+        let mut found = branch.read(abscissae, &columns);
+        if reading == Reading::Force {
             found.slope.iter_mut().for_each(|slope| *slope += series);
         }
         Ok(found)
     }
 
-    /// The forces (N) without adhesion of the contacts of the same radii at the points of a curve; none beyond the end
-    /// of the branch.
+    /// The forces (N) of the contacts without adhesion of the same radii; none beyond the end of the branch.
     pub fn forces_without(
         &self,
-        of: &ContactCurve,
-        abscissae: &[f64],
+        reading: Reading,
+        (abscissae, series): (&[f64], f64),
     ) -> Result<Vec<Option<f64>>, ContactError> {
-        let abscissa = of.observable.abscissa();
-        let (given, compliance) = match abscissa {
-            Reading::Force => (0, 0.0),
-            _ => (1, of.series),
-        };
-        let (nodes, end) = self.nodes(abscissa, (abscissae, compliance))?;
-        let pair = |of: &AdhesiveContact| [of.force, of.penetration + compliance * of.force];
-        let contacts = self.contacts(&nodes.radii)?;
-        let branch: Vec<Pair> = contacts.iter().map(pair).collect();
-        let without: Vec<Pair> = contacts.iter().map(|of| [of.force_without; 2]).collect();
+        let branch = self.branch(Prescribed::new(reading, series), abscissae)?;
+        let without = branch.contacts.iter().map(|of| [of.force_without; 2]);
+        let without: Vec<Pair> = without.collect();
         let at = |abscissa: &f64| {
-            let place = nodes.where_reached(|weights| sum(weights, &branch)[given] - abscissa);
-            let force = sum(&nodes.weights(place), &without)[0];
-            (*abscissa >= pair(&end)[given]).then_some(force)
+            let weights = branch.nodes.weights(branch.place(*abscissa));
+            (*abscissa >= branch.end).then(|| sum(&weights, &without)[0])
         };
         Ok(abscissae.iter().map(at).collect())
     }
 
-    /// Radii of the branch that the abscissae need, and the contact at its end.
-    fn nodes(
+    /// The branch as far as these abscissae need it.
+    fn branch(
         &self,
-        abscissa: Reading,
-        (abscissae, compliance): (&[f64], f64),
-    ) -> Result<(Nodes, AdhesiveContact), ContactError> {
+        prescribed: Prescribed,
+        abscissae: &[f64],
+    ) -> Result<AdhesiveBranch, ContactError> {
         let curve = self.curve()?;
         let largest = abscissae.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let (end, last) = if abscissa == Reading::Force {
-            let end = curve.pull_off();
-            (end, curve.at_force(largest.max(end.force))?)
-        } else {
-            let curve = curve.behind_spring(compliance)?;
-            let end = curve.last_contact();
-            (end, curve.at_penetration(largest)?.unwrap_or(end))
+        let (end, last) = match prescribed {
+            Prescribed::Force => {
+                let end = curve.pull_off();
+                (end, curve.at_force(largest.max(end.force))?)
+            }
+            Prescribed::Approach(compliance) => {
+                let curve = curve.behind_spring(compliance)?;
+                let end = curve.last_contact();
+                (end, curve.at_penetration(largest)?.unwrap_or(end))
+            }
         };
-        Ok((Nodes::between([FIRST * end.radius, last.radius]), end))
+        let nodes = Nodes::between([FIRST * end.radius, last.radius]);
+        let contacts = self.contacts(&nodes.radii)?;
+        Ok(AdhesiveBranch {
+            pairs: contacts.iter().map(|of| prescribed.pair(of)).collect(),
+            end: prescribed.pair(&end)[0],
+            nodes,
+            contacts,
+        })
     }
 
-    /// Force and approach by the work of adhesion: `F − F₀` and `D − D₀` are in proportion to `√w` by JKR and to w by
+    /// What is prescribed and what is read, by the work of adhesion: `F − F₀` and `D − D₀` are in proportion to `√w` by JKR and to w by
     /// DMT.
-    fn by_work(&self, contacts: &[AdhesiveContact], compliance: f64) -> Vec<Pair> {
+    fn by_work(&self, contacts: &[AdhesiveContact], prescribed: Prescribed) -> Vec<Pair> {
         let power = match self.adhesion.law {
             AdhesionLaw::Jkr => 0.5,
             AdhesionLaw::Dmt => 1.0,
         };
         let by_work = |of: &AdhesiveContact| {
-            let force = of.force - of.force_without;
-            let penetration = of.penetration - of.penetration_without;
-            [force, penetration + compliance * force]
+            let change = AdhesiveContact {
+                force: of.force - of.force_without,
+                penetration: of.penetration - of.penetration_without,
+                ..*of
+            };
+            prescribed
+                .pair(&change)
                 .map(|change| power * change / self.adhesion.work)
         };
         contacts.iter().map(by_work).collect()
     }
 
-    /// Force and approach at each node by another number, by central differences.
+    /// The same at each node by another number, by central differences.
     fn by(
         &self,
         parameter: ModelParameter,
         nodes: &Nodes,
-        pair: impl Fn(&AdhesiveContact) -> Pair,
+        prescribed: Prescribed,
     ) -> Result<Vec<Pair>, ContactError> {
         let value = self.value(parameter).unwrap_or(f64::NAN);
         let at = |factor: f64| {
@@ -212,10 +247,41 @@ impl AdhesiveModel {
         // A ratio of one half has no neighbour above.
         let (above, more) = at(1.0 + STEP).or_else(|_: ContactError| at(1.0))?;
         let slopes = more.iter().zip(&less).map(|(more, less)| {
-            let (more, less) = (pair(more), pair(less));
+            let [more, less] = [more, less].map(|of| prescribed.pair(of));
             [0, 1].map(|i| (more[i] - less[i]) / ((above - below) * value))
         });
         Ok(slopes.collect())
+    }
+}
+
+impl AdhesiveBranch {
+    /// Where an abscissa lies; at the first node if it is before that.
+    fn place(&self, abscissa: f64) -> f64 {
+        (self.nodes).where_reached(|weights| sum(weights, &self.pairs)[0] - abscissa)
+    }
+
+    /// Reads the points off the polynomials through the pairs and the columns of their derivatives.
+    fn read(&self, abscissae: &[f64], columns: &[Vec<Pair>]) -> Prediction {
+        let mut found = Prediction {
+            derivatives: vec![Vec::new(); columns.len()],
+            ..Prediction::default()
+        };
+        for abscissa in abscissae {
+            let place = self.place(*abscissa);
+            let weights = self.nodes.weights(place);
+            let [given, read] = sum(&weights, &self.pairs);
+            let [by_given, by_read] = self.nodes.slope(place, &self.pairs);
+            let slope = by_read / by_given;
+            // Before the first node, along the tangent.
+            let before = if place > -1.0 { 0.0 } else { abscissa - given };
+            found.value.push(read + slope * before);
+            found.slope.push(slope);
+            for (to, column) in found.derivatives.iter_mut().zip(columns) {
+                let [given, read] = sum(&weights, column);
+                to.push(read - given * slope);
+            }
+        }
+        found
     }
 }
 
@@ -241,43 +307,6 @@ impl Nodes {
             radii: radii.collect(),
             places,
         }
-    }
-
-    /// Reads the points off the polynomials through the branch and the columns of its derivatives.
-    fn read(
-        &self,
-        abscissa: Reading,
-        abscissae: &[f64],
-        (branch, columns): (&[Pair], &[Vec<Pair>]),
-    ) -> Prediction {
-        let (given, wanted) = match abscissa {
-            Reading::Force => (0, 1),
-            _ => (1, 0),
-        };
-        let mut found = Prediction {
-            derivatives: vec![Vec::new(); columns.len()],
-            ..Prediction::default()
-        };
-        for abscissa in abscissae {
-            let place = self.where_reached(|weights| sum(weights, branch)[given] - abscissa);
-            let weights = self.weights(place);
-            let at = sum(&weights, branch);
-            let slope = self.slope(place, branch);
-            let slope = slope[wanted] / slope[given];
-            // Before the first node, along the tangent.
-            let before = if place > -1.0 {
-                0.0
-            } else {
-                abscissa - at[given]
-            };
-            found.value.push(at[wanted] + slope * before);
-            found.slope.push(slope);
-            for (to, column) in found.derivatives.iter_mut().zip(columns) {
-                let change = sum(&weights, column);
-                to.push(change[wanted] - change[given] * slope);
-            }
-        }
-        found
     }
 
     /// Barycentric weights of the values at the nodes, for the polynomial at a place.
@@ -332,7 +361,7 @@ impl Nodes {
 /// The polynomial through some values.
 fn sum(weights: &[f64], values: &[Pair]) -> Pair {
     let terms = weights.iter().zip(values);
-    terms.fold([0.0; 2], |[force, penetration], (weight, value)| {
-        [force + weight * value[0], penetration + weight * value[1]]
+    terms.fold([0.0; 2], |[one, other], (weight, value)| {
+        [one + weight * value[0], other + weight * value[1]]
     })
 }

@@ -191,7 +191,11 @@ impl ContactCurves {
         let Some(adhesive) = AdhesiveModel::of(&curve, &[])? else {
             return Ok(None);
         };
-        let forces = adhesive.forces_without(&curve, abscissae)?;
+        let constants = self.constants(values);
+        let factor = self.scales[index].map_or(1.0, |scale| scale.factor(constants));
+        let abscissae = curve.observable.true_abscissae(abscissae, factor);
+        let reading = curve.observable.abscissa();
+        let forces = adhesive.forces_without(reading, (&abscissae, curve.series / factor))?;
         let without = ContactCurve {
             observable: Observable::DepthAtForce,
             abscissae: forces.iter().copied().flatten().collect(),
