@@ -54,11 +54,21 @@ pub mod studied {
 
 /// Fits made as the program makes them.
 pub mod fitted {
+    pub use crate::each::EachResult;
+    pub use crate::each::files::table as each_table;
     pub use crate::fit_and_plan::{Stage, fit, likelihood, plan};
     pub use crate::identification::fitted_file::FittedFile;
     pub use crate::identification::likelihood::FittedLikelihood;
     pub use crate::planning::files::table as plan_table;
     pub use crate::planning::result::PlanResult;
+}
+
+/// Unloadings evaluated as the program evaluates them.
+pub mod evaluated {
+    pub use crate::evaluation::Evaluation;
+    pub use crate::evaluation::table::table;
+    pub use crate::evaluation::text::text;
+    pub use pellicle_identify::fit_file::evaluation::calibration_file::text as calibration_text;
 }
 
 /// The files of a run.

@@ -59,31 +59,42 @@ pub enum Template {
     Study,
     /// The JSON schema of a case, with which editors complete and check it while it is typed
     Schema,
+    /// The JSON schema of a fit
+    FitSchema,
+    /// The JSON schema of a study
+    StudySchema,
     /// The JSON schema of summary.json
     SummarySchema,
 }
 
-/// The first line of a case: editors complete and check it by the schema of this name beside it, which `pellicle init
-/// schema --out case.schema.json` writes.
-const SCHEMA_LINE: &str = "#:schema case.schema.json\n";
+/// The first line of a file of this kind, `case`, `fit` or `study`: editors complete and check it by the schema of this
+/// name beside it, which `pellicle init schema`, `fit-schema` and `study-schema` write.
+fn schema_line(kind: &str) -> String {
+    format!("#:schema {kind}.schema.json\n")
+}
 
 impl Template {
-    /// Returns the text of the template: of a case, with the line by which editors find its schema, and a list of the
-    /// keys that it leaves out.
+    /// Returns the text of the template: of a case, a fit or a study with the line by which editors find its schema, and
+    /// of a case with a list of the keys that it leaves out.
     #[must_use]
     pub fn text(self) -> Cow<'static, str> {
+        let of_kind = |kind, text| (schema_line(kind) + text).into();
         let case = match self {
             Self::Schema => return schema::text(&schema::of_case()).into(),
+            Self::FitSchema => return pellicle_identify::fit_file::shape::schema().into(),
+            Self::StudySchema => return pellicle_study::keys::schema().into(),
             Self::SummarySchema => return schema::text(&of_summary()).into(),
             Self::RoughMap => return include_str!("templates/rough-surface.csv").into(),
-            Self::Study => return include_str!("templates/study.toml").into(),
-            Self::Fit => return include_str!("templates/fit.toml").into(),
             Self::Approach => return include_str!("templates/approach.txt").into(),
-            Self::FitFilm => return include_str!("templates/fit-film.toml").into(),
             Self::Oxide => return include_str!("templates/oxide.csv").into(),
             Self::Indentation => return include_str!("templates/indentation.txt").into(),
-            Self::FitUnloading => return include_str!("templates/fit-unloading.toml").into(),
-            Self::FitAfm => return include_str!("templates/fit-afm.toml").into(),
+            Self::Study => return of_kind("study", include_str!("templates/study.toml")),
+            Self::Fit => return of_kind("fit", include_str!("templates/fit.toml")),
+            Self::FitAfm => return of_kind("fit", include_str!("templates/fit-afm.toml")),
+            Self::FitFilm => return of_kind("fit", include_str!("templates/fit-film.toml")),
+            Self::FitUnloading => {
+                return of_kind("fit", include_str!("templates/fit-unloading.toml"));
+            }
             Self::Cylinders => include_str!("templates/cylinders.toml"),
             Self::Dimples => include_str!("templates/dimples.toml"),
             Self::Film => include_str!("templates/film.toml"),
@@ -99,7 +110,7 @@ impl Template {
             Self::RoughPeriodic => include_str!("templates/rough-periodic.toml"),
         };
         let case = with_other_keys(case, &Case::shape());
-        format!("{SCHEMA_LINE}{case}").into()
+        of_kind("case", &case)
     }
 
     /// What the curves of a fit are taken for; none if it is not a template of a fit.
@@ -135,6 +146,8 @@ impl Template {
             Self::RoughMap => "pellicle init rough".into(),
             Self::SummarySchema => "check the output of pellicle run --json".into(),
             Self::Schema => format!("write #:schema {path} as the first line of a case"),
+            Self::FitSchema => format!("write #:schema {path} as the first line of a fit"),
+            Self::StudySchema => format!("write #:schema {path} as the first line of a study"),
             _ => format!("pellicle run {path}"),
         }
     }
@@ -189,6 +202,8 @@ mod tests {
                     | Template::Indentation
                     | Template::RoughMap
                     | Template::Schema
+                    | Template::FitSchema
+                    | Template::StudySchema
                     | Template::SummarySchema
             ) {
                 continue;

@@ -6,6 +6,7 @@ pub mod model;
 pub mod nuisance;
 pub mod prior;
 pub mod report;
+pub mod shape;
 mod stated_radius;
 mod stiffness;
 pub mod unknown;
@@ -85,6 +86,9 @@ pub enum Measurements {
 }
 
 impl FitFile {
+    /// The keys of a file with an `[evaluation]` alone.
+    const EVALUATION_KEYS: [&str; 3] = ["title", "data", "evaluation"];
+
     /// Reads the text of a fit file; `sources` supplies its files and arrays.
     ///
     /// # Errors
@@ -96,18 +100,9 @@ impl FitFile {
         sources: &FitSources,
         measurements: Measurements,
     ) -> Result<Self, pellicle::Error> {
-        const TABLES: [&str; 7] = [
-            "title",
-            "model",
-            "data",
-            "unknown",
-            "nuisance",
-            "report",
-            "evaluation",
-        ];
         let root = toml_tree::parse(source)?;
         let table = TableReader::root(&root)?;
-        table.only(&TABLES)?;
+        table.only(&shape::fit_file().keys())?;
         let title = match table.optional("title") {
             Some(field) => field.text()?,
             None => name,

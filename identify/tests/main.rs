@@ -4,6 +4,7 @@ mod coatings;
 mod contact_curves;
 mod contact_fit;
 mod curves;
+mod documents;
 mod fits;
 mod imprint;
 mod indentation;

@@ -19,7 +19,7 @@ pub use codec::{
     pressure, switch, text, wear_coefficient, word,
 };
 pub use combinators::{either, part, table, together};
-pub use lists::{list, pair, series, tables};
+pub use lists::{Series, list, pair, series, tables};
 pub use shape::{Field, KindsShape, Presence, Shape, TableShape};
 
 use crate::case::foundation::FoundationCase;

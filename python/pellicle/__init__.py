@@ -31,10 +31,11 @@ from .errors import (
     TextureError,
 )
 from .estimates import Expected, ExpectedDesign, FitEstimate, KnownCombination
+from .evaluation import Evaluation, evaluate
 from .fit import Design, Fit, Nuisances, Report, Unknown
 from .function import IndenterFunction, ReliefFunction
 from .height_map import HeightMap
-from .identification import Identification, Plan, identify, plan
+from .identification import EachCurve, Identification, Plan, identify, identify_each, plan
 from .indenter import (
     Berkovich,
     Cone,
@@ -51,7 +52,8 @@ from .indenter import (
 )
 from .judgement import Certificate, Estimate, GridError, ResultWarning, Sensitivity, Work
 from .likelihood import Likelihood
-from .measurement import Baseline, Data, Noise, Segment, SpringConstant, Text
+from .measurement import Baseline, Data, Noise, Segment, SpringConstant, Text, Uncertain
+from .oliver_pharr import KnownBody, OliverPharr
 from .operator import ElasticOperator, compliance, influence_coefficients
 from .options import Output, Range, Stress, Wear
 from .parameter_study import Study, StudyTable, study
@@ -80,9 +82,11 @@ __all__ = [
     "Design",
     "Dimples",
     "DiscreteProblem",
+    "EachCurve",
     "ElasticOperator",
     "Error",
     "Estimate",
+    "Evaluation",
     "Expected",
     "ExpectedDesign",
     "Film",
@@ -108,6 +112,7 @@ __all__ = [
     "Interrupted",
     "Judgement",
     "KernelError",
+    "KnownBody",
     "KnownCombination",
     "Layer",
     "Likelihood",
@@ -115,6 +120,7 @@ __all__ = [
     "Noise",
     "NotCertifiedWarning",
     "Nuisances",
+    "OliverPharr",
     "Output",
     "Paraboloid",
     "Path",
@@ -145,13 +151,16 @@ __all__ = [
     "Surface",
     "Text",
     "TextureError",
+    "Uncertain",
     "Unknown",
     "Vickers",
     "Wear",
     "Work",
     "__version__",
     "compliance",
+    "evaluate",
     "identify",
+    "identify_each",
     "influence_coefficients",
     "plan",
     "study",

@@ -16,6 +16,7 @@ from .case import Case, refuse_functions, with_files
 from .errors import ArgumentError
 from .function import CheckedFunction
 from .measurement import Data
+from .oliver_pharr import OliverPharr
 from .options import Range
 from .quantity import SI_UNITS, Quantity
 from .table import Table, value_of
@@ -101,7 +102,7 @@ class Fit:
 
     `model` is a case that provides fixed values and starts; its loads are ignored. `unknown` maps the keys of the
     numbers sought, such as `"foundation.layer[0].young_modulus"`, to bounds or priors. A fit without `data` can only be
-    planned.
+    planned. `evaluation` tells how unloadings are evaluated by Oliver and Pharr, for data observed as `"unloading"`.
     """
 
     def __init__(
@@ -111,23 +112,13 @@ class Fit:
         *,
         unknown: Mapping[str, Bounds],
         nuisance: Nuisances | None = None,
+        evaluation: OliverPharr | None = None,
         report: Report | None = None,
         title: str | None = None,
     ) -> None:
         if not isinstance(model, Case):
             raise ArgumentError(f"model: found {type(model).__name__}, wanted a pellicle.Case")
-        tables = [data] if isinstance(data, Data) else list(data)
-        texts: dict[str, str] = {}
-        written: list[toml.Value] = []
-        for number, table in enumerate(tables):
-            if not isinstance(table, Data):
-                raise ArgumentError(f"data: found {type(table).__name__}, wanted a pellicle.Data")
-            values, rows = table.as_table(), table.rows_or_none()
-            if rows is not None:
-                values["file"] = table.file or f"data-{number}.csv"
-                if texts.setdefault(values["file"], rows) != rows:
-                    raise ArgumentError(f"data: found two arrays named {table.file!r}, wanted a name for each")
-            written.append(values)
+        written, texts = data_tables(data)
         text, _, _, folder, arrays, functions = model._state
         document = {
             **({} if title is None else {"title": title}),
@@ -135,12 +126,18 @@ class Fit:
             **({"data": written} if written else {}),
             "unknown": _bounds(unknown),
             **_optional("nuisance", nuisance, Nuisances),
+            **_optional("evaluation", evaluation, OliverPharr),
             **_optional("report", report, Report),
         }
         self._read(toml.text(document), "fit", "fit", os.getcwd(), arrays, functions, texts)
 
     def _read(self, *state: Any) -> None:
         self._state: tuple[str, str, str, str, Arrays, dict[str, CheckedFunction], dict[str, str]] = state
+        document = tomllib.loads(state[0])
+        if "evaluation" in document and not {"model", "unknown"} & document.keys():
+            raise ArgumentError(
+                f"{state[1]}: found an [evaluation] alone, wanted a [model] with [unknown]; pellicle.evaluate evaluates it"
+            )
         # Raises errors where the fit is created, not where it is used.
         self.begun(is_measured=self.is_measured)
 
@@ -231,6 +228,22 @@ class Fit:
         document = tomllib.loads(self._state[0])
         tables = len(document.get("data", []))
         return f"<Fit {self.title!r}: {len(_flattened(document['unknown']))} unknown, {tables} of data>"
+
+
+def data_tables(data: Data | Sequence[Data]) -> tuple[list[toml.Value], dict[str, str]]:
+    """The tables `[[data]]` of a fit file, and the texts of its arrays by their names."""
+    texts: dict[str, str] = {}
+    written: list[toml.Value] = []
+    for number, table in enumerate([data] if isinstance(data, Data) else data):
+        if not isinstance(table, Data):
+            raise ArgumentError(f"data: found {type(table).__name__}, wanted a pellicle.Data")
+        values, rows = table.as_table(), table.rows_or_none()
+        if rows is not None:
+            values["file"] = table.file or f"data-{number}.csv"
+            if texts.setdefault(values["file"], rows) != rows:
+                raise ArgumentError(f"data: found two arrays named {table.file!r}, wanted a name for each")
+        written.append(values)
+    return written, texts
 
 
 class _Elsewhere(dict[str, str]):

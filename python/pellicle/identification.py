@@ -27,7 +27,7 @@ Files = tuple[str, list[tuple[str, str]], bool]
 
 
 class Result:
-    """The result of a fit or a plan, as in its results file."""
+    """The result of a fit, of fits of each curve, or a plan, as in its results file."""
 
     def __init__(self, fit: Fit, found: dict[str, Any], tables: Mapping[str, str], is_whole: bool) -> None:
         self.fit = fit
@@ -166,6 +166,39 @@ class Identification(Result):
         return show.table(header, [fit_views.cells(estimate) for estimate in self.unknowns])
 
 
+class EachCurve(Result):
+    """What every curve of a fit gives alone."""
+
+    @property
+    def curves(self) -> list[dict[str, Any]]:
+        """The curves in their order: `file`, `position`, `verdict` (`"failed"` for one that could not be fitted),
+        `unknowns`, `misfit_p` and the `cause` of a failure or misfit."""
+        curves: list[dict[str, Any]] = self._found["curves"]
+        return curves
+
+    @cached_property
+    def table(self) -> Curve:
+        """The columns of `each.csv`, a row for each curve."""
+        return Curve.of_csv(self._tables["each.csv"])
+
+    @property
+    def _rows(self) -> list[list[str]]:
+        return [
+            [curve["file"], curve["verdict"], *(str(estimate_of(found)) for found in curve["unknowns"])]
+            for curve in self.curves
+        ]
+
+    def __str__(self) -> str:
+        return "\n".join([self.fit.title, *(f"  {': '.join(cells)}" for cells in self._rows)])
+
+    def __repr__(self) -> str:
+        fitted = sum(curve["verdict"] == "fitted" for curve in self.curves)
+        return f"<EachCurve {self.fit.title!r}: {fitted} of {len(self.curves)} fitted>"
+
+    def _repr_html_(self) -> str:
+        return show.table(["file", "verdict", "unknowns"], ([*row[:2], ", ".join(row[2:])] for row in self._rows))
+
+
 class Plan(Result):
     """The expected accuracy of designs, before anything is measured."""
 
@@ -206,6 +239,18 @@ def identify(
     fit = fit_of(fit)
     run = fit.begun(is_measured=True).start_fit(checked_threads(threads))
     return finished(run, lambda found: _identification(fit, found), reporting(progress, fit, FitProgress))
+
+
+def identify_each(
+    fit: Fit | str | os.PathLike[str], *, progress: bool | FitReport = False, threads: int | None = None
+) -> EachCurve:
+    """Fits every curve alone, as `pellicle identify --each` does: a force volume, or repeats of a measurement.
+
+    A curve that fails stops no other; its `cause` says why. Arguments are those of `identify`.
+    """
+    fit = fit_of(fit)
+    run = fit.begun(is_measured=True).start_each(checked_threads(threads))
+    return finished(run, lambda found: EachCurve(*_parts(fit, found)), reporting(progress, fit, FitProgress))
 
 
 def plan(fit: Fit | str | os.PathLike[str], *, progress: bool | FitReport = False, threads: int | None = None) -> Plan:

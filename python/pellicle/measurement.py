@@ -30,8 +30,9 @@ Observe = Literal[
     "stiffness at depth",
     "stiffness at force",
     "stiffness at contact radius",
+    "unloading",
 ]
-"""The quantity that is compared with the model, and at which values of another."""
+"""The quantity that is compared with the model, and at which values of another; of an unloading its stiffness."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +76,14 @@ class Noise(Table):
 
 
 @dataclass(frozen=True)
+class Uncertain(Table):
+    """A value and its standard deviation, in SI units."""
+
+    mean: Quantity
+    sd: Quantity | None = None
+
+
+@dataclass(frozen=True)
 class Baseline(Table):
     """A stretch between two distances before the contact, in m, whose line of forces is subtracted."""
 
@@ -85,11 +94,8 @@ class Baseline(Table):
 
 
 @dataclass(frozen=True)
-class SpringConstant(Table):
+class SpringConstant(Uncertain):
     """The spring constant of a cantilever and its standard deviation, in N/m."""
-
-    mean: Quantity
-    sd: Quantity | None = None
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,8 @@ SI_UNITS = key_units() | {
     "baseline": "m",
     "depth_zero": "m",
     "force_zero": "N",
+    "drift": "m/s",
+    "tip_radius": "m",
 }
 """The SI unit of every key of a case or a fit that is a quantity."""
 

@@ -1,4 +1,4 @@
-//! A fit file, fitted or planned.
+//! A fit file: fitted, its curves together or each alone, or planned.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -9,7 +9,8 @@ use numpy::PyReadonlyArray2;
 use pellicle::input::span::Source;
 use pellicle_cli::Failure;
 use pellicle_cli::fitted::{
-    FittedFile, FittedLikelihood, PlanResult, Stage, fit, likelihood, plan, plan_table,
+    EachResult, FittedFile, FittedLikelihood, PlanResult, Stage, each_table, fit, likelihood, plan,
+    plan_table,
 };
 use pellicle_files::json;
 use pellicle_identify::IdentifyError;
@@ -96,6 +97,19 @@ impl Fit {
         Ok(FitRun(work.map_err(Refusal::from)?))
     }
 
+    /// Starts fitting each curve alone on this many threads.
+    #[pyo3(signature = (threads = None))]
+    fn start_each(&self, threads: Option<u16>) -> PyResult<FitRun> {
+        let file = self.take()?;
+        let work = Work::start(threads, move |watched| {
+            let report = |done| watched.report((Some(done), None));
+            let found = EachResult::new(&file, &watched.stop, &report);
+            let is_begun = !found.curves.is_empty();
+            is_begun.then(|| Found::of_each(&found)).transpose()
+        });
+        Ok(FitRun(work.map_err(Refusal::from)?))
+    }
+
     /// Starts fitting on this many threads, to evaluate the likelihood of other values.
     #[pyo3(signature = (threads = None))]
     fn start_likelihood(&self, threads: Option<u16>) -> PyResult<LikelihoodRun> {
@@ -136,7 +150,7 @@ fn unless_stopped<T>(found: Result<T, Failure>) -> Result<Option<T>, Failure> {
     }
 }
 
-/// The result of a fit or a plan, as the texts of its files.
+/// The result of a fit, of fits of each curve, or a plan, as the texts of its files.
 #[derive(Debug)]
 struct Found {
     json: String,
@@ -153,6 +167,14 @@ impl Found {
                 .map(|(name, table)| (name.to_owned(), table))
                 .collect(),
             is_whole: !fitted.is_stopped(),
+        })
+    }
+
+    fn of_each(each: &EachResult) -> Result<Self, Failure> {
+        Ok(Self {
+            json: json(each)?,
+            tables: vec![("each.csv".to_owned(), each_table(each))],
+            is_whole: each.not_begun == 0,
         })
     }
 

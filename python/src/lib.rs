@@ -8,6 +8,7 @@
 mod case;
 mod discrete_problem;
 mod error;
+mod evaluation;
 mod field;
 mod fit;
 mod foundation;
@@ -33,6 +34,8 @@ mod _pellicle {
         CaseError, ContactError, Error, IdentifyError, IndenterError, InfluenceError,
         InternalError, KernelError, RunError, TextureError,
     };
+    #[pymodule_export]
+    use crate::evaluation::evaluate;
     #[pymodule_export]
     use crate::field::Field;
     #[pymodule_export]

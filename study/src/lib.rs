@@ -19,6 +19,7 @@ pub mod identity;
 pub mod kept_file;
 pub mod kept_layout;
 pub mod kept_record;
+pub mod keys;
 pub mod monitor;
 pub mod numbering;
 pub mod plan;

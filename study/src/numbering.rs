@@ -12,6 +12,11 @@ pub enum Combine {
     Zip,
 }
 
+impl Combine {
+    /// The words of `study.combine`.
+    pub const CHOICES: [(&'static str, Self); 2] = [("product", Self::Product), ("zip", Self::Zip)];
+}
+
 /// The axes of a study and the way they combine. An axis is a key with its values, or several keys that change
 /// together.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]

@@ -26,6 +26,7 @@ use pellicle::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
 use pellicle::input::value_reader::ValueReader;
 
 use crate::StudyError;
+use crate::keys;
 use crate::numbering::{CaseNumbering, Combine};
 use crate::samples;
 use crate::varied_key::VariedKey;
@@ -35,7 +36,7 @@ use crate::{KeptField, Study};
 const MAX_CASES: usize = 1_000_000;
 
 /// The key of `[study.vary]` that names a file and no key of the case.
-const FROM: &str = "from";
+pub(crate) const FROM: &str = "from";
 
 /// Reads the file, and the base case with the values of `sets` in place of its own.
 ///
@@ -89,7 +90,7 @@ impl<'a> StudyTable<'a> {
     fn of(root: &'a TomlNode, here: &Path) -> Result<Self, StudyError> {
         let root = TableReader::root(root)?;
         let study = root.required("study", "a table [study]")?.table()?;
-        study.only(&["case", "combine", "keep", "vary"])?;
+        study.only(&keys::study().keys())?;
         let case = study
             .optional("case")
             .map(|field| field.text())
@@ -98,7 +99,7 @@ impl<'a> StudyTable<'a> {
             root.only(&["study"])?;
         }
         let combine = match study.optional("combine") {
-            Some(field) => field.choice(&[("product", Combine::Product), ("zip", Combine::Zip)])?,
+            Some(field) => field.choice(&Combine::CHOICES)?,
             None => Combine::Product,
         };
         let keep = study.optional("keep");

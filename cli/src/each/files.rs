@@ -79,9 +79,9 @@ pub fn table(result: &EachResult) -> String {
     } else {
         ""
     };
-    let columns = keys
-        .iter()
-        .map(|(key, unit)| format!(",{key} [{unit}],lower [{unit}],upper [{unit}],verdict"));
+    let columns = keys.iter().map(|(key, unit)| {
+        format!(",{key} [{unit}],{key} lower [{unit}],{key} upper [{unit}],{key} verdict")
+    });
     let header = format!(
         "file,x{unit},y{unit},fit{},misfit p,cause\n",
         columns.collect::<String>()

@@ -2,6 +2,7 @@
 
 mod area;
 pub mod calibration_file;
+mod shape;
 
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
@@ -11,6 +12,8 @@ use pellicle::input::toml_tree::TomlValue;
 use pellicle::input::value_reader::ValueReader;
 
 use self::area::area;
+pub use self::shape::shape;
+use self::shape::{known_body, material, uncertain_shape};
 use crate::indentation::{
     DepthZero, Drift, Epsilon, EvaluationSettings, IndenterMaterial, KnownBody, Uncertain,
 };
@@ -25,6 +28,11 @@ const COEFFICIENTS: usize = 3;
 /// ε by default, that of a paraboloid.
 const EPSILON: f64 = 0.75;
 
+/// The words for where the drift comes from.
+const DRIFTS: [&str; 2] = ["hold", "off"];
+/// The words for the zero of the depth.
+const DEPTH_ZEROS: [&str; 2] = ["first contact", "as recorded"];
+
 /// Reads the table for these measurements; files of calibrations come from `sources`.
 ///
 /// # Errors
@@ -36,22 +44,7 @@ pub fn read(
     data: &[DataTable],
 ) -> Result<EvaluationSettings, Diagnosis> {
     let table = field.clone().table()?;
-    table.only(&[
-        "area_function",
-        "tip",
-        "tip_radius",
-        "angle",
-        "beta",
-        "epsilon",
-        "unloading",
-        "frame_compliance",
-        "drift",
-        "depth_zero",
-        "poisson_ratio",
-        "indenter",
-        "thinning",
-        "calibrate",
-    ])?;
+    table.only(&shape().keys())?;
     let mut unloadings = data.iter().filter(|table| table.is_unloading());
     let are_given = unloadings.all(|table| table.columns.has(Channel::ContactRadius));
     let calibrate = calibrate(&table)?;
@@ -108,7 +101,7 @@ fn uncertain(
         return value(field, sign).map(Uncertain::exact);
     }
     let table = field.clone().table()?;
-    table.only(&["mean", "sd"])?;
+    table.only(&uncertain_shape(dimension).keys())?;
     Ok(Uncertain {
         value: value(&table.required("mean", "the mean")?, sign)?,
         sd: value(
@@ -140,8 +133,8 @@ fn drift(table: &TableReader<'_>) -> Result<Drift, Diagnosis> {
         return Ok(Drift::OfHoldIfFound);
     };
     match field.value() {
-        TomlValue::Text(text) if text == "hold" => Ok(Drift::Hold),
-        TomlValue::Text(text) if text == "off" => Ok(Drift::Off),
+        TomlValue::Text(text) if text == DRIFTS[0] => Ok(Drift::Hold),
+        TomlValue::Text(text) if text == DRIFTS[1] => Ok(Drift::Off),
         TomlValue::Text(text) if quantity::dimension_of(text) != Some(Dimension::Speed) => {
             Err(field.wanted("\"hold\", \"off\" or a rate such as \"0.02 nm/s\""))
         }
@@ -154,8 +147,8 @@ fn depth_zero(table: &TableReader<'_>) -> Result<DepthZero, Diagnosis> {
         return Ok(DepthZero::FirstContactIfFound);
     };
     match field.value() {
-        TomlValue::Text(text) if text == "first contact" => Ok(DepthZero::FirstContact),
-        TomlValue::Text(text) if text == "as recorded" => Ok(DepthZero::AsRecorded),
+        TomlValue::Text(text) if text == DEPTH_ZEROS[0] => Ok(DepthZero::FirstContact),
+        TomlValue::Text(text) if text == DEPTH_ZEROS[1] => Ok(DepthZero::AsRecorded),
         TomlValue::Text(text) if quantity::dimension_of(text) != Some(Dimension::Length) => {
             Err(field.wanted(
                 "\"first contact\", \"as recorded\" or a depth of the file such as \"3 nm\"",
@@ -176,7 +169,7 @@ fn calibrate(table: &TableReader<'_>) -> Result<Option<KnownBody>, Diagnosis> {
         }
     }
     let of = field.clone().table()?;
-    of.only(&["young_modulus", "coefficients"])?;
+    of.only(&known_body().keys())?;
     let coefficients = of.optional("coefficients").map(|field| {
         let range = 1..=area::MOST_COEFFICIENTS;
         field.count(range, ", the coefficients of the area function")
@@ -228,7 +221,7 @@ fn indenter(table: &TableReader<'_>) -> Result<Option<IndenterMaterial>, Diagnos
         ));
     }
     let of = field.clone().table()?;
-    of.only(&["young_modulus", "poisson_ratio"])?;
+    of.only(&material().keys())?;
     let modulus = of.required("young_modulus", "that of the tip, 1141 GPa of diamond")?;
     let ratio = of.required("poisson_ratio", "that of the tip, 0.07 of diamond")?;
     Ok(Some(IndenterMaterial {

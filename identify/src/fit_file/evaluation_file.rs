@@ -127,7 +127,7 @@ impl EvaluationFile {
         sources: &MeasurementSources,
     ) -> Result<Self, Diagnosis> {
         let table = TableReader::root(root)?;
-        table.only(&["title", "data", "evaluation"])?;
+        table.only(&FitFile::EVALUATION_KEYS)?;
         let title = match table.optional("title") {
             Some(field) => field.text()?,
             None => name,

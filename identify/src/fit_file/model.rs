@@ -17,6 +17,8 @@ use pellicle_contact::adhesion::Adhesion;
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use pellicle_influence::Cache;
 
+use super::shape::model_file;
+
 /// The kinds of indenters with one radius.
 const ROUND: [&str; 3] = ["paraboloid", "sphere", "flat-punch"];
 
@@ -51,7 +53,7 @@ impl FitModel {
         let table = field.clone().table()?;
         let cache = Cache::of_shapes();
         let (root, maps, name) = if let Some(case) = table.optional("case") {
-            table.only(&["case"])?;
+            table.only(&model_file().keys())?;
             let path = maps.folder().join(case.text()?);
             let root = toml_tree::parse(&Arc::new(source_file::read(&path)?))?;
             let folder = path.parent().unwrap_or(Path::new(""));

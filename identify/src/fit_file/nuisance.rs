@@ -4,6 +4,7 @@
 //! A curve has two zeros, that of its depth and that of its force. The zero of what is observed is a constant; that of
 //! the abscissa shifts the curve along it.
 
+use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::Dimension;
 use pellicle::input::table_reader::TableReader;
@@ -92,6 +93,49 @@ impl Default for NuisanceTable {
 }
 
 impl NuisanceTable {
+    /// Its keys.
+    #[must_use]
+    pub fn shape() -> TableShape {
+        let off_or = |table| Shape::Either(vec![Shape::Words(vec!["off"]), Shape::Table(table)]);
+        let compliance = prior::shape(Some(Dimension::FrameCompliance));
+        let frame = vec![Shape::Words(vec!["off", "free"]), Shape::Table(compliance)];
+        let [depth, force] = [Dimension::Length, Dimension::Force].map(zero_shape);
+        let optional = Field::optional;
+        TableShape::of([
+            optional(
+                DEPTH_ZERO,
+                "the zero of the depth",
+                off_or(depth.clone()),
+                "one of each curve",
+            ),
+            optional(
+                "shift",
+                "the old name of `depth_zero`",
+                off_or(depth),
+                "as `depth_zero`",
+            ),
+            optional(
+                FORCE_ZERO,
+                "the zero of the force",
+                off_or(force),
+                "one of each curve, where the files show a stretch before the contact",
+            ),
+            optional(
+                "drift",
+                "a depth that grows with time",
+                off_or(per_curve()),
+                "`\"off\"`",
+            ),
+            optional(
+                "frame_compliance",
+                "the compliance of the instrument",
+                Shape::Either(frame),
+                "`\"off\"`",
+            ),
+        ])
+        .open_to("a key of the model that is not known exactly, as in `[unknown]`")
+    }
+
     /// Reads the table.
     ///
     /// # Errors
@@ -198,6 +242,21 @@ impl Zero {
     }
 }
 
+/// The keys of what every curve has of its own.
+fn per_curve() -> TableShape {
+    let word = Shape::Words(vec!["curve"]);
+    TableShape::of([Field::required("per", "one of each curve", word)])
+}
+
+/// The keys of a zero of this dimension.
+fn zero_shape(dimension: Dimension) -> TableShape {
+    let is_normal = |field: &Field| ["prior", "mean", "sd"].contains(&field.key);
+    let normal = prior::shape(Some(dimension)).fields.into_iter();
+    let mut table = per_curve();
+    table.fields.extend(normal.filter(is_normal));
+    table
+}
+
 /// Reads `"off"` or `{ per = "curve" }`, which may have a normal prior.
 fn zero(field: &ValueReader<'_>, dimension: Dimension) -> Result<Zero, Diagnosis> {
     const WANTED: &str =
@@ -209,7 +268,7 @@ fn zero(field: &ValueReader<'_>, dimension: Dimension) -> Result<Zero, Diagnosis
         };
     }
     let table = field.clone().table()?;
-    table.only(&["per", "prior", "mean", "sd"])?;
+    table.only(&zero_shape(dimension).keys())?;
     let per = table.required("per", "\"curve\"")?;
     per.choice(&[("curve", ())])?;
     match prior::read(&table, Some(dimension))? {
@@ -229,7 +288,7 @@ fn switch(field: &ValueReader<'_>) -> Result<Switch, Diagnosis> {
         };
     }
     let table = field.clone().table()?;
-    table.only(&["per"])?;
+    table.only(&per_curve().keys())?;
     let per = table.required("per", "\"curve\"")?;
     per.choice(&[("curve", Switch::PerCurve)])
 }
@@ -246,7 +305,7 @@ fn freedom(field: &ValueReader<'_>) -> Result<Freedom, Diagnosis> {
         };
     }
     let table: TableReader<'_> = field.clone().table()?;
-    table.only(&prior::KEYS)?;
+    table.only(&prior::shape(None).keys())?;
     match prior::read(&table, Some(Dimension::FrameCompliance))? {
         Some(Prior::Normal { mean, sd }) => Ok(Freedom::Normal { mean, sd }),
         _ => Err(field.wanted(WANTED)),

@@ -1,13 +1,27 @@
 //! The prior of a parameter: the knowledge of its value before the measurement.
 
+use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::table_reader::TableReader;
 
 use crate::Prior;
 
-/// The keys of a prior.
-pub const KEYS: [&str; 5] = ["prior", "median", "factor", "mean", "sd"];
+/// The keys of a prior, of numbers of this dimension.
+#[must_use]
+pub fn shape(dimension: Option<Dimension>) -> TableShape {
+    let value = || dimension.map_or(Shape::Number, |of| Shape::Quantity(of, Sign::Any));
+    let words = Shape::words(&KINDS);
+    let factor = "one standard deviation of a lognormal one, above 1";
+    let field = |key, meaning, shape| Field::optional(key, meaning, shape, "none");
+    TableShape::of([
+        field("prior", "the kind of the prior", words),
+        field("median", "median of a lognormal one", value()),
+        field("factor", factor, Shape::Number),
+        field("mean", "mean of a normal one", value()),
+        field("sd", "standard deviation of a normal one", value()),
+    ])
+}
 
 const FACTOR: &str = "a factor above 1 that is one standard deviation, such as 1.05";
 
@@ -17,6 +31,11 @@ enum PriorKind {
     Lognormal,
     Normal,
 }
+
+const KINDS: [(&str, PriorKind); 2] = [
+    ("lognormal", PriorKind::Lognormal),
+    ("normal", PriorKind::Normal),
+];
 
 /// Reads the prior of a positive parameter of this dimension (`None` for a plain number). Returns none if the table has
 /// no prior.
@@ -31,11 +50,7 @@ pub fn read(
     let Some(kind) = table.optional("prior") else {
         return Ok(None);
     };
-    let choices = [
-        ("lognormal", PriorKind::Lognormal),
-        ("normal", PriorKind::Normal),
-    ];
-    Ok(Some(match kind.choice(&choices)? {
+    Ok(Some(match kind.choice(&KINDS)? {
         PriorKind::Lognormal => {
             let factor = table.required("factor", FACTOR)?;
             let number = factor.number(FACTOR)?;

@@ -1,8 +1,10 @@
 //! `[report]` of a fit file: the form of the result.
 
+use std::ops::RangeInclusive;
+
+use pellicle::declare::shape::{Field, Shape, TableShape};
+use pellicle::declare::{self, Codec, Scope, Series, series};
 use pellicle::input::diagnosis::Diagnosis;
-use pellicle::input::dimension::{Dimension, Sign};
-use pellicle::input::quantity_list::QuantityList;
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::value_reader::ValueReader;
 
@@ -64,6 +66,45 @@ impl Default for ReportTable {
 }
 
 impl ReportTable {
+    const INTERVALS: [(&'static str, Intervals); 2] =
+        [("profile", Intervals::Profile), ("wald", Intervals::Wald)];
+    const OUTSIDE: [(&'static str, OutsidePoints); 2] = [
+        ("leave out", OutsidePoints::LeaveOut),
+        ("keep", OutsidePoints::Keep),
+    ];
+    const SEEDS: RangeInclusive<usize> = 0..=usize::MAX;
+
+    /// Its keys.
+    #[must_use]
+    pub fn shape() -> TableShape {
+        let methods = Shape::words(&Self::INTERVALS);
+        let outside = Shape::words(&Self::OUTSIDE);
+        let design = Shape::Table(Design::shape());
+        let optional = Field::optional;
+        TableShape::of([
+            optional("level", "level of the intervals", Shape::Number, "0.95"),
+            optional("intervals", "how they are found", methods, "`\"profile\"`"),
+            optional(
+                "seed",
+                "seed of simulated noise",
+                Shape::Count(Self::SEEDS),
+                "1",
+            ),
+            optional(
+                "design",
+                "curves that could be measured, for a plan",
+                design,
+                "those of the data",
+            ),
+            optional(
+                "outside",
+                "points at which the model does not hold",
+                outside,
+                "`\"leave out\"`",
+            ),
+        ])
+    }
+
     /// Reads the table.
     ///
     /// # Errors
@@ -71,7 +112,7 @@ impl ReportTable {
     /// A [`Diagnosis`] of the first fault.
     pub fn read(table: &TableReader<'_>, parameters: &ModelParameters) -> Result<Self, Diagnosis> {
         const LEVEL: &str = "a number between 0.5 and 0.999, such as 0.95";
-        table.only(&["level", "intervals", "seed", "design", "outside"])?;
+        table.only(&Self::shape().keys())?;
         let mut report = Self::default();
         if let Some(field) = table.optional("level") {
             report.level = field.number(LEVEL)?;
@@ -80,18 +121,13 @@ impl ReportTable {
             }
         }
         if let Some(field) = table.optional("intervals") {
-            let choices = [("profile", Intervals::Profile), ("wald", Intervals::Wald)];
-            report.intervals = field.choice(&choices)?;
+            report.intervals = field.choice(&Self::INTERVALS)?;
         }
         if let Some(field) = table.optional("seed") {
-            report.seed = field.count(0..=usize::MAX, "")? as u64;
+            report.seed = field.count(Self::SEEDS, "")? as u64;
         }
         if let Some(field) = table.optional("outside") {
-            let choices = [
-                ("leave out", OutsidePoints::LeaveOut),
-                ("keep", OutsidePoints::Keep),
-            ];
-            report.outside = field.choice(&choices)?;
+            report.outside = field.choice(&Self::OUTSIDE)?;
         }
         if let Some(field) = table.optional("design") {
             report.design = Design::read(&field, parameters)?;
@@ -111,24 +147,45 @@ impl ReportTable {
 }
 
 impl Design {
+    const POINTS: RangeInclusive<usize> = FEWEST_POINTS..=MOST_POINTS;
+
+    /// Its keys.
+    fn shape() -> TableShape {
+        let optional = Field::optional;
+        let [forces, radii] = [Self::forces(), Self::radii()].map(|of| of.shape());
+        TableShape::of([
+            optional("forces", "largest forces", forces, "those of the data"),
+            optional("radii", "radii of the indenter", radii, "that of the model"),
+            optional(
+                "points",
+                "points of a curve",
+                Shape::Count(Self::POINTS),
+                "as in the data",
+            ),
+        ])
+    }
+
+    fn forces() -> Series {
+        series(declare::force().positive(), MOST_OF_DESIGN)
+    }
+
+    fn radii() -> Series {
+        series(declare::length().positive(), MOST_OF_DESIGN)
+    }
+
     fn read(field: &ValueReader<'_>, parameters: &ModelParameters) -> Result<Self, Diagnosis> {
         let table = field.clone().table()?;
-        table.only(&["forces", "radii", "points"])?;
-        let list = |key, dimension| {
-            let list = QuantityList {
-                dimension,
-                sign: Sign::Positive,
-                most: MOST_OF_DESIGN,
-            };
+        table.only(&Self::shape().keys())?;
+        let list = |key, of: Series| {
             let field = table.optional(key);
-            field.map_or(Ok(Vec::new()), |field| list.read(&field))
+            field.map_or(Ok(Vec::new()), |field| of.read(&field, &Scope::default()))
         };
         let points = table
             .optional("points")
-            .map(|field| field.count(FEWEST_POINTS..=MOST_POINTS, ", points of a curve"));
+            .map(|field| field.count(Self::POINTS, ", points of a curve"));
         let design = Self {
-            forces: distinct(list("forces", Dimension::Force)?),
-            radii: distinct(list("radii", Dimension::Length)?),
+            forces: distinct(list("forces", Self::forces())?),
+            radii: distinct(list("radii", Self::radii())?),
             points: points.transpose()?,
         };
         if let (Some(radii), None) = (table.optional("radii"), parameters.radius()) {

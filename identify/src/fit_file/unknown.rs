@@ -1,6 +1,7 @@
 //! `[unknown]` of a fit file: the parameters to be fitted, each between bounds or with a prior.
 
 use pellicle::case::parameter::{self, CaseParameter};
+use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::key_path::dotted;
@@ -78,6 +79,16 @@ pub fn read_unknowns(
     fields.iter().map(read).collect()
 }
 
+/// The keys of what is sought: bounds, a prior, or both.
+#[must_use]
+pub fn shape() -> TableShape {
+    let bound = || Shape::Either(vec![Shape::Number, Shape::Text]);
+    let end = |key, meaning| Field::optional(key, meaning, bound(), "that of the prior");
+    let ends = [end("from", "the lower bound"), end("to", "the upper bound")];
+    let prior = prior::shape(None).fields;
+    TableShape::of(ends.into_iter().chain(prior).collect::<Vec<_>>())
+}
+
 /// Reads one key.
 ///
 /// # Errors
@@ -90,7 +101,7 @@ pub fn read_unknown(
 ) -> Result<UnknownCase, Diagnosis> {
     let of = parameters.required(field, key)?;
     let table = field.clone().table()?;
-    table.only(&[&["from", "to"][..], &prior::KEYS].concat())?;
+    table.only(&shape().keys())?;
     let prior = prior::read(&table, of.dimension)?;
     let range = range(&table, of, prior)?;
     let [low, high] = range;
@@ -178,7 +189,6 @@ fn collect<'a>(
 
 /// Whether an entry is part of the key of a parameter rather than part of its description.
 fn is_part_of_key(entry: &TomlEntry) -> bool {
-    let describes = ["from", "to", "per"];
     let key = entry.key.as_str();
-    !(describes.contains(&key) || prior::KEYS.contains(&key))
+    !(key == "per" || shape().keys().contains(&key))
 }

@@ -1,5 +1,6 @@
 //! The key `baseline`: the line of forces before the contact, subtracted from all forces.
 
+use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::value_reader::ValueReader;
@@ -47,6 +48,22 @@ const PULL_OFF_NOISE: f64 = 8.0;
 const PULL_OFF_PART: f64 = 0.02;
 
 impl Baseline {
+    /// What it may be.
+    #[must_use]
+    pub fn shape() -> Shape {
+        let words = vec!["before contact", "off"];
+        Shape::Either(vec![Shape::Words(words), Shape::Table(Self::ends())])
+    }
+
+    /// The keys of a range of distances.
+    fn ends() -> TableShape {
+        let end = |key, meaning| {
+            let length = Shape::Quantity(Dimension::Length, Sign::NotNegative);
+            Field::required(key, meaning, length)
+        };
+        TableShape::of([end("from", "its nearer end"), end("to", "its farther end")])
+    }
+
     /// Reads `"off"`, `"before contact"` or a range of distances before the contact.
     ///
     /// # Errors
@@ -62,7 +79,7 @@ impl Baseline {
             };
         }
         let table = field.clone().table()?;
-        table.only(&["from", "to"])?;
+        table.only(&Self::ends().keys())?;
         let end = |key| {
             table
                 .required(key, WANTED)?

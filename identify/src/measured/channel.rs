@@ -49,6 +49,20 @@ impl Channel {
         }
     }
 
+    /// Its meaning, in words.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Depth => "penetration, positive into the body",
+            Self::Force => "force, positive if it presses",
+            Self::Time => "time",
+            Self::Stiffness => "contact stiffness",
+            Self::ContactRadius => "√(A/π) of the contact area A",
+            Self::Height => "height of the piezo that moves a cantilever",
+            Self::Deflection => "deflection of the cantilever, positive if the body presses it",
+        }
+    }
+
     /// Its dimension.
     #[must_use]
     pub fn dimension(self) -> Dimension {

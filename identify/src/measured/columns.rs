@@ -1,5 +1,6 @@
 //! The tables `columns` and `units` of a fit file: the columns to read, and their units.
 
+use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::Sign;
 use pellicle::input::quantity;
@@ -235,17 +236,29 @@ pub struct CurveColumns {
 }
 
 impl CurveColumns {
-    const KEYS: [&'static str; 9] = [
-        "depth",
-        "force",
-        "time",
-        "stiffness",
-        "contact_radius",
-        "height",
-        "deflection",
-        "segment",
-        "marker",
-    ];
+    /// The keys of `columns`.
+    #[must_use]
+    pub fn shape() -> TableShape {
+        let column = || Shape::Either(vec![Shape::Count(1..=usize::MAX), Shape::Text]);
+        let field = |key, meaning| Field::optional(key, meaning, column(), "not there");
+        let channels = Channel::ALL.map(|channel| field(channel.key(), channel.meaning()));
+        let others = [
+            field("segment", "a label of the part of the curve"),
+            field("marker", "words at single rows"),
+        ];
+        TableShape::of(channels.into_iter().chain(others).collect::<Vec<_>>())
+    }
+
+    /// The keys of `units`.
+    #[must_use]
+    pub fn units() -> TableShape {
+        let field = |channel: Channel| {
+            let shape = Shape::Either(vec![Shape::Text, Shape::Number]);
+            let meaning = "a unit, or what one of the file's is in SI units";
+            Field::optional(channel.key(), meaning, shape, "that in the header")
+        };
+        TableShape::of(Channel::ALL.map(field))
+    }
 
     /// Reads `columns` and `units`.
     ///
@@ -256,10 +269,9 @@ impl CurveColumns {
         columns: &TableReader<'_>,
         units: Option<&TableReader<'_>>,
     ) -> Result<Self, Diagnosis> {
-        columns.only(&Self::KEYS)?;
-        let keys = Channel::ALL.map(Channel::key);
+        columns.only(&Self::shape().keys())?;
         if let Some(units) = units {
-            units.only(&keys)?;
+            units.only(&Self::units().keys())?;
         }
         let name = |key| {
             columns

@@ -1,5 +1,8 @@
 //! The table `segment` of a fit file: the part of a measurement to use.
 
+use std::ops::RangeInclusive;
+
+use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::diagnosis::{Diagnosis, Fault};
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::quantity;
@@ -58,7 +61,32 @@ pub enum Until {
 }
 
 impl CurveSegment {
-    const KEYS: [&'static str; 5] = ["value", "from", "to", "part", "until"];
+    const PARTS: [(&'static str, Branch); 3] = [
+        ("loading", Branch::Loading),
+        ("unloading", Branch::Unloading),
+        ("whole", Branch::Whole),
+    ];
+    const ENDS_OF_LOADING: [(&'static str, Until); 2] = [
+        ("largest force", Until::LargestForce),
+        ("largest depth step", Until::LargestDepthStep),
+    ];
+
+    /// Its keys.
+    #[must_use]
+    pub fn shape() -> TableShape {
+        let label = Shape::Either(vec![Shape::Text, Shape::Number]);
+        let end =
+            |key, meaning, missing| Field::optional(key, meaning, SegmentEnd::shape(), missing);
+        let parts = Shape::words(&Self::PARTS);
+        let ends = Shape::words(&Self::ENDS_OF_LOADING);
+        TableShape::of([
+            Field::optional("value", "the label in the column `segment`", label, "all"),
+            end("from", "where it begins", "the first row"),
+            end("to", "where it ends", "the last row"),
+            Field::optional("part", "the branch", parts, "`\"loading\"`"),
+            Field::optional("until", "what ends a loading", ends, "`\"largest force\"`"),
+        ])
+    }
 
     /// Reads the table.
     ///
@@ -66,7 +94,7 @@ impl CurveSegment {
     ///
     /// A [`Diagnosis`] of the first fault.
     pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&Self::KEYS)?;
+        table.only(&Self::shape().keys())?;
         let end = |key| {
             table
                 .optional(key)
@@ -83,17 +111,10 @@ impl CurveSegment {
             ..Self::default()
         };
         if let Some(field) = table.optional("part") {
-            segment.part = field.choice(&[
-                ("loading", Branch::Loading),
-                ("unloading", Branch::Unloading),
-                ("whole", Branch::Whole),
-            ])?;
+            segment.part = field.choice(&Self::PARTS)?;
         }
         if let Some(field) = table.optional("until") {
-            segment.until = field.choice(&[
-                ("largest force", Until::LargestForce),
-                ("largest depth step", Until::LargestDepthStep),
-            ])?;
+            segment.until = field.choice(&Self::ENDS_OF_LOADING)?;
             if segment.part != Branch::Loading {
                 return Err(field.unusable(
                     &"where part is not \"loading\"",
@@ -141,6 +162,29 @@ impl SegmentEnd {
     const WANTED: &'static str = "a force or a time with its unit, such as \"0.8 mN\" or \"3 s\", the number of a row, \
         or a table of one of force, time, row and marker";
 
+    fn shape() -> Shape {
+        let quantity = |dimension| Shape::Quantity(dimension, Sign::Any);
+        Shape::Either(vec![
+            quantity(Dimension::Force),
+            quantity(Dimension::Time),
+            Shape::Count(ROWS),
+            Shape::Table(Self::table()),
+        ])
+    }
+
+    /// The keys of an end that is a table, of which exactly one is given.
+    fn table() -> TableShape {
+        let quantity = |dimension| Shape::Quantity(dimension, Sign::Any);
+        let mut table = TableShape::of([
+            Field::required("force", "a force", quantity(Dimension::Force)),
+            Field::required("time", "a time", quantity(Dimension::Time)),
+            Field::required("row", "the number of a row", Shape::Count(ROWS)),
+            Field::required("marker", "a word in the column `marker`", Shape::Text),
+        ]);
+        table.one_of = table.keys();
+        table
+    }
+
     fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
         match field.value() {
             TomlValue::Text(text) => match quantity::dimension_of(text) {
@@ -161,9 +205,9 @@ impl SegmentEnd {
     }
 
     fn of_table(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        const KEYS: [&str; 4] = ["force", "time", "row", "marker"];
-        table.only(&KEYS)?;
-        let [key] = table.given(&KEYS)[..] else {
+        let keys = Self::table().keys();
+        table.only(&keys)?;
+        let [key] = table.given(&keys)[..] else {
             return Err(table.missing("force", "one of force, time, row and marker".into()));
         };
         let field = table.required(key, Self::WANTED)?;
@@ -176,8 +220,11 @@ impl SegmentEnd {
     }
 }
 
+/// The numbers of the rows of a table.
+pub(super) const ROWS: RangeInclusive<usize> = 1..=1_000_000_000;
+
 fn row(field: &ValueReader<'_>) -> Result<SegmentEnd, Diagnosis> {
-    let row = field.count(1..=1_000_000_000, ", the number of a row of the table");
+    let row = field.count(ROWS, ", the number of a row of the table");
     row.map(SegmentEnd::Row)
 }
 

@@ -5,6 +5,7 @@ mod required_columns;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::diagnosis::{Diagnosis, Fault};
 use pellicle::input::document::Document;
 use pellicle::input::key_path;
@@ -60,20 +61,83 @@ pub struct DataTable {
 }
 
 impl DataTable {
-    const KEYS: [&'static str; 12] = [
-        "file",
-        "columns",
-        "units",
-        "text",
-        "segment",
-        "baseline",
-        "omit",
-        "observe",
-        "noise",
-        "spring_constant",
-        "height_direction",
-        "set",
-    ];
+    /// Its keys.
+    #[must_use]
+    pub fn shape() -> TableShape {
+        let table = Shape::Table;
+        let optional = Field::optional;
+        let files = "a path from the folder of the fit file, with `*` and `?` for several";
+        let observed = "what is compared with the model, at which values of another quantity";
+        let set = TableShape::default().open_to("a key of the model and its value");
+        TableShape::of([
+            Field::required("file", files, Shape::Text),
+            Field::required(
+                "columns",
+                "the number or the name of each column",
+                table(CurveColumns::shape()),
+            ),
+            optional(
+                "units",
+                "the unit of each column",
+                table(CurveColumns::units()),
+                "those in the header",
+            ),
+            optional(
+                "text",
+                "the form of the text",
+                table(TextOptions::shape()),
+                "detected",
+            ),
+            optional(
+                "segment",
+                "the part to use",
+                table(CurveSegment::shape()),
+                "the loading",
+            ),
+            optional(
+                "baseline",
+                "a line of forces before the contact that is subtracted",
+                Baseline::shape(),
+                "`\"off\"`",
+            ),
+            optional(
+                "omit",
+                "rows that are left out",
+                OmittedRows::shape(),
+                "none",
+            ),
+            optional(
+                "observe",
+                observed,
+                Shape::words(&Observable::ALL),
+                "`\"depth at force\"`; of a cantilever `\"force at depth\"`",
+            ),
+            optional(
+                "noise",
+                "standard deviations of the readings",
+                table(MeasuredNoise::shape()),
+                "estimated",
+            ),
+            optional(
+                "spring_constant",
+                "that of a cantilever",
+                SpringConstant::shape(),
+                "that of the files",
+            ),
+            optional(
+                "height_direction",
+                "whether a larger height is nearer to the body",
+                Shape::words(&HeightDirection::CHOICES),
+                "`\"auto\"`",
+            ),
+            optional(
+                "set",
+                "keys of the model that are other for these files",
+                table(set),
+                "none",
+            ),
+        ])
+    }
 
     /// Reads every `[[data]]` table of the text of a fit file in this folder, ignoring its other tables.
     ///
@@ -127,7 +191,7 @@ impl DataTable {
         sources: &MeasurementSources,
     ) -> Result<Self, Diagnosis> {
         let table = field.clone().table()?;
-        table.only(&Self::KEYS)?;
+        table.only(&Self::shape().keys())?;
         let optional = |key| table.optional(key).map(ValueReader::table).transpose();
         let columns =
             "the columns, such as { depth = 2, force = 3 }, by their numbers from 1 or their names";

@@ -1,5 +1,6 @@
 //! The table `noise` of a fit file: the noise of a measurement, as far as it is known.
 
+use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::table_reader::TableReader;
@@ -43,13 +44,41 @@ impl MeasuredNoise {
         }
     }
 
+    const CORRELATIONS: [(&'static str, NoiseCorrelation); 2] = [
+        ("none", NoiseCorrelation::None),
+        ("estimate", NoiseCorrelation::Estimate),
+    ];
+
+    /// Its keys.
+    #[must_use]
+    pub fn shape() -> TableShape {
+        let sd = |key, meaning, dimension| {
+            let shape = Shape::Quantity(dimension, Sign::NotNegative);
+            Field::optional(key, meaning, shape, "estimated")
+        };
+        let relative = "a part of what is observed, beside the other";
+        let correlations = Shape::words(&Self::CORRELATIONS);
+        TableShape::of([
+            sd("depth", "that of a depth", Dimension::Length),
+            sd("force", "that of a force", Dimension::Force),
+            sd("stiffness", "that of a stiffness", Dimension::Stiffness),
+            Field::optional("relative", relative, Shape::Number, "0"),
+            Field::optional(
+                "correlation",
+                "of neighbouring points",
+                correlations,
+                "`\"estimate\"`",
+            ),
+        ])
+    }
+
     /// Reads the table.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] of the first fault.
     pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&["depth", "force", "stiffness", "relative", "correlation"])?;
+        table.only(&Self::shape().keys())?;
         let quantity = |key, dimension| {
             let field = table.optional(key);
             field
@@ -63,12 +92,8 @@ impl MeasuredNoise {
                 .filter(|n| (0.0..1.0).contains(n))
                 .ok_or_else(|| field.wanted(wanted))
         });
-        let correlation = table.optional("correlation").map(|field| {
-            field.choice(&[
-                ("none", NoiseCorrelation::None),
-                ("estimate", NoiseCorrelation::Estimate),
-            ])
-        });
+        let correlation = table.optional("correlation");
+        let correlation = correlation.map(|field| field.choice(&Self::CORRELATIONS));
         Ok(Self {
             depth: quantity("depth", Dimension::Length)?,
             force: quantity("force", Dimension::Force)?,

@@ -2,9 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
+use pellicle::declare::shape::{Shape, TableShape};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::toml_tree::TomlValue;
 use pellicle::input::value_reader::ValueReader;
+
+use super::curve_segment::ROWS;
 
 /// Rows that are left out by hand.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -17,6 +20,13 @@ const WANTED: &str = "the numbers of rows, such as [31, 44], or for several file
                       names of the files, such as { \"test03.csv\" = [31] }";
 
 impl OmittedRows {
+    /// What it may be.
+    #[must_use]
+    pub fn shape() -> Shape {
+        let by_file = TableShape::default().open_to("the name of a file, and its rows");
+        Shape::Either(vec![Shape::list(Shape::Count(ROWS)), Shape::Table(by_file)])
+    }
+
     /// Reads the list, or the table of lists; `files` are those of the `[[data]]` table.
     ///
     /// # Errors
@@ -59,8 +69,6 @@ fn name(file: &Path) -> String {
 }
 
 fn rows(field: &ValueReader<'_>) -> Result<Vec<usize>, Diagnosis> {
-    let row = |item: &ValueReader<'_>| {
-        item.count(1..=1_000_000_000, ", the number of a row of the table")
-    };
+    let row = |item: &ValueReader<'_>| item.count(ROWS, ", the number of a row of the table");
     field.items(WANTED)?.iter().map(row).collect()
 }

@@ -4,6 +4,7 @@
 //! was computed from the deflection, `F = k d`, here or by the instrument, so another spring constant changes the force
 //! but not the penetration. `identification/spring_constants.rs` describes the effect on a fit.
 
+use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::table_reader::TableReader;
@@ -42,6 +43,20 @@ pub enum SpringSource {
 }
 
 impl SpringConstant {
+    /// What it may be.
+    #[must_use]
+    pub fn shape() -> Shape {
+        Shape::Either(vec![stiffness(), Shape::Table(Self::table())])
+    }
+
+    /// The keys of one with a standard deviation.
+    fn table() -> TableShape {
+        TableShape::of([
+            Field::required("mean", "its value", stiffness()),
+            Field::optional("sd", "its standard deviation", stiffness(), "none"),
+        ])
+    }
+
     /// Reads a stiffness, or a table of `mean` and `sd`.
     ///
     /// # Errors
@@ -55,7 +70,7 @@ impl SpringConstant {
             return Ok(Self { mean, sd, source });
         }
         let table: TableReader<'_> = field.clone().table()?;
-        table.only(&["mean", "sd"])?;
+        table.only(&Self::table().keys())?;
         let sd = table.optional("sd");
         let sd = sd.map(|field| field.quantity(Dimension::Stiffness, Sign::Positive));
         Ok(Self {
@@ -141,18 +156,26 @@ pub enum HeightDirection {
     Away,
 }
 
+/// A positive stiffness.
+const fn stiffness() -> Shape {
+    Shape::Quantity(Dimension::Stiffness, Sign::Positive)
+}
+
 impl HeightDirection {
+    /// The words for the directions.
+    pub const CHOICES: [(&'static str, Self); 3] = [
+        ("auto", Self::FromForce),
+        ("toward", Self::Toward),
+        ("away", Self::Away),
+    ];
+
     /// Reads the word for a direction.
     ///
     /// # Errors
     ///
     /// A [`Diagnosis`] if the value is not one of the words.
     pub fn read(field: &ValueReader<'_>) -> Result<Self, Diagnosis> {
-        field.choice(&[
-            ("auto", Self::FromForce),
-            ("toward", Self::Toward),
-            ("away", Self::Away),
-        ])
+        field.choice(&Self::CHOICES)
     }
 
     /// 1 if larger heights are nearer to the body, −1 otherwise.

@@ -1,5 +1,8 @@
 //! The table `text` of a fit file: the format of the text of a measurement.
 
+use std::ops::RangeInclusive;
+
+use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::decode::TextEncoding;
 use pellicle::input::diagnosis::{Diagnosis, Fault};
 use pellicle::input::table_reader::TableReader;
@@ -37,14 +40,60 @@ impl Default for TextOptions {
 }
 
 impl TextOptions {
-    const KEYS: [&'static str; 6] = [
-        "decimal",
-        "separator",
-        "skip_until",
-        "table",
-        "encoding",
-        "invalid_above",
+    const DECIMALS: [(&'static str, DecimalMark); 2] =
+        [(".", DecimalMark::Point), (",", DecimalMark::Comma)];
+    const SEPARATORS: [(&'static str, Option<Separator>); 5] = [
+        ("auto", None),
+        (",", Some(Separator::Comma)),
+        (";", Some(Separator::Semicolon)),
+        ("tab", Some(Separator::Tab)),
+        ("space", Some(Separator::Space)),
     ];
+    const TABLES: RangeInclusive<usize> = 1..=1_000_000;
+
+    /// Its keys.
+    #[must_use]
+    pub fn shape() -> TableShape {
+        let optional = Field::optional;
+        let words = [
+            Shape::words(&Self::DECIMALS),
+            Shape::words(&Self::SEPARATORS),
+        ];
+        let [decimals, separators] = words;
+        TableShape::of([
+            optional("decimal", "the decimal mark", decimals, "a point"),
+            optional(
+                "separator",
+                "what separates columns",
+                separators,
+                "detected",
+            ),
+            optional(
+                "skip_until",
+                "the table begins at a line with this text",
+                Shape::Text,
+                "detected",
+            ),
+            optional(
+                "table",
+                "which of the tables in the file",
+                Shape::Count(Self::TABLES),
+                "1",
+            ),
+            optional(
+                "encoding",
+                "such as `\"utf-16\"`",
+                Shape::Text,
+                "`\"auto\"`",
+            ),
+            optional(
+                "invalid_above",
+                "larger numbers mark missing values",
+                Shape::Number,
+                "1e100",
+            ),
+        ])
+    }
 
     /// Reads the table.
     ///
@@ -52,17 +101,16 @@ impl TextOptions {
     ///
     /// A [`Diagnosis`] of the first fault.
     pub fn read(table: &TableReader<'_>) -> Result<Self, Diagnosis> {
-        table.only(&Self::KEYS)?;
+        table.only(&Self::shape().keys())?;
         let mut options = Self::default();
         if let Some(field) = table.optional("decimal") {
-            options.decimal =
-                field.choice(&[(".", DecimalMark::Point), (",", DecimalMark::Comma)])?;
+            options.decimal = field.choice(&Self::DECIMALS)?;
         }
         if let Some(field) = table.optional("skip_until") {
             options.skip_until = Some(field.text()?.to_owned());
         }
         if let Some(field) = table.optional("table") {
-            options.table = Some(field.count(1..=1_000_000, ", which of the tables in the file")?);
+            options.table = Some(field.count(Self::TABLES, ", which of the tables in the file")?);
         }
         if let Some(field) = table.optional("encoding") {
             let named = TextEncoding::named(field.text()?);
@@ -88,13 +136,7 @@ impl TextOptions {
         let Some(field) = table.optional("separator") else {
             return Ok(None);
         };
-        let separator = field.choice(&[
-            ("auto", None),
-            (",", Some(Separator::Comma)),
-            (";", Some(Separator::Semicolon)),
-            ("tab", Some(Separator::Tab)),
-            ("space", Some(Separator::Space)),
-        ])?;
+        let separator = field.choice(&Self::SEPARATORS)?;
         if separator == Some(Separator::Comma) && decimal == DecimalMark::Comma {
             let (found, wanted) = (
                 "a comma for both".into(),

@@ -276,10 +276,12 @@ impl<T: Record> Codec for Part<T> {
             fields,
             one_of,
             together,
+            open,
         } = T::shape();
         table.fields.extend(fields);
         table.one_of.extend(one_of);
         table.together.extend(together);
+        table.open = table.open.or(open);
     }
 }
 

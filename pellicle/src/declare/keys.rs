@@ -65,7 +65,11 @@ fn section(text: &mut String, path: &str, table: &TableShape) {
 
 /// The table of the fields.
 fn rows(text: &mut String, table: &TableShape) {
-    let rows: Vec<_> = table.fields.iter().map(|field| row(field, table)).collect();
+    let further = table
+        .open
+        .map(|meaning| format!("| others | a table or a value | {meaning} | none |\n"));
+    let rows = table.fields.iter().map(|field| row(field, table));
+    let rows: Vec<_> = rows.chain(further).collect();
     if !rows.is_empty() {
         *text += "| key | value | meaning | if missing |\n|---|---|---|---|\n";
         rows.iter().for_each(|row| *text += row);
@@ -149,6 +153,9 @@ pub fn value(shape: &Shape) -> String {
     match shape {
         Shape::Quantity(dimension, _) => dimension.noun().into(),
         Shape::Number => "a number".into(),
+        Shape::Count(range) if *range.end() == usize::MAX => {
+            format!("an integer from {} on", range.start())
+        }
         Shape::Count(range) => format!("{} to {}", range.start(), range.end()),
         Shape::Words(words) => format!("`\"{}\"`", words.join("\"`, `\"")),
         Shape::Switch => "`true`, `false`".into(),

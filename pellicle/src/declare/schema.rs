@@ -92,7 +92,8 @@ fn table(of: &TableShape, shared: &TableShape, kind: Option<(&str, Value, bool)>
         }
     }
     let mut schema = json!({
-        "type": "object", "properties": properties, "additionalProperties": false,
+        "type": "object", "properties": properties,
+        "additionalProperties": of.open.or(shared.open).is_some(),
     });
     // Draft 4 knows no empty list of required keys.
     if !required.is_empty() {

@@ -38,6 +38,8 @@ pub struct TableShape {
     pub one_of: Vec<&'static str>,
     /// Fields that are given all or not at all.
     pub together: Vec<&'static str>,
+    /// What further keys mean, if it may have any.
+    pub open: Option<&'static str>,
 }
 
 /// A table whose fields depend on the word of one key.
@@ -75,7 +77,52 @@ pub enum Presence {
     Default(String),
 }
 
+impl Field {
+    /// A key that must be given.
+    #[must_use]
+    pub const fn required(key: &'static str, meaning: &'static str, shape: Shape) -> Self {
+        Self {
+            key,
+            meaning,
+            shape,
+            presence: Presence::Required,
+        }
+    }
+
+    /// A key that may be missing, and what holds then.
+    #[must_use]
+    pub fn optional(
+        key: &'static str,
+        meaning: &'static str,
+        shape: Shape,
+        missing: &'static str,
+    ) -> Self {
+        Self {
+            presence: Presence::Default(missing.into()),
+            ..Self::required(key, meaning, shape)
+        }
+    }
+}
+
 impl TableShape {
+    /// A table of these fields.
+    #[must_use]
+    pub fn of(fields: impl Into<Vec<Field>>) -> Self {
+        Self {
+            fields: fields.into(),
+            ..Self::default()
+        }
+    }
+
+    /// With further keys of this meaning.
+    #[must_use]
+    pub fn open_to(self, further: &'static str) -> Self {
+        Self {
+            open: Some(further),
+            ..self
+        }
+    }
+
     /// The keys of the fields.
     #[must_use]
     pub fn keys(&self) -> Vec<&'static str> {
@@ -84,6 +131,18 @@ impl TableShape {
 }
 
 impl Shape {
+    /// A list of such values, of any number.
+    #[must_use]
+    pub fn list(item: Self) -> Self {
+        Self::List(Box::new(item), None)
+    }
+
+    /// The keys of choices, as words.
+    #[must_use]
+    pub fn words<T>(choices: &[(&'static str, T)]) -> Self {
+        Self::Words(choices.iter().map(|(word, _)| *word).collect())
+    }
+
     /// The tables directly in it: its own, or those of a list or of each kind.
     #[must_use]
     pub fn tables(&self) -> Vec<&TableShape> {

@@ -145,21 +145,24 @@ fn with_unit(text: &str, power: f64) -> Option<f64> {
 const ANGLE: &str =
     "the angle between axis and side, above 0 and below 90 deg, such as \"70.3 deg\"";
 
+/// A shape that needs no angle, or one that does.
+#[derive(Clone, Copy)]
+pub(super) enum Word {
+    Shape(TipShape),
+    Cone,
+}
+
+/// The words of `tip`.
+pub(super) const TIPS: [(&str, Word); 5] = [
+    ("berkovich", Word::Shape(TipShape::Berkovich)),
+    ("vickers", Word::Shape(TipShape::Vickers)),
+    ("cube corner", Word::Shape(TipShape::CubeCorner)),
+    ("cone", Word::Cone),
+    ("sphere", Word::Shape(TipShape::Sphere)),
+];
+
 fn tip(table: &TableReader<'_>, field: &ValueReader<'_>) -> Result<Tip, Diagnosis> {
-    /// A shape that needs no angle, or one that does.
-    #[derive(Clone, Copy)]
-    enum Word {
-        Shape(TipShape),
-        Cone,
-    }
-    let word = field.choice(&[
-        ("berkovich", Word::Shape(TipShape::Berkovich)),
-        ("vickers", Word::Shape(TipShape::Vickers)),
-        ("cube corner", Word::Shape(TipShape::CubeCorner)),
-        ("cone", Word::Cone),
-        ("sphere", Word::Shape(TipShape::Sphere)),
-    ])?;
-    let shape = match (word, table.optional("angle")) {
+    let shape = match (field.choice(&TIPS)?, table.optional("angle")) {
         (Word::Shape(_), Some(angle)) => {
             return Err(angle.wanted("none: only a cone has an angle of its own"));
         }
