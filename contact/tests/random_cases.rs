@@ -197,6 +197,7 @@ fn refused(error: &ContactError) -> Outcome {
 
 /// Prints how many cases have which outcome, and asserts that none fails and few are refused; returns the products of
 /// those certified, from the fewest.
+#[expect(clippy::print_stderr, reason = "a table for whoever runs more cases")]
 fn tally(
     kind: &str,
     outcomes: Vec<(u64, Outcome)>,

@@ -204,6 +204,7 @@ fn stresses_in_both_bodies_with_residual_stress_are_finite_and_in_their_bodies()
     });
 }
 
+#[expect(clippy::print_stderr, reason = "a table for whoever runs more cases")]
 fn assert_finite(draw: impl Fn(u64) -> (Case, Sliding) + Sync) {
     let count = std::env::var("PELLICLE_RANDOM_STRESSES");
     let count = count.map_or(SHORT, |count| count.parse().unwrap());
