@@ -10,7 +10,7 @@ mod dilute;
 pub mod domain;
 mod effort;
 mod hierarchy;
-mod level;
+pub mod level;
 pub mod levels;
 mod loading_path;
 mod part;

@@ -14,9 +14,12 @@
 //! compliance `k γ Δ` under every element, so that each stage is one solution of the same problem, stable whatever Δ,
 //! and under a force Q the worn volume is `k Q s` as exactly as the pressures carry the force. Steps are those of the
 //! diagonally implicit method of two stages, L-stable and of second order, `γ = 1 − 1/√2` (R. Alexander, SIAM J.
-//! Numer. Anal. 14, 1977, 1006–1021); its difference from a method of first order chooses their length.
+//! Numer. Anal. 14, 1977, 1006–1021); its
+//! difference from the quadrature of third order through the pressures at the start and the two stages chooses their
+//! length. A stage starts from the pressure continued from those before.
 
 mod run;
+mod stage;
 mod worn_relief;
 
 use self::run::WearRun;
@@ -32,6 +35,7 @@ use crate::{
 /// Factor by which a chosen domain is enlarged, and how often at most, if the contact outgrows it.
 const ENLARGEMENT: f64 = 1.5;
 const ENLARGEMENTS: usize = 8;
+
 /// A wear to compute.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wear {
@@ -44,8 +48,11 @@ pub struct Wear {
 }
 
 impl Wear {
-    /// The usual tolerance: steps of a tenth of it change depths by less than this part of the largest.
-    pub const TOLERANCE: f64 = 1e-3;
+    /// The usual tolerance: half of it changes depths by less than this part of the largest.
+    ///
+    /// *Measured*: with it and steps somewhat longer, depths under a ball and on pillars of 64² and 96² elements erred
+    /// by 1.2e-3, those of a film at the edge of what is worn through by 2.7e-3. The grid errs by more.
+    pub const TOLERANCE: f64 = 5e-3;
 
     /// Checks the numbers.
     ///
@@ -116,7 +123,7 @@ pub fn solve_wear(
             Some(first) => first,
             None => solve_path(model, domain, elements, &[load], options, &mut watch)?,
         };
-        let mut run = WearRun::new(model, (domain, elements), load, (wear, *options), &first);
+        let mut run = WearRun::new(model, (domain, elements), load, (wear, *options), &first)?;
         let is_too_small = |step: &Step| enlargements > 0 && step.cut_off == Some(CutOff::Domain);
         let mut found = run.until(is_too_small, first, &mut watch)?;
         found.interrupted |= watch.is_cancelled;

@@ -7,7 +7,6 @@
 )]
 
 mod averages;
-mod relations;
 
 use std::f64::consts::PI;
 use std::sync::Arc;

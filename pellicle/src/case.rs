@@ -333,10 +333,9 @@ impl Case {
         let units = units.fold(Units::of(root), Units::or);
         let solver = read_or_default::<SolverCase>(optional("solver")?, &scope)?;
         let load = LoadCase::read(&required("load")?, &scope)?;
-        let stressed = stress
-            .as_ref()
-            .map(|stress| stress.body.of(&foundation, Some(&indenter)));
-        let has_critical_loads = stressed.is_some_and(|body| body.has_strengths());
+        let stressed = stress.as_ref().map_or(&[][..], |stress| stress.body.each());
+        let has_critical_loads =
+            (stressed.iter()).any(|body| body.of(&foundation, Some(&indenter)).has_strengths());
         let bodies = (&foundation, &indenter, &solver);
         hardness::check(&table, bodies, &load, has_critical_loads)?;
         let of_bodies = || foundation.hardness_against(&indenter);
@@ -367,7 +366,7 @@ impl Case {
         })
     }
 
-    /// The body inside which stresses are requested, by default the foundation.
+    /// The body inside which stresses are requested, by default the foundation; that of both has the planes.
     #[must_use]
     pub fn stressed(&self) -> Cow<'_, FoundationCase> {
         let body = self

@@ -7,6 +7,8 @@ use std::sync::Arc;
 
 use pellicle::Case;
 use pellicle::input::span::Source;
+use pellicle::input::units::Units;
+use pellicle::result::table::stress::StressColumns;
 use pellicle::summary::RunSummary;
 use serde_json::Value;
 
@@ -282,6 +284,45 @@ fn stresses_and_critical_loads_inside_the_indenter_are_those_of_the_same_body_as
     assert_alike(&Value::from(found), &Value::from(wanted));
 }
 
+#[test]
+fn stresses_in_both_bodies_are_those_of_each_one_after_the_other() {
+    let scene = on_coated();
+    let of = |body: &str| {
+        let summary = scene.solved(&format!("stress = {{ body = \"{body}\", friction = 0.2 }}"));
+        let columns = StressColumns::of_steps(&summary);
+        (columns.header(Units::Si), summary)
+    };
+    let [(_, foundation), (_, indenter), (header, both)] =
+        ["foundation", "indenter", "both"].map(of);
+    for (k, step) in both.steps.iter().enumerate() {
+        let extremes = |summary: &RunSummary| {
+            let stress = summary.steps[k].stress.as_ref().expect("stresses");
+            stress.extremes.clone()
+        };
+        let (found, [one, other]) = (extremes(&both), [&foundation, &indenter].map(extremes));
+        assert_eq!(found.bodies, [one.bodies, other.bodies].concat());
+        assert_eq!(
+            found.interfaces,
+            [one.interfaces, other.interfaces].concat()
+        );
+        // Each value of a row is under its own name.
+        let columns = StressColumns::of_steps(&both);
+        let row = columns.row(step, both.critical.as_deref().unwrap_or_default());
+        for interface in &found.interfaces {
+            let name = format!("max shear traction {} [Pa]", interface.name);
+            let place = header.iter().position(|of| *of == name).expect("a column");
+            let cell: f64 = row[place].parse().expect("a number");
+            let wanted = interface.max_shear_traction.expect("wanted").value;
+            assert!((cell / wanted - 1.0).abs() < 1e-12, "{name}");
+        }
+    }
+    let critical = |summary: &RunSummary| summary.critical.clone().unwrap_or_default();
+    assert_eq!(
+        critical(&both),
+        [critical(&foundation), critical(&indenter)].concat()
+    );
+}
+
 /// The same numbers to 1e-6: the roundings of sine and cosine move the search's steps.
 fn assert_alike(found: &Value, wanted: &Value) {
     match (found, wanted) {
@@ -352,6 +393,10 @@ fn what_does_not_deform_is_refused_in_one_sentence() {
         (
             on_rigid.read("[stress]\nbody = \"foundation\"\n"),
             "key `stress.body`: found \"foundation\", which is rigid",
+        ),
+        (
+            on_rigid.read("[stress]\nbody = \"both\"\n"),
+            "key `stress.body`: found \"both\", with a rigid body, wanted the one that deforms",
         ),
     ] {
         let found = found.map(|_| ()).expect_err("a refusal");

@@ -52,7 +52,7 @@ class Stress(Table):
     The program writes planes at `depths`, squares of side `extent`, in m. A sliding indenter has a coefficient of
     `friction` and a `direction` in rad, from +x to +y. `only` names the stresses whose largest values are sought, as in
     the summary; by default all. With `body="indenter"` they are those inside an elastic indenter, at depths measured
-    into it.
+    into it; with `body="both"` the largest values are those of each body, and the planes are in the foundation.
     """
 
     depths: Depths | None = None
@@ -60,7 +60,7 @@ class Stress(Table):
     friction: float | None = None
     direction: Quantity | None = None
     only: Sequence[StressName] | None = None
-    body: Literal["foundation", "indenter"] | None = None
+    body: Literal["foundation", "indenter", "both"] | None = None
 
 
 @dataclass(frozen=True)

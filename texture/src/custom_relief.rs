@@ -18,6 +18,11 @@ pub trait ReliefShape: Debug + Send + Sync {
     /// the body.
     fn compliance(&self, points: &[[f64; 2]]) -> Vec<f64>;
 
+    /// Whether profile and compliance are symmetric in x and y. If they are, a quarter of the elements is solved for.
+    fn is_mirrored(&self) -> bool {
+        false
+    }
+
     /// Returns the mean of η over [points of the square](mean_points) around the axis that encloses the circle of this
     /// radius (m), m/Pa. It is meant for estimates.
     fn mean_compliance(&self, radius: f64) -> f64 {
@@ -85,6 +90,12 @@ impl CustomRelief {
             Some(compliance) => vec![compliance; points.len()],
             None => self.shape.compliance(points),
         }
+    }
+
+    /// Whether the shape says that it is symmetric in x and y.
+    #[must_use]
+    pub fn is_mirrored(&self) -> bool {
+        self.shape.is_mirrored()
     }
 
     /// Returns the mean of η about the axis, m/Pa; see [`ReliefShape::mean_compliance`].

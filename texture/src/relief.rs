@@ -268,16 +268,17 @@ impl Relief {
         }
     }
 
-    /// Whether the relief is symmetric in x and y; false for every map and every user-defined shape.
+    /// Whether the relief is symmetric in x and y; false for every map, and for a user-defined shape unless it says so.
     ///
-    /// If it is, its samples are symmetric to the last bit on every grid.
+    /// If it is, its samples are symmetric on every grid, to the last bit unless a user defines them.
     #[must_use]
     pub fn is_mirrored(&self) -> bool {
         match self {
             Self::Bare | Self::Film(_) => true,
             Self::Cylinders(cylinders) => cylinders.is_mirrored(),
             Self::Recesses(recesses) => recesses.is_mirrored(),
-            Self::Map(_) | Self::Custom(_) => false,
+            Self::Custom(custom) => custom.is_mirrored(),
+            Self::Map(_) => false,
         }
     }
 }

@@ -13,6 +13,7 @@ mod runner;
 mod sheet;
 mod stresses;
 mod thin_film;
+mod worn;
 
 use std::path::{Path, PathBuf};
 
@@ -46,12 +47,14 @@ pub enum Figure {
     ThinFilm,
     /// Stresses under figure 2, which the paper does not show.
     Stresses,
+    /// Rounded edges and wear of the pillars of figure 2, which the paper does not show.
+    Worn,
 }
 
 /// Draws the paper's figures from its cases.
 #[derive(Debug, Clone, Args)]
 pub struct FiguresArguments {
-    /// Only these figures: of the paper, 2 to 6, or thin-film, or stresses, those under figure 2.
+    /// Only these figures: of the paper, 2 to 6, or thin-film, or stresses, those under figure 2, or worn, its pillars.
     #[arg(long, value_name = "FIGURE,…", value_delimiter = ',')]
     pub only: Vec<Figure>,
     /// Coarse grids, for a look only; the pictures say so.
@@ -118,5 +121,6 @@ fn draw(figure: Figure, runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
         Figure::Six => Ok(vec![loading::FIGURE_6.draw(runner)?]),
         Figure::ThinFilm => Ok(vec![thin_film::draw()?]),
         Figure::Stresses => stresses::draw(runner),
+        Figure::Worn => worn::draw(runner),
     }
 }

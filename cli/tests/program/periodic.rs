@@ -245,9 +245,16 @@ fn the_period_of_cylinders_must_divide_the_cell() {
     let ran = TestFolder::with_case(cell("400 nm")).run(&["run", "case.toml", "--json"]);
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let hexagonal = cell("400 nm").replace("period =", "lattice = \"hexagonal\"\nperiod =");
+    let fitting = hexagonal.replace("side = \"400 nm\"", "sides = [4e-7, 6.928571428571429e-7]");
+    let elements = ["--set", "grid.elements=[56, 97]", "--json"];
+    let ran = TestFolder::with_case(fitting).run(&[&["run", "case.toml"][..], &elements].concat());
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     let ran = TestFolder::with_case(hexagonal).run(&["run", "case.toml"]);
     assert_eq!(ran.code, Some(2));
     assert!(ran.stderr.contains("surface.lattice"), "{}", ran.stderr);
+    // The sides to write instead, and they do.
+    let told = "grid.elements = [56, 97]";
+    assert!(ran.stderr.contains(told), "{}", ran.stderr);
     let ran = TestFolder::with_case(cell("410 nm")).run(&["run", "case.toml"]);
     assert_eq!(ran.code, Some(2));
     assert!(ran.stderr.contains("surface.period"), "{}", ran.stderr);

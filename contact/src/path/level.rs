@@ -187,6 +187,36 @@ impl Level {
         })
     }
 
+    /// Solves from a pressure (Pa) on all elements; the solution has all of them too. Also returns the products with
+    /// `K`.
+    pub fn solve_near(
+        &mut self,
+        pressure: &[f64],
+        load: Load,
+        options: SolverOptions,
+        watch: &mut Watch<'_>,
+    ) -> Result<(Solution, usize), ContactError> {
+        let everywhere = self.whole.problem.region();
+        let region = everywhere.around_pressing(pressure).unwrap_or(everywhere);
+        let start = (region, region.cut(pressure));
+        let (mut solution, region, effort) = self.solve_from(start, load, options, watch)?;
+        solution.pressure = everywhere.take_over(&region, &solution.pressure);
+        let products = effort.operator_applications + effort.candidate_applications;
+        Ok((solution, products))
+    }
+
+    /// Replaces the relief on the same elements: the compliance of its springs (m/Pa) and the initial gap (m).
+    pub fn take_relief(&mut self, compliance: Vec<f64>, initial_gap: Vec<f64>) {
+        self.whole.problem.take_relief(compliance, initial_gap);
+        self.part = None;
+    }
+
+    /// The compliance of the springs (m/Pa) and the initial gap (m) of all elements.
+    pub fn relief(&self) -> [&[f64]; 2] {
+        let problem = &self.whole.problem;
+        [problem.relief_compliance(), problem.initial_gap()]
+    }
+
     /// The last load's solution, given its pressure on a region.
     pub fn field<'a>(
         &'a self,

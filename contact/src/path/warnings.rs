@@ -238,7 +238,7 @@ fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
     [
         not_converged,
         shortening(model, index, step),
-        worn_through(index, step),
+        unwearing(index, step),
         peak(index, step),
         steepness(index, step),
         limits(index, step),
@@ -260,8 +260,8 @@ fn shortening(model: &Model, index: usize, step: &Step) -> Option<Warning> {
     (times > LARGEST_SHORTENING).then_some(Warning::FilmShortening { step: index, times })
 }
 
-fn worn_through(index: usize, step: &Step) -> Option<Warning> {
-    let area = step.wear.as_ref()?.worn_through;
+fn unwearing(index: usize, step: &Step) -> Option<Warning> {
+    let area = step.wear.as_ref()?.unwearing;
     (area > 0.0).then_some(Warning::WornThrough { step: index, area })
 }
 

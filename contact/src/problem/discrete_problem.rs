@@ -170,6 +170,13 @@ impl DiscreteProblem {
         (self.initial_gap, self.identity) = (initial_gap, Identity::default());
     }
 
+    /// Replaces the relief: the compliance of its springs at rest (m/Pa) and the initial gap (m).
+    pub(crate) fn take_relief(&mut self, compliance: Vec<f64>, initial_gap: Vec<f64>) {
+        assert_eq!(compliance.len(), self.elements());
+        self.springs = ReliefSprings::new(self.springs.law(), compliance);
+        self.take_initial_gap(initial_gap);
+    }
+
     /// The ratio of the body's compliances to waves as long as the grid and to the shortest, relative to a homogeneous
     /// body; 1 if the elasticity is unknown.
     pub(crate) fn stiffness_contrast(&self) -> f64 {

@@ -13,12 +13,15 @@ pub struct StepWear {
     pub max_depth: f64,
     /// Depth of wear of each element, m.
     pub depth: Vec<f64>,
-    /// Area whose springs are worn through, m².
-    pub worn_through: f64,
+    /// Area that touches but does not wear, or no longer, m²: the body between the tops of a relief, and where its
+    /// springs are worn through.
+    pub unwearing: f64,
     /// Whether the certificates of all contacts on the way are satisfied.
     pub is_certified: bool,
     /// Contacts solved on the way from the step before.
     pub contacts: usize,
+    /// Their products with `K`.
+    pub products: usize,
 }
 
 /// A sampled relief after wear.

@@ -41,11 +41,11 @@ pub enum Warning {
         /// Largest shortening over height.
         times: f64,
     },
-    /// The relief is worn through in places.
+    /// A part of the contact does not wear, or no longer.
     WornThrough {
         /// Loading step, counted from 0.
         step: usize,
-        /// Area that is worn through, m².
+        /// Its area, m².
         area: f64,
     },
     /// Few elements per radius of a cylinder or a dimple, or per half width of a groove.

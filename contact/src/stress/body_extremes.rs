@@ -52,6 +52,9 @@ pub struct InterfaceUtilisation {
 /// The extremes of the tractions on one interface; none of a quantity that is not wanted.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InterfaceStress {
+    /// Its name: `interface[0]`, or `indenter.interface[0]` in an indenter; empty from a file older than this field.
+    #[serde(default)]
+    pub name: String,
     /// Index, counted from 0 at the surface.
     pub index: usize,
     /// Depth, in m.
@@ -78,19 +81,11 @@ pub struct StressExtremes {
     pub interfaces: Vec<InterfaceStress>,
 }
 
-/// The name of an interface in the body of a part of this name, such as `indenter.layer[0]`.
-pub(crate) fn interface_name(part: Option<&str>, index: usize) -> String {
-    let body = part.and_then(|part| part.rsplit_once('.'));
+/// The name of an interface in the body whose first part has this name, such as `indenter.layer[0]`.
+pub(crate) fn interface_name(part: Option<&BodyPart>, index: usize) -> String {
+    let body = part.and_then(|part| part.name.rsplit_once('.'));
     let prefix = body.map_or(String::new(), |(body, _)| format!("{body}."));
     format!("{prefix}interface[{index}]")
-}
-
-impl StressExtremes {
-    /// The name of an interface in results: `interface[0]`, or `indenter.interface[0]` in an indenter.
-    #[must_use]
-    pub fn interface_name(&self, index: usize) -> String {
-        interface_name(self.bodies.first().map(|body| body.name.as_str()), index)
-    }
 }
 
 /// Finds the extremes of the stresses in the bodies and on the interfaces under the pressure of a step.
@@ -150,7 +145,8 @@ pub fn stress_extremes(
     let bodies = bodies.map(|body| of_body(body, &next(&of_bodies)));
     let bodies = bodies.collect();
     let interfaces = stress.interfaces.iter();
-    let interfaces = interfaces.map(|interface| of_interface(interface, &next(&of_interfaces)));
+    let interfaces = interfaces
+        .map(|interface| of_interface(stress.bodies.first(), interface, &next(&of_interfaces)));
     let interfaces = interfaces.collect();
     Ok(StressExtremes { bodies, interfaces })
 }
@@ -208,11 +204,16 @@ fn of_body(body: &BodyPart, found: &Found) -> BodyStress {
     }
 }
 
-fn of_interface(interface: &InterfacePart, found: &Found) -> InterfaceStress {
+fn of_interface(
+    part: Option<&BodyPart>,
+    interface: &InterfacePart,
+    found: &Found,
+) -> InterfaceStress {
     let max_shear_traction = found.on_interface(StressQuantity::ShearTraction);
     let max_tension = found.on_interface(StressQuantity::Tension);
     let strengths = interface.strengths;
     InterfaceStress {
+        name: interface_name(part, interface.index),
         index: interface.index,
         depth: interface.depth,
         max_shear_traction,

@@ -180,8 +180,8 @@ fn criteria(
     }
     for (index, interface) in stress.interfaces.iter().enumerate() {
         let (strengths, depth) = (interface.strengths, interface.depth);
-        let part = stress.bodies.first().map(|body| body.name.as_str());
-        let (name, range) = (interface_name(part, interface.index), [depth; 2]);
+        let name = interface_name(stress.bodies.first(), interface.index);
+        let range = [depth; 2];
         let known = |of: fn(&InterfaceStress) -> Option<Extreme<2>>| {
             let steps = extremes.iter().map(|step| of(&step.interfaces[index]));
             steps

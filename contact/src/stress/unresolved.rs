@@ -102,7 +102,7 @@ fn named(extremes: &StressExtremes) -> Vec<NamedExtreme> {
             ("max_tension", interface.max_tension),
             ("max_compression", interface.max_compression),
         ];
-        let name = extremes.interface_name(interface.index);
+        let name = interface.name.clone();
         let in_space = |extreme: Extreme<2>| extreme.at_depth(interface.depth);
         let of_interface =
             of_interface.map(|(quantity, extreme)| (quantity, name.clone(), extreme.map(in_space)));

@@ -1,26 +1,46 @@
-//! The steps of a wear: each of two stages, and each stage a contact on a surface that the pressure makes softer.
+//! The steps of a wear: each of two stages, of a length that their error allows.
 
 use std::sync::Arc;
 
+use pellicle_influence::Sector;
 use pellicle_texture::{Grid, Relief};
 
+use super::stage::{Stage, WearingSurface, largest};
 use super::worn_relief::WornRelief;
 use super::{OfDistance, StepWear, Wear};
 use crate::{ContactError, Domain, Load, LoadingPath, Model, SolverOptions, Step, solve_path};
 
 /// `γ` of the method.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
+/// The weights of the pressures at the start and the two stages of a step in a formula of third order for linear
+/// problems, less those of the method, `0, 1 − γ, γ`: with nodes `c = 0, γ, 1` they fulfil `Σ b = 1`, `Σ b c = 1/2` and
+/// `Σ b A c = 1/6`.
+const BEYOND_METHOD: [f64; 3] = [
+    -std::f64::consts::SQRT_2 / 3.0,
+    2.0 / 3.0,
+    (std::f64::consts::SQRT_2 - 2.0) / 3.0,
+];
+/// The same for the quadrature that is exact for parabolas. It counts where an element comes into contact during the
+/// step, which no formula follows with a higher order: such an element errs alone and is worn right in the next steps.
+/// *Measured* on a ball, a film and pillars: with these weights alone depths keep their tolerance.
+const ON_ENTERING: [f64; 3] = [
+    0.5 - 1.0 / (6.0 * GAMMA),
+    1.0 / (6.0 * GAMMA * (1.0 - GAMMA)) - (1.0 - GAMMA),
+    (2.0 - 3.0 * GAMMA) / (6.0 * (1.0 - GAMMA)) - GAMMA,
+];
 /// The first step wears at most this part of the penetration.
 const FIRST_PART: f64 = 0.05;
 /// Largest factors by which a step becomes shorter and longer, and the part of the length at which the error would be
 /// the tolerance.
 const SHORTEST: f64 = 0.2;
-const LONGEST: f64 = 3.0;
+const LONGEST: f64 = 2.0;
 const SAFETY: f64 = 0.9;
-/// Most solutions of a stage whose springs shorten, each with the lengths that the last one left, or are worn through.
-const MOST_PASSES: usize = 12;
-/// Lengths are those of the stage if they change no gap by more than this part of the tolerated error.
-const CONSISTENT: f64 = 0.01;
+/// A step with a stage that is not certified is tried again with a shorter one, unless it is shorter than this part of
+/// the distance.
+const LEAST_PART: f64 = 1e-4;
+/// What a step may err by, over the tolerance: the errors of several steps add up, and that of a pressure on stiff
+/// springs exceeds that of the depths.
+const STEP_PART: f64 = 0.2;
 /// More steps than this between two distances are a mistake.
 const MOST_STEPS: usize = 10_000;
 
@@ -31,28 +51,20 @@ pub(super) struct WearRun<'a> {
     elements: usize,
     load: Load,
     wear: &'a Wear,
-    /// The options of the results, and of the contacts on the way.
-    user: SolverOptions,
+    /// The options of the results.
     options: SolverOptions,
     grid: Grid,
-    /// Largest depth of wear of each element, m: the height of its spring, infinite without one.
-    most: Vec<f64>,
-    /// Whether an element can wear.
-    wears: Arc<Vec<bool>>,
+    surface: WearingSurface,
     distance: f64,
+    /// Depth and pressure of the elements that are solved for.
     depth: Vec<f64>,
-    /// The latest pressures, Pa.
     pressure: Vec<f64>,
+    /// A sliding distance before the last one, and the pressure there.
+    earlier: Option<(f64, Vec<f64>)>,
     /// Length of the next step, m.
     length: f64,
+    /// Whether all stages so far are certified.
     is_certified: bool,
-    contacts: usize,
-}
-
-/// The end of a stage.
-struct Stage {
-    depth: Vec<f64>,
-    pressure: Vec<f64>,
 }
 
 impl<'a> WearRun<'a> {
@@ -62,48 +74,36 @@ impl<'a> WearRun<'a> {
         load: Load,
         (wear, options): (&'a Wear, SolverOptions),
         unworn: &LoadingPath,
-    ) -> Self {
+    ) -> Result<Self, ContactError> {
         let grid = unworn.grid;
-        let most = match model.relief.spring_modulus() {
-            // h = η E
-            Some(modulus) => {
-                let sampled = model.relief.sample(&grid);
-                let heights = sampled.compliance().iter();
-                heights.map(|compliance| compliance * modulus).collect()
-            }
-            None => vec![f64::INFINITY; grid.len()],
-        };
+        let on = (grid, domain.boundary());
+        let surface = WearingSurface::new(model, on, load, (wear, options))?;
+        let nothing = vec![0.0; surface.most().len()];
         let mut run = Self {
             model,
             domain,
             elements,
             load,
             wear,
-            user: options,
-            options: SolverOptions {
-                contact_stiffness: false,
-                coarse_pressures: false,
-                ..options
-            },
+            options,
             grid,
-            wears: Arc::new(most.iter().map(|most| *most > 0.0).collect()),
-            most,
+            surface,
             distance: 0.0,
-            depth: vec![0.0; grid.len()],
-            pressure: vec![0.0; grid.len()],
+            depth: nothing.clone(),
+            pressure: nothing,
+            earlier: None,
             length: f64::INFINITY,
             is_certified: true,
-            contacts: 0,
         };
         if let Some(step) = unworn.steps.first() {
-            run.pressure.clone_from(&step.solution.pressure);
+            run.pressure = run.surface.cut(&step.solution.pressure);
             let fastest = wear.coefficient * largest(&run.pressure);
             let scale = step.solution.penetration.abs();
             if scale > 0.0 && fastest > 0.0 {
                 run.length = FIRST_PART * scale / fastest;
             }
         }
-        run
+        Ok(run)
     }
 
     /// The contacts at all distances; if `is_enough` is true of one, it is the last.
@@ -115,7 +115,6 @@ impl<'a> WearRun<'a> {
     ) -> Result<LoadingPath, ContactError> {
         let (mut found, unworn) = unworn.take_steps();
         let mut unworn = unworn.into_iter().next();
-        let user = self.user;
         for (index, distance) in self.wear.distances.iter().enumerate() {
             watch.step = index;
             match self.advance(*distance, watch) {
@@ -125,17 +124,18 @@ impl<'a> WearRun<'a> {
             if *distance == 0.0
                 && let Some(step) = unworn.take()
             {
-                found.steps.push(self.with_wear(step));
+                let depth = vec![0.0; self.grid.len()];
+                found.steps.push(self.with_wear(step, depth));
                 continue;
             }
-            let relief = self.relief(&self.depth, &self.depth, None);
-            let (path, steps) = self.solve(relief, user, watch)?.take_steps();
+            let depth = self.surface.whole(&self.depth);
+            let (path, steps) = self.solve(&depth, watch)?.take_steps();
             let Some(step) = steps.into_iter().next() else {
                 break;
             };
-            self.pressure.clone_from(&step.solution.pressure);
+            self.pressure = self.surface.cut(&step.solution.pressure);
             let is_last = is_enough(&step);
-            let step = self.with_wear(step);
+            let step = self.with_wear(step, depth);
             found.append(step, &path);
             if is_last {
                 break;
@@ -144,20 +144,24 @@ impl<'a> WearRun<'a> {
         Ok(found)
     }
 
-    /// A step at the distance reached.
-    fn with_wear(&mut self, step: Step) -> Step {
+    /// A step at the distance reached, with the depth of wear of each element.
+    fn with_wear(&mut self, step: Step, depth: Vec<f64>) -> Step {
         let area = self.grid.element_area();
-        let worn_through = (self.depth.iter().zip(&self.most))
-            .filter(|(depth, most)| **depth > 0.0 && depth >= most)
+        let most = self.surface.whole(self.surface.most());
+        let elements = depth.iter().zip(&most).zip(&step.solution.pressure);
+        let unwearing = elements
+            .filter(|((depth, most), p)| depth >= most && (**depth > 0.0 || **p > 0.0))
             .count();
+        let work = std::mem::take(&mut self.surface.work);
         let wear = StepWear {
             distance: self.distance,
-            volume: area * self.depth.iter().sum::<f64>(),
-            max_depth: largest(&self.depth),
-            depth: self.depth.clone(),
-            worn_through: area * worn_through as f64,
+            volume: area * depth.iter().sum::<f64>(),
+            max_depth: largest(&depth),
+            depth,
+            unwearing: area * unwearing as f64,
             is_certified: self.is_certified,
-            contacts: std::mem::take(&mut self.contacts),
+            contacts: work.contacts,
+            products: work.products,
         };
         Step {
             wear: Some(wear),
@@ -174,13 +178,21 @@ impl<'a> WearRun<'a> {
             }
             let is_last = self.length >= left;
             let length = self.length.min(left);
-            let (end, error) = self.step(length, watch)?;
+            let ([first, end], error) = self.step(length, watch)?;
+            // The error is of third order.
             let factor = if error > 0.0 {
-                (SAFETY / error.sqrt()).clamp(SHORTEST, LONGEST)
+                (SAFETY / error.cbrt()).clamp(SHORTEST, LONGEST)
             } else {
                 LONGEST
             };
+            let is_certified = first.is_certified && end.is_certified;
+            if !is_certified && length > LEAST_PART * target {
+                self.length = SHORTEST * length;
+                continue;
+            }
             if error <= 1.0 {
+                self.is_certified &= is_certified;
+                self.earlier = Some(((1.0 - GAMMA) * length, first.pressure));
                 self.distance = if is_last {
                     target
                 } else {
@@ -204,140 +216,74 @@ impl<'a> WearRun<'a> {
         })
     }
 
-    /// One step of a length, and its error over the tolerated one.
+    /// The two stages of a step of a length, and its error over the tolerated one.
     fn step(
         &mut self,
         length: f64,
         watch: &mut OfDistance<'_>,
-    ) -> Result<(Stage, f64), ContactError> {
+    ) -> Result<([Stage; 2], f64), ContactError> {
         let per_pressure = self.wear.coefficient * length;
-        let start = self.depth.clone();
-        let first = self.stage(&start, GAMMA * per_pressure, watch)?;
+        let nearby = match &self.earlier {
+            Some((before, earlier)) => onward(earlier, &self.pressure, GAMMA * length / before),
+            None => self.pressure.clone(),
+        };
+        let own = GAMMA * per_pressure;
+        let first = self.surface.stage(&self.depth, own, nearby, watch)?;
         // d₀ + (1 − γ) k Δ p₁
-        let middle = start.iter().zip(&first.pressure).zip(&self.most);
+        let middle = self.depth.iter().zip(&first.pressure);
+        let middle = middle.zip(self.surface.most());
         let middle: Vec<f64> = middle
             .map(|((depth, p), most)| (depth + (1.0 - GAMMA) * per_pressure * p).min(*most))
             .collect();
-        let end = self.stage(&middle, GAMMA * per_pressure, watch)?;
-        // The method of first order d₀ + k Δ p₁ differs by k γ Δ (p₂ − p₁).
-        let pressures = first.pressure.iter().zip(&end.pressure);
-        let wearing = pressures.zip(end.depth.iter().zip(&self.most));
+        let nearby = onward(&self.pressure, &first.pressure, (1.0 - GAMMA) / GAMMA);
+        let end = self.surface.stage(&middle, own, nearby, watch)?;
+        let pressures = self.pressure.iter().zip(&first.pressure).zip(&end.pressure);
+        let wearing = pressures.zip(end.depth.iter().zip(self.surface.most()));
         let wearing = wearing.filter(|(_, (depth, most))| depth < most);
-        let difference = wearing.fold(0.0_f64, |most, ((one, other), _)| {
-            most.max((one - other).abs())
-        });
-        let tolerated = self.wear.tolerance * largest(&end.depth);
-        let error = GAMMA * per_pressure * difference;
-        Ok((end, if error > 0.0 { error / tolerated } else { 0.0 }))
-    }
-
-    /// Solves `d = d₀ + c p` with the contact on the surface worn to d.
-    fn stage(
-        &mut self,
-        start: &[f64],
-        per_pressure: f64,
-        watch: &mut OfDistance<'_>,
-    ) -> Result<Stage, ContactError> {
-        let follows = self.model.relief.spring_modulus().map_or(0.0, f64::recip);
-        let mut pressure = self.pressure.clone();
-        let mut is_through = vec![false; start.len()];
-        let mut pass = 0;
-        loop {
-            // The length of the springs is that left by the pressure known.
-            let lengths = self.worn(start, per_pressure, &pressure, &is_through);
-            let softer = is_through
-                .iter()
-                .map(|is| if *is { 0.0 } else { per_pressure });
-            let heights: Vec<f64> = (start.iter().zip(&self.most).zip(&is_through))
-                .map(|((depth, most), is)| if *is { *most } else { *depth })
-                .collect();
-            let relief = self.relief(&heights, &lengths, Some(softer.collect()));
-            let path = self.solve(relief, self.options, watch)?;
-            let Some(step) = path.steps.into_iter().next() else {
-                return Err(ContactError::Cancelled { step: watch.step });
+        let difference = wearing.fold(0.0_f64, |most, (((p0, p1), p2), _)| {
+            let [at_start, at_first, at_end] = if *p0 > 0.0 && *p1 > 0.0 {
+                BEYOND_METHOD
+            } else {
+                ON_ENTERING
             };
-            self.is_certified &= step.solution.certificate.is_satisfied();
-            pressure = step.solution.pressure;
-            let mut more = false;
-            for (element, is_through) in is_through.iter_mut().enumerate() {
-                let depth = start[element] + per_pressure * pressure[element];
-                if depth > self.most[element] && !*is_through {
-                    (*is_through, more) = (true, true);
-                }
-            }
-            let depth = self.worn(start, per_pressure, &pressure, &is_through);
-            // The change of the gaps by lengths that are not yet those of the stage.
-            let changes = depth.iter().zip(&lengths).zip(&pressure);
-            let change = changes.fold(0.0_f64, |most, ((one, other), p)| {
-                most.max((one - other).abs() * follows * p)
-            });
-            pass += 1;
-            let is_consistent =
-                !more && change <= CONSISTENT * self.wear.tolerance * largest(&depth);
-            if is_consistent || pass == MOST_PASSES {
-                self.is_certified &= is_consistent;
-                return Ok(Stage { depth, pressure });
-            }
-        }
+            most.max((at_start * p0 + at_first * p1 + at_end * p2).abs())
+        });
+        let tolerated = STEP_PART * self.wear.tolerance * largest(&end.depth);
+        let error = per_pressure * difference;
+        let error = if error > 0.0 { error / tolerated } else { 0.0 };
+        Ok(([first, end], error))
     }
 
-    /// `d₀ + c p`, up to what can be worn.
-    fn worn(
-        &self,
-        start: &[f64],
-        per_pressure: f64,
-        pressure: &[f64],
-        is_through: &[bool],
-    ) -> Vec<f64> {
-        let elements = start
-            .iter()
-            .zip(pressure)
-            .zip(self.most.iter().zip(is_through));
-        elements
-            .map(|((depth, p), (most, is_through))| {
-                if *is_through {
-                    *most
-                } else {
-                    (depth + per_pressure * p).min(*most)
-                }
-            })
-            .collect()
-    }
-
-    fn relief(&self, depth: &[f64], shorter: &[f64], softer: Option<Vec<f64>>) -> Relief {
-        Relief::custom(WornRelief {
-            base: self.model.relief.clone(),
-            grid: self.grid,
-            wears: self.wears.clone(),
-            depth: Arc::new(depth.to_vec()),
-            shorter: Arc::new(shorter.to_vec()),
-            softer: softer.map(Arc::new),
-        })
-    }
-
+    /// Solves the contact on the surface after wear of a depth (m).
     fn solve(
-        &mut self,
-        relief: Relief,
-        options: SolverOptions,
+        &self,
+        depth: &[f64],
         watch: &mut OfDistance<'_>,
     ) -> Result<LoadingPath, ContactError> {
-        self.contacts += 1;
+        let most = self.surface.whole(self.surface.most());
+        let (depth, wears) = (
+            Arc::new(depth.to_vec()),
+            most.iter().map(|most| *most > 0.0),
+        );
         let model = Model {
-            relief,
+            relief: Relief::custom(WornRelief {
+                base: self.model.relief.clone(),
+                grid: self.grid,
+                wears: Arc::new(wears.collect()),
+                depth,
+                is_mirrored: self.model.sector() == Sector::Quadrant,
+            }),
             ..self.model.clone()
         };
-        solve_path(
-            &model,
-            self.domain,
-            self.elements,
-            &[self.load],
-            &options,
-            watch,
-        )
+        let (domain, loads) = (self.domain, [self.load]);
+        solve_path(&model, domain, self.elements, &loads, &self.options, watch)
     }
 }
 
-/// The largest value, at least 0.
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, value| most.max(*value))
+/// The pressures after two, continued in proportion by `factor` times the way between them, and no less than 0.
+fn onward(before: &[f64], latest: &[f64], factor: f64) -> Vec<f64> {
+    let pressures = before.iter().zip(latest);
+    pressures
+        .map(|(before, latest)| (latest + factor * (latest - before)).max(0.0))
+        .collect()
 }

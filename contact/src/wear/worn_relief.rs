@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pellicle_texture::{Grid, Relief, ReliefShape};
 
-/// A relief lowered by the depth of wear, its springs shorter by the same, and softer by what a step wears.
+/// A relief lowered by the depth of wear, its springs shorter by the same.
 ///
 /// Between the centres of the grid, as coarser grids need, depths are interpolated between elements that can wear; at
 /// the centres they are exact. Beyond the grid nothing is worn, as nothing is pressed.
@@ -16,10 +16,8 @@ pub struct WornRelief {
     pub wears: Arc<Vec<bool>>,
     /// Depth of wear, m.
     pub depth: Arc<Vec<f64>>,
-    /// By how much springs are shorter, m.
-    pub shorter: Arc<Vec<f64>>,
-    /// Compliance of the wear itself, m/Pa; none outside a step.
-    pub softer: Option<Arc<Vec<f64>>>,
+    /// Whether the relief and its wear are symmetric in x and y.
+    pub is_mirrored: bool,
 }
 
 impl WornRelief {
@@ -90,19 +88,16 @@ impl ReliefShape for WornRelief {
     fn compliance(&self, points: &[[f64; 2]]) -> Vec<f64> {
         let per_length = self.base.spring_modulus().map_or(0.0, f64::recip);
         let base = self.base.compliance_at(points);
-        let shorter = self.values(&self.shorter, &base, points);
+        let depths = self.values(&self.depth, &base, points);
         // η = (h − d)/E
-        let springs = base.iter().zip(shorter);
-        let mut sum: Vec<f64> = springs
-            .map(|(compliance, shorter)| (compliance - per_length * shorter).max(0.0))
-            .collect();
-        if let Some(softer) = &self.softer {
-            let softer = self.values(softer, &base, points);
-            sum.iter_mut()
-                .zip(softer)
-                .for_each(|(sum, softer)| *sum += softer);
-        }
-        sum
+        let springs = base.iter().zip(depths);
+        springs
+            .map(|(compliance, depth)| (compliance - per_length * depth).max(0.0))
+            .collect()
+    }
+
+    fn is_mirrored(&self) -> bool {
+        self.is_mirrored
     }
 }
 
@@ -119,13 +114,12 @@ mod tests {
             grid,
             wears: Arc::new(vec![true; 4]),
             depth: Arc::new(vec![0.0, 0.2, 0.4, 2.0]),
-            shorter: Arc::new(vec![0.0, 0.2, 0.4, 2.0]),
-            softer: Some(Arc::new(vec![0.0, 0.0, 1.0, 0.0])),
+            is_mirrored: false,
         };
         let centres = grid.sample(false, |point| point);
         assert_eq!(worn.profile(&centres), [0.0, -0.2, -0.4, -2.0]);
         let compliance = worn.compliance(&centres);
-        let wanted = [0.25, 0.2, 1.15, 0.0];
+        let wanted = [0.25, 0.2, 0.15, 0.0];
         for (found, wanted) in compliance.iter().zip(wanted) {
             assert!((found - wanted).abs() < 1e-15, "{compliance:?}");
         }

@@ -7,7 +7,7 @@ use pellicle_contact::{
     Cone, ContactError, Domain, FlatPunch, Indenter, IndenterMap, Load, LoadingPath, Model,
     Paraboloid, Pyramid, Sliding, SolverOptions, Sphere, solve_path,
 };
-use pellicle_influence::{Cache, RadialTables};
+use pellicle_influence::{Cache, ElasticBodies, RadialTables};
 use pellicle_kernel::{Base, Foundation, Interface, Layer, Material};
 use pellicle_texture::{
     CylinderSpec, Cylinders, Film, HeightMap, Lattice, MapCompliance, Relief, ReliefMap,
@@ -34,7 +34,7 @@ pub struct Units {
 /// A case without its tables.
 #[derive(Debug, Clone)]
 pub struct Case {
-    pub foundation: Foundation,
+    pub bodies: ElasticBodies,
     pub relief: Relief,
     pub indenter: Indenter,
     pub domain: Domain,
@@ -45,13 +45,8 @@ pub struct Case {
 impl Case {
     /// The case of a seed on at most `most` elements per side.
     pub fn draw(seed: u64, most: usize, units: Units) -> Self {
-        let mut draw = Draw {
-            random: Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x9e37),
-            side: 0.0,
-            modulus: 0.0,
-            units,
-        };
-        draw.case(most)
+        let random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x9e37);
+        Draw::new(random, units).case(most)
     }
 
     /// The case of a seed with up to eight layers and the sliding of its indenter.
@@ -60,25 +55,21 @@ impl Case {
             length: 1.0,
             modulus: 1.0,
         };
-        let mut draw = Draw {
-            random: Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x51a5),
-            side: 0.0,
-            modulus: 0.0,
-            units,
-        };
+        let random = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x51a5);
+        let mut draw = Draw::new(random, units);
         let sliding = Sliding {
             friction: 2.0 * draw.random.unit() * f64::from(u8::from(draw.random.below(3) > 0)),
             direction: std::f64::consts::TAU * draw.random.unit(),
         };
         let mut case = draw.case(most);
-        case.foundation = draw.layered(9);
+        case.bodies = draw.layered(9).into();
         (case, sliding)
     }
 
     /// The model, with its tables.
     pub fn model(&self) -> Result<Model, ContactError> {
         Ok(Model {
-            tables: Arc::new(RadialTables::build(&self.foundation)?),
+            tables: Arc::new(RadialTables::of_bodies(&self.bodies)?),
             relief: self.relief.clone(),
             indenter: self.indenter.clone(),
             cache: Cache::none(),
@@ -93,26 +84,50 @@ impl Case {
 }
 
 /// A case that is being drawn: its side and the modulus of its deepest body in the wanted units.
-struct Draw {
-    random: Random,
-    side: f64,
+pub struct Draw {
+    pub random: Random,
+    pub side: f64,
     modulus: f64,
     units: Units,
 }
 
 impl Draw {
+    pub fn new(random: Random, units: Units) -> Self {
+        Self {
+            random,
+            side: 0.0,
+            modulus: 0.0,
+            units,
+        }
+    }
+
     fn case(&mut self, most: usize) -> Case {
-        self.side = self.units.length * self.random.decades(SIDES[0], SIDES[1]);
-        self.modulus = self.units.modulus * self.random.decades(MODULI[0], MODULI[1]);
+        self.scales();
         let foundation = self.foundation();
         let relief = self.relief();
         let indenter = self.indenter();
+        self.under_load(foundation.into(), relief, indenter, most)
+    }
+
+    pub fn scales(&mut self) {
+        self.side = self.units.length * self.random.decades(SIDES[0], SIDES[1]);
+        self.modulus = self.units.modulus * self.random.decades(MODULI[0], MODULI[1]);
+    }
+
+    /// The case with a load, a domain and a grid.
+    pub fn under_load(
+        &mut self,
+        bodies: ElasticBodies,
+        relief: Relief,
+        indenter: Indenter,
+        most: usize,
+    ) -> Case {
         let depth = self.length(1e-6, 3e-2);
         let load = if self.random.below(3) == 0 {
             Load::Penetration(depth)
         } else {
             // This force presses the whole square to this depth or less.
-            let compliance = foundation.compliance(1.0 / self.side);
+            let compliance = bodies.compliance(1.0 / self.side);
             Load::Force(self.side * self.side * depth / compliance)
         };
         let domain = if self.random.below(4) == 0 {
@@ -122,7 +137,7 @@ impl Draw {
         };
         let half = SMALLEST_HALF + self.random.below(most / 2 - SMALLEST_HALF);
         Case {
-            foundation,
+            bodies,
             relief,
             indenter,
             domain,
@@ -132,12 +147,12 @@ impl Draw {
     }
 
     /// A length in units of the side.
-    fn length(&mut self, low: f64, high: f64) -> f64 {
+    pub fn length(&mut self, low: f64, high: f64) -> f64 {
         self.side * self.random.decades(low, high)
     }
 
     /// A modulus within three decades of the base's, or any in the range.
-    fn any_modulus(&mut self) -> f64 {
+    pub fn any_modulus(&mut self) -> f64 {
         let [low, high] = MODULI.map(|modulus| modulus * self.units.modulus);
         if self.random.below(4) == 0 {
             self.random.decades(low, high)
@@ -153,7 +168,7 @@ impl Draw {
     }
 
     /// Up to three layers, some sliding, on a half-space or a rigid base.
-    fn foundation(&mut self) -> Foundation {
+    pub fn foundation(&mut self) -> Foundation {
         self.layered(4)
     }
 

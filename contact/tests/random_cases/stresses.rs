@@ -8,20 +8,24 @@
 //! ```
 
 use pellicle_contact::{
-    BodyPart, BodyStrengths, ContactError, Extreme, InterfacePart, InterfaceStrengths, LoadingPath,
-    Sliding, SolverOptions, StressExtremes, StressModel, critical_loads, stress_extremes,
+    BodyPart, BodyStrengths, ContactError, CriticalStatus, Extreme, InterfacePart,
+    InterfaceStrengths, LoadingPath, ResidualStress, Sliding, SolverOptions, StressExtremes,
+    StressModel, critical_loads, stress_extremes,
 };
-use pellicle_influence::InfluenceError;
+use pellicle_influence::{ElasticBody, InfluenceError};
 use pellicle_kernel::{Base, Foundation};
 use rayon::prelude::*;
 
+use super::SI;
 use super::case::Case;
+use super::random::Random;
+use super::view::View;
 
 /// Number of cases in the short form, and the most elements per side.
 const SHORT: u64 = 16;
 const MOST_ELEMENTS: usize = 32;
 /// Critical loads are searched for in one of this many cases.
-const CRITICAL: u64 = 8;
+const CRITICAL: usize = 8;
 
 /// The bodies and interfaces of a foundation, with strengths that are reached at part of the load.
 fn stresses(foundation: &Foundation, sliding: Sliding) -> StressModel {
@@ -88,8 +92,7 @@ fn faults(stress: &StressModel, found: &StressExtremes) -> Option<String> {
 }
 
 /// Whether the case was refused; why it failed.
-fn outcome(seed: u64) -> Result<bool, String> {
-    let (case, sliding) = Case::draw_sliding(seed, MOST_ELEMENTS);
+fn outcome(case: &Case, sliding: Sliding, random: &mut Random) -> Result<bool, String> {
     let options = SolverOptions {
         coarse_pressures: true,
         ..SolverOptions::default()
@@ -103,23 +106,43 @@ fn outcome(seed: u64) -> Result<bool, String> {
         Ok(path) => path,
         Err(error) => return refused(error),
     };
-    let mut stress = stresses(&case.foundation, sliding);
-    let found = match stress_extremes(&path, 0, &stress) {
-        Ok(found) => found,
-        Err(error) => return Err(error.to_string()),
-    };
-    if let Some(fault) = faults(&stress, &found) {
-        return Err(fault);
-    }
-    if seed.is_multiple_of(CRITICAL) {
-        return critical(&case, &path, &mut stress, found).map(|()| false);
+    for body in ElasticBody::ALL {
+        let foundation = case.bodies.of(body);
+        if foundation.is_rigid() {
+            continue;
+        }
+        let (path, mut stress) = (path.seen_from(body), stresses(foundation, sliding));
+        if body == ElasticBody::Counterbody || !case.bodies.counterbody().is_rigid() {
+            stress.residual = residual(&stress, &path, random);
+        }
+        let found = match stress_extremes(&path, 0, &stress) {
+            Ok(found) => found,
+            Err(error) => return Err(error.to_string()),
+        };
+        if let Some(fault) = faults(&stress, &found) {
+            return Err(fault);
+        }
+        if random.below(CRITICAL) == 0 {
+            critical(case, body, &path, &mut stress, found)?;
+        }
     }
     Ok(false)
+}
+
+/// Residual stresses of both signs, from a hundredth to ten times the largest pressure, in most bodies.
+fn residual(stress: &StressModel, path: &LoadingPath, random: &mut Random) -> ResidualStress {
+    let peak = path.steps[0].summary.max_pressure;
+    let bodies = stress.bodies.iter().map(|body| {
+        let size = peak * random.decades(1e-2, 10.0);
+        (body.bottom, [0.0, size, -size, -size][random.below(4)])
+    });
+    ResidualStress::new(bodies.collect::<Vec<_>>())
 }
 
 /// Critical loads of four criteria at two thirds of the stress.
 fn critical(
     case: &Case,
+    body: ElasticBody,
     path: &LoadingPath,
     stress: &mut StressModel,
     found: StressExtremes,
@@ -136,7 +159,7 @@ fn critical(
         };
     }
     let (model, options) = (case.model(), SolverOptions::default());
-    let model = model.map_err(|error| error.to_string())?;
+    let model = model.map_err(|error| error.to_string())?.seen_from(body);
     let loads = critical_loads(
         &model,
         path,
@@ -148,9 +171,13 @@ fn critical(
     );
     // A load between may need a larger domain or more products than the case itself.
     for load in loads.unwrap_or_default() {
+        let least = match load.status {
+            CriticalStatus::AtRest => 0.0,
+            _ => f64::MIN_POSITIVE,
+        };
         if load
             .force
-            .is_some_and(|force| !(force > 0.0 && force.is_finite()))
+            .is_some_and(|force| !(force >= least && force.is_finite()))
         {
             return Err(format!("{load:?}"));
         }
@@ -160,11 +187,33 @@ fn critical(
 
 #[test]
 fn stresses_of_every_random_case_are_finite_and_in_their_bodies() {
+    assert_finite(|seed| Case::draw_sliding(seed, MOST_ELEMENTS));
+}
+
+#[test]
+fn stresses_in_both_bodies_with_residual_stress_are_finite_and_in_their_bodies() {
+    assert_finite(|seed| {
+        let sliding = Sliding {
+            friction: f64::from(u8::from(seed % 2 == 0)),
+            direction: 0.4,
+        };
+        (
+            Case::draw_made(seed, MOST_ELEMENTS, View::plain(SI)),
+            sliding,
+        )
+    });
+}
+
+#[expect(clippy::print_stderr, reason = "a table for whoever runs more cases")]
+fn assert_finite(draw: impl Fn(u64) -> (Case, Sliding) + Sync) {
     let count = std::env::var("PELLICLE_RANDOM_STRESSES");
     let count = count.map_or(SHORT, |count| count.parse().unwrap());
     let outcomes: Vec<_> = (0..count)
         .into_par_iter()
-        .map(|seed| (seed, outcome(seed)))
+        .map(|seed| {
+            let (case, sliding) = draw(seed);
+            (seed, outcome(&case, sliding, &mut Random(seed)))
+        })
         .collect();
     let (mut refused, mut failures) = (0, 0);
     for (seed, outcome) in outcomes {
@@ -172,10 +221,7 @@ fn stresses_of_every_random_case_are_finite_and_in_their_bodies() {
             Ok(is_refused) => refused += u64::from(is_refused),
             Err(how) => {
                 failures += 1;
-                eprintln!(
-                    "{seed}: {how}, {:?}",
-                    Case::draw_sliding(seed, MOST_ELEMENTS)
-                );
+                eprintln!("{seed}: {how}, {:?}", draw(seed));
             }
         }
     }

@@ -1,11 +1,13 @@
 //! The check that the other tables of a case are compatible with a periodic cell.
 
+use pellicle_texture::{Lattice, RecessShape, Relief};
+
 use super::foundation::FoundationCase;
 use super::foundation::substrate::SubstrateCase;
 use super::indenter::IndenterCase;
 use super::map::preparation::EdgesCase;
 use super::map::{MapCase, Repetition};
-use super::surface::{LatticeCase, SurfaceCase};
+use super::surface::SurfaceCase;
 use crate::input::diagnosis::Diagnosis;
 use crate::input::table_reader::TableReader;
 
@@ -13,6 +15,10 @@ use crate::input::table_reader::TableReader;
 const BECAUSE: &str = "with grid.boundary = \"periodic\"";
 /// Relative difference allowed between lengths, for rounding in the user's numbers.
 const LEEWAY: f64 = 1e-6;
+/// Elements along x and y whose sides have nearly the ratio `1 : √3` of the cell of a hexagonal lattice, to 5.3e-5, and
+/// the misfit allowed for it, over a side: a two-hundredth of an element of so many.
+const HEXAGONAL: [u32; 2] = [56, 97];
+const HEXAGONAL_LEEWAY: f64 = 6e-5;
 
 /// Makes maps periodic, and rejects keys that are incompatible with a cell of these sides (m).
 ///
@@ -65,20 +71,32 @@ fn refuse_pattern(
     let Ok(relief) = surface.build() else {
         return Ok(());
     };
+    let pattern = match &relief {
+        Relief::Cylinders(cylinders) => Some(cylinders.pattern()),
+        Relief::Recesses(recesses) => match recesses.shape() {
+            RecessShape::Dimples(dimples) => Some(dimples.pattern()),
+            RecessShape::Grooves(_) => None,
+        },
+        _ => None,
+    };
+    let hexagonal = pattern.filter(|pattern| pattern.lattice() == Lattice::Hexagonal);
+    let leeway = hexagonal.map_or(LEEWAY, |_| HEXAGONAL_LEEWAY);
     let fits = |vector: [f64; 2], side: f64| {
         let misfit = relief.distance_to_translation(vector);
-        misfit.is_none_or(|misfit| misfit <= LEEWAY * side)
+        misfit.is_none_or(|misfit| misfit <= leeway * side)
     };
     if fits([x, 0.0], x) && fits([0.0, y], y) {
         return Ok(());
     }
-    let lattice = match surface {
-        SurfaceCase::Cylinders(cylinders) => cylinders.lattice,
-        SurfaceCase::Dimples(dimples) => dimples.lattice,
-        _ => LatticeCase::Square,
-    };
-    if lattice != LatticeCase::Square {
-        return Err(unusable(root, "surface", &["lattice"], "\"square\""));
+    if let Some(pattern) = hexagonal {
+        let [along, across] = HEXAGONAL;
+        let period = pattern.period();
+        let longer = period * f64::from(across) / f64::from(along);
+        let wanted = format!(
+            "\"square\", or an oblong cell without rotation: grid.sides = [{period}, {longer}] m, or multiples of \
+             them, and grid.elements = [{along}, {across}] times a whole number"
+        );
+        return Err(unusable(root, "surface", &["lattice"], &wanted));
     }
     let wanted = "a period that divides the sides of the cell, along the pattern's rotation";
     let keys = ["period", "area_fraction"];

@@ -34,7 +34,7 @@ record! {
     pub struct StressCase {
         #[serde(skip_serializing_if = "StressedBody::is_foundation")]
         body: StressedBody = word(BODIES).or(StressedBody::Foundation, "\"foundation\""),
-            "the body inside which stresses are computed; depths of the indenter are measured into it";
+            "the body inside which stresses are computed; depths of the indenter are measured into it, those of both into the foundation";
         #[serde(skip_serializing_if = "Option::is_none")]
         depths: Option<Vec<f64>> = series(length(), MAX_DEPTHS).each(within_the_body).map(increasing)
             .optional("chosen through layers and base, down to two contact radii"),
@@ -60,11 +60,14 @@ pub enum StressedBody {
     Foundation,
     /// The indenter.
     Indenter,
+    /// Both: extremes and critical loads of each, and the planes of the foundation.
+    Both,
 }
 
 const BODIES: &[(&str, StressedBody)] = &[
     ("foundation", StressedBody::Foundation),
     ("indenter", StressedBody::Indenter),
+    ("both", StressedBody::Both),
 ];
 
 impl StressedBody {
@@ -74,7 +77,17 @@ impl StressedBody {
         *self == Self::Foundation
     }
 
-    /// This body of a case; a rigid one if the indenter is rigid.
+    /// The bodies whose extremes are wanted.
+    #[must_use]
+    pub fn each(self) -> &'static [Self] {
+        match self {
+            Self::Foundation => &[Self::Foundation],
+            Self::Indenter => &[Self::Indenter],
+            Self::Both => &[Self::Foundation, Self::Indenter],
+        }
+    }
+
+    /// This body of a case, the foundation of both; a rigid one if the indenter is rigid.
     #[must_use]
     pub fn of<'a>(
         self,
@@ -88,7 +101,7 @@ impl StressedBody {
             })
         };
         match self {
-            Self::Foundation => Cow::Borrowed(foundation),
+            Self::Foundation | Self::Both => Cow::Borrowed(foundation),
             Self::Indenter => indenter
                 .and_then(IndenterCase::foundation)
                 .unwrap_or_else(rigid),
@@ -99,7 +112,7 @@ impl StressedBody {
     #[must_use]
     pub fn prefix(self) -> &'static str {
         match self {
-            Self::Foundation => "",
+            Self::Foundation | Self::Both => "",
             Self::Indenter => "indenter.",
         }
     }
@@ -108,7 +121,7 @@ impl StressedBody {
 impl From<StressedBody> for ElasticBody {
     fn from(body: StressedBody) -> Self {
         match body {
-            StressedBody::Foundation => Self::Foundation,
+            StressedBody::Foundation | StressedBody::Both => Self::Foundation,
             StressedBody::Indenter => Self::Counterbody,
         }
     }
@@ -158,19 +171,47 @@ impl StressCase {
         };
         let name = table.optional("body");
         let body = name.as_ref().map(|name| name.choice(BODIES)).transpose()?;
-        let body = body.unwrap_or_default().of(foundation, indenter);
-        if body.is_rigid() {
-            let Some(name) = name else {
-                let wanted = "\"indenter\": the foundation is rigid".to_owned();
-                return Err(table.missing("body", wanted));
-            };
-            return Err(name.unusable(&"which is rigid", "a body that deforms"));
+        let body = body.unwrap_or_default();
+        for each in body.each() {
+            let each = each.of(foundation, indenter);
+            if each.is_rigid() {
+                let Some(name) = name else {
+                    let wanted = "\"indenter\": the foundation is rigid".to_owned();
+                    return Err(table.missing("body", wanted));
+                };
+                let (because, wanted) = match body {
+                    StressedBody::Both => ("with a rigid body", "the one that deforms"),
+                    _ => ("which is rigid", "a body that deforms"),
+                };
+                return Err(name.unusable(&because, wanted));
+            }
+            // Depths and extent are those of the foundation alone.
+            if let Some(only) = table.optional("only") {
+                let scope = Scope {
+                    foundation: Some(&each),
+                    ..*scope
+                };
+                let quantities = list(word(&StressQuantity::NAMES), some_quantities());
+                quantities
+                    .checked(enough_for_the_strengths)
+                    .read(&only, &scope)?;
+            }
         }
+        let of = body.of(foundation, indenter);
         let scope = Scope {
-            foundation: Some(&body),
+            foundation: Some(&of),
             ..*scope
         };
         Self::read(table, &scope)
+    }
+
+    /// These stresses in one body.
+    #[must_use]
+    pub fn inside(&self, body: StressedBody) -> Self {
+        Self {
+            body,
+            ..self.clone()
+        }
     }
 
     /// The requested sliding, which drags the indenter the other way than the foundation.
@@ -181,7 +222,7 @@ impl StressCase {
             direction: self.direction,
         };
         match self.body {
-            StressedBody::Foundation => sliding,
+            StressedBody::Foundation | StressedBody::Both => sliding,
             StressedBody::Indenter => sliding.opposite(),
         }
     }

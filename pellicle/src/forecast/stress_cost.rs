@@ -9,6 +9,7 @@ use std::time::Duration;
 use pellicle_contact::{LoadedElements, LoadingPath, SearchWork, critical_work, search_work};
 
 use crate::case::Case;
+use crate::case::stress::StressCase;
 
 /// CPU time of each [term](SearchWork::terms) of a search, s, without and with friction. *Measured* on 0 to 8 layers,
 /// 64 to 1024 elements per side, all stresses and two of them, before the search became two to three times faster, then
@@ -52,8 +53,26 @@ impl StressCost {
     #[must_use]
     pub fn of(case: &Case, trial: &LoadingPath, products: f64) -> Option<Self> {
         let stress = case.stress.as_ref()?;
+        let each = stress.body.each().iter();
+        let costs = each.map(|body| Self::inside(case, &stress.inside(*body), trial, products));
+        costs.reduce(Self::and)
+    }
+
+    /// The cost of the one body and then of the other.
+    fn and(self, other: Self) -> Self {
+        let critical = [self.critical, other.critical].into_iter().flatten();
+        Self {
+            extremes: self.extremes + other.extremes,
+            critical: critical.reduce(|one, other| one + other),
+            bytes: self.bytes.max(other.bytes),
+        }
+    }
+
+    /// The cost of the stresses in one body.
+    fn inside(case: &Case, stress: &StressCase, trial: &LoadingPath, products: f64) -> Self {
         let trial = &trial.seen_from(stress.body.into());
-        let model = stress.model(&case.stressed(), trial.tables.foundation());
+        let body = stress.body.of(&case.foundation, Some(&case.indenter));
+        let model = stress.model(&body, trial.tables.foundation());
         let slides = usize::from(stress.friction > 0.0);
         let elements = case.grid.elements;
         let loaded: Vec<LoadedElements> = (0..trial.steps.len())
@@ -72,11 +91,11 @@ impl StressCost {
             .map(|work| searches * seconds(work, slides) + solutions * solution)
             .sum();
         let bytes = works.iter().map(bytes);
-        Some(Self {
-            extremes: duration(mean * case.load.steps() as f64),
-            critical: (!of_loads.is_empty()).then(|| duration(critical)),
+        Self {
+            extremes: duration(mean * case.steps() as f64),
+            critical: (!of_loads.is_empty() && case.wear.is_none()).then(|| duration(critical)),
             bytes: bytes.fold(0.0, f64::max),
-        })
+        }
     }
 
     /// CPU time of all of it.

@@ -6,6 +6,7 @@ use pellicle_contact::{
 };
 
 use crate::case::Case;
+use crate::case::stress::StressCase;
 use crate::error::Error;
 use crate::monitor::{Event, Monitor, Watching};
 
@@ -34,7 +35,42 @@ pub fn find(
     let Some(stress) = &case.stress else {
         return Ok(None);
     };
-    let (body, of) = (case.stressed(), stress.body.into());
+    let mut found: Option<Stresses> = None;
+    for body in stress.body.each() {
+        let of = inside(case, &stress.inside(*body), model, domain, path, monitor)?;
+        found = Some(match found {
+            None => of,
+            Some(before) => before.and(of),
+        });
+    }
+    Ok(found)
+}
+
+impl Stresses {
+    /// The stresses in one body and then those in the other.
+    fn and(mut self, other: Self) -> Self {
+        for (step, other) in self.steps.iter_mut().zip(other.steps) {
+            step.bodies.extend(other.bodies);
+            step.interfaces.extend(other.interfaces);
+        }
+        if let Some(critical) = other.critical {
+            self.critical.get_or_insert_default().extend(critical);
+        }
+        self
+    }
+}
+
+/// Finds the stresses in one body.
+fn inside(
+    case: &Case,
+    stress: &StressCase,
+    model: &Model,
+    domain: Domain,
+    path: &LoadingPath,
+    monitor: &mut dyn Monitor,
+) -> Result<Stresses, Error> {
+    let body = stress.body.of(&case.foundation, Some(&case.indenter));
+    let of = stress.body.into();
     // The pressure is the same on both bodies.
     let (model, path) = (&model.seen_from(of), &path.seen_from(of));
     let stress = stress.model(&body, path.tables.foundation());
@@ -47,9 +83,10 @@ pub fn find(
     };
     let steps: Result<Vec<_>, _> = (0..count).map(&mut of_step).collect();
     let steps = steps.map_err(|error| case.blame(error))?;
-    if !body.has_strengths() {
+    // Those of a surface without wear would not be critical here.
+    if !body.has_strengths() || case.wear.is_some() {
         let critical = None;
-        return Ok(Some(Stresses { steps, critical }));
+        return Ok(Stresses { steps, critical });
     }
     if monitor.told(Event::CriticalLoads) == Signal::Cancel {
         return Err(ContactError::Cancelled { step: count }.into());
@@ -65,8 +102,8 @@ pub fn find(
         &mut Watching(monitor),
     )
     .map_err(|error| case.blame(error))?;
-    Ok(Some(Stresses {
+    Ok(Stresses {
         steps,
         critical: Some(critical),
-    }))
+    })
 }

@@ -72,7 +72,9 @@ impl StressRows {
     /// The rows of the tractions wanted on an interface, the first with its name.
     fn of_interface(&self, interface: &InterfaceStress) -> Vec<StressRow> {
         let depth = quantity(interface.depth, Unit::Metre, self.units);
-        let place = format!("interface {}, {depth} deep", interface.index);
+        let body =
+            (interface.name.rsplit_once('.')).map_or(String::new(), |(body, _)| format!("{body} "));
+        let place = format!("{body}interface {}, {depth} deep", interface.index);
         let rows = OF_INTERFACES.iter().filter_map(|of| {
             let used = used(of.limit, &interface.utilisation);
             Some((of.name, (of.value)(interface)?, used))

@@ -20,15 +20,13 @@ impl TextColumns {
             });
             self.limited(&format!("stress in {}", body.name), limited);
         }
-        let indenter = StressedBody::Indenter.prefix();
-        let is_of_indenter =
-            (stress.extremes.bodies.iter()).any(|of| of.name.starts_with(indenter));
         for interface in &stress.extremes.interfaces {
             let limited = OF_INTERFACES.iter().filter_map(|of| {
                 let limit = of.limit?;
                 let used = (limit.used)(&interface.utilisation);
                 Some((of.name, (of.value)(interface)?, limit.strength, used))
             });
+            let is_of_indenter = (interface.name).starts_with(StressedBody::Indenter.prefix());
             let of = if is_of_indenter {
                 " of the indenter"
             } else {

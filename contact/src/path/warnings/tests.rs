@@ -85,14 +85,15 @@ fn a_step_is_warned_about_for_its_certificate_springs_peak_or_slope() {
     };
     assert_eq!(times, 1.5);
     step.summary.largest_shortening = 0.0;
-    let worn = |worn_through: f64| StepWear {
+    let worn = |unwearing: f64| StepWear {
         distance: 1.0,
         volume: 1e-9,
         max_depth: 1e-3,
         depth: Vec::new(),
-        worn_through,
+        unwearing,
         is_certified: true,
         contacts: 2,
+        products: 9,
     };
     for (area, found) in [(0.0, vec![]), (0.25, vec!["worn-through"])] {
         step.wear = Some(worn(area));

@@ -146,7 +146,7 @@ impl fmt::Display for Warning {
             ),
             Self::WornThrough { step, area } => write!(
                 f,
-                "step {step}: {area:.3e} m² of the relief are worn through: the body below does not wear here, so less is worn than coefficient times force times distance"
+                "step {step}: {area:.3e} m² in contact do not wear, where the relief is worn through or ends: less is worn than coefficient times force times distance"
             ),
             Self::DeepRecesses { slope } => write!(
                 f,

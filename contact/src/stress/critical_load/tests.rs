@@ -67,6 +67,7 @@ fn every_strength_has_its_own_stress_in_its_own_depth_range() {
     let step = StressExtremes {
         bodies: vec![body(10.0), body(20.0)],
         interfaces: vec![InterfaceStress {
+            name: "interface[0]".into(),
             index: 0,
             depth: 0.2,
             max_shear_traction: Some(extreme(30.0)),

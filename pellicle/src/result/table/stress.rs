@@ -3,7 +3,7 @@
 use pellicle_contact::{Criterion, CriticalLoad, CriticalStatus, Extreme, StressQuantity};
 
 use crate::case::Case;
-use crate::case::stress::StressedBody;
+use crate::case::foundation::FoundationCase;
 use crate::input::units::Units;
 use crate::result::extremes::{OF_BODIES, OF_INTERFACES};
 use crate::result::quantity::cell;
@@ -14,10 +14,8 @@ use crate::summary::{RunSummary, StepSummary};
 pub struct StressColumns {
     /// Names of bodies, from the surface down.
     bodies: Vec<String>,
-    /// What precedes the names of interfaces.
-    prefix: &'static str,
-    /// Indices of interfaces.
-    interfaces: Vec<usize>,
+    /// Names of interfaces.
+    interfaces: Vec<String>,
     /// The quantities that are wanted.
     quantities: Vec<StressQuantity>,
     /// Names of bodies and interfaces with the criterion of a given strength.
@@ -93,21 +91,12 @@ impl StressColumns {
             let has_it = interfaces.any(|interface| (of.value)(interface).is_some());
             has_it.then_some(of.quantity)
         });
-        let is_indenter = extremes
-            .interface_name(0)
-            .starts_with(StressedBody::Indenter.prefix());
-        let body = if is_indenter {
-            StressedBody::Indenter
-        } else {
-            StressedBody::Foundation
-        };
         Self {
-            prefix: body.prefix(),
             quantities: of_bodies.chain(of_interfaces).collect(),
             bodies: (stress.extremes.bodies.iter())
                 .map(|body| body.name.clone())
                 .collect(),
-            interfaces: interfaces.map(|interface| interface.index).collect(),
+            interfaces: interfaces.map(|interface| interface.name.clone()).collect(),
             critical: (summary.critical.iter().flatten())
                 .map(|load| (load.name.clone(), load.criterion))
                 .collect(),
@@ -123,24 +112,29 @@ impl StressColumns {
             let is_new = stress.wants(quantity) && !self.quantities.contains(&quantity);
             self.quantities.extend(is_new.then_some(quantity));
         }
+        for body in stress.body.each() {
+            let of = body.of(&case.foundation, Some(&case.indenter));
+            self.add_body(&of, body.prefix());
+        }
+    }
+
+    /// Adds the columns of a body, the names of whose parts begin with `prefix`.
+    fn add_body(&mut self, body: &FoundationCase, prefix: &str) {
         // The substrate is the last, whatever the number of layers.
-        let (body, prefix) = (case.stressed(), stress.body.prefix());
-        self.prefix = prefix;
+        let substrate = format!("{prefix}{SUBSTRATE}");
         for name in body.body_names() {
             let name = format!("{prefix}{name}");
             let is_new = !self.bodies.contains(&name);
-            let last = self
-                .bodies
-                .iter()
-                .position(|body| body.ends_with(SUBSTRATE));
+            let last = self.bodies.iter().position(|body| *body == substrate);
             let place = last.unwrap_or(self.bodies.len());
             if is_new {
                 self.bodies.insert(place, name);
             }
         }
         for index in 0..body.layer.len() {
-            if !self.interfaces.contains(&index) {
-                self.interfaces.push(index);
+            let name = format!("{prefix}interface[{index}]");
+            if !self.interfaces.contains(&name) {
+                self.interfaces.push(name);
             }
         }
         for (name, criterion) in body.criteria() {
@@ -163,10 +157,9 @@ impl StressColumns {
             let wanted = OF_BODIES.iter().filter(|of| self.wants(of.quantity));
             wanted.map(move |of| Estimated::header(&format!("{} {body}", of.name), pascal))
         });
-        let of_interfaces = self.interfaces.iter().flat_map(|index| {
+        let of_interfaces = self.interfaces.iter().flat_map(|interface| {
             let wanted = OF_INTERFACES.iter().filter(|of| self.wants(of.quantity));
-            let name = move |name| format!("{name} {}interface[{index}]", self.prefix);
-            wanted.map(move |of| Estimated::header(&name(of.name), pascal))
+            wanted.map(move |of| Estimated::header(&format!("{} {interface}", of.name), pascal))
         });
         let critical = self.critical.iter().flat_map(|(name, criterion)| {
             let name = format!("critical force {} {name}", word(*criterion));
@@ -190,9 +183,9 @@ impl StressColumns {
             let found = wanted.map(move |of| (of.value)(body?));
             found.map(|extreme| Estimated::cells(extreme.map(Estimated::from)))
         });
-        let of_interfaces = self.interfaces.iter().flat_map(|index| {
+        let of_interfaces = self.interfaces.iter().flat_map(|name| {
             let mut interfaces = extremes.into_iter().flat_map(|found| &found.interfaces);
-            let interface = interfaces.find(|interface| interface.index == *index);
+            let interface = interfaces.find(|interface| interface.name == *name);
             let wanted = OF_INTERFACES.iter().filter(|of| self.wants(of.quantity));
             let found = wanted.map(move |of| (of.value)(interface?));
             found.map(|extreme| Estimated::cells(extreme.map(Estimated::from)))
