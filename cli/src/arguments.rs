@@ -13,8 +13,11 @@ use pellicle::case::output::{Format, OutputCase, Steps};
 pub use self::identify::IdentifyArguments;
 pub use self::study::{GatherArguments, StudyArguments};
 use self::values::{
-    colour_map, depth, hurst, length, offset, perturbation, point, positive, range, section,
+    colour_map, depth, hurst, length, offset, paper_width, perturbation, point, positive, range,
+    resolution, section,
 };
+use crate::output::paper::PictureFormat;
+use crate::picture::study::Form;
 use crate::templates::Template;
 use pellicle_plot::sheet::colour_map::ColourMap;
 use pellicle_plot::sheet::style::Cut;
@@ -49,7 +52,11 @@ pub enum Command {
     #[command(
         after_help = "A study file is a base case and a table [study] of the keys that vary: `pellicle init study` prints one.\n\
                             Exit codes: 0 every case is certified, 1 some cases are not (the others are kept), \
-                            2 the study or the command line is wrong, 130 stopped by Ctrl-C."
+                            2 the study or the command line is wrong, 130 stopped by Ctrl-C.\n\
+                            With --find, the answer is the value at which the number meets its limit, and the interval in which \
+                            number ± error straddles it; only certified cases count, and the cases tried are in find.csv. \
+                            Exit codes: 0 found, 1 the condition holds at both ends of the range or at neither, or a case on the \
+                            way is not certified."
     )]
     Study(StudyArguments),
     /// Merge the tables of a study's parts (--shard)
@@ -315,6 +322,26 @@ pub struct PlotArguments {
     /// Replace existing pictures in a folder other than that of the results
     #[arg(long)]
     pub force: bool,
+    /// Of a study: the number that is drawn, by its key or its name in tables [default: max_pressure]; repeat it for
+    /// several, one below the other
+    #[arg(long = "result", value_name = "NAME")]
+    pub results: Vec<String>,
+    /// Of a study: the keys over which it is drawn, that of the axis below first [default: those that vary]
+    #[arg(long, value_name = "KEY")]
+    pub over: Vec<String>,
+    /// Of a study: curves over one key, one for each value of another, or a map over two [default: curves, a map if the
+    /// second key has more than 6 values]
+    #[arg(long = "as", value_name = "FORM", value_enum)]
+    pub form: Option<Form>,
+    /// Of a study or a search: the format, repeatable [default: svg and png]
+    #[arg(long = "format", value_name = "FORMAT", value_enum)]
+    pub formats: Vec<PictureFormat>,
+    /// Of a study or a search: width on paper in millimetres; letters are 8 points high [default: 120]
+    #[arg(long, value_name = "MM", value_parser = paper_width)]
+    pub width: Option<f64>,
+    /// Of a study or a search: pixels per inch of the PNG [default: 300]
+    #[arg(long, value_name = "DPI", value_parser = resolution)]
+    pub dpi: Option<f64>,
     /// Draw only the pictures of this loading step, counted from 0
     #[arg(long, value_name = "N")]
     pub step: Option<usize>,

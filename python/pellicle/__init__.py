@@ -56,8 +56,9 @@ from .operator import ElasticOperator, compliance, influence_coefficients
 from .options import Output, Range, Stress, Wear
 from .parameter_study import Study, StudyTable, study
 from .problem import DiscreteProblem, Judgement
-from .progress import FitProgress, Progress, StudyProgress
+from .progress import FitProgress, Progress, SearchProgress, StudyProgress
 from .quantity import Quantity
+from .search import Found, find
 from .step import Step
 from .stresses import StressFields
 from .surface import Bare, Cylinders, Dimples, Film, Grooves, ReliefMap, Rough, Surface
@@ -92,6 +93,7 @@ __all__ = [
     "FitWarning",
     "Flat",
     "FlatPunch",
+    "Found",
     "Foundation",
     "Grading",
     "GridError",
@@ -130,6 +132,7 @@ __all__ = [
     "ResultWarning",
     "Rough",
     "RunError",
+    "SearchProgress",
     "Segment",
     "Sensitivity",
     "Sphere",
@@ -151,6 +154,7 @@ __all__ = [
     "Work",
     "__version__",
     "compliance",
+    "find",
     "identify",
     "influence_coefficients",
     "plan",
