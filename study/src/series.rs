@@ -32,8 +32,25 @@ pub struct KeyColumn {
     place: usize,
 }
 
-/// A number of a case, if the case is certified, with its ±: none if the number has none, else none if not resolved.
-pub type Number = (f64, Option<Option<f64>>);
+/// A number of a certified case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CaseNumber {
+    /// The number.
+    pub value: f64,
+    /// Its ±.
+    pub error: NumberError,
+}
+
+/// The ± of a number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NumberError {
+    /// The number has none.
+    None,
+    /// Half the width of its interval.
+    Resolved(f64),
+    /// The grids do not resolve it.
+    NotResolved,
+}
 
 impl StudySeries {
     /// Reads the table of a study that is not in parts; of each case the last loading step, or that asked for.
@@ -115,12 +132,18 @@ impl StudySeries {
 
     /// A number of the result in a case; none if the case is not certified or does not have it.
     #[must_use]
-    pub fn number(&self, case: usize, result: &ResultColumn) -> Option<Number> {
+    pub fn number(&self, case: usize, result: &ResultColumn) -> Option<CaseNumber> {
         let row = self.rows.get(case)?;
         if CaseStatus::of(row.get(1)?) != Some(CaseStatus::Certified) {
             return None;
         }
         let cell = |place: usize| row.get(place)?.parse::<f64>().ok();
-        Some((cell(result.value)?, result.error.map(cell)))
+        let error = result.error.map(cell);
+        Some(CaseNumber {
+            value: cell(result.value)?,
+            error: error.map_or(NumberError::None, |error| {
+                error.map_or(NumberError::NotResolved, NumberError::Resolved)
+            }),
+        })
     }
 }

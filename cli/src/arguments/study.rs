@@ -19,7 +19,7 @@ pub struct StudyArguments {
     #[arg(value_name = "STUDY")]
     pub path: PathBuf,
     /// Find the largest value of the key --by up to which a condition holds, or the smallest from which it holds:
-    /// --find "max_pressure < 2 GPa". The number is that of the last loading step, by its key in docs/results.md or its
+    /// --find "max pressure < 2 GPa". The number is that of the last loading step, by its key in docs/results.md or its
     /// name in tables; a file of a case stands in place of the study
     #[arg(long, value_name = "CONDITION", requires = "by",
         conflicts_with_all = ["shard", "tolerate_failures", "status", "report", "folders"])]

@@ -16,6 +16,7 @@ use pellicle_study::find::{MAX_CASES, Means, Question, Search};
 
 use crate::arguments::StudyArguments;
 use crate::command::Outcome;
+use crate::command::plot::paper::draw_found;
 use crate::failure::Failure;
 use crate::progress::find::SearchProgress;
 use crate::{cache, interrupt, terminal};
@@ -44,6 +45,7 @@ pub fn find(arguments: &StudyArguments) -> Result<Outcome, Failure> {
         return Ok(Outcome::Stopped);
     };
     folder.write(&search, &tried, Some(&answer))?;
+    draw_found(folder.path())?;
     if arguments.json {
         let report = SearchReport::new(&search, tried.len(), Some(&answer));
         terminal::print(&json(&report)?)?;

@@ -1,7 +1,7 @@
 //! `pellicle plot`: redraws the pictures of results, in any style, or draws the curves of several results in one
 //! picture.
 
-mod paper;
+pub mod paper;
 
 use std::fs;
 use std::path::Path;

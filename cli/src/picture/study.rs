@@ -7,7 +7,7 @@ use pellicle_plot::study::curves::{CurvesPanel, CurvesPicture};
 use pellicle_plot::study::map::MapPicture;
 use pellicle_plot::study::sample::{Sample, SampleError, SampledAxis};
 use pellicle_study::result_column::ResultColumn;
-use pellicle_study::series::{KeyColumn, StudySeries};
+use pellicle_study::series::{KeyColumn, NumberError, StudySeries};
 
 use crate::failure::Failure;
 
@@ -100,12 +100,12 @@ pub fn of(series: &StudySeries, options: StudyPictureOptions<'_>) -> Result<Stud
     let results = names.iter().map(|name| result(series, name));
     let results = results.collect::<Result<Vec<_>, _>>()?;
     let keys = keys(series, options.over)?;
-    let is_map = |second: &KeyColumn| match options.form {
-        Some(form) => form == Form::Map,
-        None => {
+    let is_map = |second: &KeyColumn| {
+        let has_many = || {
             let values = series.numbers(second);
             values.is_some_and(|values| distinct(values).len() > MOST_CURVES)
-        }
+        };
+        options.form.map_or_else(has_many, |form| form == Form::Map)
     };
     match &keys[..] {
         [first, second] if is_map(second) => map(series, &results, [first, second]),
@@ -199,18 +199,18 @@ fn is_logarithmic(values: &[f64]) -> bool {
 fn sample(series: &StudySeries, case: usize, result: &ResultColumn, divisor: f64) -> Sample {
     let number = series.number(case, result);
     Sample {
-        value: number.map(|(value, _)| value / divisor),
-        error: match number.and_then(|(_, error)| error) {
-            None => SampleError::None,
-            Some(Some(error)) => SampleError::Known(error / divisor),
-            Some(None) => SampleError::NotResolved,
+        value: number.map(|number| number.value / divisor),
+        error: match number.map(|number| number.error) {
+            None | Some(NumberError::None) => SampleError::None,
+            Some(NumberError::Resolved(error)) => SampleError::Known(error / divisor),
+            Some(NumberError::NotResolved) => SampleError::NotResolved,
         },
     }
 }
 
 fn scaled(series: &StudySeries, result: &ResultColumn) -> Scaled {
     let cases = 0..series.cases();
-    let numbers = cases.filter_map(|case| Some(series.number(case, result)?.0));
+    let numbers = cases.filter_map(|case| Some(series.number(case, result)?.value));
     Scaled::of(&result.name, result.unit.as_deref(), numbers)
 }
 

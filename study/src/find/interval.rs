@@ -117,7 +117,8 @@ impl Bracketed {
         let distance = 0.5 * (high - low) / slope;
         let is_near = (clear.key - self.crossing).abs() <= NEAR * distance + self.width;
         let sign = (clear.key - self.crossing).signum();
-        (!is_near && distance.is_finite()).then(|| self.crossing + sign * BEYOND * distance)
+        let proposed = self.crossing + sign * BEYOND * distance;
+        (!is_near && distance.is_finite()).then_some(proposed)
     }
 }
 

@@ -25,6 +25,9 @@ const DEFAULT_RANGE: f64 = 10.0;
 /// found is within 10^(1/2⁸) − 1 = 1 % of the last allowed value.
 const END_HALVINGS: usize = 8;
 
+/// What is wanted of a key.
+const WANTED: &str = "a key of the case whose value is a number, such as load.force";
+
 /// The key that is searched.
 #[derive(Debug, Clone)]
 pub struct SearchedKey {
@@ -51,7 +54,6 @@ impl SearchedKey {
             let wanted = wanted.to_owned();
             Diagnosis::of_text(span, Fault::Wrong { found, wanted })
         };
-        const WANTED: &str = "a key of the case whose value is a number, such as load.force";
         let shape = Case::shape();
         let parts = key_path::parts(path).filter(|_| is_plain(path));
         let shapes = parts.map_or_else(Vec::new, |parts| keys::at(&shape, &parts));
@@ -67,13 +69,13 @@ impl SearchedKey {
                 None => diagnosis,
             });
         }
-        let Some(dimension) = shapes.iter().find_map(|shape| number(shape)) else {
+        let Some(number) = shapes.iter().find_map(|shape| number(shape)) else {
             let value = keys::value(shapes[0]);
             return Err(wrong(format!("`{path}`, whose value is {value}"), WANTED));
         };
         Ok(Self {
             path: path.to_owned(),
-            dimension,
+            dimension: number.dimension(),
             units: Units::of(&case.root),
             named: text.name().to_owned(),
         })
@@ -201,11 +203,10 @@ impl SearchedKey {
     }
 }
 
-/// The dimension of a shape that may be a real number; none if it may not.
-fn number(shape: &Shape) -> Option<Option<Dimension>> {
+/// The shape of a real number, if a value may be one.
+fn number(shape: &Shape) -> Option<&Shape> {
     match shape {
-        Shape::Quantity(dimension, _) => Some(Some(*dimension)),
-        Shape::Number => Some(None),
+        Shape::Quantity(..) | Shape::Number => Some(shape),
         Shape::Either(shapes) => shapes.iter().find_map(number),
         _ => None,
     }

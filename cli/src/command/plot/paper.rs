@@ -64,6 +64,26 @@ pub fn draw(arguments: &PlotArguments, folder: &Path) -> Result<String, Failure>
     Ok(name)
 }
 
+/// Draws the picture of the search in a folder beside its files.
+///
+/// # Errors
+///
+/// [`Failure`] if it cannot be written.
+pub fn draw_found(folder: &Path) -> Result<(), Failure> {
+    let style = Style {
+        paper_mm: Some(WIDTH_MM),
+        ..Style::default()
+    };
+    let paper = Paper {
+        formats: &FORMATS,
+        width_mm: WIDTH_MM,
+        dpi: DPI,
+        replaces: true,
+    };
+    let svg = curves::draw(&found::of(folder)?, &style);
+    svg.map_or(Ok(()), |svg| paper.write(folder, FOUND, &svg))
+}
+
 /// `study-max_pressure`, after the numbers shown.
 fn name(results: &[String]) -> String {
     if results.is_empty() {
