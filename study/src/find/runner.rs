@@ -190,21 +190,26 @@ impl Tries<'_> {
             place = place.midpoint(other);
             key = scales.key_at(place);
         }
-        let reason = format!(
-            "no certified case from {} up to half a step from the other end",
-            self.search.case_words(end)
-        );
+        let (case, count) = (self.search.case_words(end), END_HALVINGS + 1);
+        let reason =
+            format!("no certified case at {count} values from {case} towards the other end");
         Err(Ended::Blocked(reason))
     }
 
-    /// Tries a value between the ends.
-    fn inside(&mut self, key: f64) -> Result<Tried, Ended> {
+    /// Tries a value between two others, at one of which the condition holds.
+    fn inside(&mut self, key: f64, [one, other]: [f64; 2]) -> Result<Tried, Ended> {
         let tried = self.at(key)?;
         if tried.certified().is_some() {
             return Ok(tried);
         }
         let case = self.search.case_words(key);
-        Err(Ended::Blocked(format!("{case} {}", tried.reason())))
+        let ends = [one.min(other), one.max(other)].map(|end| self.search.key.words(end));
+        Err(Ended::Blocked(format!(
+            "{case} {}: the condition changes between {} and {}",
+            tried.reason(),
+            ends[0],
+            ends[1]
+        )))
     }
 
     fn answer(&mut self) -> Result<Answer, Ended> {
@@ -226,7 +231,8 @@ impl Tries<'_> {
             search.within * (high - low)
         };
         while let Some(next) = bracket.next(width) {
-            let tried = self.inside(scales.key_at(next))?;
+            let known = bracket.sides().map(|(key, _)| scales.key_at(key));
+            let tried = self.inside(scales.key_at(next), known)?;
             bracket.add(point(&tried));
         }
         let keys = bracket.sides().map(|(key, _)| key);
