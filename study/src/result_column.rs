@@ -123,7 +123,8 @@ pub fn parts(column: &str) -> (&str, Option<&str>) {
     inside.map_or((column, None), |(name, unit)| (name, Some(unit)))
 }
 
-/// Whether a column contains a number that is a result: it has a unit, or is a ratio or a count, and qualifies no other.
+/// Whether a column contains a number that is a result: it has a unit, or is a ratio or a count, and qualifies no
+/// other.
 #[must_use]
 pub fn is_number(name: &str, unit: Option<&str>) -> bool {
     if QUALIFIERS.iter().any(|end| name.ends_with(end)) {

@@ -51,8 +51,8 @@ impl Span {
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
-    /// Source and line in words, `case.toml, line 3`. For an option of the command line, which has a single line, for standard
-    /// input, whose name contains the line, and for a [`CALL`], only the name.
+    /// Source and line in words, `case.toml, line 3`. For an option of the command line, which has a single line, for
+    /// standard input, whose name contains the line, and for a [`CALL`], only the name.
     #[must_use]
     pub fn words(&self) -> String {
         let name = self.source.name();
