@@ -1,6 +1,7 @@
 //! The command line.
 
 mod identify;
+mod plot;
 mod study;
 mod values;
 mod wanted_shard;
@@ -11,13 +12,10 @@ use clap::{Args, Parser, Subcommand};
 use pellicle::case::output::{Format, OutputCase, Steps};
 
 pub use self::identify::IdentifyArguments;
+pub use self::plot::PlotArguments;
 pub use self::study::{GatherArguments, StudyArguments};
-use self::values::{
-    colour_map, depth, hurst, length, offset, perturbation, point, positive, range, section,
-};
+use self::values::{depth, hurst, length, offset, perturbation, point, positive};
 use crate::templates::Template;
-use pellicle_plot::sheet::colour_map::ColourMap;
-use pellicle_plot::sheet::style::Cut;
 
 /// Contact of an indenter with a layered, textured elastic body: a case file in, a certified solution out.
 #[derive(Debug, Parser)]
@@ -49,7 +47,11 @@ pub enum Command {
     #[command(
         after_help = "A study file is a base case and a table [study] of the keys that vary: `pellicle init study` prints one.\n\
                             Exit codes: 0 every case is certified, 1 some cases are not (the others are kept), \
-                            2 the study or the command line is wrong, 130 stopped by Ctrl-C."
+                            2 the study or the command line is wrong, 130 stopped by Ctrl-C.\n\
+                            With --find, the answer is the value at which the number meets its limit, and the interval in which \
+                            number ± error straddles it; only certified cases count, and the cases tried are in find.csv. \
+                            Exit codes: 0 found, 1 the condition holds at both ends of the range or at neither, or a case on the \
+                            way is not certified."
     )]
     Study(StudyArguments),
     /// Merge the tables of a study's parts (--shard)
@@ -300,41 +302,6 @@ pub struct SurfaceArguments {
     /// Replace the file if it exists
     #[arg(long)]
     pub force: bool,
-}
-
-/// Arguments of `plot`.
-#[derive(Debug, Args)]
-pub struct PlotArguments {
-    /// The results folder; for several, their curves are drawn in one picture, curves.svg and curves.png
-    #[arg(value_name = "DIR", required = true)]
-    pub folders: Vec<PathBuf>,
-    /// Folder for the pictures [default: the results folder, whose pictures and report are replaced; for several, the
-    /// current folder]
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Replace existing pictures in a folder other than that of the results
-    #[arg(long)]
-    pub force: bool,
-    /// Draw only the pictures of this loading step, counted from 0
-    #[arg(long, value_name = "N")]
-    pub step: Option<usize>,
-    /// Width of every picture in pixels [default: about 1000]
-    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u16).range(100..=10000))]
-    pub size: Option<u16>,
-    /// Omit the title lines above the pictures
-    #[arg(long)]
-    pub no_title: bool,
-    /// Colour map [default: viridis]
-    #[arg(long, value_name = "COLOURS", value_parser = colour_map())]
-    pub colour_map: Option<ColourMap>,
-    /// Range of the pressure scale: "2 GPa" or "0.5 GPa:2 GPa"; a bare number is in Pa or the case's own unit [default:
-    /// up to the largest pressure]
-    #[arg(long, value_name = "[FROM:]TO", value_parser = range)]
-    pub range: Option<[f64; 2]>,
-    /// Position of the section: axis, peak (through the largest pressure), y="5 um" (along x), x="5 um" (along y)
-    /// [default: axis]
-    #[arg(long, value_name = "PLACE", value_parser = section)]
-    pub section: Option<Cut>,
 }
 
 /// Arguments of `cache`.

@@ -52,6 +52,17 @@ pub enum Failure {
         "found several results, which are drawn as curves in one picture: --step, --section, --range and --colour-map are for a single one"
     )]
     OneResult,
+    /// An option of `plot` that applies to a study or a search was given with other results.
+    #[error(
+        "found no study or search to draw: --result, --over, --as, --format, --width and --dpi are for the folder of one"
+    )]
+    OneStudy,
+    /// A study that cannot be drawn as asked for.
+    #[error("{message}")]
+    StudyPicture {
+        /// The fault, and what is wanted.
+        message: String,
+    },
     /// The fields of a loading step were not written.
     #[error("{}: found no fields of step {step} to draw: run the case with --fields all", path.display())]
     NoFields {

@@ -6,6 +6,7 @@ mod large_file;
 pub mod netcdf;
 pub mod npz;
 mod npz_archive;
+pub mod paper;
 pub mod pictures;
 pub mod redraw;
 pub mod report;

@@ -63,6 +63,7 @@ fn execute(command: Command) -> Result<Outcome, Failure> {
         Command::Plot(arguments) => command::plot::plot(&arguments),
         Command::Cache(arguments) => command::cache::cache(&arguments),
         Command::Solve(arguments) => command::solve::solve(&arguments),
+        Command::Study(arguments) if arguments.find.is_some() => command::find::find(&arguments),
         Command::Study(arguments) => command::study::study(&arguments),
         Command::Gather(arguments) => command::gather::gather(&arguments),
         Command::Validate(arguments) => command::validate::validate(&arguments),

@@ -1,5 +1,6 @@
 //! One line on the terminal while a case is being solved.
 
+pub mod find;
 pub mod study;
 
 use std::time::{Duration, Instant};

@@ -28,7 +28,7 @@ pub mod wear;
 pub mod with_units;
 
 use std::borrow::Cow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use serde::Serialize;
@@ -101,8 +101,8 @@ pub struct BaseCase {
     pub root: TomlNode,
     /// Title of a case that has none of its own.
     name: String,
-    /// Folder to which its file names are relative.
-    folder: PathBuf,
+    /// Its maps, and the folder to which its file names are relative.
+    maps: MapSources,
 }
 
 impl BaseCase {
@@ -119,8 +119,27 @@ impl BaseCase {
         Ok(Self {
             root,
             name: source_file::stem(path),
-            folder: path.parent().unwrap_or(Path::new("")).to_owned(),
+            maps: MapSources::in_folder(path.parent().unwrap_or(Path::new(""))),
         })
+    }
+
+    /// Reads the text of a case whose maps come from `maps`; `name` is the title of a case that has none.
+    ///
+    /// # Errors
+    ///
+    /// A [`Diagnosis`] if it is not TOML.
+    pub fn parse(source: &Arc<Source>, name: &str, maps: MapSources) -> Result<Self, Diagnosis> {
+        Ok(Self {
+            root: toml_tree::parse(source)?,
+            name: name.to_owned(),
+            maps,
+        })
+    }
+
+    /// The folder to which its file names are relative.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        self.maps.folder()
     }
 
     /// Resolves the case of `root`, which is the tree of this case with other values.
@@ -129,7 +148,7 @@ impl BaseCase {
     ///
     /// A [`Diagnosis`] of the first fault.
     pub fn resolve(&self, root: &TomlNode) -> Result<Case, Diagnosis> {
-        Case::resolve(root, &self.name, &self.folder)
+        Case::resolve_with(root, &self.name, &self.maps)
     }
 }
 

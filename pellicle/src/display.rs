@@ -94,6 +94,29 @@ impl DisplayUnit {
         }
     }
 
+    /// The scale for values up to `largest` of a dimension: angles in degrees, compliances in nm/GPa, and those that
+    /// have no prefixes in their SI unit.
+    #[must_use]
+    pub fn of_dimension(largest: f64, dimension: Option<Dimension>, units: Units) -> Self {
+        let plain = |divisor, label: &str| Self {
+            divisor,
+            label: label.to_owned(),
+        };
+        let unit = match dimension {
+            Some(Dimension::Length) => Unit::Metre,
+            Some(Dimension::Area) => Unit::SquareMetre,
+            Some(Dimension::Volume) => Unit::CubicMetre,
+            Some(Dimension::Pressure) => Unit::Pascal,
+            Some(Dimension::Force) => Unit::Newton,
+            Some(Dimension::Stiffness | Dimension::EnergyPerArea) => Unit::NewtonPerMetre,
+            Some(Dimension::Angle) => return plain(1_f64.to_radians(), "°"),
+            Some(Dimension::Compliance) if units == Units::Si => return plain(1e-18, "nm/GPa"),
+            Some(other) if units == Units::Si => return plain(1.0, other.si_unit()),
+            _ => return plain(1.0, ""),
+        };
+        Self::of(largest, unit, units)
+    }
+
     fn prefixed(step: f64, unit: Unit) -> Self {
         #[expect(
             clippy::cast_possible_truncation,
@@ -255,6 +278,8 @@ pub fn dimensional(value: f64, dimension: Dimension, units: Units) -> String {
         (Dimension::Pressure, _) => of(Unit::Pascal),
         (Dimension::Force, _) => of(Unit::Newton),
         (Dimension::Stiffness | Dimension::EnergyPerArea, _) => of(Unit::NewtonPerMetre),
+        (Dimension::Area, _) => of(Unit::SquareMetre),
+        (Dimension::Volume, _) => of(Unit::CubicMetre),
         (_, Units::Consistent) => significant(value, 5),
         (Dimension::Compliance, Units::Si) => format!("{} nm/GPa", significant(value * 1e18, 5)),
         (

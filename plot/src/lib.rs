@@ -15,3 +15,4 @@ pub mod run;
 pub mod sheet;
 pub mod step;
 pub mod stress;
+pub mod study;

@@ -58,8 +58,9 @@ from .operator import ElasticOperator, compliance, influence_coefficients
 from .options import Output, Range, Stress, Wear
 from .parameter_study import Study, StudyTable, study
 from .problem import DiscreteProblem, Judgement
-from .progress import FitProgress, Progress, StudyProgress
+from .progress import FitProgress, Progress, SearchProgress, StudyProgress
 from .quantity import Quantity
+from .search import Found, find
 from .step import Step
 from .stresses import StressFields
 from .surface import Bare, Cylinders, Dimples, Film, Grooves, ReliefMap, Rough, Surface
@@ -96,6 +97,7 @@ __all__ = [
     "FitWarning",
     "Flat",
     "FlatPunch",
+    "Found",
     "Foundation",
     "Grading",
     "GridError",
@@ -136,6 +138,7 @@ __all__ = [
     "ResultWarning",
     "Rough",
     "RunError",
+    "SearchProgress",
     "Segment",
     "Sensitivity",
     "Sphere",
@@ -159,6 +162,7 @@ __all__ = [
     "__version__",
     "compliance",
     "evaluate",
+    "find",
     "identify",
     "identify_each",
     "influence_coefficients",

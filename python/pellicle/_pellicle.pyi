@@ -31,6 +31,7 @@ __all__ = [
     "Planes",
     "Run",
     "RunError",
+    "SearchRun",
     "Solution",
     "Study",
     "StudyRun",
@@ -178,6 +179,21 @@ def check_part(part: str, call: str, text: str) -> None: ...
 def evaluate(
     text: str, source: str, name: str, folder: str | os.PathLike[str], texts: Mapping[str, str]
 ) -> tuple[str, str, str | None, str] | None: ...
+def find(
+    case: tuple[
+        str,
+        str,
+        str,
+        str | os.PathLike[str],
+        Mapping[str, npt.NDArray[np.float64]],
+        Mapping[str, _Function],
+    ],
+    condition: str,
+    key: str,
+    between: tuple[str, str] | None,
+    within: float,
+    threads: int | None = None,
+) -> SearchRun: ...
 def key_units() -> dict[str, str]: ...
 def number_text(value: float, unit: str, is_si: bool) -> str: ...
 def read_text(path: str | os.PathLike[str]) -> str: ...
@@ -269,6 +285,13 @@ class Likelihood:
     @property
     def best(self) -> list[float]: ...
     def logarithm(self, values: list[float]) -> float: ...
+
+@final
+class SearchRun:
+    def wait(self, milliseconds: int) -> bool: ...
+    def cancel(self) -> None: ...
+    def progress(self) -> int | None: ...
+    def result(self) -> tuple[str, str] | None: ...
 
 @final
 class Study:

@@ -55,8 +55,8 @@ class FitWarning(_CodedWarning):
 
 
 class StudyWarning(_CodedWarning):
-    """Cases of a study are invalid, have failed, or are not certified. Its `code` is `invalid`, `not-certified` or that
-    of a warning of a case."""
+    """Cases of a study are invalid, have failed, or are not certified, or a search has no answer. Its `code` is
+    `invalid`, `not-certified`, that of a warning of a case, or the verdict of the search."""
 
 
 class NotCertifiedWarning(_CodedWarning):

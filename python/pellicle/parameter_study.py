@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from . import _pellicle
 from .case import checked_threads
 from .curve import Curve
@@ -172,6 +174,22 @@ class StudyTable:
     def to_pandas(self) -> pandas.DataFrame:
         """The columns as a table with a row per loading step; needs pandas."""
         return self.columns.to_pandas()
+
+    def plot(self, result: str, over: str, ax: Any = None) -> Any:
+        """Draws a number of the result over a key with matplotlib, its ± as bars, certified cases alone, on `ax` or on
+        new axes; returns the axes. Both are names of columns, with or without unit; of several loading steps all are
+        drawn. `pellicle plot` draws pictures for paper."""
+        import matplotlib.pyplot as plt
+
+        ax = plt.subplots()[1] if ax is None else ax
+        certified = self.columns["status"] == "certified"
+        keys, numbers = self.columns[over][certified], self.columns[result][certified]
+        errors = f"{result.partition(' [')[0]} error"
+        has_errors = any(name.partition(" [")[0] == errors for name in self.columns)
+        yerr = np.nan_to_num(self.columns[errors][certified].astype(float)) if has_errors else None
+        ax.errorbar(keys, numbers, yerr=yerr, marker="o", linestyle="none", capsize=2)
+        ax.set(xlabel=over, ylabel=result)
+        return ax
 
     def __str__(self) -> str:
         words = {

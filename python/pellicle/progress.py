@@ -86,17 +86,39 @@ class StudyProgress:
         return f"{self.finished} of {self.cases} cases"
 
 
+@dataclass(frozen=True, slots=True)
+class SearchProgress:
+    """The progress of a search."""
+
+    tried: int
+    """Cases tried."""
+
+    @classmethod
+    def of(cls, raw: int) -> SearchProgress:
+        """Makes a progress from its number."""
+        return cls(raw)
+
+    @property
+    def done(self) -> tuple[int, int | None, str]:
+        """Number of finished parts of the work, their total, and the name of a part."""
+        return self.tried, None, "case"
+
+    def __str__(self) -> str:
+        return f"{self.tried} cases tried"
+
+
 Report: TypeAlias = Callable[[Progress], object]
 StudyReport: TypeAlias = Callable[[StudyProgress], object]
+SearchReport: TypeAlias = Callable[[SearchProgress], object]
 FitReport: TypeAlias = Callable[[FitProgress], object]
 
 
-Kind: TypeAlias = type[Progress] | type[FitProgress] | type[StudyProgress]
+Kind: TypeAlias = type[Progress] | type[FitProgress] | type[StudyProgress] | type[SearchProgress]
 """The type in which progress is reported."""
 
 
 class Titled(Protocol):
-    """A case, a fit or a study."""
+    """A case, a fit, a study or a search."""
 
     @property
     def title(self) -> str:
@@ -147,14 +169,14 @@ def _bar(title: str) -> Iterator[Callable[[Any], object]]:
         bar.update((bar.total or 0) - bar.n)
 
 
-def _advance(bar: Any, progress: Progress | FitProgress | StudyProgress) -> None:
+def _advance(bar: Any, progress: Progress | FitProgress | StudyProgress | SearchProgress) -> None:
     done, bar.total, bar.unit = progress.done
     bar.set_postfix_str(str(progress), refresh=False)
     bar.update(done - bar.n)
     bar.refresh()
 
 
-def _write_line(progress: Progress | FitProgress | StudyProgress) -> None:
+def _write_line(progress: Progress | FitProgress | StudyProgress | SearchProgress) -> None:
     done, parts, part = progress.done
     line = f"\r{progress}" if not isinstance(progress, Progress) else f"\r{part} {done + 1}/{parts}, {progress}"
     print(line, end="", file=sys.stderr, flush=True)

@@ -16,6 +16,7 @@ mod function;
 mod planes;
 mod process;
 mod run;
+mod search;
 mod solution;
 mod study;
 mod work;
@@ -46,6 +47,8 @@ mod _pellicle {
     use crate::planes::Planes;
     #[pymodule_export]
     use crate::run::Run;
+    #[pymodule_export]
+    use crate::search::{SearchRun, find};
     #[pymodule_export]
     use crate::solution::Solution;
     #[pymodule_export]

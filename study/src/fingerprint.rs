@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use pellicle::case::Case;
 use pellicle::case::output::OutputCase;
+use pellicle::case::{BaseCase, Case};
 use pellicle::input::dimension::Dimension;
 use pellicle::input::key_path;
 use pellicle::input::quantity;
@@ -63,6 +63,19 @@ pub fn of(study: &Study, valid: (usize, &Case), header: &str) -> Result<String, 
         }
     }
     Ok(hasher.finish(&study.folder))
+}
+
+/// Hashes everything on which the cases of a search depend: version of the program, a case with its defaults, contents
+/// of the maps, key and number.
+#[must_use]
+pub fn of_search(base: &BaseCase, case: &Case, key: &str, number: &str) -> String {
+    let mut hasher = FingerprintHasher::default();
+    hasher.add(b'v', env!("CARGO_PKG_VERSION").as_bytes());
+    hasher.add(b'r', &resolved(case).unwrap_or_default());
+    hasher.add(b'k', key.as_bytes());
+    hasher.add(b'h', number.as_bytes());
+    hasher.files_in("", &base.root);
+    hasher.finish(base.folder())
 }
 
 /// The case with all defaults, without the choice of files.

@@ -47,11 +47,15 @@ impl ResultColumns {
         self.stress.add(case);
     }
 
-    fn header(&self, units: Units) -> Vec<String> {
+    /// Their names, with units.
+    #[must_use]
+    pub fn header(&self, units: Units) -> Vec<String> {
         [self.numbers.header(units), self.stress.header(units)].concat()
     }
 
-    fn row(&self, i: usize, step: &StepSummary, critical: &[CriticalLoad]) -> Vec<String> {
+    /// Their cells in the row of a step.
+    #[must_use]
+    pub fn row(&self, i: usize, step: &StepSummary, critical: &[CriticalLoad]) -> Vec<String> {
         [self.numbers.row(i, step), self.stress.row(step, critical)].concat()
     }
 }

@@ -6,6 +6,7 @@
     reason = "a helper of a test that cannot go on has failed; numbers read are those written"
 )]
 
+mod find;
 mod identity;
 mod kept_fields;
 mod reading;

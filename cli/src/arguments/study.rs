@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use pellicle_study::find::WITHIN;
 
+use super::values::part;
 use super::wanted_shard::WantedShard;
 
 /// Arguments of `study`.
@@ -13,9 +15,25 @@ use super::wanted_shard::WantedShard;
     reason = "each is a switch of the command line"
 )]
 pub struct StudyArguments {
-    /// The study file
+    /// The study file; with --find a case file
     #[arg(value_name = "STUDY")]
     pub path: PathBuf,
+    /// Find the largest value of the key --by up to which a condition holds, or the smallest from which it holds:
+    /// --find "max pressure < 2 GPa". The number is that of the last loading step, by its key in docs/results.md or its
+    /// name in tables; a file of a case stands in place of the study
+    #[arg(long, value_name = "CONDITION", requires = "by",
+        conflicts_with_all = ["shard", "tolerate_failures", "status", "report", "folders"])]
+    pub find: Option<String>,
+    /// The key that --find varies, such as surface.period
+    #[arg(long, value_name = "KEY", requires = "find")]
+    pub by: Option<String>,
+    /// The range of its values [default: a decade down and up from that of the case, as far as the case allows]
+    #[arg(long, value_names = ["LOW", "HIGH"], num_args = 2, requires = "find", allow_hyphen_values = true)]
+    pub between: Vec<String>,
+    /// Bracket the answer to this part of it
+    #[arg(long, value_name = "PART", requires = "find", value_parser = part,
+        default_value_t = WITHIN, hide_default_value = false)]
+    pub within: f64,
     /// Replace one value of the base case: --set grid.elements=64 (repeatable)
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub sets: Vec<String>,

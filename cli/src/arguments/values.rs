@@ -13,6 +13,27 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
     }
 }
 
+pub(super) fn part(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(part) if (1e-9..=0.1).contains(&part) => Ok(part),
+        _ => Err("wanted a number from 1e-9 to 0.1".into()),
+    }
+}
+
+pub(super) fn paper_width(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(width) if (70.0..=400.0).contains(&width) => Ok(width),
+        _ => Err("wanted millimetres from 70 to 400".into()),
+    }
+}
+
+pub(super) fn resolution(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(dpi) if (50.0..=1200.0).contains(&dpi) => Ok(dpi),
+        _ => Err("wanted pixels per inch from 50 to 1200".into()),
+    }
+}
+
 /// A quantity with or without its unit.
 fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
     let bare = text.trim().parse().ok();

@@ -1,16 +1,21 @@
 //! `pellicle plot`: redraws the pictures of results, in any style, or draws the curves of several results in one
 //! picture.
 
+pub mod paper;
+
 use std::fs;
 use std::path::Path;
 
 use pellicle::summary::WarningSummary;
 use pellicle_plot::sheet::style::{Heading, Style};
+use pellicle_study::identity::StudyIdentity;
+use pellicle_study::shard::Shard;
 
 use crate::arguments::PlotArguments;
 use crate::command::Outcome;
 use crate::failure::Failure;
 use crate::output::redraw::{self, RedrawOptions};
+use crate::picture::found;
 use crate::progress::ProgressLine;
 use crate::terminal;
 
@@ -23,6 +28,15 @@ pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
     if let Some(out) = &arguments.out {
         fs::create_dir_all(out).map_err(|cause| Failure::write(out, cause))?;
     }
+    if let [folder] = &arguments.folders[..]
+        && (found::is_in(folder) || is_study(folder))
+    {
+        let name = paper::draw(arguments, folder)?;
+        let out = arguments.out.as_deref().unwrap_or(folder);
+        terminal::report(&format!("{name} drawn in {}", out.display()));
+        return Ok(Outcome::Done);
+    }
+    refuse_options_of_studies(arguments)?;
     let (count, out, warnings) = match &arguments.folders[..] {
         [folder] => one(arguments, folder)?,
         _ => several(arguments)?,
@@ -33,6 +47,27 @@ pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
     let pictures = if count == 1 { "picture" } else { "pictures" };
     terminal::report(&format!("{count} {pictures} drawn in {}", out.display()));
     Ok(Outcome::Done)
+}
+
+/// Whether a folder holds the table of a study.
+fn is_study(folder: &Path) -> bool {
+    StudyIdentity::path(folder, Shard::WHOLE).is_file()
+}
+
+/// Refuses options that apply to a study or a search alone.
+fn refuse_options_of_studies(arguments: &PlotArguments) -> Result<(), Failure> {
+    let given = [
+        !arguments.results.is_empty(),
+        !arguments.over.is_empty(),
+        arguments.form.is_some(),
+        !arguments.formats.is_empty(),
+        arguments.width.is_some(),
+        arguments.dpi.is_some(),
+    ];
+    if given.contains(&true) {
+        return Err(Failure::OneStudy);
+    }
+    Ok(())
 }
 
 /// The number of pictures drawn, their folder, and the warnings.
@@ -70,6 +105,7 @@ fn several(arguments: &PlotArguments) -> Result<Drawn<'_>, Failure> {
 fn style(arguments: &PlotArguments) -> Style {
     Style {
         width: arguments.size.map(f64::from),
+        paper_mm: None,
         heading: if arguments.no_title {
             Heading::Hidden
         } else {

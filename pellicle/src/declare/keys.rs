@@ -22,6 +22,37 @@ fn collect<'a>(table: &'a TableShape, found: &mut BTreeMap<&'static str, &'a Sha
     }
 }
 
+/// What the value at a path may be, such as `foundation.layer.0.thickness`: one shape for each kind of table that has
+/// the key; none if no table has it.
+#[must_use]
+pub fn at<'a>(root: &'a TableShape, path: &[String]) -> Vec<&'a Shape> {
+    let Some((key, rest)) = path.split_first() else {
+        return Vec::new();
+    };
+    let fields = root.fields.iter().filter(|field| field.key == key);
+    fields
+        .flat_map(|field| within(&field.shape, rest))
+        .collect()
+}
+
+fn within<'a>(shape: &'a Shape, path: &[String]) -> Vec<&'a Shape> {
+    let Some((first, rest)) = path.split_first() else {
+        return vec![shape];
+    };
+    match shape {
+        Shape::List(item, _) if first.parse::<usize>().is_ok() => within(item, rest),
+        Shape::List(..) => Vec::new(),
+        Shape::Either(shapes) => {
+            let shapes = shapes.iter();
+            shapes.flat_map(|shape| within(shape, path)).collect()
+        }
+        _ => {
+            let tables = shape.tables().into_iter();
+            tables.flat_map(|table| at(table, path)).collect()
+        }
+    }
+}
+
 /// The dimension of each key whose numbers have one; the ends of a range have that of its key.
 #[must_use]
 pub fn dimensions(root: &TableShape) -> BTreeMap<&'static str, Dimension> {
@@ -177,6 +208,20 @@ pub fn value(shape: &Shape) -> String {
 mod tests {
     use super::*;
     use crate::case::Case;
+
+    #[test]
+    fn a_path_leads_through_kinds_and_lists() {
+        let case = Case::shape();
+        let shapes = |path: &str| {
+            let path: Vec<_> = path.split('.').map(str::to_owned).collect();
+            at(&case, &path).into_iter().map(value).collect::<Vec<_>>()
+        };
+        assert!(shapes("surface.period")[0].starts_with("a length"));
+        assert!(shapes("foundation.layer.1.thickness")[0].starts_with("a length"));
+        assert!(shapes("foundation.layer.thickness").is_empty());
+        assert!(shapes("surface.perod").is_empty());
+        assert!(shapes("grid.elements")[0].contains(" to "));
+    }
 
     #[test]
     fn every_quantity_has_its_unit() {

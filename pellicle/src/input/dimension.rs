@@ -27,11 +27,15 @@ pub enum Dimension {
     Time,
     /// Metres per second: a length over a time.
     Speed,
+    /// Square metres.
+    Area,
+    /// Cubic metres.
+    Volume,
 }
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 13] = [
         Self::Length,
         Self::Pressure,
         Self::Force,
@@ -43,6 +47,8 @@ impl Dimension {
         Self::WearCoefficient,
         Self::Time,
         Self::Speed,
+        Self::Area,
+        Self::Volume,
     ];
 
     /// Its name in a message.
@@ -60,6 +66,8 @@ impl Dimension {
             Self::WearCoefficient => "a wear coefficient",
             Self::Time => "a time",
             Self::Speed => "a rate",
+            Self::Area => "an area",
+            Self::Volume => "a volume",
         }
     }
 
@@ -78,6 +86,8 @@ impl Dimension {
             Self::WearCoefficient => "m^2/N",
             Self::Time => "s",
             Self::Speed => "m/s",
+            Self::Area => "m^2",
+            Self::Volume => "m^3",
         }
     }
 
@@ -96,6 +106,8 @@ impl Dimension {
             Self::WearCoefficient => "\"1e-15 m^2/N\"",
             Self::Time => "\"5 s\"",
             Self::Speed => "\"0.02 nm/s\"",
+            Self::Area => "\"30 um^2\"",
+            Self::Volume => "\"2 um^3\"",
         }
     }
 
@@ -118,6 +130,8 @@ impl Dimension {
             Self::WearCoefficient => &["m^2/N", "um^2/N", "mm^3/Nm", "mm^3/N/m"],
             Self::Time => &["s", "ms", "us", "µs", "ns", "min", "h"],
             Self::Speed => &["m/s", "nm/s", "um/h", "a length / a time"],
+            Self::Area => &["m^2", "cm^2", "mm^2", "um^2", "µm^2", "nm^2"],
+            Self::Volume => &["m^3", "mm^3", "um^3", "µm^3", "nm^3"],
         }
     }
 
@@ -135,7 +149,9 @@ impl Dimension {
             | Self::FrameCompliance
             | Self::WearCoefficient
             | Self::Time
-            | Self::Speed => 1e-60..=1e60,
+            | Self::Speed
+            | Self::Area
+            | Self::Volume => 1e-60..=1e60,
             Self::Angle => 0.0..=f64::MAX,
         }
     }

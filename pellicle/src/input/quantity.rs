@@ -83,6 +83,8 @@ fn factor(dimension: Dimension, unit: &str) -> Option<f64> {
         Dimension::WearCoefficient => wear_coefficient(unit),
         Dimension::Time => one.parse::<Time>().ok().map(|time| time.value),
         Dimension::Speed => quotient(unit, Dimension::Length, Dimension::Time),
+        Dimension::Area => area(unit),
+        Dimension::Volume => volume(unit),
     }
 }
 
@@ -91,6 +93,25 @@ fn quotient(unit: &str, above: Dimension, below: Dimension) -> Option<f64> {
     let (numerator, denominator) = unit.split_once('/')?;
     let numerator = factor(above, &spelling(numerator))?;
     Some(numerator / factor(below, &spelling(denominator))?)
+}
+
+/// The size of an area in m²: `um^2`, `mm²`.
+fn area(unit: &str) -> Option<f64> {
+    let one = format!("1 {}", spelling(&with_micro(unit)));
+    one.parse::<Area>().ok().map(|area| area.value)
+}
+
+/// The size of a volume in m³: `um^3`, `mm³`.
+fn volume(unit: &str) -> Option<f64> {
+    let one = with_micro(unit).replace("^3", "³").replace("m3", "m³");
+    let one = format!("1 {one}").parse::<Volume>();
+    one.ok().map(|volume| volume.value)
+}
+
+/// The unit with µ for micro, however it is spelled.
+fn with_micro(unit: &str) -> String {
+    let unit = unit.trim().replace('\u{3bc}', "\u{b5}");
+    unit.replace("um", "µm")
 }
 
 /// The size of an energy over an area, or of a force over a length, in J/m².
@@ -107,17 +128,11 @@ fn energy_per_area(unit: &str) -> Option<f64> {
 /// The size of an area over a force, or of a volume over a force and a length, in m²/N: `m^2/N`, `mm^3/Nm`.
 fn wear_coefficient(unit: &str) -> Option<f64> {
     let (above, below) = unit.split_once('/')?;
-    let above = above
-        .trim()
-        .replace('\u{3bc}', "\u{b5}")
-        .replace("um", "µm");
-    let area = format!("1 {}", spelling(&above)).parse::<Area>();
-    if let (Ok(area), Some(force)) = (area, factor(Dimension::Force, &spelling(below))) {
-        return Some(area.value / force);
+    let over_force = factor(Dimension::Force, &spelling(below));
+    if let (Some(area), Some(force)) = (area(above), over_force) {
+        return Some(area / force);
     }
-    let volume = above.replace("^3", "³").replace("m3", "m³");
-    let volume = format!("1 {volume}");
-    let volume = volume.parse::<Volume>().ok()?.value;
+    let volume = volume(above)?;
     let below = below.trim().trim_start_matches('(').trim_end_matches(')');
     let force = below.strip_suffix('m')?;
     let force = force.trim_end_matches([' ', '/', '*', '·']);
@@ -326,6 +341,18 @@ mod tests {
         assert_eq!(energy("50 mN"), force);
         let found = Err(QuantityError::OtherDimension(Dimension::EnergyPerArea));
         assert_eq!(parse("50 mJ/m^2", Dimension::Pressure), found);
+    }
+
+    #[test]
+    fn areas_and_volumes_are_powers_of_lengths() {
+        for text in ["3 um^2", "3 µm²", "3 μm^2", "3e-6 mm^2", "3e-12 m2"] {
+            assert_eq!(parse(text, Dimension::Area), Ok(3e-12), "{text}");
+        }
+        for text in ["3 um^3", "3 µm³", "3e-9 mm^3", "3e-18 m^3"] {
+            assert_eq!(parse(text, Dimension::Volume), Ok(3e-18), "{text}");
+        }
+        let found = Err(QuantityError::OtherDimension(Dimension::Area));
+        assert_eq!(length("3 um^2"), found);
     }
 
     #[test]

@@ -8,6 +8,9 @@ use miette::NamedSource;
 /// A text with its name in messages: the path of a case file, or `--set`.
 pub type Source = NamedSource<String>;
 
+/// How the name of an option of the command line begins.
+const OPTION: &str = "--";
+
 /// The name of a text from the command line.
 pub const COMMAND_LINE: &str = "--set";
 
@@ -48,12 +51,12 @@ impl Span {
         1 + before.filter(|byte| **byte == b'\n').count()
     }
 
-    /// Source and line in words, `case.toml, line 3`. For the command line, which has a single line, for standard
-    /// input, whose name contains the line, and for a [`CALL`], only the name.
+    /// Source and line in words, `case.toml, line 3`. For an option of the command line, which has a single line, for
+    /// standard input, whose name contains the line, and for a [`CALL`], only the name.
     #[must_use]
     pub fn words(&self) -> String {
         let name = self.source.name();
-        if name == COMMAND_LINE || name.starts_with(STREAM) || name.ends_with(CALL) {
+        if name.starts_with(OPTION) || name.starts_with(STREAM) || name.ends_with(CALL) {
             return name.to_owned();
         }
         format!("{name}, line {}", self.line())

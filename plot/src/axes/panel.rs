@@ -54,7 +54,12 @@ impl Axis {
     /// Returns a logarithmic axis that contains these two positive values, with at least three ticks.
     #[must_use]
     pub fn logarithmic(smallest: f64, largest: f64, title: String) -> Self {
-        let (from, to) = (smallest / 1.3, largest * 1.3);
+        Self::logarithmic_within(smallest / 1.3, largest * 1.3, title)
+    }
+
+    /// Returns a logarithmic axis between these two positive values.
+    #[must_use]
+    pub fn logarithmic_within(from: f64, to: f64, title: String) -> Self {
         let ticks = ticks::logarithmic(from, to);
         let labels = labels::logarithmic_ticks(&ticks);
         Self {

@@ -1,7 +1,7 @@
 //! Encodes pixels as a PNG file.
 
 /// Pixels per metre of paper: 150 per inch, so that the widest picture fits a page.
-const DENSITY: u32 = 5906;
+pub const DENSITY: u32 = 5906;
 
 /// The bytes of one pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,20 +15,27 @@ pub enum PixelFormat {
 /// Encodes pixels as a PNG file; the result is empty if the sides do not fit the pixels.
 #[must_use]
 pub fn encode(width: usize, height: usize, kind: PixelFormat, pixels: &[u8]) -> Vec<u8> {
+    encode_at([width, height], DENSITY, kind, pixels)
+}
+
+/// Encodes pixels likewise, with this many pixels per metre of paper.
+#[must_use]
+pub fn encode_at(sides: [usize; 2], density: u32, kind: PixelFormat, pixels: &[u8]) -> Vec<u8> {
     let mut bytes = Vec::new();
     // Writing to memory fails only if the sides do not fit the pixels.
-    drop(try_encode(&mut bytes, width, height, kind, pixels));
+    drop(try_encode(&mut bytes, sides, density, kind, pixels));
     bytes
 }
 
 fn try_encode(
     bytes: &mut Vec<u8>,
-    width: usize,
-    height: usize,
+    [width, height]: [usize; 2],
+    density: u32,
     kind: PixelFormat,
     pixels: &[u8],
 ) -> Result<(), png::EncodingError> {
     let mut encoder = encoder(bytes, width, height);
+    encoder.set_pixel_dims(Some(dimensions(density)));
     encoder.set_color(match kind {
         PixelFormat::Rgb => png::ColorType::Rgb,
         PixelFormat::Rgba => png::ColorType::Rgba,
@@ -48,10 +55,14 @@ pub(super) fn encoder(
 ) -> png::Encoder<'_, &mut Vec<u8>> {
     let side = |side: usize| u32::try_from(side).unwrap_or(u32::MAX);
     let mut encoder = png::Encoder::new(bytes, side(width), side(height));
-    encoder.set_pixel_dims(Some(png::PixelDimensions {
-        xppu: DENSITY,
-        yppu: DENSITY,
-        unit: png::Unit::Meter,
-    }));
+    encoder.set_pixel_dims(Some(dimensions(DENSITY)));
     encoder
+}
+
+fn dimensions(density: u32) -> png::PixelDimensions {
+    png::PixelDimensions {
+        xppu: density,
+        yppu: density,
+        unit: png::Unit::Meter,
+    }
 }

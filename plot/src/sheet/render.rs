@@ -31,6 +31,34 @@ pub fn png(svg: &str) -> io::Result<Vec<u8>> {
     Ok(png::encode(width, height, PixelFormat::Rgb, &rgb))
 }
 
+/// Renders a drawing as a PNG file of this width on paper (mm) at a number of pixels per inch, both of which are
+/// recorded in it.
+///
+/// # Errors
+///
+/// Those of [`png()`].
+pub fn paper_png(svg: &str, width_mm: f64, dpi: f64) -> io::Result<Vec<u8>> {
+    const INCH_MM: f64 = 25.4;
+    let tree = tree(svg)?;
+    let [width, height] = [tree.size().width(), tree.size().height()].map(f64::from);
+    let wanted = (width_mm / INCH_MM * dpi).round();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "some thousand pixels, and pixels per metre"
+    )]
+    let [across, upwards, density] =
+        [wanted, wanted * height / width, dpi / INCH_MM * 1e3].map(|of| of.round() as u32);
+    let size = tiny_skia::IntSize::from_wh(across, upwards.max(1));
+    let (width, height, rgb) = painted(&tree, single(wanted / width), size)?;
+    Ok(png::encode_at(
+        [width, height],
+        density,
+        PixelFormat::Rgb,
+        &rgb,
+    ))
+}
+
 /// Renders a drawing as a PNG file of this width, in as few bytes as possible.
 ///
 /// # Errors
@@ -43,17 +71,34 @@ pub fn small_png(svg: &str, width: f64) -> io::Result<Vec<u8>> {
 
 /// Width, height and the bytes of the pixels, three for each; the pixels per unit depend on the drawing's width.
 fn pixels(svg: &str, zoom: impl Fn(f64) -> f64) -> io::Result<(usize, usize, Vec<u8>)> {
-    let tree = usvg::Tree::from_str(svg, &OPTIONS).map_err(io::Error::other)?;
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "single precision is enough for pixels"
-    )]
-    let zoom = zoom(tree.size().width().into()) as f32;
+    let tree = tree(svg)?;
+    let zoom = single(zoom(tree.size().width().into()));
     let size = tree.size().to_int_size().scale_by(zoom);
+    painted(&tree, zoom, size)
+}
+
+fn tree(svg: &str) -> io::Result<usvg::Tree> {
+    usvg::Tree::from_str(svg, &OPTIONS).map_err(io::Error::other)
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "single precision is enough for pixels"
+)]
+fn single(number: f64) -> f32 {
+    number as f32
+}
+
+/// Width, height and the bytes of the pixels of a tree.
+fn painted(
+    tree: &usvg::Tree,
+    zoom: f32,
+    size: Option<tiny_skia::IntSize>,
+) -> io::Result<(usize, usize, Vec<u8>)> {
     let pixels = size.and_then(|size| tiny_skia::Pixmap::new(size.width(), size.height()));
     let mut pixels = pixels.ok_or_else(|| io::Error::other("no memory for the picture"))?;
     let zoom = tiny_skia::Transform::from_scale(zoom, zoom);
-    resvg::render(&tree, zoom, &mut pixels.as_mut());
+    resvg::render(tree, zoom, &mut pixels.as_mut());
     let (width, height) = (pixels.width() as usize, pixels.height() as usize);
     let mut rgb = vec![0; 3 * width * height];
     // The last row and column may extend beyond the sheet; paper is white there.
@@ -96,6 +141,19 @@ mod tests {
         assert_eq!(width, 20);
         assert_eq!(pixels[..3], [255, 255, 255]);
         assert_eq!(pixels[3 * 19..3 * 20], [10, 20, 30]);
+    }
+
+    #[test]
+    fn a_picture_on_paper_has_the_pixels_of_its_width_and_records_them() {
+        let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"85mm\" height=\"51mm\" viewBox=\"0 0 510 306\"/>";
+        let bytes = paper_png(svg, 85.0, 600.0).unwrap();
+        let reader = ::png::Decoder::new(io::Cursor::new(bytes))
+            .read_info()
+            .unwrap();
+        let info = reader.info();
+        // 85 mm/25.4 mm · 600 = 2007.9; 600/25.4 mm = 23622 per metre
+        assert_eq!((info.width, info.height), (2008, 1205));
+        assert_eq!(info.pixel_dims.unwrap().xppu, 23622);
     }
 
     #[test]

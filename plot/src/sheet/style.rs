@@ -9,6 +9,8 @@ use crate::sheet::svg::{Frame, Svg};
 pub struct Style {
     /// Width on the screen and of the PNG, in pixels; by default the width of the drawing.
     pub width: Option<f64>,
+    /// Width on paper, in millimetres; by default a picture has a width in pixels.
+    pub paper_mm: Option<f64>,
     /// Whether the heading is shown.
     pub heading: Heading,
     /// The colour map.
@@ -46,7 +48,19 @@ pub enum Cut {
 /// Space left above a picture without heading, in pixels: labels reach a little above their ticks.
 const ABOVE: f64 = 16.0;
 
+/// Pixels of a sheet for a millimetre of paper: letters of 17 pixels are then 8 points high.
+const PER_MILLIMETRE: f64 = 6.0;
+
+/// Width of a picture drawn for paper, unless it is given, in millimetres: one and a half columns of a journal.
+const PAPER_MM: f64 = 120.0;
+
 impl Style {
+    /// The width of a drawing made for paper, in pixels of the sheet; its letters have the same size at any width.
+    #[must_use]
+    pub fn drawn_width(&self) -> f64 {
+        PER_MILLIMETRE * self.paper_mm.unwrap_or(PAPER_MM)
+    }
+
     /// Returns a white sheet for a picture of this width and height, which includes the heading.
     #[must_use]
     pub fn sheet(&self, width: f64, height: f64) -> Svg {
@@ -58,7 +72,8 @@ impl Style {
             width,
             height,
             top,
-            shown_width: self.width.unwrap_or(width),
+            shown_width: self.paper_mm.or(self.width).unwrap_or(width),
+            unit: if self.paper_mm.is_some() { "mm" } else { "" },
         })
     }
 }

@@ -107,6 +107,8 @@ pub struct Frame {
     pub top: f64,
     /// Width at which it is shown.
     pub shown_width: f64,
+    /// The unit of that width: `mm`, or nothing for pixels.
+    pub unit: &'static str,
 }
 
 impl Svg {
@@ -118,6 +120,7 @@ impl Svg {
             height,
             top: 0.0,
             shown_width: width,
+            unit: "",
         })
     }
 
@@ -129,10 +132,11 @@ impl Svg {
             height,
             top,
             shown_width,
+            unit,
         } = *frame;
         let height = height - top;
         let text = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 {} {} {}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}{unit}\" height=\"{}{unit}\" viewBox=\"0 {} {} {}\" \
              font-family=\"{FAMILY}, Verdana, sans-serif\">\n",
             number(shown_width),
             number(height * shown_width / width),
@@ -225,6 +229,15 @@ impl Svg {
     /// Draws a text, vertically centred on the point.
     pub fn text(&mut self, (x, y): (f64, f64), size: f64, anchor: Anchor, text: &str) {
         self.directed_text((x, y), size, anchor, TextDirection::Across, text);
+    }
+
+    /// Draws a text in a colour, centred on the point.
+    pub fn coloured_text(&mut self, (x, y): (f64, f64), size: f64, ink: Colour, text: &str) {
+        let [x, y, size] = [x, y + 0.35 * size, size].map(number);
+        self.push(&format!(
+            "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" text-anchor=\"middle\" fill=\"{ink}\">{}</text>",
+            escaped(text)
+        ));
     }
 
     /// Draws a text in a direction.

@@ -1,0 +1,373 @@
+//! The value of a key at which a number of the result meets its limit.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use pellicle::case::BaseCase;
+use pellicle::case::map_sources::MapSources;
+use pellicle::input::span::Source;
+use pellicle::memory::MemoryBudget;
+use pellicle::run::Resources;
+use pellicle_influence::Cache;
+use pellicle_study::find::answer::{Answer, Extreme, Verdict};
+use pellicle_study::find::folder::SearchFolder;
+use pellicle_study::find::tried::Tried;
+use pellicle_study::find::{Means, Question, Search, WITHIN};
+
+/// A rigid ball on steel, E* = 226.4 GPa, under 1 N: p₀ = 0.73 GPa.
+const BALL: &str = r#"
+[foundation]
+substrate = { young_modulus = "206 GPa", poisson_ratio = 0.3 }
+[indenter]
+kind = "paraboloid"
+radius = "5 mm"
+[load]
+force = "1 N"
+[grid]
+elements = 64
+"#;
+
+/// Pillars under a ball.
+const TEXTURE: &str = r#"
+[foundation]
+substrate = { young_modulus = "206 GPa", poisson_ratio = 0.3 }
+[surface]
+kind = "cylinders"
+radius = "10 um"
+height = "2 um"
+area_fraction = 0.3
+[indenter]
+kind = "paraboloid"
+radius = "50 mm"
+[load]
+force = "5 N"
+[grid]
+elements = 64
+"#;
+
+fn base(text: &str) -> BaseCase {
+    let source = Arc::new(Source::new("case.toml", text.to_owned()));
+    BaseCase::parse(&source, "case", MapSources::default()).unwrap()
+}
+
+fn question(condition: &str, key: &str, between: Option<[&str; 2]>) -> Question {
+    let source = |name: &str, text: &str| Arc::new(Source::new(name, text.to_owned()));
+    Question {
+        condition: source("--find", condition),
+        key: source("--by", key),
+        between: between.map(|ends| ends.map(|end| source("--between", end))),
+        within: WITHIN,
+    }
+}
+
+fn search(text: &str, condition: &str, key: &str, between: Option<[&str; 2]>) -> Search {
+    Search::new(base(text), &question(condition, key, between)).unwrap()
+}
+
+fn run(search: &Search, before: Vec<Tried>) -> (Answer, Vec<Tried>) {
+    let (cache, memory) = (Cache::in_memory(), MemoryBudget::default());
+    let means = Means {
+        resources: Resources {
+            cache: &cache,
+            memory: &memory,
+            writers: 0,
+        },
+        monitor: &(),
+        keep: &|_| Ok(()),
+    };
+    let (answer, tried) = search.run(before, means).unwrap();
+    (answer.unwrap(), tried)
+}
+
+/// `E* = E/(1 − ν²)` of the ball's case, Pa.
+const MODULUS: f64 = 206e9 / (1.0 - 0.3 * 0.3);
+
+/// The answer contains this value, which is its own to the width of the search, after at most so many cases.
+fn assert_found(found: &(Answer, Vec<Tried>), exact: f64, extreme: Extreme, cases: usize) {
+    let (answer, tried) = found;
+    assert_eq!(
+        (answer.verdict, answer.extreme),
+        (Verdict::Found, Some(extreme))
+    );
+    let ([low, high], value) = (answer.interval.unwrap(), answer.value.unwrap());
+    assert!(
+        low <= exact && exact <= high,
+        "{exact:e} in {low:e} to {high:e}"
+    );
+    assert!(
+        low <= value && value <= high,
+        "{value:e} in {low:e} to {high:e}"
+    );
+    // The ± of the pressure at N = 64 is some 0.1 %, a third of that of the force.
+    assert!((high - low) / exact < 0.05, "{low:e} to {high:e}");
+    assert!(tried.len() <= cases, "{} cases: {tried:#?}", tried.len());
+}
+
+#[test]
+fn the_largest_force_below_a_pressure_is_that_of_hertz() {
+    // p₀ = (6 Q E*²/(π³ R²))^(1/3), Johnson, Contact Mechanics, (4.24)
+    let (limit, radius) = (1e9_f64, 5e-3_f64);
+    let exact = PI.powi(3) * radius.powi(2) * limit.powi(3) / (6.0 * MODULUS.powi(2));
+    let found = run(
+        &search(BALL, "max_pressure < 1 GPa", "load.force", None),
+        vec![],
+    );
+    assert_found(&found, exact, Extreme::Largest, 8);
+}
+
+#[test]
+fn the_smallest_radius_below_a_pressure_is_that_of_hertz() {
+    let exact = (6.0 * MODULUS.powi(2) / (PI.powi(3) * 1e9_f64.powi(3))).sqrt();
+    let between = Some(["1 mm", "10 mm"]);
+    let search = search(BALL, "max pressure <= 1 GPa", "indenter.radius", between);
+    assert_found(&run(&search, vec![]), exact, Extreme::Smallest, 8);
+}
+
+#[test]
+fn a_condition_above_a_limit_holds_from_its_answer() {
+    // a² = R D: a contact area of 100 µm² is a penetration of A/(π R), of a rigid ball.
+    let text = BALL.replace("force = \"1 N\"", "penetration = \"5 nm\"");
+    let search = search(&text, "contact_area > 100 um^2", "load.penetration", None);
+    assert_found(
+        &run(&search, vec![]),
+        1e-10 / (PI * 5e-3),
+        Extreme::Smallest,
+        8,
+    );
+}
+
+#[test]
+fn a_fraction_of_a_texture_is_searched_up_to_what_the_lattice_allows() {
+    let search = search(
+        TEXTURE,
+        "mean_pressure < 300 MPa",
+        "surface.area_fraction",
+        None,
+    );
+    // Discs of a square lattice touch at π/4; the ends of the range are allowed values.
+    assert!(
+        search.range[0] > 0.0299 && search.range[1] < PI / 4.0,
+        "{:?}",
+        search.range
+    );
+    let (answer, tried) = run(&search, vec![]);
+    assert_eq!(
+        answer.extreme,
+        Some(Extreme::Smallest),
+        "{answer:?} {tried:#?}"
+    );
+    let value = answer.value.unwrap();
+    assert!((0.1..0.7).contains(&value), "{value}");
+    assert!(
+        answer.notes.iter().any(|note| note.contains("has no ±")),
+        "{answer:?}"
+    );
+}
+
+#[test]
+fn a_critical_force_is_a_number_like_any_other() {
+    let text = BALL.replace(
+        "poisson_ratio = 0.3",
+        "poisson_ratio = 0.3, yield_strength = \"0.3 GPa\"",
+    ) + "[stress]\nonly = [\"max_von_mises\"]\n";
+    let text = text.replace("elements = 64", "elements = 32");
+    // Q_y ∝ R²; the load of 1 N is enough for the largest radius.
+    let condition = "critical_force yield substrate > 0.3 N";
+    let between = Some(["2 mm", "8 mm"]);
+    let (answer, tried) = run(
+        &search(&text, condition, "indenter.radius", between),
+        vec![],
+    );
+    assert_eq!(
+        answer.extreme,
+        Some(Extreme::Smallest),
+        "{answer:?} {tried:#?}"
+    );
+    // p₀ = 1.613 Y at first yield for ν = 0.3 (Johnson, (4.27): 1.60 to three digits).
+    let p0: f64 = 1.613 * 0.3e9;
+    let exact = (6.0 * 0.3 * MODULUS.powi(2) / (PI.powi(3) * p0.powi(3))).sqrt();
+    let value = answer.value.unwrap();
+    assert!((value / exact - 1.0).abs() < 0.02, "{value:e} {exact:e}");
+}
+
+#[test]
+fn no_crossing_is_told_with_the_numbers_at_both_ends() {
+    let (answer, tried) = run(
+        &search(BALL, "max_pressure < 30 GPa", "load.force", None),
+        vec![],
+    );
+    assert_eq!(
+        (answer.verdict, answer.value),
+        (Verdict::HoldsAtBothEnds, None)
+    );
+    assert_eq!(tried.len(), 2);
+    let note = &answer.notes[0];
+    assert!(
+        note.contains("load.force = 100.00 mN") && note.contains("10.000 N"),
+        "{note}"
+    );
+    let (answer, _) = run(
+        &search(BALL, "max_pressure > 30 GPa", "load.force", None),
+        vec![],
+    );
+    assert_eq!(answer.verdict, Verdict::HoldsAtNeitherEnd);
+}
+
+#[test]
+fn a_case_that_is_not_certified_is_never_a_number() {
+    // A domain of 60 µm cuts the contact off above some force.
+    let text = BALL.replace("elements = 64", "elements = 64\nside = \"60 um\"");
+    let search = search(
+        &text,
+        "max_pressure < 20 GPa",
+        "load.force",
+        Some(["0.1 N", "1 kN"]),
+    );
+    let (answer, tried) = run(&search, vec![]);
+    assert_ne!(answer.verdict, Verdict::Found, "{tried:#?}");
+    assert!(
+        answer.notes.iter().any(|note| note.contains("is cut-off")),
+        "{:?}",
+        answer.notes
+    );
+}
+
+#[test]
+fn an_interrupted_search_solves_no_case_twice_and_finds_the_same() {
+    let search = search(BALL, "max_pressure < 1 GPa", "load.force", None);
+    let (answer, tried) = run(&search, vec![]);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("found");
+    let (claimed, before) = SearchFolder::claim(&path, &search, false).unwrap();
+    assert!(before.is_empty());
+    claimed.write(&search, &tried, None).unwrap();
+    drop(claimed);
+    let (_claimed, before) = SearchFolder::claim(&path, &search, false).unwrap();
+    assert_eq!(before, tried);
+    // With a changed number in place of a solved one, the answer changes.
+    let mut wrong = before.clone();
+    for tried in &mut wrong {
+        tried.number = tried.number.map(|number| 1.1 * number);
+    }
+    assert_eq!(run(&search, before).0, answer);
+    assert_ne!(run(&search, wrong).0.value, answer.value);
+}
+
+#[test]
+fn another_search_in_the_folder_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("found");
+    let first = search(BALL, "max_pressure < 1 GPa", "load.force", None);
+    SearchFolder::claim(&path, &first, false).unwrap();
+    let same = search(BALL, "max_pressure < 2 GPa", "load.force", None);
+    assert!(SearchFolder::claim(&path, &same, false).is_ok());
+    let other = search(BALL, "contact_area < 1 mm^2", "load.force", None);
+    assert!(SearchFolder::claim(&path, &other, false).is_err());
+    assert!(SearchFolder::claim(&path, &other, true).is_ok());
+    std::fs::write(folder.path().join("own.txt"), "mine").unwrap();
+    assert!(SearchFolder::claim(folder.path(), &other, true).is_err());
+}
+
+#[test]
+fn a_wrong_question_is_one_sentence_with_what_was_found_and_what_is_wanted() {
+    let faults = [
+        (
+            "max_presure < 2 GPa",
+            "load.force",
+            None,
+            "--find: found no result `max_presure` of this case, wanted a number of the result of this case",
+        ),
+        (
+            "max_pressure_at < 2 um",
+            "load.force",
+            None,
+            "--find: found `max_pressure_at`, which is no number",
+        ),
+        (
+            "plastic_depth < 2 um",
+            "load.force",
+            None,
+            "--find: found `plastic_depth`, which is given with a hardness",
+        ),
+        (
+            "max_pressure < 2 um",
+            "load.force",
+            None,
+            "--find: found `2 um`, wanted a pressure such as \"70 GPa\"",
+        ),
+        (
+            "max_pressure = 2 GPa",
+            "load.force",
+            None,
+            "--find: found `max_pressure = 2 GPa`, wanted a number of the result and its limit",
+        ),
+        (
+            "max_pressure <",
+            "load.force",
+            None,
+            "--find: found ``, wanted a pressure",
+        ),
+        (
+            "max_pressure < 2 GPa",
+            "load.forse",
+            None,
+            "--by: found no number `load.forse` among the keys of a case",
+        ),
+        (
+            "max_pressure < 2 GPa",
+            "grid.elements",
+            None,
+            "--by: found `grid.elements`, whose value is",
+        ),
+        (
+            "max_pressure < 2 GPa",
+            "indenter.kind",
+            None,
+            "--by: found no number `indenter.kind`",
+        ),
+        (
+            "max_pressure < 2 GPa",
+            "foundation.substrate.hardness",
+            None,
+            "--by: found `foundation.substrate.hardness`, of which",
+        ),
+        (
+            "max_pressure < 2 GPa",
+            "surface.period",
+            None,
+            "--by: found `surface.period`, of which the case has no positive value, wanted the range of its values",
+        ),
+        (
+            "max_pressure < 2 GPa",
+            "load.force",
+            Some(["1 um", "2 N"]),
+            "--between: found `1 um`, wanted a force",
+        ),
+        (
+            "max_pressure < 2 GPa",
+            "load.force",
+            Some(["1 N", "1 N"]),
+            "--between: found the same value twice",
+        ),
+        (
+            "max_pressure < 2 GPa",
+            "load.force",
+            Some(["-1 N", "1 N"]),
+            "--by, key `load.force`: found -1.0000 N, wanted",
+        ),
+    ];
+    for (condition, key, between, wanted) in faults {
+        let refused = Search::new(base(BALL), &question(condition, key, between));
+        let found = refused.unwrap_err().to_string();
+        assert!(found.starts_with(wanted), "{found}");
+        assert!(!found.contains('\n'), "{found}");
+    }
+    let study = format!("[study]\nvary = {{ }}\n{BALL}");
+    let refused = Search::new(base(&study), &question("force < 1 N", "load.force", None));
+    assert!(
+        refused
+            .unwrap_err()
+            .to_string()
+            .contains("found a table [study]")
+    );
+}
