@@ -74,8 +74,8 @@ fn schema_line(kind: &str) -> String {
 }
 
 impl Template {
-    /// Returns the text of the template: of a case, a fit or a study with the line by which editors find its schema, and
-    /// of a case with a list of the keys that it leaves out.
+    /// Returns the text of the template: of a case, a fit or a study with the line by which editors find its schema, of
+    /// a case also with a list of the keys that it leaves out.
     #[must_use]
     pub fn text(self) -> Cow<'static, str> {
         let of_kind = |kind, text| (schema_line(kind) + text).into();

@@ -23,7 +23,7 @@ DIAMOND = (1141e9, 0.07)
 
 
 def indentation(contact_depth: float) -> dict[str, Any]:
-    """A load and its unloading by an ideal Berkovich pyramid, with the formulas of Oliver and Pharr solved backwards."""
+    """A load and its unloading by an ideal Berkovich pyramid, by the formulas of Oliver and Pharr solved backwards."""
     reduced = 1 / ((1 - POISSON**2) / E_IT + (1 - DIAMOND[1] ** 2) / DIAMOND[0])
     # Area and angle of the pyramid of 65.27°: 24.494 h².
     area = 3 * math.sqrt(3) * math.tan(math.radians(65.27)) ** 2 * contact_depth**2

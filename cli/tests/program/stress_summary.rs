@@ -106,6 +106,7 @@ fn stresses_are_listed_by_body_and_interface_and_strengths_in_sentences() {
     assert_eq!(names, ["layer[0]", "substrate"]);
     let interface = &stress["interfaces"][0];
     let wanted = [
+        "name",
         "index",
         "depth",
         "max_shear_traction",
@@ -247,7 +248,7 @@ fn only_the_wanted_stresses_are_in_the_results() {
     for body in stress["bodies"].as_array().unwrap() {
         assert_eq!(keys(body), ["name", "max_shear", "utilisation"]);
     }
-    let wanted = ["index", "depth", "max_tension", "utilisation"];
+    let wanted = ["name", "index", "depth", "max_tension", "utilisation"];
     assert_eq!(keys(&stress["interfaces"][0]), wanted);
     let curve = fs::read_to_string(folder.path("a/curve.csv")).unwrap();
     let header = curve.lines().next().unwrap();

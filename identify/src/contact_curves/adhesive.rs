@@ -61,8 +61,8 @@ enum Prescribed {
 type Pair = [f64; 2];
 
 impl Prescribed {
-    /// What a reading prescribes behind a compliance in series. A depth at a force is that of the contact alone, however
-    /// it was measured.
+    /// What a reading prescribes behind a compliance in series. A depth at a force is that of the contact alone,
+    /// however it was measured.
     fn new(reading: Reading, series: f64) -> Self {
         match reading {
             Reading::Force => Self::Force,
@@ -211,8 +211,8 @@ impl AdhesiveModel {
         })
     }
 
-    /// What is prescribed and what is read, by the work of adhesion: `F − F₀` and `D − D₀` are in proportion to `√w` by JKR and to w by
-    /// DMT.
+    /// What is prescribed and what is read, by the work of adhesion: `F − F₀` and `D − D₀` are in proportion to `√w` by
+    /// JKR and to w by DMT.
     fn by_work(&self, contacts: &[AdhesiveContact], prescribed: Prescribed) -> Vec<Pair> {
         let power = match self.adhesion.law {
             AdhesionLaw::Jkr => 0.5,
