@@ -40,6 +40,7 @@ __all__ = [
     "__version__",
     "check_part",
     "evaluate",
+    "find",
     "key_units",
     "number_text",
     "read_text",

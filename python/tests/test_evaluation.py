@@ -42,9 +42,9 @@ def evaluation() -> pl.Evaluation:
 
 
 def test_modulus_and_hardness_are_those_of_the_formulas(evaluation: pl.Evaluation) -> None:
-    assert evaluation.verdict == "evaluated" and evaluation.table["h_c"] == pytest.approx([200e-9, 400e-9], rel=1e-4)
-    assert evaluation.table["E_IT"] == pytest.approx([E_IT, E_IT], rel=1e-3)
-    assert evaluation.table["H_IT"] == pytest.approx([9e9, 9e9], rel=1e-3)
+    assert evaluation.verdict == "evaluated" and evaluation.table["contact_depth"] == pytest.approx([200e-9, 400e-9], rel=1e-4)
+    assert evaluation.table["indentation_modulus"] == pytest.approx([E_IT, E_IT], rel=1e-3)
+    assert evaluation.table["indentation_hardness"] == pytest.approx([9e9, 9e9], rel=1e-3)
     assert "E_IT" in str(evaluation) and "2 contacts" in repr(evaluation) and "<td>" in evaluation._repr_html_()
     assert pickle.loads(pickle.dumps(evaluation)) == evaluation and evaluation.calibration is None
 
@@ -68,7 +68,7 @@ depth_zero = "as recorded"
     (tmp_path / "glass.toml").write_text(text)
     found = pl.evaluate(tmp_path / "glass.toml")
     assert found.to_dict() == json.loads(program("identify", tmp_path / "glass.toml", "--json").stdout)
-    assert found.table["E_IT"][0] == evaluation.table["E_IT"][0]
+    assert found.table["indentation_modulus"][0] == evaluation.table["indentation_modulus"][0]
     with pytest.raises(pl.ArgumentError, match=r"pellicle\.evaluate"):
         pl.identify(tmp_path / "glass.toml")
 
@@ -80,7 +80,7 @@ def test_a_calibration_is_a_file_of_another_evaluation(tmp_path: Path) -> None:
     assert found.calibration is not None
     (tmp_path / "tip.toml").write_text(found.calibration)
     options = pl.OliverPharr(POISSON, area_function=str(tmp_path / "tip.toml"), drift="off", depth_zero="as recorded")
-    assert pl.evaluate(curves[2], options).table["E_IT"][0] == pytest.approx(E_IT, rel=1e-3)
+    assert pl.evaluate(curves[2], options).table["indentation_modulus"][0] == pytest.approx(E_IT, rel=1e-3)
 
 
 def test_what_is_no_evaluation_is_refused(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ import pellicle as pl
 
 
 def ball(**more: Any) -> pl.Case:
-    return pl.Case(pl.Foundation(pl.Material("206 GPa", 0.3)), pl.Paraboloid("5 mm"), force="1 N", elements=32, **more)
+    return pl.Case(pl.Foundation(pl.Material("206 GPa", 0.3)), pl.Paraboloid("5 mm"), force="1 N", elements=64, **more)
 
 
 def test_the_largest_force_below_a_pressure_is_that_of_hertz() -> None:
