@@ -1,7 +1,7 @@
 //! The smallest or largest value of one key for which a condition on a result holds, with the interval that ± leaves.
 //!
 //! [`Search`] is what was asked, checked before anything is solved. It solves the case at both ends of a range of the
-//! key, then at values between them until the crossing of the limit is bracketed ([`crossing`]), and beside it until
+//! key, then at values between them until the crossing of the limit is bracketed (`crossing`), and beside it until
 //! the ± of the number no longer reaches the limit ([`interval`](mod@interval)). Only certified cases count.
 //! [`Answer`](answer::Answer) is what was found, [`Tried`](tried::Tried) a case on the way.
 
