@@ -39,6 +39,7 @@ mod periodic;
 mod pictures;
 mod read_back;
 mod runner;
+mod schemas;
 mod sensitivities;
 mod solve;
 mod stress_command;

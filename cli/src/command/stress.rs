@@ -3,7 +3,8 @@
 use pellicle::Watching;
 use pellicle::case::Case;
 use pellicle::case::foundation::depths::BodyPlane;
-use pellicle::case::stress::{StressCase, StressedBody};
+use pellicle::case::stress::StressCase;
+use pellicle::case::stressed_body::StressedBody;
 use pellicle::forecast::need::Need;
 use pellicle::input::units::Units;
 use pellicle::memory::MemoryBudget;

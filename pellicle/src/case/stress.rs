@@ -2,22 +2,20 @@
 
 mod depths;
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use pellicle_contact::{
     BodyPart, BodyStrengths, Criterion, InterfacePart, InterfaceStrengths, Sliding, StressModel,
     StressQuantity,
 };
-use pellicle_influence::ElasticBody;
 use pellicle_kernel::Foundation;
-use serde::Serialize;
 
 use super::foundation::FoundationCase;
 use super::foundation::depths::BodyPlane;
 use super::foundation::strength::{BodyStrengthCase, InterfaceStrengthCase};
 use super::foundation::substrate::SubstrateCase;
 use super::indenter::IndenterCase;
+use super::stressed_body::{BODIES, StressedBody};
 use crate::declare::codec::Number;
 use crate::declare::macros::record;
 use crate::declare::{Codec, Record, Scope, angle, fraction, length, list, series, word};
@@ -48,82 +46,6 @@ record! {
         #[serde(skip_serializing_if = "Option::is_none")]
         only: Option<Vec<StressQuantity>> = list(word(&StressQuantity::NAMES), some_quantities())
             .checked(enough_for_the_strengths).optional("all"), "quantities whose extremes are wanted";
-    }
-}
-
-/// The body inside which stresses are computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum StressedBody {
-    /// The foundation.
-    #[default]
-    Foundation,
-    /// The indenter.
-    Indenter,
-    /// Both: extremes and critical loads of each, and the planes of the foundation.
-    Both,
-}
-
-const BODIES: &[(&str, StressedBody)] = &[
-    ("foundation", StressedBody::Foundation),
-    ("indenter", StressedBody::Indenter),
-    ("both", StressedBody::Both),
-];
-
-impl StressedBody {
-    /// Whether it is the foundation.
-    #[must_use]
-    pub fn is_foundation(&self) -> bool {
-        *self == Self::Foundation
-    }
-
-    /// The bodies whose extremes are wanted.
-    #[must_use]
-    pub fn each(self) -> &'static [Self] {
-        match self {
-            Self::Foundation => &[Self::Foundation],
-            Self::Indenter => &[Self::Indenter],
-            Self::Both => &[Self::Foundation, Self::Indenter],
-        }
-    }
-
-    /// This body of a case, the foundation of both; a rigid one if the indenter is rigid.
-    #[must_use]
-    pub fn of<'a>(
-        self,
-        foundation: &'a FoundationCase,
-        indenter: Option<&'a IndenterCase>,
-    ) -> Cow<'a, FoundationCase> {
-        let rigid = || {
-            Cow::Owned(FoundationCase {
-                substrate: SubstrateCase::Rigid,
-                layer: Vec::new(),
-            })
-        };
-        match self {
-            Self::Foundation | Self::Both => Cow::Borrowed(foundation),
-            Self::Indenter => indenter
-                .and_then(IndenterCase::foundation)
-                .unwrap_or_else(rigid),
-        }
-    }
-
-    /// What precedes the names of its layers in results.
-    #[must_use]
-    pub fn prefix(self) -> &'static str {
-        match self {
-            Self::Foundation | Self::Both => "",
-            Self::Indenter => "indenter.",
-        }
-    }
-}
-
-impl From<StressedBody> for ElasticBody {
-    fn from(body: StressedBody) -> Self {
-        match body {
-            StressedBody::Foundation | StressedBody::Both => Self::Foundation,
-            StressedBody::Indenter => Self::Counterbody,
-        }
     }
 }
 

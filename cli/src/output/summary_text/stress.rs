@@ -1,6 +1,6 @@
 //! Stresses and critical loads in words.
 
-use pellicle::case::stress::StressedBody;
+use pellicle::case::stressed_body::StressedBody;
 use pellicle::display::{Unit, error_of, position, quantity, settled, significant};
 use pellicle::input::units::Units;
 use pellicle::result::extremes::{OF_BODIES, OF_INTERFACES};
