@@ -1,9 +1,10 @@
-//! The sheet of a picture: an SVG text with its colours, headings and style, and the PNG rendered from it.
+//! The sheet of a picture: an SVG text with its colours, headings and style, and the PNG or PDF made from it.
 
 pub mod colour_map;
 pub mod colours;
 pub mod heading;
 mod palette;
+mod pdf;
 mod png;
 pub mod raster;
 pub mod render;

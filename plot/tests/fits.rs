@@ -97,6 +97,7 @@ fn every_fit_can_be_drawn() {
         for other in numbers {
             for svg in pictures(value, other).into_iter().flatten() {
                 assert!(render::png(&svg).is_ok(), "{value} {other}: {svg}");
+                assert!(render::pdf(&svg).is_ok(), "{value} {other}: {svg}");
                 drawn += 1;
             }
         }

@@ -155,6 +155,7 @@ fn every_finite_solution_can_be_drawn() {
             curve::draw_several(vec![curve], None, Units::Si, &style),
         ] {
             prop_assert!(render::png(&svg).is_ok());
+            prop_assert!(render::pdf(&svg).is_ok());
         }
         Ok(())
     });

@@ -1,4 +1,4 @@
-//! Pictures for paper: of a width in millimetres, as SVG and as PNG of a resolution.
+//! Pictures for paper: of a width in millimetres, as SVG, PDF, and PNG of a resolution.
 
 use std::path::Path;
 
@@ -15,6 +15,8 @@ pub enum PictureFormat {
     Svg,
     /// Pixels.
     Png,
+    /// A page of the picture's size, with letters as outlines.
+    Pdf,
 }
 
 /// How a picture is written.
@@ -39,12 +41,11 @@ impl Paper<'_> {
     pub fn write(&self, folder: &Path, name: &str, svg: &str) -> Result<(), Failure> {
         for format in self.formats {
             let (ending, bytes) = match format {
-                PictureFormat::Svg => ("svg", svg.as_bytes().to_vec()),
-                PictureFormat::Png => {
-                    let png = render::paper_png(svg, self.width_mm, self.dpi);
-                    ("png", png.map_err(|cause| Failure::write(folder, cause))?)
-                }
+                PictureFormat::Svg => ("svg", Ok(svg.as_bytes().to_vec())),
+                PictureFormat::Png => ("png", render::paper_png(svg, self.width_mm, self.dpi)),
+                PictureFormat::Pdf => ("pdf", render::pdf(svg)),
             };
+            let bytes = bytes.map_err(|cause| Failure::write(folder, cause))?;
             let path = folder.join(format!("{name}.{ending}"));
             let written: Result<(), FileError> = if self.replaces {
                 write_bytes(&path, &bytes)

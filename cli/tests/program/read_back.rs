@@ -11,11 +11,19 @@ use std::sync::OnceLock;
 use super::runner::{CASE, TestFolder};
 
 /// Packages imported by the scripts; VTK is installed without its plotting libraries.
-const PACKAGES: [&str; 5] = ["numpy", "scipy", "xarray", "gsffile", "jsonschema"];
+const PACKAGES: [&str; 7] = [
+    "numpy",
+    "scipy",
+    "xarray",
+    "gsffile",
+    "jsonschema",
+    "pillow",
+    "pypdfium2",
+];
 const ALONE: &str = "vtk";
 
 /// A different number makes a new installation, for a changed list of packages.
-const INSTALLATION: &str = "read-back-1";
+const INSTALLATION: &str = "read-back-2";
 
 /// The interpreter with the packages; `None` if they are not available.
 fn python() -> Option<&'static Path> {

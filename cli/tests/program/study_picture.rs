@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use super::read_back::read_back;
 use super::runner::TestFolder;
 
 /// The largest force is beyond what the domain holds, so its cases are gaps.
@@ -78,6 +79,31 @@ fn a_study_is_drawn_for_paper_with_its_gaps_and_units() {
             .path("results/case/study-force-penetration.svg")
             .exists()
     );
+}
+
+/// Curves have lines, bars and letters, a map the raster of its colour bar; pdfium renders both as the PNG shows them.
+#[test]
+fn a_pdf_shows_what_the_png_shows_at_the_same_width_on_paper() {
+    let folder = studied();
+    for form in ["curves", "map"] {
+        let ran = folder.run(&[
+            "plot",
+            "results/case",
+            "--as",
+            form,
+            "--width",
+            "85",
+            "--dpi",
+            "144",
+            "--format",
+            "pdf",
+            "--format",
+            "png",
+        ]);
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        let picture = |ending| folder.path(&format!("results/case/study-max_pressure.{ending}"));
+        read_back("pdfium_picture.py", &[picture("pdf"), picture("png")]);
+    }
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Renders a drawing to pixels, with the typeface embedded in the program.
+//! Renders a drawing to pixels or to a page of PDF, with the typeface embedded in the program.
 
 use std::io;
 use std::sync::{Arc, LazyLock};
@@ -6,6 +6,7 @@ use std::sync::{Arc, LazyLock};
 use resvg::{tiny_skia, usvg};
 
 use crate::sheet::palette;
+use crate::sheet::pdf;
 use crate::sheet::png::{self, PixelFormat};
 use crate::sheet::svg::FAMILY;
 
@@ -67,6 +68,15 @@ pub fn paper_png(svg: &str, width_mm: f64, dpi: f64) -> io::Result<Vec<u8>> {
 pub fn small_png(svg: &str, width: f64) -> io::Result<Vec<u8>> {
     let (width, height, rgb) = pixels(svg, |whole| width / whole)?;
     palette::encode(width, height, &rgb)
+}
+
+/// Writes a drawing as a PDF file of one page of the drawing's size, with letters as outlines.
+///
+/// # Errors
+///
+/// If the drawing is not SVG, or not one of this crate.
+pub fn pdf(svg: &str) -> io::Result<Vec<u8>> {
+    pdf::page(&tree(svg)?)
 }
 
 /// Width, height and the bytes of the pixels, three for each; the pixels per unit depend on the drawing's width.
