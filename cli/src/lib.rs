@@ -88,7 +88,7 @@ pub mod surfaces {
     pub use crate::self_affine::SelfAffine;
 }
 
-/// The guide; its Rust example is a documentation test of this crate.
+/// A recipe; its Rust example is a documentation test of this crate.
 #[cfg(doctest)]
-#[doc = include_str!("../../docs/guide.md")]
-mod guide {}
+#[doc = include_str!("../../docs/recipes/programs.md")]
+mod recipe {}

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use clap::{Parser, Subcommand};
 
-use crate::{FiguresArguments, GoldenArguments};
+use crate::{FiguresArguments, GoldenArguments, SiteArguments};
 
 /// The chores of the workspace.
 #[derive(Debug, Parser)]
@@ -24,6 +24,8 @@ pub enum Chore {
     Figures(FiguresArguments),
     /// Run everything and compare what it gives with what an earlier build gave.
     Golden(GoldenArguments),
+    /// Build the documents as a site with mdBook, and check its links.
+    Site(SiteArguments),
     /// The program `pellicle` itself, with its own command line; tests run it instead of a release build.
     #[command(hide = true, disable_help_flag = true)]
     Program {

@@ -7,6 +7,8 @@ use pellicle_cli::Failure;
 use pellicle_validation::ValidationError;
 use thiserror::Error;
 
+use crate::site::PageFault;
+
 /// The reason why a chore could not be done.
 #[derive(Debug, Error)]
 pub enum XtaskError {
@@ -43,6 +45,12 @@ pub enum XtaskError {
     /// The program could not be built; cargo has said why.
     #[error("the program cannot be built in release")]
     NotBuilt,
+    /// A page that the contents of the site lack.
+    #[error(transparent)]
+    Page(#[from] PageFault),
+    /// The site could not be built; mdBook has said why.
+    #[error("mdBook cannot build the site")]
+    NoSite,
     /// A run of a case of the paper is not certified, so nothing is drawn from it.
     #[error("{run}: found a solution that is not certified, wanted one to draw")]
     NotCertified {

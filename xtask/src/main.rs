@@ -1,4 +1,5 @@
-//! The chores of the workspace on the command line: `cargo xtask tidy`, `cargo xtask figures`, `cargo xtask golden`.
+//! The chores of the workspace on the command line: `cargo xtask tidy`, `cargo xtask figures`, `cargo xtask golden`,
+//! `cargo xtask site`.
 
 #![expect(
     clippy::print_stdout,
@@ -11,7 +12,8 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use xtask::{
-    Arguments, Chore, FiguresArguments, Golden, GoldenArguments, Runner, Tree, XtaskError,
+    Arguments, Chore, FiguresArguments, Golden, GoldenArguments, Runner, Site, SiteArguments, Tree,
+    XtaskError,
 };
 
 fn main() -> ExitCode {
@@ -19,6 +21,7 @@ fn main() -> ExitCode {
         Chore::Tidy => tidy(),
         Chore::Figures(arguments) => figures(&arguments),
         Chore::Golden(arguments) => golden(&arguments),
+        Chore::Site(arguments) => site(&arguments),
         Chore::Program { arguments } => {
             let line = std::iter::once("pellicle".into()).chain(arguments);
             Ok(pellicle_cli::main(line))
@@ -76,6 +79,24 @@ fn golden(arguments: &GoldenArguments) -> Result<ExitCode, XtaskError> {
                 return Ok(ExitCode::FAILURE);
             }
         }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Builds the site; exit code 1 if a link of it leads nowhere.
+fn site(arguments: &SiteArguments) -> Result<ExitCode, XtaskError> {
+    let out = arguments.out.display();
+    match xtask::site(root(), arguments)? {
+        Site::Built(pages, broken) if broken.is_empty() => {
+            println!("{pages} pages in {out}/book, every link leads somewhere");
+        }
+        Site::Built(_, broken) => {
+            broken.iter().for_each(|link| eprintln!("{link}"));
+            return Ok(ExitCode::FAILURE);
+        }
+        Site::Gathered(pages) => println!(
+            "the sources of {pages} pages in {out}/source; found no mdBook to build them: cargo install mdbook"
+        ),
     }
     Ok(ExitCode::SUCCESS)
 }

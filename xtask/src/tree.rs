@@ -64,6 +64,14 @@ impl Tree {
         let files = self.files.keys().map(String::as_str);
         files.flat_map(with_folders).collect()
     }
+
+    /// The paths of the files in a folder, without those of folders in it.
+    #[must_use]
+    pub fn files_in(&self, folder: &str) -> Vec<String> {
+        let files = self.files.keys();
+        let inside = files.filter(|file| parent(file) == Some(folder));
+        inside.cloned().collect()
+    }
 }
 
 /// The folder that contains `path`; `None` for the root.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use xtask::Tree;
+use xtask::{SiteSource, Tree};
 
 #[test]
 fn the_workspace_is_tidy() {
@@ -14,6 +14,19 @@ fn the_workspace_is_tidy() {
         "broken house rules:\n{}",
         found.join("\n")
     );
+}
+
+#[test]
+fn the_site_has_every_page_to_which_its_pages_lead() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let tree = Tree::read(&root).expect("the workspace can be read");
+    let site = SiteSource::gathered(&tree).expect("the contents are complete");
+    let documents = tree.texts_ending(".md").map(|(path, _)| path);
+    let documents =
+        documents.filter(|path| path.starts_with("docs/") && !path.ends_with("SUMMARY.md"));
+    for page in documents {
+        assert!(site.pages().iter().any(|listed| listed == page), "{page}");
+    }
 }
 
 /// Without this test, a reader that finds no files would make every rule pass.

@@ -1,18 +1,44 @@
-//! The guide: its commands, run one after the other as written.
+//! The guide and its recipes: their commands, run one after the other as written.
 #![cfg(unix)]
 
 use std::env;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::runner::{TestFolder, names};
 
-const GUIDE: &str = include_str!("../../../docs/guide.md");
+/// A page and its text.
+struct Page {
+    path: PathBuf,
+    text: String,
+}
 
-/// The code blocks of the guide: language and text.
-fn blocks() -> Vec<(&'static str, &'static str)> {
-    let blocks = GUIDE.split("```").skip(1).step_by(2);
+/// The guide, then the recipes in the order in which it names them.
+fn pages() -> Vec<Page> {
+    let documents = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
+    let page = |name: &str| {
+        let path = documents.join(name);
+        let text = fs::read_to_string(&path).unwrap();
+        Page { path, text }
+    };
+    let mut pages = vec![page("guide.md")];
+    let rows = pages[0].text.lines();
+    let rows = rows.filter_map(|line| line.strip_prefix("| [")?.split(['(', ')']).nth(1));
+    let recipes: Vec<Page> = rows.map(page).collect();
+    let written = fs::read_dir(documents.join("recipes")).unwrap().count();
+    assert_eq!(
+        recipes.len(),
+        written,
+        "the guide's table names every recipe"
+    );
+    pages.extend(recipes);
+    pages
+}
+
+/// The code blocks of a page: language and text.
+fn blocks(page: &Page) -> Vec<(&str, &str)> {
+    let blocks = page.text.split("```").skip(1).step_by(2);
     blocks.filter_map(|block| block.split_once('\n')).collect()
 }
 
@@ -28,39 +54,43 @@ const UPDATE: &str = "PELLICLE_UPDATE_GUIDE";
 #[test]
 fn every_command_of_the_guide_works_as_described_and_prints_what_it_lists() {
     let (folder, path) = (TestFolder::new(), path());
-    let (mut printed, mut guide) = (String::new(), GUIDE.to_owned());
-    for (language, text) in blocks() {
+    let mut differing = Vec::new();
+    for page in pages() {
+        let now = run_page(&page, &folder, &path);
+        if env::var_os(UPDATE).is_some() {
+            fs::write(&page.path, &now).unwrap();
+        }
+        let lines = page.text.lines().zip(now.lines());
+        let changed = lines.filter(|(old, new)| old != new);
+        differing.extend(changed.map(|(old, new)| (old.to_owned(), new.to_owned())));
+    }
+    assert!(
+        differing.is_empty(),
+        "{differing:#?} (in the guide, printed now); {UPDATE}=1 writes what is printed"
+    );
+    let studies = ["results/thickness", "results/study"].map(|study| names(&folder.path(study)));
+    assert_eq!(studies[0], ["report.html", "results.csv", "study.json"]);
+    // Tables and identities of the whole and its parts, a page, and for each the fields on two grids.
+    assert_eq!(studies[1].len(), 13);
+}
+
+/// Runs the commands of a page and returns its text with the listings as printed now.
+fn run_page(page: &Page, folder: &TestFolder, path: &str) -> String {
+    let (mut printed, mut now) = (String::new(), page.text.clone());
+    for (language, text) in blocks(page) {
         // A block with a file name is saved under it.
         let name = text.strip_prefix("# ").and_then(|text| text.lines().next());
         match (language, name) {
             ("toml", Some(name)) => fs::write(folder.path(name), text).unwrap(),
             ("sh", _) => {
                 let lines = text.lines();
-                printed = lines.map(|line| run(&folder, &path, line)).collect();
+                printed = lines.map(|line| run(folder, path, line)).collect();
             }
-            ("text", _) => guide = guide.replace(text, &listing_now(text, &printed)),
+            ("text", _) => now = now.replace(text, &listing_now(text, &printed)),
             _ => {}
         }
     }
-    if env::var_os(UPDATE).is_some() {
-        fs::write(
-            concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/guide.md"),
-            &guide,
-        )
-        .unwrap();
-    }
-    let differing = GUIDE
-        .lines()
-        .zip(guide.lines())
-        .find(|(old, new)| old != new);
-    assert_eq!(
-        differing, None,
-        "(in the guide, printed now); {UPDATE}=1 writes what is printed"
-    );
-    let studies = ["results/thickness", "results/study"].map(|study| names(&folder.path(study)));
-    assert_eq!(studies[0], ["report.html", "results.csv", "study.json"]);
-    // Tables and identities of the whole and its parts, a page, and for each the fields on two grids.
-    assert_eq!(studies[1].len(), 13);
+    now
 }
 
 /// Runs a line of the guide and returns what it prints.
@@ -104,7 +134,8 @@ fn listing_now(listing: &str, printed: &str) -> String {
 #[test]
 fn the_first_case_of_the_guide_matches_the_template() {
     let template = TestFolder::new().run(&["init", "coating"]).stdout;
-    let case = blocks()
+    let guide = &pages()[0];
+    let case = blocks(guide)
         .into_iter()
         .find(|(language, _)| *language == "toml");
     let lines = |text: &str| -> Vec<String> {
@@ -121,14 +152,16 @@ fn the_first_case_of_the_guide_matches_the_template() {
 
 #[test]
 fn recipes_match_the_case_files_of_their_names() {
+    let pages = pages();
     for name in ["dlc-on-steel.toml", "crn-sliding.toml", "soft-metal.toml"] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("../cases")
             .join(name);
         let case = fs::read_to_string(path).unwrap();
         let head = format!("# {name}");
-        let recipe = blocks()
-            .into_iter()
+        let recipe = pages
+            .iter()
+            .flat_map(blocks)
             .find(|(_, text)| text.lines().next() == Some(&head));
         let lines = |text: &str| -> Vec<String> {
             let lines = text.lines().filter(|line| !line.starts_with('#'));

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::violation::Violation;
 use crate::Tree;
+use crate::links::{prose, resolved, targets};
 
 /// Pages that name tests, in a table's last column headed `test` or on a separate line.
 const PAGES: [&str; 2] = ["docs/evidence.md", "docs/paper.md"];
@@ -13,13 +14,10 @@ pub(super) fn links_resolve(tree: &Tree) -> Vec<Violation> {
     let paths = tree.paths();
     let mut found = Vec::new();
     for (path, text) in tree.texts_ending(".md") {
-        for (number, line) in prose(text) {
-            for target in targets(&without_code(line)) {
-                let is_elsewhere = target.contains("://") || target.starts_with("mailto:");
-                if !is_elsewhere && !resolves(tree, &paths, path, &target) {
-                    let message = format!("the link to `{target}` leads nowhere");
-                    found.push(Violation::new(path, Some(number), message));
-                }
+        for (number, target) in targets(text) {
+            if !resolves(tree, &paths, path, &target) {
+                let message = format!("the link to `{target}` leads nowhere");
+                found.push(Violation::new(path, Some(number), message));
             }
         }
     }
@@ -90,45 +88,6 @@ fn named_as_tests(page: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// The lines outside fenced code, numbered from 1; fences may be in comments.
-pub(super) fn prose(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let mut in_code = false;
-    text.lines().enumerate().filter_map(move |(index, line)| {
-        let is_fence = unmarked(line).starts_with("```");
-        in_code ^= is_fence;
-        (!in_code && !is_fence).then_some((index + 1, line))
-    })
-}
-
-/// The line without its indentation and comment marker.
-pub(super) fn unmarked(line: &str) -> &str {
-    line.trim_start_matches(|c: char| c.is_whitespace() || "/!".contains(c))
-}
-
-/// The line without its code spans.
-fn without_code(line: &str) -> String {
-    line.split('`').step_by(2).collect::<Vec<_>>().join("`")
-}
-
-/// The targets of the links, pictures and reference definitions of a line.
-fn targets(line: &str) -> Vec<String> {
-    let inline = line
-        .split("](")
-        .skip(1)
-        .filter_map(|rest| rest.split_once(')'));
-    let definition = line
-        .starts_with('[')
-        .then(|| line.split_once("]: "))
-        .flatten();
-    let written = inline
-        .map(|(target, _)| target)
-        .chain(definition.map(|(_, target)| target));
-    written
-        .filter_map(|target| target.split_whitespace().next())
-        .map(|target| target.trim_matches(['<', '>']).to_owned())
-        .collect()
-}
-
 fn resolves(tree: &Tree, paths: &BTreeSet<&str>, from: &str, target: &str) -> bool {
     let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
     let Some(path) = resolved(from, file).filter(|path| paths.contains(path.as_str())) else {
@@ -140,23 +99,6 @@ fn resolves(tree: &Tree, paths: &BTreeSet<&str>, from: &str, target: &str) -> bo
     let document = tree.texts_ending(".md").find(|(other, _)| *other == path);
     // An anchor in a source is a line number.
     anchor.is_empty() || document.is_none_or(|(_, text)| is_heading(text))
-}
-
-/// The path from the root for a link in the document `from`; `None` if it leaves the tree.
-fn resolved(from: &str, target: &str) -> Option<String> {
-    if target.is_empty() {
-        return Some(from.to_owned());
-    }
-    let mut parts: Vec<&str> = from.split('/').collect();
-    parts.pop();
-    for part in target.split('/').filter(|part| !matches!(*part, "" | ".")) {
-        if part == ".." {
-            parts.pop()?;
-        } else {
-            parts.push(part);
-        }
-    }
-    Some(parts.join("/"))
 }
 
 /// The anchor that GitHub gives a heading: lower case, punctuation dropped, spaces as hyphens.

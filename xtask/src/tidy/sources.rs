@@ -1,9 +1,9 @@
 //! Rules about text: a source begins with its one job, lines of prose fit, and no file contains traces of a developer's
 //! machine.
 
-use super::documents::{prose, unmarked};
 use super::violation::Violation;
 use crate::Tree;
+use crate::links::{prose, unmarked};
 
 /// Maximum number of characters in a line of prose.
 const WIDTH: usize = 120;
