@@ -27,6 +27,8 @@ fn number(run: &RunSummary, step: &StepSummary, of: &Quantity) -> Option<Value> 
     };
     let error = of.error_in(step);
     let note = match (error, of.measure, value.as_f64()) {
+        // A prescribed number.
+        (Some(error), ..) if error.estimate == 0.0 => String::new(),
         (Some(error), ..) if !error.resolved => "not resolved by the grid".into(),
         (Some(error), Measure::Of(unit), Some(value)) => {
             error_of(value, error.estimate, unit, run.units)

@@ -27,7 +27,7 @@ fn solved(text: &str) -> Value {
     serde_json::to_value(&run.summary).unwrap()
 }
 
-fn ask(text: &str, more: Value) -> Value {
+fn ask(text: &str, more: &Value) -> Value {
     let mut ask = json!({ "page": "a", "name": "case.toml", "text": text });
     ask.as_object_mut()
         .unwrap()
@@ -68,7 +68,7 @@ fn an_answer_has_the_numbers_of_a_run_to_the_bit() {
         { "do": "kind", "key": "indenter", "to": "sphere" },
         { "do": "table", "key": "stress" },
     ] });
-    let answer = page.solve(&ask(COATING, edits));
+    let answer = page.solve(&ask(COATING, &edits));
     let text = answer["text"].as_str().unwrap();
     assert!(
         text.contains("1.37 um") && text.contains("\"sphere\"") && text.contains("[stress]"),
@@ -94,7 +94,7 @@ fn an_answer_has_the_numbers_of_a_run_to_the_bit() {
 fn a_sketch_is_the_case_with_fewer_elements_and_without_stresses() {
     let page = Page::open();
     let text = format!("{COATING}[stress]\n");
-    let answer = page.solve(&ask(&text, json!({ "elements": 16 })));
+    let answer = page.solve(&ask(&text, &json!({ "elements": 16 })));
     let result = &answer["result"];
     assert_eq!(
         (&result["elements"], &result["is_sketch"]),
@@ -106,7 +106,7 @@ fn a_sketch_is_the_case_with_fewer_elements_and_without_stresses() {
         .replace("[stress]\n", "");
     same_numbers(&answer, &solved(&coarse));
     assert_eq!(answer["text"], text, "the case itself has its own elements");
-    let own = page.solve(&ask(COATING, json!({ "elements": 64 })));
+    let own = page.solve(&ask(COATING, &json!({ "elements": 64 })));
     assert_eq!(
         (&own["result"]["elements"], &own["result"]["is_sketch"]),
         (&json!(32), &json!(false))
@@ -131,7 +131,7 @@ fn a_bad_value_is_answered_with_its_key_and_the_sentence_of_the_reader() {
         ("load.froce", "1 mN", "unknown key"),
     ] {
         let edits = json!({ "edits": [{ "do": "set", "key": key, "to": to }] });
-        let answer = page.solve(&ask(COATING, edits));
+        let answer = page.solve(&ask(COATING, &edits));
         let error = &answer["error"];
         assert_eq!(error["key"], key, "{error}");
         assert!(
@@ -143,7 +143,7 @@ fn a_bad_value_is_answered_with_its_key_and_the_sentence_of_the_reader() {
             "the text has the value all the same"
         );
     }
-    let answer = page.solve(&ask("[load\n", json!({})));
+    let answer = page.solve(&ask("[load\n", &json!({})));
     assert!(
         answer["error"]["sentence"]
             .as_str()
@@ -239,7 +239,7 @@ fn what_is_no_request_is_refused_and_the_page_lives_on() {
         .unwrap()
         .write_all(b"POST /")
         .unwrap();
-    assert!(page.solve(&ask(COATING, json!({})))["result"].is_object());
+    assert!(page.solve(&ask(COATING, &json!({})))["result"].is_object());
 }
 
 #[test]
@@ -279,7 +279,7 @@ fn a_thousand_requests_at_once_are_served_or_refused() {
         "{statuses:?}"
     );
     assert!(page.most_threads() < 64, "{}", page.most_threads());
-    assert!(page.solve(&ask(COATING, json!({})))["result"].is_object());
+    assert!(page.solve(&ask(COATING, &json!({})))["result"].is_object());
 }
 
 #[test]
@@ -292,12 +292,12 @@ fn a_newer_request_stops_an_older_one_of_its_page() {
         "{ from = \"1 mN\", to = \"9 mN\", count = 400 }",
     );
     let older = {
-        let (page, ask) = (Arc::clone(&page), ask(&long, json!({})));
+        let (page, ask) = (Arc::clone(&page), ask(&long, &json!({})));
         thread::spawn(move || page.solve(&ask))
     };
     thread::sleep(Duration::from_millis(300));
     let start = Instant::now();
-    let newer = page.solve(&ask(COATING, json!({})));
+    let newer = page.solve(&ask(COATING, &json!({})));
     assert!(newer["result"].is_object());
     let older = older.join().unwrap();
     assert_eq!(older["superseded"], true, "{older}");

@@ -24,13 +24,12 @@ use crate::{cache, interrupt, terminal};
 pub fn explore(arguments: &ExploreArguments) -> Result<Outcome, Failure> {
     // The map of the rough templates.
     let maps = tempfile::tempdir().map_err(|cause| Failure::Page { cause })?;
-    let (case, folder) = match &arguments.case {
-        Some(path) => (Some(opened(path)?), path.parent().unwrap_or(Path::new(""))),
-        None => {
-            let map = maps.path().join("rough-surface.csv");
-            whole::write_bytes(&map, Template::RoughMap.text().as_bytes())?;
-            (None, maps.path())
-        }
+    let (case, folder) = if let Some(path) = &arguments.case {
+        (Some(opened(path)?), path.parent().unwrap_or(Path::new("")))
+    } else {
+        let map = maps.path().join("rough-surface.csv");
+        whole::write_bytes(&map, Template::RoughMap.text().as_bytes())?;
+        (None, maps.path())
     };
     let setup = Setup {
         case,

@@ -72,6 +72,8 @@ function receive(answer, sent) {
     text = answer.text;
     values = answer.values ?? values;
     edits = edits.filter((edit) => edit.number > sent.changes);
+    // A page that is loaded again goes on from here.
+    sessionStorage.setItem(location.pathname, JSON.stringify({ name, text }));
   }
   fault = answer.error ?? null;
   if (answer.result) shown = answer.result;
@@ -122,7 +124,7 @@ function tableFields(shape, path, value) {
   }
   if (further.length) {
     const id = `further-${path}`;
-    fields.push(make("details", { id }, make("summary", {}, "further keys"), ...further));
+    fields.push(make("details", { id }, make("summary", {}, path ? "further keys" : "further tables"), ...further));
   }
   return fields;
 }
@@ -143,7 +145,7 @@ function fieldOf(field, path, value, around) {
     const add = value === undefined && button("add", () => change({ do: "table", key: path }), `add ${label}`);
     // A table that needs nothing begins with the first key that is given.
     if (add && variant.fields.some((of) => of.missing === null)) return row(field, path, add);
-    return group(label, field.meaning, path, choice(field, variant, path, value), add || remove, ...tableFields(variant, path, value));
+    return group([label, choice(field, variant, path, value), add || remove], field.meaning, path, ...tableFields(variant, path, value));
   }
   const input = inputOf(field, variant, path);
   const chosen = choice(field, variant, path, value);
@@ -166,7 +168,7 @@ function choice(field, variant, path, value) {
   const options = [];
   for (const shape of field.of) {
     if (shape.is === "words") for (const word of shape.words) options.push([word, { do: "word", key: path, to: word }, value === word]);
-    else if (["table", "kinds"].includes(shape.is)) options.push([`by ${(shape.fields ?? []).map((of) => words(of.key)).slice(0, 2).join(", ")}`, { do: "table", key: path }, shape === variant]);
+    else if (["table", "kinds"].includes(shape.is)) options.push([`by ${words(shape.fields?.[0].key ?? shape.choice)}`, { do: "table", key: path }, shape === variant]);
     else options.push([{ list: "a list", count: "a number" }[shape.is] ?? "one value", { do: "set", key: path, to: shape.is === "list" ? `["${shape.item.example ?? ""}"]` : shape.example ?? "64" }, shape === variant]);
   }
   if (value === undefined) options.unshift([field.missing ?? "", null, true]);
@@ -189,17 +191,16 @@ function alternative({ shape, path }, field, others) {
   change({ do: "set", key: below(path, field.key), to: plural ? `{ from = ${quoted(value(0.1))}, to = ${quoted(value(1))}, count = 8 }` : value(1) });
 }
 
-function group(label, meaning, path, ...children) {
-  const faults = make("p", { className: "fault", hidden: true });
-  const box = make("fieldset", { "data-path": path, title: "" }, make("legend", { title: meaning }, label), ...children);
-  box.querySelector("legend").after(faults);
-  return box;
+function group(heads, meaning, path, ...children) {
+  const [legend, told] = [make("legend", { title: meaning }), make("p", { className: "fault", hidden: true })];
+  legend.append(...heads.filter(Boolean).flatMap((head) => [head, " "]));
+  return make("fieldset", { "data-path": path }, legend, told, ...children);
 }
 
 function row(field, path, ...inputs) {
   let label = make("label", { htmlFor: inputs.find((input) => input.id)?.id ?? "", title: field.meaning }, words(field.key));
   if (inputs.length > 1 && inputs.at(-1).className === "variant") label = make("span", {}, label, " ", inputs.pop());
-  const broad = inputs.length === 1 && field.is === "list" || field.is === "text" ? " broad" : "";
+  const broad = inputs.length === 1 && inputs[0].tagName === "INPUT" && ["list", "text"].includes(field.is) ? " broad" : "";
   return make("div", { className: `field${broad}`, "data-path": path }, label, ...inputs, make("p", { className: "fault", hidden: true }));
 }
 
@@ -217,7 +218,7 @@ function kinds(field, variant, path, value, remove) {
     ...variant.kinds.filter((of) => of.word !== "function").map((of) => make("option", { selected: of.word === kind, value: of.word, title: of.meaning }, of.word)));
   select.addEventListener("change", () => change({ do: "kind", key: path, to: select.value }));
   const fields = own && value ? tableFields(joined(own, variant.shared), path, value) : [];
-  return group(words(field.key), field.meaning, path, select, " ", remove, ...fields);
+  return group([words(field.key), select, remove], field.meaning, path, ...fields);
 }
 
 const joined = (own, shared) => ({
@@ -228,8 +229,8 @@ function layers(field, variant, path, value) {
   const tables = (value ?? []).map((layer, i) => {
     const where = value.length === 1 ? "" : i === 0 ? ", the top" : i === value.length - 1 ? ", the lowest" : "";
     const key = `${path}[${i}]`;
-    return group(`${words(field.key)} ${i + 1}${where}`, field.meaning, key,
-      button("remove", () => change({ do: "remove", key }), `remove ${field.key} ${i + 1}`), ...tableFields(variant.item, key, layer));
+    const remove = button("remove", () => change({ do: "remove", key }), `remove ${field.key} ${i + 1}`);
+    return group([`${words(field.key)} ${i + 1}${where}`, remove], field.meaning, key, ...tableFields(variant.item, key, layer));
   });
   return make("div", { "data-path": path }, button(`add a ${words(field.key)} on top`, () => change({ do: "add", key: path })), ...tables);
 }
@@ -237,7 +238,7 @@ function layers(field, variant, path, value) {
 // ---- The input of one value, with a slider if it is a number.
 
 function inputOf(field, variant, path) {
-  const missing = field.missing ?? "";
+  const missing = (field.missing ?? "").replaceAll('"', "");
   if (variant.is === "words" || variant.is === "switch") {
     const options = variant.words ?? ["true", "false"];
     const input = make("select", { id: path }, make("option", { value: "" }, missing || "choose"), ...options.map((word) => make("option", { value: word }, word)));
@@ -246,7 +247,7 @@ function inputOf(field, variant, path) {
     input.dataset.path = "";
     return [input];
   }
-  const input = make("input", { id: path, type: "text", placeholder: missing });
+  const input = make("input", { id: path, type: "text", placeholder: missing, title: missing && `if empty: ${missing}` });
   input.dataset.path = "";
   let isTyped = false;
   input.update = () => { if (!isTyped) input.value = written(at(path)); };
@@ -377,7 +378,7 @@ function rows(table, heads, all, then, titles, more = []) {
       make("td", { className: "number", "data-key": of.key, "data-value": JSON.stringify(of.value) }, of.text),
       make("td", { className: "note", "data-error": JSON.stringify(of.error) }, of.note)];
     if (pinned) cells.push(make("td", { className: "number pinned" }, old?.text ?? ""), make("td", { className: "number pinned" }, old ? changeOf(old.value, of.value) : ""));
-    return make("tr", {}, ...cells, ...more.map((key) => make("td", { className: "note" }, of[key])));
+    return make("tr", {}, ...cells, ...more.map((key) => make("td", {}, of[key])));
   };
   table.tBodies[0].replaceChildren(...all.map(line));
 }
@@ -392,6 +393,7 @@ function changeOf(old, now) {
 
 function draw({ map, pressure, section }) {
   drawMap(map);
+  $("dashed").hidden = !pinned;
   const { scales } = shown;
   const lines = (of) => of && [{ ...of.pictures.pressure, name: of === pinned ? "then" : "now" }];
   plot($("pressure").querySelector("svg"), [...(pinned?.pictures ? lines(pinned) : []), ...lines(shown)], scales.length, scales.pressure, ["x", "p"]);
@@ -426,9 +428,10 @@ function drawMap({ cells, values: raw, palette, labels }) {
   pen.putImageData(image, 0, 0);
   const { x, y, p } = JSON.parse(labels);
   const stops = Array.from({ length: 9 }, (_, k) => `rgb(${colours.subarray(3 * Math.round(k * 255 / 8), 3 * Math.round(k * 255 / 8) + 3).join(",")})`);
+  const along = ([from, to, title]) => title.replace(",", ` from ${from} to ${to}`);
   const bar = make("span", { className: "bar", role: "img", ariaLabel: "colours of the pressure" });
   bar.style.background = `linear-gradient(to right, ${stops.join(",")})`;
-  $("map").querySelector("figcaption").replaceChildren("0", bar, `${p}; ${x[2]} from ${x[0]} to ${x[1]}, ${y[2]} from ${y[0]} to ${y[1]}`);
+  $("map").querySelector("figcaption").replaceChildren("0", bar, `${p}; ${along(x)}, ${along(y)}`);
 }
 
 const rgb = (hex) => (hex.length === 4 ? [...hex.slice(1)].map((digit) => 17 * parseInt(digit, 16)) : [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16)));
@@ -512,7 +515,8 @@ async function begin() {
   listen();
   const found = await (await fetch("form")).json();
   form = found.form;
-  if (found.case) return start(found.case);
+  const left = JSON.parse(sessionStorage.getItem(location.pathname));
+  if (left ?? found.case) return start(left ?? found.case);
   $("templates").append(...found.templates.map((template) => {
     const choose = make("button", { type: "button" }, make("b", {}, template.name.replace(/\.toml$/, "")), make("span", {}, template.meaning));
     choose.addEventListener("click", () => start(template));
