@@ -1,5 +1,6 @@
 //! The command line.
 
+mod explore;
 mod identify;
 mod plot;
 mod study;
@@ -11,6 +12,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 use pellicle::case::output::{Format, OutputCase, Steps};
 
+pub use self::explore::ExploreArguments;
 pub use self::identify::IdentifyArguments;
 pub use self::plot::PlotArguments;
 pub use self::study::{GatherArguments, StudyArguments};
@@ -56,6 +58,14 @@ pub enum Command {
     Study(StudyArguments),
     /// Merge the tables of a study's parts (--shard)
     Gather(GatherArguments),
+    /// Open a page in the browser on which every number of a case can be changed and its answer follows
+    #[command(
+        after_help = "The page is served on this machine only, at an address with a secret. The command ends with Ctrl-C, or five \
+                            seconds after its last page is closed. Its numbers are those of `run`; while a slider moves they are \
+                            those of a coarser grid, and say so.\n\
+                            Exit codes: 0 the page was closed, 2 the case file or the command line is wrong, 130 stopped by Ctrl-C."
+    )]
+    Explore(ExploreArguments),
     /// Resolve a case and estimate the work of solving it, without solving it
     Check(CaseArguments),
     /// Print a commented case that runs as it is

@@ -3,6 +3,7 @@
 pub mod cache;
 pub mod check;
 pub mod completions;
+pub mod explore;
 pub mod find;
 pub mod gather;
 pub mod identify;

@@ -118,6 +118,12 @@ pub enum Failure {
         /// The system's error.
         cause: io::Error,
     },
+    /// The page of `explore` cannot be served.
+    #[error("the page cannot be served: {cause}")]
+    Page {
+        /// The system's error.
+        cause: io::Error,
+    },
     /// Standard input cannot be read.
     #[error("standard input: cannot be read: {cause}")]
     Input {

@@ -14,6 +14,5 @@ pub mod results;
 mod stoppable;
 pub mod stress;
 pub mod summary_text;
-mod surface_figure;
 pub mod vti;
 pub mod write_progress;

@@ -51,6 +51,7 @@ fn marked_as_value(argument: OsString) -> OsString {
 fn execute(command: Command) -> Result<Outcome, Failure> {
     match command {
         Command::Run(arguments) => command::run::run(&arguments),
+        Command::Explore(arguments) => command::explore::explore(&arguments),
         Command::Check(arguments) => command::check::check(&arguments),
         Command::Init(arguments) => command::init::init(&arguments),
         Command::Kernel(arguments) => command::kernel::kernel(&arguments),

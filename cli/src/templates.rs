@@ -113,6 +113,39 @@ impl Template {
         of_kind("case", &case)
     }
 
+    /// Whether it is a case.
+    #[must_use]
+    pub fn is_case(self) -> bool {
+        match self {
+            Self::Cylinders
+            | Self::Dimples
+            | Self::Film
+            | Self::Coating
+            | Self::Berkovich
+            | Self::Vickers
+            | Self::CubeCorner
+            | Self::Cone
+            | Self::Power
+            | Self::FlatPunch
+            | Self::Hertz
+            | Self::Rough
+            | Self::RoughPeriodic => true,
+            Self::RoughMap
+            | Self::Fit
+            | Self::FitAfm
+            | Self::FitUnloading
+            | Self::FitFilm
+            | Self::Oxide
+            | Self::Approach
+            | Self::Indentation
+            | Self::Study
+            | Self::Schema
+            | Self::FitSchema
+            | Self::StudySchema
+            | Self::SummarySchema => false,
+        }
+    }
+
     /// What the curves of a fit are taken for; none if it is not a template of a fit.
     #[must_use]
     pub fn draft(self) -> Option<DraftKind> {
@@ -189,25 +222,7 @@ mod tests {
 
     #[test]
     fn every_template_is_a_case_with_units_and_comments() {
-        for template in Template::value_variants() {
-            if matches!(
-                template,
-                Template::Study
-                    | Template::Fit
-                    | Template::FitAfm
-                    | Template::FitUnloading
-                    | Template::FitFilm
-                    | Template::Oxide
-                    | Template::Approach
-                    | Template::Indentation
-                    | Template::RoughMap
-                    | Template::Schema
-                    | Template::FitSchema
-                    | Template::StudySchema
-                    | Template::SummarySchema
-            ) {
-                continue;
-            }
+        for template in Template::value_variants().iter().filter(|of| of.is_case()) {
             let folder = tempfile::tempdir().unwrap();
             let map = folder.path().join("rough-surface.csv");
             std::fs::write(map, &*Template::RoughMap.text()).unwrap();

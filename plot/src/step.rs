@@ -12,3 +12,4 @@ pub mod pressure_view;
 pub mod projection;
 pub mod section;
 pub mod subject;
+pub mod surface_figure;

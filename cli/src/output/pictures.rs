@@ -10,15 +10,18 @@ use pellicle_plot as plot;
 use pellicle_plot::sheet::style::Style;
 use pellicle_plot::step::field_map::FieldMap;
 use pellicle_plot::step::subject::Subject;
+use pellicle_plot::step::surface_figure::SurfaceFigure;
 use pellicle_plot::step::{pressure_map, pressure_view, section};
 use pellicle_plot::stress::extremes::Extremes;
 use pellicle_plot::stress::view::StressView;
 use rayon::prelude::*;
 
-use super::surface_figure::SurfaceFigure;
 use super::write_progress::WriteProgress;
 use crate::failure::Failure;
 use crate::picture::{area_law, convergence, curve, extremes, histograms, spectrum, subject, wear};
+
+/// Most columns along a side that a browser turns without delay.
+const TURNED_CELLS: usize = 96;
 
 /// The pictures of a run as a whole.
 const CURVE: &str = "curve";
@@ -213,7 +216,7 @@ pub fn drawn_step(summary: &RunSummary, step: usize, fields: Fields<'_>) -> Step
             .map(|picture| (picture, picture.draw(&subject, numbers)))
             .collect(),
         stresses: Vec::new(),
-        surface: Some(SurfaceFigure::new(&subject)),
+        surface: Some(SurfaceFigure::new(&subject, TURNED_CELLS)),
     }
 }
 
@@ -286,7 +289,7 @@ pub fn step(
     let drawn = drawn.collect::<Result<Vec<_>, Failure>>()?;
     let surface = writer.drawn(
         &format!("of the pressure in three dimensions at step {step}"),
-        || Ok(SurfaceFigure::new(&subject)),
+        || Ok(SurfaceFigure::new(&subject, TURNED_CELLS)),
     );
     Ok(StepDrawings {
         step,

@@ -195,6 +195,8 @@ impl Codec for Quantity {
 #[derive(Debug, Clone)]
 pub struct Number {
     range: Option<RangeInclusive<f64>>,
+    /// Whether the range is checked here.
+    is_checked: bool,
     wanted: String,
 }
 
@@ -204,7 +206,17 @@ pub fn number(wanted: &str) -> Number {
     let wanted = wanted.to_owned();
     Number {
         range: None,
+        is_checked: false,
         wanted,
+    }
+}
+
+impl Number {
+    /// With the range that something else checks.
+    #[must_use]
+    pub fn within(self, range: RangeInclusive<f64>) -> Self {
+        let range = Some(range);
+        Self { range, ..self }
     }
 }
 
@@ -213,6 +225,7 @@ pub fn number(wanted: &str) -> Number {
 pub fn fraction(range: RangeInclusive<f64>, wanted: String) -> Number {
     Number {
         range: Some(range),
+        is_checked: true,
         wanted,
     }
 }
@@ -221,7 +234,7 @@ impl Codec for Number {
     type Out = f64;
 
     fn shape(&self) -> Shape {
-        Shape::Number
+        self.range.clone().map_or(Shape::Number, Shape::Range)
     }
 
     fn wanted(&self) -> String {
@@ -231,7 +244,9 @@ impl Codec for Number {
     fn read(&self, value: &ValueReader<'_>, _: &Scope<'_>) -> Result<f64, Diagnosis> {
         let number = value.number(&self.wanted)?;
         match &self.range {
-            Some(range) if !range.contains(&number) => Err(value.wanted(&self.wanted)),
+            Some(range) if self.is_checked && !range.contains(&number) => {
+                Err(value.wanted(&self.wanted))
+            }
             _ => Ok(number),
         }
     }

@@ -66,7 +66,7 @@ pub fn dimensions(root: &TableShape) -> BTreeMap<&'static str, Dimension> {
 #[must_use]
 pub fn si_units(root: &TableShape) -> BTreeMap<&'static str, &'static str> {
     let is_number = |shape: &Shape| match shape {
-        Shape::Number => true,
+        Shape::Number | Shape::Range(_) => true,
         Shape::Either(shapes) => shapes.contains(&Shape::Number),
         _ => false,
     };
@@ -183,7 +183,7 @@ fn row(field: &Field, table: &TableShape) -> String {
 pub fn value(shape: &Shape) -> String {
     match shape {
         Shape::Quantity(dimension, _) => dimension.noun().into(),
-        Shape::Number => "a number".into(),
+        Shape::Number | Shape::Range(_) => "a number".into(),
         Shape::Count(range) if *range.end() == usize::MAX => {
             format!("an integer from {} on", range.start())
         }

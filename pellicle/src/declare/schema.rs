@@ -46,6 +46,9 @@ fn shape(of: &Shape) -> Value {
             "anyOf": [{ "type": "number" }, { "type": "string", "pattern": WITH_UNIT }],
         }),
         Shape::Number => json!({ "type": "number" }),
+        Shape::Range(range) => json!({
+            "type": "number", "minimum": range.start(), "maximum": range.end(),
+        }),
         Shape::Count(range) => json!({
             "type": "integer", "minimum": range.start(), "maximum": range.end(),
         }),

@@ -11,6 +11,8 @@ pub enum Shape {
     Quantity(Dimension, Sign),
     /// A number without a dimension.
     Number,
+    /// Such a number in a range.
+    Range(RangeInclusive<f64>),
     /// An integer.
     Count(RangeInclusive<usize>),
     /// One of these words.

@@ -206,7 +206,7 @@ impl SearchedKey {
 /// The shape of a real number, if a value may be one.
 fn number(shape: &Shape) -> Option<&Shape> {
     match shape {
-        Shape::Quantity(..) | Shape::Number => Some(shape),
+        Shape::Quantity(..) | Shape::Number | Shape::Range(_) => Some(shape),
         Shape::Either(shapes) => shapes.iter().find_map(number),
         _ => None,
     }

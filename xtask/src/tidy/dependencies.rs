@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use the packages that these may use.
-const ALLOWED: [(&str, &[&str]); 12] = [
+const ALLOWED: [(&str, &[&str]); 13] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-kernel"]),
     ("pellicle-texture", &[]),
@@ -29,6 +29,16 @@ const ALLOWED: [(&str, &[&str]); 12] = [
     ),
     ("pellicle-plot", &["pellicle"]),
     ("pellicle-files", &[]),
+    (
+        "pellicle-explore",
+        &[
+            "pellicle",
+            "pellicle-contact",
+            "pellicle-files",
+            "pellicle-influence",
+            "pellicle-plot",
+        ],
+    ),
     (
         "pellicle-study",
         &[
@@ -53,6 +63,7 @@ const ALLOWED: [(&str, &[&str]); 12] = [
         &[
             "pellicle",
             "pellicle-contact",
+            "pellicle-explore",
             "pellicle-files",
             "pellicle-identify",
             "pellicle-influence",

@@ -4,11 +4,11 @@ use pellicle::display::{Unit, quantity, significant};
 use pellicle::result::quantities::QUANTITIES;
 use pellicle::result::quantity::{Measure, Part, Value};
 use pellicle::summary::{CertificateSummary, RunSummary, StepSummary};
+use pellicle_plot::step::surface_figure::SurfaceFigure;
 
 use super::grid_error::GridErrorNote;
 use super::stress::StressTable;
 use crate::output::pictures::{StepDrawings, StepPicture, StressPicture};
-use crate::output::surface_figure::SurfaceFigure;
 
 /// The section of a step.
 pub struct StepSection<'a> {

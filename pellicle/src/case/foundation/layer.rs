@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::modulus::ModulusCase;
 use super::strength::{BodyStrengthCase, InterfaceStrengthCase};
-use super::substrate::{MaterialCase, POISSON_RATIO};
+use super::substrate::{MaterialCase, POISSON_RATIO, POISSON_RATIOS};
 use crate::declare::macros::record;
 use crate::declare::{Codec, Scope, compliance, either, length, number, part, pressure, word};
 use crate::input::table_reader::TableReader;
@@ -22,7 +22,7 @@ record! {
         thickness: f64 = length().positive(), "thickness of the layer";
         young_modulus: ModulusCase = either(pressure().positive(), ModulusCase::Uniform, ModulusCase::Graded, MODULUS),
             "Young's modulus, the same everywhere or changing with depth";
-        poisson_ratio: f64 = number(POISSON_RATIO), "Poisson's ratio";
+        poisson_ratio: f64 = number(POISSON_RATIO).within(POISSON_RATIOS), "Poisson's ratio";
         interface: InterfaceCase = InterfaceCase::codec().or(InterfaceCase::BONDED, "\"bonded\""),
             "the interface below the layer";
         #[serde(skip_serializing_if = "is_none")]

@@ -10,6 +10,8 @@ use crate::input::table_reader::TableReader;
 
 const WANTED: &str = "{ young_modulus = .., poisson_ratio = .. } or \"rigid\"";
 
+/// The range, which the kernel checks.
+pub(in crate::case) const POISSON_RATIOS: std::ops::RangeInclusive<f64> = 0.0..=0.5;
 pub(in crate::case) const POISSON_RATIO: &str = "Poisson's ratio, a number in [0, 0.5]";
 
 /// The base of the layers.
@@ -28,7 +30,7 @@ record! {
     #[derive(Copy)]
     pub struct MaterialCase {
         young_modulus: f64 = pressure().positive(), "Young's modulus";
-        poisson_ratio: f64 = number(POISSON_RATIO), "Poisson's ratio";
+        poisson_ratio: f64 = number(POISSON_RATIO).within(POISSON_RATIOS), "Poisson's ratio";
         #[serde(flatten)] strength: BodyStrengthCase = part(), "its strength";
     }
     check |material: &MaterialCase, table: &TableReader<'_>, _: &Scope<'_>| {

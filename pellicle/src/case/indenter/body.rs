@@ -7,7 +7,9 @@ use serde::Serialize;
 
 use crate::case::foundation::FoundationCase;
 use crate::case::foundation::strength::BodyStrengthCase;
-use crate::case::foundation::substrate::{MaterialCase, POISSON_RATIO, SubstrateCase};
+use crate::case::foundation::substrate::{
+    MaterialCase, POISSON_RATIO, POISSON_RATIOS, SubstrateCase,
+};
 use crate::declare::macros::record;
 use crate::declare::{Codec, Record, Scope, TableShape, number, pressure, table, together};
 use crate::input::diagnosis::Diagnosis;
@@ -28,7 +30,7 @@ record! {
     #[derive(Copy)]
     pub struct ElasticConstants {
         young_modulus: f64 = pressure().positive(), "Young's modulus of the indenter";
-        poisson_ratio: f64 = number(POISSON_RATIO), "Poisson's ratio of the indenter";
+        poisson_ratio: f64 = number(POISSON_RATIO).within(POISSON_RATIOS), "Poisson's ratio of the indenter";
     }
     check |of: &ElasticConstants, table: &TableReader<'_>, _: &Scope<'_>| {
         // The modulus is known to be positive here, so only the ratio can be rejected.

@@ -1,17 +1,15 @@
-//! The pressure of one loading step as data for the report's script, which lets the reader rotate it.
+//! The pressure of one loading step as data for the script of a page, which draws it.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use pellicle::display;
-use pellicle_plot::axes::labels;
-use pellicle_plot::sheet::colour_map::ColourMap;
-use pellicle_plot::sheet::colours::Colour;
-use pellicle_plot::step::coarse_field::CoarseField;
-use pellicle_plot::step::crop::Crop;
-use pellicle_plot::step::subject::Subject;
 
-/// Largest number of columns along a side that a browser rotates without delay.
-const CELLS: usize = 96;
+use super::coarse_field::CoarseField;
+use super::crop::Crop;
+use super::subject::Subject;
+use crate::axes::labels;
+use crate::sheet::colour_map::ColourMap;
+use crate::sheet::colours::Colour;
 
 /// The values of a cell: bare, relief without pressure, the first and the last pressure.
 const BARE: u16 = 0;
@@ -32,12 +30,12 @@ pub struct SurfaceFigure {
 }
 
 impl SurfaceFigure {
-    /// Creates the figure of the pressure of a step.
+    /// Creates the figure of the pressure of a step, of at most so many cells per side.
     #[must_use]
-    pub fn new(subject: &Subject<'_>) -> Self {
+    pub fn new(subject: &Subject<'_>, most: usize) -> Self {
         let fields = &subject.fields;
         let crop = Crop::around_contact(fields.pressure, fields.size);
-        let coarse = CoarseField::new(fields, &crop, CELLS);
+        let coarse = CoarseField::new(fields, &crop, most);
         let (scale, shades) = subject.pressures();
         let fraction = |pressure: f64| shades.fraction(pressure / scale.divisor);
         Self {
