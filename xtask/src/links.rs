@@ -1,10 +1,17 @@
 //! Links of documents: what they lead to, seen from the root of the workspace.
 
 /// The relative targets of the links, pictures and reference definitions of a document, with their lines. Links to
-/// other sites are left out. pub fn targets(text: &str) -> impl Iterator<Item = (usize, String)> {
-/// prose(text).flat_map(|(number, line)| { let targets = targets_in(&without_code(line)); let is_here = |target:
-/// &String| !target.contains("://") && !target.starts_with("mailto:"); targets .into_iter() .filter(is_here) .map(move
-/// |target| (number, target)) }) }
+/// other sites are left out.
+pub fn targets(text: &str) -> impl Iterator<Item = (usize, String)> {
+    prose(text).flat_map(|(number, line)| {
+        let targets = targets_in(&without_code(line));
+        let is_here = |target: &String| !target.contains("://") && !target.starts_with("mailto:");
+        targets
+            .into_iter()
+            .filter(is_here)
+            .map(move |target| (number, target))
+    })
+}
 
 /// The path from the root for a link in the document `from`; `None` if it leaves the tree.
 pub fn resolved(from: &str, target: &str) -> Option<String> {

@@ -46,10 +46,10 @@ impl SiteSource {
         let (mut files, mut folders) = (BTreeSet::new(), BTreeSet::new());
         for page in &pages {
             for to in links(page, tree.text(page).unwrap_or_default()) {
-                if pages.contains(&to) || to == CONTENTS || !paths.contains(to.as_str()) {
+                if pages.contains(&to) || !paths.contains(to.as_str()) {
                     continue;
                 }
-                if to.ends_with(".md") {
+                if Path::new(&to).extension() == Some("md".as_ref()) {
                     let from = page.clone();
                     return Err(PageFault { from, to }.into());
                 }
@@ -94,7 +94,7 @@ impl SiteSource {
         for (folder, inside) in &self.folders {
             put(
                 &source.join(folder).join("index.html"),
-                &list(folder, inside),
+                list(folder, inside),
             )?;
         }
         put(&source.join("SUMMARY.md"), &self.contents)?;
