@@ -7,6 +7,7 @@ mod chart;
 mod figure_2;
 mod figure_3;
 mod figure_5;
+mod gallery;
 mod loading;
 mod pressures;
 mod runner;
@@ -49,12 +50,15 @@ pub enum Figure {
     Stresses,
     /// Rounded edges and wear of the pillars of figure 2, which the paper does not show.
     Worn,
+    /// Pictures that docs/gallery.md describes by their commands.
+    Gallery,
 }
 
 /// Draws the paper's figures from its cases.
 #[derive(Debug, Clone, Args)]
 pub struct FiguresArguments {
-    /// Only these figures: of the paper, 2 to 6, or thin-film, or stresses, those under figure 2, or worn, its pillars.
+    /// Only these figures: of the paper, 2 to 6, or thin-film, or stresses, those under figure 2, or worn, its pillars,
+    /// or gallery.
     #[arg(long, value_name = "FIGURE,…", value_delimiter = ',')]
     pub only: Vec<Figure>,
     /// Coarse grids, for a look only; the pictures say so.
@@ -105,7 +109,7 @@ pub fn figures(
             if let Some(folder) = small {
                 picture.write_small(folder)?;
             }
-            (runner.tell)(&format!("drawn:  {}", out.join(picture.name).display()));
+            (runner.tell)(&format!("drawn:  {}", out.join(&picture.name).display()));
             count += 1;
         }
     }
@@ -122,5 +126,6 @@ fn draw(figure: Figure, runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
         Figure::ThinFilm => Ok(vec![thin_film::draw()?]),
         Figure::Stresses => stresses::draw(runner),
         Figure::Worn => worn::draw(runner),
+        Figure::Gallery => gallery::draw(runner),
     }
 }

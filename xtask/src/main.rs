@@ -55,7 +55,7 @@ fn tidy() -> Result<ExitCode, XtaskError> {
 
 /// Draws the paper's figures and reports progress on standard error.
 fn figures(arguments: &FiguresArguments) -> Result<ExitCode, XtaskError> {
-    let runner = Runner::release(root(), arguments.elements(), |line| eprintln!("{line}"));
+    let runner = Runner::release(root(), arguments.elements(), |line| eprintln!("{line}"))?;
     let out = root().join(&arguments.out);
     let small = arguments.docs.then(|| root().join("docs/figures"));
     let count = xtask::figures(&arguments.figures(), &runner, &out, small.as_deref())?;

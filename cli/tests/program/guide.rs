@@ -14,7 +14,7 @@ struct Page {
     text: String,
 }
 
-/// The guide, then the recipes in the order in which it names them.
+/// The guide, the recipes in the order in which it names them, and the gallery.
 fn pages() -> Vec<Page> {
     let documents = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
     let page = |name: &str| {
@@ -33,6 +33,7 @@ fn pages() -> Vec<Page> {
         "the guide's table names every recipe"
     );
     pages.extend(recipes);
+    pages.push(page("gallery.md"));
     pages
 }
 

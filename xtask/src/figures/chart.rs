@@ -77,7 +77,11 @@ impl Chart {
         self.draw_legend(&mut svg);
         let csv = csv(COLUMNS, self.panels.iter().flat_map(CurvePanel::rows));
         let (name, svg) = (self.name, svg.finish());
-        Picture { name, svg, csv }
+        Picture {
+            name: name.into(),
+            svg,
+            csv,
+        }
     }
 
     fn draw_legend(&self, svg: &mut Svg) {

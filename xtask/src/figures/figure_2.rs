@@ -79,7 +79,11 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
         ("fig2c-section", section::draw(&subject)),
     ] {
         let csv = csv.clone();
-        pictures.push(Picture { name, svg, csv });
+        pictures.push(Picture {
+            name: name.into(),
+            svg,
+            csv,
+        });
     }
     Ok(pictures)
 }

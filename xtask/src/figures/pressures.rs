@@ -62,12 +62,17 @@ impl Pressures<'_> {
     pub(super) fn draw(&self, [maps, surfaces]: [&'static str; 2]) -> Vec<Picture> {
         let rows = self.panels.iter().flat_map(|panel| self.rows(panel));
         let table = csv("panel,x,y,pressure", rows);
-        let picture = |name, cell, draw: fn(&Self, &mut Svg, (f64, f64), &PressurePanel<'_>)| {
-            let draw = |svg: &mut Svg, corner, panel: &_| draw(self, svg, corner, panel);
-            let svg = self.caption.sheet(0.0, cell, &self.panels, draw);
-            let (svg, csv) = (svg.finish(), table.clone());
-            Picture { name, svg, csv }
-        };
+        let picture =
+            |name: &str, cell, draw: fn(&Self, &mut Svg, (f64, f64), &PressurePanel<'_>)| {
+                let draw = |svg: &mut Svg, corner, panel: &_| draw(self, svg, corner, panel);
+                let svg = self.caption.sheet(0.0, cell, &self.panels, draw);
+                let (svg, csv) = (svg.finish(), table.clone());
+                Picture {
+                    name: name.into(),
+                    svg,
+                    csv,
+                }
+            };
         vec![
             picture(maps, MAP_CELL, Self::draw_map),
             picture(surfaces, SCENE_CELL, Self::draw_scene),

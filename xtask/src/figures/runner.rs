@@ -12,14 +12,12 @@ use pellicle_plot::sheet::style::Style;
 use pellicle_plot::step::subject::Subject;
 
 use crate::XtaskError;
+use crate::golden::release_program;
 
 /// Elements along a side for final figures.
 pub(super) const FULL: usize = 1024;
 /// Elements along a side for quick figures.
 pub(super) const QUICK: usize = 256;
-
-/// The release build of `pellicle`, which cargo makes first.
-const RELEASE: &str = "cargo run --release --quiet --bin pellicle --";
 
 /// Options of every run.
 const OPTIONS: &str = "--force --pictures none --formats npz";
@@ -54,16 +52,18 @@ pub(super) struct SolvedStep {
 }
 
 impl Runner {
-    /// A runner of the release build.
-    #[must_use]
-    pub fn release(root: &Path, elements: usize, tell: fn(&str)) -> Self {
-        Self {
+    /// A runner of the release build, which cargo makes first.
+    ///
+    /// # Errors
+    /// If the program cannot be built.
+    pub fn release(root: &Path, elements: usize, tell: fn(&str)) -> Result<Self, XtaskError> {
+        Ok(Self {
             root: root.into(),
             results: root.join("target/paper/runs"),
-            program: RELEASE.split(' ').map(OsString::from).collect(),
+            program: vec![release_program(root)?.into()],
             elements,
             tell,
-        }
+        })
     }
 
     /// The steps of these cases with their fields.

@@ -37,7 +37,7 @@ pub(super) struct Caption {
 /// A drawing and the numbers in it.
 pub(super) struct Picture {
     /// Name of its files, without extension.
-    pub name: &'static str,
+    pub name: String,
     /// The drawing.
     pub svg: String,
     /// Every curve or field in it.
@@ -103,7 +103,7 @@ impl Picture {
         bytes: io::Result<impl AsRef<[u8]>>,
     ) -> Result<(), Failure> {
         fs::create_dir_all(folder).map_err(|cause| FileError::write(folder, cause))?;
-        let path = folder.join(self.name).with_extension(ending);
+        let path = folder.join(&self.name).with_extension(ending);
         Ok(write_whole(&path, |file| file.write_all(bytes?.as_ref()))?)
     }
 }

@@ -21,7 +21,7 @@ const CASES: [(&str, &str, f64, f64); 4] = [
 
 /// Draws one picture per case, in the program's style.
 pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
-    let picture = |(case, name, deepest, extent)| {
+    let picture = |(case, name, deepest, extent): (&'static str, &str, f64, f64)| {
         let stress = format!(
             "stress={{ depths = {{ from = 0, to = {deepest}, count = 2 }}, extent = {extent} }}"
         );
@@ -32,7 +32,11 @@ pub(super) fn draw(runner: &Runner) -> Result<Vec<Picture>, XtaskError> {
         let extremes = extremes::of_step(&steps[0].numbers);
         let svg = section::draw(&Subject { title, ..subject }, &view, &extremes);
         let csv = csv("x,z,body,von Mises,largest principal", rows(&view));
-        Ok(Picture { name, svg, csv })
+        Ok(Picture {
+            name: name.into(),
+            svg,
+            csv,
+        })
     };
     CASES.into_iter().map(picture).collect()
 }
