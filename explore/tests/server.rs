@@ -5,6 +5,7 @@ mod client;
 use std::io::Write;
 use std::net::TcpStream;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -28,7 +29,9 @@ fn solved(text: &str) -> Value {
 }
 
 fn ask(text: &str, more: &Value) -> Value {
-    let mut ask = json!({ "page": "a", "name": "case.toml", "text": text });
+    static ASKED: AtomicU64 = AtomicU64::new(0);
+    let number = ASKED.fetch_add(1, Ordering::Relaxed);
+    let mut ask = json!({ "page": "a", "number": number, "name": "case.toml", "text": text });
     ask.as_object_mut()
         .unwrap()
         .extend(more.as_object().unwrap().clone());

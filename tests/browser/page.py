@@ -105,7 +105,7 @@ class Explorer:
     def type(self, field: str, value: str) -> dict[str, Any]:
         """Types a value into a field, and returns what is shown then."""
         before = self.now()["answers"]
-        self.focus(field)
+        self.focus(f"at-{field}")
         self.browser.call("Input.insertText", text=value)
         self.browser.key("Enter", 13)
         return self.answered(before)
@@ -237,11 +237,16 @@ def every_template_opens(program: str, folder: Path) -> None:
         count = browser.wait("document.querySelectorAll('#templates button').length")
         assert count > 10, count
         for name in ["hertz", "rough-periodic"]:
-            browser.call("Page.navigate", url=explorer.address)
-            browser.wait("document.querySelectorAll('#templates button').length && !document.body.dataset.answers")
             browser.value(f"[...document.querySelectorAll('#templates b')].find((b) => b.textContent === '{name}').click()")
             shown = explorer.now()
             assert shown["error"] is None and len(shown["numbers"]) > 5, shown
+            # What is loaded again goes on where it was.
+            title = explorer.type("title", "another")["text"]
+            browser.call("Page.reload")
+            browser.wait("document.readyState === 'complete' && !document.getElementById('explorer').hidden")
+            assert explorer.now()["text"] == title
+            browser.value("document.getElementById('other').click()")
+            browser.wait("document.querySelectorAll('#templates button').length && !document.getElementById('chooser').hidden")
         assert not browser.faults, browser.faults
         ends_with_its_page(explorer)
     finally:
