@@ -246,7 +246,7 @@ fn what_is_no_request_is_refused_and_the_page_lives_on() {
 }
 
 #[test]
-fn a_thousand_requests_at_once_are_served_or_refused() {
+fn a_flood_of_requests_is_served_or_refused() {
     let page = Arc::new(Page::open());
     let request = format!(
         "GET /{}/form HTTP/1.1\r\nHost: {}\r\n\r\n",
@@ -255,7 +255,8 @@ fn a_thousand_requests_at_once_are_served_or_refused() {
     );
     // All are connected before the first one asks.
     let mut connected = Vec::new();
-    for _ in 0..1000 {
+    // As many as the files that a process may usually open; tests/browser/page.py sends a thousand.
+    for _ in 0..500 {
         connected.extend(TcpStream::connect(page.host()));
     }
     let asking = connected.into_iter().map(|stream| {
