@@ -55,6 +55,8 @@ pub struct Setup {
 pub struct Ask {
     /// The page.
     pub page: String,
+    /// Its number among those of the page.
+    pub number: u64,
     /// The name of the file.
     pub name: String,
     /// The text of the case.

@@ -7,7 +7,8 @@ use crate::http::Request;
 /// The secret in the address of the page, and the port.
 ///
 /// Another user of the machine does not know the token. A page from elsewhere, which the browser would let send
-/// requests here, neither knows it nor has this origin; and a foreign name that leads to this machine is no `Host` of it.
+/// requests here, neither knows it nor has this origin; and a foreign name that leads to this machine is no `Host` of
+/// it.
 #[derive(Debug)]
 pub struct Gate {
     token: String,

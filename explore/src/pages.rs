@@ -19,9 +19,17 @@ struct State {
     open: usize,
     /// When the last one closed; none before the first one.
     closed: Option<Instant>,
-    requests: u64,
-    /// The newest request of each page.
-    newest: BTreeMap<String, u64>,
+    turns: u64,
+    newest: BTreeMap<String, Newest>,
+}
+
+/// The newest request of a page.
+#[derive(Debug, Clone, Copy)]
+struct Newest {
+    /// Its number on the page: requests may arrive in another order.
+    number: u64,
+    /// Its turn among those of all pages.
+    turn: u64,
 }
 
 /// A request of a page, which a newer one of the same page supersedes.
@@ -42,15 +50,20 @@ impl Pages {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Begins a request of a page.
+    /// Begins a request of a page, which has numbered it.
     #[must_use]
-    pub fn turn(&self, page: &str) -> Turn<'_> {
+    pub fn turn(&self, page: &str, number: u64) -> Turn<'_> {
         let mut state = self.state();
-        state.requests += 1;
-        let number = state.requests;
-        state.newest.insert(page.to_owned(), number);
+        state.turns += 1;
+        let turn = state.turns;
+        let newest = state.newest.entry(page.to_owned());
+        let newest = newest.or_insert(Newest { number, turn });
+        *newest = Newest {
+            number: newest.number.max(number),
+            turn,
+        };
         if state.newest.len() > MOST_PAGES {
-            let oldest = state.newest.iter().min_by_key(|(_, newest)| **newest);
+            let oldest = state.newest.iter().min_by_key(|(_, newest)| newest.turn);
             if let Some(page) = oldest.map(|(page, _)| page.clone()) {
                 state.newest.remove(&page);
             }
@@ -81,7 +94,9 @@ impl Turn<'_> {
     /// Whether a newer request of the same page has begun.
     #[must_use]
     pub fn is_superseded(&self) -> bool {
-        self.pages.state().newest.get(&self.page) != Some(&self.number)
+        let state = self.pages.state();
+        let newest = state.newest.get(&self.page);
+        newest.is_none_or(|newest| newest.number > self.number)
     }
 }
 
@@ -100,18 +115,20 @@ mod tests {
     #[test]
     fn a_newer_request_supersedes_those_of_its_page_and_no_others() {
         let pages = Pages::default();
-        let (first, other) = (pages.turn("a"), pages.turn("b"));
+        let (first, other) = (pages.turn("a", 1), pages.turn("b", 1));
         assert!(!first.is_superseded());
-        let second = pages.turn("a");
-        assert!(first.is_superseded() && !second.is_superseded() && !other.is_superseded());
+        let third = pages.turn("a", 3);
+        let late = pages.turn("a", 2);
+        assert!(first.is_superseded() && late.is_superseded());
+        assert!(!third.is_superseded() && !other.is_superseded());
     }
 
     #[test]
     fn pages_beyond_counting_are_forgotten() {
         let pages = Pages::default();
-        let first = pages.turn("first");
+        let first = pages.turn("first", 1);
         let turns: Vec<_> = (0..MOST_PAGES)
-            .map(|i| pages.turn(&i.to_string()))
+            .map(|i| pages.turn(&i.to_string(), 1))
             .collect();
         assert!(first.is_superseded() && turns.iter().all(|turn| !turn.is_superseded()));
     }

@@ -192,7 +192,7 @@ impl Site {
             ("GET", "/form") => json(&self.engine.form()),
             ("POST", "/solve") => match serde_json::from_slice::<Ask>(&request.body) {
                 Ok(ask) => {
-                    let turn = self.pages.turn(&ask.page);
+                    let turn = self.pages.turn(&ask.page, ask.number);
                     json(&self.engine.answer(&ask, &turn))
                 }
                 Err(error) => Response::text(Status::BadRequest, error.to_string()),

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+import resource
+import socket
 import statistics
 import subprocess
 import sys
@@ -105,7 +107,7 @@ class Explorer:
     def type(self, field: str, value: str) -> dict[str, Any]:
         """Types a value into a field, and returns what is shown then."""
         before = self.now()["answers"]
-        self.focus(field)
+        self.focus(f"at-{field}")
         self.browser.call("Input.insertText", text=value)
         self.browser.key("Enter", 13)
         return self.answered(before)
@@ -210,6 +212,46 @@ def changes_more_than_numbers(explorer: Explorer) -> None:
     explorer.click("Without stresses")
 
 
+def survives_a_thousand_requests(explorer: Explorer) -> None:
+    """All are served or refused, the program needs hardly more memory, and the page lives on."""
+    _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (most if most < 4096 else 4096, most))
+    host, port = explorer.address.split("/")[2].split(":")
+    path = explorer.address.split(port, 1)[1]
+    request = f"GET {path}form HTTP/1.1\r\nHost: {host}:{port}\r\n\r\n".encode()
+
+    def memory() -> int:
+        status = Path(f"/proc/{explorer.server.pid}/status").read_text()
+        return int(status.split("VmRSS:")[1].split()[0]) // 1024
+
+    before = memory()
+    connections = []
+    for _ in range(1000):
+        connections.append(socket.create_connection((host, int(port))))
+    answers = {"served": 0, "refused": 0}
+    for connection in connections:
+        try:
+            connection.sendall(request)
+        except OSError:  # closed already
+            pass
+    for connection in connections:
+        found = b""
+        try:
+            while part := connection.recv(1 << 16):
+                found += part
+        except OSError:
+            pass
+        served = found.startswith(b"HTTP/1.1 200")
+        assert served or not found or found.startswith(b"HTTP/1.1 503"), found[:80]
+        answers["served" if served else "refused"] += 1
+        connection.close()
+    after = memory()
+    assert answers["served"] > 0, answers
+    assert after - before < 64, f"{before} to {after} MB"
+    explorer.compare(explorer.type(THICKNESS, "2.2 um"))
+    print(f"browser: of 1000 requests at once {answers['served']} served, {answers['refused']} refused; memory {before} to {after} MB")
+
+
 def takes_pictures(explorer: Explorer, folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     explorer.type("grid.elements", "128")
@@ -237,11 +279,16 @@ def every_template_opens(program: str, folder: Path) -> None:
         count = browser.wait("document.querySelectorAll('#templates button').length")
         assert count > 10, count
         for name in ["hertz", "rough-periodic"]:
-            browser.call("Page.navigate", url=explorer.address)
-            browser.wait("document.querySelectorAll('#templates button').length && !document.body.dataset.answers")
             browser.value(f"[...document.querySelectorAll('#templates b')].find((b) => b.textContent === '{name}').click()")
             shown = explorer.now()
             assert shown["error"] is None and len(shown["numbers"]) > 5, shown
+            # What is loaded again goes on where it was.
+            title = explorer.type("title", "another")["text"]
+            browser.call("Page.reload")
+            browser.wait("document.readyState === 'complete' && !document.getElementById('explorer').hidden")
+            assert explorer.now()["text"] == title
+            browser.value("document.getElementById('other').click()")
+            browser.wait("document.querySelectorAll('#templates button').length && !document.getElementById('chooser').hidden")
         assert not browser.faults, browser.faults
         ends_with_its_page(explorer)
     finally:
@@ -261,6 +308,7 @@ def main() -> None:
             drags_a_slider(explorer)
             sketches_first(explorer)
             shows_a_bad_value_at_its_field(explorer)
+            survives_a_thousand_requests(explorer)
             changes_more_than_numbers(explorer)
             if pictures:
                 takes_pictures(explorer, pictures)

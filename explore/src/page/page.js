@@ -13,7 +13,7 @@ let form, name, text, values, structure;
 let edits = [], changes = 0;         // changes that no answer contains yet, each with its number
 let shown = null, pinned = null;     // the last good result; the one to compare with
 let fault = null, step = null, drawnStep = null;
-let waiting = null, wanted = null, resting = 0, began = 0;
+let waiting = null, wanted = null, requests = 0, resting = 0, began = 0;
 
 function make(tag, properties = {}, ...children) {
   const made = document.createElement(tag);
@@ -27,10 +27,12 @@ function make(tag, properties = {}, ...children) {
 
 // ---- Requests: one sketch at a time, so that each is shown; a newer request stops one with all elements.
 
-function change(edit, isSketch = false) {
-  const last = edits.at(-1);
-  if (last && last.do === edit.do && last.key === edit.key && "to" in edit) edits.pop();
-  edits.push({ ...edit, number: ++changes });
+function change(made, isSketch = false) {
+  for (const edit of [made].flat()) {
+    const last = edits.at(-1);
+    if (last && last.do === edit.do && last.key === edit.key && "to" in edit) edits.pop();
+    edits.push({ ...edit, number: ++changes });
+  }
   began = performance.now();
   clearTimeout(resting);
   if (isSketch) resting = setTimeout(() => ask(false), REST);
@@ -49,7 +51,7 @@ async function send() {
   waiting = sent;
   wanted = null;
   document.body.dataset.busy = "true";
-  const body = { page, name, text, edits: edits.map(({ number, ...edit }) => edit), step };
+  const body = { page, number: ++requests, name, text, edits: edits.map(({ number, ...edit }) => edit), step };
   if (sent.isSketch) body.elements = SKETCH;
   let answer;
   try {
@@ -187,8 +189,8 @@ function alternative({ shape, path }, field, others) {
   const isBare = number && !shown.steps[0].numbers.some((number) => number.unit === unit);
   const value = (part) => (number ? `${Number((number.value * part).toPrecision(4))}${isBare ? "" : ` ${unit}`}` : field.example ?? "1");
   const quoted = (text) => (/[a-z]/i.test(text.replace(/e[-+]?\d+$/i, "")) ? JSON.stringify(text) : text);
-  change({ do: "remove", key: below(path, given) });
-  change({ do: "set", key: below(path, field.key), to: plural ? `{ from = ${quoted(value(0.1))}, to = ${quoted(value(1))}, count = 8 }` : value(1) });
+  const to = plural ? `{ from = ${quoted(value(0.1))}, to = ${quoted(value(1))}, count = 8 }` : value(1);
+  change([{ do: "remove", key: below(path, given) }, { do: "set", key: below(path, field.key), to }]);
 }
 
 function group(heads, meaning, path, ...children) {
@@ -241,13 +243,13 @@ function inputOf(field, variant, path) {
   const missing = (field.missing ?? "").replaceAll('"', "");
   if (variant.is === "words" || variant.is === "switch") {
     const options = variant.words ?? ["true", "false"];
-    const input = make("select", { id: path }, make("option", { value: "" }, missing || "choose"), ...options.map((word) => make("option", { value: word }, word)));
+    const input = make("select", { id: `at-${path}` }, make("option", { value: "" }, missing || "choose"), ...options.map((word) => make("option", { value: word }, word)));
     input.addEventListener("change", () => change(input.value === "" ? { do: "remove", key: path } : { do: variant.is === "words" ? "word" : "set", key: path, to: input.value }));
     input.update = () => { input.value = String(at(path) ?? ""); };
     input.dataset.path = "";
     return [input];
   }
-  const input = make("input", { id: path, type: "text", placeholder: missing, title: missing && `if empty: ${missing}` });
+  const input = make("input", { id: `at-${path}`, type: "text", placeholder: missing, title: missing && `if empty: ${missing}` });
   input.dataset.path = "";
   let isTyped = false;
   input.update = () => { if (!isTyped) input.value = written(at(path)); };
@@ -493,6 +495,7 @@ function start(template) {
 
 function listen() {
   $("form").addEventListener("submit", (event) => event.preventDefault());
+  $("other").addEventListener("click", () => { sessionStorage.clear(); location.reload(); });
   $("pin").addEventListener("click", () => { pinned = shown; $("unpin").hidden = false; show(); });
   $("unpin").addEventListener("click", () => { pinned = null; $("unpin").hidden = true; show(); });
   $("stress").addEventListener("click", () => change({ do: values?.stress === undefined ? "table" : "remove", key: "stress" }));
@@ -515,6 +518,7 @@ async function begin() {
   listen();
   const found = await (await fetch("form")).json();
   form = found.form;
+  $("other").hidden = Boolean(found.case);
   const left = JSON.parse(sessionStorage.getItem(location.pathname));
   if (left ?? found.case) return start(left ?? found.case);
   $("templates").append(...found.templates.map((template) => {
