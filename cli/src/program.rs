@@ -82,3 +82,6 @@ fn usage(error: &clap::Error) -> ExitCode {
     drop(error.print());
     ExitCode::from(if error.use_stderr() { 2 } else { 0 })
 }
+
+#[cfg(test)]
+mod refused_changes;
