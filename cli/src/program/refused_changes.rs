@@ -204,7 +204,7 @@ fn refuse_each(scenario: &Scenario, is_part: fn(&str, [&[u8]; 2]) -> bool) -> us
             let left = place.files();
             let of = format!("{refused:?} of {changes}: {ended:?}");
             match ended {
-                Ok(_) => wanted.iter().for_each(|(name, content)| {
+                Ok(()) => wanted.iter().for_each(|(name, content)| {
                     assert!(left.get(name) == Some(content), "{of}: {name}");
                 }),
                 Err(failure) => {
@@ -282,7 +282,10 @@ fn given(files: &[(&'static str, &str)]) -> Vec<(&'static str, String)> {
 /// Whether a file of a study that is filled while the cases are solved tells its readers that it is not complete: every
 /// whole row of the table is one of the complete table, and the number of cases in the head of the fields is 0.
 fn is_of_unfinished_study(name: &str, [found, wanted]: [&[u8]; 2]) -> bool {
-    if name.ends_with(".nc") {
+    if Path::new(name)
+        .extension()
+        .is_some_and(|ending| ending == "nc")
+    {
         let count = |bytes: &[u8]| bytes[4..8] == [0; 4];
         return count(found) && !count(wanted);
     }

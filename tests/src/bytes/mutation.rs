@@ -8,6 +8,9 @@ use rand_chacha::ChaCha8Rng;
 /// The most bytes of a damaged file.
 const LONGEST: usize = 1 << 16;
 
+/// The most bytes of a short block: a few words.
+const SHORT: usize = 16;
+
 /// The most times a block is repeated.
 const MOST_REPEATS: usize = 40;
 
@@ -99,9 +102,10 @@ impl Mutator {
     fn block(&mut self, bytes: &[u8]) -> std::ops::Range<usize> {
         let [one, other] = [self.place(bytes), self.place(bytes)];
         let (start, end) = (one.min(other), one.max(other));
-        match self.0.random_bool(0.5) {
-            true => start..end.min(start + 16),
-            false => start..end,
+        if self.0.random_bool(0.5) {
+            start..end.min(start + SHORT)
+        } else {
+            start..end
         }
     }
 

@@ -435,7 +435,7 @@ fn study_in_parts(folder: &Path) {
 /// Runs the program on files in a folder.
 fn carried_out(folder: &Path, words: &[&str]) {
     let word = |word: &&str| {
-        let is_place = word.ends_with(".toml") || word == &"many" || word == &"results";
+        let is_place = ["case.toml", "study.toml", "many", "results"].contains(word);
         if is_place {
             folder.join(word).into_os_string()
         } else {
