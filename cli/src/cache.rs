@@ -5,6 +5,7 @@ use std::env;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
+#[cfg(not(test))]
 use directories::ProjectDirs;
 use pellicle_influence::{Cache, CacheWarning};
 
@@ -47,7 +48,14 @@ fn folder(
     }
 }
 
+/// The tests of this crate leave nothing in the user's folder.
+#[cfg(test)]
+fn platform_folder() -> Option<PathBuf> {
+    None
+}
+
 /// `~/.cache/pellicle`, `~/Library/Caches/pellicle` or `%LOCALAPPDATA%\pellicle\cache`; none without a home folder.
+#[cfg(not(test))]
 fn platform_folder() -> Option<PathBuf> {
     let folders = ProjectDirs::from("", "", "pellicle")?;
     Some(folders.cache_dir().to_owned())

@@ -78,6 +78,11 @@ pub mod results {
     pub use crate::output::stress::npz::{file as stresses_file, read as read_stresses};
 }
 
+/// Lines of `solve --stream`, read as the program reads them.
+pub mod streamed {
+    pub use crate::command::solve::case;
+}
+
 /// Results as the plain numbers of their pictures, which `pellicle-plot` draws.
 pub mod drawing {
     pub use crate::picture::{accuracy, extremes, subject};

@@ -83,3 +83,6 @@ fn usage(error: &clap::Error) -> ExitCode {
     drop(error.print());
     ExitCode::from(if error.use_stderr() { 2 } else { 0 })
 }
+
+#[cfg(test)]
+mod refused_changes;

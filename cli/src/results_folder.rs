@@ -17,7 +17,7 @@ use pellicle_files::FileError;
 use pellicle_files::lock::Lock;
 use pellicle_files::unfinished::{self, Unfinished};
 use pellicle_files::whole::Existing;
-use pellicle_files::{partial, staging};
+use pellicle_files::{disk, partial, staging};
 
 use self::claim_lock::{LOCK, says_made, take_lock};
 use crate::failure::Failure;
@@ -162,7 +162,7 @@ impl ResultsFolder {
         for name in std::iter::once(name.to_owned()).chain(numbered) {
             let path = self.path.join(name);
             if fs::symlink_metadata(&path).is_err() {
-                let moved = unfinished::undisturbed(|| fs::rename(self.scratch.path(), &path));
+                let moved = unfinished::undisturbed(|| disk::rename(self.scratch.path(), &path));
                 return moved
                     .map(|()| path)
                     .map_err(|cause| Failure::write(&self.path, cause));
@@ -264,7 +264,7 @@ fn make(path: &Path) -> io::Result<Vec<Unfinished>> {
     let missing: Vec<_> = path.ancestors().take_while(is_missing).collect();
     let mut made = Vec::new();
     for folder in missing.into_iter().rev() {
-        match fs::create_dir(folder) {
+        match disk::create_dir(folder) {
             Ok(()) => made.push(Unfinished::empty_folder(folder)),
             Err(error) if error.kind() == ErrorKind::AlreadyExists && folder.is_dir() => {}
             Err(error) => return Err(error),

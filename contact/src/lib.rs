@@ -68,7 +68,7 @@ pub use result::{
 };
 pub use sensitivity::{ForceCurve, ModelDerivatives, ModelDirection, Sensitivities, Sensitivity};
 pub use solver::{
-    Iterate, Method, Solver, SolverOptions, Watch,
+    Iterate, Method, Shortcuts, Solver, SolverOptions, Watch,
     active_set::ActiveSetSolver,
     gradient::GradientSolver,
     observer::{Observer, Progress, Signal},

@@ -5,6 +5,9 @@ mod exchange;
 pub mod gradient;
 mod hardness;
 pub mod observer;
+mod shortcuts;
+
+pub use self::shortcuts::Shortcuts;
 
 use crate::{ContactError, DiscreteProblem, Load, Observer, Progress, Signal};
 
@@ -57,6 +60,8 @@ pub struct SolverOptions {
     /// Diameter, in m, of the disc over which a path averages the pressure for the
     /// [largest averaged one](crate::Summary::max_averaged_pressure); none for no average.
     pub averaging_length: Option<f64>,
+    /// What spares work without changing the solution.
+    pub shortcuts: Shortcuts,
 }
 
 impl Default for SolverOptions {
@@ -70,6 +75,7 @@ impl Default for SolverOptions {
             coarse_pressures: false,
             hardness: f64::INFINITY,
             averaging_length: None,
+            shortcuts: Shortcuts::ALL,
         }
     }
 }

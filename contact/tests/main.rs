@@ -14,6 +14,7 @@ mod random_domains;
 mod random_problems;
 mod random_rough;
 mod sensitivities;
+mod shortcuts;
 mod solvers;
 mod stiffening;
 mod stress;

@@ -3,10 +3,12 @@
 #![doc = include_str!("../README.md")]
 
 pub mod cell;
+pub mod disk;
 mod error;
 pub mod lock;
 pub mod netcdf;
 pub mod partial;
+pub mod refusal;
 pub mod staging;
 pub mod unfinished;
 pub mod whole;

@@ -1,9 +1,10 @@
 //! A process's lock on a folder: a file locked by the system, which releases it when the process dies.
 
-use std::fs::{self, File, Metadata, OpenOptions, TryLockError};
+use std::fs::{self, File, Metadata, TryLockError};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
 
+use crate::disk::DiskFile;
 use crate::unfinished::Unfinished;
 
 /// Attempts to take a lock whose file another process may remove meanwhile.
@@ -14,7 +15,7 @@ const ATTEMPTS: usize = 1000;
 pub struct Lock {
     // Removed before the file is closed and thereby unlocked.
     _unfinished: Unfinished,
-    file: File,
+    file: DiskFile,
     /// Text of the file that a dead process left.
     found: Option<String>,
 }
@@ -35,10 +36,10 @@ impl Lock {
                 }
                 opened => opened?,
             };
-            if matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {
+            if matches!(file.as_file().try_lock(), Err(TryLockError::WouldBlock)) {
                 return Ok(None);
             }
-            if !is_at(&file, path) {
+            if !is_at(file.as_file(), path) {
                 continue;
             }
             let mut lock = Self {
@@ -70,27 +71,21 @@ impl Lock {
             return self.file.write_all(text.as_bytes());
         }
         let mut found = Vec::new();
-        (&self.file).take(4096).read_to_end(&mut found)?;
+        self.file.as_file().take(4096).read_to_end(&mut found)?;
         self.found = Some(String::from_utf8_lossy(&found).into_owned());
         Ok(())
     }
 }
 
 /// Opens or creates the file; returns whether it is new. A link is not followed.
-fn open(path: &Path) -> io::Result<(File, bool)> {
-    let new = OpenOptions::new()
-        .read(true)
-        .write(true)
-        .create_new(true)
-        .open(path);
-    match new {
+fn open(path: &Path) -> io::Result<(DiskFile, bool)> {
+    match DiskFile::create_new(path) {
         Ok(file) => Ok((file, true)),
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
             if !fs::symlink_metadata(path)?.is_file() {
                 return Err(error);
             }
-            let file = OpenOptions::new().read(true).write(true).open(path)?;
-            Ok((file, false))
+            Ok((DiskFile::open(path)?, false))
         }
         Err(error) => Err(error),
     }

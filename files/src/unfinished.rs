@@ -1,9 +1,10 @@
 //! Unfinished files and folders, which must not be left behind: they are removed when dropped, and when the program
 //! exits without dropping them.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use crate::disk;
 
 /// All unfinished files and folders of this process, in the order in which they were begun.
 static ALL: Mutex<Vec<(PathBuf, Leftover)>> = Mutex::new(Vec::new());
@@ -79,7 +80,7 @@ pub fn remove_all() {
         // Renamed first, so that no other file can be begun in it.
         Leftover::Tree => {
             let aside = path.with_extension("ended");
-            let path = fs::rename(path, &aside).map_or(path, |()| &aside);
+            let path = disk::rename(path, &aside).map_or(path, |()| &aside);
             remove(path, Leftover::Tree);
         }
         kind => remove(path, *kind),
@@ -101,14 +102,16 @@ fn all() -> MutexGuard<'static, Vec<(PathBuf, Leftover)>> {
 /// Removes a file or folder as far as possible; the next run removes the rest.
 fn remove(path: &Path, kind: Leftover) {
     drop(match kind {
-        Leftover::File => fs::remove_file(path),
-        Leftover::Empty => fs::remove_dir(path),
-        Leftover::Tree => fs::remove_dir_all(path),
+        Leftover::File => disk::remove_file(path),
+        Leftover::Empty => disk::remove_dir(path),
+        Leftover::Tree => disk::remove_dir_all(path),
     });
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

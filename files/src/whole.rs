@@ -6,7 +6,6 @@ use std::path::Path;
 
 use crate::FileError;
 use crate::partial::{self, PartialFile};
-use crate::unfinished::Unfinished;
 
 /// Bytes written per system call: the folder of a curve takes 4,000 calls instead of 30,000.
 pub const BUFFER: usize = 1 << 17;
@@ -67,17 +66,9 @@ fn put(
     existing: Existing,
     write: impl FnOnce(&mut PartialFile) -> io::Result<()>,
 ) -> io::Result<()> {
-    let file = partial::begin(path)?;
-    let _unfinished = Unfinished::file(file.path());
-    let mut file = BufWriter::with_capacity(BUFFER, file);
+    let mut file = BufWriter::with_capacity(BUFFER, partial::begin(path)?);
     write(&mut file)?;
-    let file = file.into_inner()?;
-    // The file stays open, and thereby locked, until it has its name.
-    let placed = match existing {
-        Existing::Keep => file.persist_noclobber(path),
-        Existing::Replace => file.persist(path),
-    };
-    placed.map(drop).map_err(|failed| failed.error)
+    file.into_inner()?.place(path, existing)
 }
 
 #[cfg(test)]

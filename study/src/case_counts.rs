@@ -49,6 +49,12 @@ impl CaseCounts {
         Self { axes, counts }
     }
 
+    /// Whether there is one count for every case of a study with this numbering; a damaged file may have others.
+    pub(crate) fn are_of(&self, numbering: &CaseNumbering) -> bool {
+        let is_axis = |axis: &usize| *axis < numbering.lengths.len();
+        self.axes.iter().all(is_axis) && numbering.places(&self.axes) == self.counts.len()
+    }
+
     /// Returns the count of a case; `None` if there is no such case.
     #[must_use]
     pub fn of(&self, numbering: &CaseNumbering, case: usize) -> Option<usize> {

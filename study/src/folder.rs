@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Duration;
 
-use pellicle_files::FileError;
 use pellicle_files::lock::Lock;
-use pellicle_files::partial;
+use pellicle_files::{FileError, disk, partial};
 
 use crate::StudyError;
 use crate::identity::StudyIdentity;
@@ -67,7 +66,7 @@ impl StudyFolder {
     ) -> Result<Self, StudyError> {
         refuse_foreign(folder)?;
         let failed = |cause| StudyError::write(folder, cause);
-        fs::create_dir_all(folder).map_err(failed)?;
+        disk::create_dir_all(folder).map_err(failed)?;
         let lock = lock(folder, identity.shard)?.ok_or_else(|| FileError::Busy {
             path: identity.table(folder),
         })?;
@@ -253,7 +252,7 @@ fn set_aside(folder: &Path, identity: &StudyIdentity) -> Result<(), StudyError> 
     for path in [vec![table], identity.kept_files(folder)].concat() {
         match before(&path) {
             Some(before) if !is_empty && !is_replacement && is_there(&path) => {
-                fs::rename(&path, before).map_err(|cause| StudyError::write(&path, cause))?;
+                disk::rename(&path, &before).map_err(|cause| StudyError::write(&path, cause))?;
             }
             _ => remove(&path)?,
         }
@@ -278,7 +277,7 @@ pub fn discard_before(folder: &Path, identity: &StudyIdentity) -> Result<(), Stu
 }
 
 fn remove(path: &Path) -> Result<(), StudyError> {
-    match fs::remove_file(path) {
+    match disk::remove_file(path) {
         Err(cause) if cause.kind() != io::ErrorKind::NotFound => {
             Err(StudyError::write(path, cause))
         }

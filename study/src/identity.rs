@@ -135,8 +135,21 @@ impl StudyIdentity {
         if head.schema != SCHEMA {
             return Ok(Some(head.into()));
         }
-        let read = serde_json::from_str(&text);
-        read.map(Some).map_err(|cause| damaged(&cause))
+        let read: Self = serde_json::from_str(&text).map_err(|cause| damaged(&cause))?;
+        if !read.is_possible() {
+            return Err(damaged(
+                &"the numbers of its cases are not those of a study",
+            ));
+        }
+        Ok(Some(read))
+    }
+
+    /// Whether a study may have these cases; a damaged file may claim others.
+    fn is_possible(&self) -> bool {
+        let (numbering, kept) = (&self.numbering, self.kept.iter());
+        numbering.is_possible()
+            && self.rows.are_of(numbering)
+            && kept.into_iter().all(|kept| kept.is_of(numbering))
     }
 
     /// Whether it has the current layout, which gives the cases of the study.

@@ -4,12 +4,13 @@
 //! the end, and a case solved again after a kill overwrites itself. While cases are missing, the header gives their
 //! number as 0, so that nobody reads missing data.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+use pellicle_files::disk::DiskFile;
 use pellicle_files::whole;
 
 use crate::StudyError;
@@ -39,7 +40,7 @@ struct KeptFile {
     /// Length of a case in bytes.
     record: u64,
     path: PathBuf,
-    file: Mutex<File>,
+    file: Mutex<DiskFile>,
     /// Byte at which the first case begins.
     start: u64,
     /// Whether anything was written since the file was last forced to disk.
@@ -151,7 +152,7 @@ impl KeptFile {
         } else if !begins_with(&path, &beginning, Some(length)) {
             return Err(StudyError::NotKept { path });
         }
-        let file = OpenOptions::new().read(true).write(true).open(&path);
+        let file = DiskFile::open(&path);
         Ok(Self {
             elements,
             cases,

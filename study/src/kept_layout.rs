@@ -77,6 +77,23 @@ impl KeptLayout {
         grids
     }
 
+    /// Whether this is the layout of a study with this numbering; a damaged file may have another.
+    pub(crate) fn is_of(&self, numbering: &CaseNumbering) -> bool {
+        let fits = |elements: usize| {
+            let plane = elements
+                .checked_mul(elements)?
+                .checked_mul(size_of::<f64>())?;
+            let bytes = plane.checked_mul(self.steps.unwrap_or(1))?;
+            Some(bytes <= MAX_BYTES)
+        };
+        self.fields.is_sorted_by(|a, b| a < b)
+            && self.elements.are_of(numbering)
+            && self
+                .grids()
+                .into_iter()
+                .all(|elements| fits(elements) == Some(true))
+    }
+
     /// Returns the file name for a part of the study.
     #[must_use]
     pub fn file(elements: usize, shard: Shard) -> String {

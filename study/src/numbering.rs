@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+/// The most cases of a study; more are a mistake.
+pub(crate) const MAX_CASES: usize = 1_000_000;
+
 /// How the values of several keys are combined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -35,6 +38,14 @@ impl CaseNumbering {
             Combine::Product => self.lengths.iter().fold(1, |a, b| a.saturating_mul(*b)),
             Combine::Zip => self.lengths.first().copied().unwrap_or(0),
         }
+    }
+
+    /// Whether a study may have these axes; a damaged file may claim others.
+    pub(crate) fn is_possible(&self) -> bool {
+        let is_zipped = self.combine == Combine::Zip;
+        (1..=MAX_CASES).contains(&self.case_count())
+            && !self.lengths.contains(&0)
+            && !(is_zipped && self.lengths.iter().any(|length| *length != self.lengths[0]))
     }
 
     /// Returns the index of each axis's value in a case; all indices count from 0.
@@ -81,6 +92,16 @@ impl CaseNumbering {
                 .map(|(digit, stride)| digit * stride);
             base + offsets.sum::<usize>()
         })
+    }
+
+    /// Number of the cases that differ only in these axes.
+    pub(crate) fn places(&self, axes: &[usize]) -> usize {
+        match self.combine {
+            Combine::Zip if !axes.is_empty() => self.case_count(),
+            _ => axes
+                .iter()
+                .fold(1, |places, axis| places.saturating_mul(self.lengths[*axis])),
+        }
     }
 
     /// Returns the index of a case among those that differ only in these axes, in the order of [`Self::around`].

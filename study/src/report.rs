@@ -12,7 +12,7 @@ use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 
 use askama::Template;
-use pellicle_files::whole;
+use pellicle_files::{disk, whole};
 use serde::Serialize;
 
 use self::column::{ColumnRow, StudyColumn};
@@ -107,7 +107,7 @@ pub fn discard(folder: &Path) -> Result<(), StudyError> {
     if !path.is_file() || !is_free(&path) {
         return Ok(());
     }
-    std::fs::remove_file(&path).map_err(|cause| StudyError::write(&path, cause))
+    disk::remove_file(&path).map_err(|cause| StudyError::write(&path, cause))
 }
 
 /// Whether a path is free or holds a page of a study.

@@ -6,10 +6,11 @@
 //! last row has no end, or rows are missing. It is removed when the study continues, and its case and any after it are
 //! solved again. When every case is done, the blocks are sorted into a new file that replaces the old one.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, BufReader, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
+use pellicle_files::disk::DiskFile;
 use pellicle_files::whole;
 
 use crate::StudyError;
@@ -23,7 +24,7 @@ use crate::remaining::RemainingCases;
 #[derive(Debug)]
 pub struct ResultsTable {
     path: PathBuf,
-    file: File,
+    file: DiskFile,
     place: StudyFolder,
     /// Length in bytes of the complete blocks.
     length: u64,
@@ -72,7 +73,7 @@ impl ResultsTable {
 
     /// Cuts off the incomplete block, and writes the first line if it is missing.
     fn mend(&mut self, header: &str) -> io::Result<()> {
-        if self.file.metadata()?.len() > self.length {
+        if self.file.as_file().metadata()?.len() > self.length {
             self.file.set_len(self.length)?;
         }
         if self.length == 0 {
@@ -159,7 +160,7 @@ impl ResultsTable {
         if let Some(unforced) = self.unforced()? {
             unforced.force()?;
         }
-        let found = blocks_of(&self.file, identity);
+        let found = blocks_of(self.file.as_file(), identity);
         let found = found.map_err(|cause| StudyError::damaged(&self.path, &cause))?;
         let blocks =
             found.ok_or_else(|| StudyError::damaged(&self.path, &"it has changed meanwhile"))?;
@@ -167,7 +168,7 @@ impl ResultsTable {
             write_in_order(
                 &self.path,
                 &identity.header,
-                vec![(self.file, blocks.blocks)],
+                vec![(self.file.into_file(), blocks.blocks)],
             )?;
         }
         folder::discard_before(&self.place.folder, identity)
@@ -177,7 +178,7 @@ impl ResultsTable {
 /// A table with rows that may not be on disk yet.
 #[derive(Debug)]
 pub struct UnforcedFile {
-    file: File,
+    file: DiskFile,
     path: PathBuf,
 }
 
@@ -238,13 +239,9 @@ pub fn write_in_order(
 }
 
 /// Opens the table for reading and appending. A symbolic link is not followed.
-fn open(path: &Path) -> io::Result<File> {
+fn open(path: &Path) -> io::Result<DiskFile> {
     if fs::symlink_metadata(path).is_ok_and(|data| !data.is_file()) {
         return Err(io::Error::new(ErrorKind::InvalidInput, "it is not a file"));
     }
-    OpenOptions::new()
-        .read(true)
-        .append(true)
-        .create(true)
-        .open(path)
+    DiskFile::append(path)
 }

@@ -10,7 +10,7 @@ use pellicle::input::dimension::Dimension;
 use pellicle::input::quantity;
 use pellicle::input::span::Span;
 use pellicle::input::toml_tree::{TomlNode, TomlValue};
-use pellicle_files::cell::{self, is_plain};
+use pellicle_files::cell::{self, is_plain, on_one_line};
 
 use crate::StudyError;
 
@@ -174,6 +174,7 @@ impl Samples {
             .and_then(|row| self.rows.get(row)?.position());
         let line = position.map_or(1, csv::Position::line);
         let key = self.headings.get(i).map_or("", |heading| split(heading).0);
+        let [key, found] = [key, found].map(shown);
         StudyError::Samples {
             path: self.path.clone(),
             place: format!(", line {line}, key `{key}`"),
@@ -181,6 +182,13 @@ impl Samples {
             wanted: wanted.to_owned(),
         }
     }
+}
+
+/// The beginning of a cell, on one line.
+fn shown(cell: &str) -> String {
+    /// Characters enough to find the cell again.
+    const SHOWN: usize = 80;
+    on_one_line(cell).chars().take(SHOWN).collect()
 }
 
 /// Converts a cell to SI units.
@@ -267,6 +275,10 @@ mod tests {
             (
                 "=a\n1\n",
                 "line 1, key `=a`: found \"=a\", wanted a key of a case",
+            ),
+            (
+                "a\n1\n\"x\ny\"\n",
+                "line 3, key `a`: found \"x\\ny\", wanted text without control characters",
             ),
             ("a\n", "found no rows"),
             ("a\n1\n2\n3\n4\n", "found more than 3 rows"),

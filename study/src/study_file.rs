@@ -27,13 +27,10 @@ use pellicle::input::value_reader::ValueReader;
 
 use crate::StudyError;
 use crate::keys;
-use crate::numbering::{CaseNumbering, Combine};
+use crate::numbering::{CaseNumbering, Combine, MAX_CASES};
 use crate::samples;
 use crate::varied_key::VariedKey;
 use crate::{KeptField, Study};
-
-/// The most cases of a study; more are a mistake.
-const MAX_CASES: usize = 1_000_000;
 
 /// The key of `[study.vary]` that names a file and no key of the case.
 pub(crate) const FROM: &str = "from";

@@ -1,5 +1,7 @@
 //! The identity of studies: the changes that make a different study.
 
+use serde_json::{Value, json};
+
 use super::*;
 
 #[test]
@@ -97,4 +99,42 @@ fn results_of_an_older_layout_count_as_another_study() {
     );
     fs::write(folder.path().join("study.json"), "{\"mine\": 1}").unwrap();
     assert!(StudyFolder::claim(folder.path(), &identity, true, &|_| Ok(())).is_err());
+}
+
+#[test]
+fn an_identity_whose_numbers_no_study_can_have_is_damaged() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("study.json");
+    let text = TWO_KEYS.replace("[study]\n", "[study]\nkeep = [\"pressure\"]\n");
+    let identity = plan(&text, Shard::WHOLE).identity;
+    let read = |pointer: &str, number: Value| {
+        let mut value = serde_json::to_value(&identity).unwrap();
+        *value.pointer_mut(pointer).unwrap() = number;
+        fs::write(&path, value.to_string()).unwrap();
+        StudyIdentity::read(&path)
+    };
+    assert_eq!(
+        read("/done_before", json!(0)).unwrap(),
+        Some(identity.clone())
+    );
+    let largest = u64::MAX;
+    for (pointer, number) in [
+        ("/numbering/lengths", json!([3, 0])),
+        ("/numbering/lengths", json!([largest, 3])),
+        ("/numbering/lengths", json!([1000, 1001])),
+        ("/numbering/lengths", json!([3])),
+        ("/rows/axes", json!([7])),
+        ("/rows/counts", json!([])),
+        ("/kept/elements/counts", json!([32, 64])),
+        ("/kept/elements/counts", json!([32, 64, largest])),
+        ("/kept/steps", json!(largest)),
+        ("/kept/fields", json!(["pressure", "pressure"])),
+    ] {
+        let refused = read(pointer, number.clone()).map_err(|error| error.to_string());
+        let sentence = refused.expect_err(pointer);
+        assert!(
+            sentence.contains("study.json"),
+            "{pointer}, {number}: {sentence}"
+        );
+    }
 }

@@ -1,6 +1,7 @@
 //! The house rules, each a function from the tree to its violations.
 
 mod dependencies;
+mod disk;
 mod documents;
 mod sources;
 mod test_binaries;
@@ -12,11 +13,12 @@ use crate::Tree;
 /// A house rule.
 type Rule = fn(&Tree) -> Vec<Violation>;
 
-const RULES: [Rule; 7] = [
+const RULES: [Rule; 8] = [
     dependencies::point_downward,
     sources::begin_with_their_job,
     sources::have_lines_of_prose_that_fit,
     sources::hold_no_trace_of_a_machine,
+    disk::is_changed_in_one_place,
     test_binaries::hold_every_test,
     documents::links_resolve,
     documents::named_tests_exist,

@@ -3,10 +3,10 @@
 
 pub mod paper;
 
-use std::fs;
 use std::path::Path;
 
 use pellicle::summary::WarningSummary;
+use pellicle_files::disk;
 use pellicle_plot::sheet::style::{Heading, Style};
 use pellicle_study::identity::StudyIdentity;
 use pellicle_study::shard::Shard;
@@ -26,7 +26,7 @@ use crate::terminal;
 /// [`Failure`] if a folder holds no results, the options do not fit them, or a picture cannot be written.
 pub fn plot(arguments: &PlotArguments) -> Result<Outcome, Failure> {
     if let Some(out) = &arguments.out {
-        fs::create_dir_all(out).map_err(|cause| Failure::write(out, cause))?;
+        disk::create_dir_all(out).map_err(|cause| Failure::write(out, cause))?;
     }
     if let [folder] = &arguments.folders[..]
         && (found::is_in(folder) || is_study(folder))

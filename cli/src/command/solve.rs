@@ -6,7 +6,7 @@ use std::io::{self, BufRead};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
-use pellicle::case::BaseCase;
+use pellicle::case::{BaseCase, Case};
 use pellicle::input::overrides;
 use pellicle::memory::MemoryBudget;
 use pellicle::run::Completeness;
@@ -56,6 +56,19 @@ pub fn solve(arguments: &SolveArguments) -> Result<Outcome, Failure> {
     Ok(outcome)
 }
 
+/// The base case with the values of a line, of this number, in place of its own.
+///
+/// # Errors
+///
+/// [`Failure`] if the line has not the form of one, or the case is not valid.
+pub fn case(base: &BaseCase, line: usize, bytes: &[u8]) -> Result<Case, Failure> {
+    let mut root = base.root.clone();
+    for Replacement { key, value, span } in stream_line::replacements(line, bytes)? {
+        overrides::replace(&mut root, &key, &span, value)?;
+    }
+    Ok(base.resolve(&root)?)
+}
+
 /// The data common to all lines.
 struct Stream {
     base: BaseCase,
@@ -100,11 +113,7 @@ impl Stream {
 
     fn summary(&self, line: usize, bytes: &[u8]) -> Result<Option<RunSummary>, Failure> {
         let start = Instant::now();
-        let mut root = self.base.root.clone();
-        for Replacement { key, value, span } in stream_line::replacements(line, bytes)? {
-            overrides::replace(&mut root, &key, &span, value)?;
-        }
-        let case = self.base.resolve(&root)?;
+        let case = case(&self.base, line, bytes)?;
         let resources = Resources {
             cache: &self.cache,
             memory: &self.memory,

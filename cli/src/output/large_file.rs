@@ -4,8 +4,7 @@ use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
 use pellicle_files::partial::{self, PartialFile};
-use pellicle_files::unfinished::Unfinished;
-use pellicle_files::whole::{BUFFER, write_whole};
+use pellicle_files::whole::{BUFFER, Existing, write_whole};
 
 use super::stoppable::StoppableFile;
 use crate::failure::Failure;
@@ -31,7 +30,6 @@ pub struct LongFile {
     /// Number of bytes not yet forced onto the disk.
     unsynced: usize,
     path: PathBuf,
-    _unfinished: Unfinished,
 }
 
 impl LongFile {
@@ -43,7 +41,6 @@ impl LongFile {
     pub fn begin(path: &Path) -> Result<Self, Failure> {
         let file = partial::begin(path).map_err(|cause| Failure::write(path, cause))?;
         Ok(Self {
-            _unfinished: Unfinished::file(file.path()),
             file: BufWriter::with_capacity(BUFFER, file),
             unsynced: 0,
             path: path.to_owned(),
@@ -75,11 +72,9 @@ impl LongFile {
         let place = || {
             let file = file.into_inner()?;
             file.as_file().sync_all()?;
-            file.persist(&path).map_err(|failed| failed.error)
+            file.place(&path, Existing::Replace)
         };
-        place()
-            .map(drop)
-            .map_err(|cause| Failure::write(&path, cause))
+        place().map_err(|cause| Failure::write(&path, cause))
     }
 }
 

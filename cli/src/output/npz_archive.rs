@@ -30,6 +30,7 @@ impl<W: Write + Seek> NpzArchive<W> {
         let zip = ZipWriter::new(Abandonable {
             file,
             position: 0,
+            end: 0,
             is_abandoned: Rc::clone(&is_abandoned),
         });
         Self { zip, is_abandoned }
@@ -73,17 +74,26 @@ struct Abandonable<W> {
     file: W,
     /// The position at which the next byte would be.
     position: u64,
+    /// The farthest position so far. A file that is abandoned stands there: the library, which has gone back to write a
+    /// header, assumes that it is at the end of its data.
+    end: u64,
     is_abandoned: Rc<Cell<bool>>,
 }
 
 impl<W> Abandonable<W> {
     /// Passes on the result of an action on the file; a failure abandons it.
-    fn told<T>(&self, result: io::Result<T>) -> io::Result<T> {
+    fn told<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         let is_failure = |error: &io::Error| error.kind() != io::ErrorKind::Interrupted;
         if result.as_ref().is_err_and(is_failure) {
             self.is_abandoned.set(true);
+            self.position = self.end;
         }
         result
+    }
+
+    fn move_to(&mut self, position: u64) {
+        self.position = position;
+        self.end = self.end.max(position);
     }
 }
 
@@ -95,7 +105,7 @@ impl<W: Write> Write for Abandonable<W> {
             let written = self.file.write(bytes);
             self.told(written)?
         };
-        self.position += written as u64;
+        self.move_to(self.position + written as u64);
         Ok(written)
     }
 
@@ -110,7 +120,7 @@ impl<W: Write> Write for Abandonable<W> {
 
 impl<W: Seek> Seek for Abandonable<W> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
-        self.position = if self.is_abandoned.get() {
+        let position = if self.is_abandoned.get() {
             match to {
                 SeekFrom::Start(position) => position,
                 SeekFrom::Current(by) | SeekFrom::End(by) => {
@@ -121,7 +131,8 @@ impl<W: Seek> Seek for Abandonable<W> {
             let sought = self.file.seek(to);
             self.told(sought)?
         };
-        Ok(self.position)
+        self.move_to(position);
+        Ok(position)
     }
 }
 
@@ -171,5 +182,64 @@ mod tests {
             assert_eq!(write(100 * blocks), (true, true), "{blocks}");
         }
         assert_eq!(write(100 * whole), (false, false));
+    }
+
+    /// A file of which one call fails, and no other.
+    struct Failing {
+        file: io::Cursor<Vec<u8>>,
+        calls: Rc<Cell<usize>>,
+        fails_at: usize,
+    }
+
+    impl Failing {
+        fn call(&self) -> io::Result<()> {
+            let call = self.calls.replace(self.calls.get() + 1);
+            if call == self.fails_at {
+                return Err(io::ErrorKind::StorageFull.into());
+            }
+            Ok(())
+        }
+    }
+
+    impl Write for Failing {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.call()?;
+            self.file.write(bytes)
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            self.call()
+        }
+    }
+
+    impl Seek for Failing {
+        fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+            self.call()?;
+            self.file.seek(to)
+        }
+    }
+
+    #[test]
+    fn an_archive_survives_the_failure_of_any_call() {
+        let array = Array1::from_elem(10, 1.0);
+        let calls = Rc::new(Cell::new(0));
+        let fails = |fails_at| {
+            calls.set(0);
+            let file = io::Cursor::default();
+            let calls = Rc::clone(&calls);
+            let mut archive = NpzArchive::new(Failing {
+                file,
+                calls,
+                fails_at,
+            });
+            let added = archive.add("x", &array);
+            let added = added.and_then(|()| archive.add("y", &array));
+            added.and_then(|()| archive.finish()).is_err()
+        };
+        assert!(!fails(usize::MAX));
+        let all = calls.get();
+        assert!(all > 20, "{all}");
+        let survived = (0..all).filter(|call| !fails(*call)).count();
+        assert_eq!(survived, 0);
     }
 }

@@ -14,6 +14,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use pellicle::summary;
+use pellicle_files::disk;
 use pellicle_files::partial;
 use pellicle_files::staging::{COMPLETE, EMPTYING, FILLING};
 use pellicle_files::unfinished::Unfinished;
@@ -32,6 +33,7 @@ pub(super) fn scratch(path: &Path) -> io::Result<Unfinished> {
     builder.prefix(FILLING).rand_bytes(12);
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777));
+    disk::allowed(path)?;
     Ok(Unfinished::folder(&builder.tempdir_in(path)?.keep()))
 }
 
@@ -75,10 +77,10 @@ fn remove_half_written(folder: &Path) {
         let is_partial = entry.file_name().to_str().is_some_and(partial::is_partial);
         if own_files::is_file(&entry) || own_files::is_fit_file(&entry) || is_partial {
             // Best effort: the next run tries again.
-            drop(fs::remove_file(entry.path()));
+            drop(disk::remove_file(&entry.path()));
         }
     }
-    drop(fs::remove_dir(folder));
+    drop(disk::remove_dir(folder));
 }
 
 /// Renames the hidden folder with another prefix.
@@ -86,7 +88,7 @@ fn renamed(folder: &Path, start: &str) -> io::Result<PathBuf> {
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
     let random = name.rsplit('-').next().unwrap_or_default();
     let to = folder.with_file_name(format!("{start}{random}"));
-    fs::rename(folder, &to)?;
+    disk::rename(folder, &to)?;
     Ok(to)
 }
 
@@ -113,7 +115,7 @@ fn move_up(path: &Path, emptying: &Path) -> io::Result<()> {
     let mut names = names.collect::<io::Result<Vec<_>>>()?;
     names.sort_by_key(|name| name == summary::FILE || name == result::FILE);
     for name in names {
-        fs::rename(emptying.join(&name), path.join(&name))?;
+        disk::rename(&emptying.join(&name), &path.join(&name))?;
     }
-    fs::remove_dir(emptying)
+    disk::remove_dir(emptying)
 }

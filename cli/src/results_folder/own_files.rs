@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use pellicle::result::table;
 use pellicle::summary;
+use pellicle_files::disk;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::Value;
@@ -150,7 +151,7 @@ pub fn others(folder: &Path) -> io::Result<Vec<OsString>> {
 pub fn remove(folder: &Path) -> io::Result<()> {
     remove_files(folder)?;
     if fs::read_dir(folder)?.next().is_none() {
-        fs::remove_dir(folder)?;
+        disk::remove_dir(folder)?;
     }
     Ok(())
 }
@@ -163,7 +164,7 @@ pub fn remove(folder: &Path) -> io::Result<()> {
 pub fn remove_files(folder: &Path) -> io::Result<()> {
     let summary = folder.join(summary::FILE);
     if fs::symlink_metadata(&summary).is_ok() {
-        fs::remove_file(summary)?;
+        disk::remove_file(&summary)?;
     }
     // Tables are removed only from the folder of a fit: in that of a run they are not the program's.
     let marks: Vec<&str> = marks_in(folder).collect();
@@ -173,13 +174,13 @@ pub fn remove_files(folder: &Path) -> io::Result<()> {
         let is_mark = marks.iter().any(|mark| name == **mark);
         let is_of_fit = !marks.is_empty() && is_fit_file(&entry) && !is_mark;
         if is_file(&entry) || is_of_fit {
-            fs::remove_file(entry.path())?;
+            disk::remove_file(&entry.path())?;
         }
     }
     // Last, so that a half-removed fit is still recognised.
     marks
         .iter()
-        .try_for_each(|mark| fs::remove_file(folder.join(mark)))
+        .try_for_each(|mark| disk::remove_file(&folder.join(mark)))
 }
 
 /// Whether a folder contains the results of a fit or a plan.

@@ -10,6 +10,8 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use pellicle_files::disk;
+
 use super::claim_lock::LOCK;
 use crate::results_folder::own_files;
 
@@ -23,15 +25,15 @@ pub(super) fn put_in_place(path: &Path, complete: &Path) -> io::Result<bool> {
         return Ok(false);
     };
     let complete = path.join(complete.file_name().unwrap_or_default());
-    if fs::rename(&complete, &beside).is_err() {
+    if disk::rename(&complete, &beside).is_err() {
         return Ok(false);
     }
     // The lock has to be in the place of the old one when the folders are exchanged.
-    let prepared = fs::hard_link(path.join(LOCK), beside.join(LOCK))
-        .and_then(|()| fs::set_permissions(&beside, fs::metadata(&path)?.permissions()));
+    let prepared = disk::hard_link(&path.join(LOCK), &beside.join(LOCK))
+        .and_then(|()| disk::set_permissions(&beside, fs::metadata(&path)?.permissions()));
     if prepared.and_then(|()| exchange(&path, &beside)).is_err() {
-        drop(fs::remove_file(beside.join(LOCK)));
-        fs::rename(&beside, &complete)?;
+        drop(disk::remove_file(&beside.join(LOCK)));
+        disk::rename(&beside, &complete)?;
         return Ok(false);
     }
     clear(&path, &beside)?;
@@ -73,21 +75,22 @@ fn clear(path: &Path, left: &Path) -> io::Result<()> {
     for name in own_files::others(left)? {
         let place = path.join(&name);
         if name != LOCK && fs::symlink_metadata(&place).is_err() {
-            fs::rename(left.join(&name), place)?;
+            disk::rename(&left.join(&name), &place)?;
         }
     }
     own_files::remove_files(left)?;
     if fs::symlink_metadata(left.join(LOCK)).is_ok() {
-        fs::remove_file(left.join(LOCK))?;
+        disk::remove_file(&left.join(LOCK))?;
     }
     // It stays if it has a file whose name was taken.
-    drop(fs::remove_dir(left));
+    drop(disk::remove_dir(left));
     Ok(())
 }
 
 #[cfg(any(target_os = "linux", target_os = "macos"))]
 fn exchange(one: &Path, other: &Path) -> io::Result<()> {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
+    disk::allowed(one)?;
     Ok(renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE)?)
 }
 

@@ -68,6 +68,7 @@ impl Dilute {
         // Elements held at a hardness would need a separate operator.
         let is_for_candidates = !whole.has_hardness()
             && options.method == Method::Gradient
+            && options.shortcuts.candidates
             && whole.takes_candidates()
             && region.size() >= SMALLEST_REGION
             && whole.stiffness_contrast() <= LARGEST_CONTRAST;

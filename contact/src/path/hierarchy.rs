@@ -60,6 +60,9 @@ impl<'a> Hierarchy<'a> {
                     && capacity::check(model, (&grid, boundary), loads, options.hardness).is_ok()
             })
         });
+        if !options.shortcuts.coarser_grids {
+            coarser.clear();
+        }
         let finest = Region::bounded(solved_grid(model, &grid, boundary, options), boundary);
         let coarser = coarser
             .into_iter()
@@ -169,7 +172,7 @@ impl<'a> Hierarchy<'a> {
         let start = match &ascent.coarser_solution {
             Some(coarser) => LevelStart::Coarser(coarser),
             // A guess is for a single contact.
-            None if self.grids[0].repeats() => LevelStart::Nothing,
+            None if self.grids[0].repeats() || !options.shortcuts.guess => LevelStart::Nothing,
             None => Guess::new(self.model, load).map_or(LevelStart::Nothing, LevelStart::Guess),
         };
         let index = ascent.levels.len();

@@ -166,7 +166,11 @@ impl Level {
             LevelStart::Guess(guess) => self.guessed(guess),
             LevelStart::Coarser(coarser) => self.prolonged(coarser),
         };
-        let start = start.unwrap_or_else(nothing);
+        let mut start = start.unwrap_or_else(nothing);
+        if !options.shortcuts.windows {
+            let everywhere = self.whole.problem.region();
+            start = (everywhere, everywhere.take_over(&start.0, &start.1));
+        }
         let (solution, region, effort) = self.solve_from(start, load, options, watch)?;
         let field = self.field(model, &region, &solution.pressure);
         Ok(LevelResult {

@@ -67,7 +67,7 @@ use self::{
     iteration::{Fields, Iteration, Judgement},
     strategy::{Phase, Strategy},
 };
-use super::{ElasticSolver, Iterate, Solver, SolverOptions, Watch, hardness};
+use super::{ElasticSolver, Iterate, Shortcuts, Solver, SolverOptions, Watch, hardness};
 use crate::{ContactError, DiscreteProblem, Identity, Load, vector::sum};
 
 /// The iteration stops at this fraction of the tolerance, so that rounding differences between its running residual and
@@ -164,7 +164,7 @@ pub(crate) fn pressure_per_penetration(
     pressure: &[f64],
 ) -> Option<Vec<f64>> {
     let force = Load::Force(problem.loaded_area() * sum(pressure));
-    let fields = Box::new(Fields::new(problem));
+    let fields = Box::new(Fields::new(problem, Shortcuts::ALL));
     Iteration::begin(problem, fields, force, pressure).pressure_per_penetration()
 }
 
@@ -194,8 +194,10 @@ impl GradientSolver {
     /// The fields of the previous load on the same problem, or new ones.
     fn fields_for(&mut self, problem: &DiscreteProblem) -> Box<Fields> {
         match self.memory.take() {
-            Some((of, fields)) if of == *problem.identity() => fields,
-            _ => Box::new(Fields::new(problem)),
+            Some((of, fields)) if of == *problem.identity() && self.options.shortcuts.memory => {
+                fields
+            }
+            _ => Box::new(Fields::new(problem, self.options.shortcuts)),
         }
     }
 

@@ -10,6 +10,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use blake3::{Hash, Hasher, OUT_LEN};
+use pellicle_files::whole::Existing;
+use pellicle_files::{disk, partial};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -17,9 +19,6 @@ use super::report::{CacheWarning, Usage};
 
 /// Suffix of the names of complete files.
 const EXTENSION: &str = ".pellicle";
-
-/// Prefix and suffix of the names of incomplete files.
-const PARTIAL: [&str; 2] = [".pellicle-", ".partial"];
 
 /// Bytes read and hashed at a time: BLAKE3 is half as fast on blocks of a few thousand.
 const BUFFER: usize = 1 << 18;
@@ -88,22 +87,13 @@ impl Disk {
     fn write_whole<T: Serialize>(&self, key: &Hash, value: &T) -> io::Result<()> {
         let payload = postcard::to_stdvec(value).map_err(io::Error::other)?;
         let checksum = checksum_of(key).update(&payload).finalize();
-        fs::create_dir_all(&self.path)?;
-        let [prefix, suffix] = PARTIAL;
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(prefix).suffix(suffix);
-        // Temporary files are private by default; here the user's umask decides, as for any new file.
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let mut partial = builder.tempfile_in(&self.path)?;
-        partial.write_all(checksum.as_bytes())?;
-        partial.write_all(&payload)?;
-        match partial.persist(self.file(key)) {
-            // Another process has cleared the cache in the meantime.
-            Err(failure) if failure.error.kind() == ErrorKind::NotFound => Ok(()),
-            Err(failure) => Err(failure.error),
-            Ok(_) => Ok(()),
-        }
+        disk::create_dir_all(&self.path)?;
+        let path = self.file(key);
+        let mut file = partial::begin(&path)?;
+        file.write_all(checksum.as_bytes())?;
+        file.write_all(&payload)?;
+        // Another process may have cleared the cache in the meantime.
+        unless_missing(file.place(&path, Existing::Replace)).map(drop)
     }
 
     /// The number and the size of the cache's own files.
@@ -119,7 +109,7 @@ impl Disk {
     pub(super) fn clear(&self) -> io::Result<Usage> {
         let mut usage = Usage::default();
         for (path, metadata) in self.own_files()? {
-            if unless_missing(fs::remove_file(path))?.is_some() {
+            if unless_missing(disk::remove_file(&path))?.is_some() {
                 usage.add(metadata.len());
             }
         }
@@ -208,13 +198,11 @@ fn is_own(entry: &DirEntry) -> bool {
     let Some(name) = name.to_str() else {
         return false;
     };
-    let [prefix, suffix] = PARTIAL;
     let is_key = |stem: &str| {
         let digit = |byte: u8| matches!(byte, b'0'..=b'9' | b'a'..=b'f');
         stem.len() == 2 * OUT_LEN && stem.bytes().all(digit)
     };
-    name.strip_suffix(EXTENSION).is_some_and(is_key)
-        || (name.starts_with(prefix) && name.ends_with(suffix))
+    name.strip_suffix(EXTENSION).is_some_and(is_key) || partial::is_partial(name)
 }
 
 #[cfg(test)]

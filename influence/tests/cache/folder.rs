@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use pellicle_files::refusal::Refusal;
 use pellicle_influence::{Cache, CacheWarning, Origin};
 
 use super::scene::{
@@ -97,6 +98,31 @@ fn a_disk_that_fills_up_within_a_file_costs_only_the_cache() {
     let status = limited.stdout(Stdio::null()).status().unwrap();
     assert!(status.success());
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn the_refusal_of_any_change_costs_only_the_cache() {
+    let changes = {
+        let folder = tempfile::tempdir().unwrap();
+        let counted = Refusal::of(folder.path(), 0..0).unwrap();
+        coefficients(folder.path());
+        counted.changes()
+    };
+    assert!(changes > 4, "{changes}");
+    for number in 0..changes {
+        for refused in [number..number + 1, number..usize::MAX] {
+            let folder = tempfile::tempdir().unwrap();
+            let refusal = Refusal::of(folder.path(), refused).unwrap();
+            let (table, origin, warnings) = coefficients(folder.path());
+            drop(refusal);
+            assert_eq!((origin, bits(&table)), (Origin::Computed, expected()));
+            assert!(warnings.len() <= 1, "{warnings:?}");
+            // The next process finds the whole file or computes again, and warns of nothing.
+            let (table, _, warnings) = coefficients(folder.path());
+            assert_eq!((bits(&table), warnings), (expected(), vec![]));
+            assert_eq!(coefficients(folder.path()).1, Origin::Disk);
+        }
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use pellicle_files::lock::Lock;
-use pellicle_files::{FileError, json, partial, whole};
+use pellicle_files::{FileError, disk, json, partial, whole};
 use serde::{Deserialize, Serialize};
 
 use super::Search;
@@ -118,7 +118,7 @@ impl SearchFolder {
             return Err(StudyError::OtherStudy { path: of_path() });
         }
         let failed = |cause| StudyError::write(path, cause);
-        fs::create_dir_all(path).map_err(failed)?;
+        disk::create_dir_all(path).map_err(failed)?;
         let lock = Lock::take(&path.join(LOCK), LOCK_TEXT).map_err(failed)?;
         let lock = lock.ok_or_else(|| FileError::Busy { path: of_path() })?;
         partial::sweep(path);

@@ -8,7 +8,7 @@ use crate::Tree;
 /// The packages that each package may use. Its tests may also use the packages that these may use.
 const ALLOWED: [(&str, &[&str]); 13] = [
     ("pellicle-kernel", &[]),
-    ("pellicle-influence", &["pellicle-kernel"]),
+    ("pellicle-influence", &["pellicle-files", "pellicle-kernel"]),
     ("pellicle-texture", &[]),
     (
         "pellicle-contact",
@@ -90,7 +90,7 @@ const ALLOWED: [(&str, &[&str]); 13] = [
     ),
 ];
 /// Packages above all others: they may use any package, and only they may use each other.
-const ON_TOP: [&str; 2] = ["xtask", "pellicle-tests"];
+const ON_TOP: [&str; 3] = ["xtask", "pellicle-tests", "pellicle-fuzz"];
 const TABLES: [&str; 3] = ["dependencies", "dev-dependencies", "build-dependencies"];
 
 /// Every use of a package of the workspace by one that is not above it.

@@ -3,7 +3,7 @@
 use crate::{
     ContactError, DiscreteProblem, Load,
     solver::{
-        Watch,
+        Shortcuts, Watch,
         gradient::{
             best_pressure::BestPressure,
             load_control::LoadControl,
@@ -48,12 +48,12 @@ struct Steps {
 }
 
 impl Fields {
-    pub fn new(problem: &DiscreteProblem) -> Self {
+    pub fn new(problem: &DiscreteProblem, shortcuts: Shortcuts) -> Self {
         Self {
             state: State::new(problem),
             set: WorkingSet::new(problem.elements()),
             best: BestPressure::new(),
-            preconditioner: Preconditioner::new(problem),
+            preconditioner: Preconditioner::new(problem, shortcuts),
             segment: Segment::new(problem.elements()),
             steps: Steps {
                 spectral: SpectralSteps::new(problem.elements()),

@@ -29,7 +29,7 @@ use crate::solver::gradient::preconditioner::sparse_factor::{
 use crate::solver::gradient::state::State;
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
-    DiscreteProblem,
+    DiscreteProblem, Shortcuts,
     problem::discrete_problem::near_columns::NearColumns,
     vector::{sum, update, update_with},
 };
@@ -94,6 +94,7 @@ pub struct Preconditioner {
     is_for_newton: bool,
     /// Secant pairs of Newton's method on earlier sets.
     secants: Secants,
+    shortcuts: Shortcuts,
 }
 
 enum Inverse {
@@ -125,7 +126,7 @@ pub enum UniformAccuracy {
 }
 
 impl Preconditioner {
-    pub fn new(problem: &DiscreteProblem) -> Self {
+    pub fn new(problem: &DiscreteProblem, shortcuts: Shortcuts) -> Self {
         let symbol = problem.support().symbol();
         let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
         let is_stiff = contrast > stiff(problem);
@@ -135,12 +136,17 @@ impl Preconditioner {
             None => NEIGHBOURS_OF_CANDIDATE,
         };
         let inverse = match symbol {
+            None if !shortcuts.sparse_factor => Inverse::Identity,
             None => factor(problem, neighbours).unwrap_or(Inverse::Identity),
-            Some(_) if is_stiff || !problem.spring_law().is_linear() => {
+            Some(_)
+                if shortcuts.sparse_factor && (is_stiff || !problem.spring_law().is_linear()) =>
+            {
                 factor(problem, neighbours).unwrap_or(Inverse::Identity)
             }
             Some(symbol) => {
-                Inverse::Filter(Box::new(RestrictedFilter::new(symbol, &problem.region())))
+                let mut filter = RestrictedFilter::new(symbol, &problem.region());
+                filter.has_band = shortcuts.edge_band;
+                Inverse::Filter(Box::new(filter))
             }
         };
         let unit = match inverse {
@@ -161,6 +167,7 @@ impl Preconditioner {
             neighbours,
             is_for_newton: is_stiff || contrast > STIFF_FOR_NEWTON && has_springs,
             secants: Secants::default(),
+            shortcuts,
         }
     }
 
@@ -191,7 +198,9 @@ impl Preconditioner {
 
     /// Switches to the sparse factor, with `times` its usual neighbours; returns false if the operator is unknown.
     pub fn turn_to_factor(&mut self, problem: &DiscreteProblem, times: usize) -> bool {
-        match factor(problem, times * self.neighbours) {
+        let is_on = self.shortcuts.sparse_factor;
+        let inverse = is_on.then(|| factor(problem, times * self.neighbours));
+        match inverse.flatten() {
             None => false,
             Some(inverse) => {
                 let is_one = matches!(self.inverse, Inverse::Factor(_) | Inverse::Scattered(_));
@@ -221,7 +230,9 @@ impl Preconditioner {
 
     /// Records a step on the set and its image under the system, for use once the set changes.
     pub fn note(&mut self, set: &WorkingSet, step: &[f64], image: &[f64]) {
-        self.secants.push(set, step, image);
+        if self.shortcuts.secants {
+            self.secants.push(set, step, image);
+        }
     }
 
     /// Adapts to a new linearisation of the springs.

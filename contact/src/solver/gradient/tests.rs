@@ -12,7 +12,7 @@ use crate::solver::gradient::steps::segment::Segment;
 use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
-    DiscreteProblem, Load,
+    DiscreteProblem, Load, Shortcuts,
     grid::region::Region,
     solver::tests::{RIGID, SIZE, paraboloid, pillars, problem},
     vector::{add_scaled, dot, sum},
@@ -51,7 +51,7 @@ fn newtons_method_alone_solves_a_plate_on_pillars() {
     for (load, most) in [(Load::Force(1e-2), 63), (Load::Penetration(0.02), 18)] {
         let mut problem = plate();
         let (mut state, mut set) = start(&mut problem, load);
-        let mut preconditioner = Preconditioner::new(&problem);
+        let mut preconditioner = Preconditioner::new(&problem, Shortcuts::ALL);
         let mut newton = Newton::new(ELEMENTS);
         newton.restart();
         let mut segment = Segment::new(ELEMENTS);
@@ -77,7 +77,7 @@ fn descent_from_face_to_face_alone_solves_a_plate_on_pillars() {
     for load in [Load::Force(1e-2), Load::Penetration(0.02)] {
         let mut problem = plate();
         let (mut state, mut set) = start(&mut problem, load);
-        let mut preconditioner = Preconditioner::new(&problem);
+        let mut preconditioner = Preconditioner::new(&problem, Shortcuts::ALL);
         let mut faces = FaceDescent::new(ELEMENTS);
         let mut segment = Segment::new(ELEMENTS);
         faces.begin(&state);

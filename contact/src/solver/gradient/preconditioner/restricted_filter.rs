@@ -50,6 +50,8 @@ pub struct RestrictedFilter {
     /// `S` of each element.
     flank: Vec<f64>,
     band: EdgeBand,
+    /// Whether there is a band at all.
+    pub has_band: bool,
     /// Whether the band is applied twice.
     is_plate: bool,
     filtered: Vec<f64>,
@@ -65,6 +67,7 @@ impl RestrictedFilter {
             mean_compliance: f64::NAN,
             flank: vec![0.0; elements],
             band: EdgeBand::new(region),
+            has_band: true,
             is_plate: false,
             filtered: vec![0.0; elements],
         }
@@ -76,7 +79,9 @@ impl RestrictedFilter {
         if mean.total_cmp(&self.mean_compliance).is_ne() {
             self.tune(mean, relief_compliance);
         }
-        self.band.surround(set);
+        if self.has_band {
+            self.band.surround(set);
+        }
     }
 
     /// Discards the compliances for which the filter is tuned.

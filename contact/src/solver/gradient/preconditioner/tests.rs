@@ -52,7 +52,7 @@ fn newton_comes_first_with_the_filter_where_springs_lie_on_a_stiff_coating() {
     let is_for_newton = |stiffness: f64, springs: f64| {
         let problem = of_coating([stiffness, 0.1], paraboloid, |_, _| springs);
         let symbol = problem.elasticity().unwrap().symbol(SIZE);
-        let preconditioner = Preconditioner::new(&problem);
+        let preconditioner = Preconditioner::new(&problem, Shortcuts::ALL);
         assert!(matches!(preconditioner.inverse, Inverse::Filter(_)));
         (stiffness_contrast(&symbol), preconditioner.is_for_newton())
     };
@@ -103,7 +103,7 @@ fn islands(problem: &mut DiscreteProblem) -> (State, WorkingSet) {
 /// converge.
 fn distance_from_inverse(problem: &mut DiscreteProblem, times: usize) -> f64 {
     let (state, set) = islands(problem);
-    let mut preconditioner = Preconditioner::new(problem);
+    let mut preconditioner = Preconditioner::new(problem, Shortcuts::ALL);
     assert!(preconditioner.turn_to_factor(problem, times));
     preconditioner.follow(problem, &set);
     let mut z = vec![0.0; ELEMENTS];
@@ -162,7 +162,7 @@ fn a_small_set_with_springs_is_solved_exactly() {
         .collect();
     let (state, mut set) = begun(&mut problem, control, &pressure);
     set.keep_pressing(&state);
-    let mut preconditioner = Preconditioner::new(&problem);
+    let mut preconditioner = Preconditioner::new(&problem, Shortcuts::ALL);
     assert!(preconditioner.turn_to_factor(&problem, 1));
     preconditioner.follow(&problem, &set);
     let mut z = vec![0.0; ELEMENTS];
@@ -184,7 +184,7 @@ fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
     let mut problem = problem;
     let (state, set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
     assert_eq!(set.len(), ELEMENTS);
-    let mut preconditioner = Preconditioner::new(&problem);
+    let mut preconditioner = Preconditioner::new(&problem, Shortcuts::ALL);
     let mut z = vec![0.0; ELEMENTS];
     preconditioner.direction_into(&problem, &state, &set, UniformAccuracy::Exact, &mut z);
     for [a, b] in [[0, 1], [3, 0], [2, 5], [16, 16], [7, 16]] {

@@ -1,0 +1,5 @@
+//! Any bytes as the case.
+
+#![no_main]
+
+pellicle_fuzz::target!("case");

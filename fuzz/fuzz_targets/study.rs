@@ -1,0 +1,5 @@
+//! Any bytes as the study.
+
+#![no_main]
+
+pellicle_fuzz::target!("study");

@@ -1,0 +1,5 @@
+//! Any bytes as the identity of a study.
+
+#![no_main]
+
+pellicle_fuzz::target!("identity of a study");

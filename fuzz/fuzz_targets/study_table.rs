@@ -1,0 +1,5 @@
+//! Any bytes as the table of a study.
+
+#![no_main]
+
+pellicle_fuzz::target!("table of a study");
