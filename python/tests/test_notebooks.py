@@ -29,8 +29,8 @@ def run_cell(code: str, names: dict[str, Any]) -> Any:
     return eval(compile(ast.Expression(last.value), "cell", "eval"), names)
 
 
-def test_there_are_three_notebooks() -> None:
-    assert [notebook.stem for notebook in NOTEBOOKS] == ["coating-thickness", "first-curve", "measured-tip"]
+def test_there_are_four_notebooks() -> None:
+    assert [notebook.stem for notebook in NOTEBOOKS] == ["coating-thickness", "first-curve", "measured-tip", "rough-contact"]
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
@@ -44,7 +44,7 @@ def test_notebooks_are_stored_without_outputs(notebook: Path) -> None:
             assert cell["outputs"] == [] and cell["execution_count"] is None
 
 
-PICTURES = {"coating-thickness": 2, "first-curve": 4, "measured-tip": 3}
+PICTURES = {"coating-thickness": 2, "first-curve": 4, "measured-tip": 3, "rough-contact": 2}
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
@@ -88,6 +88,12 @@ def check(names: dict[str, Any], notebook: str) -> None:
         assert order[0] == "steel yields" and order[3] == "interface shears off" and order[-1] == "coating yields"
         loads = [load for load, _ in names["first"]]
         assert loads[3] < loads[2] and loads[-1] > 5 * loads[0]
+    elif notebook == "rough-contact":
+        assert names["path"].status == "certified"
+        assert names["case"].solve()[0].summary["area_law"]["reduced_pressure"] == pytest.approx(
+            names["reduced"][0], rel=2e-2
+        )
+        assert 1.6 < names["kappa"][0] < 2.5
     else:
         low, high = names["eight"]["indenter.radius"].interval
         assert low < names["one"]["indenter.radius"].value < high and high / low < 1.3
