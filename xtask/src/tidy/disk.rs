@@ -1,5 +1,5 @@
-//! A rule about changes of the disk: the program makes them through `pellicle_files::disk`, so that its tests can refuse
-//! each of them.
+//! A rule about changes of the disk: the program makes them through `pellicle_files::disk`, so that its tests can
+//! refuse each of them.
 
 use super::violation::Violation;
 use crate::Tree;
