@@ -110,7 +110,7 @@ impl EdgeBand {
         self.elements.clear();
         self.elements.extend(rows.into_iter().flatten());
         self.system.take_places(layout, &self.elements);
-        self.directions.resize(self.elements.len());
+        self.directions = Directions::new(self.elements.len());
         for field in [&mut self.residual, &mut self.image] {
             field.clear();
             field.resize(self.elements.len(), 0.0);
