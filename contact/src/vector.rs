@@ -1,5 +1,7 @@
 //! Parallel sums and updates of fields, in parts of fixed length so that every number of threads gives the same bits.
 
+pub mod stretches;
+
 use std::ops::Range;
 
 use rayon::prelude::*;
@@ -56,7 +58,8 @@ pub fn sum(a: &[f64]) -> f64 {
     by_parts(a.len(), |part| sum_of_part(&a[part])).iter().sum()
 }
 
-fn sum_of_part(a: &[f64]) -> f64 {
+/// The same for one part.
+pub fn sum_of_part(a: &[f64]) -> f64 {
     let (lanes, rest) = a.as_chunks::<LANES>();
     let mut sums = [0.0; LANES];
     for x in lanes {
@@ -94,6 +97,26 @@ fn smallest_of_part(a: &[f64]) -> f64 {
         .chain(rest)
         .copied()
         .fold(f64::INFINITY, f64::min)
+}
+
+/// The largest `of(aᵢ, bᵢ)` where `mask` holds, at least 0, for one part; NaN is left out.
+pub fn largest_of_part([a, b]: [&[f64]; 2], mask: &[bool], of: impl Fn(f64, f64) -> f64) -> f64 {
+    let larger = |most: f64, a: f64, b: f64, holds: bool| {
+        let value = if holds { of(a, b) } else { 0.0 };
+        if value > most { value } else { most }
+    };
+    let (a_lanes, a_rest) = a.as_chunks::<LANES>();
+    let (b_lanes, b_rest) = b.as_chunks::<LANES>();
+    let (mask_lanes, mask_rest) = mask.as_chunks::<LANES>();
+    let mut most = [0.0; LANES];
+    for ((a, b), holds) in a_lanes.iter().zip(b_lanes).zip(mask_lanes) {
+        for lane in 0..LANES {
+            most[lane] = larger(most[lane], a[lane], b[lane], holds[lane]);
+        }
+    }
+    let rest = a_rest.iter().zip(b_rest).zip(mask_rest);
+    let rest = rest.fold(0.0, |most, ((a, b), holds)| larger(most, *a, *b, *holds));
+    most.into_iter().fold(rest, f64::max)
 }
 
 /// Applies `rule` to every element.
@@ -147,7 +170,9 @@ pub fn update_with<S: Sync, T: Sync>(
 mod tests {
     use rayon::ThreadPoolBuilder;
 
-    use super::{add_scaled, by_parts, dot, each, smallest, sum, update, update_with};
+    use super::{
+        add_scaled, by_parts, dot, each, largest_of_part, smallest, sum, update, update_with,
+    };
 
     /// Fields of one part and of several, some not full.
     const LENGTHS: [usize; 5] = [0, 7, 8192, 32_769, 50_001];
@@ -203,6 +228,24 @@ mod tests {
                 assert!(smallest(&a).is_nan());
             }
         }
+    }
+
+    #[test]
+    fn the_maximum_is_over_the_elements_of_the_mask() {
+        let (a, b) = (field(4093, 0.3), field(4093, 0.7));
+        for place in [0, 2046, 4092] {
+            let mut mask = vec![false; 4093];
+            (mask[place], mask[17]) = (true, true);
+            let of = |a: f64, b: f64| (a - b).abs();
+            let found = largest_of_part([&a, &b], &mask, of);
+            assert_eq!(found, of(a[place], b[place]).max(of(a[17], b[17])));
+            let without = largest_of_part([&a, &b], &mask, |a, _| if a > 9.0 { a } else { -1.0 });
+            assert_eq!(without, 0.0);
+        }
+        assert_eq!(
+            largest_of_part([&[f64::NAN, 2.0]; 2], &[true; 2], |a, _| a),
+            2.0
+        );
     }
 
     #[test]

@@ -27,7 +27,7 @@ use crate::{
         scale::Scale,
         support::{Support, choice, divisible::Divisible},
     },
-    vector::update_with,
+    vector::{each, update_with},
 };
 
 /// A unique token of a problem; clones are equal.
@@ -328,6 +328,9 @@ impl DiscreteProblem {
     pub(crate) fn deform_to_scale(&mut self, pressure: &[f64], deformation: &mut [f64]) {
         let per_unit = 1.0 / self.scale.compliance;
         self.displace(pressure, deformation);
+        if self.springs.are_rigid() {
+            return each(deformation, |v| *v *= per_unit);
+        }
         let compliance = self.springs.compliance();
         update_with(deformation, compliance, pressure, |v, eta, p| {
             *v = (*v + eta * p) * per_unit;

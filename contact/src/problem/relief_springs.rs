@@ -13,6 +13,8 @@ pub struct ReliefSprings {
     law: SpringLaw,
     /// `η` of the relief at rest, in m/Pa.
     relief: Vec<f64>,
+    /// Whether the relief is rigid everywhere.
+    is_rigid: bool,
     /// The compliance (m/Pa) of linear springs added to all elements, and that sum; none without.
     softened: Option<(f64, Vec<f64>)>,
     /// The tangents of nonlinear springs, once they have been linearised.
@@ -24,6 +26,7 @@ impl ReliefSprings {
     pub fn new(law: SpringLaw, relief: Vec<f64>) -> Self {
         Self {
             law,
+            is_rigid: relief.iter().all(|eta| *eta == 0.0),
             relief,
             softened: None,
             tangents: None,
@@ -92,6 +95,11 @@ impl ReliefSprings {
     /// The compliance (m/Pa) of the linear problem: `η`, or that of the linearised springs.
     pub fn compliance(&self) -> &[f64] {
         (self.tangents.as_ref()).map_or(self.at_rest(), Tangents::compliance)
+    }
+
+    /// Whether the linear problem has no compliance anywhere.
+    pub fn are_rigid(&self) -> bool {
+        self.is_rigid && self.softened.is_none() && self.tangents.is_none()
     }
 
     /// Adds `w*(p)` (m) of the pressure `p` (Pa) to a deformation, with that of added springs.

@@ -13,6 +13,8 @@ use crate::transform::{Columns, EvenLines, FourierLines, HalfLines, Lines, Plane
 
 /// Numbers of a field searched at a time.
 const PART: usize = 1 << 14;
+/// Partial maxima, which let the processor compare independent numbers at once.
+const LANES: usize = 8;
 
 /// `F⁻¹ f(K̂) F` on one grid, with the [symbol](PeriodicSymbol) `K̂` and any function f of it.
 pub struct PeriodicFilter {
@@ -81,28 +83,40 @@ impl PeriodicFilter {
         });
     }
 
-    /// `field ← F⁻¹ multiplier F field`, in place.
+    /// `field ← F⁻¹ multiplier F field` where `wanted` holds, in place; the other values are left as they are.
     ///
     /// # Panics
     /// If the field does not have one value per element.
-    pub fn apply(&mut self, field: &mut [f64]) {
-        let most = |part: &[f64]| {
-            part.iter()
-                .fold(0.0, |most: f64, value| most.max(value.abs()))
-        };
-        let largest = field.par_chunks(PART).map(most);
-        let largest = largest.collect::<Vec<_>>().into_iter().fold(0.0, f64::max);
-        if largest == 0.0 {
-            return;
+    pub fn apply(&mut self, wanted: &[bool], field: &mut [f64]) {
+        if let Some(scale) = self.filter(field) {
+            self.transform.restore(wanted, field, scale);
         }
-        let scales = [1.0 / largest, largest * self.largest_multiplier];
+    }
+
+    /// `answer ← F⁻¹ multiplier F field` where `wanted` holds; the other values are left as they are.
+    ///
+    /// # Panics
+    /// If a field does not have one value per element.
+    pub fn apply_into(&mut self, field: &[f64], wanted: &[bool], answer: &mut [f64]) {
+        if let Some(scale) = self.filter(field) {
+            self.transform.restore(wanted, answer, scale);
+        } else {
+            let wanted = answer.iter_mut().zip(wanted).filter(|(_, wanted)| **wanted);
+            wanted.for_each(|(value, _)| *value = 0.0);
+        }
+    }
+
+    /// Transforms and multiplies a field; returns the factor with which it is transformed back, or none if it is zero.
+    fn filter(&mut self, field: &[f64]) -> Option<f64> {
+        let parts = field.par_chunks(PART).map(largest);
+        let largest = parts.collect::<Vec<_>>().into_iter().fold(0.0, f64::max);
+        if largest == 0.0 {
+            return None;
+        }
         let [_, width] = self.transform.frequencies();
         let multipliers = (&self.multipliers[..], width);
-        match &mut self.transform {
-            SectorTransform::Whole(transform) => filter(transform, multipliers, field, scales),
-            SectorTransform::Half(transform) => filter(transform, multipliers, field, scales),
-            SectorTransform::Quadrant(transform) => filter(transform, multipliers, field, scales),
-        }
+        (self.transform).filter(multipliers, field, 1.0 / largest);
+        Some(largest * self.largest_multiplier)
     }
 
     /// The response of the filter with `multiplier(symbol)` on the whole periodic grid to a unit, at the offsets below
@@ -157,18 +171,49 @@ impl SectorTransform {
             Self::Quadrant(transform) => [transform.lines().columns().length(); 2],
         }
     }
+
+    fn filter(&mut self, multipliers: (&[f32], usize), field: &[f64], scale: f64) {
+        match self {
+            Self::Whole(transform) => filter(transform, multipliers, field, scale),
+            Self::Half(transform) => filter(transform, multipliers, field, scale),
+            Self::Quadrant(transform) => filter(transform, multipliers, field, scale),
+        }
+    }
+
+    fn restore(&mut self, wanted: &[bool], field: &mut [f64], scale: f64) {
+        match self {
+            Self::Whole(transform) => transform.restore_where(wanted, field, scale),
+            Self::Half(transform) => transform.restore_where(wanted, field, scale),
+            Self::Quadrant(transform) => transform.restore_where(wanted, field, scale),
+        }
+    }
 }
 
-/// Transforms a field times the first scale, multiplies it, and transforms it back times the second.
+/// Transforms a field times a scale, and multiplies it.
 fn filter<L: Lines<Real = f32>>(
     transform: &mut PlaneTransform<L>,
     (multipliers, width): (&[f32], usize),
-    field: &mut [f64],
-    [scale, scale_back]: [f64; 2],
+    field: &[f64],
+    scale: f64,
 ) {
     transform.load(field, scale);
     transform.multiply(|frequency| [&multipliers[frequency * width..][..width], &[]]);
-    transform.restore(field, scale_back);
+}
+
+/// The largest magnitude of some numbers.
+fn largest(numbers: &[f64]) -> f64 {
+    let (lanes, rest) = numbers.as_chunks::<LANES>();
+    let mut most = [0.0; LANES];
+    for numbers in lanes {
+        for (most, number) in most.iter_mut().zip(numbers) {
+            let number = number.abs();
+            *most = if number > *most { number } else { *most };
+        }
+    }
+    let all = most
+        .into_iter()
+        .chain(rest.iter().map(|number| number.abs()));
+    all.fold(0.0, f64::max)
 }
 
 #[expect(
@@ -210,7 +255,7 @@ mod tests {
             filter.multiply_by(reciprocal);
             let mut unit = vec![0.0; size * size];
             unit[0] = 1.0;
-            filter.apply(&mut unit);
+            filter.apply(&vec![true; size * size], &mut unit);
             let response = filter.answers::<4>(reciprocal);
             for (m, row) in response.iter().enumerate() {
                 for (n, value) in row.iter().enumerate() {
@@ -241,14 +286,42 @@ mod tests {
             let (mut whole, mut solved) = (unfolded(&part), part);
             let mut filter = PeriodicFilter::new(symbol(2 * half), SectorGrid::whole(2 * half));
             filter.multiply_by(reciprocal);
-            filter.apply(&mut whole);
+            filter.apply(&vec![true; whole.len()], &mut whole);
             let mut filter = PeriodicFilter::new(symbol(2 * half), grid);
             filter.multiply_by(reciprocal);
-            filter.apply(&mut solved);
+            filter.apply(&vec![true; solved.len()], &mut solved);
             for (one, other) in whole.iter().zip(&unfolded(&solved)) {
                 // Single precision of answers of order 1.
                 assert!((one - other).abs() < 2e-6, "{sector:?} {half}");
             }
+        }
+    }
+
+    #[test]
+    fn a_filter_answers_where_it_is_asked_to_and_leaves_the_rest() {
+        for (sector, half) in [Sector::Whole, Sector::Half, Sector::Quadrant]
+            .into_iter()
+            .flat_map(|sector| [5, 32].map(|half| (sector, half)))
+        {
+            let grid = SectorGrid::new(sector, half);
+            let elements = grid.elements();
+            let field: Vec<f64> = (0..elements).map(|e| (0.7 * e as f64).sin()).collect();
+            let mut filter = PeriodicFilter::new(symbol(grid.whole_size()), grid);
+            filter.multiply_by(reciprocal);
+            let mut all = field.clone();
+            filter.apply(&vec![true; elements], &mut all);
+            let wanted: Vec<bool> = (0..elements).map(|e| e % 7 == 3 && e > 2 * half).collect();
+            let mut answer = vec![9.0; elements];
+            filter.apply_into(&field, &wanted, &mut answer);
+            let expected = |all: &[f64]| -> Vec<f64> {
+                let values = all.iter().zip(&wanted);
+                values
+                    .map(|(value, wanted)| if *wanted { *value } else { 9.0 })
+                    .collect()
+            };
+            assert_eq!(answer, expected(&all));
+            filter.apply_into(&vec![0.0; elements], &wanted, &mut answer);
+            assert_eq!(answer, expected(&vec![0.0; elements]));
         }
     }
 }

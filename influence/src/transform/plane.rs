@@ -36,6 +36,8 @@ pub(crate) struct PlaneTransform<L: Lines> {
 struct Scratch<T> {
     /// The transforms of [`ROWS`] rows.
     rows: Vec<Complex<T>>,
+    /// The numbers of as many rows, of which only some are wanted.
+    shown: Vec<f64>,
     /// The columns of one block; the parts of each are stored one after the other.
     columns: Vec<Complex<T>>,
     space: Space<T>,
@@ -52,6 +54,7 @@ impl<L: Lines> PlaneTransform<L> {
         let zeros = |count: usize| vec![Complex::default(); count];
         let scratch = || Scratch {
             rows: zeros(ROWS * lines.width()),
+            shown: Vec::new(),
             columns: zeros(WIDTH * lines.columns().parts() * (lines.columns().length() + SKEW)),
             space: lines.space(),
         };
@@ -114,6 +117,27 @@ impl<L: Lines> PlaneTransform<L> {
         assert_eq!(field.len(), rows * shown, "as many numbers are wanted");
         let groups = field.par_chunks_mut(ROWS * shown).enumerate();
         groups.for_each(|(group, rows)| self.restore_rows(group * ROWS, parity, rows, scale));
+    }
+
+    /// [`Self::restore`] where `wanted` holds; the other numbers of the field are left as they are.
+    ///
+    /// # Panics
+    /// As [`Self::restore`].
+    pub(crate) fn restore_where(&mut self, wanted: &[bool], field: &mut [f64], scale: f64) {
+        let [rows, shown] = self.lines.shown();
+        assert_eq!(field.len(), rows * shown, "as many numbers are wanted");
+        let wanted = wanted.par_chunks(ROWS * shown);
+        let groups = field.par_chunks_mut(ROWS * shown).zip(wanted).enumerate();
+        groups.for_each(|(group, (rows, wanted))| {
+            if !wanted.contains(&true) {
+                return;
+            }
+            let mut numbers = std::mem::take(&mut self.scratch().shown);
+            numbers.resize(rows.len(), 0.0);
+            self.restore_rows(group * ROWS, Parity::Even, &mut numbers, scale);
+            copy_where(wanted, &numbers, rows);
+            self.scratch().shown = numbers;
+        });
     }
 
     /// The scratch of the calling thread of the pool.
@@ -240,6 +264,19 @@ impl<L: Lines> PlaneTransform<L> {
     /// Numbers from one column to the next.
     fn stride(&self) -> usize {
         self.lines.columns().parts() * self.pitch()
+    }
+}
+
+/// Copies the numbers that are wanted, few or many.
+fn copy_where(wanted: &[bool], from: &[f64], to: &mut [f64]) {
+    const TOGETHER: usize = 8;
+    let chunks = wanted.chunks(TOGETHER).zip(from.chunks(TOGETHER));
+    for ((wanted, from), to) in chunks.zip(to.chunks_mut(TOGETHER)) {
+        if wanted.contains(&true) {
+            for ((to, from), wanted) in to.iter_mut().zip(from).zip(wanted) {
+                *to = if *wanted { *from } else { *to };
+            }
+        }
     }
 }
 

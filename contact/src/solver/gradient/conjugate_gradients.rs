@@ -6,27 +6,37 @@
 //! β = max(0, (r·z − z·r₀) / (r·z)₀)   where the residual is corrected   (Polak and Ribière)
 //! ```
 
-use crate::vector::{add_scaled, dot, update};
+use std::sync::Arc;
+
+use crate::vector::{
+    add_scaled, dot,
+    stretches::{SparseField, Stretches},
+};
 
 /// The last direction, with the product from which the next one follows.
 pub struct Directions {
-    direction: Vec<f64>,
+    direction: SparseField,
+    stretches: Arc<Stretches>,
     /// `r·z` of the last direction; none before the first.
     product: Option<f64>,
 }
 
 impl Directions {
+    /// Directions on all elements.
     pub fn new(elements: usize) -> Self {
         Self {
-            direction: vec![0.0; elements],
+            direction: SparseField::new(elements),
+            stretches: Arc::new(Stretches::all(elements)),
             product: None,
         }
     }
 
-    /// Makes room for another number of elements and begins again.
-    pub fn resize(&mut self, elements: usize) {
-        self.direction.resize(elements, 0.0);
-        self.restart();
+    /// Directions that are 0 outside some stretches; those so far are discarded unless they lie on the same.
+    pub fn stay_on(&mut self, stretches: &Arc<Stretches>) {
+        if !Arc::ptr_eq(&self.stretches, stretches) {
+            self.stretches = stretches.clone();
+            self.restart();
+        }
     }
 
     /// Begins again: the next direction is `z`.
@@ -47,19 +57,21 @@ impl Directions {
 
     /// The same where residuals are corrected besides the steps, given the residual of the last direction.
     pub fn turn_from(&mut self, residual_before: &[f64], z: &[f64], product: f64) {
-        let beta = |before: f64| ((product - dot(z, residual_before)) / before).max(0.0);
+        let along = || self.stretches.dot(z, residual_before);
+        let beta = |before: f64| ((product - along()) / before).max(0.0);
         self.turn_by(self.product.map(beta), z, product);
     }
 
     /// Changes the last direction, which stays the one from which the next follows.
     pub fn correct(&mut self, correction: impl FnOnce(&mut [f64])) {
-        correction(&mut self.direction);
+        correction(self.direction.on(&self.stretches));
     }
 
     fn turn_by(&mut self, beta: Option<f64>, z: &[f64], product: f64) {
+        let (on, direction) = (&self.stretches, self.direction.on(&self.stretches));
         match beta {
-            None => self.direction.copy_from_slice(z),
-            Some(beta) => update(&mut self.direction, z, |d, z| *d = z + beta * *d),
+            None => on.update(direction, z, |d, z| *d = *z),
+            Some(beta) => on.update(direction, z, |d, z| *d = z + beta * *d),
         }
         self.product = Some(product);
     }

@@ -127,13 +127,13 @@ impl<'a> Iteration<'a> {
             springs.linearise_here(problem, &mut fields.state);
             fields.preconditioner.follow_springs(problem);
         }
-        fields.set.start(&fields.state);
+        fields.set.start(&mut fields.state);
         // A zero start presses everywhere; from there the fast steps find the contact sooner.
         let has_contact = start.iter().any(|p| *p > 0.0);
         let begins_with_newton = has_contact && fields.preconditioner.is_for_newton();
         if begins_with_newton {
             // Overlaps outside the start's contact are as uncertain as its pressures.
-            fields.set.keep_pressing(&fields.state);
+            fields.set.keep_pressing(&mut fields.state);
         }
         Self {
             problem,
@@ -300,6 +300,7 @@ impl<'a> Iteration<'a> {
         let Fields { best, state, .. } = &mut *self.fields;
         let pressure = best.or(state, residual).to_vec();
         let (context, steps) = self.fields.on(self.problem);
+        context.state.press_anywhere();
         context.state.pressure.copy_from_slice(&pressure);
         context.state.clip(context.problem);
         context.set.update(context.state);

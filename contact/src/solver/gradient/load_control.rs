@@ -1,7 +1,11 @@
 //! The two kinds of load control: a prescribed total of the pressure, or a prescribed penetration.
 
-use crate::vector::{by_parts, dot, each, sum};
-use crate::{DiscreteProblem, Load};
+use std::ops::Range;
+
+use crate::{
+    DiscreteProblem, Load,
+    vector::{each, stretches::Stretches, sum},
+};
 
 /// The prescribed quantity in the solver's terms and the units of the problem's scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,14 +26,6 @@ impl LoadControl {
         }
     }
 
-    /// `D = Σ p v / Σ p`, the multiplier of the total; or the penetration itself.
-    pub fn penetration(self, pressure: &[f64], v: &[f64]) -> f64 {
-        match self {
-            Self::Total(_) => dot(pressure, v) / sum(pressure),
-            Self::Penetration(penetration) => penetration,
-        }
-    }
-
     /// Scales a pressure ≥ 0 to the prescribed total.
     pub fn rescale(self, pressure: &mut [f64]) {
         if let Self::Total(total) = self {
@@ -38,26 +34,26 @@ impl LoadControl {
         }
     }
 
-    /// The energy `½ p·(v + g0)`, less `D Σ p` where the penetration is prescribed.
-    pub fn energy(self, pressure: &[f64], v: &[f64], initial_gap: &[f64]) -> f64 {
-        let stored: f64 = by_parts(pressure.len(), |part| {
-            let fields = pressure[part.clone()].iter().zip(&v[part.clone()]);
-            let terms = fields.zip(&initial_gap[part]);
-            terms.map(|((p, v), g0)| p * (v + g0)).sum::<f64>() / 2.0
-        })
-        .iter()
-        .sum();
+    /// The energy `½ p·(v + g0)`, less `D Σ p` where the penetration is prescribed, of a pressure on some stretches.
+    pub fn energy(self, on: &Stretches, pressure: &[f64], [v, initial_gap]: [&[f64]; 2]) -> f64 {
+        let terms = |range: &Range<usize>| {
+            let fields = pressure[range.clone()].iter().zip(&v[range.clone()]);
+            let terms = fields.zip(&initial_gap[range.clone()]);
+            terms.map(|((p, v), g0)| p * (v + g0))
+        };
+        let parts = on.by_parts(|ranges| ranges.iter().flat_map(terms).sum::<f64>() / 2.0);
+        let stored: f64 = parts.iter().sum();
         match self {
             Self::Total(_) => stored,
-            Self::Penetration(penetration) => stored - penetration * sum(pressure),
+            Self::Penetration(penetration) => stored - penetration * on.sum(pressure),
         }
     }
 
-    /// The slope `s·∂E` of the energy along a step that satisfies the load control.
-    pub fn slope(self, step: &[f64], v: &[f64]) -> f64 {
+    /// The slope `s·∂E` of the energy along a step on some stretches that satisfies the load control.
+    pub fn slope(self, on: &Stretches, step: &[f64], v: &[f64]) -> f64 {
         match self {
-            Self::Total(_) => dot(step, v),
-            Self::Penetration(penetration) => dot(step, v) - penetration * sum(step),
+            Self::Total(_) => on.dot(step, v),
+            Self::Penetration(penetration) => on.dot(step, v) - penetration * on.sum(step),
         }
     }
 }

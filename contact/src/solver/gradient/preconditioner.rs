@@ -15,12 +15,14 @@
 //!   would cost more than everything else.
 
 mod edge_band;
+mod inverse;
 mod restricted_filter;
 mod secants;
 mod sparse_factor;
 
 use pellicle_influence::PeriodicSymbol;
 
+use crate::solver::gradient::preconditioner::inverse::Inverse;
 use crate::solver::gradient::preconditioner::restricted_filter::RestrictedFilter;
 use crate::solver::gradient::preconditioner::secants::Secants;
 use crate::solver::gradient::preconditioner::sparse_factor::{
@@ -31,7 +33,7 @@ use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem, Shortcuts,
     problem::discrete_problem::near_columns::NearColumns,
-    vector::{sum, update, update_with},
+    vector::{stretches::SparseField, sum},
 };
 
 /// Stiffness contrast above which a coating counts as stiff. Under a coating ten times as stiff as its base, the filter
@@ -97,18 +99,9 @@ pub struct Preconditioner {
     shortcuts: Shortcuts,
 }
 
-enum Inverse {
-    /// The identity on the working set in the units of the problem's scale, if the operator is unknown.
-    Identity,
-    Filter(Box<RestrictedFilter>),
-    Factor(Box<SparseFactor>),
-    /// The factor among candidates.
-    Scattered(Box<ScatteredFactor>),
-}
-
 /// `w = M⁻¹_I 1` on the set for which it was computed, restricted to each later set.
 struct UniformResponse {
-    values: Vec<f64>,
+    values: SparseField,
     total: f64,
     /// The total on the set for which it was computed, and the revision of that set.
     exact_total: f64,
@@ -158,7 +151,7 @@ impl Preconditioner {
             unit,
             usual: None,
             uniform: UniformResponse {
-                values: vec![0.0; problem.elements()],
+                values: SparseField::new(problem.elements()),
                 total: 0.0,
                 exact_total: 0.0,
                 exact_on: None,
@@ -263,12 +256,12 @@ impl Preconditioner {
         }
         (self.secants).follow(set, |reach| NearColumns::new(problem, reach));
         if self.adapted_to.is_none() {
-            self.uniform.values.fill(0.0);
+            self.uniform.values.each(|w| *w = 0.0);
             self.uniform.exact_on = None;
         }
         self.adapted_to = Some(set.revision());
-        set.clear_outside(&mut self.uniform.values);
-        self.uniform.total = sum(&self.uniform.values);
+        self.uniform.values.restrict(set.mask());
+        self.uniform.total = self.uniform.values.sum();
     }
 
     fn refresh(&mut self, problem: &DiscreteProblem, set: &WorkingSet, accuracy: UniformAccuracy) {
@@ -284,31 +277,21 @@ impl Preconditioner {
             UniformAccuracy::Restricted => total > (exact_total / 2.0).max(0.0),
         };
         if !serves {
-            let mut values = std::mem::take(&mut self.uniform.values);
-            values.fill(1.0);
-            self.apply(set, &mut values);
-            let total = sum(&values);
-            self.uniform = UniformResponse {
-                values,
-                total,
-                exact_total: total,
-                exact_on: Some(set.revision()),
-            };
+            let on = set.stretches();
+            let uniform = &mut self.uniform;
+            let values = uniform.values.on(on);
+            on.each(values, |w| *w = 1.0);
+            (self.inverse).apply_corrected(&self.secants, set, self.unit, values);
+            let total = uniform.values.sum();
+            (uniform.total, uniform.exact_total) = (total, total);
+            uniform.exact_on = Some(set.revision());
         }
     }
 
     /// `r ← M⁻¹_I r`, in place and in the units of the problem's scale; values of `r` outside the set are ignored.
     pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
-        let (inverse, unit) = (&mut self.inverse, self.unit);
-        self.secants.apply(set, residual, |residual| {
-            set.scale_within(residual, unit);
-            match inverse {
-                Inverse::Identity => (),
-                Inverse::Filter(filter) => filter.apply(set, residual),
-                Inverse::Factor(factor) => factor.apply(residual),
-                Inverse::Scattered(factor) => factor.apply(residual),
-            }
-        });
+        set.clear_outside(residual);
+        (self.inverse).apply_corrected(&self.secants, set, self.unit, residual);
     }
 
     /// Writes into `z` the preconditioned residual `M⁻¹_I (λ − v)`, with `λ` such that `z` preserves the total: the
@@ -319,21 +302,23 @@ impl Preconditioner {
         state: &State,
         set: &WorkingSet,
         accuracy: UniformAccuracy,
-        z: &mut [f64],
+        z: &mut SparseField,
     ) -> f64 {
         self.refresh(problem, set, accuracy);
-        update(z, &state.v, |z, v| *z = state.penetration - v);
-        self.apply(set, z);
+        let on = set.stretches();
+        let z = z.on(on);
+        on.update(z, &state.v, |z, v| *z = state.penetration - v);
+        (self.inverse).apply_corrected(&self.secants, set, self.unit, z);
         if !state.keeps_total() {
             return state.penetration;
         }
-        let shift = sum(z) / self.uniform.total;
-        update(z, &self.uniform.values, |z, w| *z -= shift * w);
+        let shift = on.sum(z) / self.uniform.total;
+        on.update(z, &self.uniform.values, |z, w| *z -= shift * w);
         state.penetration - shift
     }
 
     /// `w = M⁻¹_I 1` as used in the last direction.
-    pub fn uniform(&self) -> &[f64] {
+    pub fn uniform(&self) -> &SparseField {
         &self.uniform.values
     }
 }
@@ -401,8 +386,9 @@ fn stiffness_contrast(symbol: &PeriodicSymbol) -> f64 {
 }
 
 /// `r = D − v` on the set, 0 outside.
-pub fn residual_into(state: &State, set: &WorkingSet, residual: &mut [f64]) {
-    update_with(residual, &state.v, set.mask(), |r, v, member| {
+pub fn residual_into(state: &State, set: &WorkingSet, residual: &mut SparseField) {
+    let on = set.stretches();
+    on.update_with(residual.on(on), &state.v, set.mask(), |r, v, member| {
         *r = if *member { state.penetration - v } else { 0.0 };
     });
 }

@@ -12,7 +12,7 @@ use crate::{
     DiscreteProblem,
     problem::tangents::Tangents,
     solver::gradient::state::State,
-    vector::{add_scaled, dot, update},
+    vector::{add_scaled, dot, stretches::Stretches, update},
 };
 
 /// The springs are linearised again once the residual of the linear problem is this fraction of the residual by the
@@ -41,7 +41,7 @@ impl Springs {
     /// The [residual](State::residual) by the law itself.
     pub fn residual(&mut self, problem: &DiscreteProblem, state: &State) -> f64 {
         self.follow_law(problem, state);
-        let penetration = (state.control).penetration(&state.pressure, &self.v_by_law);
+        let penetration = state.penetration_of(&self.v_by_law);
         state.residual_of(&self.v_by_law, penetration).0
     }
 
@@ -55,6 +55,8 @@ impl Springs {
         if let Some(tangents) = problem.springs().tangents() {
             let part = self.part(problem, tangents, state);
             if part < 1.0 {
+                // Elements that pressed at the linearisation press again.
+                state.press_anywhere();
                 update(&mut state.pressure, tangents.at(), |p, at| {
                     *p = at + part * (*p - at);
                 });
@@ -90,7 +92,8 @@ impl Springs {
         let step = &mut self.beyond;
         step.copy_from_slice(&state.pressure);
         add_scaled(step, -1.0, tangents.at());
-        let slope = state.control.slope(step, &self.v_before);
+        let everywhere = Stretches::all(step.len());
+        let slope = (state.control).slope(&everywhere, step, &self.v_before);
         let curvature = dot(step, &state.v) - dot(step, &self.v_before);
         let rest = problem.relief_compliance();
         tangents.part_downhill(rest, &state.pressure, [slope, curvature])

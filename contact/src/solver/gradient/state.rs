@@ -11,11 +11,15 @@
 //! So both kinds of load take the same steps. A residual that is uniform over the contact, for which preconditioners
 //! are least accurate, never occurs.
 
+mod residual;
+
+use std::sync::Arc;
+
 use crate::problem::gap_scale::GapScale;
 use crate::solver::gradient::load_control::LoadControl;
 use crate::{
     DiscreteProblem,
-    vector::{add_scaled, by_parts, dot, each, sum, update, update_with},
+    vector::{add_scaled, each, stretches::Stretches, sum, update, update_with},
 };
 
 /// The pressure is not scaled by more than this without a product, because the rounding error of `v − g0` would grow
@@ -37,6 +41,9 @@ pub struct State {
     pub initial_gap: Vec<f64>,
     /// The elements under the indenter.
     can_touch: Vec<bool>,
+    /// Where elements may press: the pressure and all steps are 0 elsewhere.
+    stretches: Arc<Stretches>,
+    everywhere: Arc<Stretches>,
     keeps_total: bool,
     gap_scale: GapScale,
     /// `g0` of a periodic cell itself, where that of the linear problem differs; empty elsewhere.
@@ -46,20 +53,11 @@ pub struct State {
     applications: usize,
 }
 
-/// The extremes from which the residual is computed.
-#[derive(Clone, Copy, Default)]
-struct ResidualExtremes {
-    largest: f64,
-    overlap: f64,
-    pulls: bool,
-    /// Sum of all pressures and `v`, to detect values that are not finite.
-    sum: f64,
-}
-
 impl State {
     /// Creates a state with zero pressure, in the units of the problem's scale.
     pub fn new(problem: &DiscreteProblem) -> Self {
         let elements = problem.elements();
+        let everywhere = Arc::new(Stretches::all(elements));
         let mut state = Self {
             control: LoadControl::Penetration(0.0),
             pressure: vec![0.0; elements],
@@ -67,6 +65,8 @@ impl State {
             penetration: 0.0,
             initial_gap: vec![0.0; elements],
             can_touch: vec![false; elements],
+            stretches: everywhere.clone(),
+            everywhere,
             keeps_total: false,
             gap_scale: (problem.gap_scale()).scaled(1.0 / problem.scale().compliance),
             own_gap: Vec::new(),
@@ -111,6 +111,7 @@ impl State {
     /// one product.
     pub fn start(&mut self, problem: &mut DiscreteProblem, control: LoadControl, start: &[f64]) {
         (self.control, self.applications) = (control, 0);
+        self.press_anywhere();
         if problem.has_hardness() {
             // The held elements may have changed.
             self.read_problem(problem);
@@ -155,6 +156,21 @@ impl State {
         self.pressure.len()
     }
 
+    /// Where elements may press.
+    pub fn stretches(&self) -> &Arc<Stretches> {
+        &self.stretches
+    }
+
+    /// Restricts the pressure, which must be 0 elsewhere, and the next steps to some stretches.
+    pub fn press_on(&mut self, stretches: &Arc<Stretches>) {
+        self.stretches = stretches.clone();
+    }
+
+    /// Allows pressure everywhere.
+    pub fn press_anywhere(&mut self) {
+        self.stretches = self.everywhere.clone();
+    }
+
     /// For each element, whether the indenter is above it.
     pub fn can_touch(&self) -> &[bool] {
         &self.can_touch
@@ -170,14 +186,13 @@ impl State {
         problem.deform_to_scale(&self.pressure, &mut self.v);
         self.applications += 1;
         // Scaled before the gap is added: the deformation by a far too small pressure would be lost in the gap.
-        let growth = self.growth(dot(&self.pressure, &self.v));
+        let growth = self.growth(|state| state.along_pressure(&state.v));
         if growth != 0.0 {
-            for field in [&mut self.pressure, &mut self.v] {
-                each(field, |value| *value *= 1.0 + growth);
-            }
+            (self.stretches).each(&mut self.pressure, |p| *p *= 1.0 + growth);
+            each(&mut self.v, |v| *v *= 1.0 + growth);
         }
         add_scaled(&mut self.v, 1.0, &self.initial_gap);
-        self.penetration = self.control.penetration(&self.pressure, &self.v);
+        self.penetration = self.penetration_of(&self.v);
         growth
     }
 
@@ -192,29 +207,51 @@ impl State {
         self.applications += 1;
     }
 
+    /// `p·x`.
+    fn along_pressure(&self, x: &[f64]) -> f64 {
+        self.stretches.dot(&self.pressure, x)
+    }
+
+    /// `D = Σ p v / Σ p` for another `v` at its pressure, the multiplier of the total; or the prescribed penetration.
+    pub fn penetration_of(&self, v: &[f64]) -> f64 {
+        match self.control {
+            LoadControl::Total(_) => self.along_pressure(v) / self.total(),
+            LoadControl::Penetration(penetration) => penetration,
+        }
+    }
+
+    /// `Σ p`.
+    fn total(&self) -> f64 {
+        self.stretches.sum(&self.pressure)
+    }
+
     /// Computes `μ = c − 1` from the `work` `p·(K + η) p`; 0 under a prescribed total.
     ///
     /// If no scaling of the pressure gives the penetration, it is left unchanged and its total is not preserved: there
     /// may be no contact.
-    fn growth(&mut self, work: f64) -> f64 {
+    fn growth(&mut self, work: impl FnOnce(&Self) -> f64) -> f64 {
         self.keeps_total = true;
         let LoadControl::Penetration(penetration) = self.control else {
             return 0.0;
         };
         // c = p·(D − g0) / p·(K + η) p
-        let reach = penetration * sum(&self.pressure) - dot(&self.pressure, &self.initial_gap);
-        let scale = reach / work;
+        let reach = penetration * self.total() - self.along_pressure(&self.initial_gap);
+        let scale = reach / work(self);
         self.keeps_total = scale > 0.0 && scale.is_finite();
         if self.keeps_total { scale - 1.0 } else { 0.0 }
+    }
+
+    /// `p·(K + η) p = p·(v − g0)`.
+    fn work(&self) -> f64 {
+        self.along_pressure(&self.v) - self.along_pressure(&self.initial_gap)
     }
 
     /// Makes `D` equal to the mean of `v`, by changing `D` or by scaling the pressure; returns the relative growth `μ`
     /// of the pressure. One product if that is large, else none.
     pub fn balance(&mut self, problem: &mut DiscreteProblem) -> f64 {
-        let gap_sum = dot(&self.pressure, &self.initial_gap);
-        let growth = self.growth(dot(&self.pressure, &self.v) - gap_sum);
+        let growth = self.growth(Self::work);
         if growth != 0.0 {
-            each(&mut self.pressure, |p| *p *= 1.0 + growth);
+            (self.stretches).each(&mut self.pressure, |p| *p *= 1.0 + growth);
         }
         if growth.abs() > LARGEST_GROWTH {
             return (1.0 + growth) * (1.0 + self.refresh(problem)) - 1.0;
@@ -224,7 +261,7 @@ impl State {
                 *v += growth * (*v - g0);
             });
         }
-        self.penetration = self.control.penetration(&self.pressure, &self.v);
+        self.penetration = self.penetration_of(&self.v);
         growth
     }
 
@@ -234,16 +271,16 @@ impl State {
         self.pressure.copy_from_slice(pressure);
         self.v.copy_from_slice(v);
         self.penetration = penetration;
-        self.growth(dot(pressure, v) - dot(pressure, &self.initial_gap));
+        self.growth(Self::work);
     }
 
     /// Makes a direction conjugate to the pressure if the pressure is scaled, so that a step along it preserves the
     /// scale: `d ← d − (d·(v − g0) / p·(v − g0)) p`.
     pub fn deflate(&self, direction: &mut [f64]) {
         if self.keeps_total && matches!(self.control, LoadControl::Penetration(_)) {
-            let along = |x: &[f64]| dot(x, &self.v) - dot(x, &self.initial_gap);
-            let part = along(direction) / along(&self.pressure);
-            add_scaled(direction, -part, &self.pressure);
+            let on = &self.stretches;
+            let along = on.dot(direction, &self.v) - on.dot(direction, &self.initial_gap);
+            on.add_scaled(direction, -(along / self.work()), &self.pressure);
         }
     }
 
@@ -254,12 +291,13 @@ impl State {
 
     /// Scales a pressure ≥ 0 to the total that steps preserve.
     pub fn rescale(&self, pressure: &mut [f64]) {
-        match self.control {
-            LoadControl::Penetration(_) if self.keeps_total => {
-                LoadControl::Total(sum(&self.pressure)).rescale(pressure);
-            }
-            control => control.rescale(pressure),
-        }
+        let total = match self.control {
+            LoadControl::Total(total) => total,
+            LoadControl::Penetration(_) if self.keeps_total => self.total(),
+            LoadControl::Penetration(_) => return,
+        };
+        let factor = total / self.stretches.sum(pressure);
+        self.stretches.each(pressure, |p| *p *= factor);
     }
 
     /// Updates `p ← p + t s`, `v ← v + t y` with `y = (K + η) s`, and balances; returns the relative growth of the
@@ -271,7 +309,7 @@ impl State {
         step: &[f64],
         image: &[f64],
     ) -> f64 {
-        add_scaled(&mut self.pressure, t, step);
+        (self.stretches).add_scaled(&mut self.pressure, t, step);
         add_scaled(&mut self.v, t, image);
         self.balance(problem)
     }
@@ -284,8 +322,8 @@ impl State {
     }
 
     pub fn energy(&self) -> f64 {
-        self.control
-            .energy(&self.pressure, &self.v, &self.initial_gap)
+        let fields = [&self.v[..], &self.initial_gap];
+        self.control.energy(&self.stretches, &self.pressure, fields)
     }
 
     /// Sets a uniform pressure on these elements if no element presses.
@@ -294,91 +332,6 @@ impl State {
             update(&mut self.pressure, mask, |p, is_pressed| {
                 *p = f64::from(u8::from(*is_pressed));
             });
-        }
-    }
-
-    /// The largest line of the certificate by the running `v`, infinite if a value is not finite; and whether no
-    /// element pulls.
-    ///
-    /// The complementarity line is a mean of gaps in contact, so it is never the largest.
-    pub fn residual(&self) -> (f64, bool) {
-        self.residual_of(&self.v, self.penetration)
-    }
-
-    /// The same for another `v` and penetration at its pressure.
-    pub fn residual_of(&self, v: &[f64], penetration: f64) -> (f64, bool) {
-        let lines = by_parts(self.elements(), |part| self.lines(part, v, penetration));
-        let lines = lines
-            .into_iter()
-            .fold(ResidualExtremes::default(), ResidualExtremes::and);
-        let length = lines.largest.max(lines.overlap);
-        // `max` drops a NaN, but a sum keeps it.
-        let is_number = (lines.sum + penetration).is_finite();
-        let residual = if !is_number {
-            f64::INFINITY
-        } else if length == 0.0 {
-            0.0
-        } else {
-            length / self.reference_length(v, penetration)
-        };
-        (residual, !lines.pulls)
-    }
-
-    /// The reference length of the residual for this `v` and penetration.
-    pub fn reference_length(&self, v: &[f64], penetration: f64) -> f64 {
-        if self.gap_scale == GapScale::Penetration {
-            return penetration.abs();
-        }
-        let total = match self.control {
-            LoadControl::Total(total) => total,
-            LoadControl::Penetration(_) => sum(&self.pressure),
-        };
-        let mean_pressure = (total + self.held_total) / self.elements() as f64;
-        self.gap_scale
-            .length(penetration, mean_pressure, |mean| self.deformation(v, mean))
-    }
-
-    /// The largest `|v − g0 − m|` of the elements that can touch.
-    fn deformation(&self, v: &[f64], mean: f64) -> f64 {
-        let gap = if self.own_gap.is_empty() {
-            &self.initial_gap
-        } else {
-            &self.own_gap
-        };
-        let parts = by_parts(self.elements(), |part| {
-            let fields = v[part.clone()].iter().zip(&gap[part.clone()]);
-            let touching = fields.zip(&self.can_touch[part]).filter(|(_, can)| **can);
-            touching.fold(0.0, |most: f64, ((v, g0), _)| {
-                most.max((v - g0 - mean).abs())
-            })
-        });
-        parts.into_iter().fold(0.0, f64::max)
-    }
-
-    fn lines(&self, part: std::ops::Range<usize>, v: &[f64], penetration: f64) -> ResidualExtremes {
-        let mut lines = ResidualExtremes::default();
-        let fields = self.pressure[part.clone()].iter().zip(&v[part.clone()]);
-        for ((p, v), _) in (fields.zip(&self.can_touch[part])).filter(|(_, can_touch)| **can_touch)
-        {
-            let gap = v - penetration;
-            lines.overlap = lines.overlap.max(-gap);
-            lines.pulls |= *p < 0.0;
-            lines.sum += p + v;
-            if *p > 0.0 {
-                lines.largest = lines.largest.max(gap.abs());
-            }
-        }
-        lines
-    }
-}
-
-impl ResidualExtremes {
-    fn and(self, other: Self) -> Self {
-        Self {
-            largest: self.largest.max(other.largest),
-            overlap: self.overlap.max(other.overlap),
-            pulls: self.pulls || other.pulls,
-            sum: self.sum + other.sum,
         }
     }
 }

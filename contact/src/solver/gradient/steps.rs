@@ -18,6 +18,7 @@ use crate::{
         state::State,
         working_set::WorkingSet,
     },
+    vector::stretches::SparseField,
 };
 
 /// The problem, a pressure, the elements whose pressures are free, and the approximate inverse of the system on them.
@@ -32,7 +33,7 @@ pub struct Context<'a> {
 
 impl Context<'_> {
     /// Writes into `z` the [preconditioned residual](Preconditioner::direction_into); returns its `λ`.
-    pub fn direction_into(&mut self, accuracy: UniformAccuracy, z: &mut [f64]) -> f64 {
+    pub fn direction_into(&mut self, accuracy: UniformAccuracy, z: &mut SparseField) -> f64 {
         self.preconditioner
             .direction_into(self.problem, self.state, self.set, accuracy, z)
     }

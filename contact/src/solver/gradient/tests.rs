@@ -36,7 +36,7 @@ pub fn begun(
     let mut state = State::new(problem);
     state.start(problem, control, pressure);
     let mut set = WorkingSet::new(pressure.len());
-    set.start(&state);
+    set.start(&mut state);
     (state, set)
 }
 
@@ -137,6 +137,7 @@ fn the_energy_along_a_step_is_the_parabola_of_its_slope_and_curvature() {
     for load in [Load::Force(1e-2), Load::Penetration(0.02)] {
         let mut problem = plate();
         let (mut state, _) = start(&mut problem, load);
+        state.press_anywhere();
         let direction: Vec<f64> = (0..ELEMENTS).map(|e| (e as f64).sin()).collect();
         let mut segment = Segment::new(ELEMENTS);
         segment.clip(&state, 1.0, &direction);
@@ -206,6 +207,7 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
     }
     // A direction made conjugate does not change the mean.
     let (mut state, _) = begun(&mut problem, control, &one);
+    state.press_anywhere();
     let mut direction: Vec<f64> = (0..ELEMENTS).map(|e| (0.3 * e as f64).cos()).collect();
     state.deflate(&mut direction);
     let mut image = [0.0; ELEMENTS];
@@ -219,7 +221,7 @@ fn under_a_penetration_a_pressure_is_scaled_to_the_least_energy() {
     for ((after, before), step) in [&state.pressure, &state.v]
         .into_iter()
         .zip(&before)
-        .zip([&segment.step, &segment.image])
+        .zip([&*segment.step, &segment.image[..]])
     {
         let largest = step.iter().map(|s| s.abs()).fold(0.0, f64::max);
         for ((after, before), step) in after.iter().zip(before).zip(step) {

@@ -1,16 +1,24 @@
 //! The working set: the elements in contact and those about to enter it.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 
-use crate::solver::gradient::state::State;
-use crate::vector::update;
+use crate::{
+    solver::gradient::state::State,
+    vector::{stretches::Stretches, update},
+};
 
 /// Elements per parallel chunk.
 const PART: usize = 1 << 12;
+/// Elements decided together.
+const TOGETHER: usize = 64;
 
 /// A mask over the grid of the elements whose pressures are free.
 pub struct WorkingSet {
     mask: Vec<bool>,
+    /// The stretches that hold its elements.
+    stretches: Arc<Stretches>,
     /// The elements on the wrong side by the last [prediction](Self::predict_wrong_side).
     wrong: Vec<bool>,
     /// The revision of the set on which it was made.
@@ -46,6 +54,7 @@ impl WorkingSet {
     pub fn new(elements: usize) -> Self {
         Self {
             mask: vec![false; elements],
+            stretches: Arc::new(Stretches::none(elements)),
             wrong: vec![false; elements],
             predicted_on: None,
             len: 0,
@@ -56,7 +65,7 @@ impl WorkingSet {
     }
 
     /// Takes the working set of a starting state. Every element counts as changed.
-    pub fn start(&mut self, state: &State) {
+    pub fn start(&mut self, state: &mut State) {
         self.update(state);
         self.revision += 1;
         self.changed = self.mask.len();
@@ -64,14 +73,15 @@ impl WorkingSet {
     }
 
     /// `I = {p > 0} ∪ {g < 0}`, for pressures that are not negative anywhere.
-    pub fn update(&mut self, state: &State) {
+    #[expect(clippy::needless_bitwise_bool, reason = "without a branch")]
+    pub fn update(&mut self, state: &mut State) {
         let penetration = state.penetration;
-        self.revise_by(state, |_, _, p, v| p > 0.0 || v < penetration);
+        self.revise_by(state, |_, _, p, v| (p > 0.0) | (v < penetration));
     }
 
     /// `I ← {p > 0 in I and not on the wrong side} ∪ {on the wrong side outside I}`, from the solution on `I`, which
     /// may have negative pressures: the semismooth Newton step of the set.
-    pub fn exchange(&mut self, state: &State) {
+    pub fn exchange(&mut self, state: &mut State) {
         let wrong = std::mem::take(&mut self.wrong);
         self.revise_by(state, |element, member, p, _| {
             if member {
@@ -119,42 +129,60 @@ impl WorkingSet {
     }
 
     /// Keeps the members for which `belongs` holds, by index and pressure.
-    pub fn keep(&mut self, state: &State, belongs: impl Fn(usize, f64) -> bool + Sync) {
+    pub fn keep(&mut self, state: &mut State, belongs: impl Fn(usize, f64) -> bool + Sync) {
         self.revise_by(state, |element, member, p, _| member && belongs(element, p));
     }
 
     /// `I ← {p > 0}`.
-    pub fn keep_pressing(&mut self, state: &State) {
+    pub fn keep_pressing(&mut self, state: &mut State) {
         self.revise_by(state, |_, _, p, _| p > 0.0);
     }
 
-    fn revise_by(&mut self, state: &State, belongs: impl Fn(usize, bool, f64, f64) -> bool + Sync) {
+    /// Keeps the elements that can touch and for which `belongs` holds, by index, membership, pressure and `v`. The
+    /// state may press only on them.
+    fn revise_by(
+        &mut self,
+        state: &mut State,
+        belongs: impl Fn(usize, bool, f64, f64) -> bool + Sync,
+    ) {
         let fields = state
             .pressure
             .par_chunks(PART)
             .zip(state.v.par_chunks(PART));
         let fields = fields.zip(state.can_touch().par_chunks(PART));
         let parts = self.mask.par_chunks_mut(PART).zip(fields);
-        let counts = parts
-            .enumerate()
-            .map(|(part, (mask, ((pressure, v), can_touch)))| {
-                let (mut len, mut changed) = (0, 0);
-                let values = pressure.iter().zip(v).zip(can_touch);
-                for (element, (member, ((p, v), can_touch))) in
-                    (part * PART..).zip(mask.iter_mut().zip(values))
-                {
-                    let belongs = *can_touch && belongs(element, *member, *p, *v);
-                    changed += usize::from(belongs != *member);
-                    len += usize::from(belongs);
-                    *member = belongs;
-                }
-                (len, changed)
-            });
+        let counts = parts.enumerate().map(|(part, (mask, fields))| {
+            let ((pressure, v), can_touch) = fields;
+            let (mut len, mut changed) = (0, 0);
+            for (first, mask) in (0..).step_by(TOGETHER).zip(mask.chunks_mut(TOGETHER)) {
+                // Without branches, so that the processor decides on several at once.
+                let now = |i: usize| {
+                    let element = first + i;
+                    let (p, v) = (pressure[element], v[element]);
+                    can_touch[element] & belongs(part * PART + element, mask[i], p, v)
+                };
+                let mut members = [false; TOGETHER];
+                let count = mask.len();
+                (members[..count].iter_mut().enumerate()).for_each(|(i, member)| *member = now(i));
+                let differ = members
+                    .iter()
+                    .zip(&*mask)
+                    .filter(|(now, before)| now != before);
+                changed += differ.count();
+                len += members.iter().filter(|member| **member).count();
+                mask.copy_from_slice(&members[..count]);
+            }
+            (len, changed)
+        });
         let counts: Vec<(usize, usize)> = counts.collect();
         self.len = counts.iter().map(|(len, _)| len).sum();
         self.changed = counts.iter().map(|(_, changed)| changed).sum();
         self.moves += self.changed;
         self.revision += u64::from(self.changed > 0);
+        if self.changed > 0 {
+            self.stretches = Arc::new(Stretches::around(&self.mask));
+        }
+        state.press_on(&self.stretches);
     }
 
     /// Changes whenever the set does. Anything built for a set is valid while its revision is unchanged.
@@ -182,6 +210,11 @@ impl WorkingSet {
         &self.mask
     }
 
+    /// The stretches that hold its elements.
+    pub fn stretches(&self) -> &Arc<Stretches> {
+        &self.stretches
+    }
+
     /// Sets a field to 0 outside the set.
     pub fn clear_outside(&self, field: &mut [f64]) {
         update(field, &self.mask, |value, member| {
@@ -191,9 +224,9 @@ impl WorkingSet {
         });
     }
 
-    /// Sets a field to 0 outside the set and multiplies it by `factor` on the set.
+    /// Multiplies a field that is 0 outside its stretches by `factor` on the set, and sets it to 0 elsewhere.
     pub fn scale_within(&self, field: &mut [f64], factor: f64) {
-        update(field, &self.mask, |value, member| {
+        (self.stretches).update(field, &self.mask, |value, member| {
             *value = if *member { factor * *value } else { 0.0 };
         });
     }
@@ -222,22 +255,23 @@ mod tests {
             .map(|e| f64::from(u8::from(e < 7)))
             .collect();
         let (mut state, mut set) = begun(&mut problem, control, &pressure);
-        set.keep_pressing(&state);
+        set.keep_pressing(&mut state);
         assert_eq!(set.len(), 7);
         set.take_moves();
         let revision = set.revision();
         // Three leave, two others enter.
         state.pressure[..3].fill(0.0);
         state.pressure[7..9].fill(1.0);
-        set.keep_pressing(&state);
+        set.keep_pressing(&mut state);
         assert!(!set.is_unchanged() && set.revision() != revision);
         assert_eq!((set.len(), set.take_moves(), set.take_moves()), (6, 5, 0));
         assert!((0..SIZE * SIZE).all(|e| set.mask()[e] == (3..9).contains(&e)));
         // Nothing changes.
         let revision = set.revision();
-        set.keep_pressing(&state);
+        set.keep_pressing(&mut state);
         assert!(set.is_unchanged() && set.revision() == revision && set.take_moves() == 0);
         let mut field = vec![2.0; SIZE * SIZE];
+        set.clear_outside(&mut field);
         set.scale_within(&mut field, 3.0);
         assert!((0..SIZE * SIZE).all(|e| field[e] == if set.mask()[e] { 6.0 } else { 0.0 }));
     }
@@ -250,9 +284,9 @@ mod tests {
             .map(|e| f64::from(u8::from(e < 9)))
             .collect();
         let (mut state, mut set) = begun(&mut problem, control, &pressure);
-        set.keep_pressing(&state);
+        set.keep_pressing(&mut state);
         // Element 20 satisfies the condition, but is not in the set.
-        set.keep(&state, |element, p| {
+        set.keep(&mut state, |element, p| {
             (element != 4 && p > 0.5) || element == 20
         });
         let members = |e: usize| e < 9 && e != 4;
@@ -269,7 +303,7 @@ mod tests {
         let again = set.predict_wrong_side(&state, &missing, 0.1);
         assert_eq!((again.wrong, again.changed), (5, 0));
         // Only these change sides.
-        set.exchange(&state);
+        set.exchange(&mut state);
         let exchanged = |e: usize| (members(e) && e > 1) || (30..33).contains(&e);
         assert!((0..SIZE * SIZE).all(|e| set.mask()[e] == exchanged(e)));
         // On the new set nothing has been predicted before.

@@ -12,23 +12,26 @@
 //! `F` decays so quickly that a band a few elements wide can represent all of `E`, and a few coefficients all of `F`.
 //! Without the band the filter is wrong at the edge of the contact, which alone doubles the iterations.
 
+mod layout;
+mod stencil;
+
+use pulp::Arch;
 use rayon::prelude::*;
 
+pub use self::stencil::Stencil;
+use self::{
+    layout::Layout,
+    stencil::{Group, REACH, SingleStencil, Stencils, TOGETHER},
+};
 use crate::{
     grid::region::Region,
     solver::gradient::{
         conjugate_gradients::{Directions, LinearSystem, SystemFields, solve},
         working_set::WorkingSet,
     },
-    vector::{add_scaled, dot, update},
+    vector::{add_scaled, dot, single, update},
 };
 
-/// Offset along both axes up to which coefficients of `F` are used.
-const REACH: usize = 3;
-/// Coefficients along a side of a quarter of the stencil.
-const QUARTER_SIDE: usize = REACH + 1;
-/// Coefficients of `F` by offset along both axes.
-pub type Stencil = [[f64; QUARTER_SIDE]; QUARTER_SIDE];
 /// Elements from the set to the outer rim of the band, along both axes. One more does not help; one less costs a tenth
 /// more products.
 const WIDTH: usize = 3;
@@ -38,13 +41,22 @@ const ACCURACY: f64 = 0.1;
 const MOST_STEPS: usize = 12;
 /// Fewest elements per thread.
 const ELEMENTS: usize = 1 << 12;
+/// Groups of places per thread.
+const GROUPS: usize = 1 << 10;
 
 /// The band around one working set. Its fields hold one value for each of its elements.
 pub struct EdgeBand {
     layout: Layout,
-    /// The band's elements on the grid, ascending.
+    /// The set that it surrounds.
+    inside: Vec<bool>,
+    /// The band's elements on the grid, ascending, row by row.
+    rows: Vec<Vec<usize>>,
     elements: Vec<usize>,
+    /// The same as a mask.
+    mask: Vec<bool>,
     system: BandSystem,
+    /// The first coefficient of `F`.
+    unit: f64,
     residual: Vec<f64>,
     directions: Directions,
     image: Vec<f64>,
@@ -52,15 +64,16 @@ pub struct EdgeBand {
 
 /// The system `F_EE s = −(F r)_E`, as it is solved.
 struct BandSystem {
-    /// Places in a row of the field to which the stencil is applied.
-    width: usize,
-    coefficients: Stencil,
-    /// The places of the band's elements in that field.
+    layout: Layout,
+    coefficients: SingleStencil,
+    /// The places of the band's elements in the field to which the stencil is applied.
     places: Vec<usize>,
+    /// Adjacent places at which the stencil is applied at once, ascending.
+    groups: Vec<Group>,
     /// Mirror images across axes of symmetry: their place, and the index of the mirrored element of the band.
     images: Vec<(usize, usize)>,
     /// The field to which the stencil is applied: 0 except on the band and its mirror images.
-    spread: Vec<f64>,
+    spread: Vec<f32>,
     solution: Vec<f64>,
     /// `r·r` at the start; none before.
     start: Option<f64>,
@@ -75,16 +88,21 @@ impl EdgeBand {
         };
         Self {
             layout,
+            inside: vec![false; region.elements()],
+            rows: vec![Vec::new(); region.lengths()[0]],
             elements: Vec::new(),
+            mask: vec![false; region.elements()],
             system: BandSystem {
-                width: layout.width(),
-                coefficients: [[0.0; QUARTER_SIDE]; QUARTER_SIDE],
+                layout,
+                coefficients: SingleStencil::default(),
                 places: Vec::new(),
+                groups: Vec::new(),
                 images: Vec::new(),
                 spread: vec![0.0; layout.places()],
                 solution: Vec::new(),
                 start: None,
             },
+            unit: 1.0,
             residual: Vec::new(),
             directions: Directions::new(0),
             image: Vec::new(),
@@ -93,24 +111,36 @@ impl EdgeBand {
 
     /// Sets the coefficients of `F`, by offset along the axes.
     pub fn take_coefficients(&mut self, coefficients: &Stencil) {
-        self.system.coefficients = *coefficients;
+        self.unit = coefficients[0][0];
+        self.system.coefficients = coefficients.map(|row| row.map(|f| single(f / self.unit)));
     }
 
-    /// Sets up the band around a set.
+    /// Sets up the band around a set. Only rows near those that have changed are searched.
     pub fn surround(&mut self, set: &WorkingSet) {
         let layout = self.layout;
         let [_, size] = layout.lengths;
-        let rows = layout.lines(0).into_par_iter();
+        let (inside, mask) = (&self.inside, set.mask());
+        let changed = inside.par_chunks(size).zip(mask.par_chunks(size));
+        let changed = changed.with_min_len(ELEMENTS / size + 1);
+        let changed: Vec<bool> = changed.map(|(before, now)| before != now).collect();
+        let is_near = |i: usize| {
+            let end = (i + WIDTH + 1).min(changed.len());
+            changed[i.saturating_sub(WIDTH)..end].contains(&true)
+        };
+        let lines = layout.lines(0);
+        let rows = self.rows[lines.clone()].par_iter_mut().zip(lines);
         let rows = rows.with_min_len(ELEMENTS / size + 1);
-        let rows = rows.map_init(
-            || vec![false; size + 2 * WIDTH],
-            |near, i| layout.band_in_row(i, set.mask(), near),
+        rows.filter(|(_, i)| is_near(*i)).for_each_init(
+            || [size + 2 * WIDTH, size].map(|length| vec![false; length]),
+            |buffers, (row, i)| layout.find_band_in_row(i, mask, buffers, row),
         );
-        let rows: Vec<Vec<usize>> = rows.collect();
+        self.inside.copy_from_slice(mask);
+        self.elements.iter().for_each(|e| self.mask[*e] = false);
         self.elements.clear();
-        self.elements.extend(rows.into_iter().flatten());
-        self.system.take_places(layout, &self.elements);
-        self.directions.resize(self.elements.len());
+        self.elements.extend(self.rows.iter().flatten());
+        self.elements.iter().for_each(|e| self.mask[*e] = true);
+        self.system.take_places(&self.rows);
+        self.directions = Directions::new(self.elements.len());
         for field in [&mut self.residual, &mut self.image] {
             field.clear();
             field.resize(self.elements.len(), 0.0);
@@ -121,10 +151,25 @@ impl EdgeBand {
         self.elements.is_empty()
     }
 
+    /// The band as a mask over the grid.
+    pub fn mask(&self) -> &[bool] {
+        &self.mask
+    }
+
+    /// Sets a field to 0 on the band.
+    pub fn clear(&self, field: &mut [f64]) {
+        self.elements.iter().for_each(|e| field[*e] = 0.0);
+    }
+
     /// Computes `s` for `filtered`, `F r`, and writes it into the band's elements of `field`.
     pub fn balance(&mut self, filtered: &[f64], field: &mut [f64]) {
+        let values = self.elements.iter().map(|element| filtered[*element].abs());
+        let Some(unit) = power_of_two(values.fold(0.0, f64::max)) else {
+            return;
+        };
+        let per_unit = 1.0 / unit;
         update(&mut self.residual, &self.elements, |r, e| {
-            *r = -filtered[*e];
+            *r = -filtered[*e] * per_unit;
         });
         self.system.solution.fill(0.0);
         self.system.start = None;
@@ -136,27 +181,44 @@ impl EdgeBand {
         solve(&mut self.system, fields, MOST_STEPS);
         if self.system.has_start() {
             for (element, s) in self.elements.iter().zip(&self.system.solution) {
-                field[*element] = *s;
+                field[*element] = unit / self.unit * s;
             }
         }
     }
 }
 
 impl BandSystem {
-    /// Sets the band's elements.
-    fn take_places(&mut self, layout: Layout, elements: &[usize]) {
-        let images = self.images.drain(..).map(|(place, _)| place);
-        for place in self.places.drain(..).chain(images) {
-            self.spread[place] = 0.0;
-        }
+    /// Sets the band's elements, given row by row.
+    fn take_places(&mut self, rows: &[Vec<usize>]) {
+        let layout = self.layout;
+        self.clear_spread();
+        self.places.clear();
+        self.images.clear();
+        self.groups.clear();
         let [_, size] = layout.lengths;
-        for (index, element) in elements.iter().enumerate() {
-            let at = [element / size, element % size];
-            self.places.push(layout.place(at));
-            let images = layout.images(at).map(|place| (place, index));
-            self.images.extend(images);
+        for (i, row) in rows.iter().enumerate() {
+            // A group does not continue in the next row.
+            let mut end = 0;
+            for element in row {
+                let (at, index) = ([i, element - i * size], self.places.len());
+                let place = layout.place(at);
+                if place >= end {
+                    end = place + TOGETHER;
+                    self.groups.push(Group {
+                        place,
+                        first: index,
+                        members: [false; TOGETHER],
+                    });
+                }
+                if let Some(group) = self.groups.last_mut() {
+                    group.members[place - group.place] = true;
+                }
+                self.places.push(place);
+                let images = layout.images(at).map(|place| (place, index));
+                self.images.extend(images);
+            }
         }
-        self.solution.resize(elements.len(), 0.0);
+        self.solution.resize(self.places.len(), 0.0);
     }
 
     /// Whether the residual at the start is one to be balanced.
@@ -164,13 +226,44 @@ impl BandSystem {
         (self.start).is_some_and(|start| start > 0.0 && start.is_finite())
     }
 
+    /// Writes the sum of the field times the coefficients around each of the band's elements.
+    fn stencil_into(&self, image: &mut [f64]) {
+        let groups = self.groups.chunks(GROUPS);
+        let mut rest = image;
+        let parts = groups.map(|groups| {
+            let (first, last) = (&groups[0], &groups[groups.len() - 1]);
+            let count = last.first - first.first + last.members.iter().filter(|m| **m).count();
+            let (image, others) = std::mem::take(&mut rest).split_at_mut(count);
+            rest = others;
+            (groups, image)
+        });
+        let parts: Vec<(&[Group], &mut [f64])> = parts.collect();
+        parts.into_par_iter().for_each(|(groups, image)| {
+            Arch::new().dispatch(Stencils {
+                groups,
+                field: &self.spread,
+                width: self.layout.width(),
+                coefficients: &self.coefficients,
+                image,
+            });
+        });
+    }
+
+    /// Clears the field to which the stencil is applied on the band.
+    fn clear_spread(&mut self) {
+        let images = self.images.iter().map(|(place, _)| place);
+        for place in self.places.iter().chain(images) {
+            self.spread[*place] = 0.0;
+        }
+    }
+
     /// Copies a direction into the field to which the stencil is applied.
     fn spread(&mut self, direction: &[f64]) {
         for (place, d) in self.places.iter().zip(direction) {
-            self.spread[*place] = *d;
+            self.spread[*place] = single(*d);
         }
         for (place, index) in &self.images {
-            self.spread[*place] = direction[*index];
+            self.spread[*place] = single(direction[*index]);
         }
     }
 }
@@ -197,10 +290,7 @@ impl LinearSystem for BandSystem {
     /// Writes `F_EE d`.
     fn apply_into(&mut self, direction: &[f64], image: &mut [f64]) {
         self.spread(direction);
-        let (spread, coefficients, width) = (&self.spread, &self.coefficients, self.width);
-        update(image, &self.places, |y, place| {
-            *y = stencil(&spread[place - REACH * (width + 1)..], width, coefficients);
-        });
+        self.stencil_into(image);
     }
 
     /// Truncated at the reach, `F_EE` may be indefinite under a stiff coating.
@@ -213,90 +303,10 @@ impl LinearSystem for BandSystem {
     }
 }
 
-/// The sum of a field times the coefficients around an element; the field starts at the place of the lowest offsets.
-fn stencil(field: &[f64], width: usize, coefficients: &Stencil) -> f64 {
-    let row = |i: usize| -> &[f64] { &field[i * width..][..=2 * REACH] };
-    let mut sum = 0.0;
-    for (i, coefficients) in coefficients.iter().enumerate() {
-        let (above, below) = (row(REACH - i), row(REACH + i));
-        for (j, coefficient) in coefficients.iter().enumerate() {
-            let pair = |row: &[f64]| match j {
-                0 => row[REACH],
-                _ => row[REACH - j] + row[REACH + j],
-            };
-            let values = if i == 0 {
-                pair(below)
-            } else {
-                pair(above) + pair(below)
-            };
-            sum += coefficient * values;
-        }
-    }
-    sum
-}
-
-/// The places of the band's elements on the grid and in the field to which its stencil is applied, which also covers
-/// elements beyond axes of symmetry.
-#[derive(Clone, Copy)]
-struct Layout {
-    /// Rows, and elements per row.
-    lengths: [usize; 2],
-    /// Rows and columns before the first element.
-    beyond: [usize; 2],
-}
-
-impl Layout {
-    /// Places in a row.
-    fn width(self) -> usize {
-        self.lengths[1] + self.beyond[1]
-    }
-
-    fn places(self) -> usize {
-        (self.lengths[0] + self.beyond[0]) * self.width()
-    }
-
-    fn place(self, [i, j]: [usize; 2]) -> usize {
-        let [above, left] = self.beyond;
-        (i + above) * self.width() + j + left
-    }
-
-    /// The places of an element's mirror images beyond the axes that are within reach of the stencil.
-    fn images(self, [i, j]: [usize; 2]) -> impl Iterator<Item = usize> {
-        // The image of element k from the axis lies at the same distance on the other side.
-        let along = move |axis: usize, k: usize| {
-            let beyond = self.beyond[axis];
-            std::iter::once(k + beyond).chain(beyond.checked_sub(k + 1))
-        };
-        let places = along(0, i).flat_map(move |i| along(1, j).map(move |j| i * self.width() + j));
-        places.skip(1)
-    }
-
-    /// Rows or columns that may hold the band: neither it nor the stencil leaves the grid.
-    fn lines(self, axis: usize) -> std::ops::Range<usize> {
-        let margin = WIDTH.max(REACH);
-        let first = if self.beyond[axis] > 0 { 0 } else { margin };
-        first..self.lengths[axis].saturating_sub(margin).max(first)
-    }
-
-    /// The band's elements in row `i`, ascending; `near` is a buffer for a row plus the width of the band on both
-    /// sides.
-    fn band_in_row(self, i: usize, mask: &[bool], near: &mut [bool]) -> Vec<usize> {
-        let [_, size] = self.lengths;
-        near.fill(false);
-        // Elements beyond an axis are images of elements on this side, which are nearer.
-        let first = i.saturating_sub(WIDTH);
-        for row in mask[first * size..(i + WIDTH + 1) * size].chunks_exact(size) {
-            let near = near[WIDTH..].iter_mut();
-            near.zip(row).for_each(|(near, member)| *near |= member);
-        }
-        if !near.contains(&true) {
-            return Vec::new();
-        }
-        let is_of_band =
-            |j: &usize| !mask[i * size + j] && near[*j..=j + 2 * WIDTH].contains(&true);
-        let columns = self.lines(1).filter(is_of_band);
-        columns.map(|j| i * size + j).collect()
-    }
+/// The largest power of two up to a number, so that single precision holds the quotient and no digit changes; none if
+/// it is 0 or not finite.
+fn power_of_two(number: f64) -> Option<f64> {
+    (number > 0.0 && number.is_finite()).then(|| number.log2().floor().exp2())
 }
 
 #[cfg(test)]

@@ -31,7 +31,7 @@ use pellicle_influence::{PeriodicFilter, PeriodicSymbol};
 use crate::grid::region::Region;
 use crate::solver::gradient::preconditioner::edge_band::{EdgeBand, Stencil};
 use crate::solver::gradient::working_set::WorkingSet;
-use crate::vector::{add_scaled, by_parts, update};
+use crate::vector::update;
 
 /// Ratio of successive mean compliances for which filters are built.
 const MEAN_RATIO: f64 = 1.1;
@@ -47,13 +47,16 @@ pub struct RestrictedFilter {
     shortest: f64,
     /// `η̄` for which the filter is built; NaN before the first.
     mean_compliance: f64,
-    /// `S` of each element.
+    /// `S` of each element; empty without springs, where it is 1.
     flank: Vec<f64>,
     band: EdgeBand,
     /// Whether there is a band at all.
     pub has_band: bool,
     /// Whether the band is applied twice.
     is_plate: bool,
+    /// The set and its band.
+    both: Vec<bool>,
+    /// 0 outside the band between applications.
     filtered: Vec<f64>,
 }
 
@@ -65,10 +68,11 @@ impl RestrictedFilter {
             shortest: symbol.shortest(),
             filter: PeriodicFilter::new(symbol, region.shape()),
             mean_compliance: f64::NAN,
-            flank: vec![0.0; elements],
+            flank: Vec::new(),
             band: EdgeBand::new(region),
             has_band: true,
             is_plate: false,
+            both: Vec::new(),
             filtered: vec![0.0; elements],
         }
     }
@@ -79,8 +83,15 @@ impl RestrictedFilter {
         if mean.total_cmp(&self.mean_compliance).is_ne() {
             self.tune(mean, relief_compliance);
         }
+        self.band.clear(&mut self.filtered);
         if self.has_band {
             self.band.surround(set);
+        }
+        self.both.clear();
+        if self.is_plate {
+            let masks = set.mask().iter().zip(self.band.mask());
+            self.both
+                .extend(masks.map(|(member, is_of_band)| member | is_of_band));
         }
     }
 
@@ -98,28 +109,53 @@ impl RestrictedFilter {
         self.is_plate = sum_over_reach(&coefficients) < PLATE * coefficients[0][0];
         let both = 1.0 / coefficients[0][0];
         let own = both - mean;
-        update(&mut self.flank, relief_compliance, |s, eta| {
-            *s = (both / (own + eta)).sqrt().sqrt();
-        });
+        let has_springs = relief_compliance.iter().any(|eta| *eta > 0.0);
+        self.flank.clear();
+        if has_springs {
+            self.flank.resize(relief_compliance.len(), 0.0);
+            update(&mut self.flank, relief_compliance, |s, eta| {
+                *s = (both / (own + eta)).sqrt().sqrt();
+            });
+        }
     }
 
     /// `r ← M⁻¹_I r`, in place, for an `r` that is 0 outside the set.
     pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
-        update(residual, &self.flank, |r, s| *r *= s);
-        if !self.band.is_empty() {
-            self.filtered.copy_from_slice(residual);
-            self.filter.apply(&mut self.filtered);
+        self.flank(set, residual);
+        if self.band.is_empty() {
+            self.filter.apply(set.mask(), residual);
+        } else {
+            let wanted = self.band.mask();
+            self.filter.apply_into(residual, wanted, &mut self.filtered);
             self.band.balance(&self.filtered, residual);
+            if self.is_plate {
+                self.filter_twice(set, residual);
+            } else {
+                self.filter.apply(set.mask(), residual);
+            }
+            self.band.clear(residual);
         }
-        self.filter.apply(residual);
-        if self.is_plate && !self.band.is_empty() {
-            self.filtered.fill(0.0);
-            self.band.balance(residual, &mut self.filtered);
-            self.filter.apply(&mut self.filtered);
-            add_scaled(residual, 1.0, &self.filtered);
+        self.flank(set, residual);
+    }
+
+    /// Applies the filter, and once more to what makes the result vanish on the band.
+    fn filter_twice(&mut self, set: &WorkingSet, residual: &mut [f64]) {
+        let filtered = &mut self.filtered;
+        self.filter.apply(&self.both, residual);
+        self.band.clear(filtered);
+        self.band.balance(residual, filtered);
+        self.filter.apply(set.mask(), filtered);
+        let on = set.stretches();
+        on.add_scaled(residual, 1.0, filtered);
+        on.each(filtered, |value| *value = 0.0);
+        self.band.clear(filtered);
+    }
+
+    /// `r ← S r` on the set.
+    fn flank(&self, set: &WorkingSet, field: &mut [f64]) {
+        if !self.flank.is_empty() {
+            (set.stretches()).update(field, &self.flank, |value, s| *value *= s);
         }
-        set.clear_outside(residual);
-        update(residual, &self.flank, |z, s| *z *= s);
     }
 }
 
@@ -144,10 +180,10 @@ fn rounded(mean: f64) -> f64 {
 
 /// The mean of a field over the set; 0 for an empty one.
 fn mean_over(set: &WorkingSet, field: &[f64]) -> f64 {
-    let sums = by_parts(field.len(), |part| {
-        let members = field[part.clone()].iter().zip(&set.mask()[part]);
-        let sum: f64 = members.filter(|(_, m)| **m).map(|(value, _)| value).sum();
-        sum
+    let sums = set.stretches().by_parts(|ranges| {
+        let elements = ranges.iter().cloned().flatten();
+        let members = elements.filter(|element| set.mask()[*element]);
+        members.map(|element| field[element]).sum::<f64>()
     });
     sums.iter().sum::<f64>() / set.len().max(1) as f64
 }

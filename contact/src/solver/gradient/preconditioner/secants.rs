@@ -280,13 +280,13 @@ mod tests {
         let mut problem = problem([1.0, 0.1], paraboloid, RIGID);
         let control = LoadControl::of(&problem, Load::Penetration(0.02));
         let (mut state, mut set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
-        set.keep_pressing(&state);
+        set.keep_pressing(&mut state);
         let mut secants = Secants::default();
         for rate in [0.3, 0.7, 1.1] {
             secants.push(&set, &wave(rate), &system(&wave(rate)));
         }
         state.pressure[..left].fill(0.0);
-        set.keep_pressing(&state);
+        set.keep_pressing(&mut state);
         secants.follow(&set, |_| None);
         (secants, set)
     }
@@ -314,7 +314,7 @@ mod tests {
         let control = LoadControl::of(&problem, Load::Penetration(0.02));
         let (mut state, mut set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
         state.pressure[0] = 0.0;
-        set.keep_pressing(&state);
+        set.keep_pressing(&mut state);
         let mut step = wave(0.3);
         set.clear_outside(&mut step);
         let mut secants = Secants::default();
@@ -322,7 +322,7 @@ mod tests {
         problem.deform_to_scale(&step, &mut image);
         secants.push(&set, &step, &image);
         (state.pressure[0], state.pressure[1]) = (1.0, 0.0);
-        set.keep_pressing(&state);
+        set.keep_pressing(&mut state);
         secants.follow(&set, |reach| NearColumns::new(&problem, reach));
         set.clear_outside(&mut step);
         problem.deform_to_scale(&step, &mut image);

@@ -69,9 +69,9 @@ fn the_residual_is_zero_outside_the_set() {
     let mut problem = of_coating([1.0, 0.1], paraboloid, RIGID);
     let control = LoadControl::of(&problem, Load::Penetration(0.02));
     let pressure: Vec<f64> = (0..ELEMENTS).map(|e| (e as f64).sin().max(0.0)).collect();
-    let (state, mut set) = begun(&mut problem, control, &pressure);
-    set.keep_pressing(&state);
-    let mut residual = vec![7.0; ELEMENTS];
+    let (mut state, mut set) = begun(&mut problem, control, &pressure);
+    set.keep_pressing(&mut state);
+    let mut residual = SparseField::new(ELEMENTS);
     residual_into(&state, &set, &mut residual);
     for (e, found) in residual.iter().enumerate() {
         let wanted = if pressure[e] > 0.0 {
@@ -93,8 +93,8 @@ fn islands(problem: &mut DiscreteProblem) -> (State, WorkingSet) {
     let pressure: Vec<f64> = (0..ELEMENTS)
         .map(|e| f64::from(u8::from(in_set(e))) * (1.0 + (e as f64).sin() / 2.0))
         .collect();
-    let (state, mut set) = begun(problem, control, &pressure);
-    set.keep_pressing(&state);
+    let (mut state, mut set) = begun(problem, control, &pressure);
+    set.keep_pressing(&mut state);
     assert_eq!(set.len(), pressure.iter().filter(|p| **p > 0.0).count());
     (state, set)
 }
@@ -160,8 +160,8 @@ fn a_small_set_with_springs_is_solved_exactly() {
     let pressure: Vec<f64> = (0..ELEMENTS)
         .map(|e| f64::from(u8::from(e % 7 == 0)) * (1.0 + (e as f64).sin() / 2.0))
         .collect();
-    let (state, mut set) = begun(&mut problem, control, &pressure);
-    set.keep_pressing(&state);
+    let (mut state, mut set) = begun(&mut problem, control, &pressure);
+    set.keep_pressing(&mut state);
     let mut preconditioner = Preconditioner::new(&problem, Shortcuts::ALL);
     assert!(preconditioner.turn_to_factor(&problem, 1));
     preconditioner.follow(&problem, &set);
@@ -185,7 +185,7 @@ fn on_all_elements_the_filter_divides_a_wave_by_its_symbol() {
     let (state, set) = begun(&mut problem, control, &[1.0; ELEMENTS]);
     assert_eq!(set.len(), ELEMENTS);
     let mut preconditioner = Preconditioner::new(&problem, Shortcuts::ALL);
-    let mut z = vec![0.0; ELEMENTS];
+    let mut z = SparseField::new(ELEMENTS);
     preconditioner.direction_into(&problem, &state, &set, UniformAccuracy::Exact, &mut z);
     for [a, b] in [[0, 1], [3, 0], [2, 5], [16, 16], [7, 16]] {
         let wave = |e: usize| {

@@ -7,6 +7,7 @@ use crate::{
         gradient::tests::begun,
         tests::{RIGID, SIZE, paraboloid, problem},
     },
+    vector::dot,
 };
 
 const ELEMENTS: usize = SIZE * SIZE;
@@ -63,6 +64,7 @@ fn steps_preserve_a_prescribed_total_and_can_be_undone() {
         let control = LoadControl::of(&problem, load);
         let (mut state, _) = begun(&mut problem, control, &disc());
         assert!(state.keeps_total());
+        state.press_anywhere();
         let mut other = vec![2.0; ELEMENTS];
         state.rescale(&mut other);
         assert!((sum(&other) / sum(&state.pressure) - 1.0).abs() < 1e-12);

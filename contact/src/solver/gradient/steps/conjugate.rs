@@ -3,22 +3,19 @@
 //! The energy is minimised over pressures on the set `I` with a fixed total, along [conjugate
 //! directions](Directions) of the projected preconditioned residual `z`, with `α = r·d / d·(K + η)d`.
 
-use rayon::prelude::*;
+use std::sync::Arc;
 
 use crate::solver::gradient::conjugate_gradients::{Directions, SystemFields};
 use crate::solver::gradient::preconditioner::{UniformAccuracy, residual_into};
 use crate::solver::gradient::steps::segment::Segment;
 use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
-use crate::vector::dot;
-
-/// Fewest elements per thread.
-const MIN_PART: usize = 1 << 12;
+use crate::vector::stretches::{SparseField, Stretches};
 
 /// The memory and buffers of the conjugate directions.
 pub struct ConjugateSteps {
     directions: Directions,
-    preconditioned: Vec<f64>,
-    residual_before: Vec<f64>,
+    preconditioned: SparseField,
+    residual_before: SparseField,
 }
 
 /// The fields of a linear system, and two more for its preconditioner and for a direction taken beforehand.
@@ -26,7 +23,7 @@ pub type LentFields<'a> = (SystemFields<'a>, [&'a mut [f64]; 2]);
 
 impl ConjugateSteps {
     pub fn new(elements: usize) -> Self {
-        let field = || vec![0.0; elements];
+        let field = || SparseField::new(elements);
         Self {
             directions: Directions::new(elements),
             preconditioned: field(),
@@ -39,15 +36,16 @@ impl ConjugateSteps {
         self.directions.restart();
     }
 
-    /// Lends the buffers for another use and discards the directions.
-    pub fn lend<'a>(&'a mut self, segment: &'a mut Segment) -> LentFields<'a> {
+    /// Lends the buffers for another use on some stretches and discards the directions.
+    pub fn lend<'a>(&'a mut self, on: &Arc<Stretches>, segment: &'a mut Segment) -> LentFields<'a> {
         self.restart();
+        self.directions.stay_on(on);
         let fields = SystemFields {
-            residual: &mut self.residual_before,
+            residual: self.residual_before.on(on),
             directions: &mut self.directions,
             image: &mut segment.image,
         };
-        (fields, [&mut self.preconditioned, &mut segment.step])
+        (fields, [self.preconditioned.on(on), segment.step.on(on)])
     }
 
     /// Takes one step. If elements would pull, they are held at zero and the step is limited so that the energy does
@@ -58,9 +56,9 @@ impl ConjugateSteps {
         if !alpha.is_finite() {
             return StepOutcome::Cut;
         }
-        let pulls = |(p, d): (&f64, &f64)| p + alpha * d < 0.0;
-        let steps = context.state.pressure.par_iter().zip(self.direction());
-        if !steps.with_min_len(MIN_PART).any(pulls) {
+        let state = &*context.state;
+        let pulls = |p: f64, d: f64| p + alpha * d < 0.0;
+        if !(state.stretches()).any(&state.pressure, self.direction(), pulls) {
             self.advance(context, alpha);
             return StepOutcome::Free;
         }
@@ -94,8 +92,10 @@ impl ConjugateSteps {
         context.direction_into(UniformAccuracy::Exact, &mut self.preconditioned);
         let Context { state, set, .. } = context;
         // r·z, with r = D − v; z sums to zero, or D is prescribed.
-        let product = -state.control.slope(&self.preconditioned, &state.v);
+        let on = state.stretches();
+        let product = -state.control.slope(on, &self.preconditioned, &state.v);
         let directions = &mut self.directions;
+        directions.stay_on(on);
         directions.turn_from(&self.residual_before, &self.preconditioned, product);
         directions.correct(|direction| state.deflate(direction));
         residual_into(state, set, &mut self.residual_before);
@@ -114,7 +114,8 @@ impl ConjugateSteps {
         let direction = self.directions.last();
         state.image_into(problem, direction, image);
         // α = r·d / d·(K + η)d, with r·d = −d·∂E
-        -state.control.slope(direction, &state.v) / dot(direction, image)
+        let on = state.stretches();
+        -state.control.slope(on, direction, &state.v) / on.dot(direction, image)
     }
 
     /// Advances by `alpha` along the direction whose image the segment holds.

@@ -125,12 +125,18 @@ impl FaceDescent {
             ..
         } = context;
         let Segment { step, image } = &mut **segment;
-        update_with(step, &state.pressure, &self.pressure, |s, p, before| {
-            *s = p - before;
-        });
+        let on = state.stretches();
+        on.update_with(
+            step.on(on),
+            &state.pressure,
+            &self.pressure,
+            |s, p, before| {
+                *s = p - before;
+            },
+        );
         update_with(image, &state.v, &self.v, |y, v, before| *y = v - before);
         // E(p + t s) = E(p) + t s·∂E + ½ t² s·y
-        let slope = state.control.slope(&segment.step, &self.v);
+        let slope = state.control.slope(on, &segment.step, &self.v);
         let curvature = segment.curvature();
         let straight = self.energy + ends[0] * (slope + ends[0] * curvature / 2.0);
         let mut caution = self.caution;

@@ -4,42 +4,44 @@ use crate::solver::gradient::state::State;
 use crate::solver::gradient::steps::outcome::StepOutcome;
 use crate::{
     DiscreteProblem,
-    vector::{add_scaled, dot, each, update, update_with},
+    vector::{stretches::SparseField, update_with},
 };
 
 /// A step `s` that satisfies the load control, with `p + s ≥ 0`, and its image `y = (K + η) s`. Every fraction
 /// `t ∈ [0, 1]` of it leads to an admissible pressure, whose energy is known without a product:
 /// `E(p + t s) = E(p) + t s·∂E + ½ t² s·y`.
 pub struct Segment {
-    pub step: Vec<f64>,
+    pub step: SparseField,
     pub image: Vec<f64>,
 }
 
 impl Segment {
     pub fn new(elements: usize) -> Self {
         Self {
-            step: vec![0.0; elements],
+            step: SparseField::new(elements),
             image: vec![0.0; elements],
         }
     }
 
     /// `s = max(p + α d, 0)`, scaled to the total to be preserved, less `p`.
     pub fn clip(&mut self, state: &State, alpha: f64, direction: &[f64]) {
-        update_with(&mut self.step, direction, &state.pressure, |s, d, p| {
+        let on = state.stretches();
+        let step = self.step.on(on);
+        on.update_with(step, direction, &state.pressure, |s, d, p| {
             *s = (p + alpha * d).max(0.0);
         });
-        state.rescale(&mut self.step);
-        add_scaled(&mut self.step, -1.0, &state.pressure);
+        state.rescale(step);
+        on.add_scaled(step, -1.0, &state.pressure);
     }
 
     /// `s·∂E`: negative where the step starts downhill.
     pub fn slope(&self, state: &State) -> f64 {
-        state.control.slope(&self.step, &state.v)
+        state.control.slope(state.stretches(), &self.step, &state.v)
     }
 
     /// `s·y`.
     pub fn curvature(&self) -> f64 {
-        dot(&self.step, &self.image)
+        self.step.dot(&self.image)
     }
 
     /// Takes the whole step, or only up to the minimum of the energy on the segment if the energy would rise above
@@ -65,7 +67,8 @@ impl Segment {
         if growth != 0.0 {
             self.count_growth(state, part, growth);
         }
-        each(&mut state.pressure, |p| *p = p.max(0.0));
+        let on = state.stretches().clone();
+        on.each(&mut state.pressure, |p| *p = p.max(0.0));
         if whole {
             StepOutcome::Clipped
         } else {
@@ -77,7 +80,8 @@ impl Segment {
     /// `y ← t y + μ/(1 + μ) (v − g0)`.
     fn count_growth(&mut self, state: &State, part: f64, growth: f64) {
         let ratio = growth / (1.0 + growth);
-        update(&mut self.step, &state.pressure, |s, p| {
+        let on = state.stretches();
+        on.update(self.step.on(on), &state.pressure, |s, p| {
             *s = part * *s + ratio * p;
         });
         update_with(&mut self.image, &state.v, &state.initial_gap, |y, v, g0| {

@@ -9,7 +9,7 @@ use crate::solver::gradient::preconditioner::{UniformAccuracy, residual_into};
 use crate::solver::gradient::steps::projection::project;
 use crate::solver::gradient::steps::segment::Segment;
 use crate::solver::gradient::steps::{Context, outcome::StepOutcome};
-use crate::vector::dot;
+use crate::vector::stretches::SparseField;
 
 /// Bounds of the step length `α`; 1 is the preconditioner's own step. Steps in practice lie between 0.02 and 3.
 const STEP_BOUNDS: [f64; 2] = [0.02, 4.0];
@@ -20,19 +20,19 @@ const ENERGY_WINDOW: usize = 4;
 /// The memory and buffers of the spectral steps.
 pub struct SpectralSteps {
     energies: Vec<f64>,
-    direction: Vec<f64>,
+    direction: SparseField,
     /// `λ` of the previous direction; none after a step of another kind.
     before: Option<f64>,
-    direction_before: Vec<f64>,
+    direction_before: SparseField,
 }
 
 impl SpectralSteps {
     pub fn new(elements: usize) -> Self {
         Self {
             energies: Vec::with_capacity(ENERGY_WINDOW),
-            direction: vec![0.0; elements],
+            direction: SparseField::new(elements),
             before: None,
-            direction_before: vec![0.0; elements],
+            direction_before: SparseField::new(elements),
         }
     }
 
@@ -88,26 +88,27 @@ impl SpectralSteps {
         } = context;
         residual_into(state, set, &mut self.direction);
         state.image_into(problem, &self.direction, image);
-        let alpha = dot(&self.direction, &self.direction) / dot(&self.direction, image);
+        let alpha = self.direction.dot(&self.direction) / self.direction.dot(image);
         let alpha = if alpha.is_finite() { alpha } else { 0.0 };
         let members = || set.mask().iter().enumerate().filter(|(_, member)| **member);
         let ahead = members().map(|(e, _)| state.pressure[e] + alpha * self.direction[e]);
         let mut ahead: Vec<f64> = ahead.collect();
         project(state.control, &mut ahead);
-        step.fill(0.0);
+        step.each(|s| *s = 0.0);
+        let step = step.on(set.stretches());
         for ((e, _), p) in members().zip(ahead) {
             step[e] = p - state.pressure[e];
         }
     }
 
     /// `α = s·y / (y·M⁻¹_I y)` within its bounds, from `λ` and `M⁻¹_I 1`; 1 at first.
-    fn alpha(&self, level: f64, uniform: &[f64], segment: &Segment) -> f64 {
+    fn alpha(&self, level: f64, uniform: &SparseField, segment: &Segment) -> f64 {
         let Some(before) = self.before else {
             return 1.0;
         };
         let y = &segment.image;
-        let metric = (level - before) * dot(y, uniform) + dot(y, &self.direction_before)
-            - dot(y, &self.direction);
+        let metric = (level - before) * uniform.dot(y) + self.direction_before.dot(y)
+            - self.direction.dot(y);
         let alpha = segment.curvature() / metric;
         if alpha > 0.0 && alpha.is_finite() {
             alpha.clamp(STEP_BOUNDS[0], STEP_BOUNDS[1])

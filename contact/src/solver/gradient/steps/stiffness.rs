@@ -52,7 +52,7 @@ pub fn pressure_sum_per_penetration(
         preconditioner,
         segment,
     } = context;
-    let (fields, [preconditioned, image_of_pressure]) = conjugate.lend(segment);
+    let (fields, [preconditioned, image_of_pressure]) = conjugate.lend(set.stretches(), segment);
     preconditioner.follow(problem, set);
     let pressure = &state.pressure;
     let (v, initial_gap) = (&state.v, &state.initial_gap);

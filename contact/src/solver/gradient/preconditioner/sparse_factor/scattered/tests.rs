@@ -48,8 +48,8 @@ fn set(candidates: &Candidates, belongs: impl Fn([usize; 2]) -> bool) -> Working
     let mut state = State::new(&problem);
     state.start(&mut problem, control, &pressure);
     let mut set = WorkingSet::new(ELEMENTS);
-    set.start(&state);
-    set.keep_pressing(&state);
+    set.start(&mut state);
+    set.keep_pressing(&mut state);
     set
 }
 
