@@ -45,9 +45,13 @@ impl Layout {
 
     /// Rows or columns that may hold the band: neither it nor the stencil leaves the grid.
     pub fn lines(self, axis: usize) -> Range<usize> {
-        let margin = WIDTH.max(REACH);
-        let first = if self.beyond[axis] > 0 { 0 } else { margin };
-        first..self.lengths[axis].saturating_sub(margin).max(first)
+        let (margin, length) = (WIDTH.max(REACH), self.lengths[axis]);
+        let first = if self.beyond[axis] > 0 {
+            0
+        } else {
+            margin.min(length)
+        };
+        first..length.saturating_sub(margin).max(first)
     }
 
     /// Finds the band's elements in row `i`, ascending. The buffers are for a row plus the width of the band on both

@@ -4,7 +4,7 @@ use pellicle_influence::{ElasticOperator, Sector, SectorGrid};
 
 use super::{ACCURACY, EdgeBand, Stencil};
 use crate::{
-    DiscreteProblem,
+    Boundary, DiscreteProblem,
     grid::region::Region,
     problem::support::choice::given,
     solver::gradient::{load_control::LoadControl, tests::begun, working_set::WorkingSet},
@@ -114,5 +114,25 @@ fn the_filtered_residual_vanishes_on_the_band() {
             missed[1] <= 0.04 * whole[1],
             "{sector:?}: {missed:?} of {whole:?}"
         );
+    }
+}
+
+/// A cell of grooves is solved on few elements along them.
+#[test]
+fn a_grid_too_narrow_for_the_stencil_has_no_band() {
+    // As many elements as those of a square, from which the set is taken.
+    const SIDE: usize = 6;
+    let field = |value: f64| vec![value; SIDE * SIDE];
+    let support = given(Box::new(Rigid), Region::whole(SIDE));
+    let problem = DiscreteProblem::on(support, field(0.0), field(1.0), 1.0);
+    let presses = |e: usize| f64::from(u8::from(e % 20 < 7));
+    let pressure: Vec<f64> = (0..SIDE * SIDE).map(presses).collect();
+    let control = LoadControl::Penetration(0.0);
+    let (_, set) = begun(&mut problem.unwrap(), control, &pressure);
+    for lengths in [[18, 2], [2, 18], [36, 1], [1, 36]] {
+        let cell = Region::bounded(SectorGrid::oblong(lengths), Boundary::Periodic);
+        let mut band = EdgeBand::new(&cell);
+        band.surround(&set);
+        assert!(set.len() > 0 && band.is_empty(), "{lengths:?}");
     }
 }
