@@ -14,26 +14,29 @@ struct Page {
     text: String,
 }
 
-/// The guide, the recipes in the order in which it names them, and the gallery.
+fn page(name: &str) -> Page {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../docs")
+        .join(name);
+    let text = fs::read_to_string(&path).unwrap();
+    Page { path, text }
+}
+
+/// The guide, then the recipes in the order in which it names them.
 fn pages() -> Vec<Page> {
-    let documents = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
-    let page = |name: &str| {
-        let path = documents.join(name);
-        let text = fs::read_to_string(&path).unwrap();
-        Page { path, text }
-    };
     let mut pages = vec![page("guide.md")];
     let rows = pages[0].text.lines();
     let rows = rows.filter_map(|line| line.strip_prefix("| [")?.split(['(', ')']).nth(1));
     let recipes: Vec<Page> = rows.map(page).collect();
-    let written = fs::read_dir(documents.join("recipes")).unwrap().count();
+    let written = fs::read_dir(pages[0].path.with_file_name("recipes"))
+        .unwrap()
+        .count();
     assert_eq!(
         recipes.len(),
         written,
         "the guide's table names every recipe"
     );
     pages.extend(recipes);
-    pages.push(page("gallery.md"));
     pages
 }
 
@@ -54,10 +57,33 @@ const UPDATE: &str = "PELLICLE_UPDATE_GUIDE";
 
 #[test]
 fn every_command_of_the_guide_works_as_described_and_prints_what_it_lists() {
-    let (folder, path) = (TestFolder::new(), path());
+    let folder = TestFolder::new();
+    check(&pages(), &folder);
+    let studies = ["results/thickness", "results/study"].map(|study| names(&folder.path(study)));
+    assert_eq!(studies[0], ["report.html", "results.csv", "study.json"]);
+    // Tables and identities of the whole and its parts, a page, and for each the fields on two grids.
+    assert_eq!(studies[1].len(), 13);
+}
+
+#[test]
+fn every_command_of_the_gallery_draws_its_picture() {
+    let (folder, gallery) = (TestFolder::new(), page("gallery.md"));
+    let drawings = gallery.text.split("<!-- ").skip(1);
+    let drawings = drawings.filter_map(|part| part.split(" -->").next());
+    let drawings: Vec<_> = drawings.map(str::to_owned).collect();
+    check(&[gallery], &folder);
+    assert!(!drawings.is_empty());
+    for drawing in drawings {
+        assert!(folder.path(&drawing).is_file(), "{drawing}");
+    }
+}
+
+/// Runs the commands of pages, one after the other in a folder.
+fn check(pages: &[Page], folder: &TestFolder) {
+    let path = path();
     let mut differing = Vec::new();
-    for page in pages() {
-        let now = run_page(&page, &folder, &path);
+    for page in pages {
+        let now = run_page(page, folder, &path);
         if env::var_os(UPDATE).is_some() {
             fs::write(&page.path, &now).unwrap();
         }
@@ -69,10 +95,6 @@ fn every_command_of_the_guide_works_as_described_and_prints_what_it_lists() {
         differing.is_empty(),
         "{differing:#?} (in the guide, printed now); {UPDATE}=1 writes what is printed"
     );
-    let studies = ["results/thickness", "results/study"].map(|study| names(&folder.path(study)));
-    assert_eq!(studies[0], ["report.html", "results.csv", "study.json"]);
-    // Tables and identities of the whole and its parts, a page, and for each the fields on two grids.
-    assert_eq!(studies[1].len(), 13);
 }
 
 /// Runs the commands of a page and returns its text with the listings as printed now.
