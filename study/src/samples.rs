@@ -278,7 +278,7 @@ mod tests {
             ),
             (
                 "a\n1\n\"x\ny\"\n",
-                "line 3, key `a`: found \"x\\ny\", wanted text without control characters",
+                "line 3, key `a`: found \"x\\ny\", wanted a number, as in the first row",
             ),
             ("a\n", "found no rows"),
             ("a\n1\n2\n3\n4\n", "found more than 3 rows"),
