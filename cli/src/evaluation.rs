@@ -38,7 +38,7 @@ impl Evaluation {
             None => file.settings.clone(),
         };
         let curves = EvaluatedFile::all(&file.data, &settings)?;
-        let found = EvaluationResult::new(&file.title, &curves, &settings);
+        let found = EvaluationResult::new(file, &curves, &settings);
         Ok(Self {
             curves,
             calibration,

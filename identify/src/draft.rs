@@ -10,6 +10,7 @@ mod error;
 mod evaluation_text;
 mod file_names;
 mod group;
+mod guesses;
 mod history;
 mod model_text;
 mod power_law;
@@ -21,6 +22,7 @@ mod words;
 use std::path::{Path, PathBuf};
 
 pub use self::error::DraftError;
+pub use self::guesses::guesses;
 
 use self::group::Group;
 use self::survey::Survey;

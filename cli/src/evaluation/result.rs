@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use pellicle::summary::PROGRAM;
-use pellicle_identify::fit_file::evaluation_file::{Evaluated, EvaluatedFile};
+use pellicle_identify::fit_file::evaluation_file::{Evaluated, EvaluatedFile, EvaluationFile};
 use pellicle_identify::indentation::{
     EffectiveIndenterNumbers, EvaluationSettings, IndentationNumber, IndentationNumbers, Uncertain,
 };
@@ -97,13 +97,17 @@ fn by_name<S: Serializer>(numbers: &[Option<Uncertain>], to: S) -> Result<S::Ok,
 impl EvaluationResult {
     /// Assembles the result.
     #[must_use]
-    pub fn new(title: &str, curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Self {
+    pub fn new(
+        file: &EvaluationFile,
+        curves: &[EvaluatedFile],
+        settings: &EvaluationSettings,
+    ) -> Self {
         let is_whole = curves.iter().all(|file| file.evaluated.is_ok());
         Self {
             schema: SCHEMA,
             program: PROGRAM,
             version: env!("CARGO_PKG_VERSION"),
-            title: title.to_owned(),
+            title: file.title.clone(),
             verdict: if is_whole {
                 "evaluated"
             } else {
@@ -111,7 +115,10 @@ impl EvaluationResult {
             },
             indentation: indentations(curves),
             repeats: repeats(curves),
-            warnings: warnings::all(curves, settings),
+            warnings: WarningResult::of_guesses(&file.document)
+                .into_iter()
+                .chain(warnings::all(curves, settings))
+                .collect(),
         }
     }
 }

@@ -1,5 +1,7 @@
 //! The findings of fits and plans, in SI units: the parts of `fit.json` and `plan.json`.
 
+use pellicle::input::document::Document;
+use pellicle_identify::draft::{NOT_IN_THE_FILE, guesses};
 use pellicle_identify::{KnownCombination, NoiseLevels, Observable, Reading};
 use serde::Serialize;
 
@@ -130,4 +132,20 @@ pub struct WarningResult {
     pub code: String,
     /// A sentence for human readers.
     pub message: String,
+}
+
+impl WarningResult {
+    /// The warning of the numbers that a draft has guessed and the file still marks so; none without them.
+    #[must_use]
+    pub fn of_guesses(document: &Document) -> Option<Self> {
+        let guesses = guesses(document);
+        (!guesses.is_empty()).then(|| Self {
+            code: "guesses".into(),
+            message: format!(
+                "found \"{NOT_IN_THE_FILE}\" beside {}: these are guesses of the draft, which no ± and no interval knows \
+                 of; put yours and remove the words",
+                guesses.join(", ")
+            ),
+        })
+    }
 }

@@ -127,15 +127,33 @@ fn what_no_file_tells_has_a_default_that_says_so() {
         let has = |line: &&&str| line.contains(key);
         assert!(lines.iter().any(|line| has(&line)), "{key}: {lines:#?}");
     }
-    // With them put right, the modulus is.
+    let warned = |found: &Value| {
+        let warnings = found["warnings"].as_array().unwrap().clone();
+        warnings.into_iter().find(|of| of["code"] == "guesses")
+    };
+    let warning = warned(&fitted(&folder).1).unwrap();
+    for key in [
+        "`substrate` (Poisson's ratio)",
+        "`radius`",
+        "`spring_constant`",
+    ] {
+        assert!(
+            warning["message"].as_str().unwrap().contains(key),
+            "{warning}"
+        );
+    }
+    // With them put right, the modulus is, and without the words nothing is warned of.
     let own = fit.replace("deflection = 1e-7", "deflection = 8e-8");
     let own = own.replace(
         "spring_constant = \"100 mN/m\"",
         "spring_constant = \"0.05 N/m\"",
     );
     assert!(own.contains("8e-8") && own.contains("0.05 N/m"), "{fit}");
+    let own = own.replace("not in the file: put yours", "mine");
     fs::write(folder.path("curve.toml"), own).unwrap();
-    assert_holds(fitted(&folder).0, 1e4, 0.02);
+    let (numbers, found) = fitted(&folder);
+    assert_holds(numbers, 1e4, 0.02);
+    assert_eq!(warned(&found), None);
 }
 
 #[test]

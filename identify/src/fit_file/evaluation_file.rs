@@ -31,7 +31,7 @@ pub struct EvaluationFile {
     /// How they are evaluated.
     pub settings: EvaluationSettings,
     /// The tree of the file, for diagnoses.
-    document: Document,
+    pub document: Document,
 }
 
 /// What an evaluation finds in a measured curve.

@@ -229,14 +229,17 @@ fn unresolved_peak(
         }
         PeakPlace::IndenterEdge => "sits at an edge of the indenter and grows with the grid",
     })?;
-    if change < SMALLEST_CHANGE {
-        return Ok(());
+    if change >= SMALLEST_CHANGE {
+        let percent = 100.0 * change;
+        write!(f, "; it changed by {percent:.1} % from the previous grid")?;
     }
-    write!(
-        f,
-        "; it changed by {:.1} % from the previous grid",
-        100.0 * change
-    )
+    f.write_str(match place {
+        PeakPlace::Inside => "",
+        PeakPlace::Outline | PeakPlace::Ridge => {
+            " (an `edge_radius` of the texture bounds it, `output.mean_pressure_over` averages it)"
+        }
+        PeakPlace::IndenterEdge => " (`output.mean_pressure_over` averages it)",
+    })
 }
 
 #[cfg(test)]

@@ -97,7 +97,7 @@ one_of! {
     }), "part of the plane that the features cover, their edges taken as sharp; the period follows";
 }
 
-const FRACTION: &str = "a number between 0 and 1, without them";
+const FRACTION: &str = "a number between 0 and 1, both excluded";
 
 /// The hint if one comes from the file and the other from the command line or a study.
 const HELP: &str = "the period follows from the area fraction: to replace one by the other, replace the whole table";
