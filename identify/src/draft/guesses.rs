@@ -4,8 +4,8 @@ use pellicle::input::document::Document;
 
 use super::NOT_IN_THE_FILE;
 
-/// The keys beside which a fit file still says [`NOT_IN_THE_FILE`], each in backquotes, with the words of its comment in
-/// brackets.
+/// The keys beside which a fit file still says [`NOT_IN_THE_FILE`], each in backquotes, with the words of its
+/// comment in brackets.
 #[must_use]
 pub fn guesses(document: &Document) -> Vec<String> {
     in_text(document.root().span.source.inner())
