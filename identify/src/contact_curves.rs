@@ -6,6 +6,7 @@
 //! contact, so the same elements stay in contact and no jump comes from one that enters.
 
 mod adhesive;
+mod calibration;
 mod curve;
 mod fixed_number;
 mod force_scale;
@@ -25,6 +26,7 @@ use pellicle_contact::{ContactError, Model, ModelParameter};
 use rayon::prelude::*;
 
 use adhesive::AdhesiveModel;
+pub use calibration::Calibration;
 pub use curve::{ContactCurve, CurveOptions, Observable, Reading, StopFlag, Thinned};
 pub use fixed_number::FixedNumber;
 pub use force_scale::ForceScale;

@@ -48,8 +48,8 @@ mod unknown;
 mod verdict;
 
 pub use contact_curves::{
-    ContactCurve, ContactCurves, CurveOptions, FixedNumber, ForceScale, Invalidity, Observable,
-    ParameterAtPoint, Reading, StopFlag, Thinned,
+    Calibration, ContactCurve, ContactCurves, CurveOptions, FixedNumber, ForceScale, Invalidity,
+    Observable, ParameterAtPoint, Reading, StopFlag, Thinned,
 };
 pub use curve::Curve;
 pub use departure::Departure;

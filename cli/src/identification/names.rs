@@ -21,6 +21,7 @@ pub fn of_key(key: &str) -> String {
         "height" => "height",
         "compliance" => "compliance",
         "spring_constant" => "spring constant",
+        "deflection" => "sensitivity of the deflection",
         _ => return key.to_owned(),
     };
     match of_place(place) {
@@ -35,7 +36,7 @@ fn of_place(place: &str) -> Option<String> {
         "indenter" => "the indenter",
         "surface" => "the surface",
         // The place is a table of measurements.
-        _ if place.starts_with("data[") => place,
+        _ if place.starts_with("data[") => place.trim_end_matches(".units"),
         _ => {
             let (index, rest) = place.strip_prefix("foundation.layer[")?.split_once(']')?;
             return match rest {
@@ -67,6 +68,7 @@ pub fn symbol(key: &str) -> String {
         ("height", _) => "h",
         ("compliance", _) => "η",
         ("spring_constant", _) => "k",
+        ("deflection", _) => "s",
         _ => return of_key(key),
     };
     match of_place(place) {
@@ -125,6 +127,10 @@ mod tests {
             ("surface.thickness", "thickness of the surface"),
             ("frame_compliance", "compliance of the frame"),
             ("data[0].spring_constant", "spring constant of data[0]"),
+            (
+                "data[0].units.deflection",
+                "sensitivity of the deflection of data[0]",
+            ),
             ("foundation.mystery.radius", "foundation.mystery.radius"),
         ] {
             assert_eq!(of_key(key), words);

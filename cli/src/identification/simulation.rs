@@ -176,7 +176,9 @@ fn text(data: &DataTable, points: &[[f64; 2]]) -> String {
     for (channel, name, unit) in &data.columns.channels {
         let (factor, unit) = match unit {
             Some(ColumnUnit::Named(factor, text)) => (*factor, text.clone()),
-            Some(ColumnUnit::Value(factor)) => (*factor, String::new()),
+            Some(ColumnUnit::Value(factor) | ColumnUnit::Calibration(factor, ..)) => {
+                (*factor, String::new())
+            }
             None => (1.0, channel.dimension().si_unit().to_owned()),
         };
         let (place, name) = match name {

@@ -4,7 +4,8 @@ use pellicle::display::significant;
 use pellicle_contact::ContactError;
 use pellicle_identify::fit_file::model::ModelParameters;
 use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO};
-use pellicle_identify::{Fit, FitVerdict, FixedNumber, Role, exponents};
+use pellicle_identify::measured::spring;
+use pellicle_identify::{Calibration, Fit, FitVerdict, FixedNumber, Prediction, Role, exponents};
 use serde::Serialize;
 
 use super::findings::{EstimateResult, WarningResult};
@@ -112,6 +113,10 @@ impl Identification {
                 }
             }
         }
+        for (number, change) in self.exact_calibrations(&at_fit) {
+            numbers.push(number);
+            changes.push(change);
+        }
         for zero in self.exact_zeros(fit, &at_fit.slope) {
             numbers.push(ExactNumber {
                 key: zero.name.into(),
@@ -128,6 +133,41 @@ impl Identification {
             number.exponents = sought.map(|(exponent, _)| exponent).collect();
         }
         Ok(numbers)
+    }
+
+    /// The spring constants without a standard deviation and the sensitivities of deflections, each with `∂y/∂ln f`.
+    fn exact_calibrations(&self, at_fit: &Prediction) -> Vec<(ExactNumber, Vec<f64>)> {
+        let tables = self.file.data.iter().enumerate();
+        let calibrations = tables.flat_map(|(table, data)| {
+            let spring = data.spring_constant.filter(|spring| spring.sd.is_none());
+            let spring = spring.map(|spring| {
+                let key = format!("data[{table}].spring_constant");
+                (
+                    table,
+                    Calibration::SpringConstant,
+                    key,
+                    spring.mean,
+                    spring::UNIT,
+                )
+            });
+            let sensitivity = data.columns.sensitivity().map(|value| {
+                let key = format!("data[{table}].units.deflection");
+                (table, Calibration::Sensitivity, key, value, "m/V")
+            });
+            [spring, sensitivity].into_iter().flatten()
+        });
+        let named = calibrations.filter_map(|(table, calibration, key, value, unit)| {
+            let change = self.model.by_calibration(table, calibration, at_fit)?;
+            let (unit, exponents) = (unit.into(), Vec::new());
+            let number = ExactNumber {
+                key,
+                unit,
+                value,
+                exponents,
+            };
+            Some((number, change))
+        });
+        named.collect()
     }
 
     /// The fixed parameters of a table with their keys, each with `∂y/∂ln f`.

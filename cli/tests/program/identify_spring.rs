@@ -38,6 +38,12 @@ fn measurement() -> String {
 
 /// Runs the fit with this spring constant and this column for the force.
 fn fitted(spring: &str, column: &str, intervals: &str) -> Value {
+    let data = format!("spring_constant = {spring}\nobserve = \"depth at force\"");
+    fitted_with((&measurement(), column), &data, intervals)
+}
+
+/// Runs the fit of a curve with this column for the force and these keys of its data.
+fn fitted_with((curve, column): (&str, &str), data: &str, intervals: &str) -> Value {
     let fit = format!(
         r#"
 [model]
@@ -47,9 +53,9 @@ indenter = {{ kind = "paraboloid", radius = "5 um" }}
 [[data]]
 file = "curve.csv"
 columns = {{ height = "height", {column} = "{column}" }}
-spring_constant = {spring}
 height_direction = "toward"
 noise = {{ depth = "0.2 nm", correlation = "none" }}
+{data}
 
 [unknown]
 "foundation.substrate.young_modulus" = {{ from = "1 kPa", to = "1 MPa" }}
@@ -59,7 +65,7 @@ intervals = "{intervals}"
 "#
     );
     let folder = TestFolder::new();
-    fs::write(folder.path("curve.csv"), measurement()).unwrap();
+    fs::write(folder.path("curve.csv"), curve).unwrap();
     fs::write(folder.path("fit.toml"), fit).unwrap();
     folder.run(&["identify", "fit.toml", "--json"]).json()
 }
@@ -124,5 +130,57 @@ fn a_force_computed_from_the_deflection_gives_the_same() {
     for (one, other) in pair[0].iter().zip(pair[1]) {
         // Both are written with six decimals of a nanometre and a nanonewton.
         assert!((one / other - 1.0).abs() < 1e-4, "{one} {other}");
+    }
+}
+
+/// The curve with its deflection in volts, of 80 nm each.
+fn in_volts() -> String {
+    let curve = measurement();
+    let rows = curve.lines().skip(1).map(|row| {
+        let mut fields = row.split(',');
+        let mut next = || fields.next().unwrap();
+        let (height, deflection) = (next(), next().parse::<f64>().unwrap());
+        format!("{height},{:.9}\n", deflection / 80.0)
+    });
+    String::from("height [nm],deflection [V]\n") + &rows.collect::<String>()
+}
+
+#[test]
+fn spring_constant_and_sensitivity_are_taken_as_exact_and_their_effect_is_that_of_other_ones() {
+    let curve = in_volts();
+    for observe in ["depth at force", "force at depth"] {
+        let fitted = |spring: f64, sensitivity: f64| {
+            let data = format!(
+                "observe = \"{observe}\"\nspring_constant = \"{spring} N/m\"\n\
+                 units = {{ deflection = \"{sensitivity} nm/V\" }}"
+            );
+            fitted_with((&curve, "deflection"), &data, "wald")
+        };
+        let at = fitted(SPRING, 80.0);
+        let modulus = |found: &Value| numbers(&found["unknowns"][0], "wald")[0];
+        assert!((modulus(&at) / MODULUS - 1.0).abs() < 0.02, "{observe}");
+        for (key, value, [less, more]) in [
+            (
+                "data[0].spring_constant",
+                SPRING,
+                [0.999, 1.001].map(|part| fitted(part * SPRING, 80.0)),
+            ),
+            (
+                "data[0].units.deflection",
+                80e-9,
+                [0.999, 1.001].map(|part| fitted(SPRING, part * 80.0)),
+            ),
+        ] {
+            let all = at["taken_as_exact"].as_array().unwrap();
+            let number = all.iter().find(|number| number["key"] == key).unwrap();
+            assert!((number["value"].as_f64().unwrap() / value - 1.0).abs() < 1e-12);
+            let wanted = (modulus(&more) / modulus(&less)).ln() / (1.001_f64 / 0.999).ln();
+            let found = number["exponents"][0].as_f64().unwrap();
+            // The quotient of differences is true to its step squared.
+            assert!(
+                (found / wanted - 1.0).abs() < 0.02,
+                "{observe}, {key}: {found} for {wanted}"
+            );
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The text of a drafted `[[data]]` table: its keys, each with what it rests on.
 
-use pellicle::display::Unit;
+use pellicle::display::{Unit, significant};
 
 use super::NOT_IN_THE_FILE;
 use super::survey::{Survey, SurveyedColumn, SurveyedUnit};
@@ -113,8 +113,9 @@ fn units(survey: &Survey) -> Option<Line> {
                 units.push(format!("{key} = {}", quoted(&format!("{sign}{unit}"))));
             }
             SurveyedUnit::Sensitivity(value) => {
-                why = "sensitivity of the deflection in m/V, not in the file: put yours";
-                units.push(format!("{key} = {value:e}"));
+                why = "sensitivity of the deflection, not in the file: put yours";
+                let value = significant(value * 1e9, 3);
+                units.push(format!("{key} = {}", quoted(&format!("{value} nm/V"))));
             }
             SurveyedUnit::Stated(unit) if is_reversed(column) => {
                 units.push(format!("{key} = {}", quoted(&format!("-1 {unit}"))));

@@ -2,15 +2,15 @@
 
 use pellicle::declare::shape::{Field, Shape, TableShape};
 use pellicle::input::diagnosis::Diagnosis;
-use pellicle::input::dimension::Sign;
-use pellicle::input::quantity;
+use pellicle::input::dimension::{Dimension, Sign};
+use pellicle::input::quantity::{self, QuantityError};
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::toml_tree::TomlValue;
 use pellicle::input::value_reader::ValueReader;
 
 use super::channel::Channel;
 use super::error::CurveError;
-use super::header::{HeaderField, HeaderUnit};
+use super::header::{Electrical, HeaderField, HeaderUnit, electrical};
 use super::text_table::TextTable;
 
 /// A column by its number from 1 or by its name in the header.
@@ -108,6 +108,8 @@ pub enum ColumnUnit {
     Named(f64, String),
     /// A bare number, the factor to SI units; it replaces the unit in the header.
     Value(f64),
+    /// A calibration: its SI value per V or A, for which of them, and its text, such as `80 nm/V`.
+    Calibration(f64, Electrical, String),
 }
 
 impl ColumnUnit {
@@ -125,14 +127,24 @@ impl ColumnUnit {
                 value => Ok(Self::Value(value)),
             };
         };
-        let unit = match text.strip_prefix('-') {
-            Some(rest) => quantity::one(rest, dimension).map(|one| -one),
-            None => quantity::one(text, dimension),
-        };
-        let unit = unit.map_or_else(|_| field.quantity(dimension, Sign::Any), Ok)?;
-        match unit {
+        let not_zero = |value: f64| match value {
             0.0 => Err(field.wanted("a unit other than zero")),
-            unit => Ok(Self::Named(unit, text.clone())),
+            value => Ok(value),
+        };
+        if let Some((value, measures)) = calibration(text, dimension) {
+            return Ok(Self::Calibration(not_zero(value)?, measures, text.clone()));
+        }
+        let unit = size(text, dimension);
+        let unit = unit.map_or_else(|_| field.quantity(dimension, Sign::Any), Ok)?;
+        Ok(Self::Named(not_zero(unit)?, text.clone()))
+    }
+
+    /// The calibration that it is, in SI units per V or per A; none for a mere unit.
+    #[must_use]
+    pub fn calibration(&self) -> Option<f64> {
+        match self {
+            Self::Named(..) => None,
+            Self::Value(value) | Self::Calibration(value, ..) => Some(*value),
         }
     }
 
@@ -156,6 +168,19 @@ impl ColumnUnit {
         let (name, example) = (channel.key(), example(channel));
         match (given, stated) {
             (Some(Self::Value(value)), _) => Ok(*value),
+            (Some(Self::Calibration(value, measures, given)), _) => {
+                // A column without a unit is in V or A.
+                let unit = head.map_or("", |head| &head.unit_text);
+                match (electrical(unit), unit) {
+                    (Some((of_column, size)), _) if of_column == *measures => Ok(value * size),
+                    (None, "") => Ok(*value),
+                    _ => Err(CurveError::OtherUnit {
+                        name,
+                        header: unit.to_owned(),
+                        given: given.clone(),
+                    }),
+                }
+            }
             (Some(Self::Named(factor, given)), Some((stated, header))) => {
                 // Different units differ by more than this, so these are the same unit.
                 if (factor.abs() / stated - 1.0).abs() < 1e-9 {
@@ -175,6 +200,25 @@ impl ColumnUnit {
     }
 }
 
+/// The size of a unit in SI units, which may have a factor or a sign: `-1 nm`, `-nm`, `nm`.
+fn size(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+    if let Ok(value) = quantity::parse(text, dimension) {
+        return Ok(value);
+    }
+    match text.strip_prefix('-') {
+        Some(rest) => quantity::one(rest, dimension).map(|one| -one),
+        None => quantity::one(text, dimension),
+    }
+}
+
+/// The SI value per V or A of a text such as `80 nm/V`; none for another text.
+fn calibration(text: &str, dimension: Dimension) -> Option<(f64, Electrical)> {
+    let (upper, lower) = text.rsplit_once('/')?;
+    let (measures, per) = electrical(lower.trim())?;
+    let upper = size(upper.trim(), dimension).ok()?;
+    Some((upper / per, measures))
+}
+
 /// The part of a header before the first bracket.
 fn before_brackets(text: &str) -> &str {
     let before = text.split(['(', '[']).next().unwrap_or_default();
@@ -183,11 +227,11 @@ fn before_brackets(text: &str) -> &str {
 
 fn example(channel: Channel) -> &'static str {
     match channel {
-        Channel::Depth | Channel::Height | Channel::Deflection => "\"nm\"",
-        Channel::ContactRadius => "\"um\"",
-        Channel::Force => "\"mN\"",
-        Channel::Time => "\"s\"",
-        Channel::Stiffness => "\"N/m\"",
+        Channel::Depth | Channel::Height | Channel::Deflection => "nm",
+        Channel::ContactRadius => "um",
+        Channel::Force => "mN",
+        Channel::Time => "s",
+        Channel::Stiffness => "N/m",
     }
 }
 
@@ -196,7 +240,7 @@ fn refuse_other_quantity(
     channel: Channel,
     head: &HeaderField,
 ) -> Result<(), CurveError> {
-    let is_calibrated = matches!(given, Some(ColumnUnit::Value(_)));
+    let is_calibrated = given.is_some_and(|given| given.calibration().is_some());
     let refused = |found: String| CurveError::OtherQuantity {
         name: channel.key(),
         column: head.text.clone(),
@@ -207,9 +251,12 @@ fn refuse_other_quantity(
         HeaderUnit::Of(dimension) if dimension != channel.dimension() => {
             Err(refused(format!("which is {}", dimension.noun())))
         }
-        HeaderUnit::Electrical if !is_calibrated => {
-            Err(refused(format!("which is in {}", head.unit_text)))
-        }
+        HeaderUnit::Electrical if !is_calibrated => Err(CurveError::NoCalibration {
+            name: channel.key(),
+            column: head.text.clone(),
+            unit: head.unit_text.clone(),
+            example: example(channel),
+        }),
         _ => match channel.other_in(&head.name) {
             // A deflection in newtons is a force.
             Some(other)
@@ -236,6 +283,14 @@ pub struct CurveColumns {
 }
 
 impl CurveColumns {
+    /// The sensitivity of the deflection, m/V; none without a deflection, or with one in a unit of length.
+    #[must_use]
+    pub fn sensitivity(&self) -> Option<f64> {
+        let mut channels = self.channels.iter();
+        let (.., unit) = channels.find(|(channel, ..)| *channel == Channel::Deflection)?;
+        unit.as_ref()?.calibration().map(f64::abs)
+    }
+
     /// The keys of `columns`.
     #[must_use]
     pub fn shape() -> TableShape {
@@ -254,7 +309,8 @@ impl CurveColumns {
     pub fn units() -> TableShape {
         let field = |channel: Channel| {
             let shape = Shape::Either(vec![Shape::Text, Shape::Number]);
-            let meaning = "a unit, or what one of the file's is in SI units";
+            let meaning =
+                "a unit, a calibration such as 80 nm/V, or what one of the file's is in SI units";
             Field::optional(channel.key(), meaning, shape, "that in the header")
         };
         TableShape::of(Channel::ALL.map(field))

@@ -87,7 +87,9 @@ pub enum CurveError {
         columns: usize,
     },
     /// Neither the file nor the table of units gives a unit.
-    #[error("found no unit of {name} in the file, wanted one in units, such as {name} = {example}")]
+    #[error(
+        "found no unit of {name} in the file, wanted one in units, such as {name} = \"{example}\""
+    )]
     NoUnit {
         /// The key of the column.
         name: &'static str,
@@ -120,6 +122,21 @@ pub enum CurveError {
         found: String,
         /// The expected dimension.
         wanted: &'static str,
+    },
+    /// A column of a voltage or a current has no calibration.
+    #[error(
+        "found the column \"{column}\", which is in {unit}, wanted in units what one {unit} is, \
+         such as {name} = \"80 {example}/{unit}\", or a column of another name"
+    )]
+    NoCalibration {
+        /// The key of the column.
+        name: &'static str,
+        /// The header of the column.
+        column: String,
+        /// Its unit.
+        unit: String,
+        /// An example of a unit.
+        example: &'static str,
     },
     /// No row has a valid number in every requested column.
     #[error(
@@ -256,6 +273,7 @@ impl CurveError {
             Self::NoUnit { .. } => "no-unit",
             Self::OtherUnit { .. } => "other-unit",
             Self::OtherQuantity { .. } => "other-quantity",
+            Self::NoCalibration { .. } => "no-calibration",
             Self::NoNumbers { .. } => "no-numbers",
             Self::NoSuchMarker { .. } => "no-such-marker",
             Self::NoSuchSegment { .. } => "no-such-segment",
@@ -283,6 +301,9 @@ impl CurveError {
             | Self::ColumnRange { key, .. } => vec![format!("columns.{key}")],
             Self::NoUnit { name, .. } => vec!["units".into(), format!("columns.{name}")],
             Self::OtherUnit { name, .. } => vec![format!("units.{name}")],
+            Self::NoCalibration { name, .. } => {
+                vec![format!("units.{name}"), format!("columns.{name}")]
+            }
             Self::OtherQuantity { name, .. } => vec![format!("columns.{name}")],
             Self::NoSuchMarker { end, .. } => vec![format!("segment.{end}")],
             Self::NoSuchSegment { .. } => vec!["segment.value".into()],

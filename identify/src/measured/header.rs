@@ -5,8 +5,16 @@ use pellicle::input::quantity;
 
 use super::channel::Channel;
 
-/// Electrical units: a column in one of them needs a calibration.
-const ELECTRICAL: [&str; 7] = ["V", "mV", "uV", "µV", "A", "mA", "nA"];
+/// Electrical units, with what they are and their size in V or A: a column in one of them needs a calibration.
+const ELECTRICAL: [(&str, Electrical, f64); 7] = [
+    ("V", Electrical::Voltage, 1.0),
+    ("mV", Electrical::Voltage, 1e-3),
+    ("uV", Electrical::Voltage, 1e-6),
+    ("µV", Electrical::Voltage, 1e-6),
+    ("A", Electrical::Current, 1.0),
+    ("mA", Electrical::Current, 1e-3),
+    ("nA", Electrical::Current, 1e-9),
+];
 
 /// Spellings of units in headers that a case file does not have.
 const SPELLINGS: [(&str, &str); 8] = [
@@ -32,6 +40,21 @@ pub enum HeaderUnit {
     Of(Dimension),
     /// A voltage or a current.
     Electrical,
+}
+
+/// What an electrical unit measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Electrical {
+    /// A voltage, V.
+    Voltage,
+    /// A current, A.
+    Current,
+}
+
+/// What an electrical unit measures, and its size in V or A; none for other units.
+pub(super) fn electrical(unit: &str) -> Option<(Electrical, f64)> {
+    let found = ELECTRICAL.iter().find(|(name, ..)| *name == unit);
+    found.map(|(_, measures, size)| (*measures, *size))
 }
 
 /// The header of a column.
@@ -154,7 +177,7 @@ fn spelling(unit: &str) -> &str {
 /// The kind of a unit without brackets.
 pub(super) fn kind(unit: &str) -> HeaderUnit {
     let unit = spelling(unit);
-    if ELECTRICAL.contains(&unit) {
+    if electrical(unit).is_some() {
         return HeaderUnit::Electrical;
     }
     quantity::dimension_of(&format!("1 {unit}")).map_or(HeaderUnit::None, HeaderUnit::Of)

@@ -241,7 +241,7 @@ fn exports_that_lack_something_are_refused_with_a_remedy() {
             "a deflection in volts",
             "columns = { height = \"Height\", deflection = \"Deflection\" }\nspring_constant = \"0.1 N/m\"",
             format!("Height (nm)\tDeflection (V)\n{bent}"),
-            "the column \"Deflection (V)\", which is in V",
+            "such as deflection = \"80 nm/V\"",
         ),
         (
             "no spring constant",

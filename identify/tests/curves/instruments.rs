@@ -124,7 +124,7 @@ fn a_name_shared_by_two_columns_and_a_column_in_volts_are_refused() {
     );
     let found = with("4", "2");
     assert!(
-        found.contains("the column \"Depth (V)\", which is in V"),
+        found.contains("the column \"Depth (V)\", which is in V, wanted in units what one V is"),
         "{found}"
     );
     let found = with("2", "1");
