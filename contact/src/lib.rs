@@ -42,8 +42,8 @@ pub use path::{
     levels::solved_grid,
     loads_at_once, solve_path,
     warnings::{
-        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger, map_under_resolved,
-        model_warnings, relative_shortening,
+        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, arc_under_resolved, domain_much_larger,
+        map_under_resolved, model_warnings, relative_shortening,
     },
 };
 pub use problem::{
@@ -59,7 +59,7 @@ pub use result::{
     grid_error::{ErrorEstimate, GridError, LevelValues},
     limit_ratio::{LimitRatio, ModelLimit},
     map_resolution::FEWEST_ELEMENTS_PER_WAVE,
-    peak::PeakPlace,
+    peak::{PeakPlace, UnresolvedArc},
     rough_contact::{Histogram, Islands, RoughContact},
     step::{CoarsePressure, Status, Step},
     summary::Summary,

@@ -223,6 +223,7 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
             } => (step, elements_per_wave),
             Warning::TextureUnderResolved { .. }
             | Warning::DeepRecesses { .. }
+            | Warning::ArcUnderResolved(_)
             | Warning::LayerUnderResolved { .. }
             | Warning::DomainMuchLarger { .. }
             | Warning::SteepTip { .. }

@@ -8,8 +8,8 @@ pub mod stress_cost;
 mod trial;
 
 use pellicle_contact::{
-    Domain, LoadingPath, Model, Step, Warning, default_side, domain_much_larger,
-    map_under_resolved, model_warnings,
+    Domain, LoadingPath, Model, Step, Warning, arc_under_resolved, default_side,
+    domain_much_larger, map_under_resolved, model_warnings,
 };
 use pellicle_texture::Grid;
 
@@ -176,8 +176,12 @@ fn of_the_model(
 /// The warnings about features that the elements do not resolve on a domain of this side; none if the side is invalid.
 fn resolution(model: &Model, side: f64, elements: usize) -> Vec<String> {
     let grid = Grid::new(side, elements);
-    let warnings = grid.map(|grid| model_warnings(model, &grid));
-    let warnings = warnings.unwrap_or_default();
+    let of_model = |grid: Grid| {
+        let mut warnings = model_warnings(model, &grid);
+        warnings.extend(arc_under_resolved(model, &grid));
+        warnings
+    };
+    let warnings = grid.map(of_model).unwrap_or_default();
     warnings.iter().map(ToString::to_string).collect()
 }
 

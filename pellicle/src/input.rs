@@ -13,6 +13,7 @@ pub mod quantity_list;
 pub mod source_file;
 pub mod spacing;
 pub mod span;
+pub mod synonyms;
 pub mod table_reader;
 pub mod toml_tree;
 pub mod units;

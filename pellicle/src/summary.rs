@@ -325,10 +325,19 @@ impl RunSummary {
         self.steps.iter().any(|step| step.rough_contact.is_some())
     }
 
-    /// Whether the foundation carries a relief.
+    /// Whether the indenter is rigid, as it is unless its modulus or its body is stated.
     #[must_use]
-    pub fn has_relief(&self) -> bool {
-        self.case["surface"]["kind"] != "bare"
+    pub fn has_rigid_indenter(&self) -> bool {
+        let indenter = &self.case["indenter"];
+        indenter["young_modulus"].is_null() && indenter["body"].is_null()
+    }
+
+    /// Whether the body shows between the tops of its relief, as between cylinders and in grooves with walls: elsewhere
+    /// all of a contact is on the relief.
+    #[must_use]
+    pub fn has_gaps_in_relief(&self) -> bool {
+        let surface = &self.case["surface"];
+        surface["kind"] == "cylinders" || surface["profile"] == "rectangular"
     }
 
     /// The number of layers of the body inside which stresses are computed, each with an interface below.

@@ -84,6 +84,11 @@ impl Dimples {
         self.rim.radius
     }
 
+    /// Width of that arc in the plane, m.
+    pub(crate) fn arc_width(&self) -> f64 {
+        self.rim.width()
+    }
+
     /// Depth below the plane at a point, m.
     pub(crate) fn depth_at(&self, point: [f64; 2]) -> f64 {
         let sphere = sphere_radius(self.radius, self.depth);

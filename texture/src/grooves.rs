@@ -177,6 +177,11 @@ impl Grooves {
         has_walls.then(|| self.distance_to_middle(point) - 0.5 * self.spec.width)
     }
 
+    /// Width in the plane of the arc that rounds an edge, m; 0 if it is sharp.
+    pub(crate) fn arc_width(&self) -> f64 {
+        self.edge.width()
+    }
+
     /// Distance from a point to the nearest edge that is a ridge, m.
     pub(crate) fn distance_to_ridge(&self, point: [f64; 2]) -> f64 {
         match self.spec.profile {

@@ -160,6 +160,14 @@ impl Recesses {
         }
     }
 
+    /// Width in the plane of the arc that rounds an edge, m; 0 if it is sharp.
+    pub(crate) fn arc_width(&self) -> f64 {
+        match &self.shape {
+            RecessShape::Dimples(dimples) => dimples.arc_width(),
+            RecessShape::Grooves(grooves) => grooves.arc_width(),
+        }
+    }
+
     /// Distance from a point to the nearest ridge, m; infinite without ridges.
     pub(crate) fn distance_to_ridge(&self, point: [f64; 2]) -> f64 {
         match &self.shape {

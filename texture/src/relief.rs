@@ -246,6 +246,17 @@ impl Relief {
         }
     }
 
+    /// Width in the plane of the arcs that round the edges of a pattern, m; none without arcs.
+    #[must_use]
+    pub fn arc_width(&self) -> Option<f64> {
+        let width = match self {
+            Self::Cylinders(cylinders) => cylinders.edge_radius(),
+            Self::Recesses(recesses) => recesses.arc_width(),
+            Self::Bare | Self::Film(_) | Self::Map(_) | Self::Custom(_) => 0.0,
+        };
+        (width > 0.0).then_some(width)
+    }
+
     /// Distance from the point to the nearest ridge of the relief, m; infinite if it has none. The edge of a dimple or
     /// of a V is one unless it is rounded; for a map see
     /// [`HeightMap::distance_to_ridge`](crate::HeightMap::distance_to_ridge).

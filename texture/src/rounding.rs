@@ -50,6 +50,12 @@ impl Rounding {
         }
     }
 
+    /// Width of the arc in the plane, m; 0 for a sharp edge.
+    pub(crate) fn width(&self) -> f64 {
+        let [inner, outer] = self.ends;
+        outer - inner
+    }
+
     /// Depth below the plane at a distance (m) from the middle, m; `slope` gives it where the recess falls off.
     pub(crate) fn depth(&self, distance: f64, slope: impl Fn(f64) -> f64) -> f64 {
         let [inner, outer] = self.ends;
@@ -67,7 +73,7 @@ impl Rounding {
     pub(crate) fn distance_to_ridge(&self, distance: f64) -> f64 {
         let [inner, outer] = self.ends;
         let from_middle = (distance - 0.5 * (inner + outer)).abs();
-        from_middle.max(0.5 * (outer - inner))
+        from_middle.max(0.5 * self.width())
     }
 }
 

@@ -59,7 +59,13 @@ fn grid(summary: &RunSummary) -> String {
         BoundaryCase::Periodic => "periodic cell",
     };
     let (elements, sides) = (grid.elements_in_words(), grid.sides_in_words(summary.units));
-    let line = format!("grid {elements} on a {square} of {sides}, element side {element_side}\n");
+    let body = if summary.has_rigid_indenter() {
+        ", rigid indenter"
+    } else {
+        ""
+    };
+    let line =
+        format!("grid {elements} on a {square} of {sides}, element side {element_side}{body}\n");
     match grid.boundary {
         BoundaryCase::Free => line,
         BoundaryCase::Periodic => {

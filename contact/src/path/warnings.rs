@@ -9,6 +9,7 @@ use crate::{
     result::{
         cut_off,
         map_resolution::{FEWEST_ELEMENTS_PER_WAVE, MapResolution},
+        peak::UnresolvedArc,
     },
 };
 
@@ -121,7 +122,9 @@ pub(crate) fn warnings(
     let of_steps = of_steps.flat_map(|(index, step)| {
         let per_wave = step.grid_error.elements_per_wave;
         let coarse = per_wave.and_then(|elements| too_few_per_wave(grid, index, elements));
-        coarse.into_iter().chain(step_warnings(model, index, step))
+        coarse
+            .into_iter()
+            .chain(step_warnings(model, grid, index, step))
     });
     let mut found: Vec<_> = (edges.chain(much_larger))
         .chain(model_warnings(model, grid))
@@ -228,7 +231,7 @@ pub(crate) fn check_elements(
 }
 
 /// Warnings about one loading step.
-fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
+fn step_warnings(model: &Model, grid: &Grid, index: usize, step: &Step) -> Vec<Warning> {
     let certificate = &step.solution.certificate;
     let not_converged = (!certificate.is_satisfied()).then(|| Warning::NotConverged {
         step: index,
@@ -239,7 +242,7 @@ fn step_warnings(model: &Model, index: usize, step: &Step) -> Vec<Warning> {
         not_converged,
         shortening(model, index, step),
         unwearing(index, step),
-        peak(index, step),
+        peak(model, grid, index, step),
         steepness(index, step),
         limits(index, step),
     ]
@@ -266,7 +269,7 @@ fn unwearing(index: usize, step: &Step) -> Option<Warning> {
 }
 
 /// Warns of an unresolved peak; never on a single grid or where the peak is the hardness.
-fn peak(index: usize, step: &Step) -> Option<Warning> {
+fn peak(model: &Model, grid: &Grid, index: usize, step: &Step) -> Option<Warning> {
     if step.summary.area_at_limit.is_some_and(|area| area > 0.0) {
         return None;
     }
@@ -280,7 +283,15 @@ fn peak(index: usize, step: &Step) -> Option<Warning> {
         step: index,
         change: (1.0 - before.max_pressure / last.max_pressure).abs(),
         place: step.summary.peak_place,
+        arc: UnresolvedArc::of(&model.relief, grid),
     })
+}
+
+/// The warning that the arcs at the edges of a relief are not resolved; of a solution the peak's warning tells it, if
+/// the peak is there.
+#[must_use]
+pub fn arc_under_resolved(model: &Model, grid: &Grid) -> Option<Warning> {
+    UnresolvedArc::of(&model.relief, grid).map(Warning::ArcUnderResolved)
 }
 
 /// The warning that the elements are too long for the waves of a measured map around a contact of this radius (m);

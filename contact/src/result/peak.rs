@@ -4,13 +4,16 @@
 //! peak, `p = p₀ − ½ gᵀ H⁻¹ g` with the central differences `g` and `H`, to third order in the element's side. At an
 //! edge the peak is the element's own value; where a hardness cuts the pressure, the peak is the hardness.
 
-use pellicle_texture::Relief;
+use pellicle_texture::{Grid, Relief};
 
 use crate::{Indenter, Profile};
 use crate::{grid::region::Place, result::contact_field::ContactField};
 
 /// A peak within this many elements of an edge belongs to the edge.
 const ELEMENTS_FROM_EDGE: f64 = 2.0;
+
+/// With this many elements across an arc, none of its elements belongs to its edge: the peak there is one of the arc.
+pub const FEWEST_ELEMENTS_PER_ARC: f64 = 2.0 * ELEMENTS_FROM_EDGE;
 
 /// A peak nearer to the axis than this part of an element lies on it.
 const AT_AXIS: f64 = 1e-6;
@@ -27,6 +30,31 @@ pub enum PeakPlace {
     Ridge,
     /// A rim, a tip or a ridge of the indenter.
     IndenterEdge,
+}
+
+/// An arc at an edge of the relief that elements do not resolve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnresolvedArc {
+    /// Elements across the arc.
+    pub elements: f64,
+    /// Elements per side that would resolve it.
+    pub wanted: usize,
+}
+
+impl UnresolvedArc {
+    /// The arcs of a relief on a grid; none without arcs, or if the elements resolve them.
+    #[must_use]
+    pub fn of(relief: &Relief, grid: &Grid) -> Option<Self> {
+        let elements = relief.arc_width()? / grid.element_side();
+        let wanted = FEWEST_ELEMENTS_PER_ARC / elements * grid.size() as f64;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a number of elements, the largest if there are too many"
+        )]
+        let wanted = wanted.ceil() as usize;
+        (elements < FEWEST_ELEMENTS_PER_ARC).then_some(Self { elements, wanted })
+    }
 }
 
 /// The largest pressure.

@@ -39,7 +39,8 @@ pub struct RoughContact {
     /// Area of the periodic cell, or of the convex hull of the contact, in m².
     #[serde(deserialize_with = "nan_from_null")]
     pub nominal_area: f64,
-    /// [Contact area](crate::Summary::contact_area) over nominal area.
+    /// [Contact area](crate::Summary::contact_area) over nominal area; 1 where the hull of a contact, which is counted
+    /// in whole elements, has less than the area.
     #[serde(deserialize_with = "nan_from_null")]
     pub contact_fraction: f64,
     /// Area of the elements in contact, in m².
@@ -81,7 +82,7 @@ impl RoughContact {
         });
         Some(Self {
             nominal_area,
-            contact_fraction: contact_area / nominal_area,
+            contact_fraction: (contact_area / nominal_area).min(1.0),
             counted_area,
             corrected_area: counted_area - PERIMETER_PART * perimeter * side,
             perimeter,

@@ -4,7 +4,7 @@ mod words;
 
 use pellicle_influence::ElasticBody;
 
-use crate::{ContactSlope, CutOff, LimitRatio, PeakPlace};
+use crate::{ContactSlope, CutOff, LimitRatio, PeakPlace, UnresolvedArc};
 
 /// A warning about the model or the grid, with its numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,7 +93,11 @@ pub enum Warning {
         change: f64,
         /// The place of the largest pressure.
         place: PeakPlace,
+        /// The arcs that round the edges of the relief, if there are any and the grid does not resolve them.
+        arc: Option<UnresolvedArc>,
     },
+    /// The edges of the relief are arcs that the grid does not resolve: pressures there are those of sharp ones.
+    ArcUnderResolved(UnresolvedArc),
     /// The surfaces in contact are steep, beyond small strains.
     SteepIndenter {
         /// Loading step, counted from 0.
@@ -151,6 +155,7 @@ impl Warning {
             Self::LayerUnderResolved { .. } => "layer-under-resolved",
             Self::CoefficientAccuracy { .. } => "coefficient-accuracy",
             Self::PeakNotResolved { .. } => "peak-not-resolved",
+            Self::ArcUnderResolved(_) => "arc-under-resolved",
             Self::SteepIndenter { .. } | Self::SteepTip { .. } => "steep-indenter",
             Self::LayerShortening { .. } => "layer-shortening",
             Self::BeyondModel { .. } => "beyond-model",
@@ -176,6 +181,7 @@ impl Warning {
             | Self::SteepTip { .. }
             | Self::DeepRecesses { .. }
             | Self::TextureUnderResolved { .. }
+            | Self::ArcUnderResolved(_)
             | Self::LayerUnderResolved { .. }
             | Self::CoefficientAccuracy { .. } => None,
         }

@@ -1,9 +1,10 @@
 //! Reads a table key by key and diagnoses its faults.
 
-use super::diagnosis::{Diagnosis, Fault, closest};
+use super::diagnosis::{Diagnosis, Fault};
 use super::dimension::{Dimension, Sign};
 use super::key_path::dotted;
 use super::span::Span;
+use super::synonyms::suggestion;
 use super::toml_tree::{TomlEntry, TomlNode, TomlTable, TomlValue};
 use super::value_reader::ValueReader;
 use super::withdrawn;
@@ -47,8 +48,8 @@ impl<'a> TableReader<'a> {
         }
         let wanted = format!("one of {}", known.join(", "));
         let diagnosis = Diagnosis::of_key(path, entry.key_span.clone(), Fault::Unknown { wanted });
-        match closest(&entry.key, known) {
-            Some(key) => diagnosis.with_help(format!("did you mean `{key}`?")),
+        match suggestion(&entry.key, known) {
+            Some(help) => diagnosis.with_help(help),
             None => diagnosis,
         }
     }

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use super::diagnosis::{Diagnosis, Fault, closest};
 use super::dimension::{Dimension, Sign};
 use super::quantity::{self, QuantityError};
+use super::synonyms::suggestion;
 use super::toml_tree::{TomlNode, TomlValue};
 
 /// The value of one key, and its dotted path.
@@ -44,8 +45,8 @@ impl<'a> ValueReader<'a> {
     pub fn unknown_key(&self, key: &str, known: &[&str]) -> Diagnosis {
         let wanted = format!("one of {}", known.join(", "));
         let diagnosis = self.diagnosis(Fault::Unknown { wanted });
-        match closest(key, known) {
-            Some(known) => diagnosis.with_help(format!("did you mean `{known}`?")),
+        match suggestion(key, known) {
+            Some(help) => diagnosis.with_help(help),
             None => diagnosis,
         }
     }

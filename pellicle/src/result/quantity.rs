@@ -67,7 +67,7 @@ pub enum Part {
     Contact,
     /// Every result, but none without contact.
     Touching,
-    /// Every result, of use with a relief.
+    /// Every result, of use where the body shows between the tops of its relief.
     Relief,
     /// Those with a nominal area: of a periodic cell or a measured map.
     Nominal,
@@ -167,7 +167,7 @@ impl Quantity {
     /// Its value for human readers, with its unit; none where the step has none, or where it says nothing.
     #[must_use]
     pub fn words(&self, step: &StepSummary, run: &RunSummary) -> Option<String> {
-        if self.part == Part::Relief && !run.has_relief() {
+        if self.part == Part::Relief && !run.has_gaps_in_relief() {
             return None;
         }
         Some(match ((self.value)(step)?, self.measure) {

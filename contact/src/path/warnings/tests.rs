@@ -66,9 +66,13 @@ fn on_film() -> (Model, Step) {
     (model, step)
 }
 
+fn grid() -> Grid {
+    Grid::new(1.0, 64).unwrap()
+}
+
 /// The codes of the warnings about a step.
 fn codes(model: &Model, step: &Step) -> Vec<&'static str> {
-    let warnings = step_warnings(model, 0, step);
+    let warnings = step_warnings(model, &grid(), 0, step);
     warnings.iter().map(Warning::code).collect()
 }
 
@@ -79,7 +83,7 @@ fn a_step_is_warned_about_for_its_certificate_springs_peak_or_slope() {
     step.summary.largest_shortening = 0.0075;
     assert_eq!(relative_shortening(&model, &step), Some(0.75));
     step.summary.largest_shortening = 0.015;
-    let found = step_warnings(&model, 5, &step);
+    let found = step_warnings(&model, &grid(), 5, &step);
     let [Warning::FilmShortening { step: 5, times }] = found[..] else {
         panic!("{found:?}")
     };
@@ -161,7 +165,7 @@ fn a_peak_that_changes_is_warned_about_unless_it_is_the_hardness() {
     step.grid_error.levels[last - 1].max_pressure = 0.8 * largest;
     assert_eq!(codes(&model, &step), [""; 0]);
     step.grid_error.max_pressure.as_mut().unwrap().resolved = false;
-    let found = step_warnings(&model, 0, &step);
+    let found = step_warnings(&model, &grid(), 0, &step);
     let [Warning::PeakNotResolved { change, .. }] = found[..] else {
         panic!("{found:?}")
     };

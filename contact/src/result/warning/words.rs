@@ -5,8 +5,8 @@ use std::fmt;
 use pellicle_influence::ElasticBody;
 
 use super::Warning;
-use crate::result::map_resolution::FEWEST_ELEMENTS_PER_WAVE;
-use crate::{ContactSlope, CutOff, LimitRatio, ModelLimit, PeakPlace};
+use crate::result::{map_resolution::FEWEST_ELEMENTS_PER_WAVE, peak::FEWEST_ELEMENTS_PER_ARC};
+use crate::{ContactSlope, CutOff, LimitRatio, ModelLimit, PeakPlace, UnresolvedArc};
 
 /// A smaller relative change would be printed as 0.0 %.
 const SMALLEST_CHANGE: f64 = 5e-4;
@@ -125,7 +125,7 @@ impl fmt::Display for Warning {
                 match by {
                     CutOff::Domain => "the edge of the domain: choose a larger side, or none",
                     CutOff::ReliefMap =>
-                        "the end of the surface's map: the surface beyond it is unknown",
+                        "the end of the surface's map: the surface beyond it is unknown (a periodic cell, `grid.boundary = \"periodic\"` with `surface.edges = \"taper\"`, has no end)",
                     CutOff::IndenterMap =>
                         "the end of the indenter's map: the indenter beyond it is unknown",
                 }
@@ -186,7 +186,13 @@ impl fmt::Display for Warning {
                 step,
                 change,
                 place,
-            } => unresolved_peak(f, step, change, place),
+                arc,
+            } => unresolved_peak(f, step, change, (place, arc)),
+            Self::ArcUnderResolved(UnresolvedArc { elements, wanted }) => write!(
+                f,
+                "the arc at an edge of the relief is {} elements wide: a largest pressure there grows with the grid; at least {FEWEST_ELEMENTS_PER_ARC} resolve it, which are {wanted} elements per side",
+                decimals(elements, 1)
+            ),
             Self::SteepIndenter { step, slope } => {
                 write!(f, "step {step}: {}, beyond small strains", in_words(slope))
             }
@@ -218,14 +224,14 @@ fn unresolved_peak(
     f: &mut fmt::Formatter<'_>,
     step: usize,
     change: f64,
-    place: PeakPlace,
+    (place, arc): (PeakPlace, Option<UnresolvedArc>),
 ) -> fmt::Result {
     write!(f, "step {step}: the largest pressure ")?;
     f.write_str(match place {
         PeakPlace::Inside => "is not resolved by the grid",
         PeakPlace::Outline => "sits at the outline of the relief and grows with the grid",
         PeakPlace::Ridge => {
-            "sits at a ridge of the map or at the sharp edge of a recess and grows with the grid"
+            "sits at a ridge of the map or at the edge of a recess and grows with the grid"
         }
         PeakPlace::IndenterEdge => "sits at an edge of the indenter and grows with the grid",
     })?;
@@ -233,12 +239,19 @@ fn unresolved_peak(
         let percent = 100.0 * change;
         write!(f, "; it changed by {percent:.1} % from the previous grid")?;
     }
-    f.write_str(match place {
-        PeakPlace::Inside => "",
-        PeakPlace::Outline | PeakPlace::Ridge => {
+    f.write_str(match (place, arc) {
+        (PeakPlace::Inside, _) => "",
+        (PeakPlace::Outline | PeakPlace::Ridge, Some(UnresolvedArc { elements, wanted })) => {
+            let elements = decimals(elements, 1);
+            return write!(
+                f,
+                " (its arc is {elements} elements wide, at least {FEWEST_ELEMENTS_PER_ARC} resolve it, which are {wanted} elements per side; `output.mean_pressure_over` averages it)"
+            );
+        }
+        (PeakPlace::Outline | PeakPlace::Ridge, None) => {
             " (an `edge_radius` of the texture bounds it, `output.mean_pressure_over` averages it)"
         }
-        PeakPlace::IndenterEdge => " (`output.mean_pressure_over` averages it)",
+        (PeakPlace::IndenterEdge, _) => " (`output.mean_pressure_over` averages it)",
     })
 }
 
