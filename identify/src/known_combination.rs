@@ -26,7 +26,7 @@ pub(crate) fn not_identifiable(known: Option<&KnownCombination>) -> String {
     match known {
         Some(known) => format!(
             "No data can determine it: other values give the same curves if others change too. \
-             What they determine is {}.",
+             What they determine near the best fit is {}.",
             known.expression
         ),
         None => "No data can determine it: the curves do not depend on it.".to_owned(),

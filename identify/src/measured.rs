@@ -12,6 +12,7 @@ mod checks;
 pub mod columns;
 pub mod curve;
 pub mod curve_segment;
+pub(crate) mod cycles;
 pub mod data_table;
 pub mod depth_step;
 pub mod error;

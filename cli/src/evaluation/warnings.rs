@@ -141,7 +141,10 @@ fn without_drift(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Opt
             .filter_map(|file| file.evaluated.as_ref().ok());
         found.filter_map(Evaluated::unloading)
     };
-    let without = evaluated().filter(|curve| curve.drift.is_none()).count();
+    // The drift of a cycle is that of its whole curve.
+    let rate = |curve: &EvaluatedCurve| curve.numbers.get(IndentationNumber::DriftRate);
+    let is_none = |curve: &&EvaluatedCurve| rate(curve).is_none_or(|rate| rate.value == 0.0);
+    let without = evaluated().filter(is_none).count();
     (without > 0).then(|| WarningResult {
         code: "drift-not-known".into(),
         message: format!(

@@ -2,6 +2,7 @@
 
 use pellicle::display::significant;
 use pellicle_identify::fit_file::nuisance::FORCE_ZERO;
+use pellicle_identify::measured::baseline::BeforeContactRows;
 use pellicle_identify::{Fit, FitVerdict, FitWarning, Observable, Prediction, explained};
 
 use super::findings::WarningResult;
@@ -89,6 +90,11 @@ impl Identification {
                 },
             })
             .collect();
+        let mut stretches = self.sources.iter().map(|of| of.measured.before_contact);
+        let has_slope = |of: Option<BeforeContactRows>| of.is_some_and(|of| !of.is_subtracted);
+        if !stretches.any(has_slope) {
+            return causes;
+        }
         // A baseline that rises with the depth adds s D to the force.
         let change = match observe(&self.file) {
             Observable::ForceAtDepth => self
@@ -105,8 +111,7 @@ impl Identification {
         };
         causes.push(Cause {
             change,
-            advice: "the force has a slope of its own: baseline = \"before contact\" in [[data]] removes it, if the file \
-                     has a stretch before the contact",
+            advice: "the force has a slope of its own: baseline = \"before contact\" in [[data]] removes it",
         });
         causes
     }

@@ -4,13 +4,18 @@ use std::collections::BTreeMap;
 
 use pellicle::display::significant;
 use pellicle_contact::{ContactError, LARGEST_SLOPE, Warning};
-use pellicle_identify::{Fit, ForwardError};
+use pellicle_identify::{Fit, ForwardError, Observable};
+use pellicle_influence::ElasticBody;
 
 use super::Identification;
 use super::findings::WarningResult;
 use super::outside::{Handling, Outside};
 use super::remembered::Remembered;
-use super::units;
+use super::{observe, units};
+
+/// The mean pressure, Pa, that bodies as stiff as those that would give it do not bear elastically: rubbers and gels
+/// stay below, polymers, metals and ceramics yield at less than half of what a Berkovich tip would need.
+const LARGEST_ELASTIC_PRESSURE: f64 = 1e8;
 
 /// Returns the points, among all measured ones, at which the model does not hold according to a fit of some of them. If
 /// the contact cannot be solved, these are the points known before. None if the user stopped.
@@ -106,6 +111,46 @@ impl Identification {
         (slope > LARGEST_SLOPE).then(|| WarningResult {
             code: warning.code().into(),
             message: format!("{warning}; no point is left out for it"),
+        })
+    }
+
+    /// The warning that a sharp tip leaves an imprint in a body as stiff as the fitted one, where only loadings are
+    /// fitted: they are then not those of an elastic contact.
+    pub(super) fn sharp_tip(&self, fit: &Fit) -> Option<WarningResult> {
+        let is_loading = matches!(
+            observe(&self.file),
+            Observable::DepthAtForce | Observable::ForceAtDepth
+        );
+        let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
+        let pressure = |curve: usize| {
+            let model = self.model.model(curve, &values).ok()?;
+            // Of a rigid cone on a half-space p = E* tan β/2, with its slope (I. N. Sneddon, Int. J. Engng Sci. 3, 47
+            // (1965)).
+            let slope = model.indenter.self_similar_slope()?;
+            let body = model.tables.bodies().of(ElasticBody::Foundation);
+            let top = body.surface_material();
+            Some((
+                0.5 * top.plane_strain_modulus() * slope,
+                top.young_modulus(),
+            ))
+        };
+        let curves = 0..self.model.curves().len();
+        let pressures = curves.filter_map(pressure);
+        let (pressure, modulus) = pressures.max_by(|one, other| one.0.total_cmp(&other.0))?;
+        (is_loading && pressure > LARGEST_ELASTIC_PRESSURE).then(|| {
+            let [pressure, modulus] = [pressure, modulus].map(|of| {
+                let scale = units::scale(of, "Pa");
+                format!("{} {}", significant(of / scale.divisor, 2), scale.label)
+            });
+            WarningResult {
+                code: "sharp-tip".into(),
+                message: format!(
+                    "a sharp tip on a body of {modulus} would press with {pressure} in the mean if the contact were \
+                     elastic, at every depth: bodies as stiff yield before, a loading is then that of an imprint, and the \
+                     modulus fitted to it is far too small. Unless unloadings have been seen to follow their loadings, \
+                     evaluate them: pellicle init fit-unloading"
+                ),
+            }
         })
     }
 

@@ -6,7 +6,11 @@ use crate::measured::channel::Channel;
 use crate::measured::header::{HeaderField, HeaderUnit};
 
 /// Words of columns that hold no quantity of the contact.
-const FOREIGN: [&str; 10] = [
+const FOREIGN: [&str; 14] = [
+    "contact",
+    "rate",
+    "speed",
+    "velocity",
     "lateral",
     "friction",
     "torsion",

@@ -102,8 +102,7 @@ fn columns(survey: &Survey) -> Line {
 fn units(survey: &Survey) -> Option<Line> {
     let mut why = "";
     let mut units = Vec::new();
-    let is_reversed =
-        |column: &SurveyedColumn| survey.is_reversed && column.channel == Channel::Depth;
+    let is_reversed = |column: &SurveyedColumn| survey.reversed.contains(&column.channel);
     for column in &survey.columns {
         let key = column.channel.key();
         match &column.unit {
@@ -114,7 +113,8 @@ fn units(survey: &Survey) -> Option<Line> {
             }
             SurveyedUnit::Sensitivity(value) => {
                 why = "sensitivity of the deflection, not in the file: put yours";
-                let value = significant(value * 1e9, 3);
+                let sign = if is_reversed(column) { -1.0 } else { 1.0 };
+                let value = significant(sign * value * 1e9, 3);
                 units.push(format!("{key} = {}", quoted(&format!("{value} nm/V"))));
             }
             SurveyedUnit::Stated(unit) if is_reversed(column) => {
@@ -123,8 +123,10 @@ fn units(survey: &Survey) -> Option<Line> {
             SurveyedUnit::Stated(_) => {}
         }
     }
-    if survey.is_reversed {
+    if survey.reversed.contains(&Channel::Depth) {
         why = "the depth falls as the force rises, so its sign is reversed; check the units";
+    } else if !survey.reversed.is_empty() {
+        why = "the load is negative where it presses, so its sign is reversed; check the units";
     }
     (!units.is_empty()).then(|| Line::new(format!("units = {{ {} }}", units.join(", ")), why))
 }

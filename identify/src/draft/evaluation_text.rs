@@ -27,7 +27,7 @@ pub(super) fn fit_file(groups: &[Group]) -> String {
          unloading = [0.95, 0.40]  # the part of the largest force that is fitted\n\
          epsilon = 0.75  # or \"exponent\"\n\
          beta = 1.0\n\
-         # The drift of a hold below half of the largest force is taken out if there is one; drift = \"off\" keeps it.\n\n\
+         # The drift of a hold in the unloading, or early in the loading, is taken out if there is one; drift = \"off\" keeps it.\n\n\
          {tables}{FILM}"
     )
 }

@@ -11,25 +11,20 @@ use super::file_names::{named, relative};
 use super::survey::Survey;
 use super::words::{quantity, quoted};
 use super::{DraftError, DraftKind};
+use crate::measured::baseline::BeforeContactRows;
 use crate::measured::channel::Channel;
 use crate::measured::curve::MeasuredCurve;
 use crate::measured::data_table::DataTable;
 use crate::measured::error::CurveError;
 
-/// A baseline is subtracted if its slope is this many standard errors
+/// A baseline is subtracted if its slope is this many standard errors, as a fit would then not follow the stretch before
+/// the contact: otherwise its zero alone is sought.
 const SLOPE_ERRORS: f64 = 4.0;
-/// and over the contact changes the force by this part of the largest: otherwise its zero alone is sought.
-const SLOPE_PART: f64 = 0.01;
-/// A ball is used to this part of its radius, where its slope at the rim of the contact, √(D/R), is just below the 0.3
-/// that a fit admits.
-const DEPTH_PART: f64 = 0.08;
-/// The force there is the mean of so many neighbours.
-const NEIGHBOURS: usize = 9;
-/// So many points must be left.
-const FEWEST_POINTS: usize = 20;
 /// Continuous stiffness is evaluated above this part of the largest force: noise about the zero of the depth may leave
 /// no area of contact.
 const LEAST_FORCE: f64 = 0.01;
+/// The line of a file whose force has a slope of its own.
+const BASELINE: &str = "baseline = \"before contact\"";
 /// The radius of a ball on a cantilever, m, if the file states none.
 pub(super) const SOFT_RADIUS: f64 = 5e-6;
 
@@ -118,11 +113,6 @@ impl Group {
                 "segment = { until = \"largest depth step\" }",
                 why,
             ));
-        } else if is_soft {
-            let ends = members
-                .iter()
-                .filter_map(|(survey, curve)| shallow(survey, curve));
-            lines.extend(ends.min_by(f64::total_cmp).map(shallow_line));
         }
         let paths: Vec<PathBuf> = members
             .iter()
@@ -171,10 +161,17 @@ fn read_either_way(survey: &mut Survey, folder: &Path) -> Result<MeasuredCurve, 
         Err(DraftError::Curve {
             error: CurveError::DepthFalls,
             file,
-        }) if survey.spring.is_none() => {
-            survey.is_reversed = true;
+        }) => {
             let error = CurveError::DepthFalls;
-            let again = read(survey, folder, &data_text::keys(survey));
+            let mut keys = data_text::keys(survey);
+            if survey.spring.is_some() {
+                // A slope of the force along the height of the piezo is a slope of the depth, too.
+                keys.push(Line::new(BASELINE, String::new()));
+            } else {
+                survey.reversed.push(Channel::Depth);
+                keys = data_text::keys(survey);
+            }
+            let again = read(survey, folder, &keys);
             again.map_err(|_| DraftError::Curve { file, error })
         }
         read => read,
@@ -206,47 +203,17 @@ fn read(survey: &Survey, folder: &Path, lines: &[Line]) -> Result<MeasuredCurve,
 
 /// The baseline, if all curves show a stretch before the contact and it has a slope.
 fn baseline(members: &[Member]) -> Option<Line> {
-    let before = members
-        .iter()
-        .map(|(_, curve)| Some((curve.before_contact?, curve)));
+    let before = members.iter().map(|(_, curve)| curve.before_contact);
     let before: Vec<_> = before.collect::<Option<_>>()?;
-    let is_sloped = before.iter().any(|(before, curve)| {
-        let line = &before.line;
-        let coordinate = curve.approach().or(curve.depth()).unwrap_or_default();
-        let end = coordinate.iter().copied().fold(before.contact, f64::max);
-        let largest = curve
-            .force()
-            .unwrap_or_default()
-            .iter()
-            .copied()
-            .fold(0.0, f64::max);
-        let change = line.slope.abs() * (end - before.contact);
-        line.slope.abs() > SLOPE_ERRORS * line.slope_sd
-            && change > SLOPE_PART * (largest - line.force)
-    });
-    let (first, _) = before.first()?;
-    is_sloped.then(|| {
+    let is_sloped = |of: &&BeforeContactRows| of.line.slope.abs() > SLOPE_ERRORS * of.line.slope_sd;
+    let first = before.iter().find(is_sloped);
+    first.map(|first| {
         let slope = quantity(first.line.slope, Unit::NewtonPerMetre);
         Line::new(
-            "baseline = \"before contact\"",
+            BASELINE,
             format!("the force has a slope of {slope} before the contact"),
         )
     })
-}
-
-/// The force at which a ball would be too steep, N; none if the curve ends before.
-fn shallow(survey: &Survey, curve: &MeasuredCurve) -> Option<f64> {
-    let radius = survey
-        .stated_radius()
-        .map_or(SOFT_RADIUS, |stated| stated.value);
-    let row = curve.before_contact?.contact_row;
-    let first = curve.rows.iter().position(|of| *of >= row)?;
-    let (depths, forces) = (curve.depth()?, curve.force()?);
-    let beyond = |depth: &f64| depth - depths[first] > DEPTH_PART * radius;
-    let place = first + depths[first..].iter().position(beyond)?;
-    let near =
-        &forces[place.saturating_sub(NEIGHBOURS / 2)..(place + NEIGHBOURS / 2).min(forces.len())];
-    (place - first >= FEWEST_POINTS).then(|| near.iter().sum::<f64>() / near.len() as f64)
 }
 
 fn deep_line(force: f64) -> Line {
@@ -258,13 +225,4 @@ fn deep_line(force: f64) -> Line {
         key,
         "below a hundredth of the largest force the zero of the depth matters most",
     )
-}
-
-fn shallow_line(force: f64) -> Line {
-    let key = format!(
-        "segment = {{ to = {} }}",
-        quoted(&quantity(force, Unit::Newton))
-    );
-    let why = "deeper than some 0.08 of its radius a ball is too steep for the model: larger with your radius";
-    Line::new(key, why)
 }

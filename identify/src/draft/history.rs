@@ -2,6 +2,7 @@
 
 use crate::measured::channel::Channel;
 use crate::measured::curve_segment::{Branch, CurveSegment};
+use crate::measured::cycles::peaks;
 use crate::measured::depth_step::DepthStep;
 use crate::measured::hysteresis::{LEAST_RETURNED, part_returned};
 use crate::measured::raw_curve::RawCurve;
@@ -31,6 +32,8 @@ pub(super) struct History {
     pub(super) peak: (f64, usize),
     /// The rows of the table.
     pub(super) rows: usize,
+    /// Number of cycles of loading and unloading.
+    pub(super) cycles: usize,
     /// The holds, in their order.
     pub(super) holds: Vec<Hold>,
     /// The part of the work that the unloading gives back, if there is one.
@@ -83,6 +86,7 @@ impl History {
         Some(Self {
             peak: (forces[peak], peak + 1),
             rows: raw.rows,
+            cycles: peaks(&valid.iter().map(|row| forces[*row]).collect::<Vec<_>>()).len(),
             holds: holds(raw, forces, &valid),
             returned,
             pop_in: pop_in(raw, forces),

@@ -12,6 +12,12 @@ impl Group {
         let mut story: Vec<String> = Vec::new();
         if let Some(history) = &self.survey.history {
             story.push(happened(history));
+            if self.survey.is_unloading && history.cycles > 1 {
+                story.push(format!(
+                    "{} cycles of loading and unloading: each that goes beyond the ones before is evaluated.",
+                    history.cycles
+                ));
+            }
             if history.is_plastic() && !self.is_soft {
                 let part = significant(100.0 * history.returned.unwrap_or(0.0), 2);
                 let then = match (self.survey.is_unloading, history.pop_in) {

@@ -23,6 +23,11 @@ use crate::measured::text_table::TextTable;
 /// A depth without unit that goes no farther is in micrometres, otherwise in nanometres.
 const SHALLOW: f64 = 5.0;
 
+/// A load of negative sign falls from its start by more than so many times what it rises,
+const DOWNWARD: f64 = 3.0;
+/// and is lowest beyond this part of the way.
+const DEEPEST: f64 = 0.8;
+
 /// What a measured file is found to be.
 #[derive(Debug, Clone)]
 pub(super) struct Survey {
@@ -42,8 +47,8 @@ pub(super) struct Survey {
     pub(super) columns: Vec<SurveyedColumn>,
     /// Its cantilever, if it has one.
     pub(super) spring: Option<SpringGuess>,
-    /// Whether the sign of the depth is reversed.
-    pub(super) is_reversed: bool,
+    /// The quantities whose sign is reversed.
+    pub(super) reversed: Vec<Channel>,
     /// Whether its unloading is evaluated, and nothing fitted to a model.
     pub(super) is_unloading: bool,
     /// What happens in it.
@@ -107,6 +112,7 @@ impl Survey {
         let mut columns = named(&chosen, &table);
         let mut raw = raw(&table, &columns, &options).map_err(curve_error)?;
         assume_units(&mut columns, &mut raw);
+        let reversed = Vec::from_iter(reversed_load(&mut raw));
         let spring = is_cantilever.then(|| SpringGuess::of(stated_spring, &raw));
         if let Some(spring) = &spring {
             spring.add_penetration(&mut raw).map_err(curve_error)?;
@@ -120,7 +126,7 @@ impl Survey {
             encoding: decoded.guessed,
             columns,
             spring,
-            is_reversed: false,
+            reversed,
             is_unloading: false,
             history,
             stated: table.stated,
@@ -338,6 +344,40 @@ fn assume_units(columns: &mut [SurveyedColumn], raw: &mut RawCurve<'_>) {
         let changed = values.iter().map(|value| change * value).collect();
         raw.replace(column.channel, changed);
     }
+}
+
+/// The force or the deflection, if it presses with a negative sign: far from its start it is negative, and deepest in.
+/// A pull-off is not: there the indenter is on its way out. Reverses it.
+fn reversed_load(raw: &mut RawCurve<'_>) -> Option<Channel> {
+    let channel = [Channel::Force, Channel::Deflection]
+        .into_iter()
+        .find(|channel| raw.values(*channel).is_some())?;
+    let lengths = raw.values(Channel::Height).or(raw.values(Channel::Depth))?;
+    let loads = raw.values(channel)?;
+    let valid = lengths
+        .iter()
+        .zip(loads)
+        .filter(|(length, load)| length.is_finite() && load.is_finite());
+    let points: Vec<(f64, f64)> = valid.map(|(length, load)| (*length, *load)).collect();
+    let (start, first) = *points.first()?;
+    let (end, last) = *points
+        .iter()
+        .min_by(|one, other| one.1.total_cmp(&other.1))?;
+    let most = points
+        .iter()
+        .map(|point| point.1)
+        .fold(f64::NEG_INFINITY, f64::max);
+    let travel = points
+        .iter()
+        .map(|point| (point.0 - start).abs())
+        .fold(0.0, f64::max);
+    let presses_down = last < 0.0 && first - last > DOWNWARD * (most - first);
+    if !presses_down || (end - start).abs() < DEEPEST * travel {
+        return None;
+    }
+    let reversed = loads.iter().map(|load| -load).collect();
+    raw.replace(channel, reversed);
+    Some(channel)
 }
 
 impl SpringGuess {

@@ -14,10 +14,12 @@ use rayon::prelude::*;
 
 use super::{FitFile, FitSources, Measurements, evaluation};
 use crate::indentation::{
-    AreaFunction, Calibration, EvaluatedCurve, EvaluationSettings, IndentationCurve,
-    IndentationError, IndentationNumbers, calibrate, evaluate, evaluate_stiffnesses,
+    AreaFunction, Calibration, DepthZero, Drift, EvaluatedCurve, EvaluationSettings,
+    IndentationCurve, IndentationError, IndentationNumbers, calibrate, evaluate,
+    evaluate_stiffnesses,
 };
 use crate::measured::curve::MeasuredCurve;
+use crate::measured::cycles::peaks;
 use crate::measured::data_table::DataTable;
 use crate::measured::sources::MeasurementSources;
 
@@ -43,7 +45,10 @@ pub enum Evaluated {
     Stiffnesses(Vec<IndentationNumbers>),
 }
 
-/// A measured curve and its evaluation.
+/// A cycle goes beyond those before if its force is larger by this part.
+const BEYOND: f64 = 0.02;
+
+/// A measured curve, or a cycle of it, and its evaluation.
 #[derive(Debug, Clone)]
 pub struct EvaluatedFile {
     /// The index of its table.
@@ -201,12 +206,52 @@ impl EvaluatedFile {
             let curves = MeasuredCurve::read_all(data)?.into_iter();
             measured.extend(curves.map(|curve| (table, curve)));
         }
-        let evaluated = measured.into_par_iter().map(|(table, measured)| Self {
-            table,
-            evaluated: Self::of(&measured, settings),
-            measured,
-        });
+        let evaluated = measured
+            .into_par_iter()
+            .flat_map_iter(|(table, measured)| Self::cycles(table, measured, settings));
         Ok(evaluated.collect())
+    }
+
+    /// The cycles of a curve that go beyond the ones before, each as a curve of its own, the largest last. All have the
+    /// drift and the zero of the depth that are found with that.
+    fn cycles(table: usize, measured: MeasuredCurve, settings: &EvaluationSettings) -> Vec<Self> {
+        let evaluated = Self::of(&measured, settings);
+        let mut files = Vec::new();
+        if let Ok(Evaluated::Unloading(curve)) = &evaluated {
+            let settings = EvaluationSettings {
+                drift: match (settings.drift, &curve.drift) {
+                    (_, Some(hold)) => Drift::Rate(hold.rate),
+                    (Drift::Rate(rate), None) => Drift::Rate(rate),
+                    _ => Drift::Off,
+                },
+                depth_zero: DepthZero::At(curve.zero),
+                ..settings.clone()
+            };
+            let peaks = peaks(&curve.force);
+            let mut largest = 0.0;
+            for (cycle, peak) in peaks.iter().enumerate() {
+                let force = curve.force[*peak];
+                if force < largest || *peak >= curve.phases.top.start {
+                    continue;
+                }
+                largest = (1.0 + BEYOND) * force;
+                let next = peaks.get(cycle + 1).copied().unwrap_or(curve.force.len());
+                let lowest =
+                    (*peak..next).min_by(|a, b| curve.force[*a].total_cmp(&curve.force[*b]));
+                let measured = measured.up_to(lowest.unwrap_or(*peak) + 1);
+                files.push(Self {
+                    table,
+                    evaluated: Self::of(&measured, &settings),
+                    measured,
+                });
+            }
+        }
+        files.push(Self {
+            table,
+            measured,
+            evaluated,
+        });
+        files
     }
 
     fn of(

@@ -49,6 +49,8 @@ pub struct EvaluatedCurve {
     pub depth: Vec<f64>,
     /// Forces, N.
     pub force: Vec<f64>,
+    /// The zero of the depth that is taken out, m, as recorded but for drift and frame.
+    pub zero: Uncertain,
     /// Where the loading, extrapolated, begins, m, after all corrections; none of a loading too short to tell.
     pub begins: Option<Uncertain>,
 }
@@ -110,6 +112,7 @@ pub fn evaluate(
         force: curve.force.to_vec(),
         phases,
         drift,
+        zero,
         begins: begins.map(|begins| Uncertain {
             value: begins.value - zero.value,
             ..begins

@@ -6,8 +6,8 @@
 use std::ops::Range;
 
 use super::Uncertain;
-use super::phases::median;
 use super::unloading::UnloadingFit;
+use crate::measured::cycles::{is_first_loading, median};
 
 /// The forces to which the law is fitted, as parts of the largest: below, noise and the baseline count, above, the law
 /// of a blunt tip has changed.
@@ -27,9 +27,10 @@ pub(super) fn first_contact(
 ) -> Option<Uncertain> {
     let largest = median(&force[top.clone()]);
     let [low, high] = [FORCES.start, FORCES.end].map(|part| part * largest);
-    // From the deepest, as an unloading runs.
+    let is_first = is_first_loading(&force[..top.start]);
+    // From the deepest, as an unloading runs; without what is loaded again.
     let points = (start..top.start).rev();
-    let chosen = points.filter(|at| (low..=high).contains(&force[*at]));
+    let chosen = points.filter(|at| is_first[*at] && (low..=high).contains(&force[*at]));
     let (depths, forces): (Vec<f64>, Vec<f64>) = chosen.map(|at| (depth[at], force[at])).unzip();
     if depths.len() < FEWEST_POINTS {
         return None;

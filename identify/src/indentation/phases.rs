@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use super::IndentationError;
+use crate::measured::cycles::{NORMAL_OVER_MEDIAN, median, medians, scatter};
 
 /// Points within this part of the largest force belong to its neighbourhood, in which a hold is sought.
 const NEAR_LARGEST: f64 = 0.005;
@@ -19,10 +20,10 @@ const DRIFT_WIDTH: f64 = 0.02;
 const DRIFT_DEVIATIONS: f64 = 8.0;
 /// Its own forces lie within so many of their standard deviations.
 const STEADY_DEVIATIONS: f64 = 4.0;
-/// The standard deviation of a normal distribution over the median of its absolute values.
-const NORMAL_OVER_MEDIAN: f64 = 1.4826;
-/// It is below this part of the largest force, and above that, where the indenter may have lost the contact.
+/// In an unloading it is below this part of the largest force, and above that, where the indenter may have lost the
+/// contact. In a loading, where a body creeps under a force that it bears for the first time, below a tenth.
 const DRIFT_FORCES: Range<f64> = 0.02..0.6;
+const DRIFT_FORCES_OF_LOADING: Range<f64> = 0.02..0.1;
 /// It lasts so many times as long as the unloading takes to fall by that width, and has so many points.
 const DRIFT_PASSAGES: f64 = 3.0;
 const DRIFT_POINTS: usize = 10;
@@ -125,14 +126,16 @@ fn hold(force: &[f64], near: Range<usize>, largest: f64) -> (Range<usize>, bool)
     (first..last + 1, true)
 }
 
-/// The longest hold at a constant force below half of the largest, in the unloading if there is one, otherwise in the
-/// loading; none if none is clear.
+/// The longest hold at a constant force in the unloading if there is one, otherwise early in the loading; none if none
+/// is clear.
 pub(super) fn drift_hold(time: &[f64], force: &[f64], phases: &Phases) -> Option<Range<usize>> {
     let level = median(&force[phases.top.clone()]);
     let width = (DRIFT_WIDTH * level).max(DRIFT_DEVIATIONS * scatter(force));
-    let (after, before) = (phases.top.end..force.len(), 0..phases.top.start);
-    [after, before].into_iter().find_map(|range| {
-        let found = longest(&time[range.clone()], &force[range.clone()], width, level)?;
+    let after = (phases.top.end..force.len(), DRIFT_FORCES);
+    let before = (0..phases.top.start, DRIFT_FORCES_OF_LOADING);
+    [after, before].into_iter().find_map(|(range, parts)| {
+        let within = parts.start * level..parts.end * level;
+        let found = longest(&time[range.clone()], &force[range.clone()], width, within)?;
         let found = steady(found.start + range.start..found.end + range.start, force);
         let duration = time[found.end - 1] - time[found.start];
         // What the unloading takes from its start to this force, or the loading from no force.
@@ -158,13 +161,13 @@ fn steady(run: Range<usize>, force: &[f64]) -> Range<usize> {
     first..held.next_back().unwrap_or(first) + 1
 }
 
-/// The longest run, in time, of forces within a width, all within the range of a hold for the drift.
-fn longest(time: &[f64], force: &[f64], width: f64, level: f64) -> Option<Range<usize>> {
+/// The longest run, in time, of forces within a width, all within a range.
+fn longest(time: &[f64], force: &[f64], width: f64, within: Range<f64>) -> Option<Range<usize>> {
     let force = medians(force);
     let (mut least, mut most): (VecDeque<usize>, VecDeque<usize>) = Default::default();
     let (mut start, mut best): (usize, Option<Range<usize>>) = (0, None);
     for end in 0..force.len() {
-        if !(DRIFT_FORCES.start * level..=DRIFT_FORCES.end * level).contains(&force[end]) {
+        if !within.contains(&force[end]) {
             least.clear();
             most.clear();
             start = end + 1;
@@ -195,29 +198,4 @@ fn push(queue: &mut VecDeque<usize>, place: usize, is_useless: impl Fn(usize) ->
         queue.pop_back();
     }
     queue.push_back(place);
-}
-
-/// The standard deviation of white noise on smooth values, from their second differences, whose variance is 6 times its
-/// own.
-fn scatter(values: &[f64]) -> f64 {
-    let bends = values.windows(3).map(|v| (v[0] - 2.0 * v[1] + v[2]).abs());
-    let bends: Vec<f64> = bends.collect();
-    let found = NORMAL_OVER_MEDIAN * median(&bends) / 6.0_f64.sqrt();
-    if found.is_finite() { found } else { 0.0 }
-}
-
-/// The median of some values.
-pub(super) fn median(values: &[f64]) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN)
-}
-
-/// The median of each value with its neighbours: single spikes do not count.
-fn medians(values: &[f64]) -> Vec<f64> {
-    let middle = |at: usize| match (at.checked_sub(1), values.get(at + 1)) {
-        (Some(before), Some(after)) => median(&[values[before], values[at], *after]),
-        _ => values[at],
-    };
-    (0..values.len()).map(middle).collect()
 }

@@ -7,10 +7,11 @@ use super::correction::Line;
 use super::evaluation::IndentationCurve;
 use super::inputs::Inputs;
 use super::numbers::Values;
-use super::phases::{Phases, median};
+use super::phases::Phases;
 use super::settings::EvaluationSettings;
 use super::unloading::UnloadingFit;
 use super::{IndentationError, IndentationNumber, Uncertain};
+use crate::measured::cycles::median;
 
 /// The depth at the end of a hold is that of the line through the last of so many parts of it.
 const END_OF_HOLD: usize = 3;

@@ -8,6 +8,7 @@ use pellicle::input::value_reader::ValueReader;
 use super::before_contact::{BeforeContact, FEWEST_POINTS};
 use super::channel::Channel;
 use super::curve_segment::Branch;
+use super::cycles::peaks;
 use super::data_table::DataTable;
 use super::error::CurveError;
 use super::raw_curve::RawCurve;
@@ -170,7 +171,7 @@ fn find(raw: &RawCurve<'_>, rows: &[usize], data: &DataTable) -> Option<(BeforeC
     let (coordinate, forces) = curve(raw)?;
     let is_after = data.segment.part == Branch::Unloading;
     let rows: Vec<usize> = match data.segment.part {
-        _ if data.is_unloading() => up_to_largest(rows, forces).to_vec(),
+        _ if data.is_unloading() => up_to_first_peak(rows, forces).to_vec(),
         Branch::Loading => rows.to_vec(),
         // From its end on, as an approach.
         Branch::Unloading => rows.iter().rev().copied().collect(),
@@ -192,11 +193,10 @@ fn find(raw: &RawCurve<'_>, rows: &[usize], data: &DataTable) -> Option<(BeforeC
     Some((found, line.shows_itself(&x, &y)))
 }
 
-/// The rows of a loading.
-fn up_to_largest<'r>(rows: &'r [usize], forces: &[f64]) -> &'r [usize] {
-    let places = 0..rows.len();
-    let largest = places.max_by(|a, b| forces[rows[*a]].total_cmp(&forces[rows[*b]]));
-    &rows[..largest.map_or(0, |place| place + 1)]
+/// The rows of the first loading, before which the contact begins.
+fn up_to_first_peak<'r>(rows: &'r [usize], forces: &[f64]) -> &'r [usize] {
+    let peaks = peaks(&chosen(forces, rows));
+    &rows[..peaks.first().map_or(rows.len(), |place| place + 1)]
 }
 
 /// The coordinate along which a baseline runs, and the forces.

@@ -39,6 +39,20 @@ impl MeasuredCurve {
         found.map(|(_, values)| values.as_slice())
     }
 
+    /// The same curve up to a number of points, without its warnings.
+    #[must_use]
+    pub(crate) fn up_to(&self, points: usize) -> Self {
+        let kept = |(channel, values): &(Channel, Vec<f64>)| {
+            (*channel, values[..points.min(values.len())].to_vec())
+        };
+        Self {
+            rows: self.rows[..points].to_vec(),
+            channels: self.channels.iter().map(kept).collect(),
+            warnings: Vec::new(),
+            ..self.clone()
+        }
+    }
+
     /// Penetrations, m; if computed from the height of a piezo, those at the mean spring constant.
     #[must_use]
     pub fn depth(&self) -> Option<&[f64]> {
