@@ -14,6 +14,7 @@ mod cache;
 mod cases;
 mod damage;
 mod draft;
+mod draft_histories;
 mod explore;
 mod files;
 mod find;

@@ -143,12 +143,12 @@ fn what_no_file_tells_has_a_default_that_says_so() {
         );
     }
     // With them put right, the modulus is, and without the words nothing is warned of.
-    let own = fit.replace("deflection = 1e-7", "deflection = 8e-8");
+    let own = fit.replace("deflection = \"100 nm/V\"", "deflection = \"80 nm/V\"");
     let own = own.replace(
         "spring_constant = \"100 mN/m\"",
         "spring_constant = \"0.05 N/m\"",
     );
-    assert!(own.contains("8e-8") && own.contains("0.05 N/m"), "{fit}");
+    assert!(own.contains("80 nm/V") && own.contains("0.05 N/m"), "{fit}");
     let own = own.replace("not in the file: put yours", "mine");
     fs::write(folder.path("curve.toml"), own).unwrap();
     let (numbers, found) = fitted(&folder);

@@ -6,9 +6,15 @@
 //!
 //! The area of a disc of radius r within `[0, x] × [0, y]` is `∫ min(y, √(r² − t²)) dt` up to x.
 
+use std::f64::consts::PI;
+
 use rayon::prelude::*;
 
 use crate::{grid::region::Place, result::contact_field::ContactField, result::peak};
+
+/// A disc whose radius exceeds so many sides of the grid is not summed: the average is the force over its area, or in a
+/// cell the nominal pressure.
+const WIDEST: f64 = 2.0;
 
 /// A row of a disc on the elements: the row's distance from the middle, and the covered parts from the middle outwards.
 struct DiscRow {
@@ -24,6 +30,18 @@ pub fn largest(field: &ContactField<'_>, diameter: f64) -> Option<f64> {
     let radius = 0.5 * diameter / field.grid.element_side();
     if radius < 0.5 {
         return None;
+    }
+    let longer = field.grid.lengths().into_iter().max().unwrap_or(0) as f64;
+    if radius > WIDEST * longer {
+        // It covers all of the pressure, or many cells.
+        let whole = field.region.scatter(field.pressure.to_vec());
+        let sum: f64 = whole.iter().sum();
+        let within = if field.region.repeats() {
+            field.grid.lengths().into_iter().product::<usize>() as f64
+        } else {
+            PI * radius * radius
+        };
+        return Some(sum / within);
     }
     let disc = disc(radius);
     let area: f64 = disc.iter().map(DiscRow::area).sum();

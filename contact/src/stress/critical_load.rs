@@ -232,12 +232,13 @@ impl CriterionSearch {
             LoadSearchResult::Missed(last) => (None, last.as_ref()),
         };
         let extreme = last.map(|solved| solved.extreme);
-        // δQ/Q = δσ/(σ − σ₀) / n, σ₀ the stress without a load
+        // δQ/Q = δσ/(σ − σ₀) / n, σ₀ the stress without a load. A stress grows no faster than its load for long, so a
+        // larger n is one between two peaks.
         let error = met.and_then(|(solved, exponent)| {
             let Extreme {
                 value, estimate, ..
             } = solved.extreme;
-            Some(solved.force * estimate? / (value - at_rest).abs() / exponent)
+            Some(solved.force * estimate? / (value - at_rest).abs() / exponent.min(1.0))
         });
         let utilisation = extreme.map_or(0.0, |extreme| extreme.value.max(0.0) / self.strength);
         CriticalLoad {

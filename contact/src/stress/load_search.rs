@@ -1,10 +1,11 @@
 //! The search for the smallest force at which one stress reaches a strength.
 //!
 //! A stress grows roughly as a power of the load, so the secant between two solved loads in logarithms finds a strength
-//! in a few steps. Each step solves a contact on its own grids and follows the peak of its stress from the nearest load
-//! solved before. The whole body is searched again, and the error found, where the strength is met; if the peak is then
-//! another one, it is searched under every further load. With residual stress, of which the largest may lie far from
-//! the contact, every load is searched, and the power is that of what the load adds.
+//! in a few steps. Each step solves a contact on its own grids. The whole body is searched under loads far from those
+//! searched before: under a coating the peak jumps from one place to another. From a load nearby the peak is followed.
+//! The body is searched again, and the error found, where the strength is met; if the peak is then another one, all that
+//! was followed is searched, and the search begins anew. With residual stress, of which the largest may lie far from the
+//! contact, every load is searched, and the power is that of what the load adds.
 
 use pellicle_influence::RoughDepths;
 
@@ -31,6 +32,10 @@ const NEARLY: f64 = 0.7;
 const FLAT: f64 = 0.1;
 /// A load whose contact is solved already replaces one that differs by less than this factor.
 const ALIKE: f64 = 1.05;
+/// A peak is followed from a searched load that differs by less than this factor.
+const NEARBY: f64 = 2.0;
+/// The stress meets a strength within this part.
+const MET: f64 = 1e-3;
 /// A bracket this narrow is searched on one domain, so that changes of the grid do not blur the search.
 const NARROW: f64 = 1.5;
 
@@ -52,7 +57,8 @@ pub struct Solved {
 
 /// The result of a search.
 pub enum LoadSearchResult {
-    /// The strength is met; the stress grows as the force to the power `exponent`.
+    /// The strength is met, or the stress jumps beyond it, in which case it is not resolved; it grows as the force to the
+    /// power `exponent`.
     Met { solved: Solved, exponent: f64 },
     /// The strength is met under no load, or under all loads; holds the load that comes nearest.
     Missed(Option<Solved>),
@@ -81,10 +87,26 @@ pub struct LoadSearch<'a, 'b> {
 impl LoadSearch<'_, '_> {
     /// Searches for the smallest force at which the strength is reached.
     pub fn search(&mut self) -> Result<LoadSearchResult, ContactError> {
+        let followed = self.follows;
+        let found = self.search_once()?;
+        if followed && !self.follows {
+            // A peak that was followed is not the largest stress: the bracket may be wrong.
+            let loads = self.solved.clone();
+            for solved in loads {
+                self.searched(solved)?;
+            }
+            return self.search_once();
+        }
+        Ok(found)
+    }
+
+    /// The search, from the loads solved so far.
+    fn search_once(&mut self) -> Result<LoadSearchResult, ContactError> {
         let reached = match self.first_reached() {
             Some(reached) => Some(reached),
             None => self.reached_between()?,
         };
+        let followed = self.follows;
         let Some(mut upper) = reached else {
             let largest = self.largest().copied();
             let largest = largest.map(|largest| self.searched(largest)).transpose()?;
@@ -132,12 +154,21 @@ impl LoadSearch<'_, '_> {
             }
             let utilisation = self.utilisation(&solved);
             exponent = self.exponent(&solved, &latest).or(exponent);
-            if let Some(exponent) = exponent {
-                let is_near = (utilisation.ln() / exponent).abs() <= 2.0 * ACCURACY;
-                // A stress that jumps with the load is only bracketed.
-                if is_near || (high / low).ln() <= ACCURACY {
-                    return Ok(LoadSearchResult::Met { solved, exponent });
-                }
+            let closes = |n: f64| {
+                (utilisation.ln() / n).abs() <= 2.0 * ACCURACY || (high / low).ln() <= ACCURACY
+            };
+            let met = exponent.filter(|n| closes(*n));
+            let jumps = utilisation.ln().abs() > MET;
+            if met.is_some() && jumps {
+                // Below a jump the peak may be another one, too.
+                self.searched(lower)?;
+            }
+            if followed && !self.follows {
+                return Ok(LoadSearchResult::Missed(Some(solved)));
+            }
+            if let Some(exponent) = met {
+                solved.extreme.resolved &= !jumps;
+                return Ok(LoadSearchResult::Met { solved, exponent });
             }
             latest = solved;
             if utilisation >= 1.0 {
@@ -272,8 +303,13 @@ impl LoadSearch<'_, '_> {
         };
         let path = self.loads.solve(force, domain)?;
         let step = only_step(&path)?;
+        let is_nearby = |solved: &Solved| {
+            let apart = (solved.force / force).ln().abs();
+            solved.followed_on.is_none() && apart < NEARBY.ln()
+        };
+        let follows = self.follows && self.solved.iter().any(is_nearby);
         let followed = match self.expected(step.summary.contact_radius, force) {
-            Some(place) if self.follows => {
+            Some(place) if follows => {
                 let finder = self.finder(&path, step);
                 finder.follow(self.rough, self.target, place)?
             }

@@ -114,3 +114,54 @@ fn a_stress_that_falls_again_under_more_load_is_critical_where_it_first_reaches_
         assert_relative_eq!(mises(force), strength, max_relative = 1e-3);
     }
 }
+
+#[test]
+fn a_critical_load_does_not_depend_on_the_load_from_which_its_search_starts() {
+    // A stiff coating cracks where it bends over its soft base, and further out as it is pressed down: the peak of the
+    // tension jumps between surface and interface.
+    let thickness = 5e-3;
+    let coating = Material::new(200.0, 0.3).unwrap();
+    let base = Material::new(STEEL.0, 0.3).unwrap();
+    let model = model(
+        &Foundation::coated(thickness, coating, base).unwrap(),
+        Paraboloid::new(1.0).unwrap(),
+    );
+    let stress = StressModel {
+        sliding: Sliding {
+            friction: 0.3,
+            direction: 0.0,
+        },
+        bodies: vec![body(
+            "layer[0]",
+            0.0,
+            thickness,
+            BodyStrengths {
+                yield_strength: None,
+                tensile_strength: Some(0.1),
+            },
+        )],
+        ..StressModel::default()
+    };
+    // In units of the base's modulus and the radius: 3 GPa and 1 mm.
+    let newton = 1.0 / 3e3;
+    let mut first = None;
+    for force in [6e-3, 10e-3, 12e-3, 50e-3, 1.0, 5.0] {
+        let found = critical(&model, 64, force * newton, &stress).remove(0);
+        let (force, estimate) = (found.force.unwrap(), found.estimate.unwrap());
+        assert!(
+            found.resolved && (found.utilisation - 1.0).abs() < 1e-3,
+            "{found:?}"
+        );
+        let wanted = *first.get_or_insert(force);
+        assert!((force / wanted - 1.0).abs() < 1e-3, "{force} for {wanted}");
+        assert!(estimate < 2e-3 * force, "{found:?}");
+    }
+    // Below it the tension stays below the strength.
+    let tension = |part: f64| {
+        let path = solved(&model, 64, part * first.unwrap());
+        let extremes = stress_extremes(&path, 0, &stress).unwrap();
+        extremes.bodies[0].max_principal.unwrap().value
+    };
+    assert_relative_eq!(tension(1.0), 0.1, max_relative = 2e-3);
+    assert!([0.2, 0.5, 0.9].map(tension).iter().all(|of| *of < 0.1));
+}

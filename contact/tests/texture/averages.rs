@@ -53,6 +53,23 @@ fn the_average_under_a_ball_is_its_closed_form_to_second_order_within_its_error(
 }
 
 #[test]
+fn a_disc_wider_than_the_domain_has_the_force_over_its_area() {
+    let force = 4.0 / 3.0 * 1e-3;
+    let model = model(&body(), Relief::Bare, ball());
+    for diameter in [0.5, 1.2, 1e4] {
+        let (domain, load) = (Domain::Side(0.31), Load::Force(force));
+        let step = averaged(&model, domain, 32, load, diameter);
+        let wanted = force / (0.25 * PI * diameter * diameter);
+        let found = step.summary.max_averaged_pressure.unwrap();
+        // The force is met within the tolerance of the solution.
+        assert!(
+            (found / wanted - 1.0).abs() < 1e-6,
+            "{diameter}: {found} {wanted}"
+        );
+    }
+}
+
+#[test]
 fn the_average_over_a_sixteenth_of_an_edge_stays_bounded_under_a_flat_punch() {
     // Under a flat punch the peak grows with the grid, the average over a length does not.
     let model = model(&body(), Relief::Bare, FlatPunch::new(0.1).unwrap().into());

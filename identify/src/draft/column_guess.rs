@@ -6,8 +6,7 @@ use crate::measured::channel::Channel;
 use crate::measured::header::{HeaderField, HeaderUnit};
 
 /// Words of columns that hold no quantity of the contact.
-const FOREIGN: [&str; 14] = [
-    "contact",
+const FOREIGN: [&str; 13] = [
     "rate",
     "speed",
     "velocity",
@@ -84,19 +83,59 @@ pub(super) fn of_header(header: &[HeaderField]) -> Vec<ColumnGuess> {
         let best = ranked.max_by_key(|(likeness, place)| (*likeness, usize::MAX - place));
         found.extend(best.map(|(_, place)| ColumnGuess { channel, place }));
     }
+    found.extend(only_length(header, &found));
     found
+}
+
+/// The only other length beside a force, if it has a name that says nothing: the depth.
+fn only_length(header: &[HeaderField], found: &[ColumnGuess]) -> Option<ColumnGuess> {
+    let has = |channel| found.iter().any(|guess| guess.channel == channel);
+    if !has(Channel::Force) || has(Channel::Depth) || has(Channel::Height) {
+        return None;
+    }
+    let is_length = |head: &HeaderField| head.unit == HeaderUnit::Of(Dimension::Length);
+    let places = (0..header.len()).filter(|place| {
+        let is_free = found.iter().all(|taken| taken.place != *place);
+        let head = &header[*place];
+        let is_contact = words(head)
+            .iter()
+            .any(|word| word.eq_ignore_ascii_case("contact"));
+        is_free && is_length(head) && !is_foreign(head) && !is_contact
+    });
+    let [place] = places.collect::<Vec<_>>()[..] else {
+        return None;
+    };
+    let channel = Channel::Depth;
+    Some(ColumnGuess { channel, place })
+}
+
+/// The words of a header.
+fn words(head: &HeaderField) -> Vec<&str> {
+    let words = head.name.split(|c: char| !c.is_alphanumeric());
+    words.filter(|word| !word.is_empty()).collect()
+}
+
+/// Whether a column holds no quantity of the contact.
+fn is_foreign(head: &HeaderField) -> bool {
+    let words = words(head);
+    words
+        .iter()
+        .any(|word| FOREIGN.contains(&&*word.to_lowercase()))
 }
 
 /// How much a header is like that of a quantity; none if it is not.
 fn likeness(channel: Channel, head: &HeaderField) -> Option<i32> {
-    let is_word = |c: char| !c.is_alphanumeric();
-    let words: Vec<&str> = head.name.split(is_word).filter(|w| !w.is_empty()).collect();
+    let words = words(head);
     let has = |wanted: &[&str]| {
         words
             .iter()
             .any(|word| wanted.contains(&&*word.to_lowercase()))
     };
-    if has(&FOREIGN) {
+    if is_foreign(head) {
+        return None;
+    }
+    // A depth of contact is less than the depth.
+    if channel == Channel::Depth && has(&["contact"]) {
         return None;
     }
     let symbols = SYMBOLS.iter().find(|(of, _)| *of == channel);
@@ -248,6 +287,20 @@ mod tests {
             (
                 &["Z (nm)", "Deflection (V)"],
                 &[("height", 1), ("deflection", 2)],
+            ),
+            (&["Pd [nm]", "Fn [mN]"], &[("depth", 1), ("force", 2)]),
+            (
+                &["Tip-Sample Separation (nm)", "Force (nN)"],
+                &[("depth", 1), ("force", 2)],
+            ),
+            (
+                &[
+                    "Contact Depth (nm)",
+                    "Depth (nm)",
+                    "Load rate (mN/s)",
+                    "Load (mN)",
+                ],
+                &[("depth", 2), ("force", 4)],
             ),
             (&["F", "h", "t"], &[("force", 1), ("depth", 2), ("time", 3)]),
             (

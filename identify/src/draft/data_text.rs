@@ -7,6 +7,7 @@ use super::survey::{Survey, SurveyedColumn, SurveyedUnit};
 use super::words::{quoted, stated};
 use crate::measured::channel::Channel;
 use crate::measured::separator::DecimalMark;
+use crate::measured::stated::StatedQuantity;
 
 /// A key with its value and what it rests on.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -100,21 +101,27 @@ fn columns(survey: &Survey) -> Line {
 }
 
 fn units(survey: &Survey) -> Option<Line> {
-    let mut why = "";
+    let mut why = String::new();
     let mut units = Vec::new();
     let is_reversed = |column: &SurveyedColumn| survey.reversed.contains(&column.channel);
     for column in &survey.columns {
         let key = column.channel.key();
         match &column.unit {
             SurveyedUnit::Assumed(unit) => {
-                why = NOT_IN_THE_FILE;
+                why = NOT_IN_THE_FILE.into();
                 let sign = if is_reversed(column) { "-1 " } else { "" };
                 units.push(format!("{key} = {}", quoted(&format!("{sign}{unit}"))));
             }
             SurveyedUnit::Sensitivity(value) => {
-                why = "sensitivity of the deflection, not in the file: put yours";
+                why = match survey.stated(StatedQuantity::Sensitivity) {
+                    Some(stated) => format!("line {}: {}", stated.line, stated.text),
+                    None => format!("sensitivity of the deflection, {NOT_IN_THE_FILE}"),
+                };
                 let sign = if is_reversed(column) { -1.0 } else { 1.0 };
-                let value = significant(sign * value * 1e9, 3);
+                let value = significant(sign * value * 1e9, 4);
+                let value = value
+                    .parse::<f64>()
+                    .map_or(value, |value| value.to_string());
                 units.push(format!("{key} = {}", quoted(&format!("{value} nm/V"))));
             }
             SurveyedUnit::Stated(unit) if is_reversed(column) => {
@@ -124,9 +131,10 @@ fn units(survey: &Survey) -> Option<Line> {
         }
     }
     if survey.reversed.contains(&Channel::Depth) {
-        why = "the depth falls as the force rises, so its sign is reversed; check the units";
+        why = "the depth falls as the force rises, so its sign is reversed; check the units".into();
     } else if !survey.reversed.is_empty() {
-        why = "the load is negative where it presses, so its sign is reversed; check the units";
+        why = "the load is negative where it presses, so its sign is reversed; check the units"
+            .into();
     }
     (!units.is_empty()).then(|| Line::new(format!("units = {{ {} }}", units.join(", ")), why))
 }

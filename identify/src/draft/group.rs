@@ -17,8 +17,8 @@ use crate::measured::curve::MeasuredCurve;
 use crate::measured::data_table::DataTable;
 use crate::measured::error::CurveError;
 
-/// A baseline is subtracted if its slope is this many standard errors, as a fit would then not follow the stretch before
-/// the contact: otherwise its zero alone is sought.
+/// A baseline is subtracted if its slope is this many standard errors, as a fit would then not follow the stretch
+/// before the contact: otherwise its zero alone is sought.
 const SLOPE_ERRORS: f64 = 4.0;
 /// Continuous stiffness is evaluated above this part of the largest force: noise about the zero of the depth may leave
 /// no area of contact.
@@ -102,7 +102,7 @@ impl Group {
             let history = members.first().and_then(|(of, _)| of.history.as_ref());
             let peak = history.map(|of| of.peak.0).filter(|_| is_stiffness);
             lines.extend(peak.map(|peak| deep_line(LEAST_FORCE * peak)));
-        } else if let Some(pop_in) = pop_in.filter(|_| !is_stiffness) {
+        } else if let Some(pop_in) = pop_in.filter(|_| !is_stiffness && !is_soft) {
             let why = format!(
                 "a pop-in of {} in row {}, at {}: before it the contact is elastic",
                 quantity(pop_in.height, Unit::Metre),

@@ -111,7 +111,8 @@ impl Survey {
             .ok_or_else(|| not_understood(file, &table))?;
         let mut columns = named(&chosen, &table);
         let mut raw = raw(&table, &columns, &options).map_err(curve_error)?;
-        assume_units(&mut columns, &mut raw);
+        let sensitivity = StatedNumber::of(StatedQuantity::Sensitivity, &table.stated);
+        assume_units(&mut columns, &mut raw, sensitivity);
         let reversed = Vec::from_iter(reversed_load(&mut raw));
         let spring = is_cantilever.then(|| SpringGuess::of(stated_spring, &raw));
         if let Some(spring) = &spring {
@@ -163,6 +164,11 @@ impl Survey {
     /// Whether a column of this quantity is read.
     pub(super) fn has(&self, channel: Channel) -> bool {
         self.columns.iter().any(|column| column.channel == channel)
+    }
+
+    /// The line that states a quantity.
+    pub(super) fn stated(&self, quantity: StatedQuantity) -> Option<&StatedNumber> {
+        StatedNumber::of(quantity, &self.stated)
     }
 
     /// The line that states the radius of the tip.
@@ -310,7 +316,11 @@ fn raw(
 
 /// Fits the units that no header states to the numbers: shallow depths are in micrometres, the forces of a cantilever
 /// in nanonewtons, and a voltage has a sensitivity.
-fn assume_units(columns: &mut [SurveyedColumn], raw: &mut RawCurve<'_>) {
+fn assume_units(
+    columns: &mut [SurveyedColumn],
+    raw: &mut RawCurve<'_>,
+    stated: Option<&StatedNumber>,
+) {
     let has_height = columns
         .iter()
         .any(|column| column.channel == Channel::Height);
@@ -335,7 +345,8 @@ fn assume_units(columns: &mut [SurveyedColumn], raw: &mut RawCurve<'_>) {
             }
             (SurveyedUnit::Sensitivity(_), _) => {
                 let heights = raw.values(Channel::Height).unwrap_or_default();
-                let sensitivity = spring_guess::sensitivity(heights, values);
+                let guess = || spring_guess::sensitivity(heights, values);
+                let sensitivity = stated.map_or_else(guess, |stated| stated.value);
                 column.unit = SurveyedUnit::Sensitivity(sensitivity);
                 sensitivity
             }

@@ -100,7 +100,7 @@ impl Channel {
             Self::Time => &["time", "zeit", "prüfzeit"],
             Self::Stiffness => &["stiffness"],
             Self::ContactRadius => &["radius"],
-            Self::Height => &["height", "piezo", "z-sense", "z"],
+            Self::Height => &["height", "höhe", "hauteur", "piezo", "z-sense", "z"],
             Self::Deflection => &["deflection", "cantilever"],
         }
     }

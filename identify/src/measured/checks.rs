@@ -3,11 +3,17 @@
 use super::channel::Channel;
 use super::columns::ColumnUnit;
 use super::curve::{CurveWarning, MeasuredCurve};
+use super::cycles::scatter;
 use super::data_table::DataTable;
 use super::error::CurveError;
 use super::exclusion::ExclusionReason;
 use super::spring::contact_slope;
 
+/// Means of so many blocks of forces without contact differ by less than so many of their standard deviations; with
+/// fewer points this is not asked.
+const BLOCKS: usize = 16;
+const FLAT_DEVIATIONS: f64 = 6.0;
+const FEWEST_FOR_FLATNESS: usize = 64;
 /// The smallest number of points of a curve.
 const LEAST_POINTS: usize = 3;
 /// With fewer points than this, the noise cannot be estimated usefully.
@@ -31,10 +37,28 @@ pub(super) fn refuse(curve: &MeasuredCurve) -> Result<(), CurveError> {
     if lowest >= highest {
         return Err(CurveError::ConstantForce { force: highest });
     }
+    let (noise, is_flat) = noise_and_flatness(force);
+    if is_flat {
+        return Err(CurveError::NoContact { noise });
+    }
     if contact_slope(depth, force) < 0.0 {
         return Err(CurveError::DepthFalls);
     }
     Ok(())
+}
+
+/// The standard deviation of white noise on forces, and whether they are nothing else: the means of blocks differ by no
+/// more than theirs.
+fn noise_and_flatness(force: &[f64]) -> (f64, bool) {
+    let noise = scatter(force);
+    let size = force.len().div_ceil(BLOCKS);
+    let means = force.chunks(size);
+    let means = means.map(|block| block.iter().sum::<f64>() / block.len() as f64);
+    let (lowest, highest) = means.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), mean| {
+        (low.min(mean), high.max(mean))
+    });
+    let is_flat = highest - lowest < FLAT_DEVIATIONS * noise / (size as f64).sqrt();
+    (noise, is_flat && force.len() >= FEWEST_FOR_FLATNESS)
 }
 
 /// The warnings about a curve.

@@ -212,7 +212,7 @@ fn size(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
 }
 
 /// The SI value per V or A of a text such as `80 nm/V`; none for another text.
-fn calibration(text: &str, dimension: Dimension) -> Option<(f64, Electrical)> {
+pub(super) fn calibration(text: &str, dimension: Dimension) -> Option<(f64, Electrical)> {
     let (upper, lower) = text.rsplit_once('/')?;
     let (measures, per) = electrical(lower.trim())?;
     let upper = size(upper.trim(), dimension).ok()?;

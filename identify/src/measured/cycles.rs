@@ -6,6 +6,15 @@ pub(crate) const NORMAL_OVER_MEDIAN: f64 = 1.4826;
 /// deviations.
 const CHANGE_PART: f64 = 0.05;
 const CHANGE_DEVIATIONS: f64 = 8.0;
+/// A hold at the largest force stays within this part of it, or within so many standard deviations,
+const HOLD_WIDTH: f64 = 5e-4;
+const HOLD_DEVIATIONS: f64 = 4.0;
+/// has so many points,
+const FEWEST_HELD: usize = 10;
+/// and over as many before it the force has risen by so many times that width.
+const HOLD_RATIO: f64 = 3.0;
+/// Its level is the median of so many points before the largest force.
+const LEVEL_POINTS: usize = 8;
 /// A force is as large as an earlier one within so many standard deviations.
 const SAME_DEVIATIONS: f64 = 4.0;
 
@@ -30,6 +39,23 @@ pub(crate) fn peaks(force: &[f64]) -> Vec<usize> {
     // A curve may end before it falls.
     peaks.extend((is_rising && smooth.get(turn) == Some(&largest)).then_some(turn));
     peaks
+}
+
+/// The place at which a loading of these forces, the last of which is the largest, ends: where a hold at the largest
+/// force begins, if there is one. There the forces, but for their noise, no longer rise as before.
+pub(crate) fn end_of_loading(force: &[f64]) -> usize {
+    let Some(last) = force.len().checked_sub(1) else {
+        return 0;
+    };
+    let width = (HOLD_WIDTH * force[last]).max(HOLD_DEVIATIONS * scatter(force));
+    let smooth = medians(force);
+    let level = median(&force[last.saturating_sub(LEVEL_POINTS)..]);
+    let first = smooth.iter().position(|value| *value >= level - width);
+    let first = first.unwrap_or(last);
+    let held = last - first;
+    let before = first.checked_sub(held).map_or(0.0, |at| smooth[at]);
+    let is_held = held >= FEWEST_HELD && smooth[first] - before > HOLD_RATIO * width;
+    if is_held { first } else { last }
 }
 
 /// Whether each force is the largest so far, but for its noise: the body has not yet been unloaded from it.
@@ -84,6 +110,16 @@ mod tests {
         }
         let ripple = |(i, force): (usize, f64)| force + 1e-3 * (2.4 * i as f64).sin();
         force.into_iter().enumerate().map(ripple).collect()
+    }
+
+    #[test]
+    fn a_loading_ends_where_its_hold_begins_and_not_before_if_it_has_none() {
+        let noise = |i: usize| 1e-3 * ((2.4 * i as f64).sin() + (5.1 * i as f64).cos());
+        let ramp = |i: usize| (i.min(200) as f64 / 200.0).powf(1.5) + noise(i);
+        let held: Vec<f64> = (0..300).map(ramp).collect();
+        let end = end_of_loading(&held);
+        assert!((194..=200).contains(&end), "{end}");
+        assert_eq!(end_of_loading(&held[..200]), 199);
     }
 
     #[test]

@@ -146,6 +146,14 @@ pub enum CurveError {
         /// Rows of the table.
         rows: usize,
     },
+    /// The forces are nowhere above their noise.
+    #[error(
+        "found forces that stay within their noise of {noise:.2e} N, wanted a contact, under which they rise"
+    )]
+    NoContact {
+        /// Standard deviation of single forces, N.
+        noise: f64,
+    },
     /// No row has this marker.
     #[error("found no marker \"{marker}\" among {markers}, wanted one of them")]
     NoSuchMarker {
@@ -275,6 +283,7 @@ impl CurveError {
             Self::OtherQuantity { .. } => "other-quantity",
             Self::NoCalibration { .. } => "no-calibration",
             Self::NoNumbers { .. } => "no-numbers",
+            Self::NoContact { .. } => "no-contact",
             Self::NoSuchMarker { .. } => "no-such-marker",
             Self::NoSuchSegment { .. } => "no-such-segment",
             Self::NoSuchRow { .. } => "no-such-row",
@@ -317,6 +326,7 @@ impl CurveError {
             Self::DepthFalls => vec!["columns.depth".into()],
             Self::HeightDirection => vec!["height_direction".into(), "columns.height".into()],
             Self::Unreadable { .. }
+            | Self::NoContact { .. }
             | Self::Empty
             | Self::Binary { .. }
             | Self::NoTable { .. }

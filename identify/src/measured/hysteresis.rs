@@ -46,8 +46,18 @@ pub(crate) fn part_returned(raw: &RawCurve<'_>, unloading: &[usize]) -> Option<f
         let point = |row: &usize| (depths[*row], forces[*row]);
         Branchwise::new(rows.iter().map(point).collect())
     };
-    let loading = branch(raw, &CurveSegment::default(), &[]).ok()?;
-    points(&loading.rows).part_returned_by(&points(unloading))
+    let whole = CurveSegment {
+        part: Branch::Whole,
+        ..CurveSegment::default()
+    };
+    // A hold at the largest force does work, too.
+    let rows = branch(raw, &whole, &[]).ok()?.rows;
+    let largest = rows
+        .iter()
+        .map(|row| forces[*row])
+        .fold(f64::NEG_INFINITY, f64::max);
+    let end = rows.iter().position(|row| forces[*row] >= largest)?;
+    points(&rows[..=end]).part_returned_by(&points(unloading))
 }
 
 /// The points (m, N) of one branch of a curve, in the order of their depths.

@@ -3,6 +3,8 @@
 use super::channel::Channel;
 use super::columns::{ColumnUnit, CurveColumns};
 use super::error::CurveError;
+use super::header::{Electrical, HeaderUnit};
+use super::stated::{StatedNumber, StatedQuantity};
 use super::text_options::TextOptions;
 use super::text_table::TextTable;
 
@@ -29,7 +31,20 @@ impl<'t> RawCurve<'t> {
         let mut places = Vec::new();
         for (channel, column, unit) in &columns.channels {
             let place = column.place(channel.key(), table)?;
-            let factor = ColumnUnit::factor(unit.as_ref(), *channel, table.header.get(place))?;
+            let head = table.header.get(place);
+            let stated = || {
+                let is_in_volts = head.is_some_and(|head| head.unit == HeaderUnit::Electrical);
+                let is_deflection = *channel == Channel::Deflection;
+                let stated = StatedNumber::of(StatedQuantity::Sensitivity, &table.stated)?;
+                let (value, text) = (stated.value, stated.text.clone());
+                (is_in_volts && is_deflection).then_some(ColumnUnit::Calibration(
+                    value,
+                    Electrical::Voltage,
+                    text,
+                ))
+            };
+            let unit = unit.clone().or_else(stated);
+            let factor = ColumnUnit::factor(unit.as_ref(), *channel, head)?;
             places.push((place, factor));
         }
         let label = |key, name: &Option<super::columns::ColumnName>| {

@@ -3,6 +3,7 @@
 use super::channel::Channel;
 use super::curve::CurveWarning;
 use super::curve_segment::{Branch, CurveSegment, SegmentEnd, Until};
+use super::cycles::end_of_loading;
 use super::depth_step::DepthStep;
 use super::error::CurveError;
 use super::exclusion::ExclusionReason::{
@@ -14,6 +15,9 @@ use super::raw_curve::RawCurve;
 
 /// An unloading given as a loading has its maximum force within the first 1/10 of its rows.
 const FRACTION_OF_UNLOADING: usize = 10;
+
+/// A file that begins on the way back begins and later rises above this part of its range of forces.
+const UPPER: f64 = 0.8;
 
 /// Returns the rows of the branch of a segment, without the omitted ones, which are numbered from 1. The criteria are,
 /// in this order: valid numbers, omitted rows, the value of the segment, its rows, markers and times, and its branch.
@@ -146,13 +150,14 @@ fn keep_part(kept: &mut KeptRows, forces: &[f64], part: Branch) -> Result<(), Cu
     match part {
         Branch::Whole => {}
         Branch::Loading => {
-            let end = kept
-                .rows
-                .iter()
-                .position(is_peak)
-                .map_or(0, |place| place + 1);
-            refuse_unloading(&kept.rows, forces, end)?;
-            kept.keep_places(0, end, [BeforeLargestForce, AfterLargestForce]);
+            let of_rows: Vec<f64> = kept.rows.iter().map(|row| forces[*row]).collect();
+            let start = after_way_back(&of_rows);
+            let largest = range(of_rows[start..].iter().copied()).1;
+            let peak = of_rows[start..].iter().position(|force| *force >= largest);
+            let peak = start + peak.unwrap_or(0);
+            refuse_unloading(&kept.rows[start..], forces, peak + 1 - start)?;
+            let end = start + end_of_loading(&of_rows[start..=peak]) + 1;
+            kept.keep_places(start, end, [BeforeLargestForce, AfterLargestForce]);
         }
         Branch::Unloading => {
             let start = kept.rows.iter().rposition(is_peak).unwrap_or(0);
@@ -172,6 +177,24 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     values.fold(start, |(low, high), value| {
         (low.min(value), high.max(value))
     })
+}
+
+/// The place at which a loading begins: after the way back from the contact, in a file that begins with it, otherwise
+/// at the first row.
+fn after_way_back(forces: &[f64]) -> usize {
+    let (lowest, highest) = range(forces.iter().copied());
+    let first = forces.first().copied().unwrap_or(lowest);
+    let turn = forces
+        .iter()
+        .position(|force| *force <= lowest)
+        .unwrap_or(0);
+    let (_, after) = range(forces[turn..].iter().copied());
+    let part = |force: f64| (force - lowest) / (highest - lowest);
+    if part(first) > UPPER && part(after) > UPPER {
+        turn
+    } else {
+        0
+    }
 }
 
 /// Rejects rows that begin in the upper half of their forces and soon reach the maximum.

@@ -1,4 +1,5 @@
-//! Numbers that a text states above its table: the spring constant of the cantilever, and the radius of the tip.
+//! Numbers that a text states above its table: the spring constant of the cantilever, its sensitivity, the radius of the
+//! tip, the compliance of the frame.
 //!
 //! A line states a number by a name, a value and a unit, `k (N/m)<tab>0.019`, `Tip radius: 27.5 um`. The text exports
 //! of JPK and of afmformats give spring constants without a unit, in N/m. Nominal numbers are not those of the tip.
@@ -6,7 +7,8 @@
 use pellicle::input::dimension::Dimension;
 use pellicle::input::quantity;
 
-use super::header::HeaderField;
+use super::columns::calibration;
+use super::header::{Electrical, HeaderField, bare};
 
 /// Two numbers that differ by more than this fraction are not the same one rounded.
 const SAME: f64 = 0.01;
@@ -25,6 +27,10 @@ pub enum StatedQuantity {
     SpringConstant,
     /// The radius of the tip, m.
     TipRadius,
+    /// What a volt of the deflection is, m/V.
+    Sensitivity,
+    /// The compliance of the frame of an instrument, m/N.
+    FrameCompliance,
     /// Where on the specimen the curve was measured, along x, m.
     PositionX,
     /// The same along y, m.
@@ -84,6 +90,9 @@ impl StatedQuantity {
     fn dimension(self) -> Dimension {
         match self {
             Self::SpringConstant => Dimension::Stiffness,
+            Self::FrameCompliance => Dimension::FrameCompliance,
+            // Over a volt.
+            Self::Sensitivity => Dimension::Length,
             Self::TipRadius | Self::PositionX | Self::PositionY => Dimension::Length,
         }
     }
@@ -102,6 +111,14 @@ impl StatedQuantity {
         let is_spring = is_spring || has(&["springconstant"]);
         if is_spring && !has(&["lateral", "torsional", "support"]) {
             return Some((Self::SpringConstant, 1.0));
+        }
+        let is_sensitivity =
+            has(&["sensitivity", "sens"]) && has(&["deflection", "defl", "optical"]);
+        if is_sensitivity || has(&["invols"]) || words == ["inv", "ols"] {
+            return Some((Self::Sensitivity, 1.0));
+        }
+        if has(&["frame", "machine", "instrument"]) && has(&["compliance"]) {
+            return Some((Self::FrameCompliance, 1.0));
         }
         match (has(&BODIES), has(&["radius"]), has(&["diameter"])) {
             (true, true, false) => Some((Self::TipRadius, 1.0)),
@@ -126,11 +143,20 @@ impl StatedQuantity {
 
 /// The quantity and the SI value that a line states.
 fn number(line: &str) -> Option<(StatedQuantity, f64)> {
-    let bare = line.trim_start_matches(['#', '%']).trim();
+    let plain = line.trim_start_matches(['#', '%']).trim();
     MARKS.iter().find_map(|mark| {
-        let (name, value) = bare.split_once(*mark)?;
-        let name = HeaderField::new(name.trim().trim_end_matches([':', '=']).trim_matches('"'));
+        let (name, value) = plain.split_once(*mark)?;
+        let name = name.trim().trim_end_matches([':', '=']).trim_matches('"');
+        let in_name = name.rsplit_once(['(', '[']).map(|(_, unit)| bare(unit));
+        let name = HeaderField::new(name);
         let (quantity, factor) = StatedQuantity::named(&name.name)?;
+        if quantity == StatedQuantity::Sensitivity {
+            let (value, unit) = value_and_unit(value)?;
+            let unit = Some(unit).filter(|unit| !unit.is_empty()).or(in_name)?;
+            let (size, of) = calibration(unit, quantity.dimension())?;
+            let is_one = of == Electrical::Voltage && value > 0.0 && value.is_finite();
+            return is_one.then_some((quantity, value * size));
+        }
         let (value, unit) = value_and_unit(value)?;
         let unit = match [name.unit_text.as_str(), unit]
             .iter()
@@ -210,6 +236,17 @@ mod tests {
             ("Tip radius (um)\t27.500", TipRadius, 27.5e-6),
             ("Probe Radius: 20 nm", TipRadius, 20e-9),
             ("Bead diameter (um),5", TipRadius, 2.5e-6),
+            (
+                "Deflection sensitivity (nm/V): 50",
+                StatedQuantity::Sensitivity,
+                50e-9,
+            ),
+            ("InvOLS: 60.5 nm/V", StatedQuantity::Sensitivity, 60.5e-9),
+            (
+                "Frame compliance (nm/mN)\t0.3",
+                StatedQuantity::FrameCompliance,
+                3e-7,
+            ),
             ("X, um:\t25.000000", StatedQuantity::PositionX, 25e-6),
             (
                 "Y-position (um)\t5500.880",

@@ -42,7 +42,6 @@ fn with_key(warning: &Warning) -> String {
 /// length that 1 in a file of heights stands for.
 fn bare_unit(key: &str) -> Option<&'static str> {
     let dimension = key_dimension::of_key(key).filter(|_| key != "height_unit");
-    let dimension = dimension.filter(|dimension| *dimension != Dimension::Angle);
     dimension.map(Dimension::si_unit)
 }
 

@@ -39,7 +39,8 @@ impl ExtremeFinder<'_> {
     }
 
     /// Replaces the largest tension of the topmost body by that at the contact's edge if this is larger, or if the
-    /// value was sampled beside the edge.
+    /// value was sampled beside the edge and is not clearly larger: the cusp at the edge is sampled too small, and what
+    /// is larger is a peak of its own, as where a coating bends.
     pub(super) fn or_at_edge(
         &self,
         sampled: Extreme<3>,
@@ -52,7 +53,15 @@ impl ExtremeFinder<'_> {
         let [x, y, z] = sampled.at;
         let is_beside = z < field.grid().element_side() && is_near_edge(field, [x, y], BESIDE_EDGE);
         Ok(match at_edge {
-            Some(edge) if edge.value >= sampled.value || (is_beside && edge.resolved) => edge,
+            Some(edge) if edge.value >= sampled.value => edge,
+            Some(edge) if is_beside && edge.resolved => {
+                let errors = edge.estimate.unwrap_or(0.0) + sampled.estimate.unwrap_or(0.0);
+                if sampled.value - edge.value > errors {
+                    sampled
+                } else {
+                    edge
+                }
+            }
             _ => Extreme {
                 resolved: sampled.resolved && !is_beside,
                 ..sampled
