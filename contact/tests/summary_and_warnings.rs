@@ -213,7 +213,9 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
             Warning::WornThrough { step, area } => (step, area),
             Warning::PeakNotResolved { step, change, .. } => (step, change),
             Warning::SteepIndenter { step, slope } => (step, slope.value()),
-            Warning::LayerShortening { step, part, .. } => (step, part),
+            Warning::LayerShortening { step, part, .. } | Warning::LayerWorn { step, part, .. } => {
+                (step, part)
+            }
             Warning::BeyondModel { step, beyond } => (step, beyond.ratio),
             Warning::NotConverged { step, worst, .. } => (step, worst),
             Warning::MapUnderResolved {

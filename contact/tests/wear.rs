@@ -429,3 +429,43 @@ fn a_domain_that_was_chosen_grows_with_the_contact_that_is_worn_in() {
     assert!(path.grid.side() > 2.0 * radius);
     assert!((found.1.max_depth / (radius * radius / 2.0) - 1.0).abs() < 0.05);
 }
+
+#[test]
+fn a_layer_worn_deeper_than_it_is_thick_is_beyond_the_model() {
+    let thickness = 1e-3;
+    let material = |modulus| Material::new(modulus, 0.3).unwrap();
+    let body = Foundation::coated(thickness, material(4.0), material(1.0)).unwrap();
+    let model = Model {
+        tables: Arc::new(RadialTables::build(&body).unwrap()),
+        ..model(1.0, Relief::Bare, Paraboloid::new(1.0).unwrap())
+    };
+    let wear = wear(&[1e-3, 0.04, 1.0], 2e-2);
+    let (domain, load, options) = (
+        Domain::Automatic,
+        Load::Force(1e-5),
+        SolverOptions::default(),
+    );
+    let path = solve_wear(&model, domain, 32, load, &wear, &options, &mut ()).unwrap();
+    let worn: Vec<f64> = path
+        .steps
+        .iter()
+        .map(|step| step.wear.as_ref().unwrap().max_depth / thickness)
+        .collect();
+    assert!(
+        worn[0] < 0.1 && (0.1..1.0).contains(&worn[1]) && worn[2] > 1.0,
+        "{worn:?}"
+    );
+    let status = |place: usize| path.steps[place].status();
+    assert_eq!(
+        [0, 1, 2].map(status),
+        [Status::Certified, Status::Certified, Status::BeyondModel]
+    );
+    let codes = path.warnings.iter().map(|of| (of.step(), of.code()));
+    let of_wear: Vec<_> = codes
+        .filter(|(_, code)| ["layer-worn", "beyond-model"].contains(code))
+        .collect();
+    assert_eq!(
+        of_wear,
+        [(Some(1), "layer-worn"), (Some(2), "beyond-model")]
+    );
+}

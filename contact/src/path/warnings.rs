@@ -31,6 +31,10 @@ pub const LARGEST_SLOPE: f64 = 0.3;
 /// [`Warning::LayerShortening`].
 const LARGEST_STRAIN: f64 = 0.1;
 
+/// A layer worn by more than this part of its thickness is no longer the whole one that is solved:
+/// [`Warning::LayerWorn`].
+const LARGEST_WORN: f64 = 0.1;
+
 /// A contact with fewer elements across is not resolved; the domain is the cause if the contact covers less than a
 /// quarter of its side.
 pub const FEWEST_ELEMENTS: usize = 8;
@@ -348,6 +352,11 @@ fn limits(index: usize, step: &Step) -> Option<Warning> {
                 part: found.ratio,
             })
         }
+        ModelLimit::WornLayer { of } if found.ratio > LARGEST_WORN => Some(Warning::LayerWorn {
+            step: index,
+            of,
+            part: found.ratio,
+        }),
         _ => None,
     })
 }

@@ -12,6 +12,11 @@ pub enum ModelLimit {
         /// Layer, counted from the surface, from 0.
         layer: usize,
     },
+    /// A layer cannot be worn deeper than it is thick: it is solved as whole.
+    WornLayer {
+        /// The body that has the layer, on top.
+        of: ElasticBody,
+    },
     /// The surface of a body cannot be below the top of its rigid base.
     RigidBase {
         /// The body.

@@ -9,6 +9,7 @@
 //! | [`RigidBase`](ModelLimit::RigidBase) | displacement of the surface, on a bare body that of a rigid indenter | depth of the base | the base is rigid |
 //! | [`IndenterRadius`](ModelLimit::IndenterRadius) | penetration | radius of a sphere, paraboloid or punch | the indenter's own part of it is large, see below |
 //! | [`Modulus`](ModelLimit::Modulus) | mean pressure that reaches a layer or the base | its Young's modulus | it is thicker than the pressure is wide |
+//! | [`WornLayer`](ModelLimit::WornLayer) | depth of wear | thickness of the top layer | a bare surface wears |
 //!
 //! Both bodies are examined, each below the same pressure.
 //!

@@ -121,6 +121,15 @@ pub enum Warning {
         /// Its largest shortening over its thickness.
         part: f64,
     },
+    /// A layer is worn by a sizeable part of its thickness, and solved as whole.
+    LayerWorn {
+        /// Loading step, counted from 0.
+        step: usize,
+        /// The body that has the layer, on top.
+        of: ElasticBody,
+        /// The largest depth of wear over its thickness.
+        part: f64,
+    },
     /// A number is impossible: linear elasticity does not describe such a contact.
     BeyondModel {
         /// Loading step, counted from 0.
@@ -158,6 +167,7 @@ impl Warning {
             Self::ArcUnderResolved(_) => "arc-under-resolved",
             Self::SteepIndenter { .. } | Self::SteepTip { .. } => "steep-indenter",
             Self::LayerShortening { .. } => "layer-shortening",
+            Self::LayerWorn { .. } => "layer-worn",
             Self::BeyondModel { .. } => "beyond-model",
             Self::NotConverged { .. } => "not-converged",
         }
@@ -175,6 +185,7 @@ impl Warning {
             | Self::PeakNotResolved { step, .. }
             | Self::SteepIndenter { step, .. }
             | Self::LayerShortening { step, .. }
+            | Self::LayerWorn { step, .. }
             | Self::BeyondModel { step, .. }
             | Self::NotConverged { step, .. } => Some(*step),
             Self::DomainMuchLarger { .. }

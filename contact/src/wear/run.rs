@@ -2,13 +2,16 @@
 
 use std::sync::Arc;
 
-use pellicle_influence::Sector;
+use pellicle_influence::{ElasticBody, Sector};
 use pellicle_texture::{Grid, Relief};
 
 use super::stage::{Stage, WearingSurface, largest};
 use super::worn_relief::WornRelief;
 use super::{OfDistance, StepWear, Wear};
-use crate::{ContactError, Domain, Load, LoadingPath, Model, SolverOptions, Step, solve_path};
+use crate::{
+    ContactError, Domain, LimitRatio, Load, LoadingPath, Model, ModelLimit, SolverOptions, Step,
+    solve_path,
+};
 
 /// `γ` of the method.
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
@@ -153,10 +156,20 @@ impl<'a> WearRun<'a> {
             .filter(|((depth, most), p)| depth >= most && (**depth > 0.0 || **p > 0.0))
             .count();
         let work = std::mem::take(&mut self.surface.work);
+        let max_depth = largest(&depth);
+        let mut limits = step.limits;
+        let of = ElasticBody::Foundation;
+        let top = self.model.tables.bodies().of(of).layers().first();
+        if let Some(top) = top.filter(|_| self.model.relief == Relief::Bare) {
+            limits.push(LimitRatio {
+                limit: ModelLimit::WornLayer { of },
+                ratio: max_depth / top.thickness(),
+            });
+        }
         let wear = StepWear {
             distance: self.distance,
             volume: area * depth.iter().sum::<f64>(),
-            max_depth: largest(&depth),
+            max_depth,
             depth,
             unwearing: area * unwearing as f64,
             is_certified: self.is_certified,
@@ -165,6 +178,7 @@ impl<'a> WearRun<'a> {
         };
         Step {
             wear: Some(wear),
+            limits,
             ..step
         }
     }

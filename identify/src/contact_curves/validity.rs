@@ -91,7 +91,10 @@ const BEYOND: [Invalidity; 4] = [
 /// The reason that belongs to a limit.
 fn reason(limit: ModelLimit) -> Invalidity {
     match limit {
-        ModelLimit::LayerThickness { .. } => Invalidity::LayerThickness,
+        // No measured curve wears.
+        ModelLimit::LayerThickness { .. } | ModelLimit::WornLayer { .. } => {
+            Invalidity::LayerThickness
+        }
         ModelLimit::RigidBase { .. } => Invalidity::RigidBase,
         ModelLimit::IndenterRadius => Invalidity::IndenterRadius,
         ModelLimit::Modulus { .. } => Invalidity::Modulus,

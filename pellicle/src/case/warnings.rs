@@ -58,7 +58,9 @@ impl Case {
                 by: CutOff::IndenterMap,
                 ..
             } => warning.to_string() + &maps::tilt_of_cut_off(self.indenter.map()),
-            Warning::LayerShortening { .. } | Warning::BeyondModel { .. } => {
+            Warning::LayerShortening { .. }
+            | Warning::LayerWorn { .. }
+            | Warning::BeyondModel { .. } => {
                 let name = |of, body: usize| {
                     let mut names = self.names_of_split(of).into_iter();
                     names.nth(body).unwrap_or_default()

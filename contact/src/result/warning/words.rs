@@ -70,6 +70,12 @@ impl LimitRatio {
                     name(of, layer)
                 )
             }
+            ModelLimit::WornLayer { of } => {
+                format!(
+                    "{} is worn to {times} times its thickness, and solved as whole",
+                    name(of, 0)
+                )
+            }
             ModelLimit::RigidBase { of } => {
                 let surface = match of {
                     ElasticBody::Foundation => "the surface",
@@ -102,6 +108,11 @@ impl Warning {
                 "step {step}: {} is shortened by {:.0} % of its thickness, beyond small strains",
                 name(of, layer),
                 100.0 * part
+            ),
+            Self::LayerWorn { step, of, part } => format!(
+                "step {step}: wear takes {:.0} % of the thickness of {}, which is solved as whole",
+                100.0 * part,
+                name(of, 0)
             ),
             Self::BeyondModel { step, beyond } => {
                 format!("step {step}: beyond the model: {}", beyond.words(name))
@@ -200,7 +211,7 @@ impl fmt::Display for Warning {
                 f,
                 "the indenter's slope is {slope:.2} at every depth, beyond small strains"
             ),
-            Self::LayerShortening { .. } | Self::BeyondModel { .. } => {
+            Self::LayerShortening { .. } | Self::LayerWorn { .. } | Self::BeyondModel { .. } => {
                 let name =
                     |of, body| format!("body {body}{}, counted from the surface,", of_body(of));
                 f.write_str(&self.words(&name))
