@@ -2,6 +2,8 @@
 
 use std::io;
 
+use super::grid_points::PointsError;
+
 /// The fault of a map's file, as a clause that follows the name of the file.
 #[derive(Debug, thiserror::Error)]
 pub enum MapError {
@@ -40,13 +42,8 @@ pub enum MapError {
         lines: usize,
     },
     /// Points that form no grid.
-    #[error(
-        "which holds {lines} points x, y, z that form no rectangular grid, or one with more than a fiftieth missing"
-    )]
-    Points {
-        /// Number of lines.
-        lines: usize,
-    },
+    #[error(transparent)]
+    Points(#[from] PointsError),
     /// A word where a number should be.
     #[error("where line {line} holds \"{found}\", which is not a number")]
     NotANumber {

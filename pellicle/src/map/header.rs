@@ -5,6 +5,7 @@
 
 use super::error::MapError;
 use super::map_file::MapFile;
+use super::point_units::PointUnits;
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
 
@@ -25,6 +26,8 @@ pub struct MapHeader {
     unit: Option<String>,
     /// The height that stands for a missing one.
     missing: Option<f64>,
+    /// The units of the columns x, y, z.
+    points: Option<PointUnits>,
 }
 
 impl MapHeader {
@@ -34,6 +37,9 @@ impl MapHeader {
     ///
     /// [`MapError::Header`] for a count or a cell that is none.
     pub fn read(&mut self, line: &str) -> Result<(), MapError> {
+        let points = PointUnits::in_line(line);
+        let is_told = |points: &PointUnits| self.points.is_none() || points.has_units();
+        self.points = points.filter(is_told).or(self.points.take());
         let line = line.trim_start_matches(['#', ' ', '\t']);
         let split = line.split_once([':', '=']);
         let Some((key, value)) = split.or_else(|| line.split_once(char::is_whitespace)) else {
@@ -91,8 +97,28 @@ impl MapHeader {
         self.counts[0].is_some()
     }
 
+    /// Whether the head names columns x, y and z.
+    ///
+    /// # Errors
+    ///
+    /// [`MapError::Header`] if it names y before x, as which the map would be mirrored.
+    pub fn names_points(&self) -> Result<bool, MapError> {
+        match &self.points {
+            Some(points) if !points.is_in_order() => {
+                let found = "y before x";
+                Err(MapError::header("columns", found, "x, y, z in this order"))
+            }
+            points => Ok(points.is_some()),
+        }
+    }
+
     /// Gives a map the size and unit of the head, and marks the heights that are missing.
     pub fn apply(self, map: &mut MapFile) {
+        if map.has_one_unit
+            && let Some(units) = self.points
+        {
+            units.apply(map);
+        }
         let [along_x, along_y] = map.shape.map(|samples| samples as f64);
         let of_pixels = |pixel: f64| [pixel * along_x, pixel * along_y];
         // One side alone means square pixels.
