@@ -6,6 +6,7 @@
 //! is the top, where y is largest. Lines of three numbers that are the points x, y, z of a grid are read as points.
 //! Heights that are missing are NaN.
 
+mod axes;
 mod error;
 mod grid_lines;
 mod grid_points;

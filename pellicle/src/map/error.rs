@@ -44,6 +44,22 @@ pub enum MapError {
     /// Points that form no grid.
     #[error(transparent)]
     Points(#[from] PointsError),
+    /// Coordinates in the first column or line.
+    #[error(
+        "whose first {which} rises or falls in equal steps, as coordinates do, and the next does not: delete it if it is no heights, or let lines \"ncols\" and \"nrows\" above say that it is"
+    )]
+    Axis {
+        /// `column` or `line`.
+        which: &'static str,
+    },
+    /// Points of a grid with more columns.
+    #[error(
+        "whose first three of {columns} columns are points x, y, z of a grid: delete the others"
+    )]
+    MoreThanPoints {
+        /// Numbers on each line.
+        columns: usize,
+    },
     /// A word where a number should be.
     #[error("where line {line} holds \"{found}\", which is not a number")]
     NotANumber {

@@ -4,6 +4,7 @@
 //! or spaces; a `#` starts a comment. If semicolons or blanks separate numbers, a comma is a decimal mark. Words such
 //! as `Bad` and `NaN` stand for heights that are missing.
 
+use super::axes;
 use super::error::MapError;
 use super::grid_points::{self, PointsError};
 use super::header::MapHeader;
@@ -88,7 +89,10 @@ fn of_columns(columns: usize, picture: &[f64], header: &MapHeader) -> Result<Map
             }
             (Err(_), _) => Ok(MapFile::from_picture(3, picture)),
         },
-        _ => Ok(MapFile::from_picture(columns, picture)),
+        _ => {
+            axes::check(columns, picture)?;
+            Ok(MapFile::from_picture(columns, picture))
+        }
     }
 }
 

@@ -10,13 +10,12 @@ use crate::display::significant;
 /// Distance from the other heights over their range from which a value that repeats is a code.
 const FAR: f64 = 100.0;
 
-/// The same from which it may be one: the ground between pillars can be as far from their tops.
-const PERHAPS: f64 = 2.0;
+/// The same from which a usual code is one, since no height is exactly that by chance, and any other value may be one: the
+/// ground between pillars is as far from their tops.
+const APART: f64 = 1.0;
 
-/// The same for the usual codes: no height is exactly one of them by chance. An end of an integer type that is nearer
-/// may be where an instrument saturates.
-const FAR_IF_USUAL: f64 = 1.0;
-const PERHAPS_IF_USUAL: f64 = 0.1;
+/// The same from which a usual code may be one; nearer, an end of an integer type is where an instrument saturates.
+const BESIDE: f64 = 0.1;
 
 /// The largest part of the heights that are holes; of a plateau there are more.
 const MOST: f64 = 0.1;
@@ -37,7 +36,7 @@ pub struct HoleCode {
 impl HoleCode {
     /// The codes among the heights: the usual ones, or a value far from the others.
     pub fn among(heights: &[f64]) -> Vec<Self> {
-        let codes = usual(heights, FAR_IF_USUAL);
+        let codes = usual(heights, APART);
         if codes.is_empty() {
             outlier(heights, FAR).into_iter().collect()
         } else {
@@ -47,8 +46,8 @@ impl HoleCode {
 
     /// A value that may be a code, or else a plateau.
     pub fn perhaps_among(heights: &[f64]) -> Option<Self> {
-        let usual = usual(heights, PERHAPS_IF_USUAL).into_iter().next();
-        usual.or_else(|| outlier(heights, PERHAPS))
+        let usual = usual(heights, BESIDE).into_iter().next();
+        usual.or_else(|| outlier(heights, APART))
     }
 
     /// Whether a height is a hole.
@@ -75,7 +74,7 @@ impl fmt::Display for HoleCode {
         };
         write!(
             f,
-            "{count} are {value}, far from the others ({lowest} .. {highest})"
+            "{count} are {value}, far from the others ({lowest} .. {highest}), as holes are written"
         )
     }
 }
@@ -217,6 +216,14 @@ mod tests {
             HoleCode::perhaps_among(&zeros).map(|code| code.count),
             Some(20)
         );
-        assert_eq!(HoleCode::perhaps_among(&heights(20, 0.0)), None);
+        assert_eq!(HoleCode::perhaps_among(&heights(20, 5.0)), None);
+        // A code that is as near as the heights are far from each other.
+        let high: Vec<_> = (0..400).map(|n| f64::from(n) * 40.0).collect();
+        let holes = [&high[..], &[-9999.0; 3]].concat();
+        assert_eq!(HoleCode::among(&holes), []);
+        assert_eq!(
+            HoleCode::perhaps_among(&holes).map(|code| code.count),
+            Some(3)
+        );
     }
 }

@@ -93,18 +93,14 @@ pub(super) fn without_holes<'a>(
     Err(field.unusable(&told(&file.heights, &codes), wanted))
 }
 
-/// `of whose 4096 heights 12 are -9999, far from the others (-11.4 .. 10.2): holes?`
+/// `of whose 4096 heights 12 are -9999, far from the others (-11.4 .. 10.2), as holes are written`
 fn told(heights: &[f64], codes: &[HoleCode]) -> String {
     let missing = heights.iter().filter(|height| !height.is_finite()).count();
     let missing = (missing > 0).then(|| format!("{missing} are missing or infinite"));
-    let are_coded = if codes.is_empty() { "" } else { ": holes?" };
     let coded = codes.iter().map(ToString::to_string);
     let found: Vec<_> = missing.into_iter().chain(coded).collect();
-    format!(
-        "of whose {} heights {}{are_coded}",
-        heights.len(),
-        found.join(" and ")
-    )
+    let all = heights.len();
+    format!("of whose {all} heights {}", found.join(" and "))
 }
 
 /// Puts the mean of the neighbours, diagonal ones included, where heights are not finite, from the rims of the holes

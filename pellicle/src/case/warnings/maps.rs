@@ -102,7 +102,7 @@ fn perhaps_holes(table: &str, map: &MapCase) -> Option<CaseWarning> {
     map.perhaps_holes.map(|code| CaseWarning {
         code: "map-perhaps-holes",
         message: format!(
-            "of the heights of the {table}'s map, {}, {code}: if they are holes, write nan for them; holes = \"none\" says that they are heights",
+            "of the heights of the {table}'s map, {}, {code}: write nan for them if they are holes, and give holes = \"none\" if they are heights",
             map.file
         ),
     })
