@@ -9,6 +9,12 @@ use super::point_units::PointUnits;
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
 
+/// Ratio of the sides of a pixel from which one of them is not a side: a square scan of a thousand samples on a line has
+/// ten lines at least.
+const LONGEST_PIXEL: f64 = 100.0;
+
+const SIDE_ALONG_Y: &str = "the side along y, of pixels at most 100 times as long as wide; delete the line if it is the height of the surface";
+
 /// The head of a text.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MapHeader {
@@ -113,7 +119,11 @@ impl MapHeader {
     }
 
     /// Gives a map the size and unit of the head, and marks the heights that are missing.
-    pub fn apply(self, map: &mut MapFile) {
+    ///
+    /// # Errors
+    ///
+    /// [`MapError::Header`] for a `Height` that is that of the surface and no side.
+    pub fn apply(self, map: &mut MapFile) -> Result<(), MapError> {
         if map.has_one_unit
             && let Some(units) = self.points
         {
@@ -128,6 +138,13 @@ impl MapHeader {
             (None, Some(y)) => Some(of_pixels(y / along_y)),
             (None, None) => self.pixel.map(of_pixels),
         };
+        if let (Some([x, y]), Some(height)) = (sides, self.height) {
+            let [x, y] = [x / along_x, y / along_y];
+            if x.max(y) > LONGEST_PIXEL * x.min(y) {
+                let found = format!("{height:e} m");
+                return Err(MapError::header("Height", &found, SIDE_ALONG_Y));
+            }
+        }
         if let Some(sides) = sides.filter(|_| map.sides.is_none()) {
             map.sides = Some(sides);
             map.lateral_unit = Some("m".into());
@@ -139,6 +156,7 @@ impl MapHeader {
             let marked = map.heights.iter_mut().filter(is_missing);
             marked.for_each(|height| *height = f64::NAN);
         }
+        Ok(())
     }
 }
 
@@ -161,7 +179,7 @@ mod tests {
         let mut header = MapHeader::default();
         lines.iter().try_for_each(|line| header.read(line)).unwrap();
         let mut map = MapFile::bare([4, 2], vec![1.0; 8]);
-        header.apply(&mut map);
+        header.apply(&mut map).unwrap();
         map
     }
 
@@ -183,9 +201,23 @@ mod tests {
         let units = [map.lateral_unit.as_deref(), map.height_unit.as_deref()];
         assert_eq!(units, [Some("m"), Some("nm")]);
         assert_sides(&applied(&["Width: 4 um"]), [4e-6, 2e-6]);
+        assert_sides(&applied(&["Width: 4 um", "Height: 50 um"]), [4e-6, 50e-6]);
         assert_sides(&applied(&["h=2 w=4", "pixel size=5e-7 m"]), [2e-6, 1e-6]);
         let map = applied(&["ncols 4", "nrows 2", "cellsize 0.5", "NODATA_value 1"]);
         assert_eq!((map.sides, map.lateral_unit), (Some([2.0, 1.0]), None));
         assert!(map.heights.iter().all(|height| height.is_nan()));
+    }
+
+    #[test]
+    fn the_height_of_the_surface_is_no_side() {
+        let mut header = MapHeader::default();
+        let lines = ["Width: 6 um", "Height: 22.7 nm"];
+        lines.iter().try_for_each(|line| header.read(line)).unwrap();
+        let map = &mut MapFile::bare([8, 8], vec![1.0; 64]);
+        let refused = header.apply(map).unwrap_err().to_string();
+        assert!(
+            refused.contains("Height = 2.27e-8 m, not the side along y"),
+            "{refused}"
+        );
     }
 }

@@ -66,7 +66,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
         columns if header.has_columns() => MapFile::from_picture(columns, &picture),
         columns => of_columns(columns, &picture, &header)?,
     };
-    header.apply(&mut map);
+    header.apply(&mut map)?;
     Ok(map)
 }
 
