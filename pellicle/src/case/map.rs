@@ -1,10 +1,10 @@
 //! A height map named by a case: `file`, and keys for properties that the file does not give.
 //!
-//! `side` is its length along x, with square pixels; `sides` are its lengths along x and y. A `.gsf` file contains its
-//! sides, but the case takes precedence. `height_unit` is the length that a value of 1 in the file stands for: `"nm"`,
-//! `"0.5 um"` or a bare number, negative to turn heights into depths. Without it, heights are in the unit that the file
-//! names, or in metres, or in the case's own unit of length. `interpolation` sets how heights between the samples are
-//! found.
+//! `side` is its length along x, with square pixels; `sides` are its lengths along x and y. A file may contain its
+//! sides, which they must not contradict; without a unit there, `lateral_unit` or `side` gives it. `height_unit` is the
+//! length that a value of 1 in the file stands for: `"nm"`, `"0.5 um"` or a bare number, negative to turn heights into
+//! depths. Without it, heights are in the unit that the file names, or in metres, or in the case's own unit of length.
+//! `interpolation` sets how heights between the samples are found.
 
 mod hole_code;
 mod holes;

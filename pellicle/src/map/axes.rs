@@ -13,8 +13,8 @@ const ROUNDING: f64 = 0.05;
 ///
 /// # Errors
 ///
-/// [`MapError::Axis`] if the first column or line has equal steps and the next has not, or [`MapError::MoreThanPoints`] if
-/// the first three columns are points of a grid.
+/// [`MapError::Axis`] if the first column or line has equal steps and the next has not, or
+/// [`MapError::MoreThanPoints`] if the first three columns are points of a grid.
 pub fn check(columns: usize, picture: &[f64]) -> Result<(), MapError> {
     let lines = picture.len() / columns.max(1);
     let column = |i: usize| picture.iter().skip(i).step_by(columns).copied().collect();

@@ -1,7 +1,8 @@
 //! What the head of a text says about its map: the size, the unit of the heights, the mark of a missing one.
 //!
 //! Lines `Width: 8 um`, `Height: 3 um`, `Value units: nm` are those of Gwyddion, `ncols 64`, `cellsize 0.5`,
-//! `nrows 32`, `NODATA_value -9999` those of ESRI; `pixel size = 0.5 um` stands in several others.
+//! `nrows 32`, `NODATA_value -9999` those of ESRI; `pixel size = 0.5 um` stands in several others. Above points the
+//! names of their columns may have [units](PointUnits).
 
 use super::error::MapError;
 use super::map_file::MapFile;
@@ -9,11 +10,11 @@ use super::point_units::PointUnits;
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
 
-/// Ratio of the sides of a pixel from which one of them is not a side: a square scan of a thousand samples on a line has
-/// ten lines at least.
+/// Ratio of the sides of a pixel from which one of them is not a side: a square scan of a thousand samples on a line
+/// has ten lines at least.
 const LONGEST_PIXEL: f64 = 100.0;
 
-const SIDE_ALONG_Y: &str = "the side along y, of pixels at most 100 times as long as wide; delete the line if it is the height of the surface";
+const SIDE_ALONG_Y: &str = "the side along y: delete the line if it is the height of the surface";
 
 /// The head of a text.
 #[derive(Debug, Clone, Default, PartialEq)]

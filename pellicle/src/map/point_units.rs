@@ -1,5 +1,5 @@
-//! The units of points x, y, z in the line that names their columns: `x[um] y[um] z[nm]`, `X (um), Y (um), Height (nm)`,
-//! `x/um;y/um;z/nm`, `x and y in um, z in nm`.
+//! The units of points x, y, z in the line that names their columns: `x[um] y[um] z[nm]`, `x/um;y/um;z/nm`,
+//! `X (um), Y (um), Height (nm)`, `x and y in um, z in nm`.
 
 use super::map_file::MapFile;
 use crate::input::dimension::Dimension;

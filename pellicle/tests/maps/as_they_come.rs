@@ -87,8 +87,8 @@ fn codes(case: &Case) -> Vec<&'static str> {
 fn assert_surface(case: &Case, spacing: f64) {
     let map = case.surface.map().expect("a map");
     assert_eq!(map.shape(), SHAPE);
-    for axis in 0..2 {
-        let pixel = map.sides[axis] / SHAPE[axis] as f64;
+    for (side, samples) in map.sides.into_iter().zip(SHAPE) {
+        let pixel = side / samples as f64;
         // Scatter of a tenth over ten lines of ten points.
         assert!((pixel / spacing - 1.0).abs() < 2e-3, "{pixel}");
     }

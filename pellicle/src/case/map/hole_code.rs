@@ -10,8 +10,8 @@ use crate::display::significant;
 /// Distance from the other heights over their range from which a value that repeats is a code.
 const FAR: f64 = 100.0;
 
-/// The same from which a usual code is one, since no height is exactly that by chance, and any other value may be one: the
-/// ground between pillars is as far from their tops.
+/// The same from which a usual code is one, since no height is exactly that by chance, and any other value may be one:
+/// the ground between pillars is as far from their tops.
 const APART: f64 = 1.0;
 
 /// The same from which a usual code may be one; nearer, an end of an integer type is where an instrument saturates.

@@ -111,8 +111,8 @@ pub(super) struct MapSides {
     pub are_bare: bool,
 }
 
-/// The sides from the case or else from the file. They must agree where the file has a unit; where it has none, the side
-/// of the case gives the scale.
+/// The sides from the case or else from the file. They must agree where the file has a unit; where it has none, the
+/// side of the case gives the scale.
 pub(super) fn sides(
     table: &TableReader<'_>,
     keys: &MapKeys,
