@@ -26,6 +26,14 @@ pub struct PointsError {
     pub otherwise: &'static str,
 }
 
+/// Whether lines of three numbers that form no grid are points all the same: there are many, and not every one is the
+/// same height thrice, of a surface that does not change along its shorter side.
+pub fn are_points(numbers: &[f64]) -> bool {
+    let points = numbers.as_chunks::<3>().0;
+    let is_height = |[x, y, z]: &[f64; 3]| (x - y).abs() <= 0.0 && (y - z).abs() <= 0.0;
+    points.len() >= MANY_LINES && !points.iter().all(is_height)
+}
+
 /// Why points form no map, as a clause that follows "since".
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum NoGrid {
@@ -37,7 +45,7 @@ pub enum NoGrid {
     },
     /// Points between the lines of a grid.
     #[error(
-        "{axis} is up to {distance:.2} spacings off its lines, and at most {OFF_THE_LINES} is taken onto them"
+        "{axis} is up to {distance:.3} spacings off its lines, and at most {OFF_THE_LINES} is taken onto them"
     )]
     OffTheLines {
         /// `x` or `y`.
@@ -190,5 +198,12 @@ mod tests {
         assert!(map(&points().as_flattened()[..33]).is_err());
         assert!(map(&[1.0; 30]).is_err());
         assert!(map(&[]).is_err());
+    }
+
+    #[test]
+    fn a_profile_three_samples_wide_is_no_list_of_points() {
+        let profile: Vec<_> = (0..30).map(|n| f64::from(n / 3).sin()).collect();
+        assert!(map(&profile).is_err() && !are_points(&profile));
+        assert!(are_points(scattered(0.5).as_flattened()) && !are_points(&profile[1..22]));
     }
 }

@@ -59,6 +59,7 @@ impl MapHeader {
             "width" => self.width = self.width.or_else(length),
             "height" => self.height = self.height.or_else(length),
             "pixel size" => self.pixel = self.pixel.or_else(length),
+            "cellsize" if length().is_some() => self.pixel = length(),
             "cellsize" => self.cell = Some(cell(value)?),
             "ncols" => self.counts[0] = Some(count("ncols", value)?),
             "nrows" => self.counts[1] = Some(count("nrows", value)?),
@@ -169,7 +170,7 @@ fn count(key: &'static str, value: &str) -> Result<usize, MapError> {
 fn cell(value: &str) -> Result<f64, MapError> {
     let is_length = |cell: &f64| *cell > 0.0 && cell.is_finite();
     let cell = value.parse().ok().filter(is_length);
-    cell.ok_or_else(|| MapError::header("cellsize", value, "a positive length in metres"))
+    cell.ok_or_else(|| MapError::header("cellsize", value, "a positive length"))
 }
 
 #[cfg(test)]
@@ -204,6 +205,9 @@ mod tests {
         assert_sides(&applied(&["Width: 4 um"]), [4e-6, 2e-6]);
         assert_sides(&applied(&["Width: 4 um", "Height: 50 um"]), [4e-6, 50e-6]);
         assert_sides(&applied(&["h=2 w=4", "pixel size=5e-7 m"]), [2e-6, 1e-6]);
+        let map = applied(&["cellsize 94 nm"]);
+        assert_sides(&map, [4.0 * 94e-9, 2.0 * 94e-9]);
+        assert_eq!(map.lateral_unit.as_deref(), Some("m"));
         let map = applied(&["ncols 4", "nrows 2", "cellsize 0.5", "NODATA_value 1"]);
         assert_eq!((map.sides, map.lateral_unit), (Some([2.0, 1.0]), None));
         assert!(map.heights.iter().all(|height| height.is_nan()));

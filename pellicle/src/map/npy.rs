@@ -53,7 +53,7 @@ impl MapFile {
         }
         match grid_points::map(&values) {
             Ok(map) => Ok(map),
-            Err(_) if shape[0] < grid_points::MANY_LINES => Ok(Self::bare(shape, values)),
+            Err(_) if !grid_points::are_points(&values) => Ok(Self::bare(shape, values)),
             Err(reason) => Err(PointsError {
                 lines: shape[0],
                 reason,

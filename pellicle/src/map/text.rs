@@ -80,7 +80,7 @@ fn of_columns(columns: usize, picture: &[f64], header: &MapHeader) -> Result<Map
         (1, 2..) | (2, PROFILE_LINES..) => Err(MapError::Columns { columns, lines }),
         (3, _) => match (grid_points::map(picture), header.names_points()?) {
             (Ok(map), _) => Ok(map),
-            (Err(reason), are_named) if are_named || lines >= grid_points::MANY_LINES => {
+            (Err(reason), are_named) if are_named || grid_points::are_points(picture) => {
                 Err(MapError::Points(PointsError {
                     lines,
                     reason,
