@@ -6,13 +6,16 @@
 //! is the top, where y is largest. Lines of three numbers that are the points x, y, z of a grid are read as points.
 //! Heights that are missing are NaN.
 
+mod axes;
 mod error;
+mod grid_lines;
 mod grid_points;
 mod gsf;
 mod header;
 mod map_file;
 mod npy;
 pub mod npy_header;
+mod point_units;
 mod text;
 
 use std::fs::{self, File};
@@ -20,6 +23,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 pub use self::error::MapError;
+pub use self::grid_points::{NoGrid, PointsError};
 pub use self::map_file::MapFile;
 
 /// The largest file that is read, bytes.

@@ -1,5 +1,6 @@
 //! Cases with measured maps: tilt, edges, register, outline.
 
+mod as_they_come;
 mod edges;
 mod flat;
 mod malformed;

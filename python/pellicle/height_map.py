@@ -30,8 +30,9 @@ class HeightMap(Table):
     `heights` is an array, first index along x and second along y, or the path of a file (.npy, .csv, .txt, .gsf).
     `side` is the length of the map along x in m, for square pixels; `sides` are its lengths along x and y. A file may
     contain them. `height_unit` is the length represented by 1 in the array, in m unless it has a unit, and
-    `lateral_unit` that of x and y in a file of points x, y, z. Where heights are missing in a file, the map is refused, or
-    with `holes="interpolate"` each is the mean of its neighbours. `level="plane"` subtracts the least-squares plane, and
+    `lateral_unit` that of x and y in a file of points x, y, z, or of a size without a unit. Where heights are missing, or
+    a number such as -9999 stands for them, the map is refused, or with `holes="interpolate"` each is the mean of its
+    neighbours; with `holes="none"` every number is a height. `level="plane"` subtracts the least-squares plane, and
     `edges="taper"` makes opposite edges fit in a periodic cell.
     """
 
@@ -40,7 +41,7 @@ class HeightMap(Table):
     sides: tuple[Quantity, Quantity] | None = field(default=None, kw_only=True)
     height_unit: Quantity | None = field(default=None, kw_only=True)
     interpolation: Literal["bicubic", "linear"] | None = field(default=None, kw_only=True)
-    holes: Literal["refuse", "interpolate"] | None = field(default=None, kw_only=True)
+    holes: Literal["refuse", "interpolate", "none"] | None = field(default=None, kw_only=True)
     level: Literal["plane", "none"] | None = field(default=None, kw_only=True)
     edges: Literal["as measured", "taper"] | None = field(default=None, kw_only=True)
     lateral_unit: Quantity | None = field(default=None, kw_only=True)

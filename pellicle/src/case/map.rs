@@ -1,24 +1,29 @@
 //! A height map named by a case: `file`, and keys for properties that the file does not give.
 //!
-//! `side` is its length along x, with square pixels; `sides` are its lengths along x and y. A `.gsf` file contains its
-//! sides, but the case takes precedence. `height_unit` is the length that a value of 1 in the file stands for: `"nm"`,
-//! `"0.5 um"` or a bare number, negative to turn heights into depths. Without it, heights are in the unit that the file
-//! names, or in metres, or in the case's own unit of length. `interpolation` sets how heights between the samples are
-//! found.
+//! `side` is its length along x, with square pixels; `sides` are its lengths along x and y. A file may contain its
+//! sides, which they must not contradict; without a unit there, `lateral_unit` or `side` gives it. `height_unit` is the
+//! length that a value of 1 in the file stands for: `"nm"`, `"0.5 um"` or a bare number, negative to turn heights into
+//! depths. Without it, heights are in the unit that the file names, or in metres, or in the case's own unit of length.
+//! `interpolation` sets how heights between the samples are found.
 
+mod hole_code;
 mod holes;
 pub mod preparation;
+mod repetition;
 mod scale;
 
 use std::sync::Arc;
 
-use pellicle_texture::{HeightMap, Interpolation, TextureError};
+use pellicle_texture::{HeightMap, Interpolation};
 use serde::Serialize;
 
+use self::hole_code::HoleCode;
 pub use self::holes::HolesCase;
 use self::holes::{HOLES, without_holes};
 use self::preparation::{EDGES, EdgesCase, LEVELS, LevelCase, is_default, prepared};
-use self::scale::{height_unit, sides, units};
+pub use self::repetition::Repetition;
+use self::repetition::with_rim;
+use self::scale::{MapSides, MapUnits, names_a_unit, sides, units};
 use super::map_sources::MapSources;
 use crate::declare::macros::record;
 use crate::declare::{Codec, Record, Scope, Shape, TableShape, length, pair, text, word};
@@ -29,7 +34,6 @@ use crate::input::table_reader::TableReader;
 use crate::input::toml_tree::TomlValue;
 use crate::input::units::Units;
 use crate::input::value_reader::ValueReader;
-use crate::map::MapFile;
 
 const FILE: &str =
     "a height map (.npy, .csv, .txt, .asc or .gsf) by its path from the folder of the case file";
@@ -62,6 +66,15 @@ pub struct MapCase {
     /// Number of heights that were missing.
     #[serde(skip)]
     pub missing: usize,
+    /// A value that may stand for missing heights, taken as it is.
+    #[serde(skip)]
+    pub perhaps_holes: Option<HoleCode>,
+    /// The largest distance of a point of the file from its place on the grid along x or y, in spacings.
+    #[serde(skip)]
+    pub off_grid: f64,
+    /// Whether the sides are those of a file that names no unit.
+    #[serde(skip)]
+    pub has_bare_sides: bool,
     /// The units; SI if the file names one.
     #[serde(skip)]
     pub units: Units,
@@ -70,15 +83,6 @@ pub struct MapCase {
     /// The repetition, if the map is periodic.
     #[serde(skip)]
     repeats: Option<Repetition>,
-}
-
-/// The range over which a periodic map is needed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Repetition {
-    /// The square and the reach of the interpolation; the map lies on the cell.
-    InPlace,
-    /// Half a side more, since the lowest point of the map is put on the axis.
-    Centred,
 }
 
 /// The interpolation between samples.
@@ -109,13 +113,13 @@ record! {
         interpolation: InterpolationCase = word(INTERPOLATIONS).or(InterpolationCase::Bicubic, "\"bicubic\""),
             "heights between the samples";
         holes: HolesCase = word(HOLES).or(HolesCase::Refuse, "\"refuse\""),
-            "where heights are missing: the map is refused, or each is the mean of its neighbours";
+            "where heights are missing, also by a code such as -9999: the map is refused, or each is the mean of its neighbours; or no number is a code";
         level: LevelCase = word(LEVELS).or(LevelCase::None, "\"none\""),
             "tilt of the map: its least-squares plane is subtracted, or it is solved as measured";
         edges: EdgesCase = word(EDGES).or(EdgesCase::AsMeasured, "\"as measured\""),
             "where opposite edges do not fit in a periodic cell: as they are, or half of the step is taken from either edge and fades inwards, each of its waves over a sixth of its length";
-        lateral_unit: Option<f64> = HeightUnit.optional("that of the heights"),
-            "length that a 1 of x and y stands for, of points x, y, z";
+        lateral_unit: Option<f64> = HeightUnit.optional("that of the file, of the heights for points, or 1"),
+            "length that a 1 along the surface stands for, of points x, y, z or of a size without a unit in the file";
     }
 }
 
@@ -179,10 +183,11 @@ impl MapCase {
         let read = maps.read(name);
         let file = read.map_err(|error| field.unusable(&error, FILE))?;
         let keys = MapKeys::read_part(table, scope)?;
-        let height_unit = height_unit(table, &field, &keys, &file)?;
-        let sides = sides(table, &field, &keys, &file, height_unit.abs())?;
-        let (filled, missing) = without_holes(&field, &file, keys.holes)?;
-        let heights = filled.iter().map(|height| height * height_unit);
+        let map_units = MapUnits::of(table, &field, &keys, &file)?;
+        let height_unit = map_units.height;
+        let MapSides { sides, are_bare } = sides(table, &keys, &file, map_units)?;
+        let filled = without_holes(&field, &file, keys.holes)?;
+        let heights = filled.heights.iter().map(|height| height * height_unit);
         let heights = HeightMap::new(heights.collect(), file.shape, sides);
         let heights = heights.map_err(|error| field.refused(&error))?;
         let heights = prepared(heights, keys.level, keys.edges);
@@ -190,8 +195,8 @@ impl MapCase {
             let at_fault = table.optional("height_unit").unwrap_or(field);
             let has_unit =
                 matches!(at_fault.value(), TomlValue::Text(_)) || names_a_unit(table, &file);
-            let has_own_sides = file.has_one_unit && keys.sides.is_none();
-            let wanted = if has_own_sides && keys.lateral_unit.is_none() {
+            let has_one_unit = file.has_one_unit && !map_units.has_lateral;
+            let wanted = if has_one_unit && keys.sides.is_none() {
                 scope.limits.wanted_of_points()
             } else {
                 scope.limits.wanted(&heights, height_unit, has_unit)
@@ -206,7 +211,10 @@ impl MapCase {
             holes: keys.holes,
             level: keys.level,
             edges: keys.edges,
-            missing,
+            missing: filled.missing,
+            perhaps_holes: filled.perhaps,
+            off_grid: file.off_grid,
+            has_bare_sides: are_bare,
             units: units(&file),
             heights: Arc::new(heights.with_interpolation(keys.interpolation.into())),
             repeats: None,
@@ -250,39 +258,6 @@ impl MapCase {
         let [x, y] = self.shape().map(|samples| samples as f64);
         (self.sides[0] / x).max(self.sides[1] / y)
     }
-}
-
-/// Surrounds a periodic map with samples of its neighbours on all sides.
-fn with_rim(map: &HeightMap, how: Repetition) -> Result<HeightMap, TextureError> {
-    /// The number of samples that an interpolation uses, and one more.
-    const REACH: usize = 5;
-    let (shape, extent) = (map.shape(), map.extent());
-    let rim = shape.map(|samples| match how {
-        Repetition::InPlace => REACH,
-        Repetition::Centred => samples.div_ceil(2) + REACH,
-    });
-    let wider = [0, 1].map(|axis: usize| shape[axis] + 2 * rim[axis]);
-    let around = |i: usize, axis: usize| (i + rim[axis] * (shape[axis] - 1)) % shape[axis];
-    let heights = (0..wider[0]).flat_map(|i| {
-        let row = &map.heights()[around(i, 0) * shape[1]..][..shape[1]];
-        (0..wider[1]).map(move |j| row[around(j, 1)])
-    });
-    let sides = [0, 1].map(|axis: usize| extent[axis] * wider[axis] as f64 / shape[axis] as f64);
-    let rimmed = HeightMap::new(heights.collect(), wider, sides)?;
-    Ok(rimmed.with_interpolation(map.interpolation()))
-}
-
-/// Whether the given sides or the file have a unit, so that heights have one too.
-fn names_a_unit(table: &TableReader<'_>, file: &MapFile) -> bool {
-    let is_text = |value: &TomlValue| matches!(value, TomlValue::Text(_));
-    let has_unit = |field: ValueReader<'_>| match field.value() {
-        TomlValue::List(items) => items.iter().any(|item| is_text(&item.value)),
-        value => is_text(value),
-    };
-    let mut sides = ["side", "sides"]
-        .into_iter()
-        .filter_map(|key| table.optional(key));
-    sides.any(has_unit) || units(file) == Units::Si
 }
 
 #[cfg(test)]

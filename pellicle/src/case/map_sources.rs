@@ -8,13 +8,13 @@ use std::path::{Path, PathBuf};
 use pellicle_contact::Indenter;
 use pellicle_texture::CustomRelief;
 
-use crate::map::{MapError, MapFile};
+use crate::map::{MapError, MapFile, PointsError};
 
 /// The maps that a case may name as `file`, and the shapes behind `kind = "function"`, which no file can hold.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MapSources {
     folder: PathBuf,
-    arrays: BTreeMap<String, MapFile>,
+    arrays: BTreeMap<String, Result<MapFile, PointsError>>,
     indenter: Option<Indenter>,
     relief: Option<CustomRelief>,
 }
@@ -74,10 +74,11 @@ impl MapSources {
     ///
     /// # Errors
     ///
-    /// A [`MapError`] if the file cannot be read as a map.
+    /// A [`MapError`] if the array or the file is no map.
     pub fn read(&self, name: &str) -> Result<Cow<'_, MapFile>, MapError> {
         match self.arrays.get(name) {
-            Some(array) => Ok(Cow::Borrowed(array)),
+            Some(Ok(array)) => Ok(Cow::Borrowed(array)),
+            Some(Err(scattered)) => Err(MapError::Points(*scattered)),
             None => MapFile::read(&self.folder.join(name)).map(Cow::Owned),
         }
     }

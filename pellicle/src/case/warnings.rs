@@ -38,10 +38,11 @@ fn with_key(warning: &Warning) -> String {
     format!("{warning} (`{key}`)")
 }
 
-/// The unit of a bare number in a case that has units, by its key; none where a bare number is usual: an angle, or the
-/// length that 1 in a file of heights stands for.
+/// The unit of a bare number in a case that has units, by its key; none where a bare number is usual: the length that 1
+/// in a file of heights stands for.
 fn bare_unit(key: &str) -> Option<&'static str> {
-    let dimension = key_dimension::of_key(key).filter(|_| key != "height_unit");
+    let dimension =
+        key_dimension::of_key(key).filter(|_| !["height_unit", "lateral_unit"].contains(&key));
     dimension.map(Dimension::si_unit)
 }
 
@@ -93,7 +94,7 @@ impl Case {
         if Units::of(self.document.root()) == Units::Si {
             bare_numbers(self.document.root(), &mut warnings);
         }
-        warnings.extend(maps::of(self, side / self.grid.elements as f64));
+        warnings.extend(maps::of(self, side));
         warnings.extend(self.stress_warnings());
         warnings.extend(self.adhesion.iter().flat_map(AdhesiveContacts::warnings));
         warnings

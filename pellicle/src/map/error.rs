@@ -2,6 +2,8 @@
 
 use std::io;
 
+use super::grid_points::PointsError;
+
 /// The fault of a map's file, as a clause that follows the name of the file.
 #[derive(Debug, thiserror::Error)]
 pub enum MapError {
@@ -40,12 +42,23 @@ pub enum MapError {
         lines: usize,
     },
     /// Points that form no grid.
+    #[error(transparent)]
+    Points(#[from] PointsError),
+    /// Coordinates in the first column or line.
     #[error(
-        "which holds {lines} points x, y, z that form no rectangular grid, or one with more than a fiftieth missing"
+        "whose first {which} rises or falls in equal steps, as coordinates do, and the next does not: delete it if it is no heights, or let lines \"ncols\" and \"nrows\" above say that it is"
     )]
-    Points {
-        /// Number of lines.
-        lines: usize,
+    Axis {
+        /// `column` or `line`.
+        which: &'static str,
+    },
+    /// Points of a grid with more columns.
+    #[error(
+        "whose first three of {columns} columns are points x, y, z of a grid: delete the others"
+    )]
+    MoreThanPoints {
+        /// Numbers on each line.
+        columns: usize,
     },
     /// A word where a number should be.
     #[error("where line {line} holds \"{found}\", which is not a number")]

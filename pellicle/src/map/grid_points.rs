@@ -1,97 +1,117 @@
 //! Lines of x, y, z: the points of a grid, as instruments and other programs export a surface.
 
+use super::grid_lines::GridLines;
 use super::map_file::MapFile;
 
-/// The largest distance of a coordinate from its grid line, in grid spacings; printed coordinates have few digits.
-const OFF_THE_LINE: f64 = 0.05;
+/// The largest distance of a point from its grid lines along x or y, in spacings, with which it is taken onto them.
+pub const OFF_THE_LINES: f64 = 0.1;
 
 /// The largest part of the points of a grid that may be missing.
 const MISSING: f64 = 0.02;
 
-/// Returns the map of the points if they form a regular rectangular grid, each point at most once and in any order. Its
-/// sides are in the unit of the heights; those of the few points that are missing are NaN.
-pub fn map(numbers: &[f64]) -> Option<MapFile> {
+/// From this many lines on, three columns are points: no map is three samples wide.
+pub const MANY_LINES: usize = 8;
+
+/// Points that form no map.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error(
+    "which holds {lines} points x, y, z that form no rectangular grid, since {reason}; {otherwise}"
+)]
+pub struct PointsError {
+    /// Number of points.
+    pub lines: usize,
+    /// Why they form none.
+    pub reason: NoGrid,
+    /// How three columns of heights are written instead.
+    pub otherwise: &'static str,
+}
+
+/// Whether lines of three numbers that form no grid are points all the same: there are many, and not every one is the
+/// same height thrice, of a surface that does not change along its shorter side.
+pub fn are_points(numbers: &[f64]) -> bool {
     let points = numbers.as_chunks::<3>().0;
-    let [along_x, along_y] = [lines(points, 0)?, lines(points, 1)?];
+    let is_height = |[x, y, z]: &[f64; 3]| (x - y).abs() <= 0.0 && (y - z).abs() <= 0.0;
+    points.len() >= MANY_LINES && !points.iter().all(is_height)
+}
+
+/// Why points form no map, as a clause that follows "since".
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum NoGrid {
+    /// Coordinates that are missing, infinite or all the same.
+    #[error("{axis} is the same everywhere or not finite somewhere")]
+    NoLines {
+        /// `x` or `y`.
+        axis: char,
+    },
+    /// Points between the lines of a grid.
+    #[error(
+        "{axis} is up to {distance:.3} spacings off its lines, and at most {OFF_THE_LINES} is taken onto them"
+    )]
+    OffTheLines {
+        /// `x` or `y`.
+        axis: char,
+        /// The largest distance, in spacings.
+        distance: f64,
+    },
+    /// Two points at one place.
+    #[error("two are at x = {x}, y = {y}")]
+    Twice {
+        /// Coordinate of the second along x.
+        x: f64,
+        /// Coordinate along y.
+        y: f64,
+    },
+    /// Gaps that are too many.
+    #[error("of {} by {} places more than a fiftieth is empty", shape[0], shape[1])]
+    Gaps {
+        /// Places along x and along y.
+        shape: [usize; 2],
+    },
+}
+
+/// Returns the map of the points, which form a regular rectangular grid, each point at most once and in any order. Its
+/// sides are in the unit of the heights; those of the few points that are missing are NaN.
+///
+/// # Errors
+///
+/// [`NoGrid`], the reason why there is none.
+pub fn map(numbers: &[f64]) -> Result<MapFile, NoGrid> {
+    let points = numbers.as_chunks::<3>().0;
+    let lines = |axis: usize| GridLines::through(points.iter().map(|point| point[axis]));
+    let along_x = lines(0).ok_or(NoGrid::NoLines { axis: 'x' })?;
+    let along_y = lines(1).ok_or(NoGrid::NoLines { axis: 'y' })?;
+    let mut off_grid: f64 = 0.0;
+    for (axis, name, lines) in [(0, 'x', &along_x), (1, 'y', &along_y)] {
+        let distances = points.iter().map(|point| lines.nearest(point[axis]).1);
+        let distance = distances.fold(0.0, f64::max);
+        if distance > OFF_THE_LINES {
+            return Err(NoGrid::OffTheLines {
+                axis: name,
+                distance,
+            });
+        }
+        off_grid = off_grid.max(distance);
+    }
     let shape = [along_x.count, along_y.count];
-    let all = shape[0].checked_mul(shape[1])?;
-    let missing_points = all.checked_sub(points.len())?;
-    if missing_points as f64 > MISSING * all as f64 {
-        return None;
+    let gaps = NoGrid::Gaps { shape };
+    let all = shape[0].checked_mul(shape[1]).ok_or(gaps)?;
+    if all as f64 - points.len() as f64 > MISSING * all as f64 {
+        return Err(gaps);
     }
     let mut heights = vec![None; all];
-    for point in points {
-        let place = along_x.number(point[0])? * shape[1] + along_y.number(point[1])?;
-        if heights.get_mut(place)?.replace(point[2]).is_some() {
-            return None;
+    for &[x, y, height] in points {
+        let place = along_x.nearest(x).0 * shape[1] + along_y.nearest(y).0;
+        if heights[place].replace(height).is_some() {
+            return Err(NoGrid::Twice { x, y });
         }
     }
     let heights = heights.into_iter().map(|height| height.unwrap_or(f64::NAN));
-    Some(MapFile {
+    Ok(MapFile {
         sides: Some([along_x.side(), along_y.side()]),
         has_one_unit: true,
-        missing_points,
+        missing_points: all - points.len(),
+        off_grid,
         ..MapFile::bare(shape, heights.collect())
-    })
-}
-
-/// From this many lines on, three columns of which two look like coordinates are points.
-const MANY_LINES: usize = 30;
-
-/// Whether lines of three numbers are points x, y, z rather than a strip of a surface: there are many, and the first
-/// two numbers repeat on other lines or only rise or fall.
-pub fn are_points(numbers: &[f64]) -> bool {
-    let points = numbers.as_chunks::<3>().0;
-    let is_coordinate = |axis: usize| {
-        let along: Vec<_> = points.iter().map(|point| point[axis]).collect();
-        let mut distinct = along.clone();
-        distinct.sort_by(f64::total_cmp);
-        distinct.dedup_by(|one, other| one.total_cmp(other).is_eq());
-        2 * distinct.len() <= along.len()
-            || along.is_sorted_by(|one, other| one < other)
-            || along.is_sorted_by(|one, other| one > other)
-    };
-    points.len() >= MANY_LINES && is_coordinate(0) && is_coordinate(1)
-}
-
-/// Equidistant coordinates.
-struct GridLines {
-    first: f64,
-    distance: f64,
-    count: usize,
-}
-
-impl GridLines {
-    fn number(&self, coordinate: f64) -> Option<usize> {
-        let number = (coordinate - self.first) / self.distance;
-        let is_on = (number - number.round()).abs() < OFF_THE_LINE;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "at most the number of points, and not below 0"
-        )]
-        (is_on && number.is_finite()).then_some(number.round() as usize)
-    }
-
-    /// The side of the pixels around the points.
-    fn side(&self) -> f64 {
-        self.distance * self.count as f64
-    }
-}
-
-/// Returns the distinct coordinates of the points along one axis, at least two.
-fn lines(points: &[[f64; 3]], axis: usize) -> Option<GridLines> {
-    let mut sorted: Vec<_> = points.iter().map(|point| point[axis]).collect();
-    sorted.sort_by(f64::total_cmp);
-    let steps = || sorted.windows(2).map(|pair| pair[1] - pair[0]);
-    let widest = steps().fold(0.0, f64::max);
-    let count = 1 + steps().filter(|step| *step > 0.5 * widest).count();
-    let [first, last] = [*sorted.first()?, *sorted.last()?];
-    let distance = (last - first) / (count - 1).max(1) as f64;
-    (count > 1 && distance.is_finite()).then_some(GridLines {
-        first,
-        distance,
-        count,
     })
 }
 
@@ -122,6 +142,49 @@ mod tests {
         assert_eq!(again.heights, expected.heights);
     }
 
+    /// 20 × 15 points of which each is up to so many spacings off its lines, in an order that is not sorted.
+    fn scattered(off: f64) -> Vec<[f64; 3]> {
+        let point = |n: u32| {
+            let n = n * 7 % 300;
+            let [i, j] = [n / 15, n % 15].map(f64::from);
+            let [to_x, to_y] = [n * 37 % 101, n * 53 % 97].map(|k| f64::from(k) / 50.0 - 1.0);
+            [
+                0.094 * (i + off * to_x),
+                0.2 * (j + off * to_y),
+                100.0 * i + j,
+            ]
+        };
+        (0..300).map(point).collect()
+    }
+
+    #[test]
+    fn points_a_tenth_off_are_taken_onto_the_grid_and_farther_ones_are_not() {
+        let exact = map(scattered(0.0).as_flattened()).unwrap();
+        let wanted: Vec<_> = (0..300)
+            .map(|n| f64::from(100 * (n / 15) + n % 15))
+            .collect();
+        assert_eq!((exact.shape, &exact.heights), ([20, 15], &wanted));
+        let found = map(scattered(0.08).as_flattened()).unwrap();
+        assert_eq!((found.shape, &found.heights), ([20, 15], &wanted));
+        // Of the scatter, whose ends are −1 and 1, a part is taken up by the lines.
+        assert!((0.06..0.1).contains(&found.off_grid), "{}", found.off_grid);
+        for off in [0.15, 0.3, 0.5] {
+            let refused = map(scattered(off).as_flattened()).unwrap_err();
+            assert!(matches!(refused, NoGrid::OffTheLines { .. }), "{refused}");
+        }
+    }
+
+    #[test]
+    fn a_whole_line_may_be_missing_if_it_is_no_more_than_a_fiftieth() {
+        let point = |n: u32| [f64::from(n / 20), f64::from(n % 20), f64::from(n)];
+        let without = |line: u32| (0..1200).filter(move |n| n / 20 != line).map(point);
+        let found = map(without(17).collect::<Vec<_>>().as_flattened()).unwrap();
+        assert_eq!((found.shape, found.missing_points), ([60, 20], 20));
+        let fewer = without(17).filter(|[x, ..]| *x < 45.0);
+        let refused = map(fewer.collect::<Vec<_>>().as_flattened());
+        assert_eq!(refused, Err(NoGrid::Gaps { shape: [45, 20] }));
+    }
+
     #[test]
     fn points_not_on_a_grid_form_no_map() {
         let change = |n: usize, axis: usize, to: f64| {
@@ -130,10 +193,17 @@ mod tests {
             map(points.as_flattened())
         };
         for (axis, to) in [(0, 2.25), (1, -0.75), (0, f64::NAN), (1, 1e300)] {
-            assert_eq!(change(6, axis, to), None, "{axis}, {to}");
+            assert!(change(6, axis, to).is_err(), "{axis}, {to}");
         }
-        assert_eq!(map(&points().as_flattened()[..33]), None);
-        assert_eq!(map(&[1.0; 30]), None);
-        assert_eq!(map(&[]), None);
+        assert!(map(&points().as_flattened()[..33]).is_err());
+        assert!(map(&[1.0; 30]).is_err());
+        assert!(map(&[]).is_err());
+    }
+
+    #[test]
+    fn a_profile_three_samples_wide_is_no_list_of_points() {
+        let profile: Vec<_> = (0..30).map(|n| f64::from(n / 3).sin()).collect();
+        assert!(map(&profile).is_err() && !are_points(&profile));
+        assert!(are_points(scattered(0.5).as_flattened()) && !are_points(&profile[1..22]));
     }
 }

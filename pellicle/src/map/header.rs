@@ -1,12 +1,20 @@
 //! What the head of a text says about its map: the size, the unit of the heights, the mark of a missing one.
 //!
 //! Lines `Width: 8 um`, `Height: 3 um`, `Value units: nm` are those of Gwyddion, `ncols 64`, `cellsize 0.5`,
-//! `nrows 32`, `NODATA_value -9999` those of ESRI; `pixel size = 0.5 um` stands in several others.
+//! `nrows 32`, `NODATA_value -9999` those of ESRI; `pixel size = 0.5 um` stands in several others. Above points the
+//! names of their columns may have [units](PointUnits).
 
 use super::error::MapError;
 use super::map_file::MapFile;
+use super::point_units::PointUnits;
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
+
+/// Ratio of the sides of a pixel from which one of them is not a side: a square scan of a thousand samples on a line
+/// has ten lines at least.
+const LONGEST_PIXEL: f64 = 100.0;
+
+const SIDE_ALONG_Y: &str = "the side along y: delete the line if it is the height of the surface";
 
 /// The head of a text.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -25,6 +33,8 @@ pub struct MapHeader {
     unit: Option<String>,
     /// The height that stands for a missing one.
     missing: Option<f64>,
+    /// The units of the columns x, y, z.
+    points: Option<PointUnits>,
 }
 
 impl MapHeader {
@@ -34,6 +44,9 @@ impl MapHeader {
     ///
     /// [`MapError::Header`] for a count or a cell that is none.
     pub fn read(&mut self, line: &str) -> Result<(), MapError> {
+        let points = PointUnits::in_line(line);
+        let is_told = |points: &PointUnits| self.points.is_none() || points.has_units();
+        self.points = points.filter(is_told).or(self.points.take());
         let line = line.trim_start_matches(['#', ' ', '\t']);
         let split = line.split_once([':', '=']);
         let Some((key, value)) = split.or_else(|| line.split_once(char::is_whitespace)) else {
@@ -46,6 +59,7 @@ impl MapHeader {
             "width" => self.width = self.width.or_else(length),
             "height" => self.height = self.height.or_else(length),
             "pixel size" => self.pixel = self.pixel.or_else(length),
+            "cellsize" if length().is_some() => self.pixel = length(),
             "cellsize" => self.cell = Some(cell(value)?),
             "ncols" => self.counts[0] = Some(count("ncols", value)?),
             "nrows" => self.counts[1] = Some(count("nrows", value)?),
@@ -91,8 +105,32 @@ impl MapHeader {
         self.counts[0].is_some()
     }
 
+    /// Whether the head names columns x, y and z.
+    ///
+    /// # Errors
+    ///
+    /// [`MapError::Header`] if it names y before x, as which the map would be mirrored.
+    pub fn names_points(&self) -> Result<bool, MapError> {
+        match &self.points {
+            Some(points) if !points.is_in_order() => {
+                let found = "y before x";
+                Err(MapError::header("columns", found, "x, y, z in this order"))
+            }
+            points => Ok(points.is_some()),
+        }
+    }
+
     /// Gives a map the size and unit of the head, and marks the heights that are missing.
-    pub fn apply(self, map: &mut MapFile) {
+    ///
+    /// # Errors
+    ///
+    /// [`MapError::Header`] for a `Height` that is that of the surface and no side.
+    pub fn apply(self, map: &mut MapFile) -> Result<(), MapError> {
+        if map.has_one_unit
+            && let Some(units) = self.points
+        {
+            units.apply(map);
+        }
         let [along_x, along_y] = map.shape.map(|samples| samples as f64);
         let of_pixels = |pixel: f64| [pixel * along_x, pixel * along_y];
         // One side alone means square pixels.
@@ -102,6 +140,13 @@ impl MapHeader {
             (None, Some(y)) => Some(of_pixels(y / along_y)),
             (None, None) => self.pixel.map(of_pixels),
         };
+        if let (Some([x, y]), Some(height)) = (sides, self.height) {
+            let [x, y] = [x / along_x, y / along_y];
+            if x.max(y) > LONGEST_PIXEL * x.min(y) {
+                let found = format!("{height:e} m");
+                return Err(MapError::header("Height", &found, SIDE_ALONG_Y));
+            }
+        }
         if let Some(sides) = sides.filter(|_| map.sides.is_none()) {
             map.sides = Some(sides);
             map.lateral_unit = Some("m".into());
@@ -113,6 +158,7 @@ impl MapHeader {
             let marked = map.heights.iter_mut().filter(is_missing);
             marked.for_each(|height| *height = f64::NAN);
         }
+        Ok(())
     }
 }
 
@@ -124,7 +170,7 @@ fn count(key: &'static str, value: &str) -> Result<usize, MapError> {
 fn cell(value: &str) -> Result<f64, MapError> {
     let is_length = |cell: &f64| *cell > 0.0 && cell.is_finite();
     let cell = value.parse().ok().filter(is_length);
-    cell.ok_or_else(|| MapError::header("cellsize", value, "a positive length in metres"))
+    cell.ok_or_else(|| MapError::header("cellsize", value, "a positive length"))
 }
 
 #[cfg(test)]
@@ -135,7 +181,7 @@ mod tests {
         let mut header = MapHeader::default();
         lines.iter().try_for_each(|line| header.read(line)).unwrap();
         let mut map = MapFile::bare([4, 2], vec![1.0; 8]);
-        header.apply(&mut map);
+        header.apply(&mut map).unwrap();
         map
     }
 
@@ -157,9 +203,26 @@ mod tests {
         let units = [map.lateral_unit.as_deref(), map.height_unit.as_deref()];
         assert_eq!(units, [Some("m"), Some("nm")]);
         assert_sides(&applied(&["Width: 4 um"]), [4e-6, 2e-6]);
+        assert_sides(&applied(&["Width: 4 um", "Height: 50 um"]), [4e-6, 50e-6]);
         assert_sides(&applied(&["h=2 w=4", "pixel size=5e-7 m"]), [2e-6, 1e-6]);
+        let map = applied(&["cellsize 94 nm"]);
+        assert_sides(&map, [4.0 * 94e-9, 2.0 * 94e-9]);
+        assert_eq!(map.lateral_unit.as_deref(), Some("m"));
         let map = applied(&["ncols 4", "nrows 2", "cellsize 0.5", "NODATA_value 1"]);
         assert_eq!((map.sides, map.lateral_unit), (Some([2.0, 1.0]), None));
         assert!(map.heights.iter().all(|height| height.is_nan()));
+    }
+
+    #[test]
+    fn the_height_of_the_surface_is_no_side() {
+        let mut header = MapHeader::default();
+        let lines = ["Width: 6 um", "Height: 22.7 nm"];
+        lines.iter().try_for_each(|line| header.read(line)).unwrap();
+        let map = &mut MapFile::bare([8, 8], vec![1.0; 64]);
+        let refused = header.apply(map).unwrap_err().to_string();
+        assert!(
+            refused.contains("Height = 2.27e-8 m, not the side along y"),
+            "{refused}"
+        );
     }
 }

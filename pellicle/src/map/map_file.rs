@@ -13,10 +13,12 @@ pub struct MapFile {
     pub lateral_unit: Option<String>,
     /// Unit of the heights; none if the file names none.
     pub height_unit: Option<String>,
-    /// Whether the sides are in the unit of the heights, as for points x, y, z.
+    /// Whether the sides are in the unit of the heights unless a unit is named, as for points x, y, z.
     pub has_one_unit: bool,
     /// Points x, y, z that are missing on their grid; their heights are NaN, as are those that the file marks as bad.
     pub missing_points: usize,
+    /// The largest distance of a point from its place on the grid along x or y, in spacings.
+    pub off_grid: f64,
 }
 
 impl MapFile {
@@ -30,6 +32,7 @@ impl MapFile {
             height_unit: None,
             has_one_unit: false,
             missing_points: 0,
+            off_grid: 0.0,
         }
     }
 

@@ -1,7 +1,7 @@
 //! `.npy`: one two-dimensional NumPy array, first index along x.
 
 use super::error::MapError;
-use super::grid_points;
+use super::grid_points::{self, PointsError};
 use super::map_file::MapFile;
 use super::npy_header::NpyHeader;
 
@@ -36,16 +36,30 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     } else {
         (0..along_x * along_y).map(at).collect()
     };
-    Ok(MapFile::of_array([along_x, along_y], heights))
+    Ok(MapFile::of_array([along_x, along_y], heights)?)
 }
 
 impl MapFile {
     /// Creates the map of a NumPy array, value `(i, j)` at `i * shape[1] + j`: rows of heights, first index along x, or
     /// rows of three, the points x, y, z of a regular grid.
-    #[must_use]
-    pub fn of_array(shape: [usize; 2], values: Vec<f64>) -> Self {
-        let points = (shape[1] == 3).then(|| grid_points::map(&values)).flatten();
-        points.unwrap_or_else(|| Self::bare(shape, values))
+    ///
+    /// # Errors
+    ///
+    /// [`PointsError`] for eight or more rows of three that form no grid: no map is three samples wide.
+    pub fn of_array(shape: [usize; 2], values: Vec<f64>) -> Result<Self, PointsError> {
+        const OTHERWISE: &str = "if each row is three heights, save the array transposed";
+        if shape[1] != 3 {
+            return Ok(Self::bare(shape, values));
+        }
+        match grid_points::map(&values) {
+            Ok(map) => Ok(map),
+            Err(_) if !grid_points::are_points(&values) => Ok(Self::bare(shape, values)),
+            Err(reason) => Err(PointsError {
+                lines: shape[0],
+                reason,
+                otherwise: OTHERWISE,
+            }),
+        }
     }
 }
 

@@ -4,8 +4,9 @@
 //! or spaces; a `#` starts a comment. If semicolons or blanks separate numbers, a comma is a decimal mark. Words such
 //! as `Bad` and `NaN` stand for heights that are missing.
 
+use super::axes;
 use super::error::MapError;
-use super::grid_points;
+use super::grid_points::{self, PointsError};
 use super::header::MapHeader;
 use super::map_file::MapFile;
 use crate::input::decode::TextEncoding;
@@ -63,24 +64,35 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     }
     let mut map = match header.columns(columns, picture.len())? {
         columns if header.has_columns() => MapFile::from_picture(columns, &picture),
-        columns => of_columns(columns, &picture)?,
+        columns => of_columns(columns, &picture, &header)?,
     };
-    header.apply(&mut map);
+    header.apply(&mut map)?;
     Ok(map)
 }
 
-/// The map of numbers in this many columns.
-fn of_columns(columns: usize, picture: &[f64]) -> Result<MapFile, MapError> {
+/// The map of numbers in this many columns, which the head may name x, y and z.
+fn of_columns(columns: usize, picture: &[f64], header: &MapHeader) -> Result<MapFile, MapError> {
+    const OTHERWISE: &str =
+        "if each line is a row of three heights, say so by a line \"ncols 3\" above them";
     let lines = picture.len().checked_div(columns).unwrap_or(0);
     match (columns, lines) {
         (0, _) => Err(MapError::Empty),
         (1, 2..) | (2, PROFILE_LINES..) => Err(MapError::Columns { columns, lines }),
-        (3, _) => match grid_points::map(picture) {
-            Some(map) => Ok(map),
-            None if grid_points::are_points(picture) => Err(MapError::Points { lines }),
-            None => Ok(MapFile::from_picture(3, picture)),
+        (3, _) => match (grid_points::map(picture), header.names_points()?) {
+            (Ok(map), _) => Ok(map),
+            (Err(reason), are_named) if are_named || grid_points::are_points(picture) => {
+                Err(MapError::Points(PointsError {
+                    lines,
+                    reason,
+                    otherwise: OTHERWISE,
+                }))
+            }
+            (Err(_), _) => Ok(MapFile::from_picture(3, picture)),
         },
-        _ => Ok(MapFile::from_picture(columns, picture)),
+        _ => {
+            axes::check(columns, picture)?;
+            Ok(MapFile::from_picture(columns, picture))
+        }
     }
 }
 

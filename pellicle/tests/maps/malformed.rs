@@ -269,6 +269,9 @@ fn text_and_points() {
     let line = |k: u32| format!("{} {} {}\n", k % 6, k / 6, k + 1);
     let points: String = (0..30).map(line).collect();
     let reversed: String = (0..30).rev().map(line).collect();
+    // Ten lines of four heights after the number of each.
+    let numbered = |k: u32| format!("{k} 3 {} {} 2\n", k * k % 7, k * 3 % 5);
+    let numbered: String = (0..10).map(numbered).collect();
     hold(
         "txt",
         vec![
@@ -323,6 +326,26 @@ fn text_and_points() {
                 "a point twice",
                 text(&points.replace("5 4 30", "4 4 30")),
                 Refused("no rectangular grid"),
+            ),
+            (
+                "columns named in another order",
+                text(&format!("y[nm] x[nm] z[nm]\n{points}")),
+                Refused("columns = y before x"),
+            ),
+            (
+                "points with a fourth column",
+                text(&points.replace('\n', " 0.5\n")),
+                Refused("first three of 4 columns are points"),
+            ),
+            (
+                "numbers of lines",
+                text(&numbered),
+                Refused("first column rises or falls in equal steps"),
+            ),
+            (
+                "the height of the surface for a side",
+                text("Width: 4 um\nHeight: 9 nm\n1 2 3 4\n5 6 7 8\n"),
+                Refused("Height = 9e-9 m"),
             ),
             ("points", text(&points), Read([6, 5], [1.0, 30.0])),
             (

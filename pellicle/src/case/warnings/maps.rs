@@ -27,8 +27,18 @@ const DOES_NOT_FIT: f64 = 1.3;
 /// A step across the rim smaller than this part of the rms height is of no account: heights have a few digits.
 const LEAST_STEP: f64 = 1e-3;
 
-/// The warnings about the maps of a case, on elements of this side (m).
-pub(super) fn of(case: &Case, element_side: f64) -> Vec<CaseWarning> {
+/// The largest distance of printed coordinates from a grid, in spacings, that is not told.
+const OFF_BY_ROUNDING: f64 = 0.01;
+
+/// Ratio of the sides of a pixel from which they are compared with exchanged ones.
+const OBLONG: f64 = 1.5;
+
+/// Ratio up to which a pixel is square; sides have a few digits.
+const SQUARE: f64 = 1.05;
+
+/// The warnings about the maps of a case, on a domain of this side (m).
+pub(super) fn of(case: &Case, side: f64) -> Vec<CaseWarning> {
+    let element_side = side / case.grid.elements as f64;
     let maps = [
         ("surface", case.surface.map()),
         ("indenter", case.indenter.map()),
@@ -46,8 +56,13 @@ pub(super) fn of(case: &Case, element_side: f64) -> Vec<CaseWarning> {
     };
     [
         of_kind(&|table, map| coarse(table, map, element_side, case.units)),
-        of_kind(&|table, map| filled(table, map)),
-        of_kind(&|table, map| flat(table, map, case.units)),
+        of_kind(&filled),
+        of_kind(&perhaps_holes),
+        of_kind(&off_grid),
+        of_kind(&|table, map| oblong_pixels(table, map, case.units)),
+        of_kind(&|table, map| {
+            in_metres(table, map, side, case.units).or_else(|| flat(table, map, case.units))
+        }),
         of_kind(&fitting),
     ]
     .concat()
@@ -82,20 +97,88 @@ fn filled(table: &str, map: &MapCase) -> Option<CaseWarning> {
     })
 }
 
+/// The warning about a value that may stand for missing heights.
+fn perhaps_holes(table: &str, map: &MapCase) -> Option<CaseWarning> {
+    map.perhaps_holes.map(|code| CaseWarning {
+        code: "map-perhaps-holes",
+        message: format!(
+            "of the heights of the {table}'s map, {}, {code}: write nan for them if they are holes, and give holes = \"none\" if they are heights",
+            map.file
+        ),
+    })
+}
+
+/// The warning about points that were taken onto a grid.
+fn off_grid(table: &str, map: &MapCase) -> Option<CaseWarning> {
+    (map.off_grid > OFF_BY_ROUNDING).then(|| CaseWarning {
+        code: "points-off-grid",
+        message: format!(
+            "the points of the {table}'s map, {}, are up to {} spacings off a rectangular grid, onto which they are taken",
+            map.file,
+            significant(map.off_grid, 2)
+        ),
+    })
+}
+
+/// The warning about sides that would make the pixels square if they were exchanged.
+fn oblong_pixels(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
+    let ([x, y], shape) = (map.sides, map.shape());
+    let [along_x, along_y] = shape.map(|samples| samples as f64);
+    let ratio = |[x, y]: [f64; 2]| (x / y).max(y / x);
+    let pixel = [x / along_x, y / along_y];
+    let is_exchanged = ratio(pixel) > OBLONG && ratio([y / along_x, x / along_y]) <= SQUARE;
+    let metres = |value| quantity(value, Unit::Metre, units);
+    let [x, y] = [x, y].map(metres);
+    is_exchanged.then(|| CaseWarning {
+        code: "oblong-pixels",
+        message: format!(
+            "the map of the {table}, {}, has {} samples on {x} along x and {} on {y} along y, pixels of {} by {}, which would be square on {y} by {x}: are the sides exchanged, or the axes of the map?",
+            map.file,
+            shape[0],
+            shape[1],
+            metres(pixel[0]),
+            metres(pixel[1]),
+        ),
+    })
+}
+
+/// The warning about a file without a unit, taken as metres, where that makes the map flat or the whole domain smaller
+/// than its pixels.
+fn in_metres(table: &str, map: &MapCase, side: f64, units: Units) -> Option<CaseWarning> {
+    let is_absurd = map.pixel() > side || is_flat(map);
+    let metres = |value| quantity(value, Unit::Metre, units);
+    let [x, y] = map.sides.map(metres);
+    (map.has_bare_sides && units == Units::Si && is_absurd).then(|| CaseWarning {
+        code: "map-in-metres",
+        message: format!(
+            "the map of the {table}, {}, names no unit of x and y, which are taken as metres, {x} by {y}: `lateral_unit` gives the unit, or `side` the length along x",
+            map.file
+        ),
+    })
+}
+
 /// The warning about an almost flat map; its unit is probably a thousand times too small.
 fn flat(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
-    let samples = map.samples().iter().copied();
-    let least = samples.clone().fold(f64::INFINITY, f64::min);
-    let range = samples.fold(f64::NEG_INFINITY, f64::max) - least;
-    let [x, y] = map.sides;
-    (range > 0.0 && range < FLAT * x.min(y)).then(|| CaseWarning {
+    is_flat(map).then(|| CaseWarning {
         code: "flat-map",
         message: format!(
             "the heights of the {table}'s map, {}, range over {} only: is height_unit right?",
             map.file,
-            quantity(range, Unit::Metre, units)
+            quantity(range(map), Unit::Metre, units)
         ),
     })
+}
+
+fn is_flat(map: &MapCase) -> bool {
+    let ([x, y], range) = (map.sides, range(map));
+    range > 0.0 && range < FLAT * x.min(y)
+}
+
+/// The highest less the lowest height, m.
+fn range(map: &MapCase) -> f64 {
+    let samples = map.samples().iter().copied();
+    let least = samples.clone().fold(f64::INFINITY, f64::min);
+    samples.fold(f64::NEG_INFINITY, f64::max) - least
 }
 
 /// The warning about a free map whose tilt decides where it touches.
