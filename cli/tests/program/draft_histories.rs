@@ -30,7 +30,8 @@ fn depths(force: f64) -> [f64; 2] {
     [deepest, deepest - EXPONENT * force / stiffness]
 }
 
-/// Cycles up to these forces, unloaded to a fifth in between, with a hold of 20 s and 4 nm of creep at half of the last.
+/// Cycles up to these forces, unloaded to a fifth in between, with a hold of 20 s and 4 nm of creep at half of the
+/// last.
 fn cycles(forces: &[f64]) -> String {
     let mut rows: Vec<[f64; 2]> = Vec::new();
     let mut last: f64 = 0.0;
@@ -102,15 +103,11 @@ fn every_cycle_has_the_modulus_of_the_body_and_creep_under_a_first_load_is_no_dr
         let (fit, found) = drafted(&cycles(forces), &ratio);
         let all = found["indentation"].as_array().unwrap();
         assert_eq!(all.len(), forces.len(), "{fit}\n{found}");
-        for (one, force) in all.iter().zip(forces) {
+        for (cycle, (one, force)) in all.iter().zip(forces).enumerate() {
             let number = |key: &str| one[key]["value"].as_f64().unwrap();
             assert!((number("max_force") / force - 1.0).abs() < 2e-3, "{one}");
             // The creep is an eighth of the depth of the first contacts, and none of these.
-            let creep = if force == forces.last().unwrap() {
-                4e-9
-            } else {
-                0.0
-            };
+            let creep = if cycle + 1 == forces.len() { 4e-9 } else { 0.0 };
             let deeper = 1.0 + creep / depths(*force)[0];
             for (key, truth, power) in [
                 ("indentation_modulus", MODULUS, 1.0),
@@ -119,7 +116,7 @@ fn every_cycle_has_the_modulus_of_the_body_and_creep_under_a_first_load_is_no_dr
                 let wanted = truth / deeper.powf(power);
                 assert!((number(key) / wanted - 1.0).abs() < 0.02, "{key}: {one}");
             }
-            assert_eq!(number("drift_rate"), 0.0);
+            assert!(number("drift_rate").abs() < 1e-30, "{one}");
         }
     }
 }

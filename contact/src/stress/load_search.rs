@@ -3,9 +3,9 @@
 //! A stress grows roughly as a power of the load, so the secant between two solved loads in logarithms finds a strength
 //! in a few steps. Each step solves a contact on its own grids. The whole body is searched under loads far from those
 //! searched before: under a coating the peak jumps from one place to another. From a load nearby the peak is followed.
-//! The body is searched again, and the error found, where the strength is met; if the peak is then another one, all that
-//! was followed is searched, and the search begins anew. With residual stress, of which the largest may lie far from the
-//! contact, every load is searched, and the power is that of what the load adds.
+//! The body is searched again, and the error found, where the strength is met; if the peak is then another one, all
+//! that was followed is searched, and the search begins anew. With residual stress, of which the largest may lie far
+//! from the contact, every load is searched, and the power is that of what the load adds.
 
 use pellicle_influence::RoughDepths;
 
@@ -57,8 +57,8 @@ pub struct Solved {
 
 /// The result of a search.
 pub enum LoadSearchResult {
-    /// The strength is met, or the stress jumps beyond it, in which case it is not resolved; it grows as the force to the
-    /// power `exponent`.
+    /// The strength is met, or the stress jumps beyond it, in which case it is not resolved; it grows as the force to
+    /// the power `exponent`.
     Met { solved: Solved, exponent: f64 },
     /// The strength is met under no load, or under all loads; holds the load that comes nearest.
     Missed(Option<Solved>),

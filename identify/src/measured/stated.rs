@@ -1,5 +1,5 @@
-//! Numbers that a text states above its table: the spring constant of the cantilever, its sensitivity, the radius of the
-//! tip, the compliance of the frame.
+//! Numbers that a text states above its table: the spring constant of the cantilever, its sensitivity, the radius of
+//! the tip, the compliance of the frame.
 //!
 //! A line states a number by a name, a value and a unit, `k (N/m)<tab>0.019`, `Tip radius: 27.5 um`. The text exports
 //! of JPK and of afmformats give spring constants without a unit, in N/m. Nominal numbers are not those of the tip.
@@ -91,9 +91,10 @@ impl StatedQuantity {
         match self {
             Self::SpringConstant => Dimension::Stiffness,
             Self::FrameCompliance => Dimension::FrameCompliance,
-            // Over a volt.
-            Self::Sensitivity => Dimension::Length,
-            Self::TipRadius | Self::PositionX | Self::PositionY => Dimension::Length,
+            // A sensitivity is one over a volt.
+            Self::Sensitivity | Self::TipRadius | Self::PositionX | Self::PositionY => {
+                Dimension::Length
+            }
         }
     }
 

@@ -214,7 +214,7 @@ mod tests {
         let text = "[load]\nforces = { from = 1e-3, to = 2e-3, count = 4 }\n[surface]\noffset = [0, 1e-6]\n\
             [grid]\nelements = 64\n[indenter]\ntip_radius = 0\nhalf_angle = 1.2\nradius = \"5 nm\"\n";
         let found = found(text);
-        assert_eq!(found.len(), 2, "{found:?}");
+        assert_eq!(found.len(), 3, "{found:?}");
         assert!(
             found
                 .iter()
@@ -225,6 +225,9 @@ mod tests {
                 .iter()
                 .any(|words| words.contains("line 4, key `surface.offset`: 1e-6"))
         );
+        assert!(found.iter().any(|words| {
+            words.contains("key `indenter.half_angle`: 1.2 among values with units is 1.2 rad")
+        }));
     }
 
     #[test]

@@ -130,17 +130,9 @@ impl fmt::Display for Warning {
                 "step {step}: the contact comes within {} of the edge of the domain; choose a larger side",
                 counted(elements)
             ),
-            Self::CutOff { step, by } => write!(
-                f,
-                "step {step}: the contact is cut off by {}",
-                match by {
-                    CutOff::Domain => "the edge of the domain: choose a larger side, or none",
-                    CutOff::ReliefMap =>
-                        "the end of the surface's map: the surface beyond it is unknown (a periodic cell, `grid.boundary = \"periodic\"` with `surface.edges = \"taper\"`, has no end)",
-                    CutOff::IndenterMap =>
-                        "the end of the indenter's map: the indenter beyond it is unknown",
-                }
-            ),
+            Self::CutOff { step, by } => {
+                write!(f, "step {step}: the contact is cut off by {}", cut_off(by))
+            }
             Self::DomainMuchLarger {
                 elements,
                 radius,
@@ -227,6 +219,17 @@ impl fmt::Display for Warning {
                 )
             }
         }
+    }
+}
+
+/// What cuts a contact off, and what helps.
+fn cut_off(by: CutOff) -> &'static str {
+    match by {
+        CutOff::Domain => "the edge of the domain: choose a larger side, or none",
+        CutOff::ReliefMap => {
+            "the end of the surface's map: the surface beyond it is unknown (a periodic cell, `grid.boundary = \"periodic\"` with `surface.edges = \"taper\"`, has no end)"
+        }
+        CutOff::IndenterMap => "the end of the indenter's map: the indenter beyond it is unknown",
     }
 }
 
