@@ -22,8 +22,6 @@ pub struct Shortcuts {
     pub edge_band: bool,
     /// The system is factorised approximately where the filter is poor: under stiff coatings, and where steps stall.
     pub sparse_factor: bool,
-    /// Steps on earlier sets correct the inverse on the next.
-    pub secants: bool,
 }
 
 impl Shortcuts {
@@ -41,7 +39,6 @@ impl Shortcuts {
             memory: on,
             edge_band: on,
             sparse_factor: on,
-            secants: on,
         }
     }
 }
