@@ -4,8 +4,8 @@
 //! pellicle-short-of-memory NUMBER BYTES COMMAND…
 //! ```
 //!
-//! Of the allocations of at least so many bytes, that of this number is refused, the first being 0. If the command ends,
-//! the number of these allocations is the last line on standard error.
+//! Of the allocations of at least so many bytes, that of this number is refused, the first being 0. If the command
+//! ends, the number of these allocations is the last line on standard error.
 
 #![expect(
     clippy::print_stderr,
