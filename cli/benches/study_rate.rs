@@ -1,7 +1,8 @@
 //! Processor time of a study relative to bare solves of its cases, which run one after the other in one process on one
 //! thread. Both are measured in pairs; the resolved cases of the bare solves are prepared beforehand.
 //!
-//! `cargo bench -p pellicle-cli --bench study_rate -- 20000 3`: cases and pairs. Linux only.
+//! `cargo bench -p pellicle-cli --bench study_rate -- 20000 3`: cases and pairs; with `2000 3 bodies`, each case has a
+//! layer of its own thickness, and so tables of its own. Linux only.
 
 #![expect(
     clippy::unwrap_used,
@@ -45,27 +46,23 @@ fn main() {
     let folder = tempfile::tempdir().unwrap();
     let base = folder.path().join("base.toml");
     fs::write(&base, BASE).unwrap();
-    let radius = |i: usize| format!("{} um", 400 + i);
-    let force = |i: usize| format!("{} uN", 1000 + 70 * i);
-    let [radii, forces] = [
-        (0..count / LOADS)
-            .map(|i| format!("{:?}", radius(i)))
-            .collect::<Vec<_>>(),
-        (0..LOADS).map(|i| format!("{:?}", force(i))).collect(),
-    ];
-    let study = format!(
-        "[study]\ncase = \"base.toml\"\n[study.vary]\nindenter.radius = [{}]\nload.force = [{}]\n",
-        radii.join(","),
-        forces.join(",")
-    );
-    fs::write(folder.path().join("many.toml"), study).unwrap();
-    let case = |i: usize| {
-        let sets = [
-            format!("indenter.radius={}", radius(i / LOADS)),
-            format!("load.force={}", force(i % LOADS)),
-        ];
-        Case::read(&base, &sets).unwrap()
+    let keys = if std::env::args().any(|argument| argument == "bodies") {
+        let thickness = |i: usize| format!("{} nm", 1000.0 + i as f64 / 100.0);
+        vec![Key::varied(
+            "foundation.layer[0].thickness",
+            count,
+            thickness,
+        )]
+    } else {
+        let radius = |i: usize| format!("{} um", 400 + i);
+        let force = |i: usize| format!("{} uN", 1000 + 70 * i);
+        vec![
+            Key::varied("indenter.radius", count / LOADS, radius),
+            Key::varied("load.force", LOADS, force),
+        ]
     };
+    fs::write(folder.path().join("many.toml"), study(&keys)).unwrap();
+    let case = |i| Case::read(&base, &sets(&keys, i)).unwrap();
     let cases: Vec<_> = (0..count).map(case).collect();
     rayon::ThreadPoolBuilder::new()
         .num_threads(1)
@@ -78,6 +75,38 @@ fn main() {
         let [_, study] = timed(|| run_study(folder.path()));
         println!("{bare:.2} s  {study:.2} s  {:.3}", bare / study);
     }
+}
+
+/// A key of the case and its values in the study.
+struct Key {
+    name: &'static str,
+    values: Vec<String>,
+}
+
+impl Key {
+    fn varied(name: &'static str, count: usize, value: impl Fn(usize) -> String) -> Self {
+        Self {
+            name,
+            values: (0..count).map(value).collect(),
+        }
+    }
+}
+
+/// The text of the study.
+fn study(keys: &[Key]) -> String {
+    let line = |key: &Key| format!("\"{}\" = {:?}\n", key.name, key.values);
+    let lines: String = keys.iter().map(line).collect();
+    format!("[study]\ncase = \"base.toml\"\n[study.vary]\n{lines}")
+}
+
+/// The values of one case; those of the last key change first.
+fn sets(keys: &[Key], mut case: usize) -> Vec<String> {
+    let set = |key: &Key| {
+        let value = &key.values[case % key.values.len()];
+        case /= key.values.len();
+        format!("{}={value}", key.name)
+    };
+    keys.iter().rev().map(set).collect()
 }
 
 fn solve_all(cases: &[Case]) {

@@ -228,7 +228,7 @@ fn assert_same(of: &str, found: &[Step], wanted: &[Step]) {
 }
 
 /// The shortcuts by name, each alone switched off.
-fn switched_off() -> [(&'static str, Shortcuts); 9] {
+fn switched_off() -> [(&'static str, Shortcuts); 8] {
     let without = |off: fn(&mut Shortcuts)| {
         let mut shortcuts = Shortcuts::ALL;
         off(&mut shortcuts);
@@ -242,7 +242,6 @@ fn switched_off() -> [(&'static str, Shortcuts); 9] {
         ("memory", without(|on| on.memory = false)),
         ("edge band", without(|on| on.edge_band = false)),
         ("sparse factor", without(|on| on.sparse_factor = false)),
-        ("secants", without(|on| on.secants = false)),
         ("all", Shortcuts::NONE),
     ]
 }
@@ -285,9 +284,8 @@ fn each_shortcut_that_saves_steps_on_small_grids_is_left_out_when_it_is_off() {
         })
         .collect();
     for (index, (name, _)) in switched_off().iter().enumerate() {
-        // Windows and the memory of fields save time, not products; secants save products only where few elements of a
-        // set change, on grids of some hundred elements per side and more.
-        let saves_products = !["windows", "memory", "secants"].contains(name);
+        // Windows and the memory of fields save time, not products.
+        let saves_products = !["windows", "memory"].contains(name);
         let differs = works.iter().any(|differs| differs[index]);
         assert!(differs || !saves_products, "{name}");
     }

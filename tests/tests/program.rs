@@ -4,6 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 mod library;
+mod refused_allocations;
 mod validate;
 
 use std::fs;

@@ -8,7 +8,6 @@
 
 mod fields;
 pub mod hardness;
-pub mod near_columns;
 mod part;
 
 use std::sync::Arc;

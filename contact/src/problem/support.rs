@@ -72,24 +72,6 @@ pub trait Support: ElasticOperator {
         displacement[middle]
     }
 
-    /// Hands over all elements up to `reach` rows and columns from an element or one of its images, mirrored or in the
-    /// nearest cells. One that is near several of these comes as often.
-    fn neighbours(&self, element: usize, reach: usize, take: &mut dyn FnMut(Run)) {
-        let size = self.region().size();
-        for near in self.region().lines_near(self.place(element), reach) {
-            take(Run {
-                first: near.row * size + near.columns.start,
-                count: near.columns.len(),
-                offset: near.offset,
-            });
-        }
-    }
-
-    /// The distance up to which neighbours cost as much as those up to `reach` where all elements are there.
-    fn equally_dear_reach(&self, reach: usize) -> usize {
-        reach
-    }
-
     /// Elements of the whole surface for which one stands, itself included.
     fn weight(&self) -> usize {
         self.region().weight()
@@ -119,16 +101,6 @@ pub trait Support: ElasticOperator {
     fn symbol(&self) -> Option<PeriodicSymbol> {
         None
     }
-}
-
-/// Elements in succession in one row.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Run {
-    /// The first of them.
-    pub first: usize,
-    pub count: usize,
-    /// Rows and columns from the element, or its image, to the first of them.
-    pub offset: [isize; 2],
 }
 
 #[cfg(test)]

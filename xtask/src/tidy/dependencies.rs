@@ -6,7 +6,7 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use the packages that these may use.
-const ALLOWED: [(&str, &[&str]); 13] = [
+const ALLOWED: [(&str, &[&str]); 14] = [
     ("pellicle-kernel", &[]),
     ("pellicle-influence", &["pellicle-files", "pellicle-kernel"]),
     ("pellicle-texture", &[]),
@@ -29,6 +29,7 @@ const ALLOWED: [(&str, &[&str]); 13] = [
     ),
     ("pellicle-plot", &["pellicle"]),
     ("pellicle-files", &[]),
+    ("pellicle-allocator", &[]),
     (
         "pellicle-explore",
         &[

@@ -1,17 +1,6 @@
 //! The places around a region's elements: mirror images, periodic images, and the border where the contact may go on.
 
-use std::ops::Range;
-
 use super::{Boundary, Place, Region};
-
-/// Neighbouring elements in one row of a region.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NearLine {
-    pub row: usize,
-    pub columns: Range<usize>,
-    /// Rows and columns to the first of them.
-    pub offset: [isize; 2],
-}
 
 impl Region {
     /// Indices on the whole grid of the element at a place in the region.
@@ -60,56 +49,6 @@ impl Region {
             Boundary::Free => -1,
             Boundary::Periodic => 0,
         }
-    }
-
-    /// The elements up to `reach` rows and columns from a place within the region, from its mirror images and from
-    /// their images in the nearest cells, row by row.
-    pub fn lines_near(&self, place: [usize; 2], reach: usize) -> Vec<NearLine> {
-        let [along_x, along_y] = self.images(place);
-        let mut lines = Vec::new();
-        for x in along_x {
-            for row in self.lines_around(0, x, reach) {
-                for y in &along_y {
-                    let columns = self.lines_around(1, *y, reach);
-                    if !columns.is_empty() {
-                        let offset = [row.cast_signed() - x, columns.start.cast_signed() - y];
-                        lines.push(NearLine {
-                            row,
-                            columns,
-                            offset,
-                        });
-                    }
-                }
-            }
-        }
-        lines
-    }
-
-    /// The rows (axis 0) or columns (axis 1) of the region within reach of a line.
-    fn lines_around(&self, axis: usize, line: isize, reach: usize) -> Range<usize> {
-        let reach = reach.cast_signed();
-        let on_grid = |line: isize| usize::try_from(line).unwrap_or(0);
-        let end = on_grid(line + reach + 1).min(self.lengths()[axis]);
-        on_grid(line - reach).min(end)..end
-    }
-
-    /// The rows and columns of a place and of its images.
-    fn images(&self, place: [usize; 2]) -> [Vec<isize>; 2] {
-        let shape = self.shape();
-        let periods: &[isize] = match self.boundary {
-            Boundary::Free => &[0],
-            Boundary::Periodic => &[-1, 0, 1],
-        };
-        [0, 1].map(|axis: usize| {
-            let own = place[axis].cast_signed();
-            let mirrored = shape.mirrored()[axis].then_some(-1 - own);
-            let cell = shape.whole_lengths()[axis].cast_signed();
-            let copies = |own: isize| periods.iter().map(move |period| own + period * cell);
-            std::iter::once(own)
-                .chain(mirrored)
-                .flat_map(copies)
-                .collect()
-        })
     }
 
     /// The first, by index, of the elements of the whole grid represented by the element in a row and column.

@@ -4,11 +4,8 @@ use std::sync::Arc;
 
 use pellicle_influence::{ElasticOperator, ScatteredOperator, SurfaceElasticity};
 
-use super::{Run, Support, divisible::Divisible};
+use super::{Support, divisible::Divisible};
 use crate::grid::{candidates::Candidates, region::Region};
-
-/// Most places of a square are empty, and each is looked up, so neighbours this many times nearer cost the same.
-pub const SHORTER_REACH: usize = 8;
 
 /// The body, its elements and their operator.
 pub struct Scattered {
@@ -60,33 +57,6 @@ impl Support for Scattered {
 
     fn place(&self, element: usize) -> [usize; 2] {
         self.candidates.place(element)
-    }
-
-    fn neighbours(&self, element: usize, reach: usize, take: &mut dyn FnMut(Run)) {
-        for near in self.region.lines_near(self.place(element), reach) {
-            // Candidates in neighbouring columns have successive indices.
-            let (row, columns) = (near.row, near.columns);
-            let mut column = columns.start;
-            while column < columns.end {
-                let [x, y] = near.offset;
-                let offset = [x, y + (column - columns.start).cast_signed()];
-                let at = |column: usize| self.candidates.at([row, column]);
-                if let Some(first) = at(column) {
-                    let count = (column..columns.end).map_while(at).count();
-                    take(Run {
-                        first,
-                        count,
-                        offset,
-                    });
-                    column += count;
-                }
-                column += 1;
-            }
-        }
-    }
-
-    fn equally_dear_reach(&self, reach: usize) -> usize {
-        reach / SHORTER_REACH
     }
 
     /// None: elements that overlap are found by the certificate, wherever they are.

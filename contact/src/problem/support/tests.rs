@@ -70,35 +70,6 @@ fn coefficients_are_the_entries_of_the_product() {
 }
 
 #[test]
-fn neighbours_are_all_elements_within_reach_and_their_offsets_lead_to_them() {
-    for support in on_grids().into_iter().chain([scattered()]) {
-        let elements = (support.candidates()).map_or(support.region().elements(), |c| c.len());
-        let element = elements / 2;
-        let place = support.place(element).map(usize::cast_signed);
-        let (mut own, mut found) = (0, vec![false; elements]);
-        support.neighbours(element, 5, &mut |run| {
-            for k in 0..run.count {
-                let there = support.place(run.first + k).map(usize::cast_signed);
-                let [x, y] = run.offset;
-                let from = [there[0] - x, there[1] - y - k.cast_signed()];
-                // From the element itself, or from its image beyond an axis.
-                let is_image = |axis: usize| [place[axis], -1 - place[axis]].contains(&from[axis]);
-                assert!(is_image(0) && is_image(1), "{from:?} of {place:?}");
-                own += usize::from(from == place);
-                found[run.first + k] = true;
-            }
-        });
-        let is_near = |other: &usize| {
-            let there = support.place(*other).map(usize::cast_signed);
-            (0..2).all(|axis: usize| there[axis].abs_diff(place[axis]) <= 5)
-        };
-        let near: Vec<usize> = (0..elements).filter(is_near).collect();
-        assert_eq!(own, near.len());
-        assert!(near.into_iter().all(|other| found[other]));
-    }
-}
-
-#[test]
 fn weights_count_the_whole_surface_and_only_a_part_has_a_border() {
     let cell = under(elasticity(16), Region::domain(16, Boundary::Periodic));
     for support in on_grids() {
@@ -135,13 +106,10 @@ fn gathered_values_are_those_of_the_elements_on_the_grid() {
 }
 
 #[test]
-fn a_cell_has_no_part_and_its_neighbours_continue_beyond_its_rim() {
+fn a_cell_has_no_part_and_an_unknown_operator_no_coefficient() {
     let cell = under(elasticity(16), Region::domain(16, Boundary::Periodic));
     let part = Region::whole(16).around(|[i, j]| i == 5 && j == 6);
     assert!(cell.part(&part).is_none() && cell.part(cell.region()).is_some());
-    let mut count = 0;
-    cell.neighbours(0, 1, &mut |run| count += run.count);
-    assert_eq!(count, 9);
     let operator = Box::new(elasticity(16).operator(16));
     let unknown = given(operator, Region::whole(16));
     assert!(unknown.coefficient([0, 0]).is_nan() && !unknown.takes_candidates());

@@ -17,14 +17,12 @@
 mod edge_band;
 mod inverse;
 mod restricted_filter;
-mod secants;
 mod sparse_factor;
 
 use pellicle_influence::PeriodicSymbol;
 
 use crate::solver::gradient::preconditioner::inverse::Inverse;
 use crate::solver::gradient::preconditioner::restricted_filter::RestrictedFilter;
-use crate::solver::gradient::preconditioner::secants::Secants;
 use crate::solver::gradient::preconditioner::sparse_factor::{
     SparseFactor, scattered::ScatteredFactor,
 };
@@ -32,7 +30,6 @@ use crate::solver::gradient::state::State;
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::{
     DiscreteProblem, Shortcuts,
-    problem::discrete_problem::near_columns::NearColumns,
     vector::{stretches::SparseField, sum},
 };
 
@@ -94,8 +91,6 @@ pub struct Preconditioner {
     neighbours: usize,
     /// Whether the coating is so stiff that Newton's method comes first.
     is_for_newton: bool,
-    /// Secant pairs of Newton's method on earlier sets.
-    secants: Secants,
     shortcuts: Shortcuts,
 }
 
@@ -159,7 +154,6 @@ impl Preconditioner {
             adapted_to: None,
             neighbours,
             is_for_newton: is_stiff || contrast > STIFF_FOR_NEWTON && has_springs,
-            secants: Secants::default(),
             shortcuts,
         }
     }
@@ -215,17 +209,9 @@ impl Preconditioner {
         self.restart();
     }
 
-    /// Discards everything that depends on earlier sets.
+    /// Discards what depends on earlier sets.
     pub fn restart(&mut self) {
         self.adapted_to = None;
-        self.secants.clear();
-    }
-
-    /// Records a step on the set and its image under the system, for use once the set changes.
-    pub fn note(&mut self, set: &WorkingSet, step: &[f64], image: &[f64]) {
-        if self.shortcuts.secants {
-            self.secants.push(set, step, image);
-        }
     }
 
     /// Adapts to a new linearisation of the springs.
@@ -254,7 +240,6 @@ impl Preconditioner {
             Inverse::Factor(factor) => factor.update(problem.support(), set),
             Inverse::Scattered(factor) => factor.update(set),
         }
-        (self.secants).follow(set, |reach| NearColumns::new(problem, reach));
         if self.adapted_to.is_none() {
             self.uniform.values.each(|w| *w = 0.0);
             self.uniform.exact_on = None;
@@ -281,7 +266,7 @@ impl Preconditioner {
             let uniform = &mut self.uniform;
             let values = uniform.values.on(on);
             on.each(values, |w| *w = 1.0);
-            (self.inverse).apply_corrected(&self.secants, set, self.unit, values);
+            self.inverse.apply(set, self.unit, values);
             let total = uniform.values.sum();
             (uniform.total, uniform.exact_total) = (total, total);
             uniform.exact_on = Some(set.revision());
@@ -291,7 +276,7 @@ impl Preconditioner {
     /// `r ← M⁻¹_I r`, in place and in the units of the problem's scale; values of `r` outside the set are ignored.
     pub fn apply(&mut self, set: &WorkingSet, residual: &mut [f64]) {
         set.clear_outside(residual);
-        (self.inverse).apply_corrected(&self.secants, set, self.unit, residual);
+        self.inverse.apply(set, self.unit, residual);
     }
 
     /// Writes into `z` the preconditioned residual `M⁻¹_I (λ − v)`, with `λ` such that `z` preserves the total: the
@@ -308,7 +293,7 @@ impl Preconditioner {
         let on = set.stretches();
         let z = z.on(on);
         on.update(z, &state.v, |z, v| *z = state.penetration - v);
-        (self.inverse).apply_corrected(&self.secants, set, self.unit, z);
+        self.inverse.apply(set, self.unit, z);
         if !state.keeps_total() {
             return state.penetration;
         }

@@ -3,7 +3,6 @@
 use crate::solver::gradient::{
     preconditioner::{
         restricted_filter::RestrictedFilter,
-        secants::Secants,
         sparse_factor::{SparseFactor, scattered::ScatteredFactor},
     },
     working_set::WorkingSet,
@@ -20,23 +19,15 @@ pub enum Inverse {
 }
 
 impl Inverse {
-    /// `r ← M⁻¹_I r` times `unit`, corrected by secant pairs, for an `r` that is 0 outside the stretches of the set;
-    /// its other values outside the set are ignored.
-    pub fn apply_corrected(
-        &mut self,
-        secants: &Secants,
-        set: &WorkingSet,
-        unit: f64,
-        residual: &mut [f64],
-    ) {
-        secants.apply(set, residual, |residual| {
-            set.scale_within(residual, unit);
-            match self {
-                Self::Identity => (),
-                Self::Filter(filter) => filter.apply(set, residual),
-                Self::Factor(factor) => factor.apply(residual),
-                Self::Scattered(factor) => factor.apply(residual),
-            }
-        });
+    /// `r ← M⁻¹_I r` times `unit`, for an `r` that is 0 outside the stretches of the set; its other values outside the
+    /// set are ignored.
+    pub fn apply(&mut self, set: &WorkingSet, unit: f64, residual: &mut [f64]) {
+        set.scale_within(residual, unit);
+        match self {
+            Self::Identity => (),
+            Self::Filter(filter) => filter.apply(set, residual),
+            Self::Factor(factor) => factor.apply(residual),
+            Self::Scattered(factor) => factor.apply(residual),
+        }
     }
 }

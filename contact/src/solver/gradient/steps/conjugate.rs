@@ -58,7 +58,7 @@ impl ConjugateSteps {
         }
         let state = &*context.state;
         let pulls = |p: f64, d: f64| p + alpha * d < 0.0;
-        if !(state.stretches()).any(&state.pressure, self.direction(), pulls) {
+        if !(state.stretches()).any(&state.pressure, self.directions.last(), pulls) {
             self.advance(context, alpha);
             return StepOutcome::Free;
         }
@@ -75,11 +75,6 @@ impl ConjugateSteps {
             self.advance(context, alpha);
         }
         alpha.is_finite()
-    }
-
-    /// The last direction.
-    pub fn direction(&self) -> &[f64] {
-        self.directions.last()
     }
 
     /// The preconditioned residual `z` of the last direction: the preconditioner's estimate of the missing pressure.

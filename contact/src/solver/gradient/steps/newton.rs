@@ -73,8 +73,6 @@ impl Newton {
         }
         self.steps += 1;
         let moved = self.conjugate.step_freely(context);
-        let (step, image) = (self.conjugate.direction(), &context.segment.image);
-        context.preconditioner.note(context.set, step, image);
         if moved && self.steps <= MOST_STEPS {
             StepOutcome::Free
         } else {
