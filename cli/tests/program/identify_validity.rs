@@ -197,7 +197,7 @@ noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
 }
 
 #[test]
-fn a_berkovich_curve_is_fitted_with_one_warning_of_its_slope() {
+fn a_berkovich_curve_is_fitted_with_one_warning_of_its_slope_and_one_of_its_pressure() {
     let case = r#"
 [model]
 foundation = { substrate = { young_modulus = "160 GPa", poisson_ratio = 0.22 }, layer = [{ thickness = "0.7 um", young_modulus = "210 GPa", poisson_ratio = 0.25 }] }
@@ -217,7 +217,7 @@ noise = { depth = "0.3 nm", relative = 0.004, correlation = "none" }
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert_eq!(found["verdict"], "fitted");
     assert_eq!(found["fit"]["excluded"], serde_json::json!([]));
-    assert_eq!(codes(&found), ["steep-indenter"]);
+    assert_eq!(codes(&found), ["steep-indenter", "sharp-tip"]);
     let unknown = &found["unknowns"][0];
     let modulus = unknown["value"].as_f64().unwrap();
     // Simulated with 210 GPa; 0.3 nm of noise at 100 points leave some 0.4 %.
