@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import contextlib
 import itertools
 import json
 import os
@@ -14,6 +15,10 @@ from typing import Any
 
 PATIENCE = 60.0
 """Seconds for which something is waited for on a busy machine."""
+
+
+class Navigated(Exception):
+    """The page of a call has given way to the next."""
 
 
 class Browser:
@@ -59,6 +64,8 @@ class Browser:
         while True:
             answer = self.next_message()
             if answer.get("id") == number:
+                if "navigated" in answer.get("error", {}).get("message", ""):
+                    raise Navigated(method)
                 assert "error" not in answer, f"{method}: {answer['error']}"
                 return answer["result"]
             self.note(answer)
@@ -90,10 +97,13 @@ class Browser:
     def wait(self, script: str) -> Any:
         """The value of an expression once it is true."""
         until = time.monotonic() + PATIENCE
-        while not (found := self.value(script)):
+        while True:
+            # While a page gives way to the next there is no value.
+            with contextlib.suppress(Navigated):
+                if found := self.value(script):
+                    return found
             assert time.monotonic() < until, f"never true: {script}"
             time.sleep(0.002)
-        return found
 
     def mouse(self, kind: str, x: float, y: float) -> None:
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
