@@ -5,7 +5,7 @@
 //!
 //! | limit | number | divided by | counts if |
 //! |---|---|---|---|
-//! | [`LayerThickness`](ModelLimit::LayerThickness) | shortening of a layer below the deepest or most pressed point | its thickness | there are layers |
+//! | [`LayerThickness`](ModelLimit::LayerThickness) | shortening of a layer below the deepest or most pressed point, or of all together at least | its thickness, or theirs | there are layers |
 //! | [`RigidBase`](ModelLimit::RigidBase) | displacement of the surface, on a bare body that of a rigid indenter | depth of the base | the base is rigid |
 //! | [`IndenterRadius`](ModelLimit::IndenterRadius) | penetration | radius of a sphere, paraboloid or punch | the indenter's own part of it is large, see below |
 //! | [`Modulus`](ModelLimit::Modulus) | mean pressure that reaches a layer or the base | its Young's modulus | it is thicker than the pressure is wide |
@@ -77,7 +77,12 @@ impl<'a> ModelLimits<'a> {
         let modulus = largest(pressed.iter().filter_map(|body| body.modulus(step)));
         let carried = modulus.map_or(0.0, |found| found.ratio);
         [
-            largest(pressed.iter().filter_map(PressedBody::thickness)),
+            largest(
+                pressed
+                    .iter()
+                    .flat_map(|body| [body.thickness(), self.together(step, body.of)])
+                    .flatten(),
+            ),
             largest(
                 pressed
                     .iter()
@@ -107,6 +112,32 @@ impl<'a> ModelLimits<'a> {
         Some(LimitRatio {
             limit: ModelLimit::RigidBase { of: pressed.of },
             ratio: displacement / pressed.bodies.of(pressed.of).thickness(),
+        })
+    }
+
+    /// At least how much the layers of a body are shortened together over their thickness, if the displacement of its
+    /// surface is known: by what the base, pressed without them, does not give. One of them is shortened by as much, as
+    /// the one that gives most. Below a layer that does not change its volume this is all that is known for sure.
+    fn together(&self, step: &Step, of: ElasticBody) -> Option<LimitRatio> {
+        let body = self.model.tables.bodies().of(of);
+        if !self.has_known_surface(of) {
+            return None;
+        }
+        let pressure = &step.solution.pressure;
+        let place = nearest_in_contact(self.grid, pressure)?;
+        let height = self.model.indenter.height(place[0], place[1]);
+        let base = body.base_material().map_or(0.0, |base| {
+            displacement(self.grid, pressure, place) / base.plane_strain_modulus()
+        });
+        let gives = |layer: &usize| {
+            let layer = &body.layers()[*layer];
+            layer.thickness() / layer.material().young_modulus()
+        };
+        let layers = 0..body.layers().len();
+        let layer = layers.max_by(|one, other| gives(one).total_cmp(&gives(other)))?;
+        Some(LimitRatio {
+            limit: ModelLimit::LayerThickness { of, layer },
+            ratio: (step.solution.penetration - height - base) / body.thickness(),
         })
     }
 
@@ -271,6 +302,23 @@ fn nearest_in_contact(grid: Grid, pressure: &[f64]) -> Option<[f64; 2]> {
     let places = in_contact.map(|element| grid.point([element / row, element % row]));
     let distance = |place: &[f64; 2]| place[0].hypot(place[1]);
     places.min_by(|one, other| distance(one).total_cmp(&distance(other)))
+}
+
+/// The displacement of a half-space of modulus `E* = 1` at the centre of an element under pressures on a grid, m Pa, by
+/// point forces beside the element's own square: `u = Σ p A/(π r)`, and `4 ln(1 + √2) p h/π` of a square of side h
+/// (A. E. H. Love, Phil. Trans. A 228, 377 (1929)).
+fn displacement(grid: Grid, pressure: &[f64], [x, y]: [f64; 2]) -> f64 {
+    let (row, side) = (grid.row(), grid.element_side());
+    let of_element = |(element, p): (usize, &f64)| {
+        let [u, v] = grid.point([element / row, element % row]);
+        let distance = (u - x).hypot(v - y);
+        if distance < 0.5 * side {
+            4.0 * (1.0 + 2.0_f64.sqrt()).ln() * p * side / PI
+        } else {
+            p * side * side / (PI * distance)
+        }
+    };
+    pressure.iter().enumerate().map(of_element).sum()
 }
 
 /// The layers below a place under pressures on a grid. In a periodic cell they are split into their mean, and what

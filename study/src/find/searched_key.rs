@@ -5,6 +5,7 @@ use std::sync::Arc;
 use pellicle::case::{BaseCase, Case};
 use pellicle::declare::Shape;
 use pellicle::declare::keys;
+use pellicle::declare::shape::TableShape;
 use pellicle::display::{DisplayUnit, significant};
 use pellicle::input::diagnosis::{Diagnosis, Fault, closest};
 use pellicle::input::dimension::Dimension;
@@ -41,6 +42,16 @@ pub struct SearchedKey {
     named: String,
 }
 
+/// The question whether a key is meant, by its path where a table of a case has it.
+fn meant(shape: &TableShape, key: &str) -> String {
+    let has = |table: &&str| !keys::at(shape, &[(*table).to_owned(), key.to_owned()]).is_empty();
+    let mut tables = shape.fields.iter().map(|field| field.key).filter(has);
+    match tables.next() {
+        Some(table) => format!("did you mean `{table}.{key}`?"),
+        None => format!("did you mean `{key}`?"),
+    }
+}
+
 impl SearchedKey {
     /// Reads the path of a key of this case.
     ///
@@ -65,7 +76,7 @@ impl SearchedKey {
                 WANTED,
             );
             return Err(match closest(last, &known) {
-                Some(known) => diagnosis.with_help(format!("did you mean `{known}`?")),
+                Some(known) => diagnosis.with_help(meant(&shape, known)),
                 None => diagnosis,
             });
         }

@@ -43,7 +43,7 @@ fn of_layer(step: &Step) -> f64 {
 }
 
 /// The shortenings of the layers over their thicknesses below the axis, by the exact fields.
-fn exact(path: &LoadingPath, step: usize) -> Vec<f64> {
+fn shortenings(path: &LoadingPath, step: usize) -> Vec<f64> {
     let field = StressField::new(path, step, Sliding::default()).unwrap();
     let foundation = path.tables.foundation();
     let sinking = |z: f64, side: Side| {
@@ -89,7 +89,7 @@ fn shortenings_are_those_of_the_exact_field_to_some_percent() {
     ] {
         let ball = Paraboloid::new(radius).unwrap();
         let path = solved(&body, ball, &[Load::Penetration(depth)]);
-        let exact = exact(&path, 0).into_iter().fold(0.0, f64::max);
+        let exact = shortenings(&path, 0).into_iter().fold(0.0, f64::max);
         let found = of_layer(&path.steps[0]);
         assert!(
             (found / exact - 1.0).abs() < 0.05,
@@ -267,4 +267,45 @@ fn in_a_periodic_cell_the_mean_pressure_shortens_a_layer_as_if_confined() {
     }
     let statuses: Vec<_> = path.steps.iter().map(Step::status).collect();
     assert_eq!(statuses, [Status::Certified, Status::BeyondModel]);
+}
+
+#[test]
+fn a_layer_that_keeps_its_volume_is_not_pressed_through_unseen() {
+    // Rubbers on steel: the base gives less than pressed without them, the rubber the rest.
+    let steel = Base::HalfSpace(material(210e9, 0.3));
+    let ball = Sphere::new(1e-3).unwrap();
+    let rubber = body(&[[1e-5, 1e6, 0.5]], steel);
+    let path = solved(&rubber, ball, &[Load::Penetration(5e-6)]);
+    let (found, exact) = (of_layer(&path.steps[0]), shortenings(&path, 0)[0]);
+    assert!((found / exact - 1.0).abs() < 0.05, "{found} {exact}");
+    // The axis of this one, thinner than an element, was taken to be shortened by a tenth.
+    let path = solved(
+        &body(&[[1e-6, 1e6, 0.5]], steel),
+        ball,
+        &[Load::Force(10.0)],
+    );
+    assert!(of_layer(&path.steps[0]) > 1.0);
+    assert_eq!(path.steps[0].status(), Status::BeyondModel);
+    // Under a punch of 90 % of the thickness on a rigid base.
+    let gel = body(&[[1e-5, 1e6, 0.5]], Base::Rigid);
+    let punch = FlatPunch::new(1e-3).unwrap();
+    let path = solved(&gel, punch, &[Load::Penetration(9e-6)]);
+    assert!((of_layer(&path.steps[0]) - 0.9).abs() < 1e-9);
+    // The layers of a body of one material, and a coating stiffer than its base, give no more than they do.
+    for (young, nu) in [(1.0, 0.3), (100.0, 0.3)] {
+        let coated = body(&[[0.1, young, nu]], Base::HalfSpace(material(1.0, 0.3)));
+        let path = solved(
+            &coated,
+            Paraboloid::new(1.0).unwrap(),
+            &[Load::Penetration(0.05)],
+        );
+        let found = ratio(&path.steps[0], |limit| {
+            matches!(limit, ModelLimit::LayerThickness { .. })
+        });
+        let exact = shortenings(&path, 0)[0];
+        assert!(
+            found.is_none_or(|found| found < exact + 0.02),
+            "{found:?} {exact}"
+        );
+    }
 }
