@@ -26,53 +26,13 @@ use crate::fit_and_plan;
 use crate::identification::files;
 use crate::results_folder::ResultsFolder;
 
-const CASE: &str = r#"
-[foundation]
-substrate = { young_modulus = "7 GPa", poisson_ratio = 0.4 }
-
-[surface]
-kind = "cylinders"
-radius = "20 nm"
-height = "2 nm"
-period = "50 nm"
-
-[indenter]
-kind = "paraboloid"
-radius = "4 um"
-
-[load]
-force = "1 uN"
-
-[grid]
-side = "400 nm"
-elements = 16
-"#;
+const CASE: &str = include_str!("../../../tests/data/refusals/case.toml");
 
 /// Three cases, finished in an order of their own.
-const STUDY: &str = r#"
-[study]
-case = "case.toml"
-keep = ["pressure"]
-
-[study.vary]
-load.force = ["1 uN", "2 uN", "3 uN"]
-"#;
+const STUDY: &str = include_str!("../../../tests/data/refusals/many.toml");
 
 /// A ball of 10 µm on E/(1 − ν²) = 50 GPa, `F = 4/3 E* √R D^1.5` rounded to 0.1 µN.
-const FIT: &str = r#"
-[model]
-foundation = { substrate = { young_modulus = "70 GPa", poisson_ratio = 0.2 } }
-indenter = { kind = "paraboloid", radius = "10 um" }
-
-[[data]]
-file = "ball.csv"
-columns = { depth = "depth", force = "force" }
-units = { depth = "nm", force = "mN" }
-noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
-
-[unknown]
-"foundation.substrate.young_modulus" = { from = "1 GPa", to = "1 TPa" }
-"#;
+const FIT: &str = include_str!("../../../tests/data/refusals/fit.toml");
 
 /// A command and what it finds in its folder.
 struct Scenario {

@@ -4,16 +4,13 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use super::IndentationError;
-use crate::measured::cycles::{NORMAL_OVER_MEDIAN, median, medians, scatter};
+use crate::measured::cycles::{NORMAL_OVER_MEDIAN, hold_width, median, medians, scatter};
 
 /// Points within this part of the largest force belong to its neighbourhood, in which a hold is sought.
 const NEAR_LARGEST: f64 = 0.005;
 /// A hold has so many times the points that the unloading would have there, and this many more.
 const HOLD_FACTOR: f64 = 3.0;
 const HOLD_POINTS: f64 = 5.0;
-/// The force of a hold stays within this part of the largest force, or within so many standard deviations.
-const HOLD_WIDTH: f64 = 5e-4;
-const HOLD_DEVIATIONS: f64 = 4.0;
 /// The force of a hold for the drift stays within this part of the largest force, or within so many standard
 /// deviations.
 const DRIFT_WIDTH: f64 = 0.02;
@@ -119,7 +116,7 @@ fn hold(force: &[f64], near: Range<usize>, largest: f64) -> (Range<usize>, bool)
         return (peak..peak + 1, false);
     }
     let level = median(&force[near.clone()]);
-    let width = (HOLD_WIDTH * largest).max(HOLD_DEVIATIONS * scatter(force));
+    let width = hold_width(force, largest);
     let mut held = near.clone().filter(|at| force[*at] >= level - width);
     let first = held.next().unwrap_or(peak);
     let last = held.next_back().unwrap_or(first);

@@ -6,17 +6,16 @@ pub(crate) const NORMAL_OVER_MEDIAN: f64 = 1.4826;
 /// deviations.
 const CHANGE_PART: f64 = 0.05;
 const CHANGE_DEVIATIONS: f64 = 8.0;
-/// A hold at the largest force stays within this part of it, or within so many standard deviations,
+/// A force is as large as another within so many standard deviations.
+const SAME_DEVIATIONS: f64 = 4.0;
+/// A hold at the largest force stays within this part of it, if that is more. At the end of a loading
 const HOLD_WIDTH: f64 = 5e-4;
-const HOLD_DEVIATIONS: f64 = 4.0;
-/// has so many points,
+/// it has so many points,
 const FEWEST_HELD: usize = 10;
 /// and over as many before it the force has risen by so many times that width.
 const HOLD_RATIO: f64 = 3.0;
 /// Its level is the median of so many points before the largest force.
 const LEVEL_POINTS: usize = 8;
-/// A force is as large as an earlier one within so many standard deviations.
-const SAME_DEVIATIONS: f64 = 4.0;
 
 /// The places of the largest force of each cycle, in their order.
 pub(crate) fn peaks(force: &[f64]) -> Vec<usize> {
@@ -47,7 +46,7 @@ pub(crate) fn end_of_loading(force: &[f64]) -> usize {
     let Some(last) = force.len().checked_sub(1) else {
         return 0;
     };
-    let width = (HOLD_WIDTH * force[last]).max(HOLD_DEVIATIONS * scatter(force));
+    let width = hold_width(force, force[last]);
     let smooth = medians(force);
     let level = median(&force[last.saturating_sub(LEVEL_POINTS)..]);
     let first = smooth.iter().position(|value| *value >= level - width);
@@ -56,6 +55,11 @@ pub(crate) fn end_of_loading(force: &[f64]) -> usize {
     let before = first.checked_sub(held).map_or(0.0, |at| smooth[at]);
     let is_held = held >= FEWEST_HELD && smooth[first] - before > HOLD_RATIO * width;
     if is_held { first } else { last }
+}
+
+/// The width of the forces of a hold at the largest of these, N.
+pub(crate) fn hold_width(force: &[f64], largest: f64) -> f64 {
+    (HOLD_WIDTH * largest).max(SAME_DEVIATIONS * scatter(force))
 }
 
 /// Whether each force is the largest so far, but for its noise: the body has not yet been unloaded from it.

@@ -16,52 +16,12 @@ use tempfile::TempDir;
 
 use super::Ran;
 
-const CASE: &str = r#"
-[foundation]
-substrate = { young_modulus = "7 GPa", poisson_ratio = 0.4 }
+const CASE: &str = include_str!("../../data/refusals/case.toml");
 
-[surface]
-kind = "cylinders"
-radius = "20 nm"
-height = "2 nm"
-period = "50 nm"
-
-[indenter]
-kind = "paraboloid"
-radius = "4 um"
-
-[load]
-force = "1 uN"
-
-[grid]
-side = "400 nm"
-elements = 16
-"#;
-
-const STUDY: &str = r#"
-[study]
-case = "case.toml"
-keep = ["pressure"]
-
-[study.vary]
-load.force = ["1 uN", "2 uN", "3 uN"]
-"#;
+const STUDY: &str = include_str!("../../data/refusals/many.toml");
 
 /// A ball of 10 µm on E/(1 − ν²) = 50 GPa.
-const FIT: &str = r#"
-[model]
-foundation = { substrate = { young_modulus = "70 GPa", poisson_ratio = 0.2 } }
-indenter = { kind = "paraboloid", radius = "10 um" }
-
-[[data]]
-file = "ball.csv"
-columns = { depth = "depth", force = "force" }
-units = { depth = "nm", force = "mN" }
-noise = { relative = 0.01, depth = "0 nm", correlation = "none" }
-
-[unknown]
-"foundation.substrate.young_modulus" = { from = "1 GPa", to = "1 TPa" }
-"#;
+const FIT: &str = include_str!("../../data/refusals/fit.toml");
 
 /// Bytes of a block that counts as large: half of a field of 16 × 16 elements.
 const LARGE: usize = 1024;
