@@ -107,7 +107,15 @@ impl Cache {
     /// As [`Self::at`], with another threshold than [`Self::SMALLEST_STORED`]: to find the best one on other machines.
     #[must_use]
     pub fn storing_from(smallest: usize, folder: impl Into<PathBuf>) -> Self {
-        Self::new(LIMIT, Some(Disk::new(folder.into())), smallest, false)
+        Self::storing_at_most(u64::MAX, smallest, folder)
+    }
+
+    /// As [`Self::storing_from`], and never writes more than so many bytes: for many foundations, each of which leaves
+    /// some 100 kB of radial tables.
+    #[must_use]
+    pub fn storing_at_most(bytes: u64, smallest: usize, folder: impl Into<PathBuf>) -> Self {
+        let disk = Disk::new(folder.into(), bytes);
+        Self::new(LIMIT, Some(disk), smallest, false)
     }
 
     fn new(limit: usize, disk: Option<Disk>, smallest: usize, by_shape: bool) -> Self {

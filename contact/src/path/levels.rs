@@ -8,9 +8,10 @@ use pellicle_texture::Grid;
 
 use crate::{Boundary, Method, Model, SolverOptions};
 
-/// The coarsest grid of a path: a contact has about four elements across the radius. A grid of 48 elements then has
-/// three levels, enough to estimate an error.
+/// The coarsest grid of a path: a contact has about four elements across the radius.
 const COARSEST: usize = 12;
+/// A grid of at least as many elements has two coarser ones, enough to estimate an error.
+pub const FEWEST_FOR_THREE_GRIDS: usize = 4 * COARSEST;
 /// Tolerance of the coarser grids, unless that of the finest grid is looser: far below their own discretisation error,
 /// so that their differences show only the effect of the grid.
 pub const COARSE_TOLERANCE: f64 = 1e-6;

@@ -112,9 +112,9 @@ pub(crate) fn warnings(
     let much_larger = is_free
         .then(|| much_larger(model, grid, loads, steps))
         .flatten();
-    // For a contact that the grid hardly resolves, the peak is meaningless and the edge is the estimated one.
+    // For a contact that the grid hardly resolves, its numbers are meaningless and the edge is the estimated one.
     let is_meaningful = |warning: &Warning| match (&much_larger, warning) {
-        (Some(_), Warning::PeakNotResolved { .. }) => false,
+        (Some(_), Warning::PeakNotResolved { .. } | Warning::NotResolved { .. }) => false,
         (Some(Warning::DomainMuchLarger { radius, .. }), Warning::SteepIndenter { .. }) => {
             model.indenter.mean_slope(*radius) > LARGEST_SLOPE
         }
@@ -132,6 +132,7 @@ pub(crate) fn warnings(
     });
     let mut found: Vec<_> = (edges.chain(much_larger))
         .chain(model_warnings(model, grid))
+        .chain(no_grid_error(grid, steps))
         .chain(of_steps.filter(is_meaningful))
         .collect();
     tell_once(model, &mut found);
@@ -247,6 +248,7 @@ fn step_warnings(model: &Model, grid: &Grid, index: usize, step: &Step) -> Vec<W
         shortening(model, index, step),
         unwearing(index, step),
         peak(model, grid, index, step),
+        unresolved(index, step),
         steepness(index, step),
         limits(index, step),
     ]
@@ -288,6 +290,25 @@ fn peak(model: &Model, grid: &Grid, index: usize, step: &Step) -> Option<Warning
         change: (1.0 - before.max_pressure / last.max_pressure).abs(),
         place: step.summary.peak_place,
         arc: UnresolvedArc::of(&model.relief, grid),
+    })
+}
+
+/// Warns of a path on a single grid.
+fn no_grid_error(grid: &Grid, steps: &[Step]) -> Option<Warning> {
+    let is_single = |step: &Step| step.grid_error.levels.len() == 1;
+    let [x, y] = grid.lengths();
+    let elements = x.max(y);
+    (steps.iter().any(is_single)).then_some(Warning::NoGridError { elements })
+}
+
+/// Warns of numbers that are not resolved, the largest pressure apart.
+fn unresolved(index: usize, step: &Step) -> Option<Warning> {
+    let error = &step.grid_error;
+    // Where elements miss waves of a map, that is the cause, and there is a warning about it.
+    let numbers = error.unresolved().filter(|_| error.resolves_waves())?;
+    Some(Warning::NotResolved {
+        step: index,
+        numbers,
     })
 }
 

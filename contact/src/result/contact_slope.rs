@@ -142,11 +142,17 @@ fn slope_at(field: &ContactField<'_>, point: &EdgePoint) -> f64 {
 fn gradient(indenter: &Indenter, [x, y]: [f64; 2], step: f64) -> [f64; 2] {
     let difference = |low: f64, high: f64| {
         let middle = || indenter.height(x, y);
-        match (low.is_finite(), high.is_finite()) {
+        let difference = match (low.is_finite(), high.is_finite()) {
             (true, true) => (high - low) / (2.0 * step),
             (true, false) => (middle() - low) / step,
             (false, true) => (high - middle()) / step,
             (false, false) => f64::NAN,
+        };
+        // The point itself may lie beyond the end.
+        if difference.is_infinite() {
+            f64::NAN
+        } else {
+            difference
         }
     };
     [

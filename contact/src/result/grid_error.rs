@@ -88,6 +88,33 @@ pub struct GridError {
     pub levels: Vec<LevelValues>,
 }
 
+/// Which numbers of a solution are not resolved, the largest pressure apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UnresolvedNumbers {
+    /// The penetration.
+    pub penetration: bool,
+    /// The force.
+    pub force: bool,
+    /// The contact area.
+    pub contact_area: bool,
+    /// The largest averaged pressure.
+    pub max_averaged_pressure: bool,
+}
+
+impl UnresolvedNumbers {
+    /// Their names.
+    pub fn names(self) -> Vec<&'static str> {
+        let names = [
+            (self.penetration, "the penetration"),
+            (self.force, "the force"),
+            (self.contact_area, "the contact area"),
+            (self.max_averaged_pressure, "the averaged pressure"),
+        ];
+        let is_one = |(is_one, name): (bool, &'static str)| is_one.then_some(name);
+        names.into_iter().filter_map(is_one).collect()
+    }
+}
+
 /// The convergence expected from theory.
 #[derive(Clone, Copy)]
 struct ExpectedConvergence {
@@ -184,6 +211,21 @@ impl GridError {
             elements_per_wave: None,
             levels,
         }
+    }
+
+    /// The numbers that are not resolved, the largest pressure apart; none if all are.
+    #[must_use]
+    pub fn unresolved(&self) -> Option<UnresolvedNumbers> {
+        let is_not = |error: Option<ErrorEstimate>| {
+            error.is_some_and(|error| !error.resolved && error.estimate > 0.0)
+        };
+        let found = UnresolvedNumbers {
+            penetration: is_not(self.penetration),
+            force: is_not(self.force),
+            contact_area: is_not(self.contact_area),
+            max_averaged_pressure: is_not(self.max_averaged_pressure),
+        };
+        (!found.names().is_empty()).then_some(found)
     }
 
     /// Whether the elements are short enough for the waves of a measured map, so that changes between grids show the
@@ -304,8 +346,8 @@ fn estimate(values: &[(usize, f64)], convergence: ExpectedConvergence) -> Option
     Some(ErrorEstimate {
         estimate: half_width,
         order: observed,
-        // Two levels show a change, not how it shrinks.
-        resolved: changes.len() > 1 && (shrinks || is_narrow),
+        // Two levels show a change, not how it shrinks; an interval around zero does not tell a number from none.
+        resolved: changes.len() > 1 && (shrinks || is_narrow) && half_width <= last.abs(),
     })
 }
 

@@ -4,7 +4,7 @@ mod words;
 
 use pellicle_influence::ElasticBody;
 
-use crate::{ContactSlope, CutOff, LimitRatio, PeakPlace, UnresolvedArc};
+use crate::{ContactSlope, CutOff, LimitRatio, PeakPlace, UnresolvedArc, UnresolvedNumbers};
 
 /// A warning about the model or the grid, with its numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,6 +96,18 @@ pub enum Warning {
         /// The arcs that round the edges of the relief, if there are any and the grid does not resolve them.
         arc: Option<UnresolvedArc>,
     },
+    /// A path on a single grid: no number has an error.
+    NoGridError {
+        /// Elements along its longer side.
+        elements: usize,
+    },
+    /// Numbers other than the largest pressure still change from grid to grid, or there are only two grids.
+    NotResolved {
+        /// Loading step, counted from 0.
+        step: usize,
+        /// These numbers.
+        numbers: UnresolvedNumbers,
+    },
     /// The edges of the relief are arcs that the grid does not resolve: pressures there are those of sharp ones.
     ArcUnderResolved(UnresolvedArc),
     /// The surfaces in contact are steep, beyond small strains.
@@ -164,6 +176,8 @@ impl Warning {
             Self::LayerUnderResolved { .. } => "layer-under-resolved",
             Self::CoefficientAccuracy { .. } => "coefficient-accuracy",
             Self::PeakNotResolved { .. } => "peak-not-resolved",
+            Self::NoGridError { .. } => "no-grid-error",
+            Self::NotResolved { .. } => "not-resolved",
             Self::ArcUnderResolved(_) => "arc-under-resolved",
             Self::SteepIndenter { .. } | Self::SteepTip { .. } => "steep-indenter",
             Self::LayerShortening { .. } => "layer-shortening",
@@ -183,6 +197,7 @@ impl Warning {
             | Self::WornThrough { step, .. }
             | Self::MapUnderResolved { step, .. }
             | Self::PeakNotResolved { step, .. }
+            | Self::NotResolved { step, .. }
             | Self::SteepIndenter { step, .. }
             | Self::LayerShortening { step, .. }
             | Self::LayerWorn { step, .. }
@@ -192,6 +207,7 @@ impl Warning {
             | Self::SteepTip { .. }
             | Self::DeepRecesses { .. }
             | Self::TextureUnderResolved { .. }
+            | Self::NoGridError { .. }
             | Self::ArcUnderResolved(_)
             | Self::LayerUnderResolved { .. }
             | Self::CoefficientAccuracy { .. } => None,

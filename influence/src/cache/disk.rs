@@ -7,7 +7,7 @@
 use std::fs::{self, DirEntry, File, Metadata};
 use std::io::{self, BufReader, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use blake3::{Hash, Hasher, OUT_LEN};
 use pellicle_files::whole::Existing;
@@ -35,13 +35,17 @@ pub(super) struct Disk {
     path: PathBuf,
     /// Set by the first write that fails; nothing is written after that.
     refused: AtomicBool,
+    /// Bytes that may still be written.
+    allowance: AtomicU64,
 }
 
 impl Disk {
-    pub(super) fn new(path: PathBuf) -> Self {
+    /// A folder to which at most so many bytes are written.
+    pub(super) fn new(path: PathBuf, allowance: u64) -> Self {
         Self {
             path,
             refused: AtomicBool::new(false),
+            allowance: AtomicU64::new(allowance),
         }
     }
 
@@ -69,7 +73,7 @@ impl Disk {
         }
     }
 
-    /// Keeps a value, unless an earlier write failed.
+    /// Keeps a value, unless an earlier write failed or the allowance does not suffice.
     pub(super) fn write<T: Serialize>(&self, key: &Hash, value: &T) -> Result<(), CacheWarning> {
         if self.refused.load(Ordering::Relaxed) {
             return Ok(());
@@ -86,6 +90,11 @@ impl Disk {
     /// Does not wait for the disk: the checksum reveals a file truncated by a power failure.
     fn write_whole<T: Serialize>(&self, key: &Hash, value: &T) -> io::Result<()> {
         let payload = postcard::to_stdvec(value).map_err(io::Error::other)?;
+        let left = |allowance: u64| allowance.checked_sub((OUT_LEN + payload.len()) as u64);
+        let allowed = (self.allowance).fetch_update(Ordering::Relaxed, Ordering::Relaxed, left);
+        if allowed.is_err() {
+            return Ok(());
+        }
         let checksum = checksum_of(key).update(&payload).finalize();
         disk::create_dir_all(&self.path)?;
         let path = self.file(key);
@@ -220,7 +229,7 @@ mod tests {
     /// A folder with one value, of several buffers.
     fn filled() -> (tempfile::TempDir, Disk, Vec<f64>) {
         let folder = tempfile::tempdir().unwrap();
-        let disk = Disk::new(folder.path().to_owned());
+        let disk = Disk::new(folder.path().to_owned(), u64::MAX);
         let mut values = vec![-0.0, f64::MIN_POSITIVE / 8.0, 0.1, -f64::MAX, f64::INFINITY];
         values.extend((0..BUFFER / 4).map(|i| 1.0 / (i + 3) as f64));
         disk.write(&key(), &values).unwrap();
@@ -241,6 +250,19 @@ mod tests {
         let (_folder, disk, values) = filled();
         let found = disk.read::<Vec<f64>>(&key(), 4 * values.len());
         assert!(matches!(found, Err(CacheWarning::Damaged { .. })));
+    }
+
+    #[test]
+    fn no_more_is_written_than_allowed() {
+        let folder = tempfile::tempdir().unwrap();
+        let disk = Disk::new(folder.path().to_owned(), 2000);
+        for number in 0..9_u8 {
+            disk.write(&blake3::hash(&[number]), &vec![1.0; 100])
+                .unwrap();
+        }
+        // 800 bytes of numbers, 32 of a checksum and a few of a length each.
+        let usage = disk.usage().unwrap();
+        assert_eq!((usage.files, usage.bytes / 100), (2, 16));
     }
 
     #[test]

@@ -161,6 +161,9 @@ impl Search {
         let (CaseStatus::Certified, Some(number)) = (tried.status, tried.number) else {
             return tried.reason();
         };
+        if number.is_infinite() {
+            return tried.message.clone();
+        }
         let value = self.condition.value_words(number);
         let error = match (tried.error, tried.resolved) {
             (Some(error), _) => {

@@ -63,6 +63,9 @@ impl Bracket {
     /// The place of the next argument: 0 at the newest point, 1 at the other.
     fn share(&self) -> f64 {
         let ((a, at_a), (b, at_b)) = (self.newest, self.other);
+        if at_a.is_infinite() || at_b.is_infinite() {
+            return 0.5;
+        }
         let Some((c, at_c)) = self.previous else {
             return at_a / (at_a - at_b);
         };
@@ -137,6 +140,15 @@ mod tests {
         assert!(width <= 1e-3 && (zero - 1.234).abs() < 1e-3);
         // log₂(4.6/10⁻³) = 12.2
         assert!(count <= 18, "{count}");
+    }
+
+    #[test]
+    fn infinite_numbers_are_halved_away() {
+        // A critical force that is above all loads from a value on.
+        let of = |x: f64| if x < 1.234 { x - 2.0 } else { f64::INFINITY };
+        let (width, zero, count) = crossing(of, [-2.3, 2.3]);
+        assert!(width <= 1e-3 && (zero - 1.234).abs() < 1e-3);
+        assert!(count <= 13, "{count}");
     }
 
     #[test]

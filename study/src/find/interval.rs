@@ -97,6 +97,10 @@ impl Bracketed {
                 return End::Unresolved;
             };
             if (here < 0.0) == is_below {
+                // Between a number and an infinite one, as that of a critical force above all loads, is no line.
+                if here.is_infinite() {
+                    return End::At(case.key);
+                }
                 return End::At(between([inner.key, case.key], [before, here]));
             }
             inner = case;
@@ -113,6 +117,9 @@ impl Bracketed {
             |case: &&Certified| limiting(case, is_below).is_some_and(|end| (end < 0.0) == is_below);
         let clear = self.cases_towards(towards).find(is_clear)?;
         let [low, high] = nearest.band?;
+        if clear.number.is_infinite() {
+            return None;
+        }
         let slope = (clear.number / (clear.key - self.crossing)).abs();
         let distance = 0.5 * (high - low) / slope;
         let is_near = (clear.key - self.crossing).abs() <= NEAR * distance + self.width;

@@ -4,9 +4,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use pellicle::case::Case;
+use pellicle::result::table::stress::status_word;
 use pellicle::run::{self, Resources};
 use pellicle::{Completeness, Monitor};
-use pellicle_contact::ContactError;
+use pellicle_contact::{ContactError, CriticalStatus};
 
 use super::answer::{Answer, Verdict};
 use super::crossing::Bracket;
@@ -107,6 +108,23 @@ impl Search {
         }
     }
 
+    /// A critical force that no load of the case reaches, and a sentence on it: larger than each load, so infinite if
+    /// one of them is beyond the limit.
+    fn above_all_loads(&self, summary: &pellicle::summary::RunSummary) -> (Option<f64>, String) {
+        let loads = summary.steps.iter().map(|step| step.force);
+        let largest = loads.fold(0.0, f64::max);
+        let (name, words) = (
+            &self.condition.result.name,
+            self.condition.value_words(largest),
+        );
+        if largest < self.condition.limit {
+            let message =
+                format!("has no {name} up to its load, {words}, which is below the limit");
+            return (None, message);
+        }
+        (Some(f64::INFINITY), format!("{name} is above {words}"))
+    }
+
     fn tried(&self, key: f64, case: &Case, summary: &pellicle::summary::RunSummary) -> Tried {
         let result = &self.condition.result;
         let critical = summary.critical.as_deref().unwrap_or_default();
@@ -118,12 +136,15 @@ impl Search {
         let mut codes: Vec<_> = summary.warnings.iter().map(|of| of.code.as_str()).collect();
         codes.sort_unstable();
         codes.dedup();
-        let message = match (number, result.status.map(cell)) {
-            (Some(_), _) => String::new(),
-            (None, Some(status)) if !status.is_empty() => {
-                format!("has no {} ({status})", result.name)
+        let (number, message) = match (number, result.status.map(cell)) {
+            (Some(number), _) => (Some(number), String::new()),
+            (None, Some(status)) if status == status_word(CriticalStatus::NotReached) => {
+                self.above_all_loads(summary)
             }
-            (None, _) => format!("has no {}", result.name),
+            (None, Some(status)) if !status.is_empty() => {
+                (None, format!("has no {} ({status})", result.name))
+            }
+            (None, _) => (None, format!("has no {}", result.name)),
         };
         debug_assert_eq!(case.units, self.condition.units);
         Tried {

@@ -16,7 +16,8 @@ pub struct Tried {
     pub key: f64,
     /// The status of the case.
     pub status: CaseStatus,
-    /// The number of its last loading step.
+    /// The number of its last loading step; infinite for a critical force that is above the largest load of the case
+    /// and the limit.
     pub number: Option<f64>,
     /// Its ±, if it has one that is resolved.
     pub error: Option<f64>,
@@ -48,13 +49,16 @@ impl Tried {
     pub fn certified(&self) -> Option<f64> {
         let is_certified = self.status == CaseStatus::Certified;
         self.number
-            .filter(|number| is_certified && number.is_finite())
+            .filter(|number| is_certified && !number.is_nan())
     }
 
     /// The numbers between which the true one lies: the number itself if it has no ±, none if its ± is not resolved.
     #[must_use]
     pub fn band(&self) -> Option<[f64; 2]> {
         let number = self.certified()?;
+        if number.is_infinite() {
+            return Some([number; 2]);
+        }
         match (self.error, self.resolved) {
             (Some(error), _) => Some([number - error, number + error]),
             (None, None) => Some([number; 2]),

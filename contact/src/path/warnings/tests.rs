@@ -178,6 +178,37 @@ fn a_peak_that_changes_is_warned_about_unless_it_is_the_hardness() {
     assert_eq!(codes(&model, &step), [""; 0]);
 }
 
+#[test]
+fn numbers_that_are_not_resolved_are_named_and_a_single_grid_is_told_of() {
+    let (model, mut step) = on_film();
+    let domain = Domain::Side(1.0);
+    let sentences = |step: &Step| {
+        let (loads, steps) = ([Load::Force(1e-2)], std::slice::from_ref(step));
+        let found = warnings(&model, &grid(), domain, &loads, steps);
+        found.iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    assert_eq!(sentences(&step), [""; 0]);
+    for error in [
+        &mut step.grid_error.penetration,
+        &mut step.grid_error.contact_area,
+    ] {
+        error.as_mut().unwrap().resolved = false;
+    }
+    let of_two = "step 0: not resolved by the grid, the ± may be too small: the penetration, the contact area";
+    assert_eq!(sentences(&step), [of_two]);
+    // A prescribed number has no error.
+    step.grid_error.penetration.as_mut().unwrap().estimate = 0.0;
+    assert!(sentences(&step)[0].ends_with("too small: the contact area"));
+    step.grid_error = crate::GridError::new(step.grid_error.levels.split_off(2), 0.0);
+    let [single] = &sentences(&step)[..] else {
+        panic!("one warning")
+    };
+    assert!(
+        single.starts_with("no number has a ±: a grid of 64 elements"),
+        "{single}"
+    );
+}
+
 /// A ball on pillars of radius 0.05 on a layered body; relative stiffness and thickness of the layers from the top.
 fn on_layers(layers: &[(f64, f64)]) -> Model {
     let spec = CylinderSpec {

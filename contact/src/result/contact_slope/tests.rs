@@ -46,6 +46,23 @@ fn a_paraboloid_has_the_slope_of_hertz_at_its_edge_and_a_cone_its_own() {
 }
 
 #[test]
+fn a_punch_that_yields_up_to_its_rim_is_flat() {
+    let model = Model::on_half_space([1.0, 0.3], Relief::Bare, FlatPunch::new(1.0).unwrap());
+    let options = SolverOptions {
+        hardness: 8e-3,
+        ..SolverOptions::default()
+    };
+    let load = Load::Penetration(0.01);
+    let path = solve_path(&model, Domain::Automatic, 64, &[load], &options, &mut ()).unwrap();
+    assert!(path.steps[0].summary.area_at_limit.unwrap() > 0.1);
+    assert!(
+        path.steps[0]
+            .slope
+            .is_none_or(|slope| slope.value() < 1e-12)
+    );
+}
+
+#[test]
 fn a_ball_pressed_in_to_its_equator_is_infinitely_steep() {
     assert!(under(Sphere::new(1.0).unwrap(), Load::Penetration(5.0)).is_infinite());
     // Sneddon: D = a/2 ln((R + a)/(R − a)) = 0.3 at a = 0.522; the slope is a/√(R² − a²).

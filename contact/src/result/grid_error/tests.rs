@@ -45,6 +45,13 @@ fn at_second_order_the_interval_is_the_safety_factor_times_the_error() {
 }
 
 #[test]
+fn an_interval_around_zero_is_not_resolved() {
+    // 1 + 30 · 4⁻ˡ: 2.875 ± 5.6
+    let found = penetration(&[31.0, 8.5, 2.875]);
+    assert!(found.order.is_some_and(|order| order > 1.9) && !found.resolved);
+}
+
+#[test]
 fn the_accuracy_of_the_solution_is_added_to_the_estimate() {
     let values = [2.0, 1.25, 1.0625];
     let found = GridError::new(levels(&values), 0.01).penetration.unwrap();

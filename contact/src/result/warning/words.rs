@@ -5,6 +5,7 @@ use std::fmt;
 use pellicle_influence::ElasticBody;
 
 use super::Warning;
+use crate::path::levels::FEWEST_FOR_THREE_GRIDS;
 use crate::result::{map_resolution::FEWEST_ELEMENTS_PER_WAVE, peak::FEWEST_ELEMENTS_PER_ARC};
 use crate::{ContactSlope, CutOff, LimitRatio, ModelLimit, PeakPlace, UnresolvedArc};
 
@@ -191,6 +192,22 @@ impl fmt::Display for Warning {
                 place,
                 arc,
             } => unresolved_peak(f, step, change, (place, arc)),
+            Self::NoGridError { elements } => {
+                write!(
+                    f,
+                    "no number has a ±: a grid of {elements} elements per side has no coarser ones to compare with; "
+                )?;
+                if elements < FEWEST_FOR_THREE_GRIDS {
+                    write!(f, "{FEWEST_FOR_THREE_GRIDS} or more have two")
+                } else {
+                    f.write_str("choose numbers of elements that can be halved twice")
+                }
+            }
+            Self::NotResolved { step, numbers } => write!(
+                f,
+                "step {step}: not resolved by the grid, the ± may be too small: {}",
+                numbers.names().join(", ")
+            ),
             Self::ArcUnderResolved(UnresolvedArc { elements, wanted }) => write!(
                 f,
                 "the arc at an edge of the relief is {} elements wide: a largest pressure there grows with the grid; at least {FEWEST_ELEMENTS_PER_ARC} resolve it, which are {wanted} elements per side",

@@ -214,7 +214,8 @@ fn word(criterion: Criterion) -> &'static str {
 }
 
 /// The status as in `summary.json`.
-fn status_word(status: CriticalStatus) -> &'static str {
+#[must_use]
+pub fn status_word(status: CriticalStatus) -> &'static str {
     match status {
         CriticalStatus::Met => "met",
         CriticalStatus::AtRest => "at-rest",
