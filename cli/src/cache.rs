@@ -22,8 +22,8 @@ pub fn open() -> Cache {
 
 /// The cache of a study: like [`open`], but tables of coefficients are kept on disk only for N ≥ 128. Cases that differ
 /// in load or radius differ in element size: 20,000 cases of N = 32 would leave 39,000 files that take as long to write
-/// and read as to compute. Radial tables of foundations, which cases share, are always kept, up to 10,000 of some 100 kB:
-/// a million cases with bodies of their own would leave 100 GB.
+/// and read as to compute. Radial tables of foundations, which cases share, are always kept, up to 10,000 of some 100
+/// kB: a million cases with bodies of their own would leave 100 GB.
 #[must_use]
 pub fn open_for_many() -> Cache {
     const MIN_ELEMENTS: usize = 128;
