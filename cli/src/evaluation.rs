@@ -1,5 +1,6 @@
 //! The evaluation of unloadings by Oliver and Pharr: its numbers, and the files of its results.
 
+pub mod depth_trend;
 pub mod files;
 pub mod pictures;
 pub mod report;

@@ -9,7 +9,7 @@ use pellicle_identify::indentation::{
 };
 use serde::{Serialize, Serializer};
 
-use super::warnings;
+use super::{depth_trend, warnings};
 use crate::identification::findings::WarningResult;
 use crate::identification::result::SCHEMA;
 
@@ -118,6 +118,7 @@ impl EvaluationResult {
             warnings: WarningResult::of_guesses(&file.document)
                 .into_iter()
                 .chain(warnings::all(curves, settings))
+                .chain(depth_trend::warning(curves))
                 .collect(),
         }
     }

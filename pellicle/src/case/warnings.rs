@@ -9,6 +9,7 @@ use super::Case;
 use super::adhesion::AdhesiveContacts;
 use super::foundation::layer::LayerCase;
 use super::key_dimension;
+use super::stressed_body::StressedBody;
 use crate::input::dimension::Dimension;
 use crate::input::key_path::dotted;
 use crate::input::toml_tree::{TomlNode, TomlTable, TomlValue};
@@ -95,35 +96,53 @@ impl Case {
             bare_numbers(self.document.root(), &mut warnings);
         }
         warnings.extend(maps::of(self, side));
-        warnings.extend(self.stress_warnings());
+        warnings.extend(self.unused_strengths());
+        warnings.extend(self.unbounded_displacement());
         warnings.extend(self.adhesion.iter().flat_map(AdhesiveContacts::warnings));
         warnings
     }
 
-    /// The warnings about `[stress]`.
-    fn stress_warnings(&self) -> Option<CaseWarning> {
-        let warn = |code, message| Some(CaseWarning { code, message });
-        let Some(stress) = &self.stress else {
-            let other = self.indenter.foundation();
-            let other = other.is_some_and(|body| body.has_strengths());
-            return (other || self.foundation.has_strengths()).then_some(CaseWarning {
-                code: "unused-strength",
-                message:
-                    "strengths are given but not used: add a table [stress] to compute stresses"
-                        .into(),
-            });
+    /// The warning about strengths of bodies whose stresses are not asked for.
+    fn unused_strengths(&self) -> Option<CaseWarning> {
+        let other = self.indenter.foundation();
+        let has_strengths = |body: StressedBody| match body {
+            StressedBody::Indenter => other.as_ref().is_some_and(|body| body.has_strengths()),
+            StressedBody::Foundation | StressedBody::Both => self.foundation.has_strengths(),
         };
+        let used = self.stress.as_ref().map(|stress| stress.body.each());
+        let is_unused = |body: &StressedBody| !used.is_some_and(|used| used.contains(body));
+        let mut bodies = StressedBody::Both.each().iter().copied();
+        let of = bodies.find(|body| is_unused(body) && has_strengths(*body))?;
+        let message = if used.is_none() {
+            "strengths are given but not used: add a table [stress] to compute stresses".to_owned()
+        } else {
+            let (unused, only) = match of {
+                StressedBody::Indenter => ("indenter", "foundation"),
+                StressedBody::Foundation | StressedBody::Both => ("foundation", "indenter"),
+            };
+            format!(
+                "the strengths of the {unused} are not used, as stresses of the {only} alone are asked for: \
+                 `stress.body = \"both\"` uses them"
+            )
+        };
+        Some(CaseWarning {
+            code: "unused-strength",
+            message,
+        })
+    }
+
+    /// The warning about displacements above a frictionless interface under friction.
+    fn unbounded_displacement(&self) -> Option<CaseWarning> {
+        let friction = self.stress.as_ref()?.friction;
         let slides = |layer: &LayerCase| layer.slides();
         let lowest = self.stressed().layer.iter().rposition(slides)?;
-        if stress.friction == 0.0 {
-            return None;
-        }
-        warn(
-            "unbounded-displacement",
-            format!(
-                "the interface below layer {lowest} is frictionless and cannot carry the force of friction: u_x and u_y above it are unbounded and left out (NaN, null); stresses are finite"
+        (friction != 0.0).then(|| CaseWarning {
+            code: "unbounded-displacement",
+            message: format!(
+                "the interface below layer {lowest} is frictionless and cannot carry the force of friction: u_x and \
+                 u_y above it are unbounded and left out (NaN, null); stresses are finite"
             ),
-        )
+        })
     }
 }
 
@@ -183,6 +202,7 @@ fn warn_of(path: &str, at: &TomlNode, unit: &str) -> CaseWarning {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
     use std::sync::Arc;
 
     use super::*;
@@ -228,6 +248,52 @@ mod tests {
         assert!(found.iter().any(|words| {
             words.contains("key `indenter.half_angle`: 1.2 among values with units is 1.2 rad")
         }));
+    }
+
+    /// Whether strengths of each body are warned of as unused, with this table `[stress]`.
+    fn unused_strengths(foundation: &str, indenter: &str, stress: &str) -> Option<String> {
+        let text = format!(
+            "[foundation]\nsubstrate = {{ young_modulus = 1, poisson_ratio = 0.3{foundation} }}\n\
+             [indenter]\nkind = \"sphere\"\nradius = 1\n\
+             body.substrate = {{ young_modulus = 2, poisson_ratio = 0.3{indenter} }}\n\
+             [load]\nforce = 1e-3\n{stress}"
+        );
+        let source = Arc::new(Source::new("case.toml", text));
+        let case = Case::parse(&source, "case", Path::new(""), &[]).unwrap();
+        let mut warnings = case.warnings(1.0).into_iter();
+        let warning = warnings.find(|warning| warning.code == "unused-strength");
+        warning.map(|warning| warning.message)
+    }
+
+    #[test]
+    fn strengths_of_a_body_whose_stresses_are_not_asked_for_are_told_of() {
+        let strength = ", yield_strength = 1";
+        for (foundation, indenter, stress, told) in [
+            ("", "", "", None),
+            (strength, "", "", Some("add a table [stress]")),
+            ("", strength, "", Some("add a table [stress]")),
+            (strength, "", "[stress]", None),
+            (
+                "",
+                strength,
+                "[stress]",
+                Some("strengths of the indenter are not used"),
+            ),
+            (
+                strength,
+                "",
+                "[stress]\nbody = \"indenter\"",
+                Some("strengths of the foundation"),
+            ),
+            (strength, strength, "[stress]\nbody = \"both\"", None),
+        ] {
+            let found = unused_strengths(foundation, indenter, stress);
+            let is_right = match (&found, told) {
+                (Some(found), Some(told)) => found.contains(told),
+                (found, told) => found.is_none() && told.is_none(),
+            };
+            assert!(is_right, "{found:?} for {told:?}");
+        }
     }
 
     #[test]
