@@ -164,20 +164,24 @@ fn a_fraction_of_a_texture_is_searched_up_to_what_the_lattice_allows() {
     );
 }
 
-/// The search of the smallest radius whose ball lets a body of 0.3 GPa yield above 0.3 N, among values up to `largest`;
-/// the load of 1 N reaches the strength up to a radius of 7.4 mm. The error of what it finds.
-fn found_radius_of_yield(largest: &str) -> f64 {
+/// The search by the critical force of a body of 0.3 GPa, under a load of 1 N, among radii from 2 mm.
+fn search_by_yield(condition: &str, largest: &str) -> (Answer, Vec<Tried>) {
     let text = BALL.replace(
         "poisson_ratio = 0.3",
         "poisson_ratio = 0.3, yield_strength = \"0.3 GPa\"",
     ) + "[stress]\nonly = [\"max_von_mises\"]\n";
     let text = text.replace("elements = 64", "elements = 32");
-    let condition = "critical_force yield substrate > 0.3 N";
     let between = Some(["2 mm", largest]);
-    let (answer, tried) = run(
+    run(
         &search(&text, condition, "indenter.radius", between),
         vec![],
-    );
+    )
+}
+
+/// The error of the smallest radius whose ball lets the body yield above 0.3 N; the load of 1 N reaches the strength up
+/// to a radius of 7.4 mm.
+fn error_of_radius(largest: &str) -> f64 {
+    let (answer, tried) = search_by_yield("critical_force yield substrate > 0.3 N", largest);
     assert_eq!(
         answer.extreme,
         Some(Extreme::Smallest),
@@ -191,14 +195,29 @@ fn found_radius_of_yield(largest: &str) -> f64 {
 
 #[test]
 fn a_critical_force_is_a_number_like_any_other() {
-    let error = found_radius_of_yield("7 mm");
+    let error = error_of_radius("7 mm");
     assert!(error.abs() < 0.02, "{error:e}");
 }
 
 #[test]
 fn a_critical_force_above_all_loads_is_larger_than_any_limit_below_them() {
-    let error = found_radius_of_yield("80 mm");
+    let error = error_of_radius("80 mm");
     assert!(error.abs() < 0.02, "{error:e}");
+}
+
+#[test]
+fn a_critical_force_above_all_loads_says_nothing_of_a_limit_above_them() {
+    let (answer, _) = search_by_yield("critical_force yield substrate > 3 N", "80 mm");
+    assert_eq!(answer.verdict, Verdict::Blocked);
+    let notes = answer.notes.concat();
+    assert!(
+        notes.contains("up to its load, 1.0000 N, which is below the limit"),
+        "{notes}"
+    );
+    assert!(
+        notes.contains("holds at neither of the outermost values that count"),
+        "{notes}"
+    );
 }
 
 #[test]

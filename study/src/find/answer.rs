@@ -71,13 +71,20 @@ impl Answer {
 }
 
 impl Search {
-    /// The answer of a search whose condition holds at both ends or at neither.
+    /// The answer of a search whose condition holds at both ends or at neither. Where an end does not count, that says
+    /// nothing of the whole range.
     pub(super) fn no_crossing(&self, ends: &[Tried; 2]) -> Answer {
         let holds = ends[0].number.is_some_and(|number| self.holds(number));
-        let (verdict, word) = if holds {
-            (Verdict::HoldsAtBothEnds, "both ends:")
-        } else {
-            (Verdict::HoldsAtNeitherEnd, "neither end:")
+        let keys = ends.each_ref().map(|end| end.key.to_bits());
+        let is_whole = keys == self.range.map(f64::to_bits);
+        let (verdict, word) = match (holds, is_whole) {
+            (true, true) => (Verdict::HoldsAtBothEnds, "both ends:"),
+            (false, true) => (Verdict::HoldsAtNeitherEnd, "neither end:"),
+            (true, false) => (Verdict::Blocked, "both of the outermost values that count:"),
+            (false, false) => (
+                Verdict::Blocked,
+                "neither of the outermost values that count:",
+            ),
         };
         let [low, high] = ends.each_ref().map(|end| {
             let number = self.outcome_words(end);
