@@ -3,6 +3,7 @@
 use std::fmt::Debug;
 use std::sync::Arc;
 
+use crate::Relief;
 use crate::error::{Quantity, TextureError, not_negative};
 
 /// Points along each side of the square over which a compliance is averaged; the mean only serves an estimate.
@@ -21,6 +22,12 @@ pub trait ReliefShape: Debug + Send + Sync {
     /// Whether profile and compliance are symmetric in x and y. If they are, a quarter of the elements is solved for.
     fn is_mirrored(&self) -> bool {
         false
+    }
+
+    /// The relief without wear, if this is a worn one: its waves are those that a grid has to resolve, as the wear is
+    /// known at elements only.
+    fn unworn(&self) -> Option<&Relief> {
+        None
     }
 
     /// Returns the mean of η over [points of the square](mean_points) around the axis that encloses the circle of this
@@ -75,6 +82,12 @@ impl CustomRelief {
             uniform_compliance,
             ..self
         })
+    }
+
+    /// The relief without wear, if this is a worn one.
+    #[must_use]
+    pub fn unworn(&self) -> Option<&Relief> {
+        self.shape.unworn()
     }
 
     /// Returns the surface profile `f*` at the given points, m.

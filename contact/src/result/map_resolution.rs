@@ -5,6 +5,8 @@
 //! the contact: a wall or a rim of the map far from it does not count, and neither does a roughness with far smaller
 //! slopes than the indenter. `docs/grid-error.md` has the evidence for the number of elements to a wave.
 
+use std::borrow::Cow;
+
 use pellicle_texture::{Grid, HeightMap, Relief, SlopeSpectrum};
 use rayon::prelude::*;
 
@@ -37,7 +39,8 @@ type Rectangle = [[f64; 2]; 2];
 
 /// The resolution of the gap between a model's surfaces on a grid.
 pub struct MapResolution<'a> {
-    model: &'a Model,
+    /// With the relief as it was before any wear.
+    model: Cow<'a, Model>,
     grid: &'a Grid,
     boundary: Boundary,
     /// The last square and its result.
@@ -46,6 +49,17 @@ pub struct MapResolution<'a> {
 
 impl<'a> MapResolution<'a> {
     pub fn new(model: &'a Model, grid: &'a Grid, boundary: Boundary) -> Self {
+        let unworn = match &model.relief {
+            Relief::Custom(relief) => relief.unworn(),
+            _ => None,
+        };
+        let model = match unworn {
+            Some(relief) => Cow::Owned(Model {
+                relief: relief.clone(),
+                ..model.clone()
+            }),
+            None => Cow::Borrowed(model),
+        };
         Self {
             model,
             grid,

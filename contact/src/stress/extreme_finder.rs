@@ -145,27 +145,47 @@ impl<'a> ExtremeFinder<'a> {
         let element = self.field.grid().element_side();
         let depths: Vec<Depth> = planes.iter().map(|plane| plane.depth).collect();
         let zs: Vec<f64> = depths.iter().map(|depth| depth.z).collect();
-        let mut best: Option<(StressPeak, StressPeak)> = None;
+        let mut followed = Vec::new();
         for start in distinct(starting_points, &zs, element) {
-            let (peak, centre) = self.followed(shared, quantity, planes, &start)?;
-            if best.is_none_or(|(best, _)| peak.value > best.value) {
-                best = Some((peak, centre));
+            followed.push(self.followed(shared, quantity, planes, &start)?);
+        }
+        let values = followed.iter().map(|(peak, _)| peak.value);
+        let largest = values.fold(f64::NEG_INFINITY, f64::max);
+        // Values between planes and under blocks do not tell which of several is the largest.
+        let may_be_largest = |value: f64| value >= largest - 2.0 * BLOCK_ERROR * largest.abs();
+        let mut best: Option<StressPeak> = None;
+        for (peak, centre) in followed {
+            if !may_be_largest(peak.value) {
+                continue;
+            }
+            let found = self.settled(shared, quantity, &depths, (peak, centre))?;
+            if best.is_none_or(|best| found.value > best.value) {
+                best = Some(found);
             }
         }
-        let Some((peak, centre)) = best else {
-            return Err(ContactError::StressNotFinite);
-        };
-        let best = self.valued(shared, quantity, &depths, peak)?;
+        best.ok_or(ContactError::StressNotFinite)
+    }
+
+    /// The peak with the value at its place, or the best centre on its plane where the interpolation between centres
+    /// has gone astray.
+    fn settled(
+        &self,
+        shared: &mut Shared,
+        quantity: StressQuantity,
+        depths: &[Depth],
+        (peak, centre): (StressPeak, StressPeak),
+    ) -> Result<StressPeak, ContactError> {
+        let element = self.field.grid().element_side();
+        let best = self.valued(shared, quantity, depths, peak)?;
         let is_of_elements = !shared.is_smooth && doublings(centre.at[2], element) == 0;
         let error = if is_of_elements { 0.0 } else { BLOCK_ERROR };
         if best.value >= centre.value - error * centre.value.abs() {
             return Ok(best);
         }
-        // The interpolation between centres has gone astray.
         let at_centre = if is_of_elements {
             centre
         } else {
-            self.valued(shared, quantity, &depths, centre)?
+            self.valued(shared, quantity, depths, centre)?
         };
         Ok(if at_centre.value > best.value {
             at_centre

@@ -27,7 +27,8 @@ const STRESSES: [usize; 6] = [3, 4, 5, 6, 7, 8];
 const RATIO: f64 = 1.4;
 /// Fewest steps from one plane to the next in a body below the surface, from which stresses are interpolated.
 const FEWEST_STEPS: usize = 4;
-/// Planes reach down to this many sides of the loaded square below the top of a body.
+/// In a body without a bottom planes reach down to this many sides of the loaded square below its top, or to this many
+/// times the depth of its top if that is more.
 const REACH: f64 = 2.0;
 /// The planes extend beyond the loaded square by this part of it plus this many depths, on either side.
 const MARGIN_PART: f64 = 0.3;
@@ -81,9 +82,14 @@ impl Target {
     /// `element` (m).
     ///
     /// Waves decay from the surface as `e^{−kz}` or, reflected from below, earlier: within a body stresses vary on the
-    /// scale of the depth.
+    /// scale of the depth. A stiff layer bends, however thick, and may bear its largest tension on its underside.
     pub fn depths(&self, loaded: f64, element: f64) -> Vec<Depth> {
-        let (top, bottom) = (self.top, self.bottom.min(self.top + REACH * loaded));
+        let top = self.top;
+        let bottom = if self.bottom.is_finite() {
+            self.bottom
+        } else {
+            top + REACH * loaded.max(top)
+        };
         if self.is_interface() {
             return vec![Depth::above(top)];
         }

@@ -153,7 +153,7 @@ impl<'a> WearRun<'a> {
         let most = self.surface.whole(self.surface.most());
         let elements = depth.iter().zip(&most).zip(&step.solution.pressure);
         let unwearing = elements
-            .filter(|((depth, most), p)| depth >= most && (**depth > 0.0 || **p > 0.0))
+            .filter(|((depth, most), p)| depth >= most && **p > 0.0)
             .count();
         let work = std::mem::take(&mut self.surface.work);
         let max_depth = largest(&depth);

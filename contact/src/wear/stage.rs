@@ -10,7 +10,7 @@ use crate::solver::Watch;
 use crate::{Boundary, ContactError, Load, Model, SolverOptions};
 
 /// Most solutions of a stage whose springs shorten, each with the lengths that the last one left, or are worn through.
-const MOST_PASSES: usize = 12;
+const MOST_PASSES: usize = 16;
 /// Lengths are those of the stage if they change no gap by more than this part of the tolerated error.
 const CONSISTENT: f64 = 0.01;
 
@@ -108,7 +108,8 @@ impl WearingSurface {
         mut pressure: Vec<f64>,
         watch: &mut OfDistance<'_>,
     ) -> Result<Stage, ContactError> {
-        let mut is_through = vec![false; start.len()];
+        let through = start.iter().zip(&self.most);
+        let mut is_through: Vec<bool> = through.map(|(depth, most)| depth >= most).collect();
         let (mut pass, mut is_certified) = (0, true);
         loop {
             // The length of the springs is that left by the pressure known.
@@ -127,12 +128,20 @@ impl WearingSurface {
             self.work.products += products;
             is_certified &= solution.certificate.is_satisfied();
             pressure = solution.pressure;
-            let mut more = false;
+            let tolerated = CONSISTENT * self.tolerance;
+            // An element is through if it would be worn deeper. It is not if the pressure on what lies below, which
+            // others may have taken over, would not wear it as deep.
+            let mut changed = false;
             for (element, is_through) in is_through.iter_mut().enumerate() {
+                let most = self.most[element];
                 let depth = start[element] + per_pressure * pressure[element];
-                if depth > self.most[element] && !*is_through {
-                    (*is_through, more) = (true, true);
-                }
+                let is_deeper = if *is_through {
+                    depth >= (1.0 - tolerated) * most
+                } else {
+                    depth > most
+                };
+                changed |= is_deeper != *is_through;
+                *is_through = is_deeper;
             }
             let depth = self.worn(start, per_pressure, &pressure, &is_through);
             // The change of the gaps by lengths that are not yet those of the stage.
@@ -141,7 +150,7 @@ impl WearingSurface {
                 most.max((one - other).abs() * self.per_length * p)
             });
             pass += 1;
-            let is_consistent = !more && change <= CONSISTENT * self.tolerance * largest(&depth);
+            let is_consistent = !changed && change <= tolerated * largest(&depth);
             if is_consistent || pass == MOST_PASSES {
                 return Ok(Stage {
                     depth,

@@ -99,6 +99,10 @@ impl ReliefShape for WornRelief {
     fn is_mirrored(&self) -> bool {
         self.is_mirrored
     }
+
+    fn unworn(&self) -> Option<&Relief> {
+        Some(&self.base)
+    }
 }
 
 #[cfg(test)]
