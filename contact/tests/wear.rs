@@ -5,6 +5,8 @@
     reason = "a scene that cannot be built fails its test"
 )]
 
+mod worn_through;
+
 use std::sync::Arc;
 
 use pellicle_contact::wear::{StepWear, Wear, solve_wear};
@@ -240,39 +242,6 @@ fn springs_shorten_as_they_wear_as_an_independent_integration_says() {
     }
     // As measured: 3.9e-4 and 2.1e-4. Steps that end at the distances are shorter than the tolerance asks for.
     assert!(errors[1] < 0.6 * errors[0], "{errors:?}");
-}
-
-#[test]
-fn pillars_are_worn_through_and_the_body_below_does_not_wear() {
-    let spec = CylinderSpec {
-        lattice: Lattice::Square,
-        radius: 0.3,
-        height: 1e-3,
-        period: 1.0,
-        offset: [0.0; 2],
-        young_modulus: 0.1,
-    };
-    let flat = model(1.0, Relief::Cylinders(Cylinders::new(spec).unwrap()), Plane);
-    let found = solve(
-        &flat,
-        Domain::Periodic(1.0),
-        16,
-        1e-4,
-        &wear(&[1.0, 100.0], 1e-2),
-    );
-    let [(_, some), (last, all)] = &found[..] else {
-        panic!("{}", found.len())
-    };
-    // Before a pillar is through: k Q s.
-    assert!((some.volume / 1e-4 - 1.0).abs() < 1e-12 && some.unwearing == 0.0);
-    assert!(all.depth.iter().all(|depth| (0.0..=1e-3).contains(depth)));
-    let tops = all.depth.iter().filter(|depth| **depth > 0.0).count() as f64;
-    assert!(
-        all.unwearing > 0.95 * tops / 256.0,
-        "{} {tops}",
-        all.unwearing
-    );
-    assert!(last.solution.certificate.is_satisfied());
 }
 
 #[test]

@@ -288,6 +288,13 @@ mod tests {
             elastic.contains("substrate = { young_modulus = "),
             "{elastic}"
         );
+        let body: Vec<Edit> =
+            serde_json::from_str(r#"[{"do":"table","key":"indenter.body"}]"#).unwrap();
+        let body = edited(CASE, &body, &Starters::new([CASE])).unwrap();
+        assert!(
+            body.contains("body = { substrate = { young_modulus = \"7 GPa\""),
+            "{body}"
+        );
         let stress = change(CASE, r#"[{"do":"table","key":"stress"}]"#);
         assert!(stress.ends_with("[stress]\n"), "{stress}");
     }

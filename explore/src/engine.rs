@@ -185,6 +185,17 @@ impl Engine {
             overrides::set(&mut root, &format!("grid.elements={elements}")).ok()?;
             if let TomlValue::Table(table) = &mut root.value {
                 table.entries.retain(|entry| entry.key != "stress");
+                // A mean over less than an element is refused.
+                let outputs = table
+                    .entries
+                    .iter_mut()
+                    .filter(|entry| entry.key == "output");
+                for output in outputs {
+                    if let TomlValue::Table(output) = &mut output.node.value {
+                        let is_mean = |key: &str| key == "mean_pressure_over";
+                        output.entries.retain(|entry| !is_mean(&entry.key));
+                    }
+                }
             }
             resolve(&root).ok()
         });

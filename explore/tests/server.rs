@@ -109,6 +109,11 @@ fn a_sketch_is_the_case_with_fewer_elements_and_without_stresses() {
         .replace("[stress]\n", "");
     same_numbers(&answer, &solved(&coarse));
     assert_eq!(answer["text"], text, "the case itself has its own elements");
+    // A mean over less than an element of the sketch is that of the case alone.
+    let mean = format!("{COATING}[output]\nmean_pressure_over = \"3 um\"\n");
+    let mean = mean.replace("elements = 32", "elements = 96");
+    let sketch = page.solve(&ask(&mean, &json!({ "elements": 16 })));
+    assert_eq!(sketch["result"]["is_sketch"], json!(true), "{sketch}");
     let own = page.solve(&ask(COATING, &json!({ "elements": 64 })));
     assert_eq!(
         (&own["result"]["elements"], &own["result"]["is_sketch"]),

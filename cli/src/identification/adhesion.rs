@@ -51,11 +51,11 @@ pub fn require_pull_off(file: &FitFile, sources: &[(usize, CurveSource)]) -> Res
 /// The diagnosis that nothing tells a work of adhesion.
 fn no_pull_off(file: &FitFile) -> Diagnosis {
     let dotted = format!("unknown.{WORK_OF_ADHESION}");
-    let key = if file.document.has(&dotted) {
-        dotted
-    } else {
-        format!("unknown.\"{WORK_OF_ADHESION}\"")
-    };
+    let quoted = format!("unknown.\"{WORK_OF_ADHESION}\"");
+    let key = [dotted, quoted]
+        .into_iter()
+        .find(|key| file.document.has(key));
+    let key = key.unwrap_or_else(|| "unknown".to_owned());
     let wanted = "none: no pull-off in the data, so it is not identified. A retraction tells it \
                   (segment = { part = \"unloading\" }), whose force falls below zero before the contact breaks";
     file.document.wanted(&key, wanted)

@@ -352,6 +352,18 @@ fn what_cannot_be_evaluated_is_told_in_one_sentence() {
     }
 }
 
+#[test]
+fn threads_may_be_chosen_for_evaluations_too() {
+    let (folder, ran) = run(EVALUATION, &[("silica.txt", SILICA)]);
+    for arguments in [
+        &["identify", "fit.toml", "--json", "--threads", "2"][..],
+        &["identify", "fit.toml", "--each", "--json", "--threads", "1"],
+    ] {
+        let again = folder.run(arguments);
+        assert_eq!(again.stdout, ran.stdout, "{}", again.stderr);
+    }
+}
+
 /// The warning about the trend of the modulus in the evaluation, with the area `24.5 h²`, of contacts on a homogeneous
 /// body of 72 GPa and 9.5 GPa by a tip of area `24.5 h² + blunt h`, with a compliance of the frame (m/N).
 fn trend(blunt: f64, frame: f64) -> Option<String> {

@@ -31,6 +31,8 @@ const FARTHEST_STEP: f64 = 0.12;
 /// Halvings of the blocks for these trials. Errors under blocks are quadratic in their side, and the loss is quadratic
 /// in the error of the depth: two leave 1/256 of it.
 const FINER: u32 = 2;
+/// Mirror images of a peak differ by less than this part, as their stresses are known in single precision.
+const ALIKE: f64 = 1e-4;
 /// Part of an element within which a place counts as on an axis.
 const ON_AXIS: f64 = 1e-3;
 
@@ -125,7 +127,8 @@ impl<'a> ExtremeFinder<'a> {
             let mut of_target = Vec::new();
             for (quantity, peak) in target.quantities.iter().zip(peaks) {
                 let values = self.values(&mut shared, *quantity, &depths, peak)?;
-                let judged = self.judged(peak, &values);
+                let (of, judged) = ((target, *quantity), self.judged(peak, &values));
+                let judged = self.with_grading(&mut shared, of, judged)?;
                 let judged = self.judged_beside_edge((*quantity, is_on_top), judged)?;
                 of_target.push(self.or_far_away(judged, target, *quantity));
             }
@@ -154,8 +157,9 @@ impl<'a> ExtremeFinder<'a> {
         // Values between planes and under blocks do not tell which of several is the largest.
         let may_be_largest = |value: f64| value >= largest - 2.0 * BLOCK_ERROR * largest.abs();
         let mut best: Option<StressPeak> = None;
-        for (peak, centre) in followed {
-            if !may_be_largest(peak.value) {
+        for (index, (peak, centre)) in followed.iter().copied().enumerate() {
+            let mut before = followed[..index].iter();
+            if !may_be_largest(peak.value) || before.any(|(other, _)| is_image(&peak, other)) {
                 continue;
             }
             let found = self.settled(shared, quantity, &depths, (peak, centre))?;
@@ -358,6 +362,18 @@ fn depth_in(depths: &[Depth], z: f64) -> Depth {
         Some(last) if z >= last.z => *last,
         _ => Depth::below(z),
     }
+}
+
+/// Whether two peaks are mirror images of each other.
+fn is_image(peak: &StressPeak, other: &StressPeak) -> bool {
+    let from_axis = |of: &StressPeak| of.at[0].hypot(of.at[1]);
+    let pairs = [
+        (peak.value, other.value),
+        (peak.at[2], other.at[2]),
+        (from_axis(peak), from_axis(other)),
+    ];
+    let is_alike = |(one, other): (f64, f64)| (one - other).abs() <= ALIKE * one.abs();
+    pairs.into_iter().all(is_alike)
 }
 
 /// Selects the starting points, sorted by falling value, that come near the largest and belong to no larger one's peak.

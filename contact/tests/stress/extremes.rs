@@ -1,6 +1,7 @@
 //! Extremes of the stresses compared with closed forms and sampling.
 
 use super::*;
+use pellicle_kernel::{Base, Interface, Layer};
 
 #[test]
 fn von_mises_stress_under_hertz_is_found_in_value_and_depth() {
@@ -32,6 +33,70 @@ fn coating_under_a_ball(thickness: f64) -> (LoadingPath, StressModel, StressExtr
     let (path, stress) = (solved(&model, 64, 1e-3), sliding_coating(thickness));
     let extremes = stress_extremes(&path, 0, &stress).unwrap();
     (path, stress, extremes)
+}
+
+#[test]
+fn the_tension_on_the_underside_of_a_layer_of_five_radii_is_found() {
+    // A stiff plate on a soft base bends, however thick.
+    let (plate, base) = (Material::new(400.0, 0.22), Material::new(3.0, 0.35));
+    let foundation = Foundation::coated(1.0, plate.unwrap(), base.unwrap()).unwrap();
+    let none = BodyStrengths::default();
+    let stress = StressModel {
+        bodies: vec![
+            body("layer[0]", 0.0, 1.0, none),
+            body("substrate", 1.0, f64::INFINITY, none),
+        ],
+        ..StressModel::default()
+    };
+    let path = solved(&model(&foundation, Paraboloid::new(20.0).unwrap()), 64, 0.3);
+    let radius = path.steps[0].summary.contact_radius;
+    assert!((0.18..0.25).contains(&radius), "{radius}");
+    let found = stress_extremes(&path, 0, &stress).unwrap();
+    let found = found.bodies[0].max_principal.unwrap();
+    let field = StressField::new(&path, 0, stress.sliding).unwrap();
+    let underside = field.at([0.0; 2], Depth::above(1.0)).unwrap();
+    assert_relative_eq!(found.value, underside.principal()[0], max_relative = 1e-6);
+    assert!(found.resolved && found.at[2] >= 1.0, "{found:?}");
+}
+
+#[test]
+fn of_two_peaks_at_the_ends_of_a_layer_the_larger_is_found() {
+    // Under a layer that slides, a plate that is stiffer on top bends; its shear is 1 % larger on the underside.
+    let layer = |thickness: f64, modulus: f64, ratio: f64, interface: Interface| {
+        let material = Material::new(modulus, ratio).unwrap();
+        Layer::new(thickness, material, interface).unwrap()
+    };
+    let (top, thickness, parts) = (1.0, 0.291, 8);
+    let part = |i: i32| {
+        let modulus = 22.4 - 10.3 * (f64::from(i) + 0.5) / f64::from(parts);
+        let thickness = thickness / f64::from(parts);
+        layer(thickness, modulus, 0.158, Interface::Bonded)
+    };
+    let layers = std::iter::once(layer(top, 1.0, 0.314, Interface::Frictionless));
+    let base = Material::new(1.067, 0.422).unwrap();
+    let layers = layers.chain((0..parts).map(part)).collect();
+    let foundation = Foundation::new(layers, Base::HalfSpace(base)).unwrap();
+    let stress = StressModel {
+        bodies: vec![body(
+            "plate",
+            top,
+            top + thickness,
+            BodyStrengths::default(),
+        )],
+        ..StressModel::default()
+    };
+    let path = solved(
+        &model(&foundation, Paraboloid::new(7.5).unwrap()),
+        64,
+        1.2e-3,
+    );
+    let found = stress_extremes(&path, 0, &stress).unwrap();
+    let found = found.bodies[0].max_shear.unwrap().value;
+    let field = StressField::new(&path, 0, stress.sliding).unwrap();
+    for depth in [Depth::below(top), Depth::above(top + thickness)] {
+        let end = field.at([0.0; 2], depth).unwrap().max_shear();
+        assert!(found >= (1.0 - 1e-6) * end, "{found:e} {end:e}");
+    }
 }
 
 /// Points that fill the cube from −1 to 1 evenly: multiples of powers of the root of x⁴ = x + 1.

@@ -99,6 +99,13 @@ impl Starters {
 
     /// A value of a field: that of a case in which the table has this kind, or of any case, or an example.
     fn value(&self, path: &[String], field: &Field, kind: Option<(&str, &str)>) -> Option<Value> {
+        // The indenter's body is made as the foundation is.
+        let path = match path {
+            [indenter, body, rest @ ..] if indenter == "indenter" && body == "body" => {
+                &[&["foundation".to_owned()], rest].concat()
+            }
+            path => path,
+        };
         let tables = || self.0.iter().filter_map(|case| table_at(case, path));
         let of_kind = |table: &&dyn TableLike| {
             kind.is_none_or(|(key, word)| table.get(key).and_then(Item::as_str) == Some(word))

@@ -104,8 +104,12 @@ fn force_at_radius(curve: &SolvedCurve, radius: f64) -> Result<f64, ContactError
     for _ in 0..MOST_STEPS {
         let [found, rate] = curve.radius(force);
         let change = (radius / found).ln() * found / (force * rate);
+        // A radius below that of the smallest force solved.
+        if force <= least && change < 0.0 {
+            return Ok(least);
+        }
         force = (force * change.exp()).clamp(least, most);
-        if change.abs() <= ACCURACY.sqrt() || (force <= least && change < 0.0) {
+        if change.abs() <= ACCURACY.sqrt() {
             return Ok(force);
         }
     }

@@ -84,7 +84,10 @@ impl BeforeContact {
         let straight = lines
             .iter()
             .find(|line| line.is_straight(coordinate, forces, largest - line.force));
-        straight.or(lines.first()).copied()
+        let quietest = lines
+            .iter()
+            .min_by(|one, other| one.noise.total_cmp(&other.noise));
+        straight.or(quietest).copied()
     }
 
     /// The line through the points between two distances before the contact; none if there are too few.
@@ -191,18 +194,28 @@ pub(crate) fn dependence(residual: &[f64]) -> f64 {
     }
 }
 
-/// The place of the lowest force, if adhesion has pulled it there: far below the forces of the first half of those
-/// before it.
+/// The part of the points before the lowest force that are taken to be far from the contact: half of them, or fewer
+/// where a neck stretches over many rows before it breaks.
+const FAR: [usize; 3] = [2, 4, 8];
+
+/// The place of the contact's end, if adhesion holds it there: the lowest force, far below those far from the contact;
+/// the first such force where a neck is stretched over more than half of the points before.
 fn jump(forces: &[f64]) -> Option<usize> {
-    let place = (0..forces.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]))?;
-    let far = &forces[..place / 2];
-    if far.len() < FEWEST_POINTS {
-        return None;
-    }
-    let mean = far.iter().sum::<f64>() / far.len() as f64;
-    let variance = far.iter().map(|force| (force - mean).powi(2)).sum::<f64>() / far.len() as f64;
+    let lowest = (0..forces.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]))?;
     let largest = forces.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    is_pull_off(mean - forces[place], variance.sqrt(), largest - mean).then_some(place)
+    let place = |part: &usize| {
+        let far = &forces[..lowest / part];
+        if far.len() < FEWEST_POINTS {
+            return None;
+        }
+        let count = far.len() as f64;
+        let mean = far.iter().sum::<f64>() / count;
+        let variance = far.iter().map(|force| (force - mean).powi(2)).sum::<f64>() / count;
+        let holds = |force: f64| is_pull_off(mean - force, variance.sqrt(), largest - mean);
+        let first = forces.iter().position(|force| holds(*force))?;
+        Some(if *part == FAR[0] { lowest } else { first })
+    };
+    FAR.iter().find_map(place)
 }
 
 /// The break of a curve in two pieces; none if its second piece does not rise.
@@ -289,6 +302,22 @@ mod tests {
                 assert!(!shown, "{exponent} {ripple}: {found:?}");
             }
         }
+    }
+
+    #[test]
+    fn a_neck_that_stretches_over_most_of_the_rows_is_no_stretch_before_the_contact() {
+        // From the end of a retraction: 40 rows without contact, a neck of 60 rows down to the pull-off, the contact.
+        let force = |i: i32| match i {
+            ..40 => 0.0,
+            40..100 => -0.4 - 0.01 * f64::from(i - 40),
+            _ => -1.0 + 0.05 * f64::from(i - 99),
+        };
+        let ripple = |i: i32| 0.01 * (2.4 * f64::from(i)).sin();
+        let x: Vec<f64> = (0..200).map(f64::from).collect();
+        let y: Vec<f64> = (0..200).map(|i| force(i) + ripple(i)).collect();
+        let found = BeforeContact::find(&x, &y).unwrap();
+        assert_eq!(found.first_in_contact, 40);
+        assert!(found.force.abs() < 0.01 && found.noise < 0.02, "{found:?}");
     }
 
     #[test]

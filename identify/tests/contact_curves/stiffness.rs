@@ -1,6 +1,8 @@
-//! Stiffnesses at forces and at depths compared with closed forms and finite differences.
+//! Stiffnesses at forces, depths and contact radii compared with closed forms and finite differences.
 
 use super::*;
+use pellicle_contact::axisymmetric::punch_stiffness;
+use pellicle_kernel::{Base, Interface, Layer};
 
 const AT_FORCE: Observable = Observable::StiffnessAtForce;
 const AT_DEPTH: Observable = Observable::StiffnessAtDepth;
@@ -91,5 +93,76 @@ fn derivatives_of_stiffnesses_on_a_coating_agree_with_differences() {
             // The grid error of both, and 1e-4 of the difference.
             assert!(error < 1.5e-3, "{observable:?} {index}: {error:e}");
         }
+    }
+}
+
+#[test]
+fn the_contact_radius_of_a_flat_punch_is_no_abscissa() {
+    let body = Foundation::half_space(material(50e3, 0.45)).into();
+    let curve = ContactCurve {
+        model: model(&body, Relief::Bare, FlatPunch::new(1e-3).unwrap()),
+        observable: Observable::StiffnessAtContactRadius,
+        abscissae: vec![0.5e-3, 1e-3, 1e-3],
+        own: Vec::new(),
+        origins: Vec::new(),
+        series: 0.0,
+        thinned: None,
+        adhesion: None,
+    };
+    let refused = ContactCurves::new(vec![curve], Vec::new(), CurveOptions::default());
+    let refused = refused.unwrap_err().to_string();
+    assert!(
+        refused.contains("contact radius") && refused.contains("flat punch"),
+        "{refused}"
+    );
+}
+
+#[test]
+fn the_stiffness_at_a_contact_radius_is_that_of_a_flat_punch() {
+    let (young, nu) = (210e9, 0.3);
+    let body = Foundation::half_space(material(young, nu)).into();
+    let radii = vec![0.1e-6, 0.3e-6, 1e-6];
+    // S = 2 a E*
+    let expected = radii
+        .iter()
+        .map(|a| 2.0 * a * material(young, nu).plane_strain_modulus());
+    let expected: Vec<f64> = expected.collect();
+    let cone = Indenter::from(Cone::new(1.2, 0.05e-6).unwrap());
+    let paraboloid = Indenter::from(Paraboloid::new(RADIUS).unwrap());
+    for indenter in [cone, paraboloid] {
+        let model = model(&body, Relief::Bare, indenter);
+        let observable = Observable::StiffnessAtContactRadius;
+        let found = predicted(&model, observable, radii.clone(), &[young_modulus(0)]);
+        for i in 0..radii.len() {
+            let errors = [
+                found.value[i] / expected[i] - 1.0,
+                found.slope[i] * radii[i] / expected[i] - 1.0,
+                found.derivatives[0][i] * young / expected[i] - 1.0,
+            ];
+            // The grid error of the area.
+            for error in errors {
+                assert!(error.abs() < 5e-3, "{errors:?} at {}", radii[i]);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_stiffness_at_the_smallest_contact_radius_on_a_confined_layer_is_that_of_its_own_radius() {
+    // A gel of 2 µm on a rigid base: under the largest radius a force grows with its sixth power, under the smallest
+    // with its third.
+    let layer = Layer::new(2e-6, material(10e3, 0.49), Interface::Bonded).unwrap();
+    let body = ElasticBodies::from(Foundation::new(vec![layer], Base::Rigid).unwrap());
+    let radii = [0.2e-6, 0.237e-6, 0.256e-6, 0.5e-6, 1.3e-6];
+    let model = model(&body, Relief::Bare, Paraboloid::new(5e-6).unwrap());
+    let observable = Observable::StiffnessAtContactRadius;
+    let found = predicted(&model, observable, radii.to_vec(), &[young_modulus(0)]);
+    for (radius, found) in radii.iter().zip(&found.value) {
+        let [exact, _] = punch_stiffness(&body, *radius).unwrap();
+        // The grid error of the area.
+        assert!(
+            (found / exact - 1.0).abs() < 1e-2,
+            "{found:e} {exact:e} at {radius:e}"
+        );
     }
 }

@@ -9,11 +9,26 @@ pub fn dotted(path: &str, key: &str) -> String {
     }
 }
 
-/// Splits `foundation.layer[0].thickness` or `foundation.layer.0.thickness` into its four parts.
+/// Splits `foundation.layer[0].thickness` or `foundation.layer.0.thickness` into its four parts; dots and brackets
+/// within quotes do not split, as in `unknown."load.work_of_adhesion"`.
 #[must_use]
 pub fn parts(key: &str) -> Option<Vec<String>> {
-    let dotted = key.trim().replace('[', ".").replace(']', "");
-    let parts: Vec<_> = dotted.split('.').map(|s| s.trim().to_owned()).collect();
+    let mut is_quoted = false;
+    let is_end = |sign: char| {
+        is_quoted ^= sign == '"';
+        !is_quoted && matches!(sign, '.' | '[')
+    };
+    let parts = key.split(is_end);
+    let bare = |part: &str| part.replace(['"', ']'], "").trim().to_owned();
+    let quoted = |part: &str| {
+        part.trim()
+            .strip_prefix('"')?
+            .strip_suffix('"')
+            .map(str::to_owned)
+    };
+    let parts: Vec<_> = parts
+        .map(|part| quoted(part).unwrap_or_else(|| bare(part)))
+        .collect();
     (parts.iter().all(|part| !part.is_empty())).then_some(parts)
 }
 
@@ -33,5 +48,8 @@ mod tests {
         }
         assert_eq!(dotted("", "title"), "title");
         assert_eq!(parts("load..force"), None);
+        let quoted = ["unknown", "foundation.layer[0].thickness", "from"].map(str::to_owned);
+        let key = "unknown.\"foundation.layer[0].thickness\".from";
+        assert_eq!(parts(key).as_deref(), Some(&quoted[..]));
     }
 }

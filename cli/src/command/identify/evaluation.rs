@@ -22,7 +22,6 @@ pub fn evaluate(arguments: &IdentifyArguments, file: &EvaluationFile) -> Result<
         return Err(Failure::NotSimulated(reason.into()));
     }
     let folder = claim(arguments, "")?;
-    threads::set(arguments.threads)?;
     threads::begin();
     let mut evaluation = Evaluation::new(file)?;
     let write = |folder: crate::results_folder::ResultsFolder| {

@@ -1,6 +1,8 @@
 //! The error of an extreme, and whether the grid resolves it; beside the contact's edge it is that of the edge.
 
-use super::{ExtremeFinder, ON_AXIS};
+use pellicle_influence::Depth;
+
+use super::{ExtremeFinder, ON_AXIS, Shared};
 use crate::result::peak::place_near;
 use crate::stress::edge_extreme::{Wanted, edge_extreme, is_near_edge};
 use crate::stress::extreme::Extreme;
@@ -66,6 +68,36 @@ impl ExtremeFinder<'_> {
                 resolved: sampled.resolved && !is_beside,
                 ..sampled
             },
+        })
+    }
+
+    /// Adds to the error of an extreme what the steps of a graded body leave unknown: stresses along the surface jump
+    /// from each of its layers to the next, so one is off by up to half the nearest jump.
+    pub(super) fn with_grading(
+        &self,
+        shared: &mut Shared<'_>,
+        (target, quantity): (&Target, StressQuantity),
+        extreme: Extreme<3>,
+    ) -> Result<Extreme<3>, ContactError> {
+        let foundation = self.field.tables().foundation();
+        let steps = (1..=foundation.layers().len()).map(|index| foundation.interface_depth(index));
+        let steps = steps.filter(|z| *z > target.top && *z < target.bottom);
+        let [x, y, z] = extreme.at;
+        let apart = |step: &f64| (step - z).abs();
+        let Some(step) = steps.min_by(|one, other| apart(one).total_cmp(&apart(other))) else {
+            return Ok(extreme);
+        };
+        let mut value = |depth: Depth| {
+            let state = shared.fine.state(shared.rough, [x, y], depth)?;
+            Ok::<_, ContactError>(quantity.of(&state))
+        };
+        let [above, below] = [value(Depth::above(step))?, value(Depth::below(step))?];
+        let part = 0.5 * (above - below).abs() / above.abs().max(below.abs());
+        Ok(Extreme {
+            estimate: extreme
+                .estimate
+                .map(|error| error + part * extreme.value.abs()),
+            ..extreme
         })
     }
 

@@ -29,15 +29,21 @@ fn depths_cover_a_body_from_top_to_bottom_and_are_densest_at_the_surface() {
         (0.0, 0.01),
         (3.0, 4.0),
         (1.0, 9.0),
+        (0.0, 500.0),
+        (3.0, 500.0),
         (0.0, f64::INFINITY),
         (5.0, f64::INFINITY),
+        (100.0, f64::INFINITY),
     ] {
         let found = depths(top, bottom);
         assert!(found.is_sorted_by(|one, other| one < other), "{found:?}");
-        assert_eq!(
-            (found[0], found[found.len() - 1]),
-            (top, bottom.min(top + 20.0))
-        );
+        // To the underside of a layer, in a base on the scale of the load or of its depth.
+        let last = if bottom.is_finite() {
+            bottom
+        } else {
+            top + 2.0 * top.max(10.0)
+        };
+        assert_eq!((found[0], found[found.len() - 1]), (top, last));
         let gaps: Vec<f64> = found.windows(2).map(|pair| pair[1] - pair[0]).collect();
         for (gap, next) in gaps.iter().zip(&gaps[1..]) {
             assert!(gap / next < 2.6 && next / gap < 2.6, "{found:?}");
