@@ -91,12 +91,21 @@ fn of_two_peaks_at_the_ends_of_a_layer_the_larger_is_found() {
         1.2e-3,
     );
     let found = stress_extremes(&path, 0, &stress).unwrap();
-    let found = found.bodies[0].max_shear.unwrap().value;
+    let found = found.bodies[0].max_shear.unwrap();
     let field = StressField::new(&path, 0, stress.sliding).unwrap();
-    for depth in [Depth::below(top), Depth::above(top + thickness)] {
-        let end = field.at([0.0; 2], depth).unwrap().max_shear();
-        assert!(found >= (1.0 - 1e-6) * end, "{found:e} {end:e}");
+    let shear = |depth: Depth| field.at([0.0; 2], depth).unwrap().max_shear();
+    for end in [Depth::below(top), Depth::above(top + thickness)] {
+        let end = shear(end);
+        assert!(found.value >= (1.0 - 1e-6) * end, "{found:?} {end:e}");
     }
+    // The steps of the grading are in its error.
+    let step = top + thickness * (1.0 - 1.0 / f64::from(parts));
+    let jump = (shear(Depth::above(step)) - shear(Depth::below(step))).abs();
+    let part = jump / shear(Depth::above(step)).max(shear(Depth::below(step)));
+    assert!(
+        part > 0.01 && found.estimate.unwrap() > 0.5 * part * found.value,
+        "{found:?} {part}"
+    );
 }
 
 /// Points that fill the cube from −1 to 1 evenly: multiples of powers of the root of x⁴ = x + 1.

@@ -72,7 +72,7 @@ impl ExtremeFinder<'_> {
     }
 
     /// Adds to the error of an extreme what the steps of a graded body leave unknown: stresses along the surface jump
-    /// from each of its layers to the next, so one is off by up to half the nearest jump.
+    /// from each of its layers to the next, so one is off by up to half the jump above or below.
     pub(super) fn with_grading(
         &self,
         shared: &mut Shared<'_>,
@@ -83,16 +83,17 @@ impl ExtremeFinder<'_> {
         let steps = (1..=foundation.layers().len()).map(|index| foundation.interface_depth(index));
         let steps = steps.filter(|z| *z > target.top && *z < target.bottom);
         let [x, y, z] = extreme.at;
-        let apart = |step: &f64| (step - z).abs();
-        let Some(step) = steps.min_by(|one, other| apart(one).total_cmp(&apart(other))) else {
-            return Ok(extreme);
-        };
-        let mut value = |depth: Depth| {
-            let state = shared.fine.state(shared.rough, [x, y], depth)?;
-            Ok::<_, ContactError>(quantity.of(&state))
-        };
-        let [above, below] = [value(Depth::above(step))?, value(Depth::below(step))?];
-        let part = 0.5 * (above - below).abs() / above.abs().max(below.abs());
+        let mut steps: Vec<f64> = steps.collect();
+        steps.sort_by(|one, other| (one - z).abs().total_cmp(&(other - z).abs()));
+        let mut part = 0.0_f64;
+        for step in steps.into_iter().take(2) {
+            let mut value = |depth: Depth| {
+                let state = shared.fine.state(shared.rough, [x, y], depth)?;
+                Ok::<_, ContactError>(quantity.of(&state))
+            };
+            let [above, below] = [value(Depth::above(step))?, value(Depth::below(step))?];
+            part = part.max(0.5 * (above - below).abs() / above.abs().max(below.abs()));
+        }
         Ok(Extreme {
             estimate: extreme
                 .estimate
