@@ -5,6 +5,7 @@ pub mod causes;
 pub mod curve_source;
 pub mod deviations;
 mod effective_indenter;
+pub mod exact_evaluation;
 pub mod files;
 pub mod findings;
 pub mod fitted_file;

@@ -16,7 +16,7 @@ use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::measured::noise::MeasuredNoise;
 use pellicle_identify::{
     Amount, ContactCurve, Correlation, IdentifyError, LinearNuisance, Noise, NuisanceShape,
-    ParameterAtPoint, Scope, Thinned,
+    ParameterAtPoint, PointErrors, Scope, Thinned,
 };
 
 use super::Identification;
@@ -36,8 +36,12 @@ const LEAST_TREND: f64 = 0.05;
 const TREND_DEVIATIONS: f64 = 2.6;
 /// The thickness of the top layer.
 const TOP: &str = "foundation.layer[0].thickness";
+/// Poisson's ratio of the top layer, and of a body without layers.
+const TOP_RATIO: &str = "foundation.layer[0].poisson_ratio";
+const HALF_SPACE_RATIO: &str = "foundation.substrate.poisson_ratio";
 
-/// The readings of a table: contact radii, stiffnesses over β, and what the imprints take off the top layer.
+/// The readings of a table: contact radii, stiffnesses over β, what the imprints take off the top layer, and, where no
+/// noise is stated, the errors of each contact from its own curve.
 ///
 /// # Errors
 ///
@@ -71,11 +75,17 @@ pub fn source(
     measured.rows = (1..=contacts.len()).collect();
     // They are told with those of the evaluations.
     measured.warnings.clear();
-    Ok(CurveSource::of_readings(
-        measured,
-        [radii, stiffnesses],
-        thinned,
-    ))
+    let errors = if is_stated(&table.noise) {
+        Vec::new()
+    } else {
+        let own = contacts.iter().zip(radii.iter().zip(&stiffnesses));
+        own.map(|(of, (radius, stiffness))| own_errors(of, *radius, *stiffness))
+            .collect()
+    };
+    let mut source = CurveSource::of_readings(measured, [radii, stiffnesses]);
+    source.thinned = thinned;
+    source.errors = errors;
+    Ok(source)
 }
 
 impl Identification {
@@ -86,6 +96,7 @@ impl Identification {
             return Vec::new();
         };
         let mut found = warnings::all(&self.evaluated, settings);
+        found.extend(self.other_poisson_ratio(settings));
         found.extend(self.thinning_effect(settings));
         found.extend(self.trend());
         found
@@ -173,6 +184,32 @@ impl Identification {
             message: format!(
                 "the {name} from single contacts goes from {first} to {last} {unit} with their depth, more steadily than by \
                  chance, and one body has one: are thickness and base right, the area function, and is there pile-up?"
+            ),
+        })
+    }
+
+    /// That the evaluation has another Poisson's ratio than the body at its surface, which a fit does not seek.
+    fn other_poisson_ratio(&self, settings: &EvaluationSettings) -> Option<WarningResult> {
+        let is_sought = |key: &str| self.file.all_unknowns().iter().any(|of| of.key == key);
+        let curves = self.model.curves().iter().zip(&self.file.data);
+        let found = curves.filter_map(|(curve, data)| {
+            let foundation = curve.model.tables.foundation();
+            let (key, place) = match foundation.layers() {
+                [] => (HALF_SPACE_RATIO, "the substrate"),
+                [..] => (TOP_RATIO, "the top layer"),
+            };
+            let found = foundation.surface_material().poisson_ratio();
+            let Uncertain { value, sd } = settings.poisson_ratio;
+            let differs = (found - value).abs() > sd.max(f64::EPSILON);
+            (data.is_unloading() && differs && !is_sought(key)).then_some((place, found))
+        });
+        let (place, found) = found.into_iter().next()?;
+        let given = settings.poisson_ratio.value;
+        Some(WarningResult {
+            code: "poisson-ratio".into(),
+            message: format!(
+                "evaluation.poisson_ratio is {given}, and Poisson's ratio of {place} in the model {found}: the indentation \
+                 modulus has the first, the fit the second"
             ),
         })
     }
@@ -272,27 +309,41 @@ pub fn thinned(parameters: &ModelParameters, off: Vec<f64>) -> Option<Thinned> {
     (!off.is_empty()).then_some(Thinned { thickness, off })
 }
 
-/// The relative variance of a contact's modulus from its own curve.
-fn own_variance(of: &IndentationNumbers) -> f64 {
-    let modulus = IndentationNumber::ReducedModulus;
-    of.own_variance(modulus) / of.get(modulus).unwrap_or_default().value.powi(2)
+/// Whether a file states the noise of its stiffnesses, so that it is not that of their evaluations.
+fn is_stated(noise: &MeasuredNoise) -> bool {
+    noise.relative.is_some() || noise.stiffness.is_some()
 }
 
-/// The noise of the stiffnesses relative to their values: from their scatter where there are enough, otherwise that of
-/// their evaluations.
+/// The errors of a contact's radius (m) and stiffness (N/m) from its own curve.
+fn own_errors(of: &IndentationNumbers, radius: f64, stiffness: f64) -> PointErrors {
+    let (slope, area) = (IndentationNumber::ContactStiffness, IndentationNumber::Area);
+    let value = |number| of.get(number).unwrap_or_default().value;
+    let relative = |one, other| of.own_covariance(one, other) / (value(one) * value(other));
+    // ln a = ½ ln A + constant
+    let half = 0.5 * radius;
+    PointErrors {
+        observed: stiffness * stiffness * relative(slope, slope),
+        abscissa: half * half * relative(area, area),
+        covariance: stiffness * half * relative(slope, area),
+    }
+}
+
+/// The noise of the stiffnesses relative to their values, beside the errors of each contact: from what scatter those
+/// leave where there are enough contacts, otherwise none.
+///
+/// A sum of variances is the model of random effects (R. DerSimonian and N. Laird, Control. Clin. Trials 7, 177 (1986)).
+/// A common factor of the errors instead (R. T. Birge, Phys. Rev. 40, 207 (1932)) would leave all to the deepest
+/// contact where bodies differ from place to place: with a scatter of 2 % beside errors of 5.6 to 0.06 % its 95 %
+/// intervals hold in half of the cases, these in 94 of 100 and more.
 #[must_use]
 pub fn noise(given: MeasuredNoise, evaluated: &[EvaluatedFile], file: &FitFile) -> Noise {
     let files: Vec<&EvaluatedFile> = evaluated.iter().collect();
-    let variances: Vec<f64> = contacts(&files).map(own_variance).collect();
-    let count = variances.len();
-    let own = (variances.iter().sum::<f64>() / count as f64)
-        .sqrt()
-        .max(DIGITS);
+    let count = contacts(&files).count();
     let relative = match given.relative {
         Some(relative) => Amount::Given(relative),
-        None if given.stiffness.is_some() => Amount::Given(0.0),
+        None if is_stated(&given) => Amount::Given(0.0),
         None if count >= file.all_unknowns().len() + SPARE_POINTS => Amount::Estimated,
-        None => Amount::Given(own),
+        None => Amount::Given(DIGITS),
     };
     Noise {
         observed: Amount::Given(given.stiffness.unwrap_or(0.0)),
