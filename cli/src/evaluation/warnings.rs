@@ -68,7 +68,7 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
         if let Some(first) = outside.first() {
             let [first, least, most] = [*first, least, most].map(|of| significant(of * 1e9, 4));
             let message = format!(
-                "{}, such as {first} nm, lie outside those of the area function's calibration, {least} to {most} nm",
+                "{} outside those of the area function's calibration, {least} to {most} nm, such as {first} nm",
                 count(outside.len(), "contact depth")
             );
             warn("area-not-calibrated", message);

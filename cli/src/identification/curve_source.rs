@@ -16,7 +16,7 @@ use pellicle_identify::{
     Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable, PointErrors, Reading,
 };
 
-use super::unloadings;
+use super::contact_noise;
 use crate::failure::Failure;
 
 /// The smallest number of points of a curve.
@@ -328,7 +328,7 @@ pub fn noise(
         return Err(other.other_noise().into());
     }
     if observe == Observable::UnloadingStiffness {
-        return Ok(unloadings::noise(noise, evaluated, file));
+        return Ok(contact_noise::noise(noise, evaluated, file));
     }
     let (observed, abscissa) = (noise.of(observe.observed()), noise.of(observe.abscissa()));
     // What the forces scatter by before the contact, they scatter by in it.

@@ -125,6 +125,8 @@ impl Identification {
             let change = |of: &Contact| -of.by_depth(settings) * of.sink_in();
             found.push((number(EPSILON, "1", epsilon.value), each(&change)));
         }
+        // Where the instrument gives the radii, no contact depth enters.
+        found.retain(|(_, change)| change.iter().any(|change| change.abs() > 0.0));
         found
     }
 

@@ -41,9 +41,9 @@ fn identify(folder: &TestFolder, fit: &str) -> Value {
     result(&folder.run(&["identify", "fit.toml", "--json"]))
 }
 
-/// Depths (nm) and forces (mN) of a contact of this depth (m): loading, hold and an unloading by a power law, with a
-/// noise of 0.2 nm and 0.1 µN.
-fn curve(contact_depth: f64, seed: f64) -> String {
+/// Depths (nm) and forces (mN) of a contact of this depth (m) in a frame of this compliance (m/N): loading, hold and an
+/// unloading by a power law, with a noise of 0.2 nm and 0.1 µN.
+fn curve(contact_depth: f64, frame: f64, seed: f64) -> String {
     let area = 24.5 * contact_depth * contact_depth;
     let (force, stiffness) = (HARDNESS * area, 2.0 * reduced() * (area / PI).sqrt());
     let deepest = contact_depth + 0.75 * force / stiffness;
@@ -59,10 +59,9 @@ fn curve(contact_depth: f64, seed: f64) -> String {
     for (row, (depth, part)) in (1..).zip(loading.chain(hold).chain(unloading)) {
         // Digits that no period of the rows repeats, with a variance of one.
         let noise = |k: f64| 2.0_f64.sqrt() * (seed * 7.0 + k * f64::from(row * row)).sin();
-        let (depth, force) = (
-            depth * 1e9 + 0.2 * noise(1.7),
-            part * force * 1e3 + 1e-4 * noise(2.9),
-        );
+        let force = part * force;
+        let depth = (depth + frame * force) * 1e9 + 0.2 * noise(1.7);
+        let force = force * 1e3 + 1e-4 * noise(2.9);
         writeln!(text, "{depth:.6}\t{force:.9}").unwrap();
     }
     text
@@ -74,7 +73,7 @@ fn contacts_weigh_by_their_own_uncertainties() {
     for (k, depth) in (1..).zip([60e-9, 100e-9, 160e-9, 260e-9, 400e-9, 600e-9]) {
         fs::write(
             folder.path(&format!("depth{k}.txt")),
-            curve(depth, f64::from(k)),
+            curve(depth, 0.0, f64::from(k)),
         )
         .unwrap();
     }
@@ -190,6 +189,9 @@ fn the_radii_that_an_instrument_gives_are_taken_as_exact() {
     fs::write(folder.path("oxide.csv"), table).unwrap();
     let found = identify(&folder, fit);
     let [exponent, largest] = exact(&found, "data[0].columns.contact_radius");
+    // No contact depth enters; what is exact has an uncertainty of zero, not of minus zero.
+    assert!(!found["taken_as_exact"].to_string().contains("epsilon"));
+    assert!(!found.to_string().contains("-0.0,") && !found.to_string().contains("-0.0}"));
     assert!((largest / 699.77e-9 - 1.0).abs() < 1e-6, "{largest}");
     let wider = table.lines().map(|line| match line.rsplit_once(',') {
         Some((rest, radius)) => match radius.parse::<f64>() {
@@ -227,5 +229,41 @@ fn another_poisson_ratio_than_that_of_the_top_layer_is_told_of() {
     assert!(
         told.contains("evaluation.poisson_ratio is 0.45, and Poisson's ratio of the top layer in the model 0.17"),
         "{told}"
+    );
+}
+
+#[test]
+fn a_calibration_by_unloadings_does_not_warn_of_its_own_contacts() {
+    let folder = TestFolder::new();
+    let depths = [60e-9, 90e-9, 140e-9, 200e-9, 300e-9, 450e-9, 600e-9];
+    for (k, depth) in (1..).zip(depths) {
+        let text = curve(depth, 1e-6, f64::from(k));
+        fs::write(folder.path(&format!("depth{k}.txt")), text).unwrap();
+    }
+    let (data, rest) = FIT.split_once("[evaluation]").unwrap();
+    let data = data.split_once("[[data]]").unwrap().1;
+    let calibration = rest.split_once("[unknown]").unwrap().0.replace(
+        "area_function = [24.5]",
+        "calibrate = { young_modulus = \"15 GPa\", coefficients = 1 }",
+    );
+    let fit = format!("[[data]]{data}[evaluation]{calibration}");
+    let told = |fit: &str| identify(&folder, fit)["warnings"].to_string();
+    let warnings = told(&fit);
+    assert!(!warnings.contains("area-not-calibrated"), "{warnings}");
+    // Other contacts far outside are told of.
+    let ran = folder.run(&["identify", "fit.toml", "--out", "tip"]);
+    assert!(
+        folder.path("tip/calibration.toml").is_file(),
+        "{}",
+        ran.stderr
+    );
+    fs::write(folder.path("depth8.txt"), curve(900e-9, 1e-6, 8.0)).unwrap();
+    let tip = "area_function = \"tip/calibration.toml\"";
+    let (before, after) = fit.split_once("calibrate").unwrap();
+    let other = format!("{before}{tip}\n{}", after.split_once('\n').unwrap().1);
+    let warnings = told(&other);
+    assert!(
+        warnings.contains("depth8.txt: 1 contact depth outside those of the area function"),
+        "{warnings}"
     );
 }

@@ -148,7 +148,8 @@ mod tests {
         };
         let flat = [[1.0; 2], [0.0; 2]];
         let [value, slope] = &flat;
-        let whitener = Whitener::new(&levels, [value, slope], &[own, own], &[0..2]);
+        let spans = crate::problem::spans(std::iter::once(2));
+        let whitener = Whitener::new(&levels, [value, slope], &[own, own], &spans);
         // The covariance 9 · 0.9 of variances 9 + 16.
         let wanted = (25.0_f64 * 25.0 - 8.1 * 8.1).ln();
         assert_relative_eq!(whitener.log_determinant(), wanted, max_relative = 1e-14);
