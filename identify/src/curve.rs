@@ -65,8 +65,8 @@ impl Curve {
     ///
     /// # Errors
     ///
-    /// [`IdentifyError::Length`] where the numbers of errors and points differ, [`IdentifyError::Point`] where a variance
-    /// is negative or not finite.
+    /// [`IdentifyError::Length`] where the numbers of errors and points differ, [`IdentifyError::Point`] where a
+    /// variance is negative or not finite.
     pub fn with_errors(mut self, errors: Vec<PointErrors>) -> Result<Self, IdentifyError> {
         check_count("known errors", errors.len(), self.points())?;
         let mut points = errors.iter().enumerate();

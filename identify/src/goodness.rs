@@ -251,9 +251,9 @@ pub(crate) enum NoiseScale {
 }
 
 impl NoiseScale {
-    /// The scale of a problem's noise, whose size is known with these degrees of freedom; the residuals themselves have
-    /// the χ² and the degrees of `residuals`. Of noise that is known in part, the size of the rest may be known far less
-    /// well than that of both.
+    /// The scale of a problem's noise, whose size is known with these degrees of freedom; the residuals themselves
+    /// have the χ² and the degrees of `residuals`. Of noise that is known in part, the size of the rest may be known
+    /// far less well than that of both.
     pub fn of(problem: &Problem, degrees: f64, residuals: [f64; 2]) -> Self {
         let [chi_squared, of_residuals] = residuals;
         let noise = problem.noise();

@@ -1,4 +1,4 @@
-//! The errors of the contacts of unloadings in a fit: each contact's own, what all scatter by beside, and what all share.
+//! The errors of the contacts of unloadings in a fit: their own, what all scatter by beside, and what all share.
 
 use pellicle_identify::fit_file::FitFile;
 use pellicle_identify::fit_file::evaluation_file::EvaluatedFile;
@@ -38,10 +38,10 @@ pub(super) fn own_errors(of: &IndentationNumbers, radius: f64, stiffness: f64) -
 /// leave where there are enough contacts, otherwise none.
 #[must_use]
 pub fn noise(given: MeasuredNoise, evaluated: &[EvaluatedFile], file: &FitFile) -> Noise {
-    // A sum of variances, as of random effects: R. DerSimonian and N. Laird, Control. Clin. Trials 7, 177 (1986). A common
-    // factor of the errors instead (R. T. Birge, Phys. Rev. 40, 207 (1932)) leaves all to the deepest contact where
-    // bodies differ from place to place: of eight contacts with errors of 5.6 to 0.06 % and a scatter of 2 % beside, its
-    // 95 % intervals hold in 47 of 100 cases, these in 96.
+    // A sum of variances, as of random effects: R. DerSimonian and N. Laird, Control. Clin. Trials 7, 177 (1986). A
+    // common factor of the errors instead (R. T. Birge, Phys. Rev. 40, 207 (1932)) leaves all to the deepest contact
+    // where bodies differ from place to place: of eight contacts with errors of 5.6 to 0.06 % and a scatter of 2 %
+    // beside, its 95 % intervals hold in 47 of 100 cases, these in 96.
     let files: Vec<&EvaluatedFile> = evaluated.iter().collect();
     let count = contacts(&files).count();
     let relative = match given.relative {

@@ -13,8 +13,9 @@ use super::findings::{EstimateResult, WarningResult};
 use super::{Identification, names};
 use crate::failure::Failure;
 
-/// A parameter that a fit takes as exact. Of a zero of the depth or the force the largest reading stands in place of its
-/// value, of the compliance of a frame the least of a contact, and of an area function 1: its errors are parts of that.
+/// A parameter that a fit takes as exact. Of a zero of the depth or the force the largest reading stands in place of
+/// its value, of the compliance of a frame the least of a contact, and of an area function 1: its errors are parts of
+/// that.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ExactNumber {
     /// Its key; `data[0] KEY` for a value specific to a table of measurements.
