@@ -2,9 +2,11 @@
 
 mod adhesion;
 pub mod causes;
+pub mod contact_noise;
 pub mod curve_source;
 pub mod deviations;
 mod effective_indenter;
+pub mod exact_evaluation;
 pub mod files;
 pub mod findings;
 pub mod fitted_file;
@@ -233,7 +235,7 @@ fn problem(
     let told: Vec<_> = sources.iter().map(CurveSource::force_zero).collect();
     let mut linear = file.nuisances.linear(observe(file), &told)?;
     linear.extend(zeros::baseline_slopes(observe(file), sources)?);
-    linear.extend(unloadings::nuisances(evaluated, sources)?);
+    linear.extend(contact_noise::nuisances(evaluated, sources)?);
     Ok(Problem::new(curves, unknowns, &linear, noise)?)
 }
 

@@ -21,6 +21,7 @@ mod find;
 mod guide;
 mod identify;
 mod identify_adhesion;
+mod identify_contacts;
 mod identify_exact;
 mod identify_noise;
 mod identify_plan;

@@ -1,6 +1,6 @@
 //! One measured curve.
 
-use crate::IdentifyError;
+use crate::{IdentifyError, PointErrors};
 
 /// A measured curve: an observable at given abscissae, such as penetrations at given forces, in the order measured.
 #[derive(Debug, Clone, PartialEq)]
@@ -9,6 +9,7 @@ pub struct Curve {
     observed: Vec<f64>,
     time: Option<Vec<f64>>,
     origin: f64,
+    errors: Vec<PointErrors>,
 }
 
 impl Curve {
@@ -27,6 +28,7 @@ impl Curve {
             observed,
             time: None,
             origin: 0.0,
+            errors: Vec::new(),
         })
     }
 
@@ -56,6 +58,27 @@ impl Curve {
     pub fn with_origin(mut self, origin: f64) -> Self {
         self.origin = origin;
         self
+    }
+
+    /// The same curve with the known errors of each point, independent of those of others, beside the noise that all
+    /// points have in common.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentifyError::Length`] where the numbers of errors and points differ, [`IdentifyError::Point`] where a
+    /// variance is negative or not finite.
+    pub fn with_errors(mut self, errors: Vec<PointErrors>) -> Result<Self, IdentifyError> {
+        check_count("known errors", errors.len(), self.points())?;
+        let mut points = errors.iter().enumerate();
+        points.try_for_each(|(point, errors)| errors.check(point))?;
+        self.errors = errors;
+        Ok(self)
+    }
+
+    /// The known errors of each point; empty where there are none.
+    #[must_use]
+    pub fn errors(&self) -> &[PointErrors] {
+        &self.errors
     }
 
     /// The value at which the search for the zero of its abscissa starts.
@@ -95,12 +118,16 @@ pub(crate) fn check_length(
     values: &[f64],
     wanted: usize,
 ) -> Result<(), IdentifyError> {
-    if values.len() == wanted {
+    check_count(list, values.len(), wanted)
+}
+
+fn check_count(list: &'static str, found: usize, wanted: usize) -> Result<(), IdentifyError> {
+    if found == wanted {
         return Ok(());
     }
     Err(IdentifyError::Length {
         list,
-        found: values.len(),
+        found,
         wanted,
     })
 }

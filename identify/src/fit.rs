@@ -242,7 +242,9 @@ impl<'p> Fitting<'p> {
             lower_half_score(problem, at.0, at.1, &self.determined),
             smooth_score(problem, at.0, at.1, &self.determined),
         ];
-        let scale = NoiseScale::of(problem, least);
+        let degrees = whitened.len().saturating_sub(fitted).max(1) as f64;
+        let chi_squared = refined.minimum.system.chi_squared;
+        let scale = NoiseScale::of(problem, least, [chi_squared, degrees]);
         let [lower_half_p, smooth_p] = scores.map(|score| scale.probability(score));
         Residuals {
             series: problem
@@ -250,9 +252,9 @@ impl<'p> Fitting<'p> {
                 .iter()
                 .map(|span| &whitened[span.clone()])
                 .collect(),
-            chi_squared: refined.minimum.system.chi_squared,
+            chi_squared,
             points: problem.points(),
-            degrees: whitened.len().saturating_sub(fitted).max(1) as f64,
+            degrees,
             known,
         }
         .judge(&OtherTests {
@@ -267,7 +269,7 @@ impl<'p> Fitting<'p> {
         let series = outlier::Series {
             residual: &points.residual,
             observed: self.problem.observed(),
-            deviation: &refined.levels.deviations(&refined.minimum.at),
+            deviation: &(refined.levels).deviations(&refined.minimum.at, self.problem.errors()),
             is_told: self.problem.noise().is_given(),
         };
         outlier::outliers(&series, self.problem.spans())

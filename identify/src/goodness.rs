@@ -244,37 +244,53 @@ pub(crate) fn score(
 pub(crate) enum NoiseScale {
     /// Exactly.
     Known,
-    /// Estimated with these degrees of freedom from residuals that contain the score.
-    OfResiduals(f64),
+    /// Estimated with these degrees of freedom from residuals of this χ², which contain the score.
+    OfResiduals { degrees: f64, chi_squared: f64 },
     /// Estimated with these degrees of freedom, together with a correlation that absorbs part of a misfit.
     OfCorrelated(f64),
 }
 
 impl NoiseScale {
-    /// The scale of a problem's noise.
-    pub fn of(problem: &Problem, degrees: f64) -> Self {
+    /// The scale of a problem's noise, whose size is known with these degrees of freedom; the residuals themselves
+    /// have the χ² and the degrees of `residuals`. Of noise that is known in part, the size of the rest may be known
+    /// far less well than that of both.
+    pub fn of(problem: &Problem, degrees: f64, residuals: [f64; 2]) -> Self {
+        let [chi_squared, of_residuals] = residuals;
         let noise = problem.noise();
         if noise.is_known() {
             Self::Known
         } else if noise.correlation == Correlation::Estimated {
             Self::OfCorrelated(degrees)
+        } else if degrees < of_residuals {
+            Self::OfResiduals {
+                degrees: of_residuals,
+                chi_squared,
+            }
         } else {
-            Self::OfResiduals(degrees)
+            Self::OfResiduals {
+                degrees,
+                chi_squared: degrees,
+            }
         }
     }
 
     /// The probability of a score `S` of `q` columns as large as this; `None` for no columns. If the `ν` degrees of
-    /// freedom contain the score, `(S/q)/((ν − S)/(ν − q))` is Fisher's F; otherwise `S/q` is.
+    /// freedom contain the score, `(S/q)/((χ² − S)/(ν − q))` is Fisher's F; otherwise `S/q` is.
     pub fn probability(self, [score, q]: [f64; 2]) -> Option<f64> {
         (q > 0.0).then(|| match self {
             Self::Known => chi_squared_above(score, q),
             Self::OfCorrelated(degrees) => fisher_above(score / q, q, degrees),
             // What is estimated is nothing beside what is given.
-            Self::OfResiduals(degrees) if degrees.is_infinite() => chi_squared_above(score, q),
-            Self::OfResiduals(degrees) if degrees <= q => 1.0,
-            Self::OfResiduals(degrees) if degrees <= score => 0.0,
-            Self::OfResiduals(degrees) => {
-                let rest = (degrees - score) / (degrees - q);
+            Self::OfResiduals { degrees, .. } if degrees.is_infinite() => {
+                chi_squared_above(score, q)
+            }
+            Self::OfResiduals { degrees, .. } if degrees <= q => 1.0,
+            Self::OfResiduals { chi_squared, .. } if chi_squared <= score => 0.0,
+            Self::OfResiduals {
+                degrees,
+                chi_squared,
+            } => {
+                let rest = (chi_squared - score) / (degrees - q);
                 fisher_above(score / q / rest, q, degrees - q)
             }
         })

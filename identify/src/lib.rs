@@ -59,7 +59,7 @@ pub use forward_model::{ForwardError, ForwardModel, Prediction};
 pub use goodness::{Goodness, REFUSAL};
 pub use known_combination::KnownCombination;
 pub use likelihood::Likelihood;
-pub use noise::{Amount, Correlation, Noise, NoiseLevels};
+pub use noise::{Amount, Correlation, Noise, NoiseLevels, PointErrors};
 pub use nuisance::{LinearNuisance, NuisanceShape, Scope};
 pub use null_direction::NullDirections;
 pub use options::{FitOptions, Intervals};

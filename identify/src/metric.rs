@@ -39,7 +39,7 @@ pub(crate) struct System {
 impl<'a> Metric<'a> {
     /// The covariance at the model's values and slopes.
     pub fn new(problem: &'a Problem, levels: &NoiseLevels, value: &[f64], slope: &[f64]) -> Self {
-        let whitener = Whitener::new(levels, value, slope, problem.spans());
+        let whitener = Whitener::new(levels, [value, slope], problem.errors(), problem.spans());
         let nuisances = OrthonormalBasis::of(nuisance_columns(problem, &whitener, slope));
         Self {
             problem,

@@ -2,9 +2,12 @@
 
 use crate::{IdentifyError, predictor::Evaluation};
 
+mod point_errors;
 pub(crate) mod restricted_likelihood;
 pub(crate) mod simplex;
 pub(crate) mod whitener;
+
+pub use point_errors::PointErrors;
 
 /// The size of one part of the noise.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,10 +96,24 @@ impl NoiseLevels {
         self.observed.powi(2) + (self.relative * value).powi(2) + (slope * self.abscissa).powi(2)
     }
 
-    /// The standard deviation of each point of an evaluation.
-    pub(crate) fn deviations(&self, at: &Evaluation) -> Vec<f64> {
-        let pairs = at.value.iter().zip(&at.slope);
-        let variances = pairs.map(|(value, slope)| self.variance(*value, *slope));
+    /// The variance of each of some points, with its known errors; no errors are zeros.
+    pub(crate) fn variances(
+        &self,
+        value: &[f64],
+        slope: &[f64],
+        errors: &[PointErrors],
+    ) -> Vec<f64> {
+        let pairs = value.iter().zip(slope).enumerate();
+        let variance = |(point, (value, slope)): (usize, (&f64, &f64))| {
+            let known = errors.get(point).map_or(0.0, |of| of.variance(*slope));
+            self.variance(*value, *slope) + known
+        };
+        pairs.map(variance).collect()
+    }
+
+    /// The standard deviation of each point of an evaluation, with its known errors.
+    pub(crate) fn deviations(&self, at: &Evaluation, errors: &[PointErrors]) -> Vec<f64> {
+        let variances = self.variances(&at.value, &at.slope, errors).into_iter();
         variances.map(f64::sqrt).collect()
     }
 }

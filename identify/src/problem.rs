@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use crate::{
-    Curve, IdentifyError, LinearNuisance, Noise, NullDirections, Unknown, nuisance::NuisanceColumn,
+    Curve, IdentifyError, LinearNuisance, Noise, NullDirections, PointErrors, Unknown,
+    nuisance::NuisanceColumn,
 };
 
 /// Scatter of the parameters between curves.
@@ -27,6 +28,8 @@ pub struct Problem {
     columns: Vec<NuisanceColumn>,
     spans: Vec<Range<usize>>,
     observed: Vec<f64>,
+    /// The known errors of each point; empty where no curve has some.
+    errors: Vec<PointErrors>,
 }
 
 impl Problem {
@@ -62,6 +65,7 @@ impl Problem {
             });
         }
         Ok(Self {
+            errors: errors(&curves),
             curves,
             unknowns,
             noise,
@@ -147,6 +151,7 @@ impl Problem {
         let curves = vec![self.curves[index].clone()];
         Self {
             spans: spans(curves.iter().map(Curve::points)),
+            errors: errors(&curves),
             curves,
             unknowns: self.unknowns.iter().map(Unknown::without_prior).collect(),
             noise: self.noise,
@@ -187,6 +192,11 @@ impl Problem {
         &self.observed
     }
 
+    /// The known errors of each point; empty where no curve has some.
+    pub(crate) fn errors(&self) -> &[PointErrors] {
+        &self.errors
+    }
+
     /// The abscissae of all curves.
     pub(crate) fn abscissa(&self) -> Vec<f64> {
         self.curves
@@ -207,6 +217,19 @@ pub(crate) fn spans(points: impl Iterator<Item = usize>) -> Vec<Range<usize>> {
             span
         })
         .collect()
+}
+
+/// The known errors of the points of curves; zeros where other curves have some, empty where none has.
+fn errors(curves: &[Curve]) -> Vec<PointErrors> {
+    if curves.iter().all(|curve| curve.errors().is_empty()) {
+        return Vec::new();
+    }
+    let of = |curve: &Curve| {
+        let mut errors = curve.errors().to_vec();
+        errors.resize(curve.points(), PointErrors::default());
+        errors
+    };
+    curves.iter().flat_map(of).collect()
 }
 
 fn check_names(unknowns: &[Unknown]) -> Result<(), IdentifyError> {

@@ -165,6 +165,6 @@ impl<'p> Refinement<'_, 'p> {
     /// Whether the covariance of the noise is independent of the fit.
     fn is_fixed(&self) -> bool {
         let noise = self.problem.noise();
-        noise.is_known() && noise.is_uniform()
+        noise.is_known() && noise.is_uniform() && self.problem.errors().is_empty()
     }
 }

@@ -10,6 +10,7 @@ mod analytic;
 mod common_departure;
 mod coverage;
 mod exponents;
+mod known_errors;
 mod likelihood;
 mod misfit;
 mod noise;

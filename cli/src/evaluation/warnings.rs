@@ -9,6 +9,10 @@ use pellicle_identify::indentation::{
 
 use crate::identification::findings::WarningResult;
 
+/// Contact depths within this factor of those of a calibration are inside. Its own contacts are there again with other
+/// last digits: a calibration takes the frame out of their stiffnesses, an evaluation out of the whole unloading.
+const BEYOND: f64 = 1.01;
+
 /// The warnings of all curves.
 #[must_use]
 pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<WarningResult> {
@@ -59,12 +63,12 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
         let [least, most] = settings.area_range.unwrap_or([0.0, f64::INFINITY]);
         let outside: Vec<f64> = depths
             .map(|of| of.value)
-            .filter(|depth| !(least..=most).contains(depth))
+            .filter(|depth| *depth < least / BEYOND || *depth > most * BEYOND)
             .collect();
         if let Some(first) = outside.first() {
             let [first, least, most] = [*first, least, most].map(|of| significant(of * 1e9, 4));
             let message = format!(
-                "{}, such as {first} nm, lie outside those of the area function's calibration, {least} to {most} nm",
+                "{} outside those of the area function's calibration, {least} to {most} nm, such as {first} nm",
                 count(outside.len(), "contact depth")
             );
             warn("area-not-calibrated", message);

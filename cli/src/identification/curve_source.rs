@@ -13,10 +13,10 @@ use pellicle_identify::measured::data_table::DataTable;
 use pellicle_identify::measured::error::CurveError;
 use pellicle_identify::measured::noise::NoiseCorrelation;
 use pellicle_identify::{
-    Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable, Reading,
+    Amount, Correlation, Curve, IdentifyError, Invalidity, Noise, Observable, PointErrors, Reading,
 };
 
-use super::unloadings;
+use super::contact_noise;
 use crate::failure::Failure;
 
 /// The smallest number of points of a curve.
@@ -46,6 +46,8 @@ pub struct CurveSource {
     pub has_pull_off: bool,
     /// What the imprint under each point takes off the thickness of the top layer, m; empty for nothing.
     pub thinned: Vec<f64>,
+    /// The known errors of each point; empty for none.
+    pub errors: Vec<PointErrors>,
     /// The index of each fitted point among those of the measurement.
     points: Vec<usize>,
 }
@@ -123,6 +125,7 @@ impl CurveSource {
             without_contact: abscissa.len() - in_contact.len(),
             has_pull_off,
             thinned: Vec::new(),
+            errors: Vec::new(),
             points: in_contact,
             measured,
         };
@@ -141,11 +144,7 @@ impl CurveSource {
 
     /// A curve of these readings, one for each row of a measurement.
     #[must_use]
-    pub fn of_readings(
-        measured: MeasuredCurve,
-        [abscissa, observed]: [Vec<f64>; 2],
-        thinned: Vec<f64>,
-    ) -> Self {
+    pub fn of_readings(measured: MeasuredCurve, [abscissa, observed]: [Vec<f64>; 2]) -> Self {
         Self {
             points: (0..abscissa.len()).collect(),
             measured,
@@ -154,7 +153,8 @@ impl CurveSource {
             time: None,
             without_contact: 0,
             has_pull_off: false,
-            thinned,
+            thinned: Vec::new(),
+            errors: Vec::new(),
         }
     }
 
@@ -195,15 +195,14 @@ impl CurveSource {
             .filter(|point| invalid.get(*point).is_none_or(Option::is_none))
             .collect();
         let chosen = |values: &[f64]| kept.iter().map(|point| values[*point]).collect();
+        let errors = kept.iter().filter_map(|point| self.errors.get(*point));
+        let thinned = kept.iter().filter_map(|point| self.thinned.get(*point));
         Self {
             abscissa: chosen(&self.abscissa),
             observed: chosen(&self.observed),
             time: self.time.as_deref().map(chosen),
-            thinned: if self.thinned.is_empty() {
-                Vec::new()
-            } else {
-                chosen(&self.thinned)
-            },
+            thinned: thinned.copied().collect(),
+            errors: errors.copied().collect(),
             points: kept.iter().map(|point| self.points[*point]).collect(),
             ..self.clone()
         }
@@ -236,7 +235,10 @@ impl CurveSource {
     ///
     /// [`IdentifyError`] if a value is not finite.
     pub fn curve(&self) -> Result<Curve, IdentifyError> {
-        let curve = Curve::new(self.abscissa.clone(), self.observed.clone())?;
+        let mut curve = Curve::new(self.abscissa.clone(), self.observed.clone())?;
+        if !self.errors.is_empty() {
+            curve = curve.with_errors(self.errors.clone())?;
+        }
         match &self.time {
             Some(time) if time.windows(2).all(|pair| pair[1] > pair[0]) => {
                 curve.with_time(time.clone())
@@ -326,7 +328,7 @@ pub fn noise(
         return Err(other.other_noise().into());
     }
     if observe == Observable::UnloadingStiffness {
-        return Ok(unloadings::noise(noise, evaluated, file));
+        return Ok(contact_noise::noise(noise, evaluated, file));
     }
     let (observed, abscissa) = (noise.of(observe.observed()), noise.of(observe.abscissa()));
     // What the forces scatter by before the contact, they scatter by in it.

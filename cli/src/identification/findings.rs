@@ -70,7 +70,8 @@ pub struct NoiseResult {
     pub force: Option<f64>,
     /// Standard deviation of the stiffness, N/m; null if the stiffness was not measured.
     pub stiffness: Option<f64>,
-    /// Standard deviation relative to the observed value.
+    /// Standard deviation relative to the observed value; of unloadings whose noise is not stated, beside the standard
+    /// uncertainty of each contact.
     pub relative: f64,
     /// Correlation between successive points.
     pub correlation: f64,

@@ -1,5 +1,7 @@
 //! The parameters of a model in words.
 
+use super::exact_evaluation::{AREA, BETA, FRAME};
+
 /// Names the parameter of a key: `Young's modulus of layer 0`; returns the key itself if it is not that of a parameter.
 #[must_use]
 pub fn of_key(key: &str) -> String {
@@ -22,7 +24,7 @@ pub fn of_key(key: &str) -> String {
         "compliance" => "compliance",
         "spring_constant" => "spring constant",
         "deflection" => "sensitivity of the deflection",
-        _ => return key.to_owned(),
+        _ => return of_nuisance(key),
     };
     match of_place(place) {
         Some(place) => format!("{quantity} of {place}"),
@@ -100,6 +102,9 @@ fn of_nuisance(key: &str) -> String {
         "frame_compliance" => "compliance of the frame".into(),
         "depth_zero" => "zero of the depth, in parts of the largest".into(),
         "force_zero" => "zero of the force, in parts of the largest".into(),
+        AREA => "areas of all contacts".into(),
+        FRAME => "compliance of the frame, in parts of the least of a contact".into(),
+        BETA => "β".into(),
         key => key.to_owned(),
     }
 }

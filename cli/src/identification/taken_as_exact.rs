@@ -8,12 +8,14 @@ use pellicle_identify::measured::spring;
 use pellicle_identify::{Calibration, Fit, FitVerdict, FixedNumber, Prediction, Role, exponents};
 use serde::Serialize;
 
+use super::exact_evaluation::{AREA, BETA, FRAME};
 use super::findings::{EstimateResult, WarningResult};
 use super::{Identification, names};
 use crate::failure::Failure;
 
-/// A parameter that a fit takes as exact, or a zero of the depth or the force, with the largest reading in place of its
-/// value: its errors are parts of that.
+/// A parameter that a fit takes as exact. Of a zero of the depth or the force the largest reading stands in place of
+/// its value, of the compliance of a frame the least of a contact, and of an area function 1: its errors are parts of
+/// that.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ExactNumber {
     /// Its key; `data[0] KEY` for a value specific to a table of measurements.
@@ -57,6 +59,18 @@ pub fn most_critical(numbers: &[ExactNumber], unknowns: &[EstimateResult]) -> Op
     let (percent, unknown) = (significant(100.0 * tolerance, 2), names::of_key(&unknown));
     let error = match &*key {
         DEPTH_ZERO | FORCE_ZERO => format!("{key} of {percent} % of the largest reading"),
+        AREA => format!("{percent} % in all areas"),
+        FRAME => format!("{key} of {percent} % of the least compliance of a contact"),
+        BETA => {
+            // Area and β enter only together, and most know the area less well.
+            let area = numbers
+                .iter()
+                .find(|number| number.key == AREA)
+                .and_then(of);
+            let area = area.map(|(part, ..)| significant(100.0 * part, 2));
+            let area = area.map_or_else(String::new, |part| format!(" or {part} % in all areas"));
+            format!("{percent} % in {key}{area}")
+        }
         _ => format!("{percent} % in {key}"),
     };
     Some(format!(
@@ -114,6 +128,10 @@ impl Identification {
             }
         }
         for (number, change) in self.exact_calibrations(&at_fit) {
+            numbers.push(number);
+            changes.push(change);
+        }
+        for (number, change) in self.exact_evaluations(&at_fit) {
             numbers.push(number);
             changes.push(change);
         }

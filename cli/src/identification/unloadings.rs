@@ -13,31 +13,28 @@ use pellicle_identify::indentation::{
     EvaluationSettings, IndentationNumber, IndentationNumbers, Uncertain,
 };
 use pellicle_identify::measured::data_table::DataTable;
-use pellicle_identify::measured::noise::MeasuredNoise;
-use pellicle_identify::{
-    Amount, ContactCurve, Correlation, IdentifyError, LinearNuisance, Noise, NuisanceShape,
-    ParameterAtPoint, Scope, Thinned,
-};
+use pellicle_identify::{ContactCurve, ParameterAtPoint, Thinned};
 
 use super::Identification;
+use super::contact_noise::{is_stated, own_errors, relative_variance};
 use super::curve_source::CurveSource;
 use super::findings::WarningResult;
 use super::{names, units};
 use crate::evaluation::result::{ExactModulus, Indentation, indentations};
 use crate::evaluation::warnings;
 
-/// With so many more points than unknowns the scatter of the stiffnesses tells their noise.
-const SPARE_POINTS: usize = 3;
-/// Stiffnesses without noise are known to this part, as files have so many digits.
-const DIGITS: f64 = 1e-9;
 /// A trend with the depth of the contacts matters from this change of the logarithm on, and is told beyond so many
 /// standard deviations of the order of its pairs, a chance of 1 %. Five contacts all in order have 2.4, six 2.8.
 const LEAST_TREND: f64 = 0.05;
 const TREND_DEVIATIONS: f64 = 2.6;
 /// The thickness of the top layer.
 const TOP: &str = "foundation.layer[0].thickness";
+/// Poisson's ratio of the top layer, and of a body without layers.
+const TOP_RATIO: &str = "foundation.layer[0].poisson_ratio";
+const HALF_SPACE_RATIO: &str = "foundation.substrate.poisson_ratio";
 
-/// The readings of a table: contact radii, stiffnesses over β, and what the imprints take off the top layer.
+/// The readings of a table: contact radii, stiffnesses over β, what the imprints take off the top layer, and, where no
+/// noise is stated, the errors of each contact from its own curve.
 ///
 /// # Errors
 ///
@@ -71,11 +68,17 @@ pub fn source(
     measured.rows = (1..=contacts.len()).collect();
     // They are told with those of the evaluations.
     measured.warnings.clear();
-    Ok(CurveSource::of_readings(
-        measured,
-        [radii, stiffnesses],
-        thinned,
-    ))
+    let errors = if is_stated(&table.noise) {
+        Vec::new()
+    } else {
+        let own = contacts.iter().zip(radii.iter().zip(&stiffnesses));
+        own.map(|(of, (radius, stiffness))| own_errors(of, *radius, *stiffness))
+            .collect()
+    };
+    let mut source = CurveSource::of_readings(measured, [radii, stiffnesses]);
+    source.thinned = thinned;
+    source.errors = errors;
+    Ok(source)
 }
 
 impl Identification {
@@ -86,6 +89,7 @@ impl Identification {
             return Vec::new();
         };
         let mut found = warnings::all(&self.evaluated, settings);
+        found.extend(self.other_poisson_ratio(settings));
         found.extend(self.thinning_effect(settings));
         found.extend(self.trend());
         found
@@ -177,6 +181,32 @@ impl Identification {
         })
     }
 
+    /// That the evaluation has another Poisson's ratio than the body at its surface, which a fit does not seek.
+    fn other_poisson_ratio(&self, settings: &EvaluationSettings) -> Option<WarningResult> {
+        let is_sought = |key: &str| self.file.all_unknowns().iter().any(|of| of.key == key);
+        let curves = self.model.curves().iter().zip(&self.file.data);
+        let found = curves.filter_map(|(curve, data)| {
+            let foundation = curve.model.tables.foundation();
+            let (key, place) = match foundation.layers() {
+                [] => (HALF_SPACE_RATIO, "the substrate"),
+                [..] => (TOP_RATIO, "the top layer"),
+            };
+            let found = foundation.surface_material().poisson_ratio();
+            let Uncertain { value, sd } = settings.poisson_ratio;
+            let differs = (found - value).abs() > sd.max(f64::EPSILON);
+            (data.is_unloading() && differs && !is_sought(key)).then_some((place, found))
+        });
+        let (place, found) = found.into_iter().next()?;
+        let given = settings.poisson_ratio.value;
+        Some(WarningResult {
+            code: "poisson-ratio".into(),
+            message: format!(
+                "evaluation.poisson_ratio is {given}, and Poisson's ratio of {place} in the model {found}: the indentation \
+                 modulus has the first, the fit the second"
+            ),
+        })
+    }
+
     /// What the choice of the thinning means for the only unknown of a film; none without layers.
     fn thinning_effect(&self, settings: &EvaluationSettings) -> Option<WarningResult> {
         let all = self.file.all_unknowns();
@@ -208,7 +238,10 @@ impl Identification {
     }
 }
 
-fn contacts<'a>(files: &[&'a EvaluatedFile]) -> impl Iterator<Item = &'a IndentationNumbers> {
+/// The contacts of files, in their order.
+pub(super) fn contacts<'a>(
+    files: &[&'a EvaluatedFile],
+) -> impl Iterator<Item = &'a IndentationNumbers> {
     let evaluated = files.iter().filter_map(|file| file.evaluated.as_ref().ok());
     evaluated.flat_map(Evaluated::contacts)
 }
@@ -270,86 +303,6 @@ pub fn refuse_pressed_through(
 pub fn thinned(parameters: &ModelParameters, off: Vec<f64>) -> Option<Thinned> {
     let thickness = parameters.find(TOP)?.parameter;
     (!off.is_empty()).then_some(Thinned { thickness, off })
-}
-
-/// The relative variance of a contact's modulus from its own curve.
-fn own_variance(of: &IndentationNumbers) -> f64 {
-    let modulus = IndentationNumber::ReducedModulus;
-    of.own_variance(modulus) / of.get(modulus).unwrap_or_default().value.powi(2)
-}
-
-/// The noise of the stiffnesses relative to their values: from their scatter where there are enough, otherwise that of
-/// their evaluations.
-#[must_use]
-pub fn noise(given: MeasuredNoise, evaluated: &[EvaluatedFile], file: &FitFile) -> Noise {
-    let files: Vec<&EvaluatedFile> = evaluated.iter().collect();
-    let variances: Vec<f64> = contacts(&files).map(own_variance).collect();
-    let count = variances.len();
-    let own = (variances.iter().sum::<f64>() / count as f64)
-        .sqrt()
-        .max(DIGITS);
-    let relative = match given.relative {
-        Some(relative) => Amount::Given(relative),
-        None if given.stiffness.is_some() => Amount::Given(0.0),
-        None if count >= file.all_unknowns().len() + SPARE_POINTS => Amount::Estimated,
-        None => Amount::Given(own),
-    };
-    Noise {
-        observed: Amount::Given(given.stiffness.unwrap_or(0.0)),
-        abscissa: Amount::Given(0.0),
-        relative,
-        correlation: Correlation::None,
-    }
-}
-
-/// The variance of `ln S − k ln a − ln β`, with `k = d ln S/d ln a` of the model: what the errors of a contact leave of
-/// its stiffness over the model's.
-fn relative_variance(of: &IndentationNumbers, by_radius: f64) -> f64 {
-    let (modulus, area) = (IndentationNumber::ReducedModulus, IndentationNumber::Area);
-    let [e, a] = [modulus, area].map(|number| of.get(number).unwrap_or_default());
-    let square = |of: Uncertain| (of.sd / of.value).powi(2);
-    let both = of.covariance(modulus, area) / (e.value * a.value);
-    // ln E_r = ln S − ½ ln A − ln β + constant, and ln a = ½ ln A + constant
-    let more = 0.5 * (1.0 - by_radius);
-    (square(e) + more * more * square(a) + 2.0 * more * both).max(0.0)
-}
-
-/// The sources of uncertainty that all contacts share, as linear nuisances of their stiffnesses: each changes them as
-/// it changes their reduced moduli, by its standard uncertainty times a coefficient of 0 ± 1.
-///
-/// # Errors
-///
-/// [`IdentifyError`] if a number is not finite.
-pub fn nuisances(
-    evaluated: &[EvaluatedFile],
-    sources: &[CurveSource],
-) -> Result<Vec<LinearNuisance>, IdentifyError> {
-    let files: Vec<&EvaluatedFile> = evaluated.iter().collect();
-    let contacts: Vec<&IndentationNumbers> = contacts(&files).collect();
-    let stiffnesses: Vec<f64> = sources.iter().flat_map(|of| of.observed.clone()).collect();
-    let number = IndentationNumber::ReducedModulus;
-    let names = contacts.first().map(|of| of.common_parts(number));
-    let names: Vec<&'static str> = names.into_iter().flatten().map(|(name, _)| name).collect();
-    let mut found = Vec::new();
-    for (place, name) in names.into_iter().enumerate() {
-        let shape = contacts.iter().zip(&stiffnesses).map(|(of, stiffness)| {
-            let part = of
-                .common_parts(number)
-                .nth(place)
-                .map_or(0.0, |(_, part)| part);
-            stiffness * part / of.get(number).unwrap_or_default().value
-        });
-        let shape: Vec<f64> = shape.collect();
-        if shape.iter().any(|change| change.abs() > 0.0) {
-            let nuisance = LinearNuisance::new(
-                format!("evaluation.{name}"),
-                NuisanceShape::Given(shape),
-                Scope::Common,
-            );
-            found.push(nuisance.with_normal_prior(0.0, 1.0)?);
-        }
-    }
-    Ok(found)
 }
 
 /// Whether values in the order of their depths rise or fall more steadily than by chance: of `n(n − 1)/2` pairs, the

@@ -39,16 +39,26 @@ impl IndentationNumbers {
     /// The covariance of two numbers.
     #[must_use]
     pub fn covariance(&self, one: IndentationNumber, other: IndentationNumber) -> f64 {
-        let parts = self.parts.iter();
-        let products = parts.map(|(_, part)| part[one.place()] * part[other.place()]);
-        products.sum()
+        self.products(one, other, |_| true)
     }
 
-    /// The variance of a number from its own curve alone.
+    /// The covariance of two numbers from their own curve alone.
     #[must_use]
-    pub fn own_variance(&self, of: IndentationNumber) -> f64 {
-        let own = self.parts.iter().filter(|(from, _)| *from == Source::Own);
-        own.map(|(_, part)| part[of.place()].powi(2)).sum()
+    pub fn own_covariance(&self, one: IndentationNumber, other: IndentationNumber) -> f64 {
+        self.products(one, other, |from| from == Source::Own)
+    }
+
+    /// The sum of the products of what the chosen sources add to two numbers. That of no terms is −0, of which a square
+    /// root would keep the sign.
+    fn products(
+        &self,
+        one: IndentationNumber,
+        other: IndentationNumber,
+        is_chosen: impl Fn(Source) -> bool,
+    ) -> f64 {
+        let chosen = self.parts.iter().filter(|(from, _)| is_chosen(*from));
+        let products = chosen.map(|(_, part)| part[one.place()] * part[other.place()]);
+        products.fold(0.0, |sum, product| sum + product)
     }
 
     /// What each source that all curves share adds to a number, with its name: one standard uncertainty of it.

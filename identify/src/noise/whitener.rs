@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::NoiseLevels;
+use super::{NoiseLevels, PointErrors};
 use crate::autoregressive::Innovations;
 
 /// A point's standard deviation is at least this fraction of the typical one, so that a point of value zero does not
@@ -21,12 +21,18 @@ pub(crate) struct Whitener {
 }
 
 impl Whitener {
-    /// The factor for curves whose points lie in `spans`, at the model's values and slopes.
-    pub fn new(levels: &NoiseLevels, value: &[f64], slope: &[f64], spans: &[Range<usize>]) -> Self {
-        let deviation = deviations(levels, value, slope);
+    /// The factor for curves whose points lie in `spans`, at the model's values and slopes, with the known errors of
+    /// each point; no errors are zeros.
+    pub fn new(
+        levels: &NoiseLevels,
+        [value, slope]: [&[f64]; 2],
+        errors: &[PointErrors],
+        spans: &[Range<usize>],
+    ) -> Self {
+        let deviation = deviations(levels.variances(value, slope, errors));
         let mut weight = vec![0.0; value.len()];
         let mut log_determinant = 0.0;
-        let filters = filters(levels, slope, &deviation, spans);
+        let filters = filters(levels, [slope, &deviation], errors, spans);
         for (index, span) in spans.iter().enumerate() {
             for point in span.clone() {
                 weight[point] = 1.0 / deviation[point];
@@ -61,38 +67,41 @@ impl Whitener {
     }
 }
 
-/// The filters of the correlated part of the noise: of all but the errors of the abscissa, which are white.
+/// The filters of the correlated part of the noise: of all but the errors of the abscissa and the known ones of single
+/// points, which are white.
 fn filters(
     levels: &NoiseLevels,
-    slope: &[f64],
-    deviation: &[f64],
+    [slope, deviation]: [&[f64]; 2],
+    errors: &[PointErrors],
     spans: &[Range<usize>],
 ) -> Vec<Innovations> {
     let (persistence, white) = (levels.persistence, levels.white_fraction);
     if persistence == 0.0 || white >= 1.0 {
         return Vec::new();
     }
-    if levels.abscissa == 0.0 {
+    if levels.abscissa == 0.0 && errors.is_empty() {
         let longest = spans.iter().map(ExactSizeIterator::len).max();
         return vec![Innovations::new(longest.unwrap_or(0), persistence, white)];
     }
-    // h² = 1 − (s σ_Q/σ)²
+    // h² = 1 − (s σ_Q/σ)² − (σ_known/σ)²
     let part = |point: usize| {
         let of_abscissa = slope[point] * levels.abscissa / deviation[point];
-        (1.0 - of_abscissa * of_abscissa).max(0.0).sqrt()
+        let known = errors.get(point);
+        let known = known.map_or(0.0, |of| {
+            of.variance(slope[point]) / deviation[point].powi(2)
+        });
+        (1.0 - of_abscissa * of_abscissa - known).max(0.0).sqrt()
     };
     let filter =
         |span: &Range<usize>| Innovations::of(span.clone().map(part).collect(), persistence, white);
     spans.iter().map(filter).collect()
 }
 
-/// `σ_i = √(σ_D² + (ρ y_i)² + (s_i σ_Q)²)`.
-fn deviations(levels: &NoiseLevels, value: &[f64], slope: &[f64]) -> Vec<f64> {
-    let pairs = value.iter().zip(slope);
-    let variance: Vec<f64> = pairs.map(|(y, s)| levels.variance(*y, *s)).collect();
+/// The standard deviations of variances, none far below the typical one.
+fn deviations(variance: Vec<f64>) -> Vec<f64> {
     let typical = variance.iter().sum::<f64>() / variance.len() as f64;
     let least = (LEAST_DEVIATION * LEAST_DEVIATION * typical).max(f64::MIN_POSITIVE);
-    variance.iter().map(|v| v.max(least).sqrt()).collect()
+    variance.into_iter().map(|v| v.max(least).sqrt()).collect()
 }
 
 #[cfg(test)]
@@ -111,7 +120,8 @@ mod tests {
             white_fraction: 1.0,
         };
         // 3² + 4², 3² + (½ 8)², 3².
-        let whitener = Whitener::new(&levels, &[0.0, 8.0, 0.0], &[2.0, 0.0, 0.0], &[0..2, 2..3]);
+        let (value, slope) = ([0.0, 8.0, 0.0], [2.0, 0.0, 0.0]);
+        let whitener = Whitener::new(&levels, [&value, &slope], &[], &[0..2, 2..3]);
         let mut column = [5.0, 10.0, 6.0];
         whitener.whiten(&mut column);
         assert_eq!(column, [1.0, 2.0, 2.0]);
@@ -121,5 +131,27 @@ mod tests {
             5625.0_f64.ln(),
             max_relative = 1e-15
         );
+    }
+
+    #[test]
+    fn known_errors_of_a_point_add_to_its_variance_and_are_white() {
+        let levels = NoiseLevels {
+            observed: 3.0,
+            abscissa: 0.0,
+            relative: 0.0,
+            persistence: 0.9,
+            white_fraction: 0.0,
+        };
+        let own = PointErrors {
+            observed: 16.0,
+            ..PointErrors::default()
+        };
+        let flat = [[1.0; 2], [0.0; 2]];
+        let [value, slope] = &flat;
+        let spans = crate::problem::spans(std::iter::once(2));
+        let whitener = Whitener::new(&levels, [value, slope], &[own, own], &spans);
+        // The covariance 9 · 0.9 of variances 9 + 16.
+        let wanted = (25.0_f64 * 25.0 - 8.1 * 8.1).ln();
+        assert_relative_eq!(whitener.log_determinant(), wanted, max_relative = 1e-14);
     }
 }

@@ -31,7 +31,7 @@ impl Information {
         let Nuisances { shared, own } = Nuisances::of(plan, curves)?;
         let spans = spans(curves);
         let (value, slope) = (&prediction.value, &prediction.slope);
-        let whitener = Whitener::new(&plan.noise, value, slope, &spans);
+        let whitener = Whitener::new(&plan.noise, [value, slope], &[], &spans);
         let whitened = |mut column: Vec<f64>| {
             whitener.whiten(&mut column);
             column

@@ -78,7 +78,8 @@ impl Repeats<'_> {
             known,
         }
         .judge(&OtherTests {
-            lower_half: NoiseScale::of(self.problem, degrees).probability([sum(0), sum(1)]),
+            lower_half: NoiseScale::of(self.problem, degrees, [degrees; 2])
+                .probability([sum(0), sum(1)]),
             smooth: None,
             persistence: self.persistence_p(state),
             common: common_p(
@@ -120,7 +121,7 @@ impl Repeats<'_> {
         let series = outlier::Series {
             residual: &points.residual,
             observed: self.problem.observed(),
-            deviation: &state.levels.deviations(&state.at),
+            deviation: &state.levels.deviations(&state.at, self.problem.errors()),
             is_told: self.problem.noise().is_given(),
         };
         outlier::outliers(&series, self.problem.spans())
