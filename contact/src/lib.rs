@@ -56,7 +56,7 @@ pub use result::{
     contact_slope::ContactSlope,
     cut_off::CutOff,
     deformed_surface::DeformedSurface,
-    grid_error::{ErrorEstimate, GridError, LevelValues, UnresolvedNumbers},
+    grid_error::{ErrorEstimate, GridError, GridNumber, LevelValues, UnresolvedNumbers},
     limit_ratio::{LimitRatio, ModelLimit},
     map_resolution::FEWEST_ELEMENTS_PER_WAVE,
     peak::{PeakPlace, UnresolvedArc},

@@ -223,7 +223,7 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
                 elements_per_wave,
                 ..
             } => (step, elements_per_wave),
-            Warning::NotResolved { step, numbers } => (step, numbers.names().len() as f64),
+            Warning::NotResolved { step, numbers } => (step, numbers.each().count() as f64),
             Warning::TextureUnderResolved { .. }
             | Warning::NoGridError { .. }
             | Warning::DeepRecesses { .. }

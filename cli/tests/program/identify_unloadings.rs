@@ -377,7 +377,7 @@ fn trend(blunt: f64, frame: f64) -> Option<String> {
         );
         let depth = contact_depth + 0.75 * force / stiffness + frame * force;
         let seen = 1.0 / (1.0 / stiffness + frame);
-        rows += &format!("{},{},{}\n", depth * 1e9, force * 1e3, seen * 1e-3);
+        writeln!(rows, "{},{},{}", depth * 1e9, force * 1e3, seen * 1e-3).unwrap();
     }
     let fit = "[evaluation]\narea_function = [24.5]\npoisson_ratio = 0.17\n\
                indenter = { young_modulus = \"1141 GPa\", poisson_ratio = 0.07 }\n\

@@ -88,30 +88,40 @@ pub struct GridError {
     pub levels: Vec<LevelValues>,
 }
 
-/// Which numbers of a solution are not resolved, the largest pressure apart.
+/// A number of a solution that a grid may not resolve, the largest pressure apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct UnresolvedNumbers {
+pub enum GridNumber {
     /// The penetration.
-    pub penetration: bool,
+    Penetration,
     /// The force.
-    pub force: bool,
+    Force,
     /// The contact area.
-    pub contact_area: bool,
+    ContactArea,
     /// The largest averaged pressure.
-    pub max_averaged_pressure: bool,
+    AveragedPressure,
 }
 
+impl GridNumber {
+    /// Its name in a sentence.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Penetration => "the penetration",
+            Self::Force => "the force",
+            Self::ContactArea => "the contact area",
+            Self::AveragedPressure => "the averaged pressure",
+        }
+    }
+}
+
+/// The numbers of a solution that are not resolved, the largest pressure apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UnresolvedNumbers([Option<GridNumber>; 4]);
+
 impl UnresolvedNumbers {
-    /// Their names.
-    pub fn names(self) -> Vec<&'static str> {
-        let names = [
-            (self.penetration, "the penetration"),
-            (self.force, "the force"),
-            (self.contact_area, "the contact area"),
-            (self.max_averaged_pressure, "the averaged pressure"),
-        ];
-        let is_one = |(is_one, name): (bool, &'static str)| is_one.then_some(name);
-        names.into_iter().filter_map(is_one).collect()
+    /// Each of them.
+    pub fn each(self) -> impl Iterator<Item = GridNumber> {
+        self.0.into_iter().flatten()
     }
 }
 
@@ -216,16 +226,18 @@ impl GridError {
     /// The numbers that are not resolved, the largest pressure apart; none if all are.
     #[must_use]
     pub fn unresolved(&self) -> Option<UnresolvedNumbers> {
-        let is_not = |error: Option<ErrorEstimate>| {
-            error.is_some_and(|error| !error.resolved && error.estimate > 0.0)
-        };
-        let found = UnresolvedNumbers {
-            penetration: is_not(self.penetration),
-            force: is_not(self.force),
-            contact_area: is_not(self.contact_area),
-            max_averaged_pressure: is_not(self.max_averaged_pressure),
-        };
-        (!found.names().is_empty()).then_some(found)
+        let numbers = [
+            (GridNumber::Penetration, self.penetration),
+            (GridNumber::Force, self.force),
+            (GridNumber::ContactArea, self.contact_area),
+            (GridNumber::AveragedPressure, self.max_averaged_pressure),
+        ];
+        let is_not = |error: ErrorEstimate| !error.resolved && error.estimate > 0.0;
+        let found = numbers.map(|(of, error)| error.is_some_and(is_not).then_some(of));
+        found
+            .iter()
+            .any(Option::is_some)
+            .then_some(UnresolvedNumbers(found))
     }
 
     /// Whether the elements are short enough for the waves of a measured map, so that changes between grids show the

@@ -7,7 +7,7 @@ use pellicle_influence::ElasticBody;
 use super::Warning;
 use crate::path::levels::FEWEST_FOR_THREE_GRIDS;
 use crate::result::{map_resolution::FEWEST_ELEMENTS_PER_WAVE, peak::FEWEST_ELEMENTS_PER_ARC};
-use crate::{ContactSlope, CutOff, LimitRatio, ModelLimit, PeakPlace, UnresolvedArc};
+use crate::{ContactSlope, CutOff, GridNumber, LimitRatio, ModelLimit, PeakPlace, UnresolvedArc};
 
 /// A smaller relative change would be printed as 0.0 %.
 const SMALLEST_CHANGE: f64 = 5e-4;
@@ -192,27 +192,16 @@ impl fmt::Display for Warning {
                 place,
                 arc,
             } => unresolved_peak(f, step, change, (place, arc)),
-            Self::NoGridError { elements } => {
+            Self::NoGridError { elements } => no_grid_error(f, elements),
+            Self::NotResolved { step, numbers } => {
+                let names: Vec<_> = numbers.each().map(GridNumber::name).collect();
+                let names = names.join(", ");
                 write!(
                     f,
-                    "no number has a ±: a grid of {elements} elements per side has no coarser ones to compare with; "
-                )?;
-                if elements < FEWEST_FOR_THREE_GRIDS {
-                    write!(f, "{FEWEST_FOR_THREE_GRIDS} or more have two")
-                } else {
-                    f.write_str("choose numbers of elements that can be halved twice")
-                }
+                    "step {step}: not resolved by the grid, the ± may be too small: {names}"
+                )
             }
-            Self::NotResolved { step, numbers } => write!(
-                f,
-                "step {step}: not resolved by the grid, the ± may be too small: {}",
-                numbers.names().join(", ")
-            ),
-            Self::ArcUnderResolved(UnresolvedArc { elements, wanted }) => write!(
-                f,
-                "the arc at an edge of the relief is {} elements wide: a largest pressure there grows with the grid; at least {FEWEST_ELEMENTS_PER_ARC} resolve it, which are {wanted} elements per side",
-                decimals(elements, 1)
-            ),
+            Self::ArcUnderResolved(arc) => under_resolved_arc(f, arc),
             Self::SteepIndenter { step, slope } => {
                 write!(f, "step {step}: {}, beyond small strains", in_words(slope))
             }
@@ -247,6 +236,29 @@ fn cut_off(by: CutOff) -> &'static str {
             "the end of the surface's map: the surface beyond it is unknown (a periodic cell, `grid.boundary = \"periodic\"` with `surface.edges = \"taper\"`, has no end)"
         }
         CutOff::IndenterMap => "the end of the indenter's map: the indenter beyond it is unknown",
+    }
+}
+
+/// The sentence on arcs at the edges of a relief.
+fn under_resolved_arc(f: &mut fmt::Formatter<'_>, arc: UnresolvedArc) -> fmt::Result {
+    let UnresolvedArc { elements, wanted } = arc;
+    let elements = decimals(elements, 1);
+    write!(
+        f,
+        "the arc at an edge of the relief is {elements} elements wide: a largest pressure there grows with the grid; at least {FEWEST_ELEMENTS_PER_ARC} resolve it, which are {wanted} elements per side"
+    )
+}
+
+/// The sentence on a path of a single grid.
+fn no_grid_error(f: &mut fmt::Formatter<'_>, elements: usize) -> fmt::Result {
+    write!(
+        f,
+        "no number has a ±: a grid of {elements} elements per side has no coarser ones to compare with; "
+    )?;
+    if elements < FEWEST_FOR_THREE_GRIDS {
+        write!(f, "{FEWEST_FOR_THREE_GRIDS} or more have two")
+    } else {
+        f.write_str("choose numbers of elements that can be halved twice")
     }
 }
 
