@@ -209,6 +209,7 @@ impl<'p> Fitting<'p> {
             points,
             outliers,
             excluded: Vec::new(),
+            odd: None,
             work: FitWork {
                 curves_solved: predictor.predictions(),
                 search,
