@@ -24,7 +24,6 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use pellicle_contact::adhesion::{Adhesion, AdhesiveCurve};
 use pellicle_contact::{ContactError, Model, ModelParameter};
-use rayon::prelude::*;
 
 use adhesive::AdhesiveModel;
 pub use calibration::Calibration;

@@ -16,8 +16,6 @@
 //! G. Knapp, Stat. Med. 20, 1771 (2001)), and `C_p` the variance added by the priors of common nuisances. No profile is
 //! needed.
 
-use std::rc::Rc;
-
 use crate::{
     Exclusion, Fit, FitOptions, IdentifyError, NoiseLevels, Problem, REFUSAL, Role, departure,
     global_search,
@@ -37,6 +35,7 @@ mod step;
 use curve_fit::{CurveFit, Share};
 use mixed_model::{Common, MixedModel};
 pub use odd::{OddRepeat, OddRepeats, WithoutOdd};
+use step::Target;
 
 /// Corrections below this fraction of a standard error end the iteration.
 const SETTLED: f64 = 0.02;
@@ -113,18 +112,14 @@ impl<'p> Repeats<'p> {
     }
 
     /// Fits from an evaluation.
-    pub fn run(
-        &self,
-        predictor: &mut Predictor,
-        start: Rc<Evaluation>,
-    ) -> Result<Fit, IdentifyError> {
+    pub fn run(&self, predictor: &mut Predictor, start: &Evaluation) -> Result<Fit, IdentifyError> {
         let prior = |&k: &usize| {
             self.problem.columns()[k]
                 .prior
                 .map_or(0.0, |[mean, _]| mean)
         };
         let mut state = State {
-            at: Evaluation::clone(&start),
+            at: start.clone(),
             offsets: vec![vec![0.0; self.determined.len()]; self.shares.len()],
             nuisances: self.shared.iter().map(prior).collect(),
             levels: global_search::first_levels(self.problem),
@@ -136,7 +131,7 @@ impl<'p> Repeats<'p> {
             let curves = self.curves(&state);
             let model = self.mixed_model(&curves, &state);
             let common = model.solve(&self.guess(&curves))?;
-            let target = self.target(&state, (&curves, &model), &common)?;
+            let target = Target::new(&state, (&curves, &model), &common)?;
             if self.is_settled(&state, &curves, &target) {
                 let roughest = discordant::roughest(&curves);
                 let is_refused = || self.goodness(&state, &curves).misfit_p < REFUSAL;

@@ -156,9 +156,10 @@ fn a_curve_that_never_leaves_its_noise_is_no_contact_and_no_value_of_a_map() {
     // 120 rows of which the 40th has the largest force: its loading has too few for a test of flatness.
     let force =
         |i: u32| 0.05 + 0.01 * f64::from(i * 7 % 11) / 11.0 + if i == 40 { 0.02 } else { 0.0 };
-    let rows: String = (0..120)
-        .map(|i| format!("{},{}\n", 2 * i, force(i)))
+    let rows: Vec<String> = (0..120)
+        .map(|i| format!("{},{}", 2 * i, force(i)))
         .collect();
+    let rows = rows.join("\n");
     fs::write(folder.path("x1y2.csv"), format!("depth,force\n{rows}")).unwrap();
     fs::write(folder.path("fit.toml"), ball(&table("x*.csv"))).unwrap();
     let ran = folder.run(&["identify", "fit.toml", "--each", "--out", "each"]);

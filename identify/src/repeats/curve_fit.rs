@@ -160,6 +160,11 @@ impl CurveFit {
     pub fn roughness(&self) -> f64 {
         (dot(&self.whitened, &self.whitened) / self.degrees).sqrt()
     }
+
+    /// The root mean square of its observable.
+    pub fn size(&self) -> f64 {
+        (dot(&self.model, &self.model) / self.model.len() as f64).sqrt()
+    }
 }
 
 fn add(sum: &mut [f64], factor: f64, column: &[f64]) {

@@ -58,10 +58,13 @@ pub(super) fn farthest(curves: &[&CurveFit], columns: &[usize]) -> Option<Discor
         .max_by(|a, b| a.deviation.abs().total_cmp(&b.deviation.abs()))
 }
 
-/// The curve whose residuals are farthest above those of the others.
+/// The curve whose residuals are farthest above those of the others. Of a curve larger than the median one they may be
+/// larger in proportion.
 pub(super) fn roughest(curves: &[CurveFit]) -> Option<Exclusion> {
     let limit = limit(curves.len())?;
-    let roughness: Vec<f64> = curves.iter().map(|curve| curve.roughness().ln()).collect();
+    let size = median(curves.iter().map(CurveFit::size).collect());
+    let of_curve = |curve: &CurveFit| (curve.roughness() / (curve.size() / size).max(1.0)).ln();
+    let roughness: Vec<f64> = curves.iter().map(of_curve).collect();
     curves
         .iter()
         .zip(deviations(&roughness))

@@ -20,14 +20,19 @@ pub(super) struct Target<'a> {
     pub offsets: Vec<Vec<f64>>,
 }
 
-impl Repeats<'_> {
+/// The curves evaluated, each at its own parameters.
+struct Evaluated {
+    at: Evaluation,
+    offsets: Vec<Vec<f64>>,
+}
+
+impl<'a> Target<'a> {
     /// The target of the mixed model; curves left out keep what they have.
-    pub(super) fn target<'a>(
-        &self,
+    pub fn new(
         state: &State,
         (curves, model): (&[CurveFit], &MixedModel),
         common: &'a Common,
-    ) -> Result<Target<'a>, IdentifyError> {
+    ) -> Result<Self, IdentifyError> {
         let mut offsets = state.offsets.clone();
         for (curve, own) in curves.iter().zip(model.own(common)?) {
             let offset = &mut offsets[curve.index];
@@ -36,9 +41,11 @@ impl Repeats<'_> {
                 offset[column] = u;
             }
         }
-        Ok(Target { common, offsets })
+        Ok(Self { common, offsets })
     }
+}
 
+impl Repeats<'_> {
     /// Whether every correction is small compared with its standard error, or leads out of the range from a bound, and
     /// each curve so near its own parameters that the second order is small.
     pub(super) fn is_settled(&self, state: &State, curves: &[CurveFit], target: &Target) -> bool {
@@ -91,8 +98,8 @@ impl Repeats<'_> {
             if position == state.at.position && offsets == state.offsets {
                 return Ok(false);
             }
-            if let Some((at, offsets)) = self.evaluate(predictor, state, position, offsets)? {
-                (state.at, state.offsets) = (at, offsets);
+            if let Some(found) = self.evaluate(predictor, state, position, offsets)? {
+                (state.at, state.offsets) = (found.at, found.offsets);
                 for (c, step) in
                     (state.nuisances.iter_mut()).zip(&target.common.correction[steps.len()..])
                 {
@@ -141,10 +148,13 @@ impl Repeats<'_> {
         state: &State,
         position: Vec<f64>,
         mut offsets: Vec<Vec<f64>>,
-    ) -> Result<Option<(Evaluation, Vec<Vec<f64>>)>, IdentifyError> {
+    ) -> Result<Option<Evaluated>, IdentifyError> {
         if offsets.iter().flatten().all(|u| *u == 0.0) {
             let at = predictor.evaluate(&position)?;
-            return Ok(at.map(|at| (Evaluation::clone(&at), offsets)));
+            return Ok(at.map(|at| Evaluated {
+                at: Evaluation::clone(&at),
+                offsets,
+            }));
         }
         let mut found: Vec<Option<Evaluation>> = vec![None; self.shares.len()];
         let wanted = offsets.clone();
@@ -173,6 +183,9 @@ impl Repeats<'_> {
         }
         let curves: Option<Vec<Evaluation>> = found.into_iter().collect();
         let unknowns = self.problem.unknowns();
-        Ok(curves.map(|curves| (Evaluation::joined(unknowns, position, &curves), offsets)))
+        Ok(curves.map(|curves| Evaluated {
+            at: Evaluation::joined(unknowns, position, &curves),
+            offsets,
+        }))
     }
 }
