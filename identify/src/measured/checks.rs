@@ -51,6 +51,9 @@ pub(super) fn refuse(curve: &MeasuredCurve) -> Result<(), CurveError> {
 /// loading anywhere.
 pub(super) fn refuse_flat(forces: &[f64]) -> Result<(), CurveError> {
     let finite: Vec<f64> = forces.iter().copied().filter(|f| f.is_finite()).collect();
+    if finite.len() < FEWEST_FOR_FLATNESS {
+        return Ok(());
+    }
     match noise_and_flatness(&finite) {
         (noise, true) if noise > 0.0 => Err(CurveError::NoContact { noise }),
         _ => Ok(()),
