@@ -40,7 +40,7 @@ use crate::Prediction;
 /// the grid.
 const STIFFNESS_STEP: f64 = 0.03;
 
-/// The curves of several models that share the parameters to be found: a [`ForwardModel`].
+/// The curves of several models that share the parameters to be found: a [`ForwardModel`](crate::ForwardModel).
 #[derive(Debug)]
 pub struct ContactCurves {
     curves: Vec<ContactCurve>,
