@@ -16,7 +16,8 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::fit_and_plan;
-use crate::identification::findings::{EstimateResult, WarningResult};
+use crate::identification::findings::EstimateResult;
+use crate::identification::result::FitResult;
 
 /// Name of the file in a folder of results.
 pub const FILE: &str = "each.json";
@@ -57,7 +58,7 @@ pub struct EachCurve {
     pub unknowns: Vec<EstimateResult>,
     /// Probability of a misfit at least as bad by chance.
     pub misfit_p: Option<f64>,
-    /// Why there is no result, or the likely cause of a misfit.
+    /// Why there is no result, the likely cause of a misfit, or why an interval is open.
     pub cause: Option<String>,
 }
 
@@ -114,7 +115,7 @@ impl EachCurve {
                     file: path.display().to_string(),
                     position: None,
                     verdict: found.verdict.to_owned(),
-                    cause: cause(found.verdict, &found.warnings),
+                    cause: cause(&found),
                     misfit_p: Some(found.fit.misfit_p),
                     unknowns: found.unknowns,
                 })
@@ -136,11 +137,14 @@ impl EachCurve {
     }
 }
 
-/// The cause of a verdict other than `fitted`: the likely one, or else the first warning.
-fn cause(verdict: &str, warnings: &[WarningResult]) -> Option<String> {
-    let likely = warnings
-        .iter()
-        .find(|warning| warning.code == "likely-cause");
-    let found = likely.or(warnings.first()).filter(|_| verdict != "fitted");
-    found.map(|warning| warning.message.clone())
+/// The cause of a verdict other than `fitted`: the likely one, or else the first warning; of a fitted curve, why an
+/// interval is open.
+fn cause(found: &FitResult) -> Option<String> {
+    if found.verdict == "fitted" {
+        let open = found.unknowns.iter().find(|of| !of.is_closed());
+        return open.map(|of| format!("{}: {}", of.key, of.why));
+    }
+    let likely = (found.warnings.iter()).find(|warning| warning.code == "likely-cause");
+    let cause = likely.or(found.warnings.first());
+    cause.map(|warning| warning.message.clone())
 }

@@ -18,6 +18,7 @@ pub mod null_directions;
 pub mod outside;
 pub mod pictures;
 pub mod remembered;
+mod repeats;
 pub mod report;
 pub mod result;
 pub mod simulation;

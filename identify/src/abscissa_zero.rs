@@ -20,6 +20,7 @@ use crate::{
     Curve, ForwardError, ForwardModel, Prediction, Problem,
     global_search::first_levels,
     metric::Metric,
+    nuisance::NuisanceColumn,
     orthonormal_basis::{OrthonormalBasis, dot},
     predictor::Evaluation,
 };
@@ -174,9 +175,14 @@ impl Search<'_> {
         let mut misfits: Vec<f64> = spans.iter().map(misfit).collect();
         let size = (dot(&residual, &residual) / problem.points() as f64).sqrt();
         let mut columns = vec![0.0; origins.len()];
+        // The only curve of a problem has the index that it has among several.
+        let place = |column: &NuisanceColumn| match column.curve {
+            Some(curve) if origins.len() > 1 => curve,
+            _ => 0,
+        };
         for (column, whitened) in &of_slopes {
             basis.push(whitened.clone());
-            let curve = column.curve.unwrap_or(0);
+            let curve = place(column);
             columns[curve] = dot(whitened, whitened).sqrt();
             if let Some([mean, sd]) = column.prior {
                 misfits[curve] += ((mean - origins[curve]) / sd).powi(2);
@@ -186,7 +192,7 @@ impl Search<'_> {
         let coefficients = basis.coefficients(&components).split_off(first);
         let mut steps = vec![0.0; origins.len()];
         for ((column, _), c) in of_slopes.iter().zip(coefficients) {
-            steps[column.curve.unwrap_or(0)] = c;
+            steps[place(column)] = c;
         }
         Ok(Trial {
             prediction,

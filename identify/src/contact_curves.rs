@@ -10,6 +10,7 @@ mod calibration;
 mod curve;
 mod fixed_number;
 mod force_scale;
+mod forward;
 mod grid_error;
 mod punch;
 mod reading;
@@ -23,7 +24,6 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use pellicle_contact::adhesion::{Adhesion, AdhesiveCurve};
 use pellicle_contact::{ContactError, Model, ModelParameter};
-use rayon::prelude::*;
 
 use adhesive::AdhesiveModel;
 pub use calibration::Calibration;
@@ -34,13 +34,13 @@ pub use punch::ParameterAtPoint;
 use solved_curve::{Nodes, SolvedCurve};
 pub use validity::Invalidity;
 
-use crate::{ForwardError, ForwardModel, Prediction};
+use crate::Prediction;
 
 /// Relative step of a parameter for differentiating a stiffness. The error is 1e-3 from its square, and as much from
 /// the grid.
 const STIFFNESS_STEP: f64 = 0.03;
 
-/// The curves of several models that share the parameters to be found: a [`ForwardModel`].
+/// The curves of several models that share the parameters to be found: a [`ForwardModel`](crate::ForwardModel).
 #[derive(Debug)]
 pub struct ContactCurves {
     curves: Vec<ContactCurve>,
@@ -354,35 +354,5 @@ impl ContactCurves {
             prediction.derivatives.push(slopes.collect());
         }
         Ok(prediction)
-    }
-}
-
-impl ForwardModel for ContactCurves {
-    fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
-        self.predict_from(parameters, &[])
-    }
-
-    fn predict_from(
-        &self,
-        parameters: &[f64],
-        origins: &[f64],
-    ) -> Result<Prediction, ForwardError> {
-        let curves = (0..self.curves.len()).into_par_iter();
-        let predicted = curves.map(|curve| self.predicted(curve, parameters, origins, &[]));
-        let predicted: Vec<Result<Prediction, ContactError>> = predicted.collect();
-        let predicted = predicted.into_iter().collect::<Result<Vec<_>, _>>()?;
-        let columns = parameters.len().max(self.parameters.len());
-        Ok(Prediction::joined(predicted, columns))
-    }
-}
-
-impl From<ContactError> for ForwardError {
-    fn from(source: ContactError) -> Self {
-        match source {
-            ContactError::Cancelled { .. } => Self::Stopped,
-            source => Self::OutOfRange {
-                source: Box::new(source),
-            },
-        }
     }
 }

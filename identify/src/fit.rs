@@ -71,7 +71,7 @@ fn searched(
     }
     match problem.scatter() {
         Scatter::BetweenCurves if problem.curves().len() > 1 => {
-            let mut fit = Repeats::new(problem, options)?.run(predictor, found.at)?;
+            let mut fit = Repeats::new(problem, options)?.run(predictor, &found.at)?;
             fit.warnings.extend(warnings);
             Ok(fit)
         }
@@ -209,6 +209,7 @@ impl<'p> Fitting<'p> {
             points,
             outliers,
             excluded: Vec::new(),
+            odd: None,
             work: FitWork {
                 curves_solved: predictor.predictions(),
                 search,

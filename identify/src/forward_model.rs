@@ -1,6 +1,6 @@
 //! The interface between a model and a fit: the points of all curves and their derivatives.
 
-use std::error::Error;
+use std::{error::Error, ops::Range};
 
 use thiserror::Error;
 
@@ -9,7 +9,7 @@ pub trait ForwardModel: Sync {
     /// Predicts the points of all curves, in the order of the curves. The values of the unknowns are in their own units
     /// and in the order of the problem's [`Unknown`](crate::Unknown)s.
     ///
-    /// A fit never calls this twice with the same parameters.
+    /// A fit never calls this twice with the same parameters, except for [single curves](Self::predict_curve).
     ///
     /// # Errors
     ///
@@ -30,6 +30,27 @@ pub trait ForwardModel: Sync {
         _origins: &[f64],
     ) -> Result<Prediction, ForwardError> {
         Err(ForwardError::NoOrigin)
+    }
+
+    /// The points of one curve alone, `points` among those of all, as [`Self::predict_from`] gives them; an empty list
+    /// of origins, which are those of all points, is that of zeros. A fit of repeats gives each curve parameters of its
+    /// own. By default all curves are predicted.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::predict_from`].
+    fn predict_curve(
+        &self,
+        points: Range<usize>,
+        parameters: &[f64],
+        origins: &[f64],
+    ) -> Result<Prediction, ForwardError> {
+        let all = if origins.is_empty() {
+            self.predict(parameters)
+        } else {
+            self.predict_from(parameters, origins)
+        };
+        Ok(all?.part(&points))
     }
 }
 
@@ -65,6 +86,17 @@ impl Prediction {
             }
         }
         all
+    }
+
+    /// The prediction at some of the points.
+    pub(crate) fn part(&self, points: &Range<usize>) -> Self {
+        let part = |values: &Vec<f64>| values.get(points.clone()).unwrap_or_default().to_vec();
+        Self {
+            value: part(&self.value),
+            slope: part(&self.slope),
+            derivatives: self.derivatives.iter().map(part).collect(),
+            origins: part(&self.origins),
+        }
     }
 
     /// Whether there is a finite number for each of the points and unknowns.

@@ -68,6 +68,7 @@ pub use plan::{Expected, Information, Plan};
 pub use prior::Prior;
 pub use problem::{Problem, Scatter};
 pub use profile::ProfilePoint;
+pub use repeats::{OddRepeat, OddRepeats, WithoutOdd};
 pub use result::{
     BetweenCurves, Coefficient, Estimate, Exclusion, Fit, FitVerdict, FitWarning, FitWork,
     FittedPoints, Stopped,

@@ -44,6 +44,24 @@ impl Evaluation {
         }
     }
 
+    /// The evaluations of all curves, each at a point of its own, as one at this point.
+    pub fn joined(unknowns: &[Unknown], position: Vec<f64>, curves: &[Self]) -> Self {
+        let all = |part: &dyn Fn(&Self) -> &Vec<f64>| -> Vec<f64> {
+            curves.iter().flat_map(part).copied().collect()
+        };
+        let pairs = unknowns.iter().zip(&position);
+        Self {
+            parameters: pairs.map(|(unknown, &x)| unknown.value(x)).collect(),
+            value: all(&|at| &at.value),
+            slope: all(&|at| &at.slope),
+            jacobian: (0..unknowns.len())
+                .map(|j| all(&|at| &at.jacobian[j]))
+                .collect(),
+            origins: all(&|at| &at.origins),
+            position,
+        }
+    }
+
     /// The evaluation at some of the points.
     pub fn part(&self, points: &Range<usize>) -> Self {
         let part = |values: &Vec<f64>| values[points.clone()].to_vec();
@@ -62,11 +80,71 @@ impl Evaluation {
     }
 }
 
+/// One curve of a problem at a point.
+pub(crate) struct OneCurve<'a> {
+    /// Its points among those of all curves.
+    pub points: Range<usize>,
+    /// Its own problem.
+    pub problem: &'a Problem,
+    pub position: Vec<f64>,
+}
+
+/// A model of which only one curve is predicted.
+struct OfOneCurve<'a> {
+    model: &'a dyn ForwardModel,
+    points: Range<usize>,
+    /// The origins of all points, those of the others as they are.
+    origins: &'a [f64],
+}
+
+impl ForwardModel for OfOneCurve<'_> {
+    fn predict(&self, parameters: &[f64]) -> Result<Prediction, ForwardError> {
+        (self.model).predict_curve(self.points.clone(), parameters, &[])
+    }
+
+    fn predict_from(
+        &self,
+        parameters: &[f64],
+        origins: &[f64],
+    ) -> Result<Prediction, ForwardError> {
+        let mut all = self.origins.to_vec();
+        all[self.points.clone()].copy_from_slice(origins);
+        (self.model).predict_curve(self.points.clone(), parameters, &all)
+    }
+}
+
+impl OneCurve<'_> {
+    fn evaluate(
+        &self,
+        model: &dyn ForwardModel,
+        last: &Evaluation,
+    ) -> Result<Option<Evaluation>, ForwardError> {
+        let unknowns = self.problem.unknowns();
+        let pairs = unknowns.iter().zip(&self.position);
+        let parameters: Vec<f64> = pairs.map(|(unknown, &x)| unknown.value(x)).collect();
+        let of_curve = OfOneCurve {
+            model,
+            points: self.points.clone(),
+            origins: &last.origins,
+        };
+        let own = last.origins.get(self.points.clone());
+        let prediction = abscissa_zero::prediction(&of_curve, self.problem, &parameters, own)?;
+        Ok(prediction
+            .is_complete(self.points.len(), unknowns.len())
+            .then(|| Evaluation {
+                position: self.position.clone(),
+                ..Evaluation::of(unknowns, &parameters, prediction)
+            }))
+    }
+}
+
 /// A forward model with a memory, because predictions are expensive and memory is not.
 pub(crate) struct Predictor<'a> {
     model: &'a dyn ForwardModel,
     problem: &'a Problem,
     memory: Vec<(Vec<f64>, Option<Rc<Evaluation>>)>,
+    /// Predictions of single curves.
+    apart: usize,
     last_failure: Option<ForwardError>,
 }
 
@@ -76,6 +154,7 @@ impl<'a> Predictor<'a> {
             model,
             problem,
             memory: Vec::new(),
+            apart: 0,
             last_failure: None,
         }
     }
@@ -92,7 +171,28 @@ impl<'a> Predictor<'a> {
 
     /// Number of evaluations of the model.
     pub fn predictions(&self) -> usize {
-        self.memory.len()
+        self.memory.len() + self.apart
+    }
+
+    /// Evaluates curves, each alone and at a point of its own: `None` for one that has no prediction there. The origins
+    /// of their abscissae are sought from those of `last`. Each counts as a prediction.
+    pub fn evaluate_apart(
+        &mut self,
+        curves: &[OneCurve<'_>],
+        last: &Evaluation,
+    ) -> Result<Vec<Option<Evaluation>>, IdentifyError> {
+        // Not in parallel: curves of one table share the memory of their last solution.
+        let each = curves.iter().map(|of| {
+            self.apart += 1;
+            match of.evaluate(self.model, last) {
+                Ok(at) => Ok(at),
+                Err(ForwardError::Stopped) => Err(IdentifyError::Stopped {
+                    predictions: self.predictions(),
+                }),
+                Err(_) => Ok(None),
+            }
+        });
+        each.collect()
     }
 
     /// All predictions so far.
@@ -118,7 +218,7 @@ impl<'a> Predictor<'a> {
             Ok(prediction) => prediction,
             Err(ForwardError::Stopped) => {
                 return Err(IdentifyError::Stopped {
-                    predictions: self.memory.len() + 1,
+                    predictions: self.predictions() + 1,
                 });
             }
             Err(failure) => {

@@ -13,7 +13,7 @@ pub enum Scatter {
     /// All curves have the same parameters and differ only by noise.
     None,
     /// The curves are repeats at different places or on different specimens: their parameters scatter about common
-    /// ones, and a curve that disagrees with the rest is left out.
+    /// ones, and a curve whose residuals are far larger than those of the rest is left out.
     BetweenCurves,
 }
 

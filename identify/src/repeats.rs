@@ -1,12 +1,14 @@
 //! Repeats: curves whose parameters scatter about common values.
 //!
 //! ```text
-//! at x:  noise of all curves, each with parameters of its own       restricted_likelihood.rs
-//!        each curve fitted alone, linearised                          curve_fit.rs
-//!        common parameters and scatter                                mixed_model.rs
-//! go to the common parameters, until they stay
-//! leave out the worst of the discordant curves, and go on             discordant.rs
+//! at x, with curve i at x + u_i:
+//!        noise of all curves, each with parameters of its own         restricted_likelihood.rs
+//!        each curve fitted alone, linearised there                    curve_fit.rs
+//!        common parameters, scatter, and each u_i                     mixed_model.rs
+//! go there, until they stay                                           step.rs
+//! leave out the roughest curve that is far rougher, and go on         discordant.rs
 //! what do all residuals have in common?                               common_departure.rs
+//! which curves lie far from the others?                               discordant.rs
 //! ```
 //!
 //! An interval of a common value is `x ± √(t² C_c + z² C_p)`: `C_c` is the variance from the scatter and the noise of
@@ -14,10 +16,8 @@
 //! G. Knapp, Stat. Med. 20, 1771 (2001)), and `C_p` the variance added by the priors of common nuisances. No profile is
 //! needed.
 
-use std::rc::Rc;
-
 use crate::{
-    Exclusion, Fit, FitOptions, IdentifyError, NoiseLevels, Problem, Role, departure,
+    Exclusion, Fit, FitOptions, IdentifyError, NoiseLevels, Problem, REFUSAL, Role, departure,
     global_search,
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
@@ -28,10 +28,14 @@ mod common_departure;
 mod curve_fit;
 mod discordant;
 mod mixed_model;
+mod odd;
 mod result;
+mod step;
 
 use curve_fit::{CurveFit, Share};
 use mixed_model::{Common, MixedModel};
+pub use odd::{OddRepeat, OddRepeats, WithoutOdd};
+use step::Target;
 
 /// Corrections below this fraction of a standard error end the iteration.
 const SETTLED: f64 = 0.02;
@@ -52,12 +56,25 @@ pub(crate) struct Repeats<'p> {
     shares: Vec<Share>,
 }
 
+/// How well the points hold about which the curves are linearised.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Linearisation {
+    /// For the common parameters: the second order of each curve is less than half of their standard error.
+    OfCommon,
+    /// For each curve: the second order is small beside its own noise, as a test of what curves share asks.
+    OfEach,
+}
+
 /// The present state of the iteration.
 struct State {
-    at: Rc<Evaluation>,
+    /// The common parameters, and each curve at its own.
+    at: Evaluation,
+    /// For each curve, its own parameters less the common ones: the determined unknowns.
+    offsets: Vec<Vec<f64>>,
     /// Values of the shared linear nuisances.
     nuisances: Vec<f64>,
     levels: NoiseLevels,
+    linearisation: Linearisation,
     exclusions: Vec<Exclusion>,
 }
 
@@ -95,34 +112,39 @@ impl<'p> Repeats<'p> {
     }
 
     /// Fits from an evaluation.
-    pub fn run(
-        &self,
-        predictor: &mut Predictor,
-        start: Rc<Evaluation>,
-    ) -> Result<Fit, IdentifyError> {
+    pub fn run(&self, predictor: &mut Predictor, start: &Evaluation) -> Result<Fit, IdentifyError> {
         let prior = |&k: &usize| {
             self.problem.columns()[k]
                 .prior
                 .map_or(0.0, |[mean, _]| mean)
         };
         let mut state = State {
-            at: start,
+            at: start.clone(),
+            offsets: vec![vec![0.0; self.determined.len()]; self.shares.len()],
             nuisances: self.shared.iter().map(prior).collect(),
             levels: global_search::first_levels(self.problem),
+            linearisation: Linearisation::OfCommon,
             exclusions: Vec::new(),
         };
         for _ in 0..MOST_ROUNDS {
             state.levels = self.noise(&state);
             let curves = self.curves(&state);
-            let common = self
-                .mixed_model(&curves, &state)
-                .solve(&self.guess(&curves))?;
-            if self.is_settled(&state, &common) {
-                let Some(exclusion) = discordant::discordant(&curves) else {
+            let model = self.mixed_model(&curves, &state);
+            let common = model.solve(&self.guess(&curves))?;
+            let target = Target::new(&state, (&curves, &model), &common)?;
+            if self.is_settled(&state, &curves, &target) {
+                let roughest = discordant::roughest(&curves);
+                let is_refused = || self.goodness(&state, &curves).misfit_p < REFUSAL;
+                if state.linearisation == Linearisation::OfCommon
+                    && (roughest.is_some() || is_refused())
+                {
+                    state.linearisation = Linearisation::OfEach;
+                } else if let Some(exclusion) = roughest {
+                    state.exclusions.push(exclusion);
+                } else {
                     return self.result(predictor, &state, &curves, &common, true);
-                };
-                state.exclusions.push(exclusion);
-            } else if !self.advance(predictor, &mut state, &common)? {
+                }
+            } else if !self.advance(predictor, &mut state, &target)? {
                 break;
             }
         }
@@ -180,18 +202,17 @@ impl<'p> Repeats<'p> {
         self.included(state)
             .map(|share| {
                 let at = state.at.part(&self.problem.spans()[share.index]);
-                share.fit(&at, &self.determined, &state.nuisances, &state.levels)
+                let offset = &state.offsets[share.index];
+                let at = (&at, &offset[..]);
+                share.fit(at, &self.determined, &state.nuisances, &state.levels)
             })
             .collect()
     }
 
     fn included(&self, state: &State) -> impl Iterator<Item = &Share> {
-        self.shares.iter().filter(|share| {
-            state
-                .exclusions
-                .iter()
-                .all(|out| out.curve() != share.index)
-        })
+        self.shares
+            .iter()
+            .filter(|share| state.exclusions.iter().all(|out| out.curve != share.index))
     }
 
     fn mixed_model(&self, curves: &[CurveFit], state: &State) -> MixedModel {
@@ -244,51 +265,5 @@ impl<'p> Repeats<'p> {
                 (squares / (n - 1.0)).sqrt().min(1.0)
             })
             .collect()
-    }
-
-    /// Whether every correction is small compared with its standard error, or leads out of the range from a bound.
-    fn is_settled(&self, state: &State, common: &Common) -> bool {
-        self.determined.iter().enumerate().all(|(k, &j)| {
-            let [low, high] = self.problem.unknowns()[j].bounds();
-            let (x, step) = (state.at.position[j], common.correction[k]);
-            step.abs() <= SETTLED * common.covariance[(k, k)].sqrt()
-                || (x <= low && step < 0.0)
-                || (x >= high && step > 0.0)
-        })
-    }
-
-    /// Moves to the common parameters, or part of the way if the model has no prediction there.
-    fn advance(
-        &self,
-        predictor: &mut Predictor,
-        state: &mut State,
-        common: &Common,
-    ) -> Result<bool, IdentifyError> {
-        let steps = &common.correction[..self.determined.len()];
-        let longest = steps.iter().fold(0.0, |most: f64, s| most.max(s.abs()));
-        let mut part = (LONGEST_STEP / longest).min(1.0);
-        while longest * part > SETTLED * f64::EPSILON.sqrt() {
-            let mut position = state.at.position.clone();
-            for (&j, step) in self.determined.iter().zip(steps) {
-                let [low, high] = self.problem.unknowns()[j].bounds();
-                position[j] = (position[j] + part * step).clamp(low, high);
-            }
-            if position == state.at.position {
-                return Ok(false);
-            }
-            if let Some(at) = predictor.evaluate(&position)? {
-                state.at = at;
-                for (c, step) in state
-                    .nuisances
-                    .iter_mut()
-                    .zip(&common.correction[self.determined.len()..])
-                {
-                    *c += part * step;
-                }
-                return Ok(true);
-            }
-            part *= 0.5;
-        }
-        Ok(false)
     }
 }

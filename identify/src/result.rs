@@ -1,8 +1,8 @@
 //! The result of a fit, and correlations from a covariance.
 
 use crate::{
-    Departure, Goodness, KnownCombination, NoiseLevels, Outlier, ProfilePoint, REFUSAL, Role,
-    Verdict, distribution::student_quantile,
+    Departure, Goodness, KnownCombination, NoiseLevels, OddRepeats, Outlier, ProfilePoint, REFUSAL,
+    Role, Verdict, distribution::student_quantile,
 };
 
 /// The verdict on a fit.
@@ -135,33 +135,13 @@ pub enum FitWarning {
     BetterFitFound(usize),
 }
 
-/// A curve that was left out, and the reason.
+/// A repeat that was left out because its residuals are larger than those of the others.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Exclusion {
-    /// Its parameters differ from those of the others.
-    Discordant {
-        /// Index of the curve, from 0.
-        curve: usize,
-        /// Their distance from the median, in units of the standard deviation of the others or of its own.
-        deviation: f64,
-    },
-    /// Its residuals are larger than those of the others.
-    Rough {
-        /// Index of the curve, from 0.
-        curve: usize,
-        /// Ratio to those of the median curve.
-        factor: f64,
-    },
-}
-
-impl Exclusion {
-    /// Index of the curve.
-    #[must_use]
-    pub fn curve(&self) -> usize {
-        match *self {
-            Self::Discordant { curve, .. } | Self::Rough { curve, .. } => curve,
-        }
-    }
+pub struct Exclusion {
+    /// Index of the curve, from 0.
+    pub curve: usize,
+    /// Ratio of its residuals to those of the median curve.
+    pub roughness: f64,
 }
 
 /// The best fit, and what the data determine.
@@ -191,6 +171,8 @@ pub struct Fit {
     pub departure: Option<Departure>,
     /// The curves that were left out, where they are repeats.
     pub excluded: Vec<Exclusion>,
+    /// The repeats in the fit whose parameters lie far from those of the others.
+    pub odd: Option<OddRepeats>,
     /// The points.
     pub points: FittedPoints,
     /// Its cost.

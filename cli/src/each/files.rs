@@ -114,13 +114,13 @@ fn number(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| format!("{value:e}"))
 }
 
-/// The map of an unknown over the positions of the curves, those fitted.
+/// The map of an unknown over the positions of the curves, with the values of those fitted whose interval closes.
 fn map(result: &EachResult, index: usize) -> Option<PlacesMap> {
     let place = |curve: &EachCurve| {
         let of = curve
             .unknowns
             .get(index)
-            .filter(|_| curve.verdict == "fitted");
+            .filter(|of| curve.verdict == "fitted" && of.is_closed());
         Some((curve.position?, of.map(|of| of.value)))
     };
     let places: Vec<_> = result.curves.iter().filter_map(place).collect();

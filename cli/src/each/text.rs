@@ -41,19 +41,25 @@ fn line(curve: &EachCurve) -> String {
     format!("  {}: {}{}\n", curve.file, curve.verdict, rest.concat())
 }
 
-/// Median and quartiles of an unknown.
+/// Median and quartiles of an unknown, over the curves whose interval closes.
 fn median(fitted: &[&EachCurve], index: usize) -> String {
     let all = fitted.iter().filter_map(|curve| curve.unknowns.get(index));
+    let open = all.clone().filter(|of| !of.is_closed()).count();
+    let all = all.filter(|of| of.is_closed());
     let mut values: Vec<f64> = all.clone().map(|of| of.value).collect();
     values.sort_by(f64::total_cmp);
     let [first, median, third] = [0.25, 0.5, 0.75].map(|part| quantile(&values, part));
     let Some(of) = all.clone().next() else {
         return String::new();
     };
+    let open = match open {
+        0 => String::new(),
+        open => format!(", without {}", count(open, "open interval")),
+    };
     let scale = units::scale(median, &of.unit);
     let number = |value: f64| significant(value / scale.divisor, 4);
     format!(
-        "  {}: median {} {}, half of them from {} to {}\n",
+        "  {}: median {} {}, half of them from {} to {}{open}\n",
         of.key,
         number(median),
         scale.label,
@@ -120,6 +126,37 @@ fn quantile(values: &[f64], part: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn values_at_an_open_end_are_not_in_the_median() {
+        let curve = |value: f64, interval: [Option<f64>; 2]| EachCurve {
+            file: "a.txt".into(),
+            position: None,
+            verdict: "fitted".into(),
+            unknowns: vec![EstimateResult {
+                key: "E".into(),
+                unit: "Pa".into(),
+                value,
+                interval,
+                level: 0.95,
+                wald: interval,
+                verdict: "one-sided".into(),
+                why: String::new(),
+                scatter: None,
+                known_combination: None,
+            }],
+            misfit_p: None,
+            cause: None,
+        };
+        let closed = curve(3.0, [Some(2.0), Some(4.0)]);
+        let open = curve(1e-3, [None, Some(4.0)]);
+        let line = median(&[&open, &closed], 0);
+        let wanted =
+            "  E: median 3.000 Pa, half of them from 3.000 to 3.000, without 1 open interval\n";
+        assert_eq!(line, wanted);
+        // None is left: no median.
+        assert_eq!(median(&[&open], 0), "");
+    }
 
     #[test]
     fn quartiles_lie_between_the_nearest_values() {

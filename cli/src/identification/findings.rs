@@ -31,6 +31,14 @@ pub struct EstimateResult {
     pub known_combination: Option<CombinationResult>,
 }
 
+impl EstimateResult {
+    /// Whether its interval closes on both sides, so that its value is one and no bound.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.interval.iter().all(Option::is_some)
+    }
+}
+
 /// A product of powers that the data determine.
 #[derive(Debug, Clone, Serialize)]
 pub struct CombinationResult {

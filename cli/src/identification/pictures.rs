@@ -4,7 +4,7 @@ use std::path::Path;
 
 use pellicle::display::{count, significant};
 use pellicle_identify::indentation::{IndentationNumber, Uncertain};
-use pellicle_identify::{Estimate, Exclusion, Fit, FitVerdict, Reading, Role};
+use pellicle_identify::{Estimate, Fit, FitVerdict, Reading, Role};
 use pellicle_plot::fit::axes;
 use pellicle_plot::fit::curve::{AxisQuantity, CurveUse, Curves, FittedCurve, FittedPoint};
 use pellicle_plot::fit::heading::FitHeading;
@@ -145,7 +145,7 @@ impl FitSubject<'_> {
 
     fn curves(&self) -> Curves {
         let points = &self.fit.points;
-        let left_out: Vec<usize> = self.fit.excluded.iter().map(Exclusion::curve).collect();
+        let left_out: Vec<usize> = self.fit.excluded.iter().map(|one| one.curve).collect();
         let mut first = 0;
         let sources = self.of.sources.iter().zip(self.names()).enumerate();
         let curve = sources.map(|(index, (source, name))| {

@@ -144,6 +144,7 @@ impl FitResult {
         let coefficients = fit.coefficients.iter().filter(|one| one.curve.is_none());
         let common = coefficients.map(|one| of.coefficient(&one.name, one.value, one.interval));
         let mut warnings = of.warnings(fit);
+        warnings.extend(of.curve_warnings(fit));
         warnings.extend(WarningResult::of_guesses(&of.file.document));
         warnings.extend(of.outlier_warnings(fit));
         warnings.extend(of.departure_warning(fit));

@@ -47,6 +47,19 @@ pub(super) fn refuse(curve: &MeasuredCurve) -> Result<(), CurveError> {
     Ok(())
 }
 
+/// Rejects forces that nowhere rise above their noise, those of all rows: the largest of a flat stretch would end its
+/// loading anywhere.
+pub(super) fn refuse_flat(forces: &[f64]) -> Result<(), CurveError> {
+    let finite: Vec<f64> = forces.iter().copied().filter(|f| f.is_finite()).collect();
+    if finite.len() < FEWEST_FOR_FLATNESS {
+        return Ok(());
+    }
+    match noise_and_flatness(&finite) {
+        (noise, true) if noise > 0.0 => Err(CurveError::NoContact { noise }),
+        _ => Ok(()),
+    }
+}
+
 /// The standard deviation of white noise on forces, and whether they are nothing else: the means of blocks differ by no
 /// more than theirs.
 fn noise_and_flatness(force: &[f64]) -> (f64, bool) {

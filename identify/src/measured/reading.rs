@@ -80,6 +80,9 @@ impl MeasuredCurve {
             warnings.extend(spring.compared_with(&table.stated)?);
             spring::add_penetration(&mut raw, data.height_direction, spring)?;
         }
+        if let Some((_, forces)) = (raw.channels.iter()).find(|(of, _)| *of == Channel::Force) {
+            checks::refuse_flat(forces)?;
+        }
         let mut kept = branch(&raw, &data.segment, data.omit.of(path))?;
         let before_contact = baseline::subtract(&mut raw, &kept.rows, data)?;
         cut(&mut kept, &raw, &data.segment, &mut warnings);

@@ -26,6 +26,7 @@ const DEPENDENT: f64 = 1e-6;
 const FEWEST_CURVES: usize = 3;
 
 /// The smooth departures of one curve.
+#[derive(Debug, Clone)]
 pub(super) struct DepartureShare {
     /// Its normal equations, with its unknowns and nuisances eliminated.
     pub equations: CurveEquations,

@@ -1,4 +1,4 @@
-//! One of several repeats, linearised about the common point: its own estimates, and its contribution to the common
+//! One of several repeats, linearised about its own point: its own estimates, and its contribution to the common
 //! ones.
 
 use faer::Mat;
@@ -24,11 +24,12 @@ pub(super) struct Share {
 }
 
 /// A curve fitted alone.
+#[derive(Debug, Clone)]
 pub(super) struct CurveFit {
     pub index: usize,
     /// Its normal equations for the common columns: determined unknowns, then common nuisances.
     pub equations: CurveEquations,
-    /// Its own corrections of the determined unknowns.
+    /// Its own values of the determined unknowns less the common ones, in their coordinates.
     pub own: Vec<f64>,
     /// Their variances; infinite where this curve alone does not determine the unknown.
     pub own_variance: Vec<f64>,
@@ -46,10 +47,11 @@ pub(super) struct CurveFit {
 }
 
 impl Share {
-    /// Fits the curve alone, with the common nuisances at the given values.
+    /// Fits the curve alone from its own parameters, which lie beside the common ones by this offset, with the common
+    /// nuisances at the given values.
     pub fn fit(
         &self,
-        at: &Evaluation,
+        (at, offset): (&Evaluation, &[f64]),
         determined: &[usize],
         nuisances: &[f64],
         levels: &NoiseLevels,
@@ -69,10 +71,15 @@ impl Share {
                 .iter()
                 .map(|column| metric.reduce(column.clone())),
         );
+        // What the common parameters leave: r + J u.
+        let mut residual = system.residual;
+        for (column, u) in columns.iter().zip(offset) {
+            add(&mut residual, *u, column);
+        }
         let size = columns.len();
         let equations = CurveEquations {
             gram: Mat::from_fn(size, size, |i, k| dot(&columns[i], &columns[k])),
-            pull: Mat::from_fn(size, 1, |i, _| dot(&columns[i], &system.residual)),
+            pull: Mat::from_fn(size, 1, |i, _| dot(&columns[i], &residual)),
         };
 
         // All of its own columns together, for its own corrections, nuisances and residuals.
@@ -84,12 +91,12 @@ impl Share {
         let components = whole.remove_from(&mut whitened);
         let values = whole.coefficients(&components);
         let covariance = whole.inverse_gram();
-        let own = values[first..].to_vec();
+        let steps = &values[first..];
         let mut model = at.value.clone();
         for (column, c) in self.problem.columns().iter().zip(&values) {
             add(&mut model, *c, &column.with_slopes(&at.slope));
         }
-        for (&j, step) in determined.iter().zip(&own) {
+        for (&j, step) in determined.iter().zip(steps) {
             add(&mut model, *step, &at.jacobian[j]);
         }
         CurveFit {
@@ -102,7 +109,7 @@ impl Share {
                     [value, covariance[k][k].sqrt()]
                 })
                 .collect(),
-            own,
+            own: steps.iter().zip(offset).map(|(s, u)| s + u).collect(),
             model,
             degrees: whitened.len().saturating_sub(whole.rank()).max(1) as f64,
             lower_half: lower_half_score(&self.problem, &metric, &at, determined),
@@ -152,6 +159,11 @@ impl CurveFit {
     /// The root mean square of its whitened residuals.
     pub fn roughness(&self) -> f64 {
         (dot(&self.whitened, &self.whitened) / self.degrees).sqrt()
+    }
+
+    /// The root mean square of its observable.
+    pub fn size(&self) -> f64 {
+        (dot(&self.model, &self.model) / self.model.len() as f64).sqrt()
     }
 }
 

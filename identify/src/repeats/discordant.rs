@@ -1,8 +1,10 @@
-//! Curves that disagree with the others, for example because the surface was detected wrongly.
+//! Curves that disagree with the others: of another place, or measured wrongly.
 //!
-//! Each curve's own parameters are compared with the median of all, in units of `1.4826` times the median absolute
-//! deviation, which no minority of curves can spoil (F. R. Hampel, J. Am. Stat. Assoc. 69, 383 (1974)). The limit
-//! depends on the number of curves, so that no more than one in 200 sets of good curves loses a curve.
+//! Each curve's own parameters, and the size of its residuals, are compared with the median of all, in units of
+//! `1.4826` times the median absolute deviation, which no minority of curves can spoil (F. R. Hampel, J. Am. Stat.
+//! Assoc. 69, 383 (1974)). The limit depends on the number of curves, so that no more than one in 200 sets of good
+//! curves has such a curve. Large residuals say that a curve is not one of the model, and it is left out. Other
+//! parameters do not: a specimen may have a soft place, of which the common value and the scatter must know.
 
 use super::curve_fit::CurveFit;
 use crate::{Exclusion, outlier::median};
@@ -29,41 +31,50 @@ const NORMAL: f64 = 1.4826;
 /// To be rough, a curve must also have residuals this many times as large as the median curve's.
 const ROUGH: f64 = 2.0;
 
-/// The worst of the discordant curves.
-pub(super) fn discordant(curves: &[CurveFit]) -> Option<Exclusion> {
+/// A curve far from the others: its place in the list, the column of the parameter, its distance.
+pub(super) struct Discordant {
+    pub place: usize,
+    pub column: usize,
+    pub deviation: f64,
+}
+
+/// The curve whose parameter in one of these columns lies farthest beyond the limit.
+pub(super) fn farthest(curves: &[&CurveFit], columns: &[usize]) -> Option<Discordant> {
     let limit = limit(curves.len())?;
-    let parameters = curves.first()?.own.len();
-    let mut worst: Option<(f64, Exclusion)> = None;
-    let mut offer = |excess: f64, exclusion: Exclusion| {
-        if excess > 1.0 && worst.as_ref().is_none_or(|(most, _)| excess > *most) {
-            worst = Some((excess, exclusion));
-        }
-    };
-    for column in 0..parameters {
+    let of_column = |&column: &usize| {
         let values: Vec<f64> = curves.iter().map(|curve| curve.own[column]).collect();
-        for (curve, deviation) in curves.iter().zip(deviations(&values)) {
-            let scale = deviation.scale.max(curve.own_variance[column].sqrt());
-            let excess = deviation.value.abs() / (scale * limit);
-            offer(
-                excess,
-                Exclusion::Discordant {
-                    curve: curve.index,
-                    deviation: deviation.value / scale,
-                },
-            );
-        }
-    }
-    let roughness: Vec<f64> = curves.iter().map(|curve| curve.roughness().ln()).collect();
-    for (curve, deviation) in curves.iter().zip(deviations(&roughness)) {
-        if deviation.value.exp() > ROUGH {
-            let exclusion = Exclusion::Rough {
-                curve: curve.index,
-                factor: deviation.value.exp(),
-            };
-            offer(deviation.value / (deviation.scale * limit), exclusion);
-        }
-    }
-    worst.map(|(_, exclusion)| exclusion)
+        let pairs = curves.iter().zip(deviations(&values)).enumerate();
+        let scaled = pairs.map(move |(place, (curve, of))| Discordant {
+            place,
+            column,
+            deviation: of.value / of.scale.max(curve.own_variance[column].sqrt()),
+        });
+        scaled.collect::<Vec<_>>()
+    };
+    columns
+        .iter()
+        .flat_map(of_column)
+        .filter(|one| one.deviation.abs() > limit)
+        .max_by(|a, b| a.deviation.abs().total_cmp(&b.deviation.abs()))
+}
+
+/// The curve whose residuals are farthest above those of the others. Of a curve larger than the median one they may be
+/// larger in proportion.
+pub(super) fn roughest(curves: &[CurveFit]) -> Option<Exclusion> {
+    let limit = limit(curves.len())?;
+    let size = median(curves.iter().map(CurveFit::size).collect());
+    let of_curve = |curve: &CurveFit| (curve.roughness() / (curve.size() / size).max(1.0)).ln();
+    let roughness: Vec<f64> = curves.iter().map(of_curve).collect();
+    curves
+        .iter()
+        .zip(deviations(&roughness))
+        .map(|(curve, of)| (curve, of.value.exp(), of.value / of.scale))
+        .filter(|(_, factor, deviation)| *factor > ROUGH && *deviation > limit)
+        .max_by(|a, b| a.2.total_cmp(&b.2))
+        .map(|(curve, roughness, _)| Exclusion {
+            curve: curve.index,
+            roughness,
+        })
 }
 
 struct Deviation {

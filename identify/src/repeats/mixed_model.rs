@@ -1,12 +1,15 @@
 //! Common parameters of repeated curves, and the scatter of the individual curves about them.
 //!
-//! Linearised about a common point, curve `i` determines the common corrections β and its own `u_i ~ N(0, T)`, `T`
+//! Linearised about its own point, curve `i` determines the common corrections β and its own `u_i ~ N(0, T)`, `T`
 //! diagonal, through `A_i = J_iᵀJ_i` and `b_i = J_iᵀ r_i` alone. With the `u_i` integrated out,
 //! `A_i ← A_i − A_i Z (T⁻¹ + ZᵀA_iZ)⁻¹ Zᵀ A_i`, and likewise `b_i`; `Z` selects the columns that scatter. The
 //! deviations in `T` maximise the restricted likelihood: N. M. Laird and J. H. Ware, Biometrics 38, 963 (1982). If
 //! every curve alone determines the parameter, this is the random-effects mean of repeats.
 
-use faer::{Mat, Side, linalg::solvers::Solve as _};
+use faer::{
+    Mat, Side,
+    linalg::solvers::{Llt, Solve as _},
+};
 
 use crate::{IdentifyError, noise::simplex};
 
@@ -77,6 +80,29 @@ impl MixedModel {
         })
     }
 
+    /// What each curve has beside the corrected common values, most likely: `u_i = T Zᵀ(b_i − A_i β − A_i Z u_i)`.
+    pub fn own(&self, common: &Common) -> Result<Vec<Vec<f64>>, IdentifyError> {
+        let (z, scatter) = (&self.scattered, &common.scatter);
+        let correction = Mat::from_fn(self.prior.len(), 1, |k, _| common.correction[k]);
+        let of_curve = |curve: &CurveEquations| {
+            let rest = &curve.pull - &curve.gram * &correction;
+            let along = Mat::from_fn(z.len(), 1, |i, _| scatter[i] * rest[(z[i], 0)]);
+            let solved = self.inner(curve, scatter)?.solve(&along);
+            Ok((0..z.len()).map(|i| scatter[i] * solved[(i, 0)]).collect())
+        };
+        self.curves.iter().map(of_curve).collect()
+    }
+
+    /// `1 + S ZᵀAZ S`, with `S = √T`.
+    fn inner(&self, curve: &CurveEquations, scatter: &[f64]) -> Result<Llt<f64>, IdentifyError> {
+        let z = &self.scattered;
+        let inner = Mat::from_fn(z.len(), z.len(), |i, k| {
+            let one = if i == k { 1.0 } else { 0.0 };
+            one + scatter[i] * curve.gram[(z[i], z[k])] * scatter[k]
+        });
+        inner.llt(Side::Lower).map_err(|_| self.undecomposed())
+    }
+
     /// The variance of a column with all other columns with a prior held: the part that is limited by the number of
     /// curves.
     pub fn variance_from_curves(
@@ -122,13 +148,9 @@ impl MixedModel {
         let mut pull = Mat::from_fn(size, 1, |i, _| self.prior[i][1]);
         let mut rest = 0.0;
         for curve in &self.curves {
-            // With S = √T: (T⁻¹ + ZᵀAZ)⁻¹ = S (1 + S ZᵀAZ S)⁻¹ S, which needs no T⁻¹.
+            // (T⁻¹ + ZᵀAZ)⁻¹ = S (1 + S ZᵀAZ S)⁻¹ S, which needs no T⁻¹.
             let z = &self.scattered;
-            let inner = Mat::from_fn(own, own, |i, k| {
-                let one = if i == k { 1.0 } else { 0.0 };
-                one + scatter[i] * curve.gram[(z[i], z[k])] * scatter[k]
-            });
-            let factor = inner.llt(Side::Lower).map_err(|_| self.undecomposed())?;
+            let factor = self.inner(curve, scatter)?;
             let across = Mat::from_fn(own, size, |i, k| scatter[i] * curve.gram[(z[i], k)]);
             let along = Mat::from_fn(own, 1, |i, _| scatter[i] * curve.pull[(z[i], 0)]);
             let (solved, solved_along) = (factor.solve(&across), factor.solve(&along));

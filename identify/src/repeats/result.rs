@@ -54,6 +54,7 @@ impl Repeats<'_> {
             outliers,
             points,
             excluded: state.exclusions.clone(),
+            odd: self.odd(state, curves)?,
             work: FitWork {
                 curves_solved: predictor.predictions(),
                 search: predictor.predictions(),
@@ -62,7 +63,7 @@ impl Repeats<'_> {
         })
     }
 
-    fn goodness(&self, state: &State, curves: &[CurveFit]) -> Goodness {
+    pub(super) fn goodness(&self, state: &State, curves: &[CurveFit]) -> Goodness {
         let known = self.problem.noise().is_known();
         let degrees = curves.iter().map(|curve| curve.degrees).sum();
         let sum = |k: usize| curves.iter().map(|curve| curve.lower_half[k]).sum::<f64>();
@@ -202,7 +203,7 @@ impl Repeats<'_> {
     }
 
     /// `√(t² C_c + z² C_p)`.
-    fn half_width(
+    pub(super) fn half_width(
         &self,
         state: &State,
         curves: &[CurveFit],

@@ -2,8 +2,8 @@
 
 use approx::assert_relative_eq;
 use pellicle_identify::{
-    Correlation, Curve, Exclusion, Fit, FitOptions, FitVerdict, LinearNuisance, Noise, Prior,
-    Problem, Scatter, Verdict, identify,
+    Correlation, Curve, Fit, FitOptions, FitVerdict, LinearNuisance, Noise, Prior, Problem,
+    Scatter, Verdict, identify,
 };
 
 use super::toys::{Normals, Toy, coating_moduli, hertz, logarithmic, two_moduli, unknown};
@@ -123,7 +123,7 @@ fn a_curve_with_a_wrong_surface_is_named_and_excluded() {
         found
             .excluded
             .iter()
-            .map(Exclusion::curve)
+            .map(|one| one.curve)
             .collect::<Vec<_>>(),
         [5]
     );
@@ -190,4 +190,69 @@ fn eight_curves_of_a_thousand_points_with_correlated_noise_are_fitted() {
     assert_eq!(fit.verdict, FitVerdict::Fitted, "{:?}", fit.goodness);
     // 8000 points determine the size of white noise to 0.8 %.
     assert_relative_eq!(fit.noise.observed, SIGMA, max_relative = 0.03);
+}
+
+#[test]
+fn repeats_that_differ_by_half_have_nothing_in_common() {
+    // A linearisation about the common moduli is off by its second order, on the same side for all curves.
+    let fits = (0..40).map(|seed| fit(curves(60, 0.5, seed), Noise::default()));
+    let (mut refused, mut covered) = (0, 0);
+    for fit in fits {
+        refused += usize::from(fit.verdict != FitVerdict::Fitted);
+        let [low, high] = fit.estimates[0].interval.map(Option::unwrap);
+        covered += usize::from((low..=high).contains(&10.0));
+    }
+    // 1 % of 40 by the level, and two more; of 40 intervals 38 ± 1.4 cover.
+    assert!(refused <= 2, "{refused} of 40 refused");
+    assert!(covered >= 34, "{covered} of 40 cover");
+}
+
+#[test]
+fn a_hump_that_all_repeats_have_is_found_however_they_differ() {
+    let with_hump = |curve: &Curve| {
+        let pairs = curve.abscissa().iter().zip(curve.observed());
+        let hump = |q: f64| 4.0 * SIGMA * (-q.ln().powi(2)).exp();
+        let observed = pairs.map(|(q, d)| d + hump(*q)).collect();
+        Curve::new(curve.abscissa().to_vec(), observed).unwrap()
+    };
+    let all = curves(60, 0.5, 2).iter().map(with_hump).collect();
+    let fit = fit(all, Noise::default());
+    assert_eq!(fit.verdict, FitVerdict::Misfit, "{:?}", fit.goodness);
+    assert!(fit.goodness.common_p.unwrap() < 1e-3, "{:?}", fit.goodness);
+}
+
+#[test]
+fn a_repeat_of_another_place_stays_and_what_the_others_give_is_told() {
+    let mut all = curves(100, 0.0, 3);
+    let forces = all[5].abscissa().to_vec();
+    let values = Toy::new(forces.clone(), coating_moduli).values(&[4.0, 1.5]);
+    let mut normals = Normals::new(8);
+    let observed = values.iter().map(|v| v + SIGMA * normals.next()).collect();
+    all[5] = Curve::new(forces, observed).unwrap();
+    let without: Vec<Curve> = (all.iter().enumerate())
+        .filter(|(i, _)| *i != 5)
+        .map(|(_, curve)| curve.clone())
+        .collect();
+    let found = fit(all, Noise::default());
+    assert!(found.excluded.is_empty(), "{:?}", found.excluded);
+    let odd = found.odd.unwrap();
+    assert!(odd.curves.len() == 1 && odd.curves[0].curve == 5, "{odd:?}");
+    assert!(
+        odd.curves[0].unknown == 0 && odd.curves[0].deviation < -10.0,
+        "{odd:?}"
+    );
+    // ln 0.4 in one of eight: a standard deviation of |ln 0.4|/√8.
+    let between = found.estimates[0].between_curves.as_ref().unwrap();
+    let scatter = between.standard_deviation / found.estimates[0].value;
+    assert_relative_eq!(scatter, -0.4_f64.ln() / 8.0_f64.sqrt(), max_relative = 0.05);
+    let alone = fit(without, Noise::default());
+    let [low, high] = alone.estimates[0].interval.map(Option::unwrap);
+    // The noise is estimated from seven curves in place of eight.
+    assert_relative_eq!(
+        odd.without[0].value,
+        alone.estimates[0].value,
+        max_relative = 1e-3
+    );
+    assert_relative_eq!(odd.without[0].interval[0], low, max_relative = 3e-3);
+    assert_relative_eq!(odd.without[0].interval[1], high, max_relative = 3e-3);
 }

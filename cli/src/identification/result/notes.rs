@@ -1,6 +1,6 @@
 //! Notes on a fit for its reader: points left out, and warnings.
 
-use pellicle_identify::{Exclusion, Fit, FitWarning, Stopped};
+use pellicle_identify::{Fit, FitWarning, Stopped};
 
 use crate::identification::Identification;
 use crate::identification::findings::{ExcludedResult, WarningResult};
@@ -34,19 +34,13 @@ impl Identification {
             add(reason, count);
         }
         for exclusion in &fit.excluded {
-            let source = &self.sources[exclusion.curve()];
+            let source = &self.sources[exclusion.curve];
             let file = source.measured.file.display();
-            let reason = match exclusion {
-                Exclusion::Discordant { deviation, .. } => {
-                    format!(
-                        "{file} disagrees with the other repeats by {deviation:.1} standard deviations"
-                    )
-                }
-                Exclusion::Rough { factor, .. } => {
-                    format!("{file} is {factor:.1} times as rough as the other repeats")
-                }
-            };
-            add(reason, source.abscissa.len());
+            let factor = exclusion.roughness;
+            add(
+                format!("{file} is {factor:.1} times as rough as the other repeats"),
+                source.abscissa.len(),
+            );
         }
         found
     }
