@@ -22,6 +22,7 @@ mod guide;
 mod identify;
 mod identify_adhesion;
 mod identify_contacts;
+mod identify_depths;
 mod identify_exact;
 mod identify_noise;
 mod identify_plan;

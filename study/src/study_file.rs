@@ -20,7 +20,7 @@ use pellicle::input::diagnosis::{Diagnosis, Fault};
 use pellicle::input::key_path::{self, dotted};
 use pellicle::input::overrides;
 use pellicle::input::source_file;
-use pellicle::input::span::Source;
+use pellicle::input::span::{COMMAND_LINE, Source, Span};
 use pellicle::input::table_reader::TableReader;
 use pellicle::input::toml_tree::{self, TomlNode, TomlTable, TomlValue};
 use pellicle::input::value_reader::ValueReader;
@@ -49,6 +49,7 @@ pub fn read(path: &Path, sets: &[String]) -> Result<Study, StudyError> {
         None => (without_study(&root), path.to_owned()),
     };
     for argument in sets {
+        refuse_varied(argument, &parts.varied_keys)?;
         overrides::set(&mut base, argument)?;
     }
     Ok(Study {
@@ -60,6 +61,24 @@ pub fn read(path: &Path, sets: &[String]) -> Result<Study, StudyError> {
         varied_keys: parts.varied_keys,
         keep: parts.keep,
     })
+}
+
+/// A value from the command line of a key that the study varies would have no effect.
+fn refuse_varied(argument: &str, varied_keys: &[VariedKey]) -> Result<(), Diagnosis> {
+    let key = argument.split_once('=').map_or("", |(key, _)| key);
+    let Some(path) = key_path::parts(key) else {
+        return Ok(());
+    };
+    let is_it = |varied: &&VariedKey| key_path::parts(&varied.key).as_ref() == Some(&path);
+    let Some(varied) = varied_keys.iter().find(is_it) else {
+        return Ok(());
+    };
+    let source = Arc::new(Source::new(COMMAND_LINE, argument.to_owned()));
+    let fault = Fault::Wrong {
+        found: format!("a value of {}, which [study.vary] varies", varied.key),
+        wanted: "a key that it does not vary".into(),
+    };
+    Err(Diagnosis::of_text(Span::new(&source, 0..key.len()), fault))
 }
 
 fn parse(path: &Path) -> Result<TomlNode, StudyError> {

@@ -52,6 +52,11 @@ indenter.radius [um],foundation.layer[0].thickness,title
 ";
 
 fn study(text: &str) -> Result<Study, String> {
+    study_with(text, &[])
+}
+
+/// A study with values from the command line.
+fn study_with(text: &str, sets: &[&str]) -> Result<Study, String> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("study.toml");
     fs::write(folder.path().join("base.toml"), BASE).unwrap();
@@ -62,7 +67,8 @@ fn study(text: &str) -> Result<Study, String> {
             .to_string()
             .replace(&folder.path().display().to_string(), "")
     };
-    study_file::read(&path, &[]).map_err(named)
+    let sets: Vec<_> = sets.iter().map(|set| (*set).to_owned()).collect();
+    study_file::read(&path, &sets).map_err(named)
 }
 
 fn plan(text: &str, shard: Shard) -> StudyPlan {

@@ -143,6 +143,14 @@ fn a_key_that_no_case_has_is_reported_before_any_work() {
     );
 }
 
+#[test]
+fn a_value_from_the_command_line_of_a_key_that_varies_is_refused() {
+    assert!(study_with(TWO_KEYS, &["indenter.radius=\"5 um\""]).is_ok());
+    let refused = study_with(TWO_KEYS, &["grid.elements = 64"]).unwrap_err();
+    let wanted = "found a value of grid.elements, which [study.vary] varies, wanted a key that it does not vary";
+    assert!(refused.contains(wanted), "{refused}");
+}
+
 /// The study has a million cases.
 #[test]
 fn planning_a_million_cases_reads_only_as_many_as_there_are_values() {

@@ -99,7 +99,7 @@ fn of_two_peaks_at_the_ends_of_a_layer_the_larger_is_found() {
         assert!(found.value >= (1.0 - 1e-6) * end, "{found:?} {end:e}");
     }
     // The steps of the grading are in its error.
-    let step = top + thickness * (1.0 - 1.0 / f64::from(parts));
+    let step = foundation.interface_depth(parts.unsigned_abs() as usize);
     let jump = (shear(Depth::above(step)) - shear(Depth::below(step))).abs();
     let part = jump / shear(Depth::above(step)).max(shear(Depth::below(step)));
     assert!(
