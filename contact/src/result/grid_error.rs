@@ -206,12 +206,14 @@ impl GridError {
         );
         Self {
             penetration: of(|level| Some(level.penetration), convergence, 0.0),
-            force: of(|level| Some(level.force), convergence, 0.0),
+            force: of(|level| Some(level.force), convergence, 0.0)
+                .map(|error| error.of_positive(last.force)),
             contact_area: of(
                 |level| Some(level.contact_area),
                 convergence,
                 last.edge_uncertainty,
-            ),
+            )
+            .map(|error| error.of_positive(last.contact_area)),
             max_pressure: peak.map(|peak| ErrorEstimate {
                 resolved: peak.resolved && !is_edge_peak,
                 ..peak
@@ -275,6 +277,15 @@ impl GridError {
 }
 
 impl ErrorEstimate {
+    /// The error of a number that is positive wherever there is contact: an interval around zero does not tell it from
+    /// none. A penetration of a cell has no such zero.
+    fn of_positive(self, value: f64) -> Self {
+        Self {
+            resolved: self.resolved && self.estimate <= value.abs(),
+            ..self
+        }
+    }
+
     /// Estimates the error of the last value. `values` are pairs of elements per side and value, coarsest grid first;
     /// `accuracy` is the relative error of each value from other causes. None with a single grid; never resolved at an
     /// edge, where values grow with the grid.
@@ -358,8 +369,8 @@ fn estimate(values: &[(usize, f64)], convergence: ExpectedConvergence) -> Option
     Some(ErrorEstimate {
         estimate: half_width,
         order: observed,
-        // Two levels show a change, not how it shrinks; an interval around zero does not tell a number from none.
-        resolved: changes.len() > 1 && (shrinks || is_narrow) && half_width <= last.abs(),
+        // Two levels show a change, not how it shrinks.
+        resolved: changes.len() > 1 && (shrinks || is_narrow),
     })
 }
 

@@ -45,10 +45,12 @@ fn at_second_order_the_interval_is_the_safety_factor_times_the_error() {
 }
 
 #[test]
-fn an_interval_around_zero_is_not_resolved() {
+fn a_positive_number_with_an_interval_around_zero_is_not_resolved() {
     // 1 + 30 · 4⁻ˡ: 2.875 ± 5.6
-    let found = penetration(&[31.0, 8.5, 2.875]);
-    assert!(found.order.is_some_and(|order| order > 1.9) && !found.resolved);
+    let found = GridError::new(levels(&[31.0, 8.5, 2.875]), 0.0);
+    let [area, force] = [found.contact_area, found.force].map(Option::unwrap);
+    assert!(area.order.is_some_and(|order| order > 1.9));
+    assert!(!area.resolved && !force.resolved && found.penetration.unwrap().resolved);
 }
 
 #[test]
