@@ -7,7 +7,7 @@ use std::fs;
 use serde_json::Value;
 
 use super::identify_plan::number;
-use super::runner::{ProgramOutput, TestFolder};
+use super::runner::TestFolder;
 
 const FIT: &str = r#"
 [model.foundation]
@@ -31,14 +31,9 @@ fn reduced() -> f64 {
     1.0 / ((1.0 - 0.25_f64.powi(2)) / 15e9 + (1.0 - 0.07_f64.powi(2)) / 1141e9)
 }
 
-fn result(ran: &ProgramOutput) -> Value {
-    let found = serde_json::from_str(&ran.stdout);
-    found.unwrap_or_else(|error| panic!("{error}: {}", ran.stderr))
-}
-
 fn identify(folder: &TestFolder, fit: &str) -> Value {
     fs::write(folder.path("fit.toml"), fit).unwrap();
-    result(&folder.run(&["identify", "fit.toml", "--json"]))
+    folder.run(&["identify", "fit.toml", "--json"]).printed()
 }
 
 /// Depths (nm) and forces (mN) of a contact of this depth (m) in a frame of this compliance (m/N): loading, hold and an

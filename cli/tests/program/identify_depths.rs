@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
-use super::identify_unloadings::{result, run};
+use super::identify_unloadings::run;
 
 /// The warning about the trend of the modulus in the evaluation, with the area `24.5 h²`, of contacts on a homogeneous
 /// body of 72 GPa and 9.5 GPa by a tip of area `24.5 h² + blunt h`, with a compliance of the frame (m/N).
@@ -22,7 +22,7 @@ fn trend(blunt: f64, frame: f64) -> Option<String> {
                [[data]]\nfile = \"depths.csv\"\ncolumns = { depth = 1, force = 2, stiffness = 3 }\n\
                observe = \"unloading\"\n";
     let (_, ran) = run(fit, &[("depths.csv", &rows)]);
-    let found = result(&ran);
+    let found = ran.printed();
     let warnings = found["warnings"].as_array().unwrap().iter();
     let mut warnings = warnings.filter(|warning| warning["code"] == "modulus-over-depth");
     Some(warnings.next()?["message"].as_str().unwrap().to_owned())

@@ -7,24 +7,12 @@ use serde_json::Value;
 
 use super::identify::tungsten;
 use super::identify_plan::number;
+use super::identify_repeats::{self, table};
 use super::runner::{ProgramOutput, TestFolder};
 
 /// A ball of 10 µm on glass, with this line for its noise.
 fn ball(noise: &str) -> String {
-    format!(
-        r#"
-[model]
-foundation = {{ substrate = {{ young_modulus = "70 GPa", poisson_ratio = 0.2 }} }}
-indenter = {{ kind = "paraboloid", radius = "10 um" }}
-[[data]]
-file = "ball.csv"
-columns = {{ depth = "depth", force = "force" }}
-units = {{ depth = "nm", force = "mN" }}
-{noise}
-[unknown]
-"foundation.substrate.young_modulus" = {{ from = "1 GPa", to = "10 TPa" }}
-"#
-    )
+    identify_repeats::ball(&format!("{}{noise}\n", table("ball.csv")))
 }
 
 const POINTS: usize = 60;

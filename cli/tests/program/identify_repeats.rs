@@ -11,7 +11,7 @@ const POINTS: usize = 60;
 const NOISE: f64 = 2e-10;
 
 /// A ball of 10 µm on an elastic body, with these tables for its data.
-fn ball(tables: &str) -> String {
+pub fn ball(tables: &str) -> String {
     format!(
         r#"
 [model]
@@ -25,7 +25,7 @@ indenter = {{ kind = "paraboloid", radius = "10 um" }}
 }
 
 /// One table of data.
-fn table(file: &str) -> String {
+pub fn table(file: &str) -> String {
     format!(
         r#"
 [[data]]

@@ -44,11 +44,6 @@ pub fn run(fit: &str, data: &[(&str, &str)]) -> (TestFolder, ProgramOutput) {
     (folder, ran)
 }
 
-pub fn result(ran: &ProgramOutput) -> Value {
-    let found = serde_json::from_str(&ran.stdout);
-    found.unwrap_or_else(|error| panic!("{error}: {}", ran.stderr))
-}
-
 fn value(of: &Value) -> f64 {
     number(&of["value"])
 }
@@ -57,7 +52,7 @@ fn value(of: &Value) -> f64 {
 fn an_unloading_gives_modulus_hardness_and_contact_depth_within_a_percent_with_drift_and_frame_taken_out()
  {
     let (folder, ran) = run(EVALUATION, &[("silica.txt", SILICA)]);
-    let found = result(&ran);
+    let found = ran.printed();
     let of = &found["indentation"][0];
     for (name, truth) in [
         ("indentation_modulus", 72e9),
@@ -89,7 +84,7 @@ fn an_unloading_gives_modulus_hardness_and_contact_depth_within_a_percent_with_d
 #[test]
 fn a_fit_with_a_model_gives_the_effective_indenter_of_each_unloading() {
     let (_, ran) = run(&format!("{EVALUATION}{MODEL}"), &[("silica.txt", SILICA)]);
-    let found = result(&ran);
+    let found = ran.printed();
     let of = &found["indentation"][0];
     let [force, stiffness, exponent, area] =
         ["max_force", "contact_stiffness", "exponent", "area"].map(|name| value(&of[name]));
@@ -113,7 +108,7 @@ fn a_fit_with_a_model_gives_the_effective_indenter_of_each_unloading() {
     assert!((0.1..0.64).contains(&height), "{height}");
     // Without a model there is none.
     let (_, ran) = run(EVALUATION, &[("silica.txt", SILICA)]);
-    assert!(result(&ran)["indentation"][0]["effective_indenter"].is_null());
+    assert!(ran.printed()["indentation"][0]["effective_indenter"].is_null());
 }
 
 #[test]
@@ -122,7 +117,7 @@ fn without_layers_a_fit_gives_the_modulus_of_oliver_and_pharr() {
     let of_frame = EVALUATION.replace("\"0.3 nm/mN\"", uncertain);
     for evaluation in [EVALUATION, &of_frame] {
         let (_, ran) = run(&format!("{evaluation}{MODEL}"), &[("silica.txt", SILICA)]);
-        let found = result(&ran);
+        let found = ran.printed();
         let formula = value(&found["indentation"][0]["indentation_modulus"]);
         let alone = value(&found["indentation"][0]["exact"]);
         let fitted = value(&found["unknowns"][0]);
@@ -140,7 +135,7 @@ fn without_layers_a_fit_gives_the_modulus_of_oliver_and_pharr() {
 #[test]
 fn an_oxide_on_silicon_has_one_modulus_at_all_depths_where_the_formula_rises_by_half() {
     let (_, ran) = run(OXIDE_FIT, &[("oxide.csv", OXIDE)]);
-    let found = result(&ran);
+    let found = ran.printed();
     let fitted = &found["unknowns"][0];
     let [low, high] = [0, 1].map(|end| number(&fitted["interval"][end]));
     assert!(low > 68.5e9 && high < 71e9, "{low} {high}");
@@ -182,13 +177,13 @@ fn a_film_of_another_unit_is_refused_or_its_trend_is_told() {
         &[("oxide.csv", OXIDE)],
     );
     assert!(
-        result(&ran)["warnings"].to_string().contains("\"trend\""),
+        ran.printed()["warnings"].to_string().contains("\"trend\""),
         "{}",
         ran.stderr
     );
     let (_, ran) = run(OXIDE_FIT, &[("oxide.csv", OXIDE)]);
     assert!(
-        !result(&ran)["warnings"].to_string().contains("\"trend\""),
+        !ran.printed()["warnings"].to_string().contains("\"trend\""),
         "{}",
         ran.stderr
     );
@@ -220,7 +215,7 @@ poisson_ratio = 0.17
 calibrate = { young_modulus = "72 GPa", coefficients = 2 }
 "#;
     let (folder, ran) = run(calibration, &[("rows.csv", &rows)]);
-    let found = result(&ran);
+    let found = ran.printed();
     for of in found["indentation"].as_array().unwrap() {
         let modulus = value(&of["indentation_modulus"]);
         assert!((modulus / 72e9 - 1.0).abs() < 0.02, "{modulus}");
@@ -237,7 +232,7 @@ calibrate = { young_modulus = "72 GPa", coefficients = 2 }
     );
     fs::write(folder.path("other.toml"), evaluation).unwrap();
     let ran = folder.run(&["identify", "other.toml", "--json"]);
-    let other = result(&ran);
+    let other = ran.printed();
     let of = &other["indentation"][20];
     let contact = 30e-9 * 1.07_f64.powi(20);
     let truth = 24.5 * contact * contact + 300e-9 * contact;
@@ -282,7 +277,7 @@ poisson_ratio = 0.42
 "foundation.layer[0].young_modulus" = { from = "10 GPa", to = "400 GPa" }
 "#;
     let (_, ran) = run(fit, &[("gold.csv", rows)]);
-    let found = result(&ran);
+    let found = ran.printed();
     assert_eq!(found["verdict"], "misfit");
     let warnings = found["warnings"].to_string();
     assert!(

@@ -65,7 +65,13 @@ impl ProgramOutput {
     /// Returns the standard output of a run that succeeded, as JSON.
     pub fn json(&self) -> Value {
         assert_eq!(self.code, Some(0), "{}", self.stderr);
-        serde_json::from_str(&self.stdout).unwrap()
+        self.printed()
+    }
+
+    /// Returns the standard output as JSON, whatever the exit code.
+    pub fn printed(&self) -> Value {
+        let found = serde_json::from_str(&self.stdout);
+        found.unwrap_or_else(|error| panic!("{error}: {}", self.stderr))
     }
 }
 
