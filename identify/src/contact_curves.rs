@@ -1,12 +1,17 @@
 //! The forward model: penetrations of a contact as functions of its parameters, and their derivatives.
 //!
-//! A measured curve has up to a hundred thousand points, but the contact is solved at only a few loads. Their energies
+//! A measured curve has up to a hundred thousand points, but the contact is solved at only a few loads. Axisymmetric
+//! contacts need no grid; polynomials through a few of them give all points (`branch.rs`). Of others the energies
 //! `E(Q) = ∫ D dQ` and the derivatives `∂E/∂θ` are extrapolated from two grids, and [`ForceCurve`]s through them give
 //! `D = dE/dQ`, `dD/dQ` and `∂D/∂θ` at every point. As the parameters change, each load's domain scales with its
 //! contact, so the same elements stay in contact and no jump comes from one that enters.
+//!
+//! [`ForceCurve`]: pellicle_contact::ForceCurve
 
-mod adhesive;
+mod axisymmetric;
+mod branch;
 mod calibration;
+mod chebyshev;
 mod curve;
 mod fixed_number;
 mod force_scale;
@@ -25,7 +30,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use pellicle_contact::adhesion::{Adhesion, AdhesiveCurve};
 use pellicle_contact::{ContactError, Model, ModelParameter};
 
-use adhesive::AdhesiveModel;
+use axisymmetric::AxisymmetricModel;
+use branch::Branch;
 pub use calibration::Calibration;
 pub use curve::{ContactCurve, CurveOptions, Observable, Reading, StopFlag, Thinned};
 pub use fixed_number::FixedNumber;
@@ -44,24 +50,48 @@ const STIFFNESS_STEP: f64 = 0.03;
 #[derive(Debug)]
 pub struct ContactCurves {
     curves: Vec<ContactCurve>,
-    /// None where no contact is solved.
-    nodes: Vec<Option<Nodes>>,
+    methods: Vec<Method>,
     parameters: Vec<ModelParameter>,
     /// One entry per curve.
     scales: Vec<Option<ForceScale>>,
     options: CurveOptions,
-    /// The last solution of each curve, which predictions from other origins share.
-    last: Vec<Mutex<Option<Remembered>>>,
     loads_solved: AtomicUsize,
     operator_applications: AtomicUsize,
 }
 
+/// How the contacts of a curve are solved.
+#[derive(Debug)]
+enum Method {
+    /// As circles, without a grid.
+    Axisymmetric(Last<Branch>),
+    /// At these loads on two grids each.
+    Grid(Nodes, Last<SolvedCurve>),
+    /// As flat punches of the radii of unloadings, without a grid.
+    Punches,
+}
+
+/// The last solution of a curve, which predictions from other origins share.
+type Last<T> = Mutex<Option<Remembered<T>>>;
+
 /// A curve solved at some parameters, with derivatives by numbers of its model.
 #[derive(Debug)]
-struct Remembered {
+struct Remembered<T> {
     parameters: Vec<f64>,
     sought: Vec<ModelParameter>,
-    solved: Arc<SolvedCurve>,
+    solved: Arc<T>,
+}
+
+impl Method {
+    /// The one that applies to a curve and takes the least time.
+    fn of(curve: &ContactCurve, options: &CurveOptions) -> Result<Self, ContactError> {
+        if curve.observable == Observable::UnloadingStiffness {
+            return Ok(Self::Punches);
+        }
+        if AxisymmetricModel::applies_to(curve) {
+            return Ok(Self::Axisymmetric(Mutex::default()));
+        }
+        Ok(Self::Grid(Nodes::of(curve, options)?, Mutex::default()))
+    }
 }
 
 impl ContactCurves {
@@ -81,15 +111,14 @@ impl ContactCurves {
                 return Err(ContactError::NoParameter { wanted: *wanted });
             }
         }
-        let nodes = curves
+        let methods = curves
             .iter()
-            .map(|curve| Nodes::of(curve, &options))
+            .map(|curve| Method::of(curve, &options))
             .collect::<Result<_, _>>()?;
         Ok(Self {
             scales: vec![None; curves.len()],
-            last: curves.iter().map(|_| Mutex::default()).collect(),
             curves,
-            nodes,
+            methods,
             parameters,
             options,
             loads_solved: AtomicUsize::new(0),
@@ -106,13 +135,7 @@ impl ContactCurves {
         self
     }
 
-    /// Number of loads solved for one prediction of all curves.
-    #[must_use]
-    pub fn loads(&self) -> usize {
-        self.nodes.iter().flatten().map(Nodes::len).sum()
-    }
-
-    /// Loads solved so far.
+    /// Loads solved so far; those of differences are not counted.
     #[must_use]
     pub fn loads_solved(&self) -> usize {
         self.loads_solved.load(Ordering::Relaxed)
@@ -170,8 +193,7 @@ impl ContactCurves {
         parameters: &[f64],
     ) -> Result<Option<AdhesiveCurve>, ContactError> {
         let values = self.values_of(curve, parameters);
-        let model = AdhesiveModel::of(&self.curves[curve], &values)?;
-        model.map(|model| model.curve()).transpose()
+        AxisymmetricModel::of(&self.curves[curve], &values)?.adhesive()
     }
 
     /// The parameters of a curve with these values.
@@ -257,28 +279,38 @@ impl ContactCurves {
         let sought: Vec<ModelParameter> = sought.copied().collect();
         let of = &self.curves[curve];
         let observable = of.observable;
-        let values = self.values_of(curve, parameters);
-        let mut prediction = if let Some(adhesive) = AdhesiveModel::of(of, &values)? {
-            let series = of.series / factor;
-            let abscissae = observable.true_abscissae(abscissae, factor);
-            adhesive.predicted(observable.abscissa(), (&abscissae, series), &sought)?
-        } else if let Some(nodes) = &self.nodes[curve] {
-            let model = self.model(curve, parameters)?;
-            if observable == Observable::StiffnessAtContactRadius {
-                self.stiffnesses((curve, nodes), &model, &sought)?
-            } else {
-                let solved = self.remembered(curve, parameters, &sought, || {
-                    self.solved(&nodes.with_forces_times(factor), &model, &sought)
-                })?;
-                let series = of.series / factor;
-                observable.of(
-                    &solved,
-                    &observable.true_abscissae(abscissae, factor),
-                    series,
-                )?
+        let series = of.series / factor;
+        let read = || observable.true_abscissae(abscissae, factor);
+        let mut prediction = match &self.methods[curve] {
+            Method::Axisymmetric(last) => {
+                let model = AxisymmetricModel::of(of, &self.values_of(curve, parameters))?;
+                if model.punch_radius().is_some() {
+                    model.under_punch(observable, (&read(), series), &sought)?
+                } else {
+                    let (abscissae, covers) = (read(), |branch: &Branch| branch.covers(&read()));
+                    let branch = remembered(last, (parameters, &sought), covers, || {
+                        let branch = model.branch(observable, (&abscissae, series), &sought)?;
+                        (self.loads_solved).fetch_add(branch.len(), Ordering::Relaxed);
+                        Ok(branch)
+                    })?;
+                    branch.read(&abscissae)
+                }
             }
-        } else {
-            of.punch_stiffnesses(&self.model(curve, parameters)?, &sought)?
+            Method::Grid(nodes, last) => {
+                let model = self.model(curve, parameters)?;
+                if observable == Observable::StiffnessAtContactRadius {
+                    self.stiffnesses((curve, nodes), &model, &sought)?
+                } else {
+                    let solved = remembered(
+                        last,
+                        (parameters, &sought),
+                        |_| true,
+                        || self.solved(&nodes.with_forces_times(factor), &model, &sought),
+                    )?;
+                    observable.of(&solved, &read(), series)?
+                }
+            }
+            Method::Punches => of.punch_stiffnesses(&self.model(curve, parameters)?, &sought)?,
         };
         for index in own {
             prediction
@@ -286,31 +318,6 @@ impl ContactCurves {
                 .insert(index, vec![0.0; abscissae.len()]);
         }
         Ok(prediction)
-    }
-
-    /// The last solution of a curve if it was of these parameters and numbers, otherwise a new one.
-    fn remembered(
-        &self,
-        curve: usize,
-        parameters: &[f64],
-        sought: &[ModelParameter],
-        solve: impl FnOnce() -> Result<SolvedCurve, ContactError>,
-    ) -> Result<Arc<SolvedCurve>, ContactError> {
-        let mut last = self.last[curve]
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        let is_same =
-            |known: &&Remembered| known.parameters == parameters && known.sought == sought;
-        if let Some(known) = last.as_ref().filter(is_same) {
-            return Ok(known.solved.clone());
-        }
-        let solved = Arc::new(solve()?);
-        *last = Some(Remembered {
-            parameters: parameters.to_vec(),
-            sought: sought.to_vec(),
-            solved: solved.clone(),
-        });
-        Ok(solved)
     }
 
     /// Solves a curve at its nodes and counts the work.
@@ -355,4 +362,27 @@ impl ContactCurves {
         }
         Ok(prediction)
     }
+}
+
+/// The last solution of a curve if it was of these parameters and numbers and is fit for use, otherwise a new one.
+fn remembered<T>(
+    last: &Last<T>,
+    (parameters, sought): (&[f64], &[ModelParameter]),
+    is_fit: impl Fn(&T) -> bool,
+    solve: impl FnOnce() -> Result<T, ContactError>,
+) -> Result<Arc<T>, ContactError> {
+    let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
+    let is_same = |known: &&Remembered<T>| {
+        known.parameters == parameters && known.sought == sought && is_fit(&known.solved)
+    };
+    if let Some(known) = last.as_ref().filter(is_same) {
+        return Ok(known.solved.clone());
+    }
+    let solved = Arc::new(solve()?);
+    *last = Some(Remembered {
+        parameters: parameters.to_vec(),
+        sought: sought.to_vec(),
+        solved: solved.clone(),
+    });
+    Ok(solved)
 }

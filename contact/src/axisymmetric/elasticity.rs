@@ -73,6 +73,12 @@ impl AxisymmetricElasticity {
         self.modulus
     }
 
+    /// Whether springs lie between the bodies.
+    #[must_use]
+    pub fn has_springs(&self) -> bool {
+        self.springs.is_some()
+    }
+
     /// The same with the springs of a relief that is the same everywhere; none if its springs are not.
     #[must_use]
     pub fn on_relief(self, relief: &Relief) -> Option<Self> {

@@ -1,6 +1,7 @@
 //! Shapes of axisymmetric indenters, by the penetration that they need on a half-space.
 
 use crate::Indenter;
+use crate::path::domain::root_finding::where_zero;
 use crate::reference::power_law::penetration_over_height;
 
 /// A convex shape with a height `f(r)` above its lowest point.
@@ -122,8 +123,23 @@ impl AxisymmetricProfile {
         }
     }
 
+    /// The contact radius x (m) at which a half-space needs the penetration `d(x)` given (m): the inverse of
+    /// [`Self::half_space_penetration`], to rounding.
+    #[must_use]
+    pub fn half_space_radius(self, penetration: f64) -> f64 {
+        let rim = self.rim();
+        where_zero(|x| {
+            if x < rim {
+                (self.half_space_penetration(x) / penetration).ln()
+            } else {
+                f64::INFINITY
+            }
+        })
+    }
+
     /// Where `d(x)` is not smooth, m; none if it is a polynomial.
-    pub(super) fn kink(self) -> Option<f64> {
+    #[must_use]
+    pub fn kink(self) -> Option<f64> {
         match self {
             Self::Paraboloid { .. } => None,
             Self::Sphere { radius } => Some(radius),
@@ -206,6 +222,29 @@ mod tests {
                 let ratio = one.half_space_penetration(x) / other.half_space_penetration(x);
                 // A few roundings of the logarithm of Γ.
                 assert!((ratio - 1.0).abs() < 4e-15, "{one:?} {ratio}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_radius_is_the_inverse_of_the_penetration() {
+        let shapes = [
+            AxisymmetricProfile::Paraboloid { radius: 2.0 },
+            AxisymmetricProfile::Sphere { radius: 2.0 },
+            AxisymmetricProfile::Cone {
+                slope: 0.5,
+                tip_radius: 2.0,
+            },
+            AxisymmetricProfile::Power {
+                exponent: 3.3,
+                length: 0.8,
+            },
+        ];
+        for shape in shapes {
+            // Below and beyond the seam of the cone, and near the rim of the sphere.
+            for x in [1e-9, 0.4, 1.7, 1.999] {
+                let found = shape.half_space_radius(shape.half_space_penetration(x));
+                assert!((found / x - 1.0).abs() < 1e-13, "{shape:?} {x}: {found}");
             }
         }
     }

@@ -1,10 +1,12 @@
-//! The stiffness of unloadings: that of a flat punch of the contact's radius on the layered body, without a grid.
+//! Flat punches on the layered body, without a grid: indenters, and the contacts of unloadings, whose stiffness is that
+//! of a punch of their radius.
 
-use pellicle_contact::axisymmetric::AxisymmetricElasticity;
+use pellicle_contact::axisymmetric::{AxisymmetricElasticity, punch_stiffness};
 use pellicle_contact::{ContactError, Model, ModelParameter};
 use pellicle_influence::ElasticBodies;
 
-use super::curve::{ContactCurve, Thinned};
+use super::axisymmetric::AxisymmetricModel;
+use super::curve::{ContactCurve, Observable, Thinned};
 use crate::Prediction;
 
 /// Relative step of a parameter for differentiating a stiffness, which is exact to 1e-12: an error of 1e-8.
@@ -74,7 +76,7 @@ impl ContactCurve {
             Ok(self.punches(&bodies)?[0])
         };
         let miss = |x: f64| Ok::<f64, ContactError>((at(x)?[0] / stiffness).ln());
-        let Some(x) = root(miss, [low.ln(), high.ln()])? else {
+        let Some(x) = try_root(miss, [low.ln(), high.ln()])? else {
             return Ok(None);
         };
         let [above, below] = [at(x + STEP)?[0], at(x - STEP)?[0]];
@@ -102,6 +104,62 @@ impl ContactCurve {
             punch(&AxisymmetricElasticity::new(&thinned), *radius)
         };
         self.abscissae.iter().enumerate().map(at).collect()
+    }
+}
+
+impl AxisymmetricModel {
+    /// The stiffness of a flat punch, N/m.
+    fn punch_stiffness(&self) -> Result<f64, ContactError> {
+        let radius = self.punch_radius().ok_or(ContactError::NotAxisymmetric)?;
+        Ok(punch_stiffness(self.bodies(), radius)?[0])
+    }
+
+    /// The readings under a flat punch, in proportion to its stiffness S, and their derivatives by the numbers sought:
+    ///
+    /// ```text
+    /// D = F/S      F = z/(1/S + c) at the approach z of the end of a compliance c in series
+    /// ```
+    pub(super) fn under_punch(
+        &self,
+        observable: Observable,
+        (abscissae, series): (&[f64], f64),
+        sought: &[ModelParameter],
+    ) -> Result<Prediction, ContactError> {
+        let stiffness = self.punch_stiffness()?;
+        // ∂S/∂θ
+        let by = |parameter: &ModelParameter| {
+            let value = self.value(*parameter).unwrap_or(f64::NAN);
+            let moved = |factor: f64| {
+                let moved = self.clone().with(*parameter, factor * value)?;
+                Ok((factor * value, moved.punch_stiffness()?))
+            };
+            let (less, below) = moved(1.0 - STEP)?;
+            let (more, above) = moved(1.0 + STEP).or_else(|_: ContactError| moved(1.0))?;
+            Ok((above - below) / (more - less))
+        };
+        let by: Vec<f64> = sought.iter().map(by).collect::<Result<_, ContactError>>()?;
+        // The reading, its slope, and its derivative by S.
+        let at = |x: &f64| match observable {
+            Observable::DepthAtForce => {
+                let force = x.max(0.0);
+                let slope = 1.0 / stiffness + series;
+                (force / stiffness, slope, -force / stiffness.powi(2))
+            }
+            _ if *x <= 0.0 => (0.0, 0.0, 0.0),
+            Observable::ForceAtDepth => {
+                let rate = 1.0 / (1.0 / stiffness + series);
+                (rate * x, rate, x * (rate / stiffness).powi(2))
+            }
+            _ => (stiffness, 0.0, 1.0),
+        };
+        let points: Vec<_> = abscissae.iter().map(at).collect();
+        let column = |by: f64| points.iter().map(|(.., change)| by * change).collect();
+        Ok(Prediction {
+            value: points.iter().map(|(value, ..)| *value).collect(),
+            slope: points.iter().map(|(_, slope, _)| *slope).collect(),
+            derivatives: by.into_iter().map(column).collect(),
+            origins: Vec::new(),
+        })
     }
 }
 
@@ -136,9 +194,14 @@ pub struct ParameterAtPoint {
     pub by_radius: f64,
 }
 
+/// The root of a function that changes its sign between two ends, as [`try_root`].
+pub(super) fn root(of: impl Fn(f64) -> f64, ends: [f64; 2]) -> Option<f64> {
+    try_root(|x| Ok(of(x)), ends).ok().flatten()
+}
+
 /// The root of a function that changes its sign between two ends, by false positions with halved ends (the Illinois
 /// method: M. Dowell and P. Jarratt, BIT 11, 168 (1971)); none if it does not.
-fn root(
+fn try_root(
     of: impl Fn(f64) -> Result<f64, ContactError>,
     [mut a, mut b]: [f64; 2],
 ) -> Result<Option<f64>, ContactError> {

@@ -8,7 +8,7 @@ use pellicle_contact::{
 };
 use rayon::prelude::*;
 
-use super::curve::{ContactCurve, CurveOptions, Observable, Reading};
+use super::curve::{ContactCurve, CurveOptions, Reading};
 
 /// Forces below this fraction of the largest follow the power law at the smallest load solved.
 const SMALLEST_PART: f64 = 1e-3;
@@ -47,11 +47,8 @@ enum NodeEnds {
 }
 
 impl Nodes {
-    /// Loads that cover the points of a curve; none if its readings need no contact solved.
-    pub fn of(curve: &ContactCurve, options: &CurveOptions) -> Result<Option<Self>, ContactError> {
-        if curve.observable == Observable::UnloadingStiffness || curve.adhesion.is_some() {
-            return Ok(None);
-        }
+    /// Loads that cover the points of a curve.
+    pub fn of(curve: &ContactCurve, options: &CurveOptions) -> Result<Self, ContactError> {
         let abscissae = curve.abscissae_from(&curve.origins);
         let positive = abscissae.into_iter().filter(|x| *x > 0.0);
         let [least, most] = positive.fold([f64::INFINITY, 0.0], |[least, most], x| {
@@ -83,7 +80,7 @@ impl Nodes {
         };
         nodes.refuse_unknown_radii(&curve.model)?;
         nodes.stretches = nodes.stretches_for(&curve.model, options)?;
-        Ok(Some(nodes))
+        Ok(nodes)
     }
 
     /// Rejects radii that the contact has under no force, or under more than one, as that of a flat punch.

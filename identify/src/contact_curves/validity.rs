@@ -14,8 +14,9 @@ use pellicle_contact::{
 };
 use rayon::prelude::*;
 
-use super::adhesive::AdhesiveModel;
-use super::{ContactCurve, ContactCurves, CurveOptions, Observable, Reading, solved_curve::held};
+use super::axisymmetric::AxisymmetricModel;
+use super::solved_curve::{Nodes, held};
+use super::{ContactCurve, ContactCurves, CurveOptions, Method, Observable, Reading};
 use crate::{Fit, Prediction};
 
 /// The error of a prediction is estimated from a second one, with the grid finer and the loads more numerous by this
@@ -148,16 +149,17 @@ impl ContactCurves {
         for (index, curve) in self.curves.iter().enumerate() {
             let origins = self.origins_of(index, &at_fit.origins);
             let abscissae = curve.abscissae_from(origins);
-            if let Some(invalid) = self.invalid_with_adhesion(index, &values, &abscissae)? {
-                found.extend(invalid);
+            if curve.adhesion.is_some() {
+                found.extend(self.invalid_with_adhesion(index, &values, &abscissae)?);
                 continue;
             }
             let conditions = self.conditions(index, &values)?;
-            found.extend(
-                abscissae
-                    .iter()
-                    .map(|abscissa| invalid(&conditions, *abscissa)),
-            );
+            let judge = |abscissa: &f64| invalid(&conditions, *abscissa);
+            let judged = abscissae.iter().map(judge);
+            match self.methods[index] {
+                Method::Grid(..) => found.extend(judged),
+                _ => found.extend(judged.map(resolved)),
+            }
         }
         let pairs = found.into_iter().zip(inaccurate);
         Ok(pairs
@@ -183,22 +185,20 @@ impl ContactCurves {
     }
 
     /// As [`Self::invalid_points`] for a curve with adhesion, whose layers and indenter are judged by the contact
-    /// without adhesion that has the same radius; none for other curves.
+    /// without adhesion that has the same radius.
     fn invalid_with_adhesion(
         &self,
         index: usize,
         values: &[f64],
         abscissae: &[f64],
-    ) -> Result<Option<Vec<Option<Invalidity>>>, ContactError> {
+    ) -> Result<Vec<Option<Invalidity>>, ContactError> {
         let curve = self.curve_at(index, values)?;
-        let Some(adhesive) = AdhesiveModel::of(&curve, &[])? else {
-            return Ok(None);
-        };
         let constants = self.constants(values);
         let factor = self.scales[index].map_or(1.0, |scale| scale.factor(constants));
         let abscissae = curve.observable.true_abscissae(abscissae, factor);
-        let reading = curve.observable.abscissa();
-        let forces = adhesive.forces_without(reading, (&abscissae, curve.series / factor))?;
+        let of = (abscissae.as_slice(), curve.series / factor);
+        let branch = AxisymmetricModel::of(&curve, &[])?.branch(curve.observable, of, &[])?;
+        let forces = branch.forces_without(&abscissae);
         let without = ContactCurve {
             observable: Observable::DepthAtForce,
             abscissae: forces.iter().copied().flatten().collect(),
@@ -207,15 +207,12 @@ impl ContactCurves {
             series: 0.0,
             ..curve
         };
-        let without = Self::new(vec![without], Vec::new(), self.options.clone())?;
-        let conditions = without.conditions(0, &[])?;
+        let conditions = self.conditions_of(&without, None, 1.0)?;
         let judge = |force: &Option<f64>| match force {
             None => Some(Invalidity::LetGo),
-            Some(force) => {
-                invalid(&conditions, *force).filter(|reason| *reason != Invalidity::Unresolved)
-            }
+            Some(force) => resolved(invalid(&conditions, *force)),
         };
-        Ok(Some(forces.iter().map(judge).collect()))
+        Ok(forces.iter().map(judge).collect())
     }
 
     /// Predicts the same points from the same origins, with a finer grid and more loads.
@@ -254,25 +251,41 @@ impl ContactCurves {
 
     /// The state of the contact at the loads of a curve; empty where no contact is solved.
     fn conditions(&self, curve: usize, values: &[f64]) -> Result<Vec<Condition>, ContactError> {
-        let Some(nodes) = &self.nodes[curve] else {
-            return Ok(Vec::new());
+        let nodes = match &self.methods[curve] {
+            Method::Punches => return Ok(Vec::new()),
+            Method::Axisymmetric(_) => None,
+            Method::Grid(nodes, _) => Some(nodes),
         };
-        let model = self.model(curve, values)?;
-        let ContactCurve {
-            observable, series, ..
-        } = self.curves[curve];
         let constants = self.constants(values);
         let factor = self.scales[curve].map_or(1.0, |scale| scale.factor(constants));
-        let nodes = nodes.with_forces_times(factor);
-        let solved = nodes.domains(&model).into_par_iter();
+        self.conditions_of(&self.curve_at(curve, values)?, nodes, factor)
+    }
+
+    /// The same of a curve whose forces as read are too small by a factor, on a grid at these loads, or at own ones.
+    fn conditions_of(
+        &self,
+        curve: &ContactCurve,
+        nodes: Option<&Nodes>,
+        factor: f64,
+    ) -> Result<Vec<Condition>, ContactError> {
+        let nodes = match nodes {
+            Some(nodes) => nodes.with_forces_times(factor),
+            None => Nodes::of(curve, &self.options)?.with_forces_times(factor),
+        };
+        let (model, of) = (&curve.model, (curve.observable, curve.series));
+        let solved = nodes.domains(model).into_par_iter();
         let solved = solved.map(|domain| {
-            let path = held(&model, domain, self.options.elements)?;
-            let force = domain.0 / factor;
-            Ok(condition(&model, (observable, series), force, &path))
+            let path = held(model, domain, self.options.elements)?;
+            Ok(condition(model, of, domain.0 / factor, &path))
         });
         let all: Vec<Result<Condition, ContactError>> = solved.collect();
         all.into_iter().collect()
     }
+}
+
+/// A reason, unless it is one of the grid, on which only the limits of the model were found.
+fn resolved(reason: Option<Invalidity>) -> Option<Invalidity> {
+    reason.filter(|reason| *reason != Invalidity::Unresolved)
 }
 
 /// The state of a contact under a force that was read as `force`.
