@@ -289,7 +289,12 @@ impl ContactCurves {
                 } else {
                     let (abscissae, covers) = (read(), |branch: &Branch| branch.covers(&read()));
                     let branch = remembered(last, (parameters, &sought), covers, || {
-                        let branch = model.branch(observable, (&abscissae, series), &sought)?;
+                        let branch = model.branch(
+                            observable,
+                            (&abscissae, series),
+                            &sought,
+                            self.options.loads_per_decade,
+                        )?;
                         (self.loads_solved).fetch_add(branch.len(), Ordering::Relaxed);
                         Ok(branch)
                     })?;

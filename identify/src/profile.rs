@@ -40,6 +40,8 @@ const CONSTRAINED: f64 = 0.1;
 /// A profile lower than the best fit by this has found a better fit. It is a twentieth of χ² at level 0.95, so that the
 /// jitter of a prediction from a grid does not count as one.
 const BETTER: f64 = 0.2;
+/// Nor does a part of a huge χ² that is below the accuracy of predictions.
+const BETTER_PART: f64 = 1e-9;
 /// No linearisation is trusted farther than this: a factor of 1.4 for a logarithm.
 const TRUSTED: f64 = 0.35;
 /// Number of constrained fits on one side before it counts as open.
@@ -305,7 +307,7 @@ impl LikelihoodProfile<'_, '_> {
         let search = self.search();
         let fit = search.descend(predictor, start, |_| false)?;
         let above = fit.system.chi_squared - self.best.system.chi_squared + self.best.remaining;
-        if above < -BETTER {
+        if above < -BETTER.max(BETTER_PART * self.best.system.chi_squared) {
             return Ok(Err(fit.at));
         }
         // The remaining gain is unknown if the search did not converge.

@@ -153,7 +153,23 @@ fn an_outlier_is_named_with_its_row_and_omitted_by_the_key_that_is_named() {
 fn a_curve_without_noise_is_fitted_with_the_error_of_the_grid_in_its_interval() {
     let depths: Vec<f64> = forces().into_iter().map(|q| depth(q, 227.7e9)).collect();
     let folder = measured(&depths);
+    // A ball itself needs no grid. With radii that differ by 1e-5 its penetration differs by the square of that.
+    let oblong = |rest: &str| {
+        let found = ball(rest).replace(
+            "radius = \"10 um\"",
+            "radii = [\"9.99995 um\", \"10.00005 um\"]",
+        );
+        assert!(found.contains("radii"), "{found}");
+        found
+    };
     let (ran, found) = fitted(&folder, &ball(""));
+    assert_eq!((ran.code, &found["verdict"]), (Some(0), &"fitted".into()));
+    let [low, high] = interval(&found);
+    assert!(
+        (low / 227.7e9 - 1.0).abs() < 1e-7 && (high / 227.7e9 - 1.0).abs() < 1e-7,
+        "{low} {high}"
+    );
+    let (ran, found) = fitted(&folder, &oblong(""));
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert_eq!(found["verdict"], "fitted");
     let [low, high] = interval(&found);
@@ -163,7 +179,7 @@ fn a_curve_without_noise_is_fitted_with_the_error_of_the_grid_in_its_interval() 
         "{low} {high}"
     );
     assert!(ran.stderr.contains("Give the noise"), "{}", ran.stderr);
-    let (ran, found) = fitted(&folder, &ball("noise = { relative = 0.01 }"));
+    let (ran, found) = fitted(&folder, &oblong("noise = { relative = 0.01 }"));
     assert_eq!(
         (ran.code, &found["verdict"]),
         (Some(0), &"fitted".into()),

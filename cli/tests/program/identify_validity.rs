@@ -262,8 +262,13 @@ fn a_fit_with_too_few_valid_points_says_why_and_which_key_changes_it() {
         ran.stderr
     );
     assert!(ran.stderr.contains(SQUEEZED), "{}", ran.stderr);
-    // Noise told to be far below the grid's error leaves no point out, but refuses data of 1 % noise.
+    // Noise told to be far below the grid's error leaves no point out, but refuses data of 1 % noise. A ball itself
+    // needs no grid.
     let exact = STEEP.replace("relative = 0.01, depth = \"0 nm\"", "depth = \"1e-7 nm\"");
+    let (_, ran, found) = fitted(STEEP, &exact);
+    assert_eq!((ran.code, &found["verdict"]), (Some(3), &"misfit".into()));
+    assert!(!ran.stderr.contains("grid"), "{}", ran.stderr);
+    let exact = exact.replace("radius = \"1 um\"", "radii = [\"1 um\", \"1.0001 um\"]");
     let (_, ran, found) = fitted(STEEP, &exact);
     assert_eq!(ran.code, Some(3), "{}", ran.stderr);
     assert_eq!(found["verdict"], "misfit");

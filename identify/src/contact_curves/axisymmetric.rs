@@ -221,12 +221,13 @@ impl AxisymmetricModel {
     }
 
     /// The branch as far as these abscissae need it, with its derivatives by the numbers sought; `series` as in
-    /// [`ContactCurve`].
+    /// [`ContactCurve`], and the points per factor e in the radius.
     pub fn branch(
         &self,
         observable: Observable,
         (abscissae, series): (&[f64], f64),
         sought: &[ModelParameter],
+        per_factor: f64,
     ) -> Result<Branch, ContactError> {
         let request = Request { observable, series };
         let (radii, end) = match self.adhesive()? {
@@ -241,7 +242,7 @@ impl AxisymmetricModel {
         } else {
             Scale::Logarithmic
         };
-        let pieces = ChebyshevNodes::between(self.profile()?, radii).into_iter();
+        let pieces = ChebyshevNodes::between(self.profile()?, radii, per_factor).into_iter();
         let solved = pieces.map(|nodes| {
             let circles = self.contacts(&nodes.radii)?;
             let column = |parameter: &ModelParameter| match (parameter, self.adhesion) {

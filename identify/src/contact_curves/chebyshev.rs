@@ -12,11 +12,8 @@ use pellicle_contact::axisymmetric::AxisymmetricProfile;
 
 use super::punch::root;
 
-/// Points of a piece: so many, and as many more for each factor e in the radius. A change from one layer to the next is
-/// analytic within a strip of half-width π/2 in `ln a`, so the polynomials are exact to 1e-7 or better
-/// (`tests/contact_curves/axisymmetric.rs`).
-const POINTS: f64 = 16.0;
-const PER_FACTOR: f64 = 6.0;
+/// A piece has as many points as this many factors e in the radius, and those within it.
+const FACTORS: f64 = 2.7;
 
 /// Step of a place for the slope of a polynomial.
 const STEP: f64 = 1e-5;
@@ -36,26 +33,37 @@ pub struct ChebyshevNodes {
 }
 
 impl ChebyshevNodes {
-    /// The pieces between two contact radii, m.
-    pub fn between(profile: AxisymmetricProfile, [first, last]: [f64; 2]) -> Vec<Self> {
+    /// The pieces between two contact radii (m) with a number of points per factor e in the radius. With six the
+    /// polynomials are exact to 1e-7 or better (`tests/contact_curves/axisymmetric.rs`): a change from one layer to the
+    /// next is analytic within a strip of half-width π/2 in `ln a`.
+    pub fn between(
+        profile: AxisymmetricProfile,
+        [first, last]: [f64; 2],
+        per_factor: f64,
+    ) -> Vec<Self> {
+        let piece = |ends, kink| Self::piece(profile, ends, kink, per_factor);
         match profile.kink().filter(|kink| *kink > 0.0 && *kink < last) {
-            Some(kink) if kink > first => vec![
-                Self::piece(profile, [first, kink], None),
-                Self::piece(profile, [kink, last], Some(kink)),
-            ],
-            kink => vec![Self::piece(profile, [first, last], kink)],
+            Some(kink) if kink > first => {
+                vec![piece([first, kink], None), piece([kink, last], Some(kink))]
+            }
+            kink => vec![piece([first, last], kink)],
         }
     }
 
     /// A piece between two radii, at or beyond the kink if one is given.
-    fn piece(profile: AxisymmetricProfile, [first, last]: [f64; 2], kink: Option<f64>) -> Self {
+    fn piece(
+        profile: AxisymmetricProfile,
+        [first, last]: [f64; 2],
+        kink: Option<f64>,
+        per_factor: f64,
+    ) -> Self {
         let log = |radius| profile.half_space_penetration(radius).ln();
         let ends = [log(first), log(last)];
         let zero = kink.map(log);
         // u = √(ln d − ln d(kink))
         let to = |log: f64| zero.map_or(log, |zero| (log - zero).max(0.0).sqrt());
         let back = |u: f64| zero.map_or(u, |zero| zero + u * u);
-        let count = POINTS + PER_FACTOR * (last / first).ln();
+        let count = per_factor * (FACTORS + (last / first).ln());
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

@@ -167,7 +167,7 @@ impl Reading {
 pub struct CurveOptions {
     /// Elements per side of the finer of the two grids; even.
     pub elements: usize,
-    /// Loads per decade at which the contact is solved.
+    /// Loads per decade of the force at which the contact is solved; without a grid, per factor e in its radius.
     pub loads_per_decade: f64,
     /// Checked before each load of a prediction, which ends with
     /// [`ForwardError::Stopped`](crate::ForwardError::Stopped) once it is raised.

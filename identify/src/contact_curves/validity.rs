@@ -197,7 +197,8 @@ impl ContactCurves {
         let factor = self.scales[index].map_or(1.0, |scale| scale.factor(constants));
         let abscissae = curve.observable.true_abscissae(abscissae, factor);
         let of = (abscissae.as_slice(), curve.series / factor);
-        let branch = AxisymmetricModel::of(&curve, &[])?.branch(curve.observable, of, &[])?;
+        let model = AxisymmetricModel::of(&curve, &[])?;
+        let branch = model.branch(curve.observable, of, &[], self.options.loads_per_decade)?;
         let forces = branch.forces_without(&abscissae);
         let without = ContactCurve {
             observable: Observable::DepthAtForce,
