@@ -144,3 +144,25 @@ fn derivatives_by_each_radius_are_those_of_the_closed_form() {
         assert!(error.abs() < 3e-3, "{axis}: {error:e}");
     }
 }
+
+#[test]
+fn an_area_narrower_than_two_elements_is_not_resolved() {
+    let wanted = elliptic_hertz::from_force([1e4, 1.0], 1.0, 1.0);
+    let side = 2.2 * wanted.semi_axes[0];
+    let area = std::f64::consts::PI * wanted.semi_axes[0] * wanted.semi_axes[1];
+    let mut resolved = 0;
+    for elements in [32, 64, 256, 512, 1024] {
+        let width = 2.0 * wanted.semi_axes[1] * f64::from(elements) / side;
+        let model = model([1e4, 1.0], &half_space(), Relief::Bare);
+        let path = solve(&model, Domain::Side(side), elements as usize);
+        let step = &path.steps[0];
+        let error = step.grid_error.contact_area.unwrap();
+        let off = (step.summary.contact_area - area).abs();
+        if error.resolved {
+            resolved += 1;
+            assert!(width > 2.0, "{width} elements: {error:?}");
+            assert!(off <= error.estimate, "{width} elements: {off:e} {error:?}");
+        }
+    }
+    assert!(resolved > 0, "no grid is fine enough");
+}

@@ -47,6 +47,40 @@ fn cylinders(radius: f64) -> Relief {
     Relief::Cylinders(Cylinders::new(spec).unwrap())
 }
 
+#[test]
+fn a_penetration_at_which_nothing_touches_is_warned_of_once() {
+    // The tops of the pillars stand beside the axis: 0.02²/2 above the paraboloid's lowest point.
+    let apart = model(&[], cylinders(0.01));
+    let solved = |penetrations: &[f64]| {
+        let loads: Vec<Load> = penetrations.iter().map(|d| Load::Penetration(*d)).collect();
+        let options = SolverOptions::default();
+        solve_path(&apart, Domain::Side(0.2), 64, &loads, &options, &mut ()).unwrap()
+    };
+    let found = solved(&[-1.0, 1e-6, 2e-6, 1e-2]);
+    let codes: Vec<_> = found
+        .warnings
+        .iter()
+        .filter(|of| of.code() == "nothing-touches")
+        .collect();
+    assert!(
+        matches!(
+            codes[..],
+            [Warning::NothingTouches {
+                step: 1,
+                penetration: 1e-6
+            }]
+        ),
+        "{codes:?}"
+    );
+    let found = solved(&[-1.0, 1e-2]);
+    assert!(
+        found
+            .warnings
+            .iter()
+            .all(|of| of.code() != "nothing-touches")
+    );
+}
+
 fn solve(model: &Model, side: f64, elements: usize, load: Load) -> LoadingPath {
     let options = SolverOptions::default();
     let loads = [Load::Penetration(-1.0), load];
@@ -223,6 +257,7 @@ fn numbers(path: &LoadingPath, code: &str) -> Vec<(usize, f64)> {
                 elements_per_wave,
                 ..
             } => (step, elements_per_wave),
+            Warning::NothingTouches { step, penetration } => (step, penetration),
             Warning::NotResolved { step, numbers } => (step, numbers.each().count() as f64),
             Warning::TextureUnderResolved { .. }
             | Warning::NoGridError { .. }

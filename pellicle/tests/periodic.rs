@@ -216,3 +216,44 @@ fn a_map_of_other_sides_than_the_cell_is_refused() {
         "{told}"
     );
 }
+
+/// Random waves of two samples and more, rolled by whole samples.
+fn rolled(seed: u32, by: [usize; 2]) -> MapSources {
+    let noise = |i: usize, j: usize| {
+        let (i, j) = ((i + by[0]) % SAMPLES, (j + by[1]) % SAMPLES);
+        let large = ((i * SAMPLES + j) as f64 * 7.13 + f64::from(seed)).sin() * 43_758.545;
+        large - large.floor()
+    };
+    let height = |n: usize| {
+        let (i, j) = (n / SAMPLES, n % SAMPLES);
+        10e-9 * (noise(i, j) + noise(i + 1, j) + noise(i, j + 1) + noise(i + 1, j + 1))
+    };
+    let heights = (0..SAMPLES * SAMPLES).map(height).collect();
+    MapSources::in_folder(Path::new("")).with_array("waves", [SAMPLES; 2], heights)
+}
+
+#[test]
+fn a_rough_cell_gives_the_same_wherever_its_map_is_cut() {
+    let text = text("pressure = \"20 MPa\"", "boundary = \"periodic\"");
+    for seed in 0..6 {
+        let at = |by| {
+            let case = read_with(&text, &rolled(seed, by)).unwrap();
+            solved(&case)[0].clone()
+        };
+        let wanted = at([0, 0]);
+        for by in [[3, 0], [16, 5], [31, 30]] {
+            let found = at(by);
+            for (found, wanted) in [
+                (found.penetration, wanted.penetration),
+                (found.summary.contact_area, wanted.summary.contact_area),
+                (found.summary.max_pressure, wanted.summary.max_pressure),
+            ] {
+                // The tolerance of the solver.
+                assert!(
+                    (found / wanted - 1.0).abs() < 1e-6,
+                    "{seed} {by:?}: {found} {wanted}"
+                );
+            }
+        }
+    }
+}

@@ -23,6 +23,8 @@ pub struct HeightMap {
     interpolation: Interpolation,
     /// Limits beside steps, for bicubic interpolation.
     step_limit: Option<StepLimit>,
+    /// Samples at each end of x and of y that only repeat those of the other side; 0 for a map that does not repeat.
+    pub(crate) rim: [usize; 2],
 }
 
 impl HeightMap {
@@ -60,6 +62,7 @@ impl HeightMap {
                 shape,
                 extent,
                 interpolation: Interpolation::default(),
+                rim: [0; 2],
             }),
         }
     }

@@ -62,6 +62,7 @@ mod placement;
 mod recesses;
 mod relief;
 mod relief_map;
+mod repeated_map;
 mod roughness;
 mod rounding;
 mod sampled;

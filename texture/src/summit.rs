@@ -92,12 +92,13 @@ pub(crate) fn summit(map: &HeightMap, sign: f64) -> Summit {
 /// The highest sample of `sign` times the map; of several within `equal`, the nearest to the middle.
 fn highest_sample(map: &HeightMap, sign: f64, equal: f64) -> Summit {
     let columns = map.shape()[1];
-    let heights = map.heights().iter().map(|height| sign * height);
-    let top = heights.clone().fold(f64::NEG_INFINITY, f64::max);
-    let as_high = heights
-        .enumerate()
-        .filter(|(_, height)| *height >= top - equal);
-    let points = as_high.map(|(n, _)| map.point([n / columns, n % columns]));
+    let own = |i: usize| map.own_samples(1).map(move |j| [i, j]);
+    let samples = map.own_samples(0).flat_map(own);
+    let heights = samples.map(|[i, j]| ([i, j], sign * map.heights()[i * columns + j]));
+    let top = heights.clone().map(|(_, height)| height);
+    let top = top.fold(f64::NEG_INFINITY, f64::max);
+    let as_high = heights.filter(|(_, height)| *height >= top - equal);
+    let points = as_high.map(|(sample, _)| map.point(sample));
     let nearest = points.min_by(|a, b| norm(*a).total_cmp(&norm(*b)));
     Summit {
         point: nearest.unwrap_or_default(),
@@ -180,8 +181,8 @@ impl<'a> Cells<'a> {
     /// The cells that may be higher than the highest sample by more than `equal`, with their bounds (m), in falling
     /// order; of equal ones, those nearest to the middle of the map first.
     fn near_the_top(&self, equal: f64) -> Vec<Cell> {
-        let last = self.map.shape()[0].max(2) - 1;
-        let blocks = (0..last).into_par_iter().step_by(BLOCK);
+        let Range { start, end: last } = self.map.own_cells(0);
+        let blocks = (start..last).into_par_iter().step_by(BLOCK);
         let found =
             blocks.map(|first| self.near_the_top_in(first..(first + BLOCK).min(last), equal));
         let mut found = found.collect::<Vec<_>>().concat();
@@ -196,7 +197,7 @@ impl<'a> Cells<'a> {
         let mut next = self.line(lines.start);
         for i in lines {
             let line = std::mem::replace(&mut next, self.line((i + 1).min(rows - 1)));
-            for j in 0..columns.max(2) - 1 {
+            for j in self.map.own_cells(1) {
                 let k = (j + 1).min(columns - 1);
                 let patch = Patch::new([[line[j], line[k]], [next[j], next[k]]]);
                 let bound = patch.bound();

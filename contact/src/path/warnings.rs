@@ -17,6 +17,13 @@ use crate::{
 const FEWEST_ELEMENTS_PER_RADIUS: f64 = 4.0;
 /// A layer thinner than this fraction of an element changes coefficients by about that fraction at most.
 const FEWEST_ELEMENTS_PER_THICKNESS: f64 = 0.02;
+/// A nearly incompressible layer on a far stiffer body gives way by flowing aside, which elements longer than twice its
+/// thickness follow so coarsely that one in four errors exceeds its estimate.
+const FEWEST_ELEMENTS_PER_CONFINED: f64 = 0.5;
+/// From this Poisson's ratio on, a layer is nearly incompressible, and from this ratio of moduli on, its base is far
+/// stiffer.
+const NEARLY_INCOMPRESSIBLE: f64 = 0.45;
+const FAR_STIFFER: f64 = 10.0;
 /// Relative accuracy of the estimated accuracy of the coefficients, which is printed with two digits: an estimate of
 /// 1.04e-12 is as good as the 1e-12 wanted.
 const ESTIMATED_TO: f64 = 0.05;
@@ -77,9 +84,22 @@ pub fn model_warnings(model: &Model, grid: &Grid) -> Vec<Warning> {
 
 /// The layers of a body that elements do not resolve.
 fn unresolved_layers(model: &Model, grid: &Grid, of: ElasticBody) -> Vec<Warning> {
-    let layers = model.tables.bodies().of(of).layers();
+    let body = model.tables.bodies().of(of);
+    let layers = body.layers();
     let moduli = layers.iter().map(|layer| layer.material().young_modulus());
     let moduli: Vec<_> = moduli.collect();
+    let base = body.base_material();
+    let base = base.map_or(f64::INFINITY, |base| base.young_modulus());
+    let fewest = |layer: usize| {
+        let below = moduli.get(layer + 1).copied().unwrap_or(base);
+        let is_confined = layers[layer].material().poisson_ratio() >= NEARLY_INCOMPRESSIBLE
+            && below >= FAR_STIFFER * moduli[layer];
+        if is_confined {
+            FEWEST_ELEMENTS_PER_CONFINED
+        } else {
+            FEWEST_ELEMENTS_PER_THICKNESS
+        }
+    };
     let warning = |layer: usize| {
         let beside = [layer.checked_sub(1), Some(layer + 1)];
         let mut beside = beside.into_iter().flatten().filter_map(|i| moduli.get(i));
@@ -89,13 +109,11 @@ fn unresolved_layers(model: &Model, grid: &Grid, of: ElasticBody) -> Vec<Warning
             return None;
         }
         let elements_per_thickness = layers[layer].thickness() / grid.element_side();
-        (elements_per_thickness < FEWEST_ELEMENTS_PER_THICKNESS).then_some(
-            Warning::LayerUnderResolved {
-                of,
-                layer,
-                elements_per_thickness,
-            },
-        )
+        (elements_per_thickness < fewest(layer)).then_some(Warning::LayerUnderResolved {
+            of,
+            layer,
+            elements_per_thickness,
+        })
     };
     (0..layers.len()).filter_map(warning).collect()
 }
@@ -133,6 +151,7 @@ pub(crate) fn warnings(
     let mut found: Vec<_> = (edges.chain(much_larger))
         .chain(model_warnings(model, grid))
         .chain(no_grid_error(grid, steps))
+        .chain(nothing_touches(loads, steps))
         .chain(of_steps.filter(is_meaningful))
         .collect();
     tell_once(model, &mut found);
@@ -291,6 +310,20 @@ fn peak(model: &Model, grid: &Grid, index: usize, step: &Step) -> Option<Warning
         place: step.summary.peak_place,
         arc: UnresolvedArc::of(&model.relief, grid),
     })
+}
+
+/// Warns of a penetration at which nothing is in contact.
+fn nothing_touches(loads: &[Load], steps: &[Step]) -> Option<Warning> {
+    let is_apart = |(_, (load, step)): &(usize, (&Load, &Step))| {
+        matches!(load, Load::Penetration(penetration) if *penetration > 0.0)
+            && step.summary.contact_elements == 0
+    };
+    let mut apart = loads.iter().zip(steps).enumerate().filter(is_apart);
+    let (step, (load, _)) = apart.next()?;
+    let Load::Penetration(penetration) = *load else {
+        return None;
+    };
+    Some(Warning::NothingTouches { step, penetration })
 }
 
 /// Warns of a path on a single grid.

@@ -35,7 +35,8 @@ pub struct ContactShape {
     /// Area in m², in total and on the relief.
     pub area: f64,
     pub area_on_relief: f64,
-    /// Uncertainty of the area from the position of the edge within its elements, in m².
+    /// Uncertainty of the area from the position of the edge within its elements, in m². A contact narrower than two
+    /// elements everywhere is as uncertain as its area: no edge is straight across its elements.
     pub uncertainty: f64,
     /// Distance from the axis to the farthest point of the edge, in m.
     pub radius: f64,
@@ -52,6 +53,8 @@ struct CellSum {
     cut_on_relief: f64,
     radius: f64,
     meets_outline: bool,
+    /// Whether all corners of a cell are in contact.
+    has_whole: bool,
 }
 
 /// Where the contact ends between two centres.
@@ -91,10 +94,15 @@ impl ContactShape {
         let all = before.chain(lines).fold(CellSum::default(), CellSum::and);
         let whole = region.weight() as f64 * grid.element_area();
         let without = |area: f64, cut: f64| whole * (area - cut.min(LARGEST_CUT * area));
+        let area = without(all.area, all.cut);
         Self {
-            area: without(all.area, all.cut),
+            area,
             area_on_relief: without(all.area_on_relief, all.cut_on_relief),
-            uncertainty: whole * all.cut * (UNCERTAINTY / OFFSET),
+            uncertainty: if all.has_whole {
+                whole * all.cut * (UNCERTAINTY / OFFSET)
+            } else {
+                area
+            },
             radius: all.radius,
             meets_outline: all.meets_outline,
         }
@@ -106,7 +114,9 @@ impl CellSum {
     fn of_line(field: &ContactField<'_>, line: isize, size: isize) -> Self {
         let mut part = Self::default();
         for column in field.region.first_line()..size {
-            match field.in_contact_around([line, column]) {
+            let in_contact = field.in_contact_around([line, column]);
+            part.has_whole |= in_contact == 4;
+            match in_contact {
                 0 => {}
                 4 if field.is_one_side([line, column]) => part.add_whole(field, [line, column]),
                 _ => part.add(
@@ -157,6 +167,7 @@ impl CellSum {
             cut_on_relief: self.cut_on_relief + other.cut_on_relief,
             radius: self.radius.max(other.radius),
             meets_outline: self.meets_outline || other.meets_outline,
+            has_whole: self.has_whole || other.has_whole,
         }
     }
 }

@@ -96,6 +96,13 @@ pub enum Warning {
         /// The arcs that round the edges of the relief, if there are any and the grid does not resolve them.
         arc: Option<UnresolvedArc>,
     },
+    /// A positive penetration at which nothing is in contact, the first of them.
+    NothingTouches {
+        /// Loading step, counted from 0.
+        step: usize,
+        /// The penetration, m.
+        penetration: f64,
+    },
     /// A path on a single grid: no number has an error.
     NoGridError {
         /// Elements along its longer side.
@@ -176,6 +183,7 @@ impl Warning {
             Self::LayerUnderResolved { .. } => "layer-under-resolved",
             Self::CoefficientAccuracy { .. } => "coefficient-accuracy",
             Self::PeakNotResolved { .. } => "peak-not-resolved",
+            Self::NothingTouches { .. } => "nothing-touches",
             Self::NoGridError { .. } => "no-grid-error",
             Self::NotResolved { .. } => "not-resolved",
             Self::ArcUnderResolved(_) => "arc-under-resolved",
@@ -202,6 +210,7 @@ impl Warning {
             | Self::LayerShortening { step, .. }
             | Self::LayerWorn { step, .. }
             | Self::BeyondModel { step, .. }
+            | Self::NothingTouches { step, .. }
             | Self::NotConverged { step, .. } => Some(*step),
             Self::DomainMuchLarger { .. }
             | Self::SteepTip { .. }

@@ -48,7 +48,7 @@ quantities! {
         "force on the indenter, or on one periodic cell"
         = |step| Some(step.force), within |error| error.force;
     "penetration" "penetration" "D" METRE, Contact
-        "approach of the indenter from its first touch of the undeformed surface"
+        "depth of the indenter's lowest point below the highest point of the undeformed surface"
         = |step| Some(step.penetration), within |error| error.penetration;
     "max_pressure" "max pressure" "" PASCAL, Contact
         "largest pressure, interpolated between elements where it is smooth, at an edge that of the element"

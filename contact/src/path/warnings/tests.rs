@@ -268,6 +268,32 @@ fn pillars_and_layers_that_elements_do_not_resolve_are_warned_about() {
     assert_eq!(thin.len(), 1);
     assert!(thin[0].0 == 1 && (thin[0].1 - 0.019).abs() < 1e-12);
     assert!(of_layers(&[(4.0, 0.1), (10.0, 2.1e-4)]).is_empty());
+    // A gel on a rigid base needs two elements to four thicknesses, a compressible layer or one between equals does not.
+    let gel = |poisson_ratio: f64, base: Base, thickness: f64| {
+        let gel = Material::new(1.0, poisson_ratio).unwrap();
+        let layer = Layer::new(thickness, gel, Interface::Bonded).unwrap();
+        let body = Foundation::new(vec![layer], base).unwrap();
+        let model = Model::on(&body, Relief::Bare, Paraboloid::new(1.0).unwrap());
+        model_warnings(&model, &Grid::new(1.0, 100).unwrap()).len()
+    };
+    assert_eq!(
+        [
+            gel(0.46, Base::Rigid, 4.9e-3),
+            gel(0.46, Base::Rigid, 5.1e-3),
+            gel(0.44, Base::Rigid, 4.9e-3),
+            gel(
+                0.46,
+                Base::HalfSpace(Material::new(9.0, 0.3).unwrap()),
+                4.9e-3
+            ),
+            gel(
+                0.46,
+                Base::HalfSpace(Material::new(11.0, 0.3).unwrap()),
+                4.9e-3
+            ),
+        ],
+        [1, 0, 0, 0, 1]
+    );
     // A layer nearly as stiff as the one above or below belongs to a graded layer.
     assert!(of_layers(&[(4.0, 0.1), (7.0, 1.9e-4)]).is_empty());
     assert!(of_layers(&[(4.0, 1.9e-4), (2.1, 0.1)]).is_empty());

@@ -192,6 +192,10 @@ impl fmt::Display for Warning {
                 place,
                 arc,
             } => unresolved_peak(f, step, change, (place, arc)),
+            Self::NothingTouches { step, penetration } => write!(
+                f,
+                "step {step}: nothing touches at a penetration of {penetration:.3e} m: it is counted from where the lowest point of the indenter is as high as the highest of the surface; under a force the penetration is found"
+            ),
             Self::NoGridError { elements } => no_grid_error(f, elements),
             Self::NotResolved { step, numbers } => {
                 let names: Vec<_> = numbers.each().map(GridNumber::name).collect();

@@ -1,4 +1,4 @@
-//! A map that repeats: samples of its neighbours around it.
+//! A map that repeats: how far its neighbours are needed around it.
 
 use pellicle_texture::{HeightMap, TextureError};
 
@@ -15,18 +15,8 @@ pub enum Repetition {
 pub(super) fn with_rim(map: &HeightMap, how: Repetition) -> Result<HeightMap, TextureError> {
     /// The number of samples that an interpolation uses, and one more.
     const REACH: usize = 5;
-    let (shape, extent) = (map.shape(), map.extent());
-    let rim = shape.map(|samples| match how {
+    map.repeated(map.shape().map(|samples| match how {
         Repetition::InPlace => REACH,
         Repetition::Centred => samples.div_ceil(2) + REACH,
-    });
-    let wider = [0, 1].map(|axis: usize| shape[axis] + 2 * rim[axis]);
-    let around = |i: usize, axis: usize| (i + rim[axis] * (shape[axis] - 1)) % shape[axis];
-    let heights = (0..wider[0]).flat_map(|i| {
-        let row = &map.heights()[around(i, 0) * shape[1]..][..shape[1]];
-        (0..wider[1]).map(move |j| row[around(j, 1)])
-    });
-    let sides = [0, 1].map(|axis: usize| extent[axis] * wider[axis] as f64 / shape[axis] as f64);
-    let rimmed = HeightMap::new(heights.collect(), wider, sides)?;
-    Ok(rimmed.with_interpolation(map.interpolation()))
+    }))
 }
