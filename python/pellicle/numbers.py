@@ -32,7 +32,7 @@ class StepNumbers:
 
     @property
     def penetration(self) -> float:
-        """Approach of the indenter from its first touch of the undeformed surface, m."""
+        """Depth of the indenter's lowest point below the highest point of the undeformed surface, m."""
         return number(self._summary["penetration"])
 
     @property

@@ -68,6 +68,20 @@ impl IndenterMap {
 
     /// Whether the map rises towards both its ends along this axis (0 for x, 1 for y).
     pub(crate) fn rises_to_its_ends(&self, axis: usize) -> bool {
+        self.leads_to_its_ends(axis, 1.0)
+    }
+
+    /// Whether the map falls towards both its ends along x and along y, as the scan of a tip that points upwards: its
+    /// corners press.
+    #[must_use]
+    pub fn is_dome(&self) -> bool {
+        [0, 1]
+            .into_iter()
+            .all(|axis| self.leads_to_its_ends(axis, -1.0))
+    }
+
+    /// Whether `sign` times the map rises towards both its ends along an axis.
+    fn leads_to_its_ends(&self, axis: usize, sign: f64) -> bool {
         let (shape, heights) = (self.map.shape(), self.map.heights());
         let at = |line: usize, k: usize| match axis {
             0 => heights[line * shape[1] + k],
@@ -81,7 +95,8 @@ impl IndenterMap {
         let rms_height = |map: &HeightMap| MeanPlane::of(map).rms_height_above(map);
         let profile = HeightMap::new(profile, [shape[axis], 1], [1.0; 2]);
         let own = profile.map_or(f64::INFINITY, |profile| rms_height(&profile));
-        ends - mean > RISING * own && ends - mean > PART_OF_ROUGHNESS * rms_height(&self.map)
+        let rise = sign * (ends - mean);
+        rise > RISING * own && rise > PART_OF_ROUGHNESS * rms_height(&self.map)
     }
 
     /// The map as given.
@@ -179,9 +194,19 @@ mod tests {
             let map = HeightMap::new(heights.collect(), [32; 2], [2.0, 2.0]).unwrap();
             [0, 1].map(|axis| IndenterMap::new(map.clone()).rises_to_its_ends(axis))
         };
+        let is_dome = |shape: &dyn Fn(f64, f64) -> f64| {
+            let at = |i: usize| (i as f64 + 0.5) / 16.0 - 1.0;
+            let heights = (0..32 * 32).map(|k| shape(at(k / 32), at(k % 32)));
+            let map = HeightMap::new(heights.collect(), [32; 2], [2.0, 2.0]).unwrap();
+            IndenterMap::new(map).is_dome()
+        };
         for axis in [0.0, 0.4, 1.5] {
             assert_eq!(rises(&|x, y| (x - axis).powi(2) + y * y), [true; 2]);
+            assert!(is_dome(&|x, y| -(x - axis).powi(2) - y * y));
         }
+        // A tip, a ridge and a rough punch.
+        assert!(!is_dome(&|x, y| x * x + y * y) && !is_dome(&|x, _| -x * x));
+        assert!(!is_dome(&|x, y| (17.0 * x).sin() * (23.0 * y).cos()));
         assert_eq!(rises(&f64::hypot), [true; 2]);
         assert_eq!(rises(&|x, y| x.abs().max(y.abs())), [true; 2]);
         assert_eq!(rises(&|x, y| x.abs() + y.abs()), [true; 2]);

@@ -177,6 +177,7 @@ impl Summary {
         let on_relief = least * fraction(self.contact_area_on_relief, self.contact_area);
         Self {
             contact_area: least,
+            edge_uncertainty: self.edge_uncertainty * least / self.contact_area,
             contact_area_on_relief: on_relief,
             contact_area_between: least - on_relief,
             mean_pressure: self.max_pressure,

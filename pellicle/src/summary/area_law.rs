@@ -7,10 +7,8 @@
 //! ```
 //!
 //! Bush, Gibson and Thomas (1975) have `κ = √(2π)`, Persson (2001) has `A/A_0 = erf(√2 p*)`, so `κ = √(8/π)`. `E*` is
-//! that of the bodies at the shortest wave of the map, two samples: the slopes of a rough surface are in its short
-//! waves. On a half-space it is `E/(1 − ν²)` under a rigid body.
-
-use std::f64::consts::PI;
+//! that of the bodies at the wavenumber `√(m₄/m₂)` of the waves in which the slopes are, with the moments `m₂` and `m₄` of
+//! the map's spectrum, from its mean square slope and curvature. On a half-space it is `E/(1 − ν²)` under a rigid body.
 
 use pellicle_contact::{LoadingPath, Step};
 use pellicle_texture::nan_from_null;
@@ -42,16 +40,14 @@ pub fn reference_pressure(
     path: &LoadingPath,
     roughness: Option<&RoughnessSummary>,
 ) -> Option<f64> {
-    let (map, roughness) = match (&case.surface, case.indenter.map()) {
-        (SurfaceCase::Rough(map), None) => (map, roughness?.surface.as_ref()?),
-        (SurfaceCase::Map(of), None) if of.compliance == RIGID => {
-            (&of.map, roughness?.surface.as_ref()?)
-        }
-        (SurfaceCase::Bare, Some(map)) => (map, roughness?.indenter.as_ref()?),
+    let roughness = match (&case.surface, case.indenter.map()) {
+        (SurfaceCase::Rough(_), None) => roughness?.surface.as_ref()?,
+        (SurfaceCase::Map(of), None) if of.compliance == RIGID => roughness?.surface.as_ref()?,
+        (SurfaceCase::Bare, Some(_)) => roughness?.indenter.as_ref()?,
         _ => return None,
     };
-    // E* = 2/(k C(k)) at k = 2π/(2 w)
-    let wavenumber = PI / map.pixel();
+    // E* = 2/(k C(k)) at k² = m₄/m₂, where the mean curvature is ∇²h/2
+    let wavenumber = 2.0 * roughness.rms_curvature / roughness.rms_slope;
     let modulus = 2.0 / (wavenumber * path.tables.bodies().compliance(wavenumber));
     let pressure = modulus * roughness.rms_slope;
     (pressure > 0.0 && pressure.is_finite()).then_some(pressure)

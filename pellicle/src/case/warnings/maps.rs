@@ -1,5 +1,6 @@
 //! Warnings about the maps of a case.
 
+use pellicle_contact::IndenterMap;
 use pellicle_texture::{MeanPlane, RimStep};
 
 use super::CaseWarning;
@@ -56,6 +57,7 @@ pub(super) fn of(case: &Case, side: f64) -> Vec<CaseWarning> {
     };
     [
         of_kind(&|table, map| coarse(table, map, element_side, case.units)),
+        upside_down(case).into_iter().collect(),
         of_kind(&filled),
         of_kind(&perhaps_holes),
         of_kind(&off_grid),
@@ -81,6 +83,19 @@ fn coarse(table: &str, map: &MapCase, element_side: f64, units: Units) -> Option
             map.file,
             metres(pixel),
             metres(element_side)
+        ),
+    })
+}
+
+/// The warning about the map of a tip that points upwards. One of a whole cell has no corners.
+fn upside_down(case: &Case) -> Option<CaseWarning> {
+    let map = case.indenter.map()?;
+    let is_free = case.grid.boundary == BoundaryCase::Free;
+    (is_free && IndenterMap::new(map.own().clone()).is_dome()).then(|| CaseWarning {
+        code: "upside-down",
+        message: format!(
+            "the map of the indenter, {}, falls towards its ends along x and along y, so its corners press: a tip scanned pointing upwards needs a negative indenter.height_unit, such as \"-1 nm\"",
+            map.file
         ),
     })
 }
