@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, TypeAlias
 
@@ -114,7 +114,7 @@ class Fit:
     def __init__(
         self,
         model: Case,
-        data: Data | Sequence[Data] = (),
+        data: Data | Iterable[Data] = (),
         *,
         unknown: Mapping[str, Bounds],
         nuisance: Nuisances | None = None,
@@ -236,7 +236,7 @@ class Fit:
         return f"<Fit {self.title!r}: {len(_flattened(document['unknown']))} unknown, {tables} of data>"
 
 
-def data_tables(data: Data | Sequence[Data]) -> tuple[list[toml.Value], dict[str, str]]:
+def data_tables(data: Data | Iterable[Data]) -> tuple[list[toml.Value], dict[str, str]]:
     """The tables `[[data]]` of a fit file, and the texts of its arrays by their names."""
     texts: dict[str, str] = {}
     written: list[toml.Value] = []

@@ -16,7 +16,7 @@ from .given import part
 from .height_map import HeightMap
 from .indenter import Indenter
 from .surface import Surface
-from .table import Table
+from .table import Table, value_of
 
 Arrays: TypeAlias = dict[str, npt.NDArray[np.float64]]
 """Height maps by the names of their files."""
@@ -31,13 +31,16 @@ SHAPES: dict[str, tuple[type[Table], Callable[[Function], Table], tuple[str, ...
 def shape_table(
     name: str, value: Any, arrays: Arrays, functions: dict[str, CheckedFunction]
 ) -> Mapping[str, toml.Value]:
-    """The table of an indenter or a surface, whose array and functions take the place of others of its name."""
+    """The table of an indenter or a surface, whose array and functions take the place of others of its name; or a
+    table itself, for a map of the same array."""
     kind, of_function, its_functions = SHAPES[name]
+    for function in its_functions:
+        functions.pop(function, None)
+    if isinstance(value, Mapping):
+        return dict(value_of(name, value))
     shape: Any = part(name, as_part(value, kind, of_function), kind)
     file = f"{name}.npy"
     arrays.pop(file, None)
-    for function in its_functions:
-        functions.pop(function, None)
     if isinstance(shape, (IndenterFunction, ReliefFunction)):
         functions |= shape.functions()
     table: dict[str, toml.Value] = shape.as_table()
