@@ -174,7 +174,8 @@ class Case:
     def replaced(self, values: Mapping[str, Any]) -> Case:
         """Returns the case with some keys replaced, as by `--set`: `{"load.force": "3 mN"}`.
 
-        A whole part may be replaced as well: `{"surface": Rough(heights, side="1 um")}`. Items of lists are numbered from 0, as in `foundation.layer[0].thickness`; missing keys are added.
+        A whole part may be replaced as well: `{"surface": Rough(heights, side="1 um")}`. Items of lists are numbered
+        from 0, as in `foundation.layer[0].thickness`; missing keys are added.
         """
         text, source, name, folder, arrays, functions = self._state
         document = tomllib.loads(text)

@@ -52,9 +52,9 @@ class Nuisances(Table):
     """Other influences on the measurements: the zeros and a drift of each curve, the frame compliance in m/N, and
     inexactly known numbers of the model, by their keys.
 
-    A zero or a drift is True for one of each curve, False or `"off"` for an exact reading, or an `Unknown` with a normal
-    prior. By default that of the depth is sought, and that of the force where a file shows a stretch before contact.
-    `shift` is the old name of `depth_zero`.
+    A zero or a drift is True for one of each curve, False or `"off"` for an exact reading, or an `Unknown` with a
+    normal prior. By default that of the depth is sought, and that of the force where a file shows a stretch before
+    contact. `shift` is the old name of `depth_zero`.
     """
 
     depth_zero: bool | Literal["off"] | Unknown | None = None

@@ -88,8 +88,9 @@ class CheckedFunction:
         # An overflow is refused or marks an end; estimates evaluate far points, where the function may have ended.
         with np.errstate(all="ignore" if is_estimate else None, over="ignore", under="ignore"):
             given = self.function(x.copy(), y.copy())
-        if np.shape(given) != x.shape:
-            raise ArgumentError(f"{self.name}: found values of shape {np.shape(given)}, wanted {x.shape}, that of x and y")
+        shape = np.shape(given)
+        if shape != x.shape:
+            raise ArgumentError(f"{self.name}: found values of shape {shape}, wanted {x.shape}, that of x and y")
         values = array(self.name, given, self.unit, holes=is_estimate)
         if is_estimate:
             return np.where(np.isnan(values), np.inf, values)

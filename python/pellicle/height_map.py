@@ -34,10 +34,11 @@ class HeightMap(Table):
     `heights` is an array, first index along x and second along y, or the path of a file (.npy, .csv, .txt, .gsf).
     `side` is the length of the map along x in m, for square pixels; `sides` are its lengths along x and y. A file may
     contain them. `height_unit` is the length represented by 1 in the array, in m unless it has a unit; an array of a
-    units library has its own. `lateral_unit` is that of x and y in a file of points x, y, z, or of a size without a unit. Where heights are missing, or
-    a number such as -9999 stands for them, the map is refused, or with `holes="interpolate"` each is the mean of its
-    neighbours; with `holes="none"` every number is a height. In an array the missing ones are NaN, infinite or masked.
-    `level="plane"` subtracts the least-squares plane, and `edges="taper"` makes opposite edges fit in a periodic cell.
+    units library has its own. `lateral_unit` is that of x and y in a file of points x, y, z, or of a size without a
+    unit. Where heights are missing, or a number such as -9999 stands for them, the map is refused, or with
+    `holes="interpolate"` each is the mean of its neighbours; with `holes="none"` every number is a height. In an array
+    the missing ones are NaN, infinite or masked. `level="plane"` subtracts the least-squares plane, and `edges="taper"`
+    makes opposite edges fit in a periodic cell.
     """
 
     _apart: ClassVar[frozenset[str]] = frozenset({"heights"})
@@ -58,7 +59,8 @@ class HeightMap(Table):
             return
         if has_unit(heights):
             if self.height_unit not in (None, "1 m"):
-                raise ArgumentError(f"height_unit: found {self.height_unit!r} beside heights with a unit, wanted one of them")
+                found = f"{self.height_unit!r} beside heights with a unit"
+                raise ArgumentError(f"height_unit: found {found}, wanted one of them")
             object.__setattr__(self, "height_unit", "1 m")
         may_have_holes = self.holes == "interpolate"
         object.__setattr__(self, "heights", checked("heights", heights, "m", may_have_holes=may_have_holes))

@@ -18,7 +18,8 @@ from .quantity import Quantity, number
 def compliance(foundation: Foundation, wavenumber: npt.ArrayLike) -> npt.NDArray[np.float64]:
     """The compliance C(k) of a body at wavenumbers k (1/m), in m/Pa: displacement over pressure for a wave.
 
-    The result has the shape of `wavenumber`, which may have a unit of its own. Displacements are positive into the body.
+    The result has the shape of `wavenumber`, which may have a unit of its own. Displacements are positive into the
+    body.
     """
     wavenumbers = array("wavenumber", wavenumber, "1/m")
     if not (np.isfinite(wavenumbers) & (wavenumbers > 0)).all():
