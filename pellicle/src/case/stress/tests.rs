@@ -135,7 +135,7 @@ fn a_direction_is_an_angle_with_unit_or_in_radians() {
     let direction = |text: &str| read(text).unwrap().direction;
     assert!((direction("direction = \"90 deg\"") - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     assert_eq!(direction("direction = -1.5"), -1.5);
-    assert_eq!(direction("direction = 6.28"), 6.28);
+    assert_eq!(direction("direction = 6"), 6.0);
     assert!(direction("direction = \"720 deg\"") > 12.0);
 }
 
