@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from . import toml
+from .given import part, parts
 from .quantity import Quantity
 from .table import Table
 
@@ -43,6 +44,7 @@ class Material(Table):
     hardness: Quantity | None = None
 
     def __post_init__(self) -> None:
+        self._take()
         is_graded = isinstance(self.young_modulus, Grading)
         table = self.as_table() | ({"thickness": 1} if is_graded else {})
         self._check("layer" if is_graded else "material", table)
@@ -77,6 +79,7 @@ class Layer(Table):
     def as_table(self) -> dict[str, toml.Value]:
         """The keys of the layer and those of its material, side by side."""
         table = super().as_table()
+        part("material", self.material, Material)
         material: dict[str, toml.Value] = table.pop("material")
         thickness = {"thickness": table.pop("thickness")}
         return thickness | material | table
@@ -86,15 +89,21 @@ class Layer(Table):
 class Foundation(Table):
     """The elastic body: a substrate and the layers on it, from the surface down.
 
-    The substrate is a material or `"rigid"`, a base that does not deform.
+    The substrate is a material or `"rigid"`, a base that does not deform. The layers are a list, or anything else that
+    gives them in order, or a single one.
     """
 
     _part: ClassVar[str] = "foundation"
     substrate: Material | Literal["rigid"]
     layers: Sequence[Layer] = ()
 
+    def _take(self) -> None:
+        if not isinstance(self.substrate, str):
+            part("substrate", self.substrate, Material)
+        object.__setattr__(self, "layers", parts("layers", self.layers, Layer))
+
     def as_table(self) -> dict[str, toml.Value]:
         """The keys `substrate` and `layer`."""
-        substrate = self.substrate.as_table() if isinstance(self.substrate, Table) else self.substrate
+        substrate = self.substrate.as_table() if isinstance(self.substrate, Material) else self.substrate
         layers = [layer.as_table() for layer in self.layers]
         return {"substrate": substrate} | ({"layer": layers} if layers else {})

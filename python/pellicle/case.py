@@ -16,18 +16,19 @@ import numpy.typing as npt
 from . import _pellicle, show, toml
 from .body import Foundation
 from .curve import Curve
-from .errors import ArgumentError, NotCertifiedWarning
+from .errors import ArgumentError, NotCertifiedWarning, writing
 from .fields import Fields, SolvedFields, StoredFields
-from .function import CheckedFunction, Function, IndenterFunction, ReliefFunction, as_part
-from .height_map import HeightMap
+from .function import CheckedFunction, Function
+from .given import integer, mapping, part, switch
 from .indenter import Indenter
 from .judgement import ResultWarning
 from .options import Output, Range, Stress, Wear
 from .progress import Progress, Report, reporting
-from .quantity import Quantity
+from .quantity import Quantity, unit_of, with_units
+from .shapes import SHAPES, Arrays, refuse_functions, shape_table, with_files
 from .step import Step, main_numbers
 from .surface import Surface
-from .table import Table, value_of
+from .table import value_of
 from .waiting import finished
 
 if TYPE_CHECKING:
@@ -35,6 +36,13 @@ if TYPE_CHECKING:
 
 Loads: TypeAlias = Sequence[Quantity] | npt.NDArray[np.float64] | Range
 """Several loads: a list, an array or a range."""
+
+
+CALL = "Case(…)"
+"""The source of a case that was built by a call."""
+
+ORDER = ("foundation", "surface", "indenter", "load", "grid", "solver", "stress", "wear", "output")
+"""The tables of a case file in their order."""
 
 
 class Case:
@@ -76,8 +84,6 @@ class Case:
         output: Output | None = None,
         title: str | None = None,
     ) -> None:
-        indenter = as_part(indenter, Indenter, IndenterFunction)
-        surface = as_part(surface, Surface, ReliefFunction)
         load = {
             "force": force,
             "forces": forces,
@@ -89,28 +95,22 @@ class Case:
             "adhesion": adhesion,
         }
         tables: dict[str, Mapping[str, Any] | None] = {
-            "foundation": _table(foundation, Foundation, "foundation"),
-            "surface": None if surface is None else _table(surface, Surface, "surface"),
-            "indenter": _table(indenter, Indenter, "indenter"),
-            "load": _given(load) | ({"sensitivities": True} if sensitivities else {}),
+            "foundation": part("foundation", foundation, Foundation).as_table(),
+            "load": _given(load) | ({"sensitivities": True} if switch("sensitivities", sensitivities) else {}),
             "grid": _given({"side": side, "sides": sides, "elements": elements, "boundary": boundary}) or None,
             "solver": _given({"tolerance": tolerance, "method": method, "hardness": hardness}) or None,
-            "stress": None if stress is None else _table(stress, Stress, "stress"),
-            "wear": None if wear is None else _table(wear, Wear, "wear"),
-            "output": None if output is None else _table(output, Output, "output"),
+            "stress": None if stress is None else part("stress", stress, Stress).as_table(),
+            "wear": None if wear is None else part("wear", wear, Wear).as_table(),
+            "output": None if output is None else part("output", output, Output).as_table(),
         }
-        arrays: dict[str, npt.NDArray[np.float64]] = {}
+        arrays: Arrays = {}
         functions: dict[str, CheckedFunction] = {}
-        for name, part in (("surface", surface), ("indenter", indenter)):
-            if isinstance(part, (IndenterFunction, ReliefFunction)):
-                functions |= part.functions()
-            if isinstance(part, HeightMap):
-                file, array = part.file_or_array(f"{name}.npy")
-                tables[name] = {**(tables[name] or {}), "file": file}
-                arrays |= {} if array is None else {file: array}
-        document = {name: table for name, table in tables.items() if table is not None}
+        if surface is not None:
+            tables["surface"] = shape_table("surface", surface, arrays, functions)
+        tables["indenter"] = shape_table("indenter", indenter, arrays, functions)
+        document = {name: tables[name] for name in ORDER if tables.get(name) is not None}
         text = toml.text(_given({"title": title}) | document)
-        self._read(text, "Case(…)", "case", os.getcwd(), arrays, functions)
+        self._read(text, CALL, "case", os.getcwd(), arrays, functions)
 
     def _read(
         self,
@@ -148,8 +148,9 @@ class Case:
         `pellicle run` gives the same bits for it as `solve` does. Cases with functions are refused, since no file can
         hold them.
         """
-        text, _, _, folder, arrays, functions = self._state
+        _, _, _, folder, arrays, functions = self._state
         refuse_functions(functions)
+        text = self._with_units()
         if path is None:
             return text
         target, file = os.path.split(os.path.abspath(path))
@@ -158,20 +159,33 @@ class Case:
         if arrays or target != folder:
             text = with_files(text, lambda name: moved.get(name) or os.path.join(folder, name))
         for name, array in arrays.items():
-            np.save(os.path.join(target, moved[name]), array)
-        with open(path, "w", encoding="utf-8", newline="\n") as to:
+            with writing(path):
+                np.save(os.path.join(target, moved[name]), array)
+        with writing(path), open(path, "w", encoding="utf-8", newline="\n") as to:
             to.write(text)
         return text
+
+    def _with_units(self) -> str:
+        """The text of the case; the numbers of a call among values with units have theirs, since a file warns of bare
+        ones."""
+        text, source = self._state[:2]
+        return toml.text(with_units(tomllib.loads(text))) if source == CALL and self._case.is_si() else text
 
     def replaced(self, values: Mapping[str, Any]) -> Case:
         """Returns the case with some keys replaced, as by `--set`: `{"load.force": "3 mN"}`.
 
-        Items of lists are numbered from 0, as in `foundation.layer[0].thickness`; missing keys are added.
+        A whole part may be replaced as well: `{"surface": Rough(heights, side="1 um")}`. Items of lists are numbered
+        from 0, as in `foundation.layer[0].thickness`; missing keys are added.
         """
         text, source, name, folder, arrays, functions = self._state
         document = tomllib.loads(text)
-        for key, value in values.items():
-            _put(document, key, value_of(key.rpartition(".")[2], value))
+        arrays, functions = dict(arrays), dict(functions)
+        for key, value in mapping("values", values, "a dict of values by their keys").items():
+            if key in SHAPES:
+                _put(document, key, shape_table(key, value, arrays, functions))
+            else:
+                last, unit = key.rpartition(".")[2], unit_of(key)
+                _put(document, key, value_of(last, value, units={last.partition("[")[0]: unit} if unit else {}))
         return Case._restored(toml.text(document), source, name, folder, arrays, functions)
 
     @cached_property
@@ -263,7 +277,7 @@ class Path(Sequence[Step]):
         `path` if given."""
         page = self._fields.report()
         if path is not None:
-            with open(path, "w", encoding="utf-8", newline="\n") as to:
+            with writing(path), open(path, "w", encoding="utf-8", newline="\n") as to:
                 to.write(page)
         return page
 
@@ -346,30 +360,13 @@ def _path(case: Case, solution: _pellicle.Solution) -> Path:
     return path
 
 
-def _table(value: Any, kind: type[Table], name: str) -> dict[str, toml.Value]:
-    """The table of a part of the case; an error if the part is not of this kind."""
-    if not isinstance(value, kind):
-        raise ArgumentError(f"{name}: found {type(value).__name__}, wanted a pellicle.{kind.__name__}")
-    return value.as_table()
-
-
 def _given(values: Mapping[str, Any]) -> dict[str, toml.Value]:
     return {name: value_of(name, value) for name, value in values.items() if value is not None}
 
 
 def checked_threads(threads: int | None) -> int | None:
     """Checks a number of threads."""
-    if threads is not None and (isinstance(threads, bool) or not 1 <= threads <= 4096):
-        raise ArgumentError(f"threads: found {threads}, wanted a number from 1 to 4096")
-    return threads
-
-
-def refuse_functions(functions: Mapping[str, CheckedFunction]) -> None:
-    """Refuses functions, which cannot be written."""
-    if functions:
-        found = " and ".join(functions)
-        wanted = "a map, such as HeightMap.sampled"
-        raise ArgumentError(f"{found}: found a function, which cannot be written to a file, wanted {wanted}")
+    return None if threads is None else integer("threads", threads, 1, 4096)
 
 
 def _put(document: dict[str, Any], key: str, value: toml.Value) -> None:
@@ -382,12 +379,3 @@ def _put(document: dict[str, Any], key: str, value: toml.Value) -> None:
         place[int(last) if isinstance(place, list) else last] = value
     except (AttributeError, IndexError, TypeError, ValueError) as error:
         raise ArgumentError(f"values: found {key!r}, wanted a key of the case") from error
-
-
-def with_files(text: str, renamed: Any) -> str:
-    """The text of the case with other paths for its maps; the same text if it has none."""
-    document = tomllib.loads(text)
-    tables = [document[name] for name in ("surface", "indenter") if "file" in document.get(name, {})]
-    for table in tables:
-        table["file"] = renamed(table["file"])
-    return toml.text(document) if tables else text

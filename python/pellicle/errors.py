@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import pathlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 from ._pellicle import (
     CaseError,
     ContactError,
@@ -35,6 +40,17 @@ __all__ = [
 
 class ArgumentError(Error, ValueError):
     """An argument has the wrong type, shape or value; the message begins with its name."""
+
+
+@contextmanager
+def writing(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Raises a `RunError` with the `path` if the system refuses to write there."""
+    try:
+        yield
+    except OSError as error:
+        refused = RunError(f"{os.fspath(path)}: cannot be written: {error.strerror or error}")
+        refused.path = pathlib.Path(path)
+        raise refused from error
 
 
 class _CodedWarning(UserWarning):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable
 from functools import cached_property
 from typing import Any
 
@@ -83,7 +83,7 @@ class Evaluation:
 
 
 def evaluate(
-    data: Data | Sequence[Data] | str | os.PathLike[str],
+    data: Data | Iterable[Data] | str | os.PathLike[str],
     evaluation: OliverPharr | None = None,
     *,
     title: str | None = None,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, TypeAlias
 
@@ -12,13 +12,16 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _pellicle, toml
-from .case import Case, refuse_functions, with_files
-from .errors import ArgumentError
+from .case import Case
+from .errors import ArgumentError, writing
 from .function import CheckedFunction
+from .given import mapping, part, parts, switch, taken
+from .height_map import is_same
 from .measurement import Data
 from .oliver_pharr import OliverPharr
 from .options import Range
-from .quantity import SI_UNITS, Quantity
+from .quantity import SI_UNITS, Quantity, unit_of
+from .shapes import Arrays, refuse_functions, with_files
 from .table import Table, value_of
 
 
@@ -43,25 +46,27 @@ class Unknown(Table):
 Bounds: TypeAlias = Unknown | tuple[Quantity, Quantity]
 """An `Unknown`, or its bounds."""
 
-Arrays: TypeAlias = dict[str, npt.NDArray[np.float64]]
-
 
 @dataclass(frozen=True)
 class Nuisances(Table):
     """Other influences on the measurements: the zeros and a drift of each curve, the frame compliance in m/N, and
     inexactly known numbers of the model, by their keys.
 
-    A zero is True for one of each curve, False for an exact reading, or an `Unknown` with a normal prior. By default
-    that of the depth is sought, and that of the force where a file shows a stretch before contact. `shift` is the old
-    name of `depth_zero`.
+    A zero or a drift is True for one of each curve, False or `"off"` for an exact reading, or an `Unknown` with a
+    normal prior. By default that of the depth is sought, and that of the force where a file shows a stretch before
+    contact. `shift` is the old name of `depth_zero`.
     """
 
-    depth_zero: bool | Unknown | None = None
-    force_zero: bool | Unknown | None = None
-    shift: bool | None = None
+    depth_zero: bool | Literal["off"] | Unknown | None = None
+    force_zero: bool | Literal["off"] | Unknown | None = None
+    shift: bool | Literal["off"] | None = None
     frame_compliance: Literal["off", "free"] | Unknown | None = None
-    drift: bool | None = None
+    drift: bool | Literal["off"] | None = None
     parameters: Mapping[str, Bounds] | None = None
+
+    def __post_init__(self) -> None:
+        self._take()
+        self.as_table()
 
     def as_table(self) -> dict[str, toml.Value]:
         """The keys of `[nuisance]`, with those of the numbers of the model beside the others."""
@@ -71,10 +76,11 @@ class Nuisances(Table):
             if isinstance(given, Unknown):
                 found[name] = {"per": "curve"} | given.as_value(SI_UNITS[name])
             elif given is not None:
-                found[name] = {"per": "curve"} if given else "off"
+                is_on = not _is_off(given) and switch(name, given, ', "off" or a pellicle.Unknown')
+                found[name] = {"per": "curve"} if is_on else "off"
         if self.frame_compliance is not None:
             found["frame_compliance"] = value_of("frame_compliance", self.frame_compliance)
-        return found | _bounds(self.parameters or {})
+        return found | _bounds("parameters", {} if self.parameters is None else self.parameters)
 
 
 @dataclass(frozen=True)
@@ -108,7 +114,7 @@ class Fit:
     def __init__(
         self,
         model: Case,
-        data: Data | Sequence[Data] = (),
+        data: Data | Iterable[Data] = (),
         *,
         unknown: Mapping[str, Bounds],
         nuisance: Nuisances | None = None,
@@ -116,20 +122,19 @@ class Fit:
         report: Report | None = None,
         title: str | None = None,
     ) -> None:
-        if not isinstance(model, Case):
-            raise ArgumentError(f"model: found {type(model).__name__}, wanted a pellicle.Case")
+        part("model", model, Case)
         written, texts = data_tables(data)
         text, _, _, folder, arrays, functions = model._state
         document = {
             **({} if title is None else {"title": title}),
             "model": tomllib.loads(with_files(text, lambda name: name if name in arrays else os.path.join(folder, name))),
             **({"data": written} if written else {}),
-            "unknown": _bounds(unknown),
+            "unknown": _bounds("unknown", unknown),
             **_optional("nuisance", nuisance, Nuisances),
             **_optional("evaluation", evaluation, OliverPharr),
             **_optional("report", report, Report),
         }
-        self._read(toml.text(document), "fit", "fit", os.getcwd(), arrays, functions, texts)
+        self._read(toml.text(document), "Fit(…)", "fit", os.getcwd(), arrays, functions, texts)
 
     def _read(self, *state: Any) -> None:
         self._state: tuple[str, str, str, str, Arrays, dict[str, CheckedFunction], dict[str, str]] = state
@@ -198,7 +203,8 @@ class Fit:
             document["model"]["case"] = moved.get(document["model"]["case"], document["model"]["case"])
         written = toml.text(document) if own or target != folder else str(text)
         for name, array in arrays.items():
-            np.save(os.path.join(target, own[name]), array)
+            with writing(path):
+                np.save(os.path.join(target, own[name]), array)
         for name, rows in texts.items():
             _write(os.path.join(target, own[name]), rows)
         _write(os.fspath(path), written)
@@ -210,7 +216,7 @@ class Fit:
         mine, others = self._state, other._state
         same = mine[0] == others[0] and mine[3] == others[3] and mine[5:] == others[5:]
         return same and mine[4].keys() == others[4].keys() and all(
-            np.array_equal(array, others[4][name]) for name, array in mine[4].items()
+            is_same(array, others[4][name]) for name, array in mine[4].items()
         )
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
@@ -230,13 +236,11 @@ class Fit:
         return f"<Fit {self.title!r}: {len(_flattened(document['unknown']))} unknown, {tables} of data>"
 
 
-def data_tables(data: Data | Sequence[Data]) -> tuple[list[toml.Value], dict[str, str]]:
+def data_tables(data: Data | Iterable[Data]) -> tuple[list[toml.Value], dict[str, str]]:
     """The tables `[[data]]` of a fit file, and the texts of its arrays by their names."""
     texts: dict[str, str] = {}
     written: list[toml.Value] = []
-    for number, table in enumerate([data] if isinstance(data, Data) else data):
-        if not isinstance(table, Data):
-            raise ArgumentError(f"data: found {type(table).__name__}, wanted a pellicle.Data")
+    for number, table in enumerate(parts("data", data, Data)):
         values, rows = table.as_table(), table.rows_or_none()
         if rows is not None:
             values["file"] = table.file or f"data-{number}.csv"
@@ -258,28 +262,30 @@ class _Elsewhere(dict[str, str]):
 
 
 def _write(path: str, text: str) -> None:
-    with open(path, "w", encoding="utf-8", newline="\n") as to:
+    with writing(path), open(path, "w", encoding="utf-8", newline="\n") as to:
         to.write(text)
 
 
-def _optional(name: str, part: Table | None, kind: type[Table]) -> dict[str, toml.Value]:
-    if part is None:
+def _optional(name: str, value: Table | None, kind: type[Table]) -> dict[str, toml.Value]:
+    if value is None:
         return {}
-    if not isinstance(part, kind):
-        raise ArgumentError(f"{name}: found {type(part).__name__}, wanted a pellicle.{kind.__name__}")
-    return {name: part.as_table()}
+    return {name: part(name, value, kind).as_table()}
 
 
-def _bounds(unknown: Mapping[str, Bounds]) -> dict[str, toml.Value]:
+def _is_off(value: object) -> bool:
+    return isinstance(value, str) and value == "off"
+
+
+def _bounds(name: str, unknown: Mapping[str, Bounds]) -> dict[str, toml.Value]:
     """The tables for numbers of the model, by their keys."""
     found: dict[str, toml.Value] = {}
-    for key, bounds in unknown.items():
+    for key, given in mapping(name, unknown, "a dict of a pellicle.Unknown or a pair of bounds by keys").items():
+        bounds = taken(key, given)
         if isinstance(bounds, tuple) and len(bounds) == 2:
             bounds = Unknown(*bounds)
         if not isinstance(bounds, Unknown):
-            raise ArgumentError(f"{key}: found {bounds!r}, wanted a pellicle.Unknown or a pair of bounds")
-        unit = SI_UNITS.get(key.rpartition(".")[2].partition("[")[0])
-        found[key] = bounds.as_value(unit)
+            raise ArgumentError(f"{key}: found {given!r}, wanted a pellicle.Unknown or a pair of bounds")
+        found[key] = bounds.as_value(unit_of(key))
     return found
 
 

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import ArgumentError
+from .given import array
 from .indenter import Indenter
 from .quantity import Quantity
 from .surface import Surface
@@ -35,6 +36,7 @@ class IndenterFunction(Indenter):
     function: Function
 
     def __post_init__(self) -> None:
+        self._take()
         _check(self.function, "function")
 
     def functions(self) -> dict[str, CheckedFunction]:
@@ -56,6 +58,8 @@ class ReliefFunction(Surface):
     compliance: Quantity | Function = field(default=0.0, kw_only=True)
 
     def __post_init__(self) -> None:
+        if not callable(self.compliance):
+            self._take()
         _check(self.profile, "profile")
 
     def as_table(self) -> dict[str, Any]:
@@ -66,7 +70,7 @@ class ReliefFunction(Surface):
         """The functions by their names, with checks."""
         found = {"profile": CheckedFunction(self.profile, "profile")}
         if callable(self.compliance):
-            found["compliance"] = CheckedFunction(self.compliance, "compliance", lowest=0.0)
+            found["compliance"] = CheckedFunction(self.compliance, "compliance", lowest=0.0, unit="m/Pa")
         return found
 
 
@@ -78,16 +82,16 @@ class CheckedFunction:
     name: str
     lowest: float = -np.finfo(np.float64).max
     highest: float = np.finfo(np.float64).max
+    unit: str = "m"
 
     def __call__(self, x: Coordinates, y: Coordinates, is_estimate: bool) -> npt.NDArray[np.float64]:
         # An overflow is refused or marks an end; estimates evaluate far points, where the function may have ended.
         with np.errstate(all="ignore" if is_estimate else None, over="ignore", under="ignore"):
-            values = np.asarray(self.function(x.copy(), y.copy()))
-        if values.shape != x.shape:
-            raise ArgumentError(f"{self.name}: found values of shape {values.shape}, wanted {x.shape}, that of x and y")
-        if values.dtype.kind not in "fiu":
-            raise ArgumentError(f"{self.name}: found values of {values.dtype}, wanted real numbers")
-        values = np.ascontiguousarray(values, dtype=np.float64)
+            given = self.function(x.copy(), y.copy())
+        shape = np.shape(given)
+        if shape != x.shape:
+            raise ArgumentError(f"{self.name}: found values of shape {shape}, wanted {x.shape}, that of x and y")
+        values = array(self.name, given, self.unit, holes=is_estimate)
         if is_estimate:
             return np.where(np.isnan(values), np.inf, values)
         is_wrong = ~((values >= self.lowest) & (values <= self.highest))

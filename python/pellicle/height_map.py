@@ -12,12 +12,16 @@ import numpy.typing as npt
 
 from . import toml
 from .errors import ArgumentError
-from .quantity import Quantity
+from .given import array, has_unit, integer, taken
+from .quantity import Quantity, number
 from .table import Table
 
 Heights: TypeAlias = npt.ArrayLike | str | os.PathLike[str]
 """A 2-D array of heights, first index along x, second along y; or the path of a file that holds one."""
 
+
+MOST_SAMPLES = 16384
+"""The largest number of samples along a side of a map of a function: more points than elements tell nothing."""
 
 Height: TypeAlias = Callable[[npt.NDArray[np.float64], npt.NDArray[np.float64]], npt.ArrayLike]
 """A function of arrays of x and of y (m) that gives heights (m)."""
@@ -29,13 +33,15 @@ class HeightMap(Table):
 
     `heights` is an array, first index along x and second along y, or the path of a file (.npy, .csv, .txt, .gsf).
     `side` is the length of the map along x in m, for square pixels; `sides` are its lengths along x and y. A file may
-    contain them. `height_unit` is the length represented by 1 in the array, in m unless it has a unit, and
-    `lateral_unit` that of x and y in a file of points x, y, z, or of a size without a unit. Where heights are missing, or
-    a number such as -9999 stands for them, the map is refused, or with `holes="interpolate"` each is the mean of its
-    neighbours; with `holes="none"` every number is a height. `level="plane"` subtracts the least-squares plane, and
-    `edges="taper"` makes opposite edges fit in a periodic cell.
+    contain them. `height_unit` is the length represented by 1 in the array, in m unless it has a unit; an array of a
+    units library has its own. `lateral_unit` is that of x and y in a file of points x, y, z, or of a size without a
+    unit. Where heights are missing, or a number such as -9999 stands for them, the map is refused, or with
+    `holes="interpolate"` each is the mean of its neighbours; with `holes="none"` every number is a height. In an array
+    the missing ones are NaN, infinite or masked. `level="plane"` subtracts the least-squares plane, and `edges="taper"`
+    makes opposite edges fit in a periodic cell.
     """
 
+    _apart: ClassVar[frozenset[str]] = frozenset({"heights"})
     heights: Heights
     side: Quantity | None = field(default=None, kw_only=True)
     sides: tuple[Quantity, Quantity] | None = field(default=None, kw_only=True)
@@ -47,33 +53,46 @@ class HeightMap(Table):
     lateral_unit: Quantity | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
-        if not isinstance(self.heights, (str, os.PathLike)):
-            object.__setattr__(self, "heights", checked(self.heights, "heights"))
+        self._take()
+        heights = self.heights
+        if isinstance(heights, (str, os.PathLike)):
+            return
+        if has_unit(heights):
+            if self.height_unit not in (None, "1 m"):
+                found = f"{self.height_unit!r} beside heights with a unit"
+                raise ArgumentError(f"height_unit: found {found}, wanted one of them")
+            object.__setattr__(self, "height_unit", "1 m")
+        may_have_holes = self.holes == "interpolate"
+        object.__setattr__(self, "heights", checked("heights", heights, "m", may_have_holes=may_have_holes))
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
             return NotImplemented
-        mine, others = vars(self), vars(other)
-        return all(np.array_equal(mine[name], others[name]) for name in mine)
+        mine, others = vars(self) | {"heights": None}, vars(other) | {"heights": None}
+        return mine == others and is_same(self.heights, other.heights)
 
     __hash__: ClassVar[None]  # type: ignore[assignment]
 
     @classmethod
     def sampled(
-        cls, function: Height, samples: int | tuple[int, int], *, sides: tuple[float, float], **keys: Any
+        cls, function: Height, samples: int | tuple[int, int], *, sides: tuple[Quantity, Quantity], **keys: Any
     ) -> Self:
         """Samples a function of x and y (m), which is called once with two arrays and returns heights (m).
 
         The map has `samples` samples along each side, at the centres of its pixels, and heights between them are
         interpolated. The centre of the map lies at x = y = 0.
         """
-        counts = (samples, samples) if isinstance(samples, int) else samples
-        axes = [side * ((np.arange(count) + 0.5) / count - 0.5) for count, side in zip(counts, sides, strict=True)]
-        x, y = np.meshgrid(*axes, indexing="ij")
-        found = np.asarray(function(x, y))
-        if found.shape != x.shape:
-            raise ArgumentError(f"function: found values of shape {found.shape}, wanted {x.shape}, that of x and y")
-        return cls(checked(found, "function"), sides=sides, **keys)
+        given, lengths = taken("samples", samples), taken("sides", sides)
+        counts = given if isinstance(given, tuple) else (given, given)
+        for name, pair in (("samples", counts), ("sides", lengths)):
+            if not isinstance(pair, tuple) or len(pair) != 2:
+                raise ArgumentError(f"{name}: found {pair!r}, wanted two, along x and y")
+        x, y = np.meshgrid(*(_centres(*axis) for axis in zip(counts, lengths, strict=True)), indexing="ij")
+        found = function(x, y)
+        if np.shape(found) != x.shape:
+            raise ArgumentError(f"function: found values of shape {np.shape(found)}, wanted {x.shape}, that of x and y")
+        holes = keys.get("holes") == "interpolate"
+        return cls(checked("function", found, "m", may_have_holes=holes), sides=lengths, **keys)
 
     def as_table(self) -> dict[str, toml.Value]:
         """The keys of the map without its file."""
@@ -88,16 +107,34 @@ class HeightMap(Table):
         return os.path.abspath(os.fspath(self.heights)), None  # type: ignore[arg-type]
 
 
-def checked(values: Any, name: str) -> npt.NDArray[np.float64]:
-    """Returns a read-only copy of an array, checked to have two dimensions and finite real numbers."""
-    array = np.asarray(values)
-    if array.ndim != 2 or array.size == 0:
-        raise ArgumentError(f"{name}: found an array of shape {array.shape}, wanted two dimensions, not empty")
-    if array.dtype.kind not in "fiu":
-        raise ArgumentError(f"{name}: found an array of {array.dtype}, wanted real numbers")
-    copied = np.array(array, dtype=np.float64, order="C")
-    if not np.isfinite(copied).all():
-        i, j = np.argwhere(~np.isfinite(copied))[0]
-        raise ArgumentError(f"{name}: found {copied[i, j]} at [{i}, {j}], wanted finite numbers")
-    copied.flags.writeable = False
-    return copied
+def checked(name: str, values: Any, unit: str, *, may_have_holes: bool | None = None) -> npt.NDArray[np.float64]:
+    """A read-only copy of an array in this unit, with two axes and finite numbers.
+
+    Where there may be holes, they are NaN, and so are masked values; None stands for an array that is no map.
+    """
+    is_map = may_have_holes is not None
+    found = array(name, values, unit, holes=is_map)
+    if found.ndim != 2 or found.size == 0:
+        raise ArgumentError(f"{name}: found an array of shape {found.shape}, wanted two dimensions, not empty")
+    missing = ~np.isfinite(found)
+    if missing.any() and not may_have_holes:
+        i, j = np.argwhere(missing)[0]
+        count = f"{missing.sum()} of {found.size} heights missing, the first" if is_map else found[i, j]
+        wanted = 'every height, or holes="interpolate"' if is_map else "finite numbers"
+        raise ArgumentError(f"{name}: found {count} at [{i}, {j}], wanted {wanted}")
+    found.flags.writeable = False
+    return found
+
+
+def is_same(one: Heights, other: Heights) -> bool:
+    """Whether two paths or two arrays are equal; holes are."""
+    if isinstance(one, np.ndarray) and isinstance(other, np.ndarray):
+        return np.array_equal(one, other, equal_nan=True)
+    return type(one) is type(other) and one == other
+
+
+def _centres(count: Any, side: Quantity) -> npt.NDArray[np.float64]:
+    """The centres of pixels along a side."""
+    pixels = integer("samples", count, 1, MOST_SAMPLES)
+    centres: npt.NDArray[np.float64] = number("sides", side, "m") * ((np.arange(pixels) + 0.5) / pixels - 0.5)
+    return centres

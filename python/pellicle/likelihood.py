@@ -10,7 +10,9 @@ import numpy.typing as npt
 
 from . import _pellicle
 from .case import checked_threads
+from .errors import ArgumentError
 from .fit import Fit
+from .given import array
 from .identification import fit_of
 from .progress import FitProgress, reporting
 from .waiting import finished
@@ -43,7 +45,10 @@ class Likelihood:
         return np.array(self._found.best, dtype=np.float64)
 
     def __call__(self, values: Sequence[float] | npt.NDArray[np.float64]) -> float:
-        return self._found.logarithm([float(value) for value in values])
+        found = array("values", values, "dimensionless")
+        if found.ndim != 1:
+            raise ArgumentError(f"values: found an array of shape {found.shape}, wanted one axis")
+        return self._found.logarithm(found.tolist())
 
     def __reduce__(self) -> tuple[type[Likelihood], tuple[Fit]]:
         return type(self), (self.fit,)

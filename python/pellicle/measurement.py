@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .errors import ArgumentError
+from .given import array
 from .quantity import Quantity
 from .table import Table
 
@@ -139,7 +140,7 @@ class Data(Table):
         omit: Sequence[int] | None = None,
         name: str | None = None,
     ) -> Data:
-        """One curve, as arrays of equal length in SI units, in the order of the measurement.
+        """One curve, as arrays of equal length in the order of the measurement: in SI units, or of a units library.
 
         The result refers to it by `name`. A stiffness in N/m is observed at a force, a depth or a contact
         radius √(A/π), see `observe`.
@@ -193,10 +194,7 @@ class MeasuredArrays(Data):
 
 def _column(name: str, values: npt.ArrayLike) -> npt.NDArray[np.float64]:
     """Converts a column to numbers along one axis, or raises an error."""
-    try:
-        column = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ArgumentError(f"{name}: found {type(values).__name__}, wanted an array of numbers ({error})") from error
+    column = array(name, values, UNITS[name])
     if column.ndim != 1:
         raise ArgumentError(f"{name}: found an array of shape {column.shape}, wanted one axis")
     wrong = np.flatnonzero(~np.isfinite(column))

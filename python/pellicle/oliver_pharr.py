@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from . import toml
 from .body import Material
 from .measurement import Uncertain
-from .quantity import Quantity
+from .quantity import Quantity, written
 from .table import Table
 
 
@@ -25,13 +26,13 @@ class KnownBody(Table):
 class OliverPharr(Table):
     """How unloadings are evaluated; defaults are those of ISO 14577 with a tip of diamond.
 
-    The indenter is an `area_function`, either coefficients such as `[24.5, "120 nm"]` or the file of a calibration, or
-    a `tip` with its `tip_radius`, or it is sought by `calibrate`.
+    The indenter is an `area_function`, either coefficients such as `[24.5, "120 nm"]`, numbers being in powers of m, or
+    the file of a calibration, or a `tip` with its `tip_radius`, or it is sought by `calibrate`.
     """
 
     poisson_ratio: float | Uncertain
     """Poisson's ratio of the body."""
-    area_function: Sequence[float | str] | str | None = None
+    area_function: Sequence[Quantity] | str | None = None
     tip: Literal["berkovich", "vickers", "cube corner", "cone", "sphere"] | None = None
     tip_radius: Quantity | None = None
     angle: Quantity | None = None
@@ -51,3 +52,18 @@ class OliverPharr(Table):
     thinning: float | None = None
     """The part of the contact depth by which an imprint thins the top layer."""
     calibrate: KnownBody | None = None
+
+    def as_table(self) -> dict[str, toml.Value]:
+        """The keys of `[evaluation]`; coefficients have their units."""
+        table = super().as_table()
+        if isinstance(self.area_function, tuple):
+            table["area_function"] = [_coefficient(k, of) for k, of in enumerate(self.area_function)]
+        return table
+
+
+def _coefficient(k: int, value: Quantity) -> float | str:
+    """Coefficient k of an area function, in m^(2 − 1/2^(k−1)) unless it has a unit."""
+    below = 2**k // 2
+    unit = "dimensionless" if k == 0 else "m" if k == 1 else f"m^({2 * below - 1}/{below})"
+    found = written(value, f"area_function[{k}]", unit)
+    return found if isinstance(found, str) or k == 0 else f"{found!r} {unit}"

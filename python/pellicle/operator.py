@@ -2,32 +2,33 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _pellicle, toml
+from .body import Foundation
 from .errors import ArgumentError
+from .given import array, integer, part
 from .height_map import checked
-
-if TYPE_CHECKING:
-    from .body import Foundation
+from .quantity import Quantity, number
 
 
 def compliance(foundation: Foundation, wavenumber: npt.ArrayLike) -> npt.NDArray[np.float64]:
     """The compliance C(k) of a body at wavenumbers k (1/m), in m/Pa: displacement over pressure for a wave.
 
-    The result has the shape of `wavenumber`. Displacements are positive into the body.
+    The result has the shape of `wavenumber`, which may have a unit of its own. Displacements are positive into the
+    body.
     """
-    wavenumbers = np.array(wavenumber, dtype=np.float64)
+    wavenumbers = array("wavenumber", wavenumber, "1/m")
     if not (np.isfinite(wavenumbers) & (wavenumbers > 0)).all():
         raise ArgumentError("wavenumber: found zero, a negative or a non-finite number, wanted positive finite numbers")
     found = _inner(foundation).compliance(np.ascontiguousarray(wavenumbers.ravel()))
     return found.reshape(wavenumbers.shape)
 
 
-def influence_coefficients(foundation: Foundation, element_side: float, elements: int) -> npt.NDArray[np.float64]:
+def influence_coefficients(foundation: Foundation, element_side: Quantity, elements: int) -> npt.NDArray[np.float64]:
     """The displacement of one element under unit pressure on another, by their offset, in m/Pa.
 
     Coefficient `[m, n]` of the N × N array is for elements of side `element_side` (m), m apart along x and n along y.
@@ -42,12 +43,12 @@ class ElasticOperator:
     values row by row.
     """
 
-    def __init__(self, foundation: Foundation, element_side: float, elements: int) -> None:
-        if not (isinstance(elements, (int, np.integer)) and 1 <= elements <= 16384):
-            raise ArgumentError(f"elements: found {elements}, wanted an integer from 1 to 16384")
+    def __init__(self, foundation: Foundation, element_side: Quantity, elements: int) -> None:
         self.foundation = foundation
-        self.element_side: float = float(element_side)
-        self.elements: int = int(elements)
+        self.element_side: float = number("element_side", element_side, "m")
+        """Side of an element, m."""
+        self.elements: int = integer("elements", elements, 1, 16384)
+        """Elements per side, N."""
         self._operator = _pellicle.Operator(_inner(foundation), self.element_side, self.elements)
 
     @property
@@ -62,10 +63,10 @@ class ElasticOperator:
 
     def __matmul__(self, pressure: npt.ArrayLike) -> npt.NDArray[np.float64]:
         size = self.elements
-        given = np.asarray(pressure)
+        given = array("pressure", pressure, "Pa")
         if given.shape not in ((size, size), (size**2,)):
             raise ArgumentError(f"pressure: found shape {given.shape}, wanted {(size, size)} or {(size**2,)}")
-        return self._operator.apply(checked(given.reshape(size, size), "pressure")).reshape(given.shape)
+        return self._operator.apply(checked("pressure", given.reshape(size, size), "Pa")).reshape(given.shape)
 
     def to_scipy(self) -> Any:
         """The matrix K as a `scipy.sparse.linalg.LinearOperator`; it is symmetric."""
@@ -80,8 +81,9 @@ class ElasticOperator:
         return ElasticOperator, (self.foundation, self.element_side, self.elements)
 
     def __repr__(self) -> str:
-        return f"<ElasticOperator of {self.elements} × {self.elements} elements of side {self.element_side:g}>"
+        return f"<ElasticOperator of {self.elements} × {self.elements} elements of side {self.element_side:g} m>"
 
 
 def _inner(foundation: Foundation) -> _pellicle.Foundation:
-    return _pellicle.Foundation(toml.text({"foundation": foundation.as_table()}), "foundation")
+    table = part("foundation", foundation, Foundation).as_table()
+    return _pellicle.Foundation(toml.text({"foundation": table}), "Foundation(…)")

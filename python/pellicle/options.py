@@ -55,6 +55,7 @@ class Stress(Table):
     into it; with `body="both"` the largest values are those of each body, and the planes are in the foundation.
     """
 
+    _part: ClassVar[str] = "stress"
     depths: Depths | None = None
     extent: Quantity | None = None
     friction: float | None = None
@@ -71,6 +72,8 @@ class Wear(Table):
     `tolerance` is the error of the depths in each step over the largest depth.
     """
 
+    _part: ClassVar[str] = "wear"
+    _units: ClassVar[Mapping[str, str]] = {"coefficient": "m^2/N"}
     coefficient: Quantity
     distance: Quantity | None = None
     distances: Distances | None = None

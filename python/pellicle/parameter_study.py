@@ -19,6 +19,7 @@ from .case import checked_threads
 from .curve import Curve
 from .engines import Engine, outcomes
 from .errors import ArgumentError, RunError, StudyWarning
+from .given import switch
 from .progress import StudyProgress, StudyReport, reporting
 from .waiting import TURN
 
@@ -91,7 +92,8 @@ class Study:
         Engines such as Dask and Ray solve a chunk again if its worker is lost. With others, finished cases are kept,
         the exception is raised, and the study can be mapped on a new executor.
         """
-        table = self._study.table(os.path.join("results", self.name) if out is None else out, fresh)
+        folder = os.path.join("results", self.name) if out is None else out
+        table = self._study.table(folder, switch("fresh", fresh))
         try:
             if self._study.refused is not None:
                 warnings.warn(StudyWarning(self._study.refused, "invalid"), stacklevel=2)

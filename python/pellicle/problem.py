@@ -5,18 +5,18 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _pellicle
+from .case import Case
 from .errors import ArgumentError
+from .given import part
 from .height_map import checked
 from .judgement import Certificate
-
-if TYPE_CHECKING:
-    from .case import Case
+from .quantity import Quantity, number
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +35,8 @@ class DiscreteProblem:
     """
 
     def __init__(self, case: Case) -> None:
-        self.case = case
+        self.case: Case = part("case", case, Case)
+        """The case as it was given."""
         self._problem = _pellicle.DiscreteProblem(case._case)
 
     @property
@@ -62,23 +63,25 @@ class DiscreteProblem:
         return self._problem.displacement(self._checked(pressure))
 
     def judge(
-        self, pressure: npt.ArrayLike, *, force: float | None = None, penetration: float | None = None
+        self, pressure: npt.ArrayLike, *, force: Quantity | None = None, penetration: Quantity | None = None
     ) -> Judgement:
         """Assesses an N × N pressure (Pa) as a solution under a force (N), or at a penetration (m)."""
         if (force is None) == (penetration is None):
             raise ArgumentError("force: found both or neither of force and penetration, wanted one of them")
-        given, name = (force, "force") if penetration is None else (penetration, "penetration")
-        if given is None or not math.isfinite(given) or (force is not None and force <= 0):
-            raise ArgumentError(f"{name}: found {given}, wanted a finite number, a force above zero")
-        depth = 0.0 if penetration is None else float(penetration)
-        found, carried, lines = self._problem.judge(self._checked(pressure), force, depth)
+        load = None if force is None else number("force", force, "N")
+        depth = 0.0 if penetration is None else number("penetration", penetration, "m")
+        if load is not None and not 0.0 < load < math.inf:
+            raise ArgumentError(f"force: found {force}, wanted a positive finite number")
+        if not math.isfinite(depth):
+            raise ArgumentError(f"penetration: found {penetration}, wanted a finite number")
+        found, carried, lines = self._problem.judge(self._checked(pressure), load, depth)
         return Judgement(found, carried, Certificate(*lines))
 
     def _checked(self, pressure: Any) -> npt.NDArray[np.float64]:
-        array, wanted = checked(pressure, "pressure"), (self.elements, self.elements)
-        if array.shape != wanted:
-            raise ArgumentError(f"pressure: found shape {array.shape}, wanted {wanted}")
-        return array
+        given, wanted = checked("pressure", pressure, "Pa"), (self.elements, self.elements)
+        if given.shape != wanted:
+            raise ArgumentError(f"pressure: found shape {given.shape}, wanted {wanted}")
+        return given
 
     def __reduce__(self) -> tuple[type[DiscreteProblem], tuple[Case]]:
         return DiscreteProblem, (self.case,)

@@ -8,6 +8,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias
 
+from .given import switch
+
 
 @dataclass(frozen=True, slots=True)
 class Progress:
@@ -131,10 +133,10 @@ def reporting(
     progress: bool | Callable[[Any], object], of: Titled, kind: Kind
 ) -> Iterator[Callable[[Any], None]]:
     """A function that reports progress to a bar if `progress` is true, or to `progress` itself."""
-    if not progress:
-        yield lambda raw: None
-    elif callable(progress):
+    if callable(progress):
         yield _reporting(progress, kind)
+    elif not switch("progress", progress, " or a function"):
+        yield lambda raw: None
     else:
         with _bar(of.title) as report:
             yield _reporting(report, kind)

@@ -12,8 +12,9 @@ from . import _pellicle
 from .case import Case, checked_threads
 from .curve import Curve
 from .errors import ArgumentError, StudyWarning
+from .given import part, taken
 from .progress import SearchProgress, SearchReport, reporting
-from .quantity import SI_UNITS, Quantity, written
+from .quantity import Quantity, number, unit_of, written
 from .waiting import finished
 
 if TYPE_CHECKING:
@@ -39,9 +40,11 @@ def find(
     The cases are those that `pellicle study --find` solves. Without an answer `value` is None, and a `StudyWarning`
     says why.
     """
-    if not isinstance(case, Case):
-        raise ArgumentError(f"case: found {type(case).__name__}, wanted a pellicle.Case")
-    if not 1e-9 <= within <= 0.1:
+    part("case", case, Case)
+    for name, text in (("condition", condition), ("by", by)):
+        if not isinstance(text, str):
+            raise ArgumentError(f"{name}: found {type(text).__name__}, wanted a string")
+    if not 1e-9 <= number("within", within, "dimensionless") <= 0.1:
         raise ArgumentError(f"within: found {within}, wanted a number from 1e-9 to 0.1")
     run = _pellicle.find(case._state, condition, by, _ends(between, by), within, checked_threads(threads))
     return finished(run, _found, reporting(progress, case, SearchProgress))
@@ -51,10 +54,10 @@ def _ends(between: Sequence[Quantity] | None, by: str) -> tuple[str, str] | None
     """The ends of the range as texts."""
     if between is None:
         return None
-    if isinstance(between, str) or len(between) != 2:
+    ends = taken("between", between)
+    if not isinstance(ends, tuple) or len(ends) != 2:
         raise ArgumentError(f"between: found {between!r}, wanted the two ends of the range")
-    unit = SI_UNITS.get(by.rpartition(".")[2].partition("[")[0], "dimensionless")
-    low, high = (str(written(end, "between", unit)) for end in between)
+    low, high = (str(written(end, "between", unit_of(by) or "dimensionless")) for end in ends)
     return low, high
 
 

@@ -7,11 +7,15 @@ use std::sync::Arc;
 use numpy::{PyReadonlyArray2, PyUntypedArrayMethods};
 use pellicle::case::map_sources::MapSources;
 use pellicle::case::parts::Part;
+use pellicle::declare::Shape;
 use pellicle::declare::keys;
 use pellicle::display::{self, Unit};
+use pellicle::input::dimension::Dimension;
+use pellicle::input::quantity;
 use pellicle::input::source_file::read as read_source;
 use pellicle::input::span::{CALL, Source};
 use pellicle::input::units::Units;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::error::Refusal;
@@ -60,6 +64,28 @@ pub fn check_part(part: &str, call: &str, text: String) -> Result<(), Refusal> {
 #[pyfunction]
 pub fn key_units() -> BTreeMap<&'static str, &'static str> {
     keys::si_units(&pellicle::Case::shape())
+}
+
+/// The SI unit of the key at a path of a case, such as `foundation.layer.0.thickness`; `None` if it is no quantity.
+#[pyfunction]
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "Python hands over a list of its own"
+)]
+pub fn key_unit(path: Vec<String>) -> Option<&'static str> {
+    let shape = pellicle::Case::shape();
+    let mut shapes = keys::at(&shape, &path).into_iter();
+    shapes.find_map(Shape::dimension).map(Dimension::si_unit)
+}
+
+/// The number of SI units `unit` in a quantity with a unit, or else the reason why it is none.
+#[pyfunction]
+pub fn si_value(text: &str, unit: &str) -> PyResult<f64> {
+    let dimension = Dimension::ALL
+        .into_iter()
+        .find(|dimension| dimension.si_unit() == unit);
+    let dimension = dimension.ok_or_else(|| PyValueError::new_err("no string has this unit"))?;
+    quantity::parse(text, dimension).map_err(|error| PyValueError::new_err(error.to_string()))
 }
 
 /// A number with its unit, rounded for reading.
@@ -113,6 +139,11 @@ impl Case {
             case: Arc::new(case),
             has_functions: !functions.is_empty(),
         })
+    }
+
+    /// Whether a value has a unit, so that numbers are in SI units.
+    fn is_si(&self) -> bool {
+        Units::of(self.case.document.root()) == Units::Si
     }
 
     /// The resolved case, with every default filled in, as JSON.

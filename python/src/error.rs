@@ -6,7 +6,6 @@ mod attributes;
 use std::any::Any;
 
 use pellicle::input::diagnosis::Diagnosis;
-use pellicle::input::diagnosis::Fault;
 use pellicle_cli::Failure;
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
@@ -133,13 +132,7 @@ fn exception_of_case(error: &pellicle::Error, message: String) -> PyErr {
 }
 
 fn describe(py: Python<'_>, error: &PyErr, diagnosis: &Diagnosis) -> PyResult<()> {
-    let (found, wanted) = match &diagnosis.fault {
-        Fault::Wrong { found, wanted } => (Some(found), Some(wanted)),
-        Fault::Missing { wanted } | Fault::Unknown { wanted } | Fault::Withdrawn { wanted } => {
-            (None, Some(wanted))
-        }
-        Fault::Refused { .. } => (None, None),
-    };
+    let (found, wanted) = (diagnosis.fault.found(), diagnosis.fault.wanted());
     let attributes = [
         ("key", diagnosis.key.as_ref().into_py_any(py)?),
         ("line", diagnosis.span.line().into_py_any(py)?),

@@ -27,7 +27,7 @@ use pyo3::pymodule;
 #[pymodule(gil_used = false)]
 mod _pellicle {
     #[pymodule_export]
-    use crate::case::{Case, check_part, key_units, number_text, read_text};
+    use crate::case::{Case, check_part, key_unit, key_units, number_text, read_text, si_value};
     #[pymodule_export]
     use crate::discrete_problem::DiscreteProblem;
     #[pymodule_export]

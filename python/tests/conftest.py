@@ -6,6 +6,7 @@ import os
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 os.environ["PELLICLE_CACHE"] = ""
 
@@ -24,6 +25,12 @@ def body() -> pl.Foundation:
 def case(body: pl.Foundation) -> pl.Case:
     """Two loads of a ball on a hard coating, with few elements."""
     return pl.Case(body, pl.Sphere("0.5 mm"), forces=["5 mN", "50 mN"], elements=32, title="two loads")
+
+
+@pytest.fixture(scope="session")
+def unit() -> Any:
+    """Pint's units."""
+    return pytest.importorskip("pint").UnitRegistry()
 
 
 @pytest.fixture(scope="session")

@@ -52,9 +52,9 @@ def test_the_shear_stress_below_a_sliding_contact_carries_the_friction(step: pl.
 
 
 def test_invalid_depths_are_refused_with_their_key(step: pl.Step) -> None:
-    with pytest.raises(pl.CaseError, match="stress.depths"):
+    with pytest.raises(pl.CaseError, match="depths"):
         step.stress([-1.0])
-    with pytest.raises(pl.CaseError, match="stress.extent"):
+    with pytest.raises(pl.CaseError, match="extent"):
         step.stress(extent="1 m")
 
 
@@ -70,7 +70,7 @@ def test_stresses_under_a_step_from_a_pickle_have_the_same_bits(body: pl.Foundat
                 assert all(np.array_equal(found[name], wanted[name]) for name in wanted)
     step = pickle.loads(pickle.dumps(path[1]))
     assert np.array_equal(step.stress()["szz"], path[1].stress()["szz"])
-    with pytest.raises(pl.CaseError, match="stress.depths"):
+    with pytest.raises(pl.CaseError, match="depths"):
         step.stress([-1.0])
 
 

@@ -9,7 +9,9 @@ use super::foundation::strength::BodyStrengthCase;
 use super::foundation::substrate::{MaterialCase, SubstrateCase};
 use super::indenter::IndenterCase;
 use super::output::OutputCase;
+use super::stress::StressCase;
 use super::surface::SurfaceCase;
+use super::wear::WearCase;
 use crate::declare::{Record, Scope};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::span::Source;
@@ -35,11 +37,15 @@ pub enum Part {
     Indenter,
     /// `[output]`
     Output,
+    /// `[stress]`, of any body
+    Stress,
+    /// `[wear]`
+    Wear,
 }
 
 impl Part {
     /// The parts by their names.
-    pub const NAMES: [(&'static str, Self); 8] = [
+    pub const NAMES: [(&'static str, Self); 10] = [
         ("material", Self::Material),
         ("grading", Self::Grading),
         ("spring", Self::Spring),
@@ -48,6 +54,8 @@ impl Part {
         ("surface", Self::Surface),
         ("indenter", Self::Indenter),
         ("output", Self::Output),
+        ("stress", Self::Stress),
+        ("wear", Self::Wear),
     ];
 
     /// Checks the text of the table.
@@ -80,6 +88,8 @@ impl Part {
             Self::Surface => SurfaceCase::read(table, scope).map(drop),
             Self::Indenter => IndenterCase::read(table, scope).map(drop),
             Self::Output => OutputCase::read(table, scope).map(drop),
+            Self::Stress => StressCase::read(table, scope).map(drop),
+            Self::Wear => WearCase::read(table, scope).map(drop),
         }
     }
 }
@@ -109,5 +119,12 @@ mod tests {
         let cylinders = "kind = \"cylinders\"\nradius = 1\nheight = 1\nperiod = 4";
         let source = Arc::new(Source::new("Cylinders(…)", cylinders.to_owned()));
         assert_eq!(Part::Surface.check(&source), Ok(()));
+        let told = refused(Part::Stress, "Stress(…)", "friction = -1");
+        assert!(
+            told.starts_with("Stress(…), key `friction`: found -1"),
+            "{told}"
+        );
+        let told = refused(Part::Wear, "Wear(…)", "coefficient = 1e-15");
+        assert!(told.contains("distance"), "{told}");
     }
 }

@@ -12,6 +12,7 @@ use super::key_dimension;
 use super::stressed_body::StressedBody;
 use crate::input::dimension::Dimension;
 use crate::input::key_path::dotted;
+use crate::input::span::CALL;
 use crate::input::toml_tree::{TomlNode, TomlTable, TomlValue};
 use crate::input::units::Units;
 
@@ -92,8 +93,11 @@ impl Case {
     #[must_use]
     pub fn warnings(&self, side: f64) -> Vec<CaseWarning> {
         let mut warnings = Vec::new();
-        if Units::of(self.document.root()) == Units::Si {
-            bare_numbers(self.document.root(), &mut warnings);
+        let root = self.document.root();
+        // The numbers of a call are in SI units by its documentation.
+        let is_file = !root.span.source.name().ends_with(CALL);
+        if is_file && Units::of(root) == Units::Si {
+            bare_numbers(root, &mut warnings);
         }
         warnings.extend(maps::of(self, side));
         warnings.extend(self.unused_strengths());
@@ -248,6 +252,20 @@ mod tests {
         assert!(found.iter().any(|words| {
             words.contains("key `indenter.half_angle`: 1.2 among values with units is 1.2 rad")
         }));
+    }
+
+    #[test]
+    fn bare_numbers_of_a_call_are_in_si_units() {
+        let text = "[foundation]\nsubstrate = { young_modulus = \"3 GPa\", poisson_ratio = 0.3 }\n\
+            [indenter]\nkind = \"sphere\"\nradius = 1e-3\n[load]\nforce = \"1 mN\"\n";
+        let is_warned = |name: &str| {
+            let source = Arc::new(Source::new(name, text.to_owned()));
+            let case = Case::parse(&source, "case", Path::new(""), &[]).unwrap();
+            let warnings = case.warnings(1.0);
+            warnings.iter().any(|warning| warning.code == "bare-number")
+        };
+        assert!(is_warned("case.toml"));
+        assert!(!is_warned("Case(…)"));
     }
 
     /// Whether strengths of each body are warned of as unused, with this table `[stress]`.

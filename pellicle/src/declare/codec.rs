@@ -1,6 +1,7 @@
 //! Readers of single values. Each knows what it reads as a [`Shape`]; defaults are added by
 //! [`or`](Codec::or), [`or_else`](Codec::or_else) and [`optional`](Codec::optional).
 
+use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
 use super::combinators::{Checked, Mapped, Optional, Or, OrElse};
@@ -9,6 +10,7 @@ use super::{Scope, in_words};
 use crate::input::diagnosis::Diagnosis;
 use crate::input::dimension::{Dimension, Sign};
 use crate::input::table_reader::TableReader;
+use crate::input::toml_tree::TomlValue;
 use crate::input::value_reader::ValueReader;
 
 /// Reads the value of a field.
@@ -151,7 +153,7 @@ pub const fn force() -> Quantity {
     Quantity::of(Dimension::Force)
 }
 
-/// An angle.
+/// An angle. A bare number beyond a full turn is refused: it was probably meant in degrees.
 #[must_use]
 pub const fn angle() -> Quantity {
     Quantity::of(Dimension::Angle)
@@ -187,7 +189,14 @@ impl Codec for Quantity {
     }
 
     fn read(&self, value: &ValueReader<'_>, _: &Scope<'_>) -> Result<f64, Diagnosis> {
-        value.quantity(self.dimension, self.sign)
+        let quantity = value.quantity(self.dimension, self.sign)?;
+        let is_bare = !matches!(value.value(), TomlValue::Text(_));
+        if self.dimension == Dimension::Angle && is_bare && quantity.abs() > TAU {
+            return Err(value.wanted(format!(
+                "a unit, as in \"{quantity} deg\": a bare number is in radians, at most a full turn, 6.283"
+            )));
+        }
+        Ok(quantity)
     }
 }
 

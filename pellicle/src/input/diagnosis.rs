@@ -49,6 +49,37 @@ pub enum Fault {
     },
 }
 
+impl Fault {
+    /// What was found, in the words of the sentence; none where it is a missing or an unknown key.
+    #[must_use]
+    pub fn found(&self) -> Option<&str> {
+        match self {
+            Self::Wrong { found, .. } => Some(found),
+            Self::Refused { reason } => Some(found_and_wanted(reason)?.0),
+            Self::Missing { .. } | Self::Unknown { .. } | Self::Withdrawn { .. } => None,
+        }
+    }
+
+    /// What is wanted, in the words of the sentence.
+    #[must_use]
+    pub fn wanted(&self) -> Option<&str> {
+        match self {
+            Self::Wrong { wanted, .. }
+            | Self::Missing { wanted }
+            | Self::Unknown { wanted }
+            | Self::Withdrawn { wanted } => Some(wanted),
+            Self::Refused { reason } => Some(found_and_wanted(reason)?.1),
+        }
+    }
+}
+
+/// The value found and what is wanted, from the sentence `found 2 for the ratio, wanted 1`.
+fn found_and_wanted(reason: &str) -> Option<(&str, &str)> {
+    let (found, wanted) = reason.split_once("found ")?.1.split_once(", wanted ")?;
+    let value = found.split_once(" for ").map_or(found, |(value, _)| value);
+    Some((value, wanted))
+}
+
 /// A diagnosis, which can be shown at its position in the case.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnosis {
@@ -195,6 +226,22 @@ pub fn closest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_refusal_tells_what_its_sentence_found_and_wants() {
+        let fault = Fault::Refused {
+            reason: "found 2 for Poisson's ratio, wanted a number in [0, 0.5]".into(),
+        };
+        assert_eq!(fault.found(), Some("2"));
+        assert_eq!(fault.wanted(), Some("a number in [0, 0.5]"));
+        let missing = Fault::Missing {
+            wanted: "a length".into(),
+        };
+        assert_eq!(
+            (missing.found(), missing.wanted()),
+            (None, Some("a length"))
+        );
+    }
 
     #[test]
     fn no_suggestion_is_made_for_a_key_unlike_any_other() {

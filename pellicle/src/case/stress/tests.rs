@@ -135,6 +135,17 @@ fn a_direction_is_an_angle_with_unit_or_in_radians() {
     let direction = |text: &str| read(text).unwrap().direction;
     assert!((direction("direction = \"90 deg\"") - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     assert_eq!(direction("direction = -1.5"), -1.5);
+    assert_eq!(direction("direction = 6"), 6.0);
+    assert!(direction("direction = \"720 deg\"") > 12.0);
+}
+
+#[test]
+fn a_bare_angle_beyond_a_full_turn_is_refused_as_meant_in_degrees() {
+    for bare in ["90", "-45.5", "6.3"] {
+        let message = read(&format!("direction = {bare}")).unwrap_err();
+        let wanted = format!("found {bare}, wanted a unit, as in \"{bare} deg\"");
+        assert!(message.contains(&wanted), "{message}");
+    }
 }
 
 #[test]
