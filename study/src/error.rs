@@ -47,6 +47,21 @@ pub enum StudyError {
         /// The table.
         path: PathBuf,
     },
+    /// The folder belongs to a search of another key, number or case.
+    #[error(
+        "{}: found a search whose {what} is {found}, wanted {wanted}: give --fresh to begin again, or another --out",
+        path.display()
+    )]
+    OtherSearch {
+        /// The folder.
+        path: PathBuf,
+        /// What differs.
+        what: String,
+        /// That of the folder.
+        found: String,
+        /// That of the question.
+        wanted: String,
+    },
     /// The table of another study is where the merged one should be.
     #[error("{}: found the table of another study: give --force to replace it", path.display())]
     OtherTable {

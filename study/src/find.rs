@@ -19,7 +19,7 @@ pub mod tried;
 use std::sync::Arc;
 
 use pellicle::Monitor;
-use pellicle::case::BaseCase;
+use pellicle::case::{BaseCase, Case};
 use pellicle::input::diagnosis::{Diagnosis, Fault};
 use pellicle::input::span::{Source, Span};
 use pellicle::input::toml_tree::TomlValue;
@@ -105,7 +105,9 @@ impl Search {
         let condition =
             Condition::read(&question.condition, &columns.header(case.units), case.units)?;
         let number = condition.result.heading();
-        let identity = fingerprint::of_search(&base, &case, &key.path, &number);
+        let own = own_case(&base);
+        let own = own.as_ref().unwrap_or(&case);
+        let identity = fingerprint::of_search(&base, own, &key.path, &number);
         Ok(Self {
             title: case.title,
             base,
@@ -117,6 +119,11 @@ impl Search {
             identity,
         })
     }
+}
+
+/// The case with its own value of the key, so that searches of other ranges are the same; none if it has no value.
+fn own_case(base: &BaseCase) -> Option<Case> {
+    base.resolve(&base.root).ok()
 }
 
 /// A study has more than one case.

@@ -158,6 +158,7 @@ fn a_fraction_of_a_texture_is_searched_up_to_what_the_lattice_allows() {
     );
     let value = answer.value.unwrap();
     assert!((0.1..0.7).contains(&value), "{value}");
+    assert_eq!(answer.interval, None);
     assert!(
         answer.notes.iter().any(|note| note.contains("has no ±")),
         "{answer:?}"
@@ -262,6 +263,73 @@ fn a_case_that_is_not_certified_is_never_a_number() {
     );
 }
 
+/// Valleys between pillars that are reached at some force.
+const VALLEYS: &str = r#"
+[foundation]
+substrate = { young_modulus = "206 GPa", poisson_ratio = 0.3 }
+[surface]
+kind = "cylinders"
+radius = "10 um"
+height = "20 nm"
+period = "30 um"
+[indenter]
+kind = "paraboloid"
+radius = "5 mm"
+[load]
+force = "0.5 N"
+[grid]
+side = "100 um"
+elements = 64
+"#;
+
+/// Asserts that an answer is the one step of an area of zero, of which nothing says how exact it is.
+#[track_caller]
+fn assert_step((answer, tried): &(Answer, Vec<Tried>), extreme: Extreme) -> f64 {
+    assert_eq!(
+        (answer.verdict, answer.extreme, answer.interval),
+        (Verdict::Found, Some(extreme), None),
+        "{answer:?} {tried:#?}"
+    );
+    let note = answer.notes.last().unwrap();
+    assert!(
+        note.starts_with("no interval: contact area between leaves zero between load.force = "),
+        "{note}"
+    );
+    let value = answer.value.unwrap();
+    let area = |tried: &&Tried| tried.number.unwrap() > 0.0;
+    let first = tried.iter().filter(area).map(|tried| tried.key);
+    let last = tried.iter().filter(|tried| !area(tried));
+    let last = last.map(|tried| tried.key).fold(0.0, f64::max);
+    let first = first.fold(f64::INFINITY, f64::min);
+    assert!(
+        last < value && value < first,
+        "{value:e} in {last:e} to {first:e}"
+    );
+    assert!(first / last < 1.0 + 1.01 * WITHIN, "{last:e} to {first:e}");
+    // Both ends, and log₂(ln(40)/10⁻³) = 11.8 halvings.
+    assert!(tried.len() <= 14, "{} cases", tried.len());
+    value
+}
+
+#[test]
+fn an_area_above_zero_begins_where_the_valleys_touch() {
+    let between = Some(["50 mN", "2 N"]);
+    let of = |condition| search(VALLEYS, condition, "load.force", between);
+    let above = run(&of("contact_area_between > 0"), vec![]);
+    let value = assert_step(&above, Extreme::Smallest);
+    let at_most = run(&of("contact_area_between <= 0"), above.1);
+    let largest = assert_step(&at_most, Extreme::Largest);
+    assert_eq!(value.to_bits(), largest.to_bits());
+    // Nothing is below zero, and everything at least zero.
+    let (answer, tried) = run(&of("contact_area_between < 0"), at_most.1);
+    assert_eq!(
+        (answer.verdict, tried.len()),
+        (Verdict::HoldsAtNeitherEnd, 2)
+    );
+    let (answer, _) = run(&of("contact_area_between >= 0"), tried);
+    assert_eq!(answer.verdict, Verdict::HoldsAtBothEnds);
+}
+
 #[test]
 fn an_interrupted_search_solves_no_case_twice_and_finds_the_same() {
     let search = search(BALL, "max_pressure < 1 GPa", "load.force", None);
@@ -291,9 +359,61 @@ fn another_search_in_the_folder_is_refused() {
     SearchFolder::claim(&path, &first, false).unwrap();
     let same = search(BALL, "max_pressure < 2 GPa", "load.force", None);
     assert!(SearchFolder::claim(&path, &same, false).is_ok());
+    let wider = search(
+        BALL,
+        "max_pressure < 1 GPa",
+        "load.force",
+        Some(["1 mN", "9 N"]),
+    );
+    assert!(SearchFolder::claim(&path, &wider, false).is_ok());
     let other = search(BALL, "contact_area < 1 mm^2", "load.force", None);
-    assert!(SearchFolder::claim(&path, &other, false).is_err());
+    let refused = |other: &Search| {
+        let refused = SearchFolder::claim(&path, other, false);
+        refused.unwrap_err().to_string()
+    };
+    let found = refused(&other);
+    assert!(
+        found.contains(
+            "found a search whose number is max pressure, wanted contact area: give --fresh"
+        ),
+        "{found}"
+    );
+    let between = Some(["1 mm", "9 mm"]);
+    let found = refused(&search(
+        BALL,
+        "max_pressure < 1 GPa",
+        "indenter.radius",
+        between,
+    ));
+    assert!(
+        found.contains("found a search whose key is load.force, wanted indenter.radius"),
+        "{found}"
+    );
+    let glass = BALL.replace("206 GPa", "70 GPa");
+    let found = refused(&search(&glass, "max_pressure < 1 GPa", "load.force", None));
+    assert!(
+        found.contains("found a search whose case is one with other values, wanted this one"),
+        "{found}"
+    );
     assert!(SearchFolder::claim(&path, &other, true).is_ok());
+    // A case without a value of the key is that of its range.
+    let without = BALL.replace("force = \"1 N\"", "");
+    let of = |low| {
+        search(
+            &without,
+            "max_pressure < 1 GPa",
+            "load.force",
+            Some([low, "9 N"]),
+        )
+    };
+    SearchFolder::claim(&path, &of("2 N"), true).unwrap();
+    let found = refused(&of("1 N"));
+    assert!(
+        found.contains(
+            "whose range of load.force is 2.0000 N to 9.0000 N, wanted 1.0000 N to 9.0000 N"
+        ),
+        "{found}"
+    );
     std::fs::write(folder.path().join("own.txt"), "mine").unwrap();
     assert!(SearchFolder::claim(folder.path(), &other, true).is_err());
 }

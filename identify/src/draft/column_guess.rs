@@ -4,13 +4,15 @@ use pellicle::input::dimension::Dimension;
 
 use crate::measured::channel::Channel;
 use crate::measured::header::{HeaderField, HeaderUnit};
+use crate::measured::words::{lower_words, words};
 
 /// Words of columns that hold no quantity of the contact.
-const FOREIGN: [&str; 13] = [
+const FOREIGN: [&str; 14] = [
     "rate",
     "speed",
     "velocity",
     "lateral",
+    "horizontal",
     "friction",
     "torsion",
     "target",
@@ -97,7 +99,7 @@ fn only_length(header: &[HeaderField], found: &[ColumnGuess]) -> Option<ColumnGu
     let places = (0..header.len()).filter(|place| {
         let is_free = found.iter().all(|taken| taken.place != *place);
         let head = &header[*place];
-        let is_contact = words(head)
+        let is_contact = words(&head.name)
             .iter()
             .any(|word| word.eq_ignore_ascii_case("contact"));
         is_free && is_length(head) && !is_foreign(head) && !is_contact
@@ -109,27 +111,19 @@ fn only_length(header: &[HeaderField], found: &[ColumnGuess]) -> Option<ColumnGu
     Some(ColumnGuess { channel, place })
 }
 
-/// The words of a header.
-fn words(head: &HeaderField) -> Vec<&str> {
-    let words = head.name.split(|c: char| !c.is_alphanumeric());
-    words.filter(|word| !word.is_empty()).collect()
-}
-
-/// Whether a column holds no quantity of the contact.
+/// Whether a column holds no quantity of the contact. The `hDeflection` of JPK is the lateral one.
 fn is_foreign(head: &HeaderField) -> bool {
-    let words = words(head);
-    words
-        .iter()
-        .any(|word| FOREIGN.contains(&&*word.to_lowercase()))
+    let words = lower_words(&head.name);
+    words.iter().any(|word| FOREIGN.contains(&word.as_str())) || words == ["h", "deflection"]
 }
 
 /// How much a header is like that of a quantity; none if it is not.
 fn likeness(channel: Channel, head: &HeaderField) -> Option<i32> {
-    let words = words(head);
+    let words = words(&head.name);
     let has = |wanted: &[&str]| {
         words
             .iter()
-            .any(|word| wanted.contains(&&*word.to_lowercase()))
+            .any(|word| wanted.contains(&word.to_lowercase().as_str()))
     };
     if is_foreign(head) {
         return None;
@@ -139,7 +133,8 @@ fn likeness(channel: Channel, head: &HeaderField) -> Option<i32> {
         return None;
     }
     let symbols = SYMBOLS.iter().find(|(of, _)| *of == channel);
-    let is_symbol = symbols.is_some_and(|(_, symbols)| words.iter().any(|w| symbols.contains(w)));
+    let is_symbol =
+        symbols.is_some_and(|(_, symbols)| words.iter().any(|w| symbols.contains(&w.as_str())));
     let is_named = channel.is_indicated_by(&head.name);
     let has_unit = match head.unit {
         HeaderUnit::Of(dimension) if dimension == channel.dimension() => true,
@@ -308,6 +303,36 @@ mod tests {
                 &[("height", 1), ("force", 2)],
             ),
             (&["Lateral Force (nN)", "voltage"], &[]),
+        ] {
+            assert_eq!(guessed(names), wanted, "{names:?}");
+        }
+    }
+
+    #[test]
+    fn deflections_of_force_microscopes_are_not_the_lateral_ones() {
+        for (names, wanted) in [
+            (
+                &[
+                    "Calc_Ramp_Ex_nm",
+                    "Calc_Ramp_Rt_nm",
+                    "Defl_V_Ex",
+                    "Defl_V_Rt",
+                ][..],
+                &[("height", 1), ("deflection", 3)][..],
+            ),
+            (
+                &[
+                    "measuredHeight [m]",
+                    "hDeflection [V]",
+                    "vDeflection [V]",
+                    "seriesTime [s]",
+                ],
+                &[("height", 1), ("deflection", 3), ("time", 4)],
+            ),
+            (
+                &["height [m]", "vDeflection [N]"],
+                &[("height", 1), ("force", 2)],
+            ),
         ] {
             assert_eq!(guessed(names), wanted, "{names:?}");
         }

@@ -114,8 +114,14 @@ fn units(survey: &Survey) -> Option<Line> {
             }
             SurveyedUnit::Sensitivity(value) => {
                 why = match survey.stated(StatedQuantity::Sensitivity) {
-                    Some(stated) => format!("line {}: {}", stated.line, stated.text),
-                    None => format!("sensitivity of the deflection, {NOT_IN_THE_FILE}"),
+                    Some(stated) => match stated.assumed_unit {
+                        None => format!("line {}: {}", stated.line, stated.text),
+                        Some(unit) => format!(
+                            "line {}: {}; its unit, taken for {unit}, {NOT_IN_THE_FILE}",
+                            stated.line, stated.text
+                        ),
+                    },
+                    None => format!("an invented sensitivity, {NOT_IN_THE_FILE}"),
                 };
                 let sign = if is_reversed(column) { -1.0 } else { 1.0 };
                 let value = significant(sign * value * 1e9, 4);

@@ -15,14 +15,14 @@ fn in_text(text: &str) -> Vec<String> {
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
     let guess = |(number, line): (usize, &&str)| {
         let (before, _) = line.split_once(NOT_IN_THE_FILE)?;
-        let (of_line, words) = before.rsplit_once('#')?;
+        let (_, words) = before.rsplit_once('#')?;
         // The head of a draft quotes the words.
         if words.ends_with('"') {
             return None;
         }
         // A line of comment belongs to the key below it.
         let is_key = |line: &&&str| !line.is_empty() && !line.starts_with('#');
-        let with_key = if of_line.is_empty() {
+        let with_key = if line.starts_with('#') {
             lines[number..].iter().find(is_key)?
         } else {
             line
@@ -50,11 +50,14 @@ mod tests {
                     # An ideal pyramid, not in the file: put yours: coefficients,\n\
                     # such as [24.5].\n\
                     area_function = [24.5]\n\
+                    # line 2: # InvOLS: 55; its unit, not in the file: put yours\n\
+                    units = { deflection = \"55 nm/V\" }\n\
                     force = \"1 N\"  # line 1\n";
         let wanted = [
             "`substrate` (Poisson's ratio)",
             "`radius`",
             "`area_function` (An ideal pyramid)",
+            "`units` (InvOLS: 55; its unit)",
         ];
         assert_eq!(in_text(text), wanted);
     }

@@ -65,11 +65,13 @@ impl BeforeContact {
     /// Finds the stretch before the contact of a loading; none if there are too few points before the break.
     #[must_use]
     pub fn find(coordinate: &[f64], forces: &[f64]) -> Option<Self> {
-        let (contact, first) = if let Some(jump) = jump(forces) {
-            (coordinate[jump], jump)
+        let (contact, first, end) = if let Some(jump) = Jump::find(forces) {
+            let end = coordinate[jump.neck.checked_sub(1)?];
+            (coordinate[jump.place], jump.place, end)
         } else {
             let contact = contact(&blocks(coordinate), &blocks(forces))?;
-            (contact, coordinate.iter().rposition(|x| *x < contact)? + 1)
+            let first = coordinate.iter().rposition(|x| *x < contact)? + 1;
+            (contact, first, contact)
         };
         let start = coordinate[..first]
             .iter()
@@ -77,7 +79,7 @@ impl BeforeContact {
             .fold(f64::INFINITY, f64::min);
         let largest = forces.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let along = |guard: &f64| {
-            let end = contact - guard * (contact - start);
+            let end = end.min(contact - guard * (contact - start));
             Self::along(coordinate, forces, (first, contact), [start, end])
         };
         let lines: Vec<Self> = GUARDS.iter().filter_map(along).collect();
@@ -198,24 +200,47 @@ pub(crate) fn dependence(residual: &[f64]) -> f64 {
 /// where a neck stretches over many rows before it breaks.
 const FAR: [usize; 3] = [2, 4, 8];
 
-/// The place of the contact's end, if adhesion holds it there: the lowest force, far below those far from the contact;
-/// the first such force where a neck is stretched over more than half of the points before.
-fn jump(forces: &[f64]) -> Option<usize> {
-    let lowest = (0..forces.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]))?;
-    let largest = forces.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let place = |part: &usize| {
-        let far = &forces[..lowest / part];
-        if far.len() < FEWEST_POINTS {
-            return None;
-        }
-        let count = far.len() as f64;
-        let mean = far.iter().sum::<f64>() / count;
-        let variance = far.iter().map(|force| (force - mean).powi(2)).sum::<f64>() / count;
-        let holds = |force: f64| is_pull_off(mean - force, variance.sqrt(), largest - mean);
-        let first = forces.iter().position(|force| holds(*force))?;
-        Some(if *part == FAR[0] { lowest } else { first })
-    };
-    FAR.iter().find_map(place)
+/// The end of a contact that adhesion holds.
+#[derive(Debug, Clone, Copy)]
+struct Jump {
+    /// The place of the contact's end: the lowest force, far below those far from the contact; the first such force
+    /// where a neck is stretched over more than half of the points before.
+    place: usize,
+    /// The place of the first of the low forces in a row up to the lowest: that of a neck, if there is one.
+    neck: usize,
+}
+
+impl Jump {
+    /// Finds the end; none if the lowest force is not far below the others.
+    fn find(forces: &[f64]) -> Option<Self> {
+        let lowest = (0..forces.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]))?;
+        let largest = forces.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let jump = |part: &usize| {
+            let far = &forces[..lowest / part];
+            if far.len() < FEWEST_POINTS {
+                return None;
+            }
+            let count = far.len() as f64;
+            let mean = far.iter().sum::<f64>() / count;
+            let variance = far.iter().map(|force| (force - mean).powi(2)).sum::<f64>() / count;
+            let holds = |force: &f64| is_pull_off(mean - force, variance.sqrt(), largest - mean);
+            let first = forces.iter().position(&holds)?;
+            Some(if *part == FAR[0] {
+                let free = forces[..lowest].iter().rposition(|force| !holds(force));
+                let neck = free.map_or(0, |free| free + 1);
+                Self {
+                    place: lowest,
+                    neck,
+                }
+            } else {
+                Self {
+                    place: first,
+                    neck: first,
+                }
+            })
+        };
+        FAR.iter().find_map(jump)
+    }
 }
 
 /// The break of a curve in two pieces; none if its second piece does not rise.
@@ -318,6 +343,28 @@ mod tests {
         let found = BeforeContact::find(&x, &y).unwrap();
         assert_eq!(found.first_in_contact, 40);
         assert!(found.force.abs() < 0.01 && found.noise < 0.02, "{found:?}");
+    }
+
+    #[test]
+    fn a_neck_within_the_nearer_half_of_the_rows_belongs_to_no_line() {
+        // From the end of a retraction: 150 rows without contact, a neck of 28 rows, the contact. A line that takes a
+        // few rows of the neck in has correlated residuals, which excuse its bend.
+        let force = |i: i32| match i {
+            ..150 => 0.0,
+            150..178 => -7.5 + 4.0 * (f64::from(178 - i) / 28.0).powi(2),
+            _ => -7.5 + 0.16 * f64::from(i - 177),
+        };
+        let ripple = |i: i32| 0.2 * (2.4 * f64::from(i)).sin();
+        let x: Vec<f64> = (0..400).map(f64::from).collect();
+        let y: Vec<f64> = (0..400).map(|i| force(i) + ripple(i)).collect();
+        let found = BeforeContact::find(&x, &y).unwrap();
+        assert!((177..182).contains(&found.first_in_contact), "{found:?}");
+        // The root mean square of a sine.
+        assert!(
+            (found.noise / (0.2 / 2.0_f64.sqrt()) - 1.0).abs() < 0.1,
+            "{found:?}"
+        );
+        assert!(found.shows_itself(&x, &y) && is_pull_off(7.5, found.noise, 28.0));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use pellicle::input::dimension::Dimension;
 
+use super::words::lower_words;
 use crate::Reading;
 
 /// A measured quantity.
@@ -100,7 +101,7 @@ impl Channel {
             Self::Time => &["time", "zeit", "prüfzeit"],
             Self::Stiffness => &["stiffness"],
             Self::ContactRadius => &["radius"],
-            Self::Height => &["height", "höhe", "hauteur", "piezo", "z-sense", "z"],
+            Self::Height => &["height", "höhe", "hauteur", "piezo", "z"],
             Self::Deflection => &["deflection", "cantilever"],
         }
     }
@@ -108,7 +109,7 @@ impl Channel {
     /// Whether the name of a column indicates this quantity.
     #[must_use]
     pub fn is_indicated_by(self, name: &str) -> bool {
-        let words = words(name);
+        let words = lower_words(name);
         self.words()
             .iter()
             .any(|word| words.iter().any(|found| found == word))
@@ -143,16 +144,6 @@ impl From<Reading> for Channel {
             Reading::Stiffness => Self::Stiffness,
         }
     }
-}
-
-/// The words of a name, in lower case.
-fn words(name: &str) -> Vec<String> {
-    let name = name.to_lowercase();
-    let words = name.split(|c: char| !c.is_alphanumeric() && c != '-');
-    words
-        .filter(|word| !word.is_empty())
-        .map(str::to_owned)
-        .collect()
 }
 
 #[cfg(test)]

@@ -219,6 +219,16 @@ pub(super) fn calibration(text: &str, dimension: Dimension) -> Option<(f64, Elec
     Some((upper / per, measures))
 }
 
+/// Whether a text is a length per V or A, or the reverse.
+pub(super) fn is_calibration(text: &str) -> bool {
+    let reversed = || {
+        let (upper, lower) = text.split_once('/')?;
+        calibration(&format!("{lower}/{upper}"), Dimension::Length)
+    };
+    let length = calibration(text, Dimension::Length);
+    length.or_else(reversed).is_some()
+}
+
 /// The part of a header before the first bracket.
 fn before_brackets(text: &str) -> &str {
     let before = text.split(['(', '[']).next().unwrap_or_default();

@@ -244,16 +244,16 @@ impl DataTable {
             return Ok(());
         }
         let stated: Vec<_> = self.files.iter().map(|file| self.stated(file)).collect();
-        self.spring_constant =
-            SpringConstant::of_files(&stated).map_err(|(file, [first, other])| {
-                let error = CurveError::OtherSpringConstant {
-                    given: first.value,
-                    stated: other.value,
-                    line: other.line,
-                    text: other.text,
-                };
-                self.diagnosis(&self.files[file], &error)
-            })?;
+        self.spring_constant = SpringConstant::of_files(&stated).map_err(|(file, both)| {
+            let [first, other] = *both;
+            let error = CurveError::OtherSpringConstant {
+                given: first.value,
+                stated: other.value,
+                line: other.line,
+                text: other.text,
+            };
+            self.diagnosis(&self.files[file], &error)
+        })?;
         Ok(())
     }
 

@@ -75,11 +75,7 @@ impl HeaderField {
     #[must_use]
     pub fn new(text: &str) -> Self {
         let text = tidied(text);
-        let splits = splits(&text).into_iter();
-        let splits = splits.map(|(name, unit)| (name.to_owned(), unit));
-        let mut splits = splits.chain(at_underscores(&text));
-        let found = splits.find(|(_, unit)| kind(unit) != HeaderUnit::None);
-        if let Some((name, unit)) = found {
+        if let Some((name, unit)) = name_and_unit(&text, |unit| kind(unit) != HeaderUnit::None) {
             return Self {
                 name,
                 unit_text: spelling(unit).to_owned(),
@@ -125,6 +121,14 @@ fn tidied(text: &str) -> String {
     words.join(" ").replace('\u{3bc}', "µ")
 }
 
+/// The name of a text and the unit that it states, where that is one.
+pub(super) fn name_and_unit(text: &str, is_unit: impl Fn(&str) -> bool) -> Option<(String, &str)> {
+    let splits = splits(text).into_iter();
+    let splits = splits.map(|(name, unit)| (name.to_owned(), unit));
+    let mut splits = splits.chain(at_underscores(text));
+    splits.find(|(_, unit)| is_unit(unit))
+}
+
 /// The ways of splitting a header into a name and a unit.
 fn splits(text: &str) -> Vec<(&str, &str)> {
     let bracket = |open: char, close: char| {
@@ -147,14 +151,15 @@ fn splits(text: &str) -> Vec<(&str, &str)> {
     .collect()
 }
 
-/// The only part of a name in underscores that is a unit, and the name without it: `Defl_pN_Ex`, `force_uN`. An `m` may
-/// as well be a mean, and the unit behind a prefix in words, `load_micro_N`, is not this part.
+/// The only part of a name in underscores that is a unit, and the name without it: `Defl_pN_Ex`, `Defl_V_Ex`,
+/// `force_uN`. An `m` may as well be a mean, an `A` a channel; nor is it the unit behind a prefix in words,
+/// `load_micro_N`.
 fn at_underscores(text: &str) -> Option<(String, &str)> {
     let parts: Vec<&str> = text.split('_').collect();
     let is_unit = |place: &usize| {
         let has_prefix = PREFIXES.contains(&parts[place - 1].to_lowercase().as_str());
-        let is_known = matches!(kind(parts[*place]), HeaderUnit::Of(_));
-        parts[*place] != "m" && is_known && !has_prefix
+        let is_known = kind(parts[*place]) != HeaderUnit::None;
+        !["m", "A"].contains(&parts[*place]) && is_known && !has_prefix
     };
     let places: Vec<usize> = (1..parts.len()).filter(is_unit).collect();
     let [place] = places[..] else {
@@ -218,6 +223,8 @@ mod tests {
     fn units_in_underscores_and_other_spellings_are_read() {
         for (text, unit) in [
             ("Defl_pN_Ex", "pN"),
+            ("Defl_V_Ex", "V"),
+            ("load_A", ""),
             ("Calc_Ramp_Rt_nm", "nm"),
             ("Time_s_Ex", "s"),
             ("force_uN", "uN"),

@@ -37,7 +37,8 @@ impl<'t> RawCurve<'t> {
                 let is_deflection = *channel == Channel::Deflection;
                 let stated = StatedNumber::of(StatedQuantity::Sensitivity, &table.stated)?;
                 let (value, text) = (stated.value, stated.text.clone());
-                (is_in_volts && is_deflection).then_some(ColumnUnit::Calibration(
+                let is_sure = stated.assumed_unit.is_none();
+                (is_sure && is_in_volts && is_deflection).then_some(ColumnUnit::Calibration(
                     value,
                     Electrical::Voltage,
                     text,

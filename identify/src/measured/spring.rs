@@ -115,7 +115,7 @@ impl SpringConstant {
     /// A file that states another one than the first, with both statements.
     pub fn of_files(
         stated: &[Vec<StatedNumber>],
-    ) -> Result<Option<Self>, (usize, [StatedNumber; 2])> {
+    ) -> Result<Option<Self>, (usize, Box<[StatedNumber; 2]>)> {
         let one =
             |of: &Vec<StatedNumber>| StatedNumber::of(StatedQuantity::SpringConstant, of).cloned();
         let all: Option<Vec<StatedNumber>> = stated.iter().map(one).collect();
@@ -124,7 +124,8 @@ impl SpringConstant {
             return Ok(None);
         };
         if let Some(other) = all.iter().position(|other| first.contradicts(other.value)) {
-            return Err((other, [first.clone(), all[other].clone()]));
+            let both = Box::new([first.clone(), all[other].clone()]);
+            return Err((other, both));
         }
         let (mean, source) = (first.value, SpringSource::Measurement);
         Ok(Some(Self {

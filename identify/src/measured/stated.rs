@@ -1,19 +1,45 @@
 //! Numbers that a text states above its table: the spring constant of the cantilever, its sensitivity, the radius of
 //! the tip, the compliance of the frame.
 //!
-//! A line states a number by a name, a value and a unit, `k (N/m)<tab>0.019`, `Tip radius: 27.5 um`. The text exports
-//! of JPK and of afmformats give spring constants without a unit, in N/m. Nominal numbers are not those of the tip.
+//! A line states a number by the words of a name, a value and a unit at either of them (`setting`). Without a unit a
+//! number is in SI units, as JPK, Asylum and afmformats write them, if it then has a usual size. Nominal numbers are
+//! not those of the tip.
+
+use std::ops::RangeInclusive;
 
 use pellicle::input::dimension::Dimension;
 use pellicle::input::quantity;
 
 use super::columns::calibration;
-use super::header::{Electrical, HeaderField, bare};
+use super::header::Electrical;
+use super::setting::Setting;
 
 /// Two numbers that differ by more than this fraction are not the same one rounded.
 const SAME: f64 = 0.01;
-/// Marks between a name and its value, the surest first.
-const MARKS: [char; 5] = ['\t', '=', ':', ';', ','];
+
+/// Words of settings that are no calibration of the bending of a cantilever by the force, or none that counts.
+const OTHERS: [&str; 20] = [
+    "nominal",
+    "lateral",
+    "torsional",
+    "torsion",
+    "horizontal",
+    "support",
+    "piezo",
+    "scanner",
+    "x",
+    "y",
+    "z",
+    "xsens",
+    "ysens",
+    "zsens",
+    "height",
+    "amp",
+    "amplitude",
+    "ampinvols",
+    "error",
+    "correction",
+];
 
 /// The words for what has the radius of the tip.
 const BODIES: [&str; 8] = [
@@ -44,6 +70,8 @@ pub struct StatedNumber {
     pub quantity: StatedQuantity,
     /// Its value, SI.
     pub value: f64,
+    /// The unit in which it is taken, where the line states none.
+    pub assumed_unit: Option<&'static str>,
     /// The line, from 1.
     pub line: usize,
     /// The text of the line, without its indentation.
@@ -51,23 +79,28 @@ pub struct StatedNumber {
 }
 
 impl StatedNumber {
-    /// The numbers that some lines state, the first of each quantity.
+    /// The numbers that some lines state: of each quantity the first with a unit, or else the first.
     #[must_use]
     pub fn all(lines: &[&str]) -> Vec<Self> {
         let mut found: Vec<Self> = Vec::new();
         for (index, text) in lines.iter().enumerate() {
-            let Some((quantity, value)) = number(text) else {
+            let Some(number) = number(text) else {
                 continue;
             };
-            if found.iter().all(|known| known.quantity != quantity) {
-                let (line, text) = (index + 1, text.split_whitespace().collect::<Vec<_>>());
-                let text = text.join(" ");
-                found.push(Self {
-                    quantity,
-                    value,
-                    line,
-                    text,
-                });
+            let text: Vec<_> = text.split_whitespace().collect();
+            let stated = Self {
+                quantity: number.quantity,
+                value: number.value,
+                assumed_unit: number.assumed_unit,
+                line: index + 1,
+                text: text.join(" "),
+            };
+            match (found.iter_mut()).find(|known| known.quantity == stated.quantity) {
+                None => found.push(stated),
+                Some(known) if known.assumed_unit.is_some() && stated.assumed_unit.is_none() => {
+                    *known = stated;
+                }
+                Some(_) => {}
             }
         }
         found
@@ -98,38 +131,45 @@ impl StatedQuantity {
         }
     }
 
-    /// The quantity of a name, and by how much its value is to be multiplied.
-    fn named(name: &str) -> Option<(Self, f64)> {
-        let words = words(name);
-        let has = |wanted: &[&str]| words.iter().any(|word| wanted.contains(&word.as_str()));
-        if has(&["nominal"]) {
-            return None;
+    /// The sizes that show a number without a unit to be in SI units.
+    fn usual(self) -> RangeInclusive<f64> {
+        match self {
+            Self::SpringConstant => 1e-4..=1e4,
+            Self::Sensitivity => 1e-9..=1e-6,
+            // Of a ball of a tenth of a millimetre at most: 0.05 may be one in millimetres.
+            Self::TipRadius => 1e-9..=1e-4,
+            Self::FrameCompliance => 1e-12..=1e-4,
+            Self::PositionX | Self::PositionY => f64::MIN..=f64::MAX,
         }
-        if let Some(position) = Self::position(&words) {
+    }
+
+    /// The quantity of a name, and by how much its value is to be multiplied.
+    fn named(words: &[String]) -> Option<(Self, f64)> {
+        let has = |wanted: &[&str]| words.iter().any(|word| wanted.contains(&word.as_str()));
+        if let Some(position) = Self::position(words) {
             return Some((position, 1.0));
         }
-        let is_spring = has(&["spring"]) && has(&["constant", "const"]) || words == ["k"];
-        let is_spring = is_spring || has(&["springconstant"]);
-        if is_spring && !has(&["lateral", "torsional", "support"]) {
+        let is_spring = has(&["spring", "force", "cantilever"]) && has(&["constant", "const"])
+            || has(&["springconstant", "forceconstant"])
+            || words == ["k"];
+        if is_spring && !has(&OTHERS) {
             return Some((Self::SpringConstant, 1.0));
         }
-        let is_sensitivity =
-            has(&["sensitivity", "sens"]) && has(&["deflection", "defl", "optical"]);
-        if is_sensitivity || has(&["invols"]) || words == ["inv", "ols"] {
+        let is_sensitivity = has(&["sensitivity", "sens", "deflsens", "invols", "ols"]);
+        if is_sensitivity && !has(&OTHERS) {
             return Some((Self::Sensitivity, 1.0));
         }
         if has(&["frame", "machine", "instrument"]) && has(&["compliance"]) {
             return Some((Self::FrameCompliance, 1.0));
         }
         match (has(&BODIES), has(&["radius"]), has(&["diameter"])) {
+            _ if has(&["nominal"]) => None,
             (true, true, false) => Some((Self::TipRadius, 1.0)),
             (true, false, true) => Some((Self::TipRadius, 0.5)),
             _ => None,
         }
     }
-}
 
-impl StatedQuantity {
     /// The coordinate of a name such as `X`, `X-position` or `position x`.
     fn position(words: &[String]) -> Option<Self> {
         let is_place = |word: &&String| ["position", "pos", "coordinate"].contains(&word.as_str());
@@ -140,75 +180,70 @@ impl StatedQuantity {
             _ => None,
         }
     }
-}
 
-/// The quantity and the SI value that a line states.
-fn number(line: &str) -> Option<(StatedQuantity, f64)> {
-    let plain = line.trim_start_matches(['#', '%']).trim();
-    MARKS.iter().find_map(|mark| {
-        let (name, value) = plain.split_once(*mark)?;
-        let name = name.trim().trim_end_matches([':', '=']).trim_matches('"');
-        let in_name = name.rsplit_once(['(', '[']).map(|(_, unit)| bare(unit));
-        let name = HeaderField::new(name);
-        let (quantity, factor) = StatedQuantity::named(&name.name)?;
-        if quantity == StatedQuantity::Sensitivity {
-            let (value, unit) = value_and_unit(value)?;
-            let unit = Some(unit).filter(|unit| !unit.is_empty()).or(in_name)?;
-            let (size, of) = calibration(unit, quantity.dimension())?;
-            let is_one = of == Electrical::Voltage && value > 0.0 && value.is_finite();
-            return is_one.then_some((quantity, value * size));
-        }
-        let (value, unit) = value_and_unit(value)?;
-        let unit = match [name.unit_text.as_str(), unit]
-            .iter()
-            .find(|unit| !unit.is_empty())
-        {
-            Some(unit) => quantity::one(unit, quantity.dimension()).ok()?,
-            None if line.starts_with('#') && is_bare(&name.name) => 1.0,
-            None => return None,
-        };
-        let value = factor * value * unit;
-        let is_place = [StatedQuantity::PositionX, StatedQuantity::PositionY].contains(&quantity);
-        ((is_place || value > 0.0) && value.is_finite()).then_some((quantity, value))
-    })
-}
-
-/// Whether the exports of JPK and afmformats give the quantity of this name without a unit, in SI.
-fn is_bare(name: &str) -> bool {
-    let name = name.to_lowercase();
-    name.contains("spring") || name.contains("position")
-}
-
-/// A number at the beginning of a text, with either decimal mark, and the unit behind it.
-fn value_and_unit(text: &str) -> Option<(f64, &str)> {
-    let text = text.trim_matches([' ', '\t', '"', ',', ';', ':', '=']);
-    let is_part = |c: char| c.is_ascii_digit() || "+-.,eE".contains(c);
-    let end = text.find(|c| !is_part(c)).unwrap_or(text.len());
-    let (number, unit) = text.split_at(end);
-    let value = number
-        .trim_end_matches(',')
-        .replacen(',', ".", 1)
-        .parse()
-        .ok()?;
-    let unit = unit.split([',', ';', '\t']).next().unwrap_or_default();
-    Some((
-        value,
-        unit.trim().trim_matches(['(', ')', '[', ']', '"']).trim(),
-    ))
-}
-
-/// The words of a name in lower case, split at signs and within `springConstant`.
-fn words(name: &str) -> Vec<String> {
-    let mut split = String::new();
-    let mut was_lower = false;
-    for c in name.chars() {
-        if was_lower && c.is_uppercase() {
-            split.push(' ');
-        }
-        was_lower = c.is_lowercase();
-        split.push(if c.is_alphanumeric() { c } else { ' ' });
+    /// Whether it may be zero or negative.
+    fn is_signed(self) -> bool {
+        matches!(self, Self::PositionX | Self::PositionY)
     }
-    split.split_whitespace().map(str::to_lowercase).collect()
+
+    /// The SI value of a number with this unit; none if the unit is not of this quantity.
+    fn with_unit(self, value: f64, unit: &str) -> Option<f64> {
+        if self != Self::Sensitivity {
+            return Some(value * quantity::one(unit, self.dimension()).ok()?);
+        }
+        let per_volt = |unit: &str| {
+            let (size, of) = calibration(unit, self.dimension())?;
+            (of == Electrical::Voltage).then_some(size)
+        };
+        // Some instruments state the volts of a length.
+        let volts = || {
+            let (volts, length) = unit.split_once('/')?;
+            Some(per_volt(&format!("{length}/{volts}"))? / value)
+        };
+        per_volt(unit).map(|size| value * size).or_else(volts)
+    }
+}
+
+/// A number of a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Number {
+    quantity: StatedQuantity,
+    value: f64,
+    assumed_unit: Option<&'static str>,
+}
+
+/// The number that a line states.
+fn number(line: &str) -> Option<Number> {
+    Setting::ways(line).find_map(|setting| {
+        let (quantity, factor) = StatedQuantity::named(&setting.words)?;
+        let known = |value: f64, assumed_unit| {
+            let value = factor * value;
+            let is_one = value.is_finite() && (value > 0.0 || quantity.is_signed());
+            is_one.then_some(Number {
+                quantity,
+                value,
+                assumed_unit,
+            })
+        };
+        if let Some(unit) = &setting.unit {
+            return known(quantity.with_unit(setting.value, unit)?, None);
+        }
+        // A single letter may be anything, and coordinates without a unit are in SI units only in comments.
+        let says_little = setting.words.concat().len() == 1;
+        if says_little || quantity.is_signed() && !line.starts_with('#') {
+            return None;
+        }
+        let is_usual = |value: &f64| quantity.usual().contains(&(factor * value));
+        if is_usual(&setting.value) {
+            return known(setting.value, None);
+        }
+        let units = ["nm/V", "um/V"].into_iter();
+        let mut units = units.filter(|_| quantity == StatedQuantity::Sensitivity);
+        units.find_map(|unit| {
+            let value = quantity.with_unit(setting.value, unit);
+            known(value.filter(is_usual)?, Some(unit))
+        })
+    })
 }
 
 #[cfg(test)]
@@ -243,6 +278,9 @@ mod tests {
                 50e-9,
             ),
             ("InvOLS: 60.5 nm/V", StatedQuantity::Sensitivity, 60.5e-9),
+            ("SpringConstant: 0.08", SpringConstant, 0.08),
+            ("\\Spring Constant: 0.08", SpringConstant, 0.08),
+            ("Force Constant,0.6,N/m", SpringConstant, 0.6),
             (
                 "Frame compliance (nm/mN)\t0.3",
                 StatedQuantity::FrameCompliance,
@@ -257,9 +295,16 @@ mod tests {
             ("# xPosition: -1.5e-05", StatedQuantity::PositionX, -1.5e-5),
         ] {
             let found = number(line).expect(line);
-            assert_eq!(found.0, quantity, "{line}");
+            assert_eq!(
+                (found.quantity, found.assumed_unit),
+                (quantity, None),
+                "{line}"
+            );
             // A few roundings of products with units.
-            assert!((found.1 / value - 1.0).abs() < 1e-14, "{line}: {found:?}");
+            assert!(
+                (found.value / value - 1.0).abs() < 1e-14,
+                "{line}: {found:?}"
+            );
         }
     }
 
@@ -267,7 +312,6 @@ mod tests {
     fn other_lines_state_none_of_them() {
         for line in [
             "Slope (N/m)\t0.000",
-            "SpringConstant: 0.08",
             "Tip radius (um)\t0.000",
             "Lateral spring constant (N/m): 80",
             "Contact radius (um)\t3",
@@ -276,7 +320,14 @@ mod tests {
             "k\tvalue",
             "Support Spring Stiffness (N/m): 95",
             "Nominal tip radius (nm): 20",
-            "  SpringConstant: 0.08",
+            "Spring constant (counts): 60",
+            "Spring constant: 60 counts",
+            "Spring constant error: 0.001",
+            "Piezo sensitivity (nm/V): 12",
+            "\\@Sens. Zsens: V 12.5 nm/V",
+            "AmpInvOLS: 60e-9",
+            "Sensitivity: 3 mN/V",
+            "InvOLS: 4000000",
             "# k: 40",
             "X (#)\t1",
             "Z-position (um)\t6833.680",
@@ -284,6 +335,57 @@ mod tests {
         ] {
             assert_eq!(number(line), None, "{line}");
         }
+    }
+
+    #[test]
+    fn a_sensitivity_is_read_wherever_its_unit_stands() {
+        for line in [
+            "# sensitivity: 5.5e-08",
+            "InvOLS: 5.5e-08",
+            "DeflInvOLS: 5.5e-08",
+            "InvOLS (nm/V): 55",
+            "InvOLS [nm/V]\t55.0",
+            "Inv. OLS, nm/V; 55,0",
+            "InvOLS: 55 nm/V",
+            "InvOLS=0.055 um/V",
+            "Defl. sens. (nm/V): 55",
+            "\"\\@Sens. DeflSens: V 55.0 nm/V\"",
+            "Sensitivity,55,nm/V",
+            "Optical lever sensitivity (nm/mV): 0.055",
+            "deflection_sensitivity = 55 nm/V",
+            "Deflection sensitivity (V/m): 18181818.18181818",
+            "Photodiode sensitivity: 18.18181818181818 mV/nm",
+        ] {
+            let found = number(line).expect(line);
+            assert_eq!(
+                (found.quantity, found.assumed_unit),
+                (StatedQuantity::Sensitivity, None),
+                "{line}"
+            );
+            // A few roundings of products with units.
+            assert!(
+                (found.value / 55e-9 - 1.0).abs() < 1e-14,
+                "{line}: {found:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_sensitivity_without_a_unit_has_that_which_makes_it_usual() {
+        for (line, unit) in [("InvOLS: 55", "nm/V"), ("Sensitivity: 0.055", "um/V")] {
+            let found = number(line).expect(line);
+            assert_eq!(found.assumed_unit, Some(unit), "{line}");
+            // Two roundings of a product.
+            assert!(
+                (found.value / 55e-9 - 1.0).abs() < 1e-14,
+                "{line}: {found:?}"
+            );
+        }
+        let found = StatedNumber::all(&["InvOLS: 55", "Defl. sens. (nm/V): 54"]);
+        assert_eq!(
+            (found.len(), found[0].line, found[0].assumed_unit),
+            (1, 2, None)
+        );
     }
 
     #[test]

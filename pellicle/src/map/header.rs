@@ -53,17 +53,19 @@ impl MapHeader {
             return Ok(());
         };
         let (key, value) = (key.trim().to_lowercase(), value.trim());
-        let length = || quantity::parse(value, Dimension::Length).ok();
-        let number = || value.parse::<f64>().ok();
+        let number = with_point(value);
+        let length = || quantity::parse(&number, Dimension::Length).ok();
         match key.as_str() {
             "width" => self.width = self.width.or_else(length),
             "height" => self.height = self.height.or_else(length),
             "pixel size" => self.pixel = self.pixel.or_else(length),
             "cellsize" if length().is_some() => self.pixel = length(),
-            "cellsize" => self.cell = Some(cell(value)?),
+            "cellsize" => self.cell = Some(cell(&number)?),
             "ncols" => self.counts[0] = Some(count("ncols", value)?),
             "nrows" => self.counts[1] = Some(count("nrows", value)?),
-            "nodata_value" => self.missing = self.missing.or_else(number),
+            "nodata_value" => {
+                self.missing = self.missing.or_else(|| number.parse().ok());
+            }
             "value units" | "z units" if !value.is_empty() => self.unit = Some(value.to_owned()),
             _ => {}
         }
@@ -162,6 +164,23 @@ impl MapHeader {
     }
 }
 
+/// A value with a point in place of a decimal comma, `10,00 µm`.
+fn with_point(value: &str) -> String {
+    let ends_in_digit = |text: &str| text.ends_with(|c: char| c.is_ascii_digit());
+    let begins_with_digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+    match value.split_once(',') {
+        Some((whole, fraction))
+            if ends_in_digit(whole)
+                && begins_with_digit(fraction)
+                && !value.contains('.')
+                && !fraction.contains(',') =>
+        {
+            format!("{whole}.{fraction}")
+        }
+        _ => value.to_owned(),
+    }
+}
+
 fn count(key: &'static str, value: &str) -> Result<usize, MapError> {
     let count = value.parse().ok().filter(|count| *count > 0);
     count.ok_or_else(|| MapError::header(key, value, "a positive number"))
@@ -211,6 +230,17 @@ mod tests {
         let map = applied(&["ncols 4", "nrows 2", "cellsize 0.5", "NODATA_value 1"]);
         assert_eq!((map.sides, map.lateral_unit), (Some([2.0, 1.0]), None));
         assert!(map.heights.iter().all(|height| height.is_nan()));
+    }
+
+    #[test]
+    fn numbers_of_the_head_may_have_a_decimal_comma() {
+        let lines = ["# Width: 10,00 \u{b5}m", "# Height: 4,5 \u{b5}m"];
+        assert_sides(&applied(&lines), [10e-6, 4.5e-6]);
+        let map = applied(&["ncols 4", "nrows 2", "cellsize 0,5", "NODATA_value 1,0"]);
+        assert_eq!(map.sides, Some([2.0, 1.0]));
+        assert!(map.heights.iter().all(|height| height.is_nan()));
+        assert_eq!(applied(&["Width: 1,024.5 um"]).sides, None);
+        assert_eq!(applied(&["Width: 1,024,5 um"]).sides, None);
     }
 
     #[test]

@@ -4,7 +4,6 @@ use pellicle::display::{DisplayUnit, significant};
 use serde::Serialize;
 
 use super::Search;
-use super::condition::Side;
 use super::crossing::Bracket;
 use super::interval::{Bracketed, End, Towards};
 use super::scale::Scales;
@@ -74,7 +73,9 @@ impl Search {
     /// The answer of a search whose condition holds at both ends or at neither. Where an end does not count, that says
     /// nothing of the whole range.
     pub(super) fn no_crossing(&self, ends: &[Tried; 2]) -> Answer {
-        let holds = ends[0].number.is_some_and(|number| self.holds(number));
+        let holds = ends[0]
+            .number
+            .is_some_and(|number| self.condition.holds(number));
         let keys = ends.each_ref().map(|end| end.key.to_bits());
         let is_whole = keys == self.range.map(f64::to_bits);
         let (verdict, word) = match (holds, is_whole) {
@@ -100,7 +101,7 @@ impl Search {
     /// The answer of a search whose limit is bracketed.
     pub(super) fn crossing(&self, cases: &Bracketed, bracket: &Bracket, scales: &Scales) -> Answer {
         let [(below, _), (above, _)] = bracket.sides();
-        let holds_before = (below < above) == (self.condition.side == Side::Below);
+        let holds_before = (below < above) == self.condition.comparison.is_upper_limit();
         let mut notes = Vec::new();
         let changes = cases.changes();
         if changes > 1 {
@@ -109,7 +110,51 @@ impl Search {
                  answer is one of the changes"
             ));
         }
+        let interval = self.interval(cases, bracket, scales, &mut notes);
+        let place = if leaves_zero(bracket, scales) {
+            let [first, last] = bracket.ends();
+            first.midpoint(last)
+        } else {
+            bracket.crossing()
+        };
+        Answer {
+            verdict: Verdict::Found,
+            extreme: Some(if holds_before {
+                Extreme::Largest
+            } else {
+                Extreme::Smallest
+            }),
+            value: Some(scales.key_at(place)),
+            interval,
+            notes,
+        }
+    }
+
+    /// The interval in which the ± of the number straddles the limit, or a note why there is none.
+    fn interval(
+        &self,
+        cases: &Bracketed,
+        bracket: &Bracket,
+        scales: &Scales,
+        notes: &mut Vec<String>,
+    ) -> Option<[f64; 2]> {
         let name = &self.condition.result.name;
+        if leaves_zero(bracket, scales) {
+            let [first, last] = bracket.ends().map(|place| scales.key_at(place));
+            notes.push(format!(
+                "no interval: {name} leaves zero between {} and {} on this grid, and no ± tells how far off that is: \
+                 ask again on a finer one",
+                self.case_words(first),
+                self.key.words(last)
+            ));
+            return None;
+        }
+        if self.condition.result.error.is_none() {
+            notes.push(format!(
+                "no interval: {name} has no ±, so the answer is that of the grid as it is"
+            ));
+            return None;
+        }
         let ends = [Towards::Smaller, Towards::Larger].map(|towards| cases.end(towards));
         let mut end = |end: End, range: f64| match end {
             End::At(place) => Some(scales.key_at(place)),
@@ -123,36 +168,12 @@ impl Search {
             End::Unresolved => None,
         };
         let [low, high] = [end(ends[0], self.range[0]), end(ends[1], self.range[1])];
-        let interval = low.zip(high).map(|(low, high)| [low, high]);
-        if self.condition.result.error.is_none() {
-            notes.push(format!(
-                "{name} has no ±, so the answer is that of the grid as it is"
-            ));
-        } else if interval.is_none() {
+        if low.is_none() || high.is_none() {
             notes.push(format!(
                 "no interval, as the ± of {name} is not resolved on this grid: more elements may help"
             ));
         }
-        Answer {
-            verdict: Verdict::Found,
-            extreme: Some(if holds_before {
-                Extreme::Largest
-            } else {
-                Extreme::Smallest
-            }),
-            value: Some(scales.key_at(bracket.crossing())),
-            interval,
-            notes,
-        }
-    }
-
-    /// Whether the condition holds for a number.
-    #[must_use]
-    pub fn holds(&self, number: f64) -> bool {
-        match self.condition.side {
-            Side::Below => number < self.condition.limit,
-            Side::Above => number > self.condition.limit,
-        }
+        low.zip(high).map(|(low, high)| [low, high])
     }
 
     /// A case in words: `load.force = 2.0000 mN`.
@@ -217,6 +238,12 @@ impl Search {
             self.key.path, words[0]
         )
     }
+}
+
+/// Whether the number is zero on one side of the crossing, as an area before any contact.
+fn leaves_zero(bracket: &Bracket, scales: &Scales) -> bool {
+    let sides = bracket.sides();
+    sides.iter().any(|(_, number)| scales.is_zero(*number))
 }
 
 /// Fewest and most digits of an answer.

@@ -12,13 +12,56 @@ use crate::result_column::ResultColumn;
 
 const WANTED: &str = "a number of the result and its limit, such as \"max_pressure < 2 GPa\"";
 
-/// The side of the limit on which the condition holds.
+/// How a number and its limit are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// Below the limit.
+pub enum Comparison {
+    /// `<`
     Below,
-    /// Above the limit.
+    /// `≤`
+    AtMost,
+    /// `>`
     Above,
+    /// `≥`
+    AtLeast,
+}
+
+impl Comparison {
+    /// The comparison at the beginning of a text, and the rest.
+    fn read(text: &str) -> Option<(Self, &str)> {
+        let of = [
+            ("<=", Self::AtMost),
+            (">=", Self::AtLeast),
+            ("≤", Self::AtMost),
+            ("≥", Self::AtLeast),
+            ("<", Self::Below),
+            (">", Self::Above),
+        ];
+        of.into_iter()
+            .find_map(|(sign, comparison)| Some((comparison, text.strip_prefix(sign)?)))
+    }
+
+    /// Whether it holds of small numbers.
+    #[must_use]
+    pub fn is_upper_limit(self) -> bool {
+        matches!(self, Self::Below | Self::AtMost)
+    }
+
+    /// Whether a number at the limit counts as one below it: of an area that is to be above zero, one of zero.
+    #[must_use]
+    pub fn counts_limit_below(self) -> bool {
+        matches!(self, Self::AtMost | Self::Above)
+    }
+
+    /// Its sign.
+    #[must_use]
+    pub fn sign(self) -> char {
+        match self {
+            Self::Below => '<',
+            Self::AtMost => '≤',
+            Self::Above => '>',
+            Self::AtLeast => '≥',
+        }
+    }
 }
 
 /// A condition on a number of the result.
@@ -26,8 +69,8 @@ pub enum Side {
 pub struct Condition {
     /// The number.
     pub result: ResultColumn,
-    /// The side of the limit on which it holds.
-    pub side: Side,
+    /// How the number is compared with the limit.
+    pub comparison: Comparison,
     /// The limit, in SI units or the case's own.
     pub limit: f64,
     /// The units of the case.
@@ -49,13 +92,14 @@ impl Condition {
         let wrong = |part: &str, found: String, wanted: String| {
             Diagnosis::of_text(span(part), Fault::Wrong { found, wanted })
         };
-        let Some((place, sign)) = whole.char_indices().find(|(_, c)| "<>≤≥".contains(*c))
-        else {
+        let compared = || {
+            let place = whole.find(['<', '>', '≤', '≥'])?;
+            let (comparison, limit) = Comparison::read(&whole[place..])?;
+            Some((whole[..place].trim(), comparison, limit.trim()))
+        };
+        let Some((name, comparison, limit)) = compared() else {
             return Err(wrong(whole, format!("`{whole}`"), WANTED.into()));
         };
-        let (name, rest) = (&whole[..place], &whole[place + sign.len_utf8()..]);
-        let limit = rest.strip_prefix('=').unwrap_or(rest).trim();
-        let name = name.trim();
         let result = ResultColumn::named(name, columns).map_err(|(found, wanted)| {
             let diagnosis = wrong(name, found, wanted);
             match ResultColumn::closest(name, columns) {
@@ -67,22 +111,20 @@ impl Condition {
             .map_err(|wanted| wrong(limit, format!("`{limit}`"), wanted))?;
         Ok(Self {
             result,
-            side: if "<≤".contains(sign) {
-                Side::Below
-            } else {
-                Side::Above
-            },
+            comparison,
             limit,
             units,
         })
     }
 
-    /// The sign between number and limit.
+    /// Whether it holds for a number.
     #[must_use]
-    pub fn sign(&self) -> char {
-        match self.side {
-            Side::Below => '<',
-            Side::Above => '>',
+    pub fn holds(&self, number: f64) -> bool {
+        match self.comparison {
+            Comparison::Below => number < self.limit,
+            Comparison::AtMost => number <= self.limit,
+            Comparison::Above => number > self.limit,
+            Comparison::AtLeast => number >= self.limit,
         }
     }
 
@@ -90,7 +132,7 @@ impl Condition {
     #[must_use]
     pub fn words(&self) -> String {
         let limit = self.value_words(self.limit);
-        format!("{} {} {limit}", self.result.name, self.sign())
+        format!("{} {} {limit}", self.result.name, self.comparison.sign())
     }
 
     /// Writes a value of the number, with its unit.

@@ -2,7 +2,8 @@
 //!
 //! `T. R. Chandrupatla, Advances in Engineering Software 28, 145 (1997)`: a step is inverse quadratic interpolation
 //! through the last three points where that is safe, else bisection. The first step here is that of the secant: in
-//! logarithms many results are straight lines, and the next point is then the answer.
+//! logarithms many results are straight lines, and the next point is then the answer. A value that stays at zero, as an
+//! area before any contact, leads nowhere: its bracket is halved. On which side of zero a zero counts, its sign says.
 
 /// A point of the function: its argument and its value.
 pub type Point = (f64, f64);
@@ -46,6 +47,13 @@ impl Bracket {
         between([a, b], [below, above])
     }
 
+    /// The arguments at its ends, the smaller first.
+    #[must_use]
+    pub fn ends(&self) -> [f64; 2] {
+        let [(a, _), (b, _)] = self.sides();
+        [a.min(b), a.max(b)]
+    }
+
     /// Returns the next argument to try; none if the bracket is not wider than `width`.
     ///
     /// A step is at least half of `width` long: a try near the crossing is followed by one just behind it.
@@ -63,7 +71,9 @@ impl Bracket {
     /// The place of the next argument: 0 at the newest point, 1 at the other.
     fn share(&self) -> f64 {
         let ((a, at_a), (b, at_b)) = (self.newest, self.other);
-        if at_a.is_infinite() || at_b.is_infinite() {
+        // A zero that the next point did not leave is no crossing of a line.
+        let stays_at_zero = at_b.abs() <= 0.0 || self.previous.is_none() && at_a.abs() <= 0.0;
+        if at_a.is_infinite() || at_b.is_infinite() || stays_at_zero {
             return 0.5;
         }
         let Some((c, at_c)) = self.previous else {
@@ -92,7 +102,7 @@ impl Bracket {
 }
 
 fn is_below((_, value): Point) -> bool {
-    value < 0.0
+    value.is_sign_negative()
 }
 
 /// The zero of the straight line through two points.
@@ -140,6 +150,18 @@ mod tests {
         assert!(width <= 1e-3 && (zero - 1.234).abs() < 1e-3);
         // log₂(4.6/10⁻³) = 12.2
         assert!(count <= 18, "{count}");
+    }
+
+    #[test]
+    fn a_function_that_leaves_zero_is_bracketed_by_bisection() {
+        let of = |x: f64| if x < 1.234 { -0.0 } else { x - 1.0 };
+        let (width, zero, count) = crossing(of, [-2.3, 2.3]);
+        assert!(width <= 1e-3 && (zero - 1.234).abs() < 1e-3);
+        // log₂(4.6/10⁻³) = 12.2
+        assert!(count <= 13, "{count}");
+        let of = |x: f64| if x > 1.234 { 0.0 } else { x - 2.0 };
+        let (width, zero, count) = crossing(of, [-2.3, 2.3]);
+        assert!(width <= 1e-3 && (zero - 1.234).abs() < 1e-3 && count <= 13);
     }
 
     #[test]

@@ -10,9 +10,9 @@ use pellicle_files::lock::Lock;
 use pellicle_files::{FileError, disk, json, partial, whole};
 use serde::{Deserialize, Serialize};
 
-use super::Search;
 use super::answer::Answer;
 use super::tried::{self, Tried};
+use super::{Search, own_case};
 use crate::StudyError;
 
 /// Name of the file with question and answer.
@@ -68,7 +68,7 @@ impl<'a> SearchReport<'a> {
                 .map(|dimension| key.units.name(dimension.si_unit())),
             result: &condition.result.name,
             result_unit: condition.result.unit.as_deref(),
-            sign: condition.sign(),
+            sign: condition.comparison.sign(),
             limit: condition.limit,
             range: search.range,
             within: search.within,
@@ -82,7 +82,48 @@ impl<'a> SearchReport<'a> {
 #[derive(Debug, Deserialize)]
 struct Identity {
     schema: String,
-    identity: String,
+    version: String,
+    #[serde(rename = "identity")]
+    hash: String,
+    title: String,
+    key: String,
+    result: String,
+    range: [f64; 2],
+}
+
+impl Identity {
+    /// The refusal of another search in its folder, which names what differs first.
+    fn other_than(self, search: &Search, path: &Path) -> StudyError {
+        let (key, result) = (&search.key, &search.condition.result.name);
+        let range = |range: [f64; 2]| range.map(|end| key.words(end)).join(" to ");
+        let version = env!("CARGO_PKG_VERSION").to_owned();
+        let is_other_range = own_case(&search.base).is_none()
+            && self.range[0].to_bits() != search.range[0].to_bits();
+        let (what, found, wanted) = if self.version != version {
+            ("version".to_owned(), self.version, version)
+        } else if self.key != key.path {
+            ("key".to_owned(), self.key, key.path.clone())
+        } else if self.result != *result {
+            ("number".to_owned(), self.result, result.clone())
+        } else if self.title != search.title {
+            let quoted = |title: &str| format!("\"{title}\"");
+            let [found, wanted] = [&self.title, &search.title].map(|title| quoted(title));
+            ("title".to_owned(), found, wanted)
+        } else if is_other_range {
+            let what = format!("range of {}", key.path);
+            (what, range(self.range), range(search.range))
+        } else {
+            let [found, wanted] = ["one with other values", "this one"].map(str::to_owned);
+            ("case".to_owned(), found, wanted)
+        };
+        let path = path.to_owned();
+        StudyError::OtherSearch {
+            path,
+            what,
+            found,
+            wanted,
+        }
+    }
 }
 
 /// The folder of a search, which no other process uses until it is dropped.
@@ -97,7 +138,7 @@ impl SearchFolder {
     ///
     /// # Errors
     ///
-    /// [`FileError::NoResults`] if there is something not written by a search, [`StudyError::OtherStudy`] if there are
+    /// [`FileError::NoResults`] if there is something not written by a search, [`StudyError::OtherSearch`] if there are
     /// results of another search, [`FileError::Busy`] if another process uses it, [`FileError::Write`] if it cannot be
     /// written to.
     pub fn claim(
@@ -113,9 +154,10 @@ impl SearchFolder {
         if found.is_none() && !is_empty {
             return Err(FileError::NoResults { path: of_path() }.into());
         }
-        let is_same = found.is_some_and(|found| found.identity == search.identity);
-        if !is_same && !is_empty && !fresh {
-            return Err(StudyError::OtherStudy { path: of_path() });
+        let other = found.filter(|found| found.hash != search.identity);
+        let is_same = other.is_none() && !is_empty;
+        if let Some(other) = other.filter(|_| !fresh) {
+            return Err(other.other_than(search, path));
         }
         let failed = |cause| StudyError::write(path, cause);
         disk::create_dir_all(path).map_err(failed)?;

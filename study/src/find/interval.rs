@@ -66,7 +66,7 @@ impl Bracketed {
     pub fn changes(&self) -> usize {
         let pairs = self.cases.windows(2);
         pairs
-            .filter(|pair| (pair[0].number < 0.0) != (pair[1].number < 0.0))
+            .filter(|pair| is_below(pair[0].number) != is_below(pair[1].number))
             .count()
     }
 
@@ -90,13 +90,13 @@ impl Bracketed {
         let (Some(mut inner), Some(nearest)) = (inner, nearest) else {
             return End::Beyond;
         };
-        let is_below = nearest.number < 0.0;
+        let below = is_below(nearest.number);
         for case in self.cases_towards(towards) {
-            let ends = (limiting(inner, is_below), limiting(case, is_below));
+            let ends = (limiting(inner, below), limiting(case, below));
             let (Some(before), Some(here)) = ends else {
                 return End::Unresolved;
             };
-            if (here < 0.0) == is_below {
+            if is_below(here) == below {
                 // Between a number and an infinite one, as that of a critical force above all loads, is no line.
                 if here.is_infinite() {
                     return End::At(case.key);
@@ -112,9 +112,9 @@ impl Bracketed {
     #[must_use]
     pub fn proposed(&self, towards: Towards) -> Option<f64> {
         let nearest = self.cases_towards(towards).next()?;
-        let is_below = nearest.number < 0.0;
+        let below = is_below(nearest.number);
         let is_clear =
-            |case: &&Certified| limiting(case, is_below).is_some_and(|end| (end < 0.0) == is_below);
+            |case: &&Certified| limiting(case, below).is_some_and(|end| is_below(end) == below);
         let clear = self.cases_towards(towards).find(is_clear)?;
         let [low, high] = nearest.band?;
         if clear.number.is_infinite() {
@@ -127,6 +127,11 @@ impl Bracketed {
         let proposed = self.crossing + sign * BEYOND * distance;
         (!is_near && distance.is_finite()).then_some(proposed)
     }
+}
+
+/// Whether a number on its scale is below the limit: the sign of 0 is that of its side.
+fn is_below(number: f64) -> bool {
+    number.is_sign_negative()
 }
 
 /// The end of the band that is nearest to the limit for a case below or above it.

@@ -235,10 +235,10 @@ impl Tries<'_> {
 
     fn answer(&mut self) -> Result<Answer, Ended> {
         let (search, [low, high]) = (self.search, self.search.range);
-        let on_key = Scales::new(search.range, [1.0; 2], search.condition.limit);
+        let on_key = Scales::new(search.range, [1.0; 2], &search.condition);
         let ends = [self.end(low, high, &on_key)?, self.end(high, low, &on_key)?];
         let numbers = ends.each_ref().map(|end| end.number.unwrap_or(f64::NAN));
-        let scales = Scales::new(search.range, numbers, search.condition.limit);
+        let scales = Scales::new(search.range, numbers, &search.condition);
         let point = |tried: &Tried| {
             let case = scales.certified(tried);
             case.map_or((f64::NAN, f64::NAN), |case| (case.key, case.number))
