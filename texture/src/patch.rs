@@ -33,6 +33,14 @@ pub(crate) struct Corner {
     pub(crate) twist: f64,
 }
 
+impl Corner {
+    /// The largest coefficient that a cell has at this corner, on whichever side it lies.
+    pub(crate) fn bound(&self) -> f64 {
+        let slopes = (self.along_x.abs() + self.along_y.abs()) / 3.0;
+        self.height + slopes + self.twist.abs() / 9.0
+    }
+}
+
 /// The Bernstein coefficients of a cell, first index x.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch([[f64; 4]; 4]);

@@ -197,8 +197,14 @@ impl<'a> Cells<'a> {
         let mut next = self.line(lines.start);
         for i in lines {
             let line = std::mem::replace(&mut next, self.line((i + 1).min(rows - 1)));
+            let is_high = |corner: &Corner| corner.bound() > equal;
+            let pairs = line.iter().zip(&next);
+            let high: Vec<bool> = pairs.map(|(a, b)| is_high(a) | is_high(b)).collect();
             for j in self.map.own_cells(1) {
                 let k = (j + 1).min(columns - 1);
+                if !(high[j] || high[k]) {
+                    continue;
+                }
                 let patch = Patch::new([[line[j], line[k]], [next[j], next[k]]]);
                 let bound = patch.bound();
                 if bound > equal && !self.map.is_limited([i, j]) {

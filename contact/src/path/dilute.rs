@@ -34,7 +34,8 @@ use crate::{
     solver::Watch,
 };
 
-/// Multiplications per element for a step on the whole grid: its product, the filter twice, and the sums.
+/// Multiplications per element for a step on the whole grid: its product, the filter with its band, and the
+/// sums.
 const WHOLE_STEP: usize = 100;
 /// Least ratio of the cost of a step on the whole grid to one on candidates.
 const LEAST_GAIN: usize = 4;

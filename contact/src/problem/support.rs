@@ -97,8 +97,9 @@ pub trait Support: ElasticOperator {
         GapScale::Penetration
     }
 
-    /// The symbol of `K` on a periodic grid that covers the elements; none if it is unknown or they are few.
-    fn symbol(&self) -> Option<PeriodicSymbol> {
+    /// The symbol of `K` on a periodic grid that covers the elements, and at least `room` more beyond a border at which
+    /// the contact may end; none if it is unknown or they are few.
+    fn symbol(&self, _room: usize) -> Option<PeriodicSymbol> {
         None
     }
 }

@@ -34,10 +34,10 @@
 //! eight times the products, because preconditioners are least accurate for a uniform residual.
 //!
 //! **Preconditioners.** The default is the reciprocal of the symbol of `K` on the periodic grid, aliases included,
-//! whose result is forced to vanish in a narrow band around the set: without aliases or band it takes twice the
-//! products. Under a coating more than about twenty times as stiff as its base, or four times if the surface is rough,
-//! it is a factorised sparse approximate inverse `Gᵀ G` of the restricted system (Kaporin 1994; Schäfer, Katzfuss and
-//! Owhadi 2021), or for a small set the Cholesky factor of that system.
+//! whose result is forced to vanish in a narrow band around the set, and beyond a border that the contact reaches:
+//! without aliases or band it takes twice the products. Under a coating more than about twenty times as stiff as its
+//! base, or four times if the surface is rough, it is a factorised sparse approximate inverse `Gᵀ G` of the restricted
+//! system (Kaporin 1994; Schäfer, Katzfuss and Owhadi 2021), or for a small set the Cholesky factor of that system.
 //!
 //! **Springs.** Nonlinear springs are linearised at a pressure, and again as soon as the residual by their law clearly
 //! exceeds that of the linear problem: Newton's method around the loop above, without additional products.
@@ -109,7 +109,7 @@ impl ElasticSolver for GradientSolver {
     ) -> Result<(Iterate, Option<Vec<f64>>), ContactError> {
         let fields = self.fields_for(problem);
         let mut iteration = Iteration::begin(problem, fields, load, start);
-        let mut strategy = Strategy::new(iteration.begins_with_newton());
+        let mut strategy = Strategy::new(iteration.begins_with_newton(), iteration.most_cuts());
         let mut residuals = Vec::new();
         let ending = loop {
             let judgement = iteration.judge();

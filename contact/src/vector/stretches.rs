@@ -162,6 +162,18 @@ impl Stretches {
         });
     }
 
+    /// The stretches of a field of rows of `size` elements, divided where a row ends: the row and column at which each
+    /// begins, and its range.
+    pub fn in_rows(&self, size: usize) -> impl Iterator<Item = ([usize; 2], Range<usize>)> {
+        self.ranges.iter().flat_map(move |range| {
+            let rows = range.start / size..range.end.div_ceil(size);
+            rows.map(move |i| {
+                let start = range.start.max(i * size);
+                ([i, start - i * size], start..range.end.min((i + 1) * size))
+            })
+        })
+    }
+
     /// Applies `rule` to each stretch of a field.
     fn on_each(&self, field: &mut [f64], rule: impl Fn(&mut [f64], Range<usize>) + Sync) {
         assert_eq!(field.len(), self.length, "the stretches of this field");
@@ -286,6 +298,22 @@ mod tests {
             let near = |i: usize| mask[i / LANES * LANES..].iter().take(LANES).any(|m| *m);
             assert!((0..length).all(|i| found[i] == f64::from(u8::from(near(i)))));
             Stretches::none(length).each(&mut found, |_| unreachable!());
+        }
+    }
+
+    #[test]
+    fn stretches_are_divided_where_rows_end() {
+        let mask = mask(9000);
+        let stretches = Stretches::around(&mask);
+        for size in [1, 7, 30, 1000] {
+            let mut found = vec![0.0; mask.len()];
+            for ([i, j], range) in stretches.in_rows(size) {
+                assert!(range.start == i * size + j && j + range.len() <= size);
+                found[range].iter_mut().for_each(|value| *value += 1.0);
+            }
+            let mut wanted = vec![0.0; mask.len()];
+            stretches.each(&mut wanted, |value| *value += 1.0);
+            assert_eq!(found, wanted, "{size}");
         }
     }
 

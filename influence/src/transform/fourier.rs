@@ -256,9 +256,12 @@ impl<T: Real> Lines for FourierLines<T> {
             }
             let outcome = self.rows_back.process_with_scratch(row, reals, transform);
             assert!(outcome.is_ok(), "the lengths are the plan's");
-            let numbers = reals[period - before..].iter().chain(&*reals);
-            for (value, number) in values.iter_mut().zip(numbers) {
-                *value = number.widened() * scale;
+            let (preceding, others) = values.split_at_mut(before);
+            let parts = [(preceding, &reals[period - before..]), (others, &*reals)];
+            for (values, numbers) in parts {
+                for (value, number) in values.iter_mut().zip(numbers) {
+                    *value = number.widened() * scale;
+                }
             }
         }
     }

@@ -24,6 +24,9 @@ const WIDTH: usize = 16;
 /// length is a power of two.
 const SKEW: usize = 8;
 
+/// Numbers of which either none is wanted or all are looked at.
+const TOGETHER: usize = 8;
+
 /// Plans and buffers for one size.
 pub(crate) struct PlaneTransform<L: Lines> {
     lines: L,
@@ -269,15 +272,19 @@ impl<L: Lines> PlaneTransform<L> {
 
 /// Copies the numbers that are wanted, few or many.
 fn copy_where(wanted: &[bool], from: &[f64], to: &mut [f64]) {
-    const TOGETHER: usize = 8;
-    let chunks = wanted.chunks(TOGETHER).zip(from.chunks(TOGETHER));
-    for ((wanted, from), to) in chunks.zip(to.chunks_mut(TOGETHER)) {
-        if wanted.contains(&true) {
-            for ((to, from), wanted) in to.iter_mut().zip(from).zip(wanted) {
-                *to = if *wanted { *from } else { *to };
-            }
+    let copy = |(to, (from, wanted)): (&mut f64, (&f64, &bool))| {
+        *to = if *wanted { *from } else { *to };
+    };
+    let (wanted, wanted_rest) = wanted.as_chunks::<TOGETHER>();
+    let (from, from_rest) = from.as_chunks::<TOGETHER>();
+    let (to, to_rest) = to.as_chunks_mut::<TOGETHER>();
+    for ((wanted, from), to) in wanted.iter().zip(from).zip(to) {
+        if *wanted != [false; TOGETHER] {
+            to.iter_mut().zip(from.iter().zip(wanted)).for_each(copy);
         }
     }
+    let rest = to_rest.iter_mut().zip(from_rest.iter().zip(wanted_rest));
+    rest.for_each(copy);
 }
 
 impl<L: Lines<Real = f64>> PlaneTransform<L> {

@@ -53,7 +53,7 @@ impl Support for Cell {
         }
     }
 
-    fn symbol(&self) -> Option<PeriodicSymbol> {
+    fn symbol(&self, _: usize) -> Option<PeriodicSymbol> {
         Some(self.elasticity.cell_symbol(self.region.lengths()))
     }
 }

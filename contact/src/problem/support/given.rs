@@ -64,7 +64,7 @@ mod tests {
     fn the_own_coefficient_of_an_operator_is_that_of_its_central_element() {
         let mut given = Given::new(Box::new(Springs), Region::whole(3));
         assert_eq!(given.own_coefficient(), 5.0);
-        assert!(given.coefficient([0, 1]).is_nan() && given.symbol().is_none());
+        assert!(given.coefficient([0, 1]).is_nan() && given.symbol(0).is_none());
         assert!(given.part(&Region::whole(3)).is_none());
     }
 }

@@ -63,8 +63,15 @@ impl Support for BodyUnderGrid {
         Some(&self.elasticity)
     }
 
-    fn symbol(&self) -> Option<PeriodicSymbol> {
-        Some(self.elasticity.symbol(self.region.shape().whole_size()))
+    fn symbol(&self, room: usize) -> Option<PeriodicSymbol> {
+        let shape = self.region.shape();
+        let size = if room == 0 || self.may_grow() {
+            shape.size()
+        } else {
+            let side = shape.whole_size() + 2 * room;
+            SurfaceElasticity::fast_size(shape.for_square(side).size())
+        };
+        Some(self.elasticity.symbol(shape.with_size(size).whole_size()))
     }
 }
 

@@ -235,6 +235,11 @@ impl<'a> Iteration<'a> {
         self.begins_with_newton
     }
 
+    /// The number of fast steps that are cut in succession before they give way.
+    pub fn most_cuts(&self) -> usize {
+        self.fields.preconditioner.most_cuts()
+    }
+
     /// Takes a conjugate step if the set has not changed, else a spectral one.
     pub fn fast_step(&mut self) -> StepOutcome {
         let (mut context, steps) = self.fields.on(self.problem);

@@ -21,6 +21,7 @@ mod sparse_factor;
 
 use pellicle_influence::PeriodicSymbol;
 
+use crate::solver::gradient::preconditioner::edge_band::ROOM;
 use crate::solver::gradient::preconditioner::inverse::Inverse;
 use crate::solver::gradient::preconditioner::restricted_filter::RestrictedFilter;
 use crate::solver::gradient::preconditioner::sparse_factor::{
@@ -91,6 +92,8 @@ pub struct Preconditioner {
     neighbours: usize,
     /// Whether the coating is so stiff that Newton's method comes first.
     is_for_newton: bool,
+    /// Whether it is a filter on a rough surface.
+    is_on_islands: bool,
     shortcuts: Shortcuts,
 }
 
@@ -115,7 +118,7 @@ pub enum UniformAccuracy {
 
 impl Preconditioner {
     pub fn new(problem: &DiscreteProblem, shortcuts: Shortcuts) -> Self {
-        let symbol = problem.support().symbol();
+        let symbol = problem.support().symbol(0);
         let contrast = symbol.as_ref().map_or(1.0, stiffness_contrast);
         let is_stiff = contrast > stiff(problem);
         let has_springs = problem.springs().compliance().iter().any(|c| *c > 0.0);
@@ -123,6 +126,7 @@ impl Preconditioner {
             Some(_) => neighbours(problem.region().grid_size(), contrast),
             None => NEIGHBOURS_OF_CANDIDATE,
         };
+        let mut is_on_islands = false;
         let inverse = match symbol {
             None if !shortcuts.sparse_factor => Inverse::Identity,
             None => factor(problem, neighbours).unwrap_or(Inverse::Identity),
@@ -132,6 +136,10 @@ impl Preconditioner {
                 factor(problem, neighbours).unwrap_or(Inverse::Identity)
             }
             Some(symbol) => {
+                // Islands of a rough surface may end at the border of the domain.
+                is_on_islands = contrast < STIFF_FOR_NEWTON && problem.is_rough();
+                let wider = is_on_islands.then(|| problem.support().symbol(ROOM));
+                let symbol = wider.flatten().unwrap_or(symbol);
                 let mut filter = RestrictedFilter::new(symbol, &problem.region());
                 filter.has_band = shortcuts.edge_band;
                 Inverse::Filter(Box::new(filter))
@@ -153,6 +161,7 @@ impl Preconditioner {
             },
             adapted_to: None,
             neighbours,
+            is_on_islands,
             is_for_newton: is_stiff || contrast > STIFF_FOR_NEWTON && has_springs,
             shortcuts,
         }
@@ -162,6 +171,12 @@ impl Preconditioner {
     /// as many products for each halving of the set.
     pub fn is_for_newton(&self) -> bool {
         self.is_for_newton
+    }
+
+    /// Fast steps that are cut in succession where they creep along an edge of the contact. With a filter on the many
+    /// edges of a rough surface one is cut where it was too long.
+    pub fn most_cuts(&self) -> usize {
+        if self.is_on_islands { 2 } else { 1 }
     }
 
     /// Whether the preconditioner knows the operator.

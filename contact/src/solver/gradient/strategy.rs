@@ -26,11 +26,14 @@ pub enum Phase {
 pub struct Strategy {
     phase: Phase,
     milestone: Milestone,
+    /// Fast steps cut in succession, and how many of them end the phase.
+    cuts: usize,
+    most_cuts: usize,
 }
 
 impl Strategy {
-    /// Begins with Newton's method or with the fast steps.
-    pub fn new(begins_with_newton: bool) -> Self {
+    /// Begins with Newton's method or with the fast steps, which end with so many cuts in succession.
+    pub fn new(begins_with_newton: bool, most_cuts: usize) -> Self {
         Self {
             phase: if begins_with_newton {
                 Phase::Newton(0)
@@ -38,6 +41,8 @@ impl Strategy {
                 Phase::Fast
             },
             milestone: Milestone::new(HALVED),
+            cuts: 0,
+            most_cuts,
         }
     }
 
@@ -45,14 +50,15 @@ impl Strategy {
         self.phase
     }
 
-    /// Records the residual before a step and what the step came to; returns true if the phase changes. Fast steps are
-    /// cut where they creep along an edge of the contact.
+    /// Records the residual before a step and what the step came to; returns true if the phase changes.
     pub fn changes_phase(&mut self, residual: f64, outcome: StepOutcome) -> bool {
         match self.phase {
             Phase::Descent => false,
             Phase::Fast => {
                 let has_stalled = self.milestone.count(residual) >= FAST_PATIENCE;
-                (has_stalled || outcome == StepOutcome::Cut) && self.enter(Phase::Newton(0))
+                let is_cut = outcome == StepOutcome::Cut;
+                self.cuts = if is_cut { self.cuts + 1 } else { 0 };
+                (has_stalled || self.cuts >= self.most_cuts) && self.enter(Phase::Newton(0))
             }
             Phase::Newton(failures) => match outcome {
                 StepOutcome::Exchanged => {
@@ -80,6 +86,7 @@ impl Strategy {
     fn enter(&mut self, phase: Phase) -> bool {
         self.phase = phase;
         self.milestone.restart();
+        self.cuts = 0;
         true
     }
 }
@@ -89,17 +96,20 @@ mod tests {
     use super::{Phase, StepOutcome, Strategy};
 
     #[test]
-    fn fast_steps_continue_while_they_gain_and_give_way_when_cut() {
-        let mut strategy = Strategy::new(false);
+    fn fast_steps_continue_while_they_gain_and_give_way_when_cut_twice() {
+        let mut strategy = Strategy::new(false, 2);
         for step in 0..100 {
             assert!(!strategy.changes_phase(0.5_f64.powi(step), StepOutcome::Clipped));
         }
-        assert!(strategy.changes_phase(1e-40, StepOutcome::Cut));
+        for outcome in [StepOutcome::Cut, StepOutcome::Clipped, StepOutcome::Cut] {
+            assert!(!strategy.changes_phase(1e-40, outcome));
+        }
+        assert!(strategy.changes_phase(1e-41, StepOutcome::Cut));
         assert_eq!(strategy.phase(), Phase::Newton(0));
     }
 
     fn at_newton() -> Strategy {
-        let mut strategy = Strategy::new(false);
+        let mut strategy = Strategy::new(false, 2);
         while strategy.phase() == Phase::Fast {
             strategy.changes_phase(1.0, StepOutcome::Clipped);
         }
@@ -108,8 +118,8 @@ mod tests {
 
     #[test]
     fn under_a_stiff_coating_newton_comes_first() {
-        assert_eq!(Strategy::new(true).phase(), Phase::Newton(0));
-        assert_eq!(Strategy::new(false).phase(), Phase::Fast);
+        assert_eq!(Strategy::new(true, 2).phase(), Phase::Newton(0));
+        assert_eq!(Strategy::new(false, 2).phase(), Phase::Fast);
     }
 
     #[test]
