@@ -146,7 +146,7 @@ fn derivatives_by_each_radius_are_those_of_the_closed_form() {
 }
 
 #[test]
-fn an_area_narrower_than_two_elements_is_not_resolved() {
+fn an_area_of_two_elements_across_is_not_resolved() {
     let wanted = elliptic_hertz::from_force([1e4, 1.0], 1.0, 1.0);
     let side = 2.2 * wanted.semi_axes[0];
     let area = std::f64::consts::PI * wanted.semi_axes[0] * wanted.semi_axes[1];

@@ -35,8 +35,8 @@ pub struct ContactShape {
     /// Area in m², in total and on the relief.
     pub area: f64,
     pub area_on_relief: f64,
-    /// Uncertainty of the area from the position of the edge within its elements, in m². A contact narrower than two
-    /// elements everywhere is as uncertain as its area: no edge is straight across its elements.
+    /// Uncertainty of the area from the position of the edge within its elements, in m². A contact of at most two
+    /// elements across everywhere is as uncertain as its area: between its edges no element lies that has no part in them.
     pub uncertainty: f64,
     /// Distance from the axis to the farthest point of the edge, in m.
     pub radius: f64,
@@ -53,8 +53,8 @@ struct CellSum {
     cut_on_relief: f64,
     radius: f64,
     meets_outline: bool,
-    /// Whether all corners of a cell are in contact.
-    has_whole: bool,
+    /// Whether three by three elements are in contact.
+    has_block: bool,
 }
 
 /// Where the contact ends between two centres.
@@ -98,7 +98,7 @@ impl ContactShape {
         Self {
             area,
             area_on_relief: without(all.area_on_relief, all.cut_on_relief),
-            uncertainty: if all.has_whole {
+            uncertainty: if all.has_block {
                 whole * all.cut * (UNCERTAINTY / OFFSET)
             } else {
                 area
@@ -115,7 +115,15 @@ impl CellSum {
         let mut part = Self::default();
         for column in field.region.first_line()..size {
             let in_contact = field.in_contact_around([line, column]);
-            part.has_whole |= in_contact == 4;
+            if in_contact == 4 && !part.has_block {
+                let beside = [
+                    [line + 1, column],
+                    [line, column + 1],
+                    [line + 1, column + 1],
+                ];
+                let mut beside = beside.into_iter();
+                part.has_block = beside.all(|place| field.in_contact_around(place) == 4);
+            }
             match in_contact {
                 0 => {}
                 4 if field.is_one_side([line, column]) => part.add_whole(field, [line, column]),
@@ -167,7 +175,7 @@ impl CellSum {
             cut_on_relief: self.cut_on_relief + other.cut_on_relief,
             radius: self.radius.max(other.radius),
             meets_outline: self.meets_outline || other.meets_outline,
-            has_whole: self.has_whole || other.has_whole,
+            has_block: self.has_block || other.has_block,
         }
     }
 }
