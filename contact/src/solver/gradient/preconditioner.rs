@@ -47,6 +47,9 @@ const STIFF_IF_SPRINGY: f64 = 6.75;
 /// always does. Pillars under a coating of 9 take a fifth fewer products than with the fast steps, a bare coating a
 /// fifth more. With a threshold of 3, Fig. 2d would take 30 instead of 19 at N = 1024.
 const STIFF_FOR_NEWTON: f64 = 7.0;
+/// Contrast above which the filter applies its band twice: applied once, it takes 42 products for a rough film under a
+/// coating of 5, twice up to 40. From 1.5 to 5 the work of rough films and coatings is the same within 5 %.
+const PLATE: f64 = 2.5;
 /// Mean compliance of springs above which they matter, in units of the elastic compliance of one element.
 const SPRINGY: f64 = 0.05;
 /// Stiffness contrast above which the factor needs more neighbours to stay below 40 products at N = 512.
@@ -142,6 +145,7 @@ impl Preconditioner {
                 let symbol = wider.flatten().unwrap_or(symbol);
                 let mut filter = RestrictedFilter::new(symbol, &problem.region());
                 filter.has_band = shortcuts.edge_band;
+                filter.is_plate = contrast > PLATE;
                 Inverse::Filter(Box::new(filter))
             }
         };

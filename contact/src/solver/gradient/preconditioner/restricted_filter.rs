@@ -34,16 +34,12 @@
 use pellicle_influence::{PeriodicFilter, PeriodicSymbol, SectorGrid};
 
 use crate::grid::region::Region;
-use crate::solver::gradient::preconditioner::edge_band::{EdgeBand, Stencil};
+use crate::solver::gradient::preconditioner::edge_band::EdgeBand;
 use crate::solver::gradient::working_set::WorkingSet;
 use crate::vector::update;
 
 /// Ratio of successive mean compliances for which filters are built.
 const MEAN_RATIO: f64 = 1.1;
-
-/// Sum of the coefficients of `F` within the band's reach, in units of the first, below which the body counts as a
-/// plate: 0.11 on a homogeneous body, more under soft coatings.
-const PLATE: f64 = 0.08;
 
 /// The restricted inverse on one grid.
 pub struct RestrictedFilter {
@@ -63,8 +59,8 @@ pub struct RestrictedFilter {
     band: EdgeBand,
     /// Whether there is a band at all.
     pub has_band: bool,
-    /// Whether the band is applied twice.
-    is_plate: bool,
+    /// Whether the band is applied twice, as under a stiff coating.
+    pub is_plate: bool,
     /// The set on the wide grid, and with its band.
     set: Vec<bool>,
     both: Vec<bool>,
@@ -141,9 +137,6 @@ impl RestrictedFilter {
         self.filter.multiply_by(multiplier);
         let coefficients = self.filter.answers(multiplier);
         self.band.take_coefficients(&coefficients);
-        self.is_plate = sum_over_reach(&coefficients) < PLATE * coefficients[0][0];
-        let elements = if self.is_plate { self.field.len() } else { 0 };
-        self.filtered.resize(elements, 0.0);
         let both = 1.0 / coefficients[0][0];
         let own = both - mean;
         let has_springs = relief_compliance.iter().any(|eta| *eta > 0.0);
@@ -184,6 +177,7 @@ impl RestrictedFilter {
 
     /// Applies the filter with the band, and once more to what makes the result vanish on the band.
     fn filter_thrice(&mut self, set: &WorkingSet) {
+        self.filtered.resize(self.field.len(), 0.0);
         let (field, filtered) = (&mut self.field, &mut self.filtered);
         (self.filter).apply_into(field, self.band.mask(), filtered);
         self.band.balance(filtered, field);
@@ -207,16 +201,6 @@ impl RestrictedFilter {
             (set.stretches()).update(field, &self.flank, |value, s| *value *= s);
         }
     }
-}
-
-/// The sum of all coefficients within reach, including mirror images.
-fn sum_over_reach(coefficients: &Stencil) -> f64 {
-    let images = |offset: usize| if offset == 0 { 1.0 } else { 2.0 };
-    let rows = coefficients.iter().enumerate().map(|(i, row)| {
-        let terms = row.iter().enumerate().map(|(j, f)| images(j) * f);
-        images(i) * terms.sum::<f64>()
-    });
-    rows.sum()
 }
 
 /// The nearest power of [`MEAN_RATIO`]; 0 for values negligible beside the body's own compliance of 1.
