@@ -8,8 +8,8 @@
 //! ```
 //!
 //! so that its power spectrum falls as `|q|^−2(1 + H)`, `H` being the Hurst exponent (Persson et al. 2005). `q` and
-//! `−q` are one wave with independent phases, so its amplitude is that power times the cosine of a random angle: the root
-//! mean square of the samples is exact, that of the slopes scatters by some hundredths from seed to seed.
+//! `−q` are one wave with independent phases, so its amplitude is that power times the cosine of a random angle: the
+//! root mean square of the samples is exact, that of the slopes scatters by some hundredths from seed to seed.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

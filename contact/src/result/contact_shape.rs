@@ -36,7 +36,7 @@ pub struct ContactShape {
     pub area: f64,
     pub area_on_relief: f64,
     /// Uncertainty of the area from the position of the edge within its elements, in m². A contact of at most two
-    /// elements across everywhere is as uncertain as its area: between its edges no element lies that has no part in them.
+    /// elements across everywhere is as uncertain as its area: each of its elements has a part in an edge.
     pub uncertainty: f64,
     /// Distance from the axis to the farthest point of the edge, in m.
     pub radius: f64,

@@ -7,8 +7,9 @@
 //! ```
 //!
 //! Bush, Gibson and Thomas (1975) have `κ = √(2π)`, Persson (2001) has `A/A_0 = erf(√2 p*)`, so `κ = √(8/π)`. `E*` is
-//! that of the bodies at the wavenumber `√(m₄/m₂)` of the waves in which the slopes are, with the moments `m₂` and `m₄` of
-//! the map's spectrum, from its mean square slope and curvature. On a half-space it is `E/(1 − ν²)` under a rigid body.
+//! that of the bodies at the wavenumber `√(m₄/m₂)` of the waves in which the slopes are, with the moments `m₂` and `m₄`
+//! of the map's spectrum, from its mean square slope and curvature. On a half-space it is `E/(1 − ν²)` under a rigid
+//! body.
 
 use pellicle_contact::{LoadingPath, Step};
 use pellicle_texture::nan_from_null;

@@ -268,7 +268,7 @@ fn pillars_and_layers_that_elements_do_not_resolve_are_warned_about() {
     assert_eq!(thin.len(), 1);
     assert!(thin[0].0 == 1 && (thin[0].1 - 0.019).abs() < 1e-12);
     assert!(of_layers(&[(4.0, 0.1), (10.0, 2.1e-4)]).is_empty());
-    // A gel on a rigid base needs two elements to four thicknesses, a compressible layer or one between equals does not.
+    // A gel on a rigid base needs two elements to four thicknesses; a compressible layer, or one between equals, not.
     let gel = |poisson_ratio: f64, base: Base, thickness: f64| {
         let gel = Material::new(1.0, poisson_ratio).unwrap();
         let layer = Layer::new(thickness, gel, Interface::Bonded).unwrap();
